@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 // Of a new file, less the process's mask.
 constexpr mode_t kMode = 0666;
 // Names that are taken are tried again with another number.
-constexpr int kAttempts = 16;
+constexpr int kNameAttempts = 16;
 
 /// Its name below /proc, by which a file without a name gets one.
 std::string name_of(std::FILE* file) {
@@ -76,7 +76,7 @@ fs::path AtomicFile::new_name() const {
 }
 
 void AtomicFile::open_beside() {
-    for (int attempt = 0; attempt < kAttempts; ++attempt) {
+    for (int attempt = 0; attempt < kNameAttempts; ++attempt) {
         temporary_ = new_name();
         // Exclusive creation: never follow a link or overwrite another file.
         file_ = std::fopen(temporary_.c_str(), "w+bxe");
@@ -163,7 +163,7 @@ void AtomicFile::commit() {
         }
         // A link cannot replace a file: the new one gets a name for a moment, which takes the other's place.
         for (int attempt = 0; temporary_.empty(); ++attempt) {
-            if (errno != EEXIST || attempt == kAttempts) fail(errno);
+            if (errno != EEXIST || attempt == kNameAttempts) fail(errno);
             if (const fs::path name = new_name(); link(name)) temporary_ = name;
         }
     }

@@ -13,7 +13,7 @@
 namespace nicol {
 namespace {
 
-constexpr int kAttempts = 3;
+constexpr int kReadAttempts = 3;
 
 /// Empty if there is no such file. The time of the last change cannot be set back, unlike that of the last
 /// modification.
@@ -66,7 +66,7 @@ FileRecorder::State FileRecorder::state_of(std::span<const std::filesystem::path
 bool FileRecorder::keep(std::span<const std::filesystem::path> files, const State& before, int attempt) {
     for (std::size_t i = 0; i < files.size(); ++i) {
         if (identity_of(files[i]) == before[i].identity) continue;
-        if (attempt == kAttempts) invalid_file(files[i], "changes while it is read");
+        if (attempt == kReadAttempts) invalid_file(files[i], "changes while it is read");
         return false;
     }
     for (const auto& [identity, record] : before)
