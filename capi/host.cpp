@@ -8,7 +8,7 @@ using namespace nicol::capi;
 
 namespace {
 
-gl::HostAccess access_from(const nicol_host& host, const nicol_context_options& options) {
+gl::HostAccess access_from(const nicol_host& host) {
     require(host.get_proc_address, "host->get_proc_address");
     gl::HostAccess access;
     access.function = [look_up = host.get_proc_address, user = host.user](const char* name) {
@@ -17,11 +17,6 @@ gl::HostAccess access_from(const nicol_host& host, const nicol_context_options& 
     if (host.is_current != nullptr) {
         access.is_current = [is_current = host.is_current, user = host.user] {
             return is_current(user) != 0;
-        };
-    }
-    if (options.log != nullptr) {
-        access.notice = [log = options.log, user = options.log_user](const std::string& message) {
-            log(user, NICOL_LOG_NOTICE, NICOL_ERROR_OPENGL, message.c_str());
         };
     }
     return access;
@@ -48,7 +43,7 @@ nicol_result nicol_context_create_host(const nicol_host* host, const nicol_conte
         if (chosen.backend != NICOL_BACKEND_AUTOMATIC || chosen.device != 0) {
             refuse("backend and device must be 0: the context is the host's");
         }
-        *context = make_context(gl::Context::create_in_host(access_from(access, chosen)), chosen);
+        *context = make_context(gl::Context::create_in_host(access_from(access)), chosen);
     });
 }
 

@@ -1350,11 +1350,16 @@ NICOL_API nicol_result nicol_framebuffer_write_png(nicol_framebuffer framebuffer
  *                 thread to thread.
  *   State         All of the host's OpenGL state is as before when a call returns: what Nicol changes it saves and
  *                 restores, and what it depends on (scissor, masks, pixel storage, ...) it sets and restores. Objects
- *                 are made with new names and others are left alone. Three things cannot be restored: calls must not be
- *                 made while transform feedback runs unpaused or while a program that is deleted is still in use, which
- *                 is NICOL_ERROR_UNSUPPORTED, nor within conditional rendering, which cannot be queried. Active queries
- *                 of the host count what is drawn. An error pending in glGetError when a call begins is cleared and
- *                 logged.
+ *                 are made with new names and others are left alone. Active queries of the host count what is drawn,
+ *                 and its debug callback gets the driver's messages about Nicol's commands.
+ *   Refused       with NICOL_ERROR_UNSUPPORTED are calls in states that cannot be restored, or in which nothing is
+ *                 drawn: transform feedback that is not paused, conditional rendering, a current program that is
+ *                 deleted or whose last link failed; in compatibility contexts also a display list that is compiled
+ *                 and a render mode other than GL_RENDER.
+ *   Errors        that the host left pending stay pending: glGetError returns after a call what it would have returned
+ *                 before, and no error of Nicol's. For an error that cannot be made pending again, GL_STACK_OVERFLOW,
+ *                 GL_STACK_UNDERFLOW or GL_CONTEXT_LOST, the call takes the error, fails with NICOL_ERROR_OPENGL and
+ *                 names it. nicol_context_create_host leaves pending errors alone.
  *   Callbacks     that come while Nicol renders must not call OpenGL.
  *   Jobs          bake, project and shade on a thread of Nicol's, while the host goes on. The OpenGL commands that they
  *                 give wait until the host lends its context: a call of nicol_job_poll where it is current gives those
@@ -1404,7 +1409,8 @@ typedef struct nicol_gl_texture {
 
 /* The texture of a colour channel: a texel is the Stokes vector (s0, s1, s2, s3), row 0 is the image's TOP.
  * The name is valid, and stays the same, until the framebuffer is released; the content is that of the last
- * render. It may be sampled and its sampling parameters changed, but neither written nor deleted.
+ * render. It may be sampled, and its filters and wrap modes changed, but not its swizzle; it must neither be
+ * written nor deleted.
  * NICOL_ERROR_UNSUPPORTED for a framebuffer whose context is not a host's, as for the functions below. */
 NICOL_API nicol_result nicol_framebuffer_get_texture(nicol_framebuffer framebuffer, uint32_t channel,
                                                      nicol_gl_texture* texture);

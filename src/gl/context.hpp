@@ -30,7 +30,6 @@ struct ContextRequest {
 struct HostAccess {
     std::function<void (*(const char* name))()> function;  ///< the host's look-up of OpenGL functions
     std::function<bool()> is_current;  ///< on the calling thread; empty: OpenGL is queried
-    std::function<void(const std::string& message)> notice;  ///< may be empty
 };
 
 struct ContextInfo {

@@ -6,42 +6,12 @@
 #include <utility>
 
 #include "error.hpp"
+#include "gl/host_errors.hpp"
+#include "gl/host_refusal.hpp"
 #include "gl/host_state.hpp"
 #include "gl/state.hpp"
 
 namespace nicol::gl {
-namespace {
-
-/// Clears the host's earlier errors, which must not be attributed to this library.
-void forget_errors(const GladGLContext& gl, const HostAccess& access) {
-    for (int i = 0; i < 8; ++i) {  // a lost context reports errors without end
-        const GLenum error = gl.GetError();
-        if (error == GL_NO_ERROR) return;
-        if (access.notice) {
-            access.notice("an error of the host's own was pending in its OpenGL context and is discarded: " +
-                          error_name(error));
-        }
-    }
-}
-
-void require_idle(const GladGLContext& gl) {
-    const auto refuse = [](const char* text) { throw Error(ErrorCode::unsupported, text); };
-    GLboolean active = GL_FALSE, paused = GL_FALSE;
-    gl.GetBooleanv(GL_TRANSFORM_FEEDBACK_ACTIVE, &active);
-    gl.GetBooleanv(GL_TRANSFORM_FEEDBACK_PAUSED, &paused);
-    if (active == GL_TRUE && paused == GL_FALSE)
-        refuse("the host's transform feedback is active; end or pause it around calls of Nicol");
-    GLint program = 0, deleted = GL_FALSE;
-    gl.GetIntegerv(GL_CURRENT_PROGRAM, &program);
-    if (program != 0) gl.GetProgramiv(static_cast<GLuint>(program), GL_DELETE_STATUS, &deleted);
-    if (deleted == GL_TRUE)
-        refuse(
-            "the host's current program is deleted and would be gone once another one is used; use another "
-            "or none around calls of Nicol");
-}
-
-}  // namespace
-
 void Host::mark(const Context::State& state) {
     static std::atomic<unsigned long> contexts = 0;
     mark_ = "nicol " + std::to_string(++contexts);
@@ -88,10 +58,12 @@ void Host::execute(Context::State& state, void (*call)(void*), void* argument) {
         Inside& operator=(const Inside&) = delete;
         std::atomic<std::thread::id>& thread;
     } const inside(inside_);
-    forget_errors(state.gl, access_);
-    require_idle(state.gl);
+    require_drawable(state);
+    const HostErrors host_errors(state.gl);
+    require_unconditional(state);
     remove_waiting(state);
     const HostState host_state(state);
+    state.check("saving and setting the state of the host's OpenGL context");
     call(argument);
 }
 

@@ -42,8 +42,8 @@ public:
     /// Throws Error(not_current) unless it is.
     void require_current(const Context::State& state) const;
     /// Calls call(argument) between saving and restoring the host's state; for a thread that borrows, where
-    /// the context is lent. Throws Error(not_current), or Error(unsupported) if the host is in a state that
-    /// cannot be restored.
+    /// the context is lent. Throws Error(not_current), and for a pending error or a
+    /// state of the host what host_errors.hpp and host_refusal.hpp say.
     void execute(Context::State& state, void (*call)(void*), void* argument);
     [[nodiscard]] bool on_thread() const noexcept { return inside_.load() == std::this_thread::get_id(); }
 

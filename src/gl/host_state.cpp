@@ -65,7 +65,7 @@ PixelTransfer pixel_transfer(const Context::State& state) {
 }  // namespace
 
 HostState::HostState(const Context::State& state)
-    : state_(state), gl_(state.gl), capability_names_(capabilities(state)) {
+    : state_(state), gl_(state.gl), capability_names_(capabilities(state)), program_(state) {
     save();
     save_units();
     set();
@@ -81,6 +81,15 @@ void HostState::save() {
     fill(draw_buffers_, state_.integer(GL_MAX_DRAW_BUFFERS), [this](GLuint i, DrawBuffer& buffer) {
         gl_.GetBooleani_v(GL_COLOR_WRITEMASK, i, buffer.mask.data());
         buffer.blend = gl_.IsEnabledi(GL_BLEND, i);
+        const auto value = [&](GLenum what) {
+            GLint number = 0;
+            gl_.GetIntegeri_v(what, i, &number);
+            return static_cast<GLenum>(number);
+        };
+        buffer.functions = {value(GL_BLEND_SRC_RGB), value(GL_BLEND_DST_RGB), value(GL_BLEND_SRC_ALPHA),
+                            value(GL_BLEND_DST_ALPHA)};
+        buffer.colour_equation = value(GL_BLEND_EQUATION_RGB);
+        buffer.alpha_equation = value(GL_BLEND_EQUATION_ALPHA);
     });
     gl_.GetBooleanv(GL_DEPTH_WRITEMASK, &depth_mask_);
     depth_function_ = state_.integer(GL_DEPTH_FUNC);
@@ -96,7 +105,6 @@ void HostState::save() {
         fill(pixel_transfers_, kPixelTransfers.size(),
              [this](GLuint i, GLfloat& value) { gl_.GetFloatv(kPixelTransfers[i].name, &value); });
     }
-    program_ = name(GL_CURRENT_PROGRAM);
     vertex_array_ = name(GL_VERTEX_ARRAY_BINDING);
     framebuffer_ = name(GL_DRAW_FRAMEBUFFER_BINDING);
     pack_ = name(GL_PIXEL_PACK_BUFFER_BINDING);
@@ -128,6 +136,9 @@ void HostState::save_units() {
 void HostState::set() {
     for (const GLenum capability : capability_names_) gl_.Disable(capability);
     gl_.Disable(GL_BLEND);  // of every draw buffer, and so on
+    // A second source allows fewer draw buffers, even where blending is off.
+    gl_.BlendFunc(GL_ONE, GL_ZERO);
+    gl_.BlendEquation(GL_FUNC_ADD);
     gl_.Disable(GL_SCISSOR_TEST);
     gl_.DepthRange(0, 1);
     gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
@@ -136,6 +147,7 @@ void HostState::set() {
     gl_.ProvokingVertex(GL_LAST_VERTEX_CONVENTION);
     gl_.ClipControl(GL_UPPER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
     set_pixels();
+    gl_.ActiveTexture(GL_TEXTURE0);
     // A host's sampler would override our textures' filters.
     for (GLuint i = 0; i < texture_units_.size(); ++i) gl_.BindSampler(i, 0);
 }
@@ -161,6 +173,13 @@ HostState::~HostState() {
     each(draw_buffers_, [this](GLuint i, const DrawBuffer& buffer) {
         gl_.ColorMaski(i, buffer.mask[0], buffer.mask[1], buffer.mask[2], buffer.mask[3]);
         (buffer.blend == GL_TRUE ? gl_.Enablei : gl_.Disablei)(GL_BLEND, i);
+        const auto& [source, destination, source_alpha, destination_alpha] = buffer.functions;
+        gl_.BlendFuncSeparatei(i, source, destination, source_alpha, destination_alpha);
+        if (buffer.colour_equation == buffer.alpha_equation) {
+            gl_.BlendEquationi(i, buffer.colour_equation);  // those of extensions are only set together
+        } else {
+            gl_.BlendEquationSeparatei(i, buffer.colour_equation, buffer.alpha_equation);
+        }
     });
     gl_.DepthMask(depth_mask_);
     gl_.DepthFunc(static_cast<GLenum>(depth_function_));
@@ -176,12 +195,9 @@ HostState::~HostState() {
     }
     put_back_pixels();
     put_back_units();
-    gl_.UseProgram(program_);
+    program_.put_back();
     gl_.BindVertexArray(vertex_array_);
     gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer_);
-    // Errors of a failed call must not be attributed to the host.
-    for (int i = 0; i < 8 && gl_.GetError() != GL_NO_ERROR; ++i) {
-    }
 }
 
 void HostState::put_back_pixels() const {

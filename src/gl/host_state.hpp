@@ -5,6 +5,7 @@
 #include <array>
 #include <vector>
 
+#include "gl/host_program.hpp"
 #include "gl/state.hpp"
 
 namespace nicol::gl {
@@ -14,13 +15,13 @@ namespace nicol::gl {
 ///   capabilities   depth, stencil and scissor test, culling, blending, logical operation, dithering, polygon
 ///                  offset and smoothing, sample masks, primitive restart, rasterizer discard, clip distances
 ///                  and depth clamp, sRGB writes; of compatibility contexts alpha test and stipple
-///   values         viewports and depth ranges, colour and depth masks, depth function, culled and front
-///                  face, polygon mode, clip control, provoking vertex, pixel storage; of compatibility
-///                  contexts pixel transfer and clamping of colours
-///   bindings       program, vertex array, draw framebuffer, pixel buffers, active texture; 2D textures and
+///   values         viewports and depth ranges, colour and depth masks, blend functions and equations, depth
+///                  function, culled and front face, polygon mode, clip control, provoking vertex, pixel
+///                  storage; of compatibility contexts pixel transfer and clamping of colours
+///   bindings       program with its subroutines, vertex array, draw framebuffer, pixel buffers, active
+///   texture; 2D textures and
 ///                  samplers of the first units, storage buffers (kTextureUnits and so on); the first image
-/// Everything else is used without binding it. Not saved, since OpenGL has no query for it: conditional
-/// rendering.
+/// Everything else is used without binding it.
 class HostState {
 public:
     static constexpr int kTextureUnits = 16;
@@ -40,6 +41,8 @@ private:
     struct DrawBuffer {
         std::array<GLboolean, 4> mask;
         GLboolean blend;
+        std::array<GLenum, 4> functions;  ///< source and destination of the colours, then of alpha
+        GLenum colour_equation, alpha_equation;
     };
     struct TextureUnit {
         GLint texture, sampler;
@@ -76,7 +79,8 @@ private:
     GLboolean depth_mask_ = GL_TRUE;
     GLint depth_function_ = 0, culled_ = 0, front_ = 0, provoking_ = 0, clip_origin_ = 0, clip_depth_ = 0;
     std::array<GLint, 2> polygon_mode_{};
-    GLuint program_ = 0, vertex_array_ = 0, framebuffer_ = 0, pack_ = 0, unpack_ = 0, storage_buffer_ = 0;
+    HostProgram program_;
+    GLuint vertex_array_ = 0, framebuffer_ = 0, pack_ = 0, unpack_ = 0, storage_buffer_ = 0;
     GLint active_texture_ = 0;
 };
 

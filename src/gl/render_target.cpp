@@ -2,6 +2,7 @@
 // Framebuffers and their attachments.
 #include "gl/render_target.hpp"
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <utility>
@@ -46,15 +47,47 @@ const RenderTargetDescription& checked(const RenderTargetDescription& descriptio
     return description;
 }
 
+struct TextureTarget {
+    GLenum target, binding;
+};
+constexpr std::array kTextureTargets{
+    TextureTarget{GL_TEXTURE_1D, GL_TEXTURE_BINDING_1D},
+    TextureTarget{GL_TEXTURE_2D, GL_TEXTURE_BINDING_2D},
+    TextureTarget{GL_TEXTURE_3D, GL_TEXTURE_BINDING_3D},
+    TextureTarget{GL_TEXTURE_1D_ARRAY, GL_TEXTURE_BINDING_1D_ARRAY},
+    TextureTarget{GL_TEXTURE_2D_ARRAY, GL_TEXTURE_BINDING_2D_ARRAY},
+    TextureTarget{GL_TEXTURE_RECTANGLE, GL_TEXTURE_BINDING_RECTANGLE},
+    TextureTarget{GL_TEXTURE_BUFFER, GL_TEXTURE_BINDING_BUFFER},
+    TextureTarget{GL_TEXTURE_CUBE_MAP, GL_TEXTURE_BINDING_CUBE_MAP},
+    TextureTarget{GL_TEXTURE_CUBE_MAP_ARRAY, GL_TEXTURE_BINDING_CUBE_MAP_ARRAY},
+    TextureTarget{GL_TEXTURE_2D_MULTISAMPLE, GL_TEXTURE_BINDING_2D_MULTISAMPLE},
+    TextureTarget{GL_TEXTURE_2D_MULTISAMPLE_ARRAY, GL_TEXTURE_BINDING_2D_MULTISAMPLE_ARRAY}};
+
+/// Target of an existing texture; 0 if it is of an extension's. Binds the texture and looks where it is,
+/// because Mesa's compatibility contexts do not answer glGetTextureParameteriv(GL_TEXTURE_TARGET).
+GLenum target_of(const Context::State& state, GLuint texture) {
+    const GladGLContext& gl = state.gl;
+    const auto bound = [&state](const TextureTarget& target) {
+        return static_cast<GLuint>(state.integer(target.binding));
+    };
+    gl.ActiveTexture(GL_TEXTURE0);
+    std::array<GLuint, kTextureTargets.size()> before{};
+    std::ranges::transform(kTextureTargets, before.begin(), bound);
+    gl.BindTextureUnit(0, texture);
+    const auto found = std::ranges::find(kTextureTargets, texture, bound);
+    if (found == kTextureTargets.end()) return 0;
+    gl.BindTexture(found->target, before[static_cast<std::size_t>(found - kTextureTargets.begin())]);
+    return found->target;
+}
+
 /// Level 0 of a texture that is not ours.
 RenderTargetDescription described(Context& context, unsigned texture) {
     const GladGLContext& gl = functions(context, "RenderTarget");
     const std::string what = "the texture " + std::to_string(texture);
     const auto refuse = [](const std::string& text) { throw Error(ErrorCode::invalid_argument, text); };
     if (gl.IsTexture(texture) != GL_TRUE) refuse(what + " does not exist in the host's context");
-    GLint target = 0, format = 0, width = 0, height = 0;
-    gl.GetTextureParameteriv(texture, GL_TEXTURE_TARGET, &target);
-    if (target != GL_TEXTURE_2D) refuse(what + " is not a GL_TEXTURE_2D");
+    if (target_of(context.state(), texture) != GL_TEXTURE_2D) refuse(what + " is not a GL_TEXTURE_2D");
+    GLint format = 0, width = 0, height = 0;
     gl.GetTextureLevelParameteriv(texture, 0, GL_TEXTURE_INTERNAL_FORMAT, &format);
     gl.GetTextureLevelParameteriv(texture, 0, GL_TEXTURE_WIDTH, &width);
     gl.GetTextureLevelParameteriv(texture, 0, GL_TEXTURE_HEIGHT, &height);

@@ -38,6 +38,10 @@ std::string error_name(GLenum error) {
             return "GL_INVALID_FRAMEBUFFER_OPERATION";
         case GL_OUT_OF_MEMORY:
             return "GL_OUT_OF_MEMORY";
+        case GL_STACK_OVERFLOW:
+            return "GL_STACK_OVERFLOW";
+        case GL_STACK_UNDERFLOW:
+            return "GL_STACK_UNDERFLOW";
         case GL_CONTEXT_LOST:
             return "GL_CONTEXT_LOST";
         default:
@@ -81,6 +85,7 @@ void Context::State::open_in_host(HostAccess access) {
     // As many as HostState saves.
     limits.texture_units = std::min(limits.texture_units, HostState::kTextureUnits);
     limits.storage_bindings = std::min(limits.storage_bindings, HostState::kStorageBindings);
+    gl.CreateQueries(GL_ANY_SAMPLES_PASSED, 1, &condition);
     host->mark(*this);
 }
 
@@ -103,6 +108,7 @@ void Context::State::load(Backend backend, const std::string& device) {
 
 void Context::State::close() noexcept {
     if (empty_vertex_array != 0) gl.DeleteVertexArrays(1, &empty_vertex_array);
+    if (condition != 0) gl.DeleteQueries(1, &condition);
     if (!host && gl.DebugMessageCallback != nullptr) gl.DebugMessageCallback(nullptr, nullptr);
     platform.reset();
 }

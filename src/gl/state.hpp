@@ -34,6 +34,7 @@ struct Context::State {
     std::array<std::atomic<std::size_t>, 5> bytes{};
     bool compatibility = false;         ///< profile of a host's context
     GLuint empty_vertex_array = 0;      ///< core profiles draw nothing without one
+    GLuint condition = 0;               ///< a query for attempts to render conditionally, of a host's context
     std::vector<std::string> messages;  ///< of KHR_debug since the last check()
     std::filesystem::path programs;     ///< where linked programs are kept; empty: nowhere
 

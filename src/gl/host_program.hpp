@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// The program that a host uses.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "gl/state.hpp"
+
+namespace nicol::gl {
+
+/// The current program, and the subroutines that are chosen in the stages of the current program or pipeline,
+/// which glUseProgram resets.
+class HostProgram {
+public:
+    explicit HostProgram(const Context::State& state);
+    void put_back() const;
+
+private:
+    static constexpr std::array<GLenum, 6> kStages{GL_VERTEX_SHADER,          GL_TESS_CONTROL_SHADER,
+                                                   GL_TESS_EVALUATION_SHADER, GL_GEOMETRY_SHADER,
+                                                   GL_FRAGMENT_SHADER,        GL_COMPUTE_SHADER};
+
+    const GladGLContext& gl_;
+    GLuint program_;
+    std::array<std::vector<GLuint>, kStages.size()> subroutines_;  ///< by stage, then by location
+};
+
+}  // namespace nicol::gl
