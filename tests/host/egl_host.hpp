@@ -44,20 +44,40 @@ inline Egl& egl() {
 }
 
 enum class Profile { core, compatibility };
-inline constexpr Profile every_profile[] = {Profile::core, Profile::compatibility};
+/// Profile of the contexts that the running test case makes.
+inline Profile profile_under_test = Profile::core;
+
+/// Calls test() once a profile.
+inline void on_every_profile(void (*test)()) {
+    for (const Profile profile : {Profile::core, Profile::compatibility}) {
+        CAPTURE(static_cast<int>(profile));
+        profile_under_test = profile;
+        test();
+    }
+}
+
+/// A test case that runs in applications of each profile.
+#define HOST_TEST_CASE(title) HOST_TEST_CASE_NAMED(title, DOCTEST_ANONYMOUS(run_in_))
+#define HOST_TEST_CASE_NAMED(title, run)  \
+    static void run();                    \
+    TEST_CASE(title) {                    \
+        host_test::on_every_profile(run); \
+    }                                     \
+    static void run()
 
 /// A context of the application's, current on this thread from the start.
 class Application {
 public:
-    explicit Application(Profile profile = Profile::core, EGLContext shared = EGL_NO_CONTEXT) {
+    explicit Application(EGLContext shared = EGL_NO_CONTEXT) {
         REQUIRE(egl().bind_api(EGL_OPENGL_API) == EGL_TRUE);
         const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION,
                                      4,
                                      EGL_CONTEXT_MINOR_VERSION,
                                      5,
                                      EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                                     profile == Profile::core ? EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT
-                                                              : EGL_CONTEXT_OPENGL_COMPATIBILITY_PROFILE_BIT,
+                                     profile_under_test == Profile::core
+                                         ? EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT
+                                         : EGL_CONTEXT_OPENGL_COMPATIBILITY_PROFILE_BIT,
                                      EGL_NONE};
         context_ = egl().create_context(egl().display, EGL_NO_CONFIG_KHR, shared, attributes);
         REQUIRE(context_ != EGL_NO_CONTEXT);

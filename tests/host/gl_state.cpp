@@ -35,7 +35,8 @@ const Names capabilities = NAMED(
     GL_SAMPLE_ALPHA_TO_COVERAGE, GL_SAMPLE_ALPHA_TO_ONE, GL_SAMPLE_COVERAGE, GL_SAMPLE_MASK,
     GL_SAMPLE_SHADING, GL_PRIMITIVE_RESTART, GL_PRIMITIVE_RESTART_FIXED_INDEX, GL_RASTERIZER_DISCARD,
     GL_DEPTH_CLAMP, GL_FRAMEBUFFER_SRGB, GL_PROGRAM_POINT_SIZE, GL_DEBUG_OUTPUT, GL_DEBUG_OUTPUT_SYNCHRONOUS,
-    GL_TEXTURE_CUBE_MAP_SEAMLESS, GL_CLIP_DISTANCE0, GL_CLIP_DISTANCE1, GL_CLIP_DISTANCE5, GL_CLIP_DISTANCE7);
+    GL_TEXTURE_CUBE_MAP_SEAMLESS, GL_CLIP_DISTANCE0, GL_CLIP_DISTANCE1, GL_CLIP_DISTANCE2, GL_CLIP_DISTANCE3,
+    GL_CLIP_DISTANCE4, GL_CLIP_DISTANCE5, GL_CLIP_DISTANCE6, GL_CLIP_DISTANCE7);
 const Names values[] = {
     NAMED(1, GL_DEPTH_WRITEMASK, GL_DEPTH_FUNC, GL_DEPTH_CLEAR_VALUE, GL_STENCIL_CLEAR_VALUE,
           GL_STENCIL_WRITEMASK, GL_STENCIL_BACK_WRITEMASK, GL_STENCIL_FUNC, GL_STENCIL_REF,
@@ -54,14 +55,33 @@ const Names values[] = {
           GL_PACK_SWAP_BYTES, GL_PACK_LSB_FIRST, GL_PACK_ROW_LENGTH, GL_PACK_IMAGE_HEIGHT, GL_PACK_SKIP_ROWS,
           GL_PACK_SKIP_PIXELS, GL_PACK_SKIP_IMAGES, GL_PACK_ALIGNMENT, GL_UNPACK_SWAP_BYTES,
           GL_UNPACK_LSB_FIRST, GL_UNPACK_ROW_LENGTH, GL_UNPACK_IMAGE_HEIGHT, GL_UNPACK_SKIP_ROWS,
-          GL_UNPACK_SKIP_PIXELS, GL_UNPACK_SKIP_IMAGES, GL_UNPACK_ALIGNMENT, GL_DEBUG_GROUP_STACK_DEPTH),
-    NAMED(4, GL_COLOR_CLEAR_VALUE, GL_BLEND_COLOR), NAMED(2, GL_POLYGON_MODE)};
+          GL_UNPACK_SKIP_PIXELS, GL_UNPACK_SKIP_IMAGES, GL_UNPACK_ALIGNMENT, GL_DEBUG_GROUP_STACK_DEPTH,
+          GL_DEBUG_LOGGED_MESSAGES, GL_STENCIL_BACK_FUNC, GL_STENCIL_BACK_REF, GL_STENCIL_BACK_VALUE_MASK,
+          GL_STENCIL_BACK_FAIL, GL_STENCIL_BACK_PASS_DEPTH_FAIL, GL_STENCIL_BACK_PASS_DEPTH_PASS,
+          GL_SAMPLE_COVERAGE_INVERT, GL_POINT_FADE_THRESHOLD_SIZE, GL_POINT_SPRITE_COORD_ORIGIN,
+          GL_LINE_SMOOTH_HINT, GL_POLYGON_SMOOTH_HINT, GL_TEXTURE_COMPRESSION_HINT,
+          GL_TRANSFORM_FEEDBACK_ACTIVE, GL_TRANSFORM_FEEDBACK_PAUSED, GL_ELEMENT_ARRAY_BUFFER_BINDING,
+          GL_DRAW_BUFFER0, GL_DRAW_BUFFER1, GL_PACK_COMPRESSED_BLOCK_WIDTH, GL_PACK_COMPRESSED_BLOCK_HEIGHT,
+          GL_PACK_COMPRESSED_BLOCK_DEPTH, GL_PACK_COMPRESSED_BLOCK_SIZE, GL_UNPACK_COMPRESSED_BLOCK_WIDTH,
+          GL_UNPACK_COMPRESSED_BLOCK_HEIGHT, GL_UNPACK_COMPRESSED_BLOCK_DEPTH,
+          GL_UNPACK_COMPRESSED_BLOCK_SIZE),
+    NAMED(4, GL_COLOR_CLEAR_VALUE, GL_BLEND_COLOR, GL_PATCH_DEFAULT_OUTER_LEVEL),
+    NAMED(2, GL_POLYGON_MODE, GL_PATCH_DEFAULT_INNER_LEVEL)};
 
 // Of compatibility contexts; their names are not in the core loader.
 const Names old_capabilities = {{"GL_ALPHA_TEST", 0x0BC0},
                                 {"GL_POLYGON_STIPPLE", 0x0B42},
                                 {"GL_LIGHTING", 0x0B50},
                                 {"GL_FOG", 0x0B60},
+                                {"GL_LINE_STIPPLE", 0x0B24},
+                                {"GL_POINT_SMOOTH", 0x0B10},
+                                {"GL_INDEX_LOGIC_OP", 0x0BF1},
+                                {"GL_COLOR_MATERIAL", 0x0B57},
+                                {"GL_NORMALIZE", 0x0BA1},
+                                {"GL_COLOR_SUM", 0x8458},
+                                {"GL_VERTEX_PROGRAM_TWO_SIDE", 0x8643},
+                                {"GL_VERTEX_PROGRAM_ARB", 0x8620},
+                                {"GL_FRAGMENT_PROGRAM_ARB", 0x8804},
                                 {"GL_TEXTURE_2D", GL_TEXTURE_2D}};
 const Names old_values = {{"GL_ALPHA_TEST_FUNC", 0x0BC1},
                           {"GL_ALPHA_TEST_REF", 0x0BC2},
@@ -71,6 +91,18 @@ const Names old_values = {{"GL_ALPHA_TEST_FUNC", 0x0BC1},
                           {"GL_CURRENT_COLOR", 0x0B00, 4},
                           {"GL_MODELVIEW_MATRIX", 0x0BA6, 16},
                           {"GL_PROJECTION_MATRIX", 0x0BA7, 16},
+                          {"GL_SHADE_MODEL", 0x0B54},
+                          {"GL_RENDER_MODE", 0x0C40},
+                          {"GL_LIST_BASE", 0x0B32},
+                          {"GL_LINE_STIPPLE_PATTERN", 0x0B25},
+                          {"GL_ATTRIB_STACK_DEPTH", 0x0BB0},
+                          {"GL_CLIENT_ACTIVE_TEXTURE", 0x84E1},
+                          {"GL_CURRENT_NORMAL", 0x0B02, 3},
+                          {"GL_MAP_STENCIL", 0x0D11},
+                          {"GL_INDEX_SHIFT", 0x0D12},
+                          {"GL_INDEX_OFFSET", 0x0D13},
+                          {"GL_DEPTH_SCALE", 0x0D1E},
+                          {"GL_DEPTH_BIAS", 0x0D1F},
                           {"GL_MAP_COLOR", 0x0D10},
                           {"GL_RED_SCALE", 0x0D14},
                           {"GL_RED_BIAS", 0x0D15},
@@ -85,7 +117,7 @@ const Names unit_bindings =
     NAMED(1, GL_TEXTURE_BINDING_1D, GL_TEXTURE_BINDING_2D, GL_TEXTURE_BINDING_3D, GL_TEXTURE_BINDING_1D_ARRAY,
           GL_TEXTURE_BINDING_2D_ARRAY, GL_TEXTURE_BINDING_RECTANGLE, GL_TEXTURE_BINDING_BUFFER,
           GL_TEXTURE_BINDING_CUBE_MAP, GL_TEXTURE_BINDING_CUBE_MAP_ARRAY, GL_TEXTURE_BINDING_2D_MULTISAMPLE,
-          GL_SAMPLER_BINDING);
+          GL_TEXTURE_BINDING_2D_MULTISAMPLE_ARRAY, GL_SAMPLER_BINDING);
 // Of each draw buffer, viewport, image unit or binding point.
 const Names of_draw_buffers[] = {NAMED(1, GL_BLEND_SRC_RGB, GL_BLEND_DST_RGB, GL_BLEND_SRC_ALPHA,
                                        GL_BLEND_DST_ALPHA, GL_BLEND_EQUATION_RGB, GL_BLEND_EQUATION_ALPHA),
@@ -96,6 +128,15 @@ const Names of_image_units = NAMED(1, GL_IMAGE_BINDING_NAME, GL_IMAGE_BINDING_LE
 const Names of_buffer_bindings =
     NAMED(1, GL_SHADER_STORAGE_BUFFER_BINDING, GL_SHADER_STORAGE_BUFFER_START, GL_SHADER_STORAGE_BUFFER_SIZE,
           GL_UNIFORM_BUFFER_BINDING, GL_UNIFORM_BUFFER_START, GL_UNIFORM_BUFFER_SIZE);
+const Names of_counter_bindings =
+    NAMED(1, GL_ATOMIC_COUNTER_BUFFER_BINDING, GL_ATOMIC_COUNTER_BUFFER_START, GL_ATOMIC_COUNTER_BUFFER_SIZE);
+const Names of_feedback_bindings =
+    NAMED(1, GL_TRANSFORM_FEEDBACK_BUFFER_BINDING, GL_TRANSFORM_FEEDBACK_BUFFER_START,
+          GL_TRANSFORM_FEEDBACK_BUFFER_SIZE);
+const Names of_sample_masks = NAMED(1, GL_SAMPLE_MASK_VALUE);
+const Names queries =
+    NAMED(1, GL_SAMPLES_PASSED, GL_ANY_SAMPLES_PASSED, GL_ANY_SAMPLES_PASSED_CONSERVATIVE,
+          GL_PRIMITIVES_GENERATED, GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN, GL_TIME_ELAPSED);
 
 GLint integer(const GladGLContext& gl, GLenum name) {
     GLint value = 0;
@@ -129,6 +170,27 @@ public:
                 double(gl_.IsEnabledi(named.value, static_cast<GLuint>(i)))};
     }
 
+    void vertex_attributes() {
+        // In compatibility contexts attribute 0 has no current value.
+        for (GLuint i = 1; i < static_cast<GLuint>(integer(gl_, GL_MAX_VERTEX_ATTRIBS)); ++i) {
+            std::array<GLdouble, 4> current{};
+            GLint enabled = 0, buffer = 0;
+            gl_.GetVertexAttribdv(i, GL_CURRENT_VERTEX_ATTRIB, current.data());
+            gl_.GetVertexAttribiv(i, GL_VERTEX_ATTRIB_ARRAY_ENABLED, &enabled);
+            gl_.GetVertexAttribiv(i, GL_VERTEX_ATTRIB_ARRAY_BUFFER_BINDING, &buffer);
+            std::vector<double>& numbers = state["vertex attribute " + std::to_string(i)];
+            numbers.assign(current.begin(), current.end());
+            numbers.insert(numbers.end(), {double(enabled), double(buffer)});
+        }
+    }
+    void active_queries() {
+        for (const Named& named : queries) {
+            GLint active = 0;
+            gl_.GetQueryiv(named.value, GL_CURRENT_QUERY, &active);
+            state["query " + named.name] = {double(active)};
+        }
+    }
+
 private:
     const GladGLContext& gl_;
 };
@@ -151,6 +213,11 @@ GlState gl_state(const GladGLContext& gl) {
     reader.indexed(of_image_units, integer(gl, GL_MAX_IMAGE_UNITS));
     reader.indexed(of_buffer_bindings, std::min(integer(gl, GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS),
                                                 integer(gl, GL_MAX_UNIFORM_BUFFER_BINDINGS)));
+    reader.indexed(of_counter_bindings, integer(gl, GL_MAX_ATOMIC_COUNTER_BUFFER_BINDINGS));
+    reader.indexed(of_feedback_bindings, integer(gl, GL_MAX_TRANSFORM_FEEDBACK_BUFFERS));
+    reader.indexed(of_sample_masks, integer(gl, GL_MAX_SAMPLE_MASK_WORDS));
+    reader.vertex_attributes();
+    reader.active_queries();
     const GLint active = integer(gl, GL_ACTIVE_TEXTURE);
     for (GLint unit = 0; unit < integer(gl, GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS); ++unit) {
         gl.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
@@ -190,6 +257,7 @@ GlState gl_names(const GladGLContext& gl) {
         };
         add("buffer", gl.IsBuffer(id));
         add("framebuffer", gl.IsFramebuffer(id));
+        add("query", gl.IsQuery(id));
         add("program or shader", static_cast<GLboolean>(gl.IsProgram(id) | gl.IsShader(id)));
         add("renderbuffer", gl.IsRenderbuffer(id));
         add("sampler", gl.IsSampler(id));

@@ -26,7 +26,7 @@ nicol_result try_render(const Stage& stage) {
 
 }  // namespace
 
-TEST_CASE("a host's context says what it is") {
+HOST_TEST_CASE("a host's context says what it is") {
     const Application application;
     const Owned context(make_host_context());
     nicol_context_info info = NICOL_CONTEXT_INFO_INIT;
@@ -37,7 +37,7 @@ TEST_CASE("a host's context says what it is") {
     CHECK(std::string(info.renderer) == reinterpret_cast<const char*>(application.gl.GetString(GL_RENDERER)));
 }
 
-TEST_CASE("a wrong host is refused by name") {
+HOST_TEST_CASE("a wrong host is refused by name") {
     nicol_context context = marker<nicol_context>();
     nicol_host access = host();
     FAILS(nicol_context_create_host(&access, nullptr, &context), NICOL_ERROR_NO_BACKEND, "current");
@@ -62,7 +62,7 @@ TEST_CASE("a wrong host is refused by name") {
     CHECK(context == marker<nicol_context>());
 }
 
-TEST_CASE("a context of an older OpenGL is refused") {
+HOST_TEST_CASE("a context of an older OpenGL is refused") {
     const Application application;
     nicol_host access = host();
     access.get_proc_address = [](void*, const char* name) -> void* {
@@ -79,7 +79,7 @@ TEST_CASE("a context of an older OpenGL is refused") {
     CHECK(context == marker<nicol_context>());
 }
 
-TEST_CASE("calls refuse to work where the host's context is not current") {
+HOST_TEST_CASE("calls refuse to work where the host's context is not current") {
     const Application application;
     const Owned context(make_host_context());
     const Stage stage(context);
@@ -103,7 +103,7 @@ TEST_CASE("calls refuse to work where the host's context is not current") {
         CHECK(difference(before, gl_state(other.gl)) == "");
     }
     {
-        const Application sharing(Profile::core, application.handle());
+        const Application sharing(application.handle());
         refused();
     }
     CHECK(framebuffer == marker<nicol_framebuffer>());
@@ -112,7 +112,7 @@ TEST_CASE("calls refuse to work where the host's context is not current") {
     CHECK(read_all(stage.framebuffer) == image);
 }
 
-TEST_CASE("the host's word that its context is not current counts") {
+HOST_TEST_CASE("the host's word that its context is not current counts") {
     const Application application;
     bool current = true;
     nicol_host access = host();
@@ -126,7 +126,7 @@ TEST_CASE("the host's word that its context is not current counts") {
     OK(nicol_framebuffer_release(framebuffer_of(context, 4, 4, 1)));
 }
 
-TEST_CASE("the host's context may move to another thread, and Nicol with it") {
+HOST_TEST_CASE("the host's context may move to another thread, and Nicol with it") {
     const Application application;
     const Owned context(make_host_context());
     const Stage stage(context);
@@ -141,7 +141,7 @@ TEST_CASE("the host's context may move to another thread, and Nicol with it") {
     application.enter();
 }
 
-TEST_CASE("objects dropped elsewhere go at the next call that finds the context") {
+HOST_TEST_CASE("objects dropped elsewhere go at the next call that finds the context") {
     const Application application;
     const GlState nothing = gl_names(application.gl);
     const nicol_context context = make_host_context();
@@ -162,7 +162,7 @@ TEST_CASE("objects dropped elsewhere go at the next call that finds the context"
     CHECK(difference(nothing, gl_names(application.gl)) == "");
 }
 
-TEST_CASE("everything may be released after the host's context is gone") {
+HOST_TEST_CASE("everything may be released after the host's context is gone") {
     nicol_context context = nullptr;
     std::optional<Stage> stage;
     {
@@ -180,7 +180,7 @@ TEST_CASE("everything may be released after the host's context is gone") {
     CHECK(other.gl.GetError() == GL_NO_ERROR);
 }
 
-TEST_CASE("a host's context and one of our own render side by side") {
+HOST_TEST_CASE("a host's context and one of our own render side by side") {
     const Owned own(make_context(NICOL_BACKEND_EGL));
     const Application application;
     const Owned context(make_host_context());

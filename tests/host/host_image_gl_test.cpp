@@ -60,7 +60,7 @@ struct Show {
 
 }  // namespace
 
-TEST_CASE("a framebuffer's textures are the Stokes vectors of its channels") {
+HOST_TEST_CASE("a framebuffer's textures are the Stokes vectors of its channels") {
     const Show show;
     const GladGLContext& gl = show.application.gl;
     for (std::uint32_t c = 0; c < 3; ++c) {
@@ -82,7 +82,7 @@ TEST_CASE("a framebuffer's textures are the Stokes vectors of its channels") {
     }
 }
 
-TEST_CASE("Stokes vectors are copied into the application's texture") {
+HOST_TEST_CASE("Stokes vectors are copied into the application's texture") {
     const Show show;
     const GladGLContext& gl = show.application.gl;
     const GLuint exact = texture_of(gl, GL_RGBA32F), half = texture_of(gl, GL_RGBA16F);
@@ -99,7 +99,7 @@ TEST_CASE("Stokes vectors are copied into the application's texture") {
     CHECK(texels(gl, half) != plane);
 }
 
-TEST_CASE("a polarizer passes what Malus' law says") {
+HOST_TEST_CASE("a polarizer passes what Malus' law says") {
     const Show show;
     const GladGLContext& gl = show.application.gl;
     const GLuint exact = texture_of(gl, GL_RGBA32F), coded = texture_of(gl, GL_RGBA8),
@@ -136,7 +136,7 @@ TEST_CASE("a polarizer passes what Malus' law says") {
     }
 }
 
-TEST_CASE("the other images are those of the planes") {
+HOST_TEST_CASE("the other images are those of the planes") {
     const Show show;
     const GladGLContext& gl = show.application.gl;
     const nicol_texture_target target = into(texture_of(gl, GL_RGBA32F));
@@ -168,7 +168,7 @@ TEST_CASE("the other images are those of the planes") {
     }
 }
 
-TEST_CASE("targets that cannot be drawn into are refused by name") {
+HOST_TEST_CASE("targets that cannot be drawn into are refused by name") {
     const Show show;
     const GladGLContext& gl = show.application.gl;
     const nicol_framebuffer framebuffer = show.stage.framebuffer;
@@ -221,7 +221,7 @@ TEST_CASE("targets that cannot be drawn into are refused by name") {
     show.application.enter();
 }
 
-TEST_CASE("many channels are seen as their mean, but not as colours") {
+HOST_TEST_CASE("many channels are seen as their mean, but not as colours") {
     const Application application;
     const Owned context(make_host_context());
     const Owned framebuffer(framebuffer_of(context, width, height, 16));

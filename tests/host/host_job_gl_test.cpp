@@ -40,7 +40,7 @@ nicol_job_status poll_until_done(nicol_job job) {
 
 }  // namespace
 
-TEST_CASE("a job in an application makes the image that a render makes, and leaves its state") {
+HOST_TEST_CASE("a job in an application makes the image that a render makes, and leaves its state") {
     const Hosted hosted;
     for (const nicol_render_options& options :
          {options_of(NICOL_METHOD_FACTORED, NICOL_EXECUTOR_CPU),
@@ -65,7 +65,7 @@ TEST_CASE("a job in an application makes the image that a render makes, and leav
     }
 }
 
-TEST_CASE("the application goes on while a job bakes") {
+HOST_TEST_CASE("the application goes on while a job bakes") {
     const Hosted hosted;
     Gate gate;
     const Owned job(submit(hosted.stage, gated(gate, NICOL_METHOD_FACTORED)));
@@ -81,7 +81,7 @@ TEST_CASE("the application goes on while a job bakes") {
     OK(nicol_job_wait(job, NICOL_WAIT_FOREVER));
 }
 
-TEST_CASE("a call that waits for a job lends it the context") {
+HOST_TEST_CASE("a call that waits for a job lends it the context") {
     const Hosted hosted;
     const std::vector<float> image = hosted.stage.image();
     const Stage other(hosted.context);
@@ -100,7 +100,7 @@ TEST_CASE("a call that waits for a job lends it the context") {
     }
 }
 
-TEST_CASE("the context is lent where it is current, and nowhere else") {
+HOST_TEST_CASE("the context is lent where it is current, and nowhere else") {
     const Hosted hosted;
     const Owned job(submit(hosted.stage, drawn()));
     Application::leave();
@@ -126,7 +126,7 @@ TEST_CASE("the context is lent where it is current, and nowhere else") {
     hosted.application.enter();
 }
 
-TEST_CASE("a job that waits for the context can be cancelled") {
+HOST_TEST_CASE("a job that waits for the context can be cancelled") {
     struct Word {
         std::thread::id thread = std::this_thread::get_id();
         bool current = true;
@@ -155,7 +155,7 @@ TEST_CASE("a job that waits for the context can be cancelled") {
     CHECK(stage.image() != image);
 }
 
-TEST_CASE("an application that cannot lend its context fails the job, and says why") {
+HOST_TEST_CASE("an application that cannot lend its context fails the job, and says why") {
     const Hosted hosted;
     const GladGLContext& gl = hosted.application.gl;
     const char* source = "#version 450\nvoid main() { gl_Position = vec4(0, 0, 0, 1); }";
@@ -168,7 +168,7 @@ TEST_CASE("an application that cannot lend its context fails the job, and says w
     OK(hosted.stage.try_render(drawn()));
 }
 
-TEST_CASE("callbacks of a thread that lends may ask, but neither wait nor render") {
+HOST_TEST_CASE("callbacks of a thread that lends may ask, but neither wait nor render") {
     struct Asked {
         nicol_job job = nullptr;
         const Stage* stage = nullptr;
@@ -198,7 +198,7 @@ TEST_CASE("callbacks of a thread that lends may ask, but neither wait nor render
     CHECK(asked.rendered == NICOL_ERROR_INVALID_ARGUMENT);
 }
 
-TEST_CASE("a job ends that nobody can lend the context any more") {
+HOST_TEST_CASE("a job ends that nobody can lend the context any more") {
     const Application application;
     std::atomic<bool> released = false;
     Gate gate;

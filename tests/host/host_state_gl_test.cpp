@@ -1,33 +1,18 @@
 // SPDX-License-Identifier: MIT
 // An application's OpenGL state, however odd, is the same after every call, and does not show in the image.
+#include <functional>
+
 #include "host/egl_host.hpp"
+#include "host/gl_program.hpp"
 #include "host/gl_state.hpp"
 
 using namespace host_test;
 
 namespace {
 
-GLuint program_of(const GladGLContext& gl, std::initializer_list<std::pair<GLenum, const char*>> shaders) {
-    const GLuint program = gl.CreateProgram();
-    for (const auto& [stage, source] : shaders) {
-        const GLuint shader = gl.CreateShader(stage);
-        gl.ShaderSource(shader, 1, &source, nullptr);
-        gl.CompileShader(shader);
-        gl.AttachShader(program, shader);
-        gl.DeleteShader(shader);
-    }
-    gl.LinkProgram(program);
-    return program;
-}
-GLuint program_of(const GladGLContext& gl) {
-    return program_of(gl,
-                      {{GL_VERTEX_SHADER, "#version 450\nvoid main() { gl_Position = vec4(0, 0, 0, 1); }"},
-                       {GL_FRAGMENT_SHADER, "#version 450\nout vec4 c; void main() { c = vec4(1); }"}});
-}
-
 /// Nothing as a fresh context has it; most of it would spoil an image drawn with it.
-void disarrange(const GladGLContext& gl, bool compatibility) {
-    if (compatibility) {
+void disarrange(const GladGLContext& gl) {
+    if (profile_under_test == Profile::compatibility) {
         gl.Enable(0x0BC0);               // GL_ALPHA_TEST
         gl.Enable(0x0B42);               // GL_POLYGON_STIPPLE
         gl.ClampColor(0x891B, GL_TRUE);  // GL_CLAMP_FRAGMENT_COLOR
@@ -59,7 +44,8 @@ void disarrange(const GladGLContext& gl, bool compatibility) {
     for (GLuint i = 0; i < 8; ++i) {
         if (i % 3 == 0) gl.Enablei(GL_BLEND, i);
         if (i % 4 != 1) gl.Enablei(GL_SCISSOR_TEST, i);
-        gl.BlendFunci(i, GL_ZERO, GL_ONE);
+        gl.BlendFuncSeparatei(i, GL_ZERO, GL_ONE_MINUS_SRC1_COLOR, GL_ONE, GL_SRC1_ALPHA);
+        gl.BlendEquationSeparatei(i, GL_MAX, i % 2 == 0 ? GL_MIN : GL_FUNC_SUBTRACT);
         gl.ColorMaski(i, i % 2 == 0, i % 3 == 0, GL_FALSE, i % 2 == 1);
         const auto n = static_cast<float>(i);
         gl.ViewportIndexedf(i, n, 2 * n, 3, 4 + n);
@@ -127,108 +113,207 @@ std::vector<float> image_of(nicol_context context, nicol_executor executor) {
 
 }  // namespace
 
-TEST_CASE("every call leaves the application's state as it was") {
-    for (const Profile profile : every_profile) {
-        CAPTURE(static_cast<int>(profile));
-        const Application application(profile);
-        disarrange(application.gl, profile == Profile::compatibility);
-        const GlState before = gl_state(application.gl), names = gl_names(application.gl);
-        const auto same = [&](const char* call) {
-            INFO(call);
-            CHECK(difference(before, gl_state(application.gl)) == "");
-        };
-        const nicol_context context = make_host_context();
-        same("create");
-        {
-            const Stage stage(context);
-            same("stage");
-            nicol_render_options options = plain_options();
-            for (const nicol_executor executor : {NICOL_EXECUTOR_CPU, NICOL_EXECUTOR_COMPUTE}) {
-                options.executor = executor;
-                options.shade_at = NICOL_SHADE_AT_PIXELS;
-                OK(stage.try_render(options));
-                same("render");
-            }
-            options = plain_options();
-            options.method = NICOL_METHOD_REFERENCE;
-            options.samples = 1;
+HOST_TEST_CASE("every call leaves the application's state as it was") {
+    const Application application;
+    disarrange(application.gl);
+    const GlState before = gl_state(application.gl), names = gl_names(application.gl);
+    const auto same = [&](const char* call) {
+        INFO(call);
+        CHECK(difference(before, gl_state(application.gl)) == "");
+    };
+    const nicol_context context = make_host_context();
+    same("create");
+    {
+        const Stage stage(context);
+        same("stage");
+        nicol_render_options options = plain_options();
+        for (const nicol_executor executor : {NICOL_EXECUTOR_CPU, NICOL_EXECUTOR_COMPUTE}) {
+            options.executor = executor;
+            options.shade_at = NICOL_SHADE_AT_PIXELS;
             OK(stage.try_render(options));
-            same("render by rays");
-            static_cast<void>(read_all(stage.framebuffer));
-            same("read");
-            options.method = 99;
-            CHECK(stage.try_render(options) != NICOL_OK);
-            same("a render that fails");
-            nicol_framebuffer large = nullptr;
-            CHECK(nicol_framebuffer_create(context, 16384, 16384, 16, &large) != NICOL_OK);
-            same("a framebuffer that fails");
+            same("render");
         }
-        same("release");
-        OK(nicol_context_release(context));
-        same("release of the context");
-        CHECK(difference(names, gl_names(application.gl)) == "");
+        options = plain_options();
+        options.method = NICOL_METHOD_REFERENCE;
+        options.samples = 1;
+        OK(stage.try_render(options));
+        same("render by rays");
+        static_cast<void>(read_all(stage.framebuffer));
+        same("read");
+        options.method = 99;
+        CHECK(stage.try_render(options) != NICOL_OK);
+        same("a render that fails");
+        nicol_framebuffer large = nullptr;
+        CHECK(nicol_framebuffer_create(context, 16384, 16384, 16, &large) != NICOL_OK);
+        same("a framebuffer that fails");
     }
+    same("release");
+    OK(nicol_context_release(context));
+    same("release of the context");
+    CHECK(difference(names, gl_names(application.gl)) == "");
 }
 
-TEST_CASE("the application's state does not show in the image") {
+HOST_TEST_CASE("the application's state does not show in the image") {
     std::vector<float> expected[2];
     constexpr nicol_executor executors[] = {NICOL_EXECUTOR_CPU, NICOL_EXECUTOR_COMPUTE};
     for (int i = 0; i < 2; ++i) expected[i] = image_of(Owned(make_context(NICOL_BACKEND_EGL)), executors[i]);
-    for (const Profile profile : every_profile) {
-        CAPTURE(static_cast<int>(profile));
-        const Application application(profile);
-        disarrange(application.gl, profile == Profile::compatibility);
-        const Owned context(make_host_context());
-        for (int i = 0; i < 2; ++i) CHECK(image_of(context, executors[i]) == expected[i]);
-    }
-}
-
-TEST_CASE("an error that the application left is told and not taken for ours") {
     const Application application;
-    std::vector<std::string> told;
-    nicol_context_options options = NICOL_CONTEXT_OPTIONS_INIT;
-    options.log = [](void* user, std::uint32_t severity, nicol_result, const char* message) {
-        if (severity < NICOL_LOG_NOTICE) return;
-        static_cast<std::vector<std::string>*>(user)->emplace_back(message);
-    };
-    options.log_user = &told;
-    const nicol_host access = host();
-    const Owned context(make(nicol_context_create_host, &access, &options));
-    application.gl.Enable(GL_TEXTURE_WRAP_S);
-    const Owned framebuffer(framebuffer_of(context, 4, 4, 1));
-    REQUIRE(told.size() == 1);
-    CHECK(told[0].find("GL_INVALID_ENUM") != std::string::npos);
-    CHECK(application.gl.GetError() == GL_NO_ERROR);
+    disarrange(application.gl);
+    const Owned context(make_host_context());
+    for (int i = 0; i < 2; ++i) CHECK(image_of(context, executors[i]) == expected[i]);
 }
 
-TEST_CASE("what cannot be put back is refused") {
+HOST_TEST_CASE("an error that the application left stays pending and is not taken for ours") {
     const Application application;
     const GladGLContext& gl = application.gl;
-    const nicol_context context = make_host_context();
+    const Owned context(make_host_context());
+    const Stage stage(context);
+    nicol_render_options options = plain_options();
+    options.disabled_optimisations = NICOL_OPTIMISATION_UNCHANGED;
+    const std::vector<float> image = stage.image(options);
+    const nicol_texture_target wrong = NICOL_TEXTURE_TARGET_INIT;
+    GLuint incomplete = 0, buffer = 0;
+    gl.CreateFramebuffers(1, &incomplete);
+    gl.CreateBuffers(1, &buffer);
+    int messages = 0;
+    gl.Enable(GL_DEBUG_OUTPUT);
+    gl.DebugMessageCallback(
+        [](GLenum, GLenum type, GLuint, GLenum, GLsizei, const GLchar*, const void* count) {
+            if (type == GL_DEBUG_TYPE_ERROR) ++*static_cast<int*>(const_cast<void*>(count));
+        },
+        &messages);
+    const struct {
+        GLenum error;
+        std::function<void()> leave;
+    } cases[] = {{GL_INVALID_ENUM, [&] { gl.Enable(GL_TEXTURE_WRAP_S); }},
+                 {GL_INVALID_VALUE, [&] { gl.Viewport(0, 0, -1, -1); }},
+                 {GL_INVALID_OPERATION, [&] { gl.BindVertexArray(999); }},
+                 {GL_INVALID_FRAMEBUFFER_OPERATION,
+                  [&] {
+                      gl.BlitNamedFramebuffer(incomplete, incomplete, 0, 0, 1, 1, 0, 0, 1, 1,
+                                              GL_COLOR_BUFFER_BIT, GL_NEAREST);
+                  }},
+                 {GL_OUT_OF_MEMORY, [&] { gl.NamedBufferStorage(buffer, PTRDIFF_MAX, nullptr, 0); }}};
+    for (const auto& [error, leave] : cases) {
+        CAPTURE(error);
+        messages = 0;
+        leave();
+        const int told = messages;
+        CHECK(stage.image(options) == image);
+        REFUSES(nicol_framebuffer_draw_stokes(stage.framebuffer, 0, &wrong), "does not exist");
+        CHECK(messages == told);
+        CHECK(gl.IsEnabled(GL_DEBUG_OUTPUT) == GL_TRUE);
+        CHECK(gl.GetError() == error);
+        CHECK(gl.GetError() == GL_NO_ERROR);
+    }
+    gl.PopDebugGroup();
     nicol_framebuffer framebuffer = marker<nicol_framebuffer>();
-    const GLuint program = program_of(gl);
-    gl.UseProgram(program);
-    gl.DeleteProgram(program);
-    FAILS(nicol_framebuffer_create(context, 4, 4, 1, &framebuffer), NICOL_ERROR_UNSUPPORTED, "deleted");
-    CHECK(gl.IsProgram(program) == GL_TRUE);
-    gl.UseProgram(0);
+    FAILS(nicol_framebuffer_create(context, 4, 4, 1, &framebuffer), NICOL_ERROR_OPENGL, "GL_STACK_UNDERFLOW");
     CHECK(framebuffer == marker<nicol_framebuffer>());
+    CHECK(stage.image(options) == image);
+}
 
-    gl.UseProgram(program_of(gl, {{GL_VERTEX_SHADER,
-                                   "#version 450\nlayout(xfb_buffer = 0, xfb_offset = 0) out vec4 v;"
-                                   "void main() { v = vec4(1); gl_Position = v; }"}}));
-    GLuint buffer = 0;
+HOST_TEST_CASE("the subroutines that the application chose are as before") {
+    const Application application;
+    const GladGLContext& gl = application.gl;
+    const Owned context(make_host_context());
+    const auto source_of = [](const char* output) {
+        return std::string(R"(#version 450
+            subroutine float Number();
+            layout(index = 3) subroutine(Number) float one() { return 1.0; }
+            layout(index = 5) subroutine(Number) float two() { return 2.0; }
+            layout(location = 0) subroutine uniform Number first;
+            layout(location = 2) subroutine uniform Number second;)") +
+               output;
+    };
+    const std::string vertex = source_of("void main() { gl_Position = vec4(first(), second(), 0, 1); }"),
+                      fragment = source_of("out vec4 c; void main() { c = vec4(first(), second(), 0, 1); }");
+    const auto check = [&](const char* how) {
+        CAPTURE(how);
+        const GLuint chosen[2][3] = {{5, 3, 3}, {3, 3, 5}};
+        constexpr GLenum stages[] = {GL_VERTEX_SHADER, GL_FRAGMENT_SHADER};
+        for (int i = 0; i < 2; ++i) gl.UniformSubroutinesuiv(stages[i], 3, chosen[i]);
+        REQUIRE(gl.GetError() == GL_NO_ERROR);
+        static_cast<void>(Stage(context).image());
+        for (int i = 0; i < 2; ++i)
+            for (const GLint location : {0, 2}) {
+                GLuint now = 0;
+                gl.GetUniformSubroutineuiv(stages[i], location, &now);
+                CHECK(now == chosen[i][location]);
+            }
+        CHECK(gl.GetError() == GL_NO_ERROR);
+    };
+    gl.UseProgram(
+        program_of(gl, {{GL_VERTEX_SHADER, vertex.c_str()}, {GL_FRAGMENT_SHADER, fragment.c_str()}}));
+    check("a program");
+    gl.UseProgram(0);
+    GLuint pipeline = 0;
+    gl.CreateProgramPipelines(1, &pipeline);
+    gl.BindProgramPipeline(pipeline);
+    const char* sources[] = {vertex.c_str(), fragment.c_str()};
+    gl.UseProgramStages(pipeline, GL_VERTEX_SHADER_BIT,
+                        gl.CreateShaderProgramv(GL_VERTEX_SHADER, 1, &sources[0]));
+    gl.UseProgramStages(pipeline, GL_FRAGMENT_SHADER_BIT,
+                        gl.CreateShaderProgramv(GL_FRAGMENT_SHADER, 1, &sources[1]));
+    check("a pipeline");
+}
+
+HOST_TEST_CASE("states in which nothing can be drawn or put back are refused") {
+    const Application application;
+    const GladGLContext& gl = application.gl;
+    const Owned context(make_host_context());
+    const Stage stage(context);
+    const std::vector<float> image = stage.image();
+    GLuint buffer = 0, query = 0, program = 0;
     gl.CreateBuffers(1, &buffer);
     gl.NamedBufferStorage(buffer, 1024, nullptr, 0);
     gl.BindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, buffer);
-    gl.BeginTransformFeedback(GL_POINTS);
-    REQUIRE(gl.GetError() == GL_NO_ERROR);
-    FAILS(nicol_framebuffer_create(context, 4, 4, 1, &framebuffer), NICOL_ERROR_UNSUPPORTED, "feedback");
-    gl.PauseTransformFeedback();
-    OK(nicol_framebuffer_create(context, 4, 4, 1, &framebuffer));
-    gl.ResumeTransformFeedback();
-    gl.EndTransformFeedback();
-    CHECK(gl.GetError() == GL_NO_ERROR);
-    OK(nicol_framebuffer_release(framebuffer));
-    OK(nicol_context_release(context));
+    gl.CreateQueries(GL_ANY_SAMPLES_PASSED, 1, &query);
+    gl.BeginQuery(GL_ANY_SAMPLES_PASSED, query);
+    gl.EndQuery(GL_ANY_SAMPLES_PASSED);
+    const auto old = [](const char* name, auto... arguments) {
+        reinterpret_cast<void (*)(decltype(arguments)...)>(egl().proc_address(name))(arguments...);
+    };
+    constexpr GLenum compile = 0x1300, select = 0x1C02, render = 0x1C00;
+    std::array<GLuint, 16> selected{};
+    struct Case {
+        const char* named;
+        std::function<void()> begin, end;
+    };
+    std::vector<Case> cases{
+        {"deleted", [&] { gl.UseProgram(program = program_of(gl)), gl.DeleteProgram(program); },
+         [&] { CHECK(gl.IsProgram(program) == GL_TRUE), gl.UseProgram(0); }},
+        {"failed to link",
+         [&] {
+             gl.UseProgram(program = program_of(gl));
+             attach_and_link(gl, program, {{GL_GEOMETRY_SHADER, "no shader"}});
+         },
+         [&] { CHECK(GLuint(gl_state(gl)["GL_CURRENT_PROGRAM"][0]) == program), gl.UseProgram(0); }},
+        {"transform feedback",
+         [&] { gl.UseProgram(captured_program(gl)), gl.BeginTransformFeedback(GL_POINTS); },
+         [&] { gl.EndTransformFeedback(), gl.UseProgram(0); }},
+        {"conditionally", [&] { gl.BeginConditionalRender(query, GL_QUERY_WAIT); },
+         [&] { gl.EndConditionalRender(); }}};
+    if (profile_under_test == Profile::compatibility) {
+        cases.push_back(
+            {"display list", [&] { old("glNewList", GLuint{1}, compile); }, [&] { old("glEndList"); }});
+        cases.push_back({"render mode",
+                         [&] {
+                             old("glSelectBuffer", GLsizei{16}, selected.data());
+                             old("glRenderMode", select);
+                         },
+                         [&] { old("glRenderMode", render); }});
+    }
+    for (const Case& refused : cases) {
+        CAPTURE(std::string(refused.named));
+        nicol_framebuffer framebuffer = marker<nicol_framebuffer>();
+        refused.begin();
+        REQUIRE(gl.GetError() == GL_NO_ERROR);
+        FAILS(nicol_framebuffer_create(context, 4, 4, 1, &framebuffer), NICOL_ERROR_UNSUPPORTED,
+              refused.named);
+        CHECK(framebuffer == marker<nicol_framebuffer>());
+        refused.end();
+        CHECK(gl.GetError() == GL_NO_ERROR);
+        CHECK(stage.image() == image);
+    }
 }

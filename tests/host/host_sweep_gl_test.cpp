@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+// Each state of OpenGL, alone at an unusual value, neither shows in images nor is changed by calls.
+#include "host/egl_host.hpp"
+#include "host/gl_state.hpp"
+#include "host/unusual_state.hpp"
+
+using namespace host_test;
+
+namespace {
+
+constexpr GLsizei width = 24, height = 16;
+
+UnusualStates every_state() {
+    UnusualStates all = unusual_settings();
+    const auto add = [&all](const UnusualStates& states) {
+        all.insert(all.end(), states.begin(), states.end());
+    };
+    add(unusual_bindings());
+    if (profile_under_test == Profile::compatibility) add(unusual_old_settings());
+    return all;
+}
+
+/// Uploads, renders by threads and on the device, reads and draws into `texture`; the images that were read.
+std::vector<float> images(nicol_context context, GLuint texture) {
+    const Stage stage(context);
+    std::vector<float> all;
+    nicol_render_options options = plain_options();
+    options.shade_at = NICOL_SHADE_AT_PIXELS;
+    for (const nicol_executor executor : {NICOL_EXECUTOR_CPU, NICOL_EXECUTOR_COMPUTE}) {
+        options.executor = executor;
+        const std::vector<float> image = stage.image(options);
+        all.insert(all.end(), image.begin(), image.end());
+    }
+    nicol_texture_target target = NICOL_TEXTURE_TARGET_INIT;
+    target.texture = texture;
+    const nicol_observation seen = NICOL_OBSERVATION_INIT;
+    OK(nicol_framebuffer_draw_observation(stage.framebuffer, &seen, &target));
+    return all;
+}
+
+std::vector<float> texels(const GladGLContext& gl, GLuint texture) {
+    std::vector<float> values(std::size_t{4} * width * height);
+    gl.GetTextureImage(texture, 0, GL_RGBA, GL_FLOAT, static_cast<GLsizei>(values.size() * sizeof(float)),
+                       values.data());
+    return values;
+}
+
+}  // namespace
+
+HOST_TEST_CASE("no state of the application's shows in an image or is changed by a call") {
+    const Application application;
+    const GladGLContext& gl = application.gl;
+    const Owned context(make_host_context());
+    GLuint texture = 0;
+    gl.CreateTextures(GL_TEXTURE_2D, 1, &texture);
+    gl.TextureStorage2D(texture, 1, GL_RGBA32F, width, height);
+    const std::vector<float> expected = images(context, texture), drawn = texels(gl, texture);
+    const GlState initial = gl_state(gl);
+    for (const UnusualState& state : every_state()) {
+        CAPTURE(state.name);
+        gl.ClearTexImage(texture, 0, GL_RGBA, GL_FLOAT, nullptr);
+        state.set(gl, true);
+        REQUIRE(gl.GetError() == GL_NO_ERROR);
+        const GlState before = gl_state(gl);
+        CHECK(images(context, texture) == expected);
+        CHECK(difference(before, gl_state(gl)) == "");
+        state.set(gl, false);
+        CHECK(texels(gl, texture) == drawn);
+        REQUIRE(difference(initial, gl_state(gl)) == "");
+    }
+}
