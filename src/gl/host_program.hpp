@@ -17,9 +17,16 @@ public:
     void put_back() const;
 
 private:
-    static constexpr std::array<GLenum, 6> kStages{GL_VERTEX_SHADER,          GL_TESS_CONTROL_SHADER,
-                                                   GL_TESS_EVALUATION_SHADER, GL_GEOMETRY_SHADER,
-                                                   GL_FRAGMENT_SHADER,        GL_COMPUTE_SHADER};
+    struct Stage {
+        GLenum shader, subroutine_uniforms;
+    };
+    static constexpr std::array<Stage, 6> kStages{
+        {{GL_VERTEX_SHADER, GL_VERTEX_SUBROUTINE_UNIFORM},
+         {GL_TESS_CONTROL_SHADER, GL_TESS_CONTROL_SUBROUTINE_UNIFORM},
+         {GL_TESS_EVALUATION_SHADER, GL_TESS_EVALUATION_SUBROUTINE_UNIFORM},
+         {GL_GEOMETRY_SHADER, GL_GEOMETRY_SUBROUTINE_UNIFORM},
+         {GL_FRAGMENT_SHADER, GL_FRAGMENT_SUBROUTINE_UNIFORM},
+         {GL_COMPUTE_SHADER, GL_COMPUTE_SUBROUTINE_UNIFORM}}};
 
     const GladGLContext& gl_;
     GLuint program_;
