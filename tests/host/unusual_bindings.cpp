@@ -123,7 +123,7 @@ UnusualStates begun() {
                      gl.EndTransformFeedback();
                      gl.UseProgram(0);
                      gl.BindTransformFeedback(GL_TRANSFORM_FEEDBACK, 0);
-                 gl.BindBuffer(GL_TRANSFORM_FEEDBACK_BUFFER, 0);
+                     gl.BindBuffer(GL_TRANSFORM_FEEDBACK_BUFFER, 0);
                  }
              }},
             {"active queries",
