@@ -3,7 +3,6 @@
 
 #include <sys/stat.h>
 
-#include <algorithm>
 #include <array>
 #include <fstream>
 
@@ -31,7 +30,7 @@ std::string identity_of(const std::filesystem::path& file) {
 
 }  // namespace
 
-FileRecord record_of(const std::filesystem::path& file) {
+FileRecord record_of(const std::filesystem::path& file, const LoadBudget& budget) {
     std::ifstream in(file, std::ios::binary);
     if (!in) throw Error(ErrorCode::file_not_found, file.string() + ": cannot be read");
     FileRecord record;
@@ -42,6 +41,7 @@ FileRecord record_of(const std::filesystem::path& file) {
         const auto count = static_cast<std::size_t>(in.gcount());
         hash.add({reinterpret_cast<const unsigned char*>(buffer.data()), count});
         record.bytes += count;
+        budget.step(count);
     }
     record.digest = hash.text();
     return record;
@@ -51,14 +51,14 @@ FileRecord record_of(const std::filesystem::path& file, const std::string& bytes
     return {.path = file, .bytes = bytes.size(), .digest = ContentHash().add(bytes).text()};
 }
 
-FileRecorder::State FileRecorder::state_of(std::span<const std::filesystem::path> files) {
+FileRecorder::State FileRecorder::state_of(std::span<const std::filesystem::path> files) const {
     State state;
     for (const std::filesystem::path& file : files) {
         std::error_code status;
         Seen& seen = state.emplace_back();
         seen.identity = identity_of(file);
         // A device or a pipe may never end.
-        if (std::filesystem::is_regular_file(file, status)) seen.record = record_of(file);
+        if (std::filesystem::is_regular_file(file, status)) seen.record = record_of(file, budget_);
     }
     return state;
 }
@@ -70,9 +70,7 @@ bool FileRecorder::keep(std::span<const std::filesystem::path> files, const Stat
         return false;
     }
     for (const auto& [identity, record] : before)
-        if (!record.path.empty() &&
-            std::ranges::find(records_, record.path, &FileRecord::path) == records_.end())
-            records_.push_back(record);
+        if (!record.path.empty() && recorded_.insert(record.path).second) records_.push_back(record);
     return true;
 }
 

@@ -4,10 +4,13 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <set>
 #include <span>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "files/load_budget.hpp"
 
 namespace nicol {
 
@@ -18,14 +21,18 @@ struct FileRecord {
 };
 
 /// Of a file as it is now. Throws Error(file_not_found) if it cannot be read.
-[[nodiscard]] FileRecord record_of(const std::filesystem::path& file);
+/// `budget` is asked while it is read.
+[[nodiscard]] FileRecord record_of(const std::filesystem::path& file, const LoadBudget& budget = {});
 /// Of bytes that were read from a file.
 [[nodiscard]] FileRecord record_of(const std::filesystem::path& file, const std::string& bytes);
 
 /// Keeps a record of each file that it sees read, once each.
 class FileRecorder {
 public:
-    explicit FileRecorder(std::vector<FileRecord> known) : records_(std::move(known)) {}
+    explicit FileRecorder(std::vector<FileRecord> known, const LoadBudget& budget = {})
+        : records_(std::move(known)), budget_(budget) {
+        for (const FileRecord& record : records_) recorded_.insert(record.path);
+    }
 
     /// Calls read(), which reads `files`, and returns its result. If one of them changes meanwhile, so that
     /// its record would not be of what was read, this starts again; throws Error(invalid_file) if that is of
@@ -49,10 +56,12 @@ private:
     };
     using State = std::vector<Seen>;
 
-    static State state_of(std::span<const std::filesystem::path> files);
+    [[nodiscard]] State state_of(std::span<const std::filesystem::path> files) const;
     bool keep(std::span<const std::filesystem::path> files, const State& before, int attempt);
 
     std::vector<FileRecord> records_;
+    std::set<std::filesystem::path> recorded_;  // the paths of records_
+    LoadBudget budget_;
 };
 
 }  // namespace nicol

@@ -1,12 +1,22 @@
 // SPDX-License-Identifier: MIT
 #include "files/load_budget.hpp"
 
+#include <chrono>
+#include <string>
+#include <utility>
+
 #include "files/file_error.hpp"
+#include "progress.hpp"
 
 namespace nicol {
 namespace {
 
-/// `amount` of at most `limit` beside what `used` says.
+struct Shapes {
+    std::uint64_t vertices = 0;
+    std::uint64_t triangles = 0;
+};
+
+/// Adds `amount` to `used`, which may become `limit`.
 void take(std::uint64_t& used, std::uint64_t amount, std::uint64_t limit, const std::filesystem::path& file,
           const char* what, const char* option) {
     if (amount > limit - used)
@@ -15,39 +25,88 @@ void take(std::uint64_t& used, std::uint64_t amount, std::uint64_t limit, const 
     used += amount;
 }
 
+Progress::Callback asking(const std::function<bool()>& go_on) {
+    if (!go_on) return {};
+    return [go_on](const char*, double) { return go_on(); };
+}
+
 }  // namespace
 
-void LoadBudget::take_file(const std::filesystem::path& file) {
+struct LoadBudget::Account {
+    explicit Account(const LoadLimits& given) : limits(given), callback(asking(given.go_on)) {}
+
+    void take_bytes(std::uint64_t amount) {
+        take(bytes, amount, limits.bytes, file,
+             "bytes in all files of the load and what is decoded from them", "load_bytes_limit");
+    }
+    void take_shapes(Shapes& used, const std::filesystem::path& of, const Shapes& amount) const {
+        take(used.vertices, amount.vertices, limits.vertices, of, "vertices, each instance counted",
+             "vertex_limit");
+        take(used.triangles, amount.triangles, limits.triangles, of, "triangles, each instance counted",
+             "triangle_limit");
+    }
+
+    LoadLimits limits;
+    Progress::Callback callback;
+    Progress progress{callback};
+    Stopwatch time;
+    std::filesystem::path file;  // the last
+    std::uint64_t steps = 0;
+    std::uint64_t bytes = 0;
+    Shapes meshes;
+    Shapes instances;
+};
+
+LoadBudget::LoadBudget(const LoadLimits& limits)
+    : account_(std::make_shared<Account>(limits)), steps_(&account_->steps) {}
+
+void LoadBudget::take_file(const std::filesystem::path& file) const {
+    account_->file = file;
     std::error_code error;
     const std::uintmax_t size = std::filesystem::file_size(file, error);
     // A file that cannot be read is left to its reader to report.
-    if (!error) take_bytes(file, size);
-    check_time(file);
+    if (!error) account_->take_bytes(size);
+    check();
 }
 
-void LoadBudget::take_pixels(const std::filesystem::path& file, std::uint64_t pixels) {
-    take_bytes(file, 16 * pixels);
-    check_time(file);
+void LoadBudget::take_memory(std::uint64_t bytes) const {
+    account_->take_bytes(bytes);
 }
 
-void LoadBudget::take_bytes(const std::filesystem::path& file, std::uint64_t bytes) {
-    take(bytes_, bytes, limits_.bytes, file, "bytes in all files and textures of the load",
-         "load_bytes_limit");
+void LoadBudget::take_pixels(const std::filesystem::path& file, std::uint64_t pixels) const {
+    account_->file = file;
+    account_->take_bytes(16 * pixels);
+    check();
+}
+
+void LoadBudget::take_mesh(const std::filesystem::path& file, std::uint64_t vertices,
+                           std::uint64_t triangles) const {
+    account_->take_shapes(account_->meshes, file, {vertices, triangles});
+    check_time(file);
 }
 
 void LoadBudget::take_instance(const std::filesystem::path& file, std::uint64_t vertices,
-                               std::uint64_t triangles) {
-    take(vertices_, vertices, limits_.vertices, file, "vertices, each instance counted", "vertex_limit");
-    take(triangles_, triangles, limits_.triangles, file, "triangles, each instance counted",
-         "triangle_limit");
+                               std::uint64_t triangles) const {
+    account_->take_shapes(account_->instances, file, {vertices, triangles});
     check_time(file);
 }
 
+void LoadBudget::check() const {
+    account_->steps = 0;
+    check_deadline();
+    account_->progress.report("load", 0);
+}
+
 void LoadBudget::check_time(const std::filesystem::path& file) const {
-    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start_;
-    if (passed.count() > limits_.seconds)
-        unsupported_file(file, "loading takes longer than " + std::to_string(limits_.seconds) +
-                                   " seconds, the limit that the option load_seconds_limit sets");
+    account_->file = file;
+    check();
+}
+
+void LoadBudget::check_deadline() const {
+    const double most = account_->limits.seconds;
+    if (account_->time.milliseconds() > 1000 * most)
+        unsupported_file(account_->file, "loading takes longer than " + std::to_string(most) +
+                                             " seconds, the limit that the option load_seconds_limit sets");
 }
 
 }  // namespace nicol

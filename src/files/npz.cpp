@@ -55,12 +55,13 @@ struct Member {
 };
 
 template <class T>
-void read_values(Member& member, std::size_t count, std::vector<double>& values) {
+void read_values(Member& member, std::size_t count, const LoadBudget& budget, std::vector<double>& values) {
     std::array<T, 4096> chunk;
     // Stored bytes exist; the size of deflated ones is only a claim.
     values.reserve(member.entry.deflated ? std::min(count, chunk.size()) : count);
     while (values.size() < count) {
         const std::size_t n = std::min(chunk.size(), count - values.size());
+        budget.step(n * sizeof(T));
         member.stream.read({reinterpret_cast<unsigned char*>(chunk.data()), n * sizeof(T)});
         for (std::size_t i = 0; i < n; ++i) {
             const auto value = static_cast<double>(chunk[i]);
@@ -84,7 +85,8 @@ std::vector<std::string> npz_members(const path& file) {
     return names;
 }
 
-NpyArray read_npz_member(const path& file, std::string_view name, std::size_t most_values) {
+NpyArray read_npz_member(const path& file, std::string_view name, std::size_t most_values,
+                         const LoadBudget& budget) {
     Member member(file, name);
     const std::string& type = member.header.type;
     if (type.ends_with('O'))
@@ -98,10 +100,11 @@ NpyArray read_npz_member(const path& file, std::string_view name, std::size_t mo
 
     NpyArray array{member.header.shape, {}};
     const std::size_t count = member.check_size(type[2] == '4' ? 4 : 8, most_values);
-    if (type == "<f4") read_values<float>(member, count, array.values);
-    if (type == "<f8") read_values<double>(member, count, array.values);
-    if (type == "<i4") read_values<std::int32_t>(member, count, array.values);
-    if (type == "<i8") read_values<std::int64_t>(member, count, array.values);
+    budget.take_memory(std::uint64_t{count} * sizeof(double));
+    if (type == "<f4") read_values<float>(member, count, budget, array.values);
+    if (type == "<f8") read_values<double>(member, count, budget, array.values);
+    if (type == "<i4") read_values<std::int32_t>(member, count, budget, array.values);
+    if (type == "<i8") read_values<std::int64_t>(member, count, budget, array.values);
     return array;
 }
 

@@ -10,6 +10,8 @@
 #include <variant>
 #include <vector>
 
+#include "files/load_budget.hpp"
+
 namespace nicol {
 
 /// Numbers in C order: the last index runs fastest. An empty shape is a single number.
@@ -29,9 +31,11 @@ inline constexpr std::size_t kMaxNpyValues = std::size_t{1} << 27;
 /// Error(file_not_found); Error(unsupported) for other types, Fortran order, object arrays, encrypted members
 /// or archives above 4 GiB; Error(invalid_file) naming file and member for one that is missing, truncated,
 /// corrupt (CRC-32), of more than 32 dimensions or more than `most_values` numbers, or whose sizes contradict
-/// each other. Values may be NaN or infinite; integers must fit a double exactly.
+/// each other. Values may be NaN or infinite; integers must fit a double exactly. Takes the memory
+/// of the values from `budget` before they are read.
 [[nodiscard]] NpyArray read_npz_member(const std::filesystem::path& path, std::string_view name,
-                                       std::size_t most_values = kMaxNpyValues);
+                                       std::size_t most_values = kMaxNpyValues,
+                                       const LoadBudget& budget = {});
 
 /// The single text called `name` (NumPy type U or S, ASCII, at most 1024 characters). Throws as
 /// read_npz_member().
