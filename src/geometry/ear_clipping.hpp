@@ -7,12 +7,14 @@
 #include <span>
 #include <vector>
 
+#include "files/load_budget.hpp"
+
 namespace nicol::geometry {
 
 /// Appends the n - 2 triangles of a polygon of three or more corners to `out`, as indices of corners, with
 /// its orientation. Concave polygons, and those with a bridge to a hole, are covered once, as seen along
 /// their normal; of those that cross themselves nothing is promised but the number. Polygons of more than
-/// 1024 corners are taken as convex.
-void clip_ears(std::span<const glm::dvec3> corners, std::vector<glm::uvec3>& out);
+/// 1024 corners are taken as convex. Time: at most the square of the corners.
+void clip_ears(std::span<const glm::dvec3> corners, const LoadBudget& budget, std::vector<glm::uvec3>& out);
 
 }  // namespace nicol::geometry

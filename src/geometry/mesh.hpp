@@ -12,6 +12,8 @@
 #include <string_view>
 #include <vector>
 
+#include "files/load_budget.hpp"
+
 namespace nicol {
 
 /// Indexed triangles with one unit normal per vertex. Front faces are counter-clockwise seen from outside.
@@ -39,10 +41,10 @@ struct Mesh {
 ///   over faces that meet at less than kStlCreaseDegrees.
 /// Throws Error: file_not_found; unsupported (unknown suffix, UTF-16); invalid_file (truncated, malformed, no
 /// triangle with an area), naming the line, vertex or face. Memory use is proportional to the size of the
-/// file, whatever its header claims.
+/// file, whatever its header claims; of deflated ones, of what `budget` has.
 [[nodiscard]] Mesh load_mesh(const std::filesystem::path& file,
                              const std::function<void(const std::string&)>& notice = {},
-                             std::size_t shape = 0);
+                             std::size_t shape = 0, const LoadBudget& budget = {});
 
 /// Faces of an STL file that meet at a larger angle have a hard edge between them.
 inline constexpr double kStlCreaseDegrees = 40.0;

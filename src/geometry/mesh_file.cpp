@@ -17,14 +17,15 @@ namespace {
 struct Format {
     std::string_view suffix;
     geometry::PolygonMesh (*parse)(std::string_view name, std::string_view bytes, std::size_t shape,
-                                   geometry::LeftOut& left_out);
+                                   geometry::LeftOut& left_out, const LoadBudget& budget);
 };
 
 /// Of a format that holds one mesh.
-template <geometry::PolygonMesh (*Parse)(std::string_view, std::string_view, geometry::LeftOut&)>
+template <geometry::PolygonMesh (*Parse)(std::string_view, std::string_view, geometry::LeftOut&,
+                                         const LoadBudget&)>
 geometry::PolygonMesh single(std::string_view name, std::string_view bytes, std::size_t /*shape*/,
-                             geometry::LeftOut& left_out) {
-    return Parse(name, bytes, left_out);
+                             geometry::LeftOut& left_out, const LoadBudget& budget) {
+    return Parse(name, bytes, left_out, budget);
 }
 
 constexpr std::array<Format, 5> kFormats = {{{".obj", single<geometry::parse_obj>},
@@ -45,16 +46,17 @@ const Format& format_of(const std::filesystem::path& file) {
 }  // namespace
 
 Mesh geometry::mesh_of(const std::filesystem::path& file, std::string_view bytes,
-                       const std::function<void(const std::string&)>& notice, std::size_t shape) {
+                       const std::function<void(const std::string&)>& notice, std::size_t shape,
+                       const LoadBudget& budget) {
     const std::string name = file.string();
     LeftOut left_out;
-    PolygonMesh polygons = format_of(file).parse(name, bytes, shape, left_out);
+    PolygonMesh polygons = format_of(file).parse(name, bytes, shape, left_out, budget);
     // Corners may be as many vertices.
     if (polygons.corners.size() >= std::numeric_limits<std::uint32_t>::max())
         throw Error(ErrorCode::unsupported, name + ": more than 2^32 - 2 corners of faces");
     if (polygons.face_ends.empty())
         throw Error(ErrorCode::invalid_file, name + ": no faces; a mesh needs at least one");
-    Mesh mesh = triangulated(polygons, name, left_out);
+    Mesh mesh = triangulated(polygons, name, left_out, budget);
     if (const std::string text = left_out.notice(name); notice && !text.empty()) notice(text);
     return mesh;
 }
@@ -64,9 +66,9 @@ bool has_upward_texcoords(const std::filesystem::path& file) {
 }
 
 Mesh load_mesh(const std::filesystem::path& file, const std::function<void(const std::string&)>& notice,
-               std::size_t shape) {
+               std::size_t shape, const LoadBudget& budget) {
     static_cast<void>(format_of(file));  // of an unknown kind nothing is read
-    return geometry::mesh_of(file, read_bytes(file), notice, shape);
+    return geometry::mesh_of(file, read_bytes(file, budget), notice, shape, budget);
 }
 
 }  // namespace nicol

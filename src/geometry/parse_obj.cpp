@@ -38,8 +38,8 @@ std::optional<std::uint32_t> resolved(const char*& at, const char* end, std::siz
 /// Parses one file. Indices are checked at the end, since OBJ allows references to later vertices.
 class ObjParser {
 public:
-    ObjParser(std::string_view name, std::string_view bytes, LeftOut& left_out)
-        : name_(name), bytes_(as_text(name, bytes)), left_out_(left_out) {}
+    ObjParser(std::string_view name, std::string_view bytes, LeftOut& left_out, const LoadBudget& budget)
+        : name_(name), bytes_(as_text(name, bytes)), left_out_(left_out), budget_(budget) {}
 
     PolygonMesh run() {
         std::size_t line_number = 0;
@@ -71,6 +71,7 @@ private:
         const std::string_view line = bytes_.substr(0, end);
         const bool two = bytes_.substr(end).starts_with("\r\n");
         bytes_.remove_prefix(std::min(end + (two ? 2 : 1), bytes_.size()));
+        budget_.step(line.size() + 1);
         return line;
     }
 
@@ -212,6 +213,7 @@ private:
     std::string_view name_;
     std::string_view bytes_;
     LeftOut& left_out_;
+    const LoadBudget& budget_;
     PolygonMesh out_;
     Furthest furthest_position_;
     Furthest furthest_normal_;
@@ -222,8 +224,9 @@ private:
 
 }  // namespace
 
-PolygonMesh parse_obj(std::string_view name, std::string_view bytes, LeftOut& left_out) {
-    return ObjParser(name, bytes, left_out).run();
+PolygonMesh parse_obj(std::string_view name, std::string_view bytes, LeftOut& left_out,
+                      const LoadBudget& budget) {
+    return ObjParser(name, bytes, left_out, budget).run();
 }
 
 }  // namespace nicol::geometry

@@ -31,7 +31,8 @@ glm::vec3 color_of(const std::vector<float>& rgb) {
 
 }  // namespace
 
-PolygonMesh parse_off(std::string_view name, std::string_view bytes, LeftOut& left_out) {
+PolygonMesh parse_off(std::string_view name, std::string_view bytes, LeftOut& left_out,
+                      const LoadBudget& budget) {
     Tokenizer tokens(name, as_text(name, bytes), '#');
     std::string_view keyword = tokens.require("the keyword OFF");
     const auto strip_prefix = [&keyword](std::string_view prefix) {
@@ -56,6 +57,7 @@ PolygonMesh parse_off(std::string_view name, std::string_view bytes, LeftOut& le
     tokens.count("the number of edges");
     PolygonMesh out;
     for (std::uint64_t v = 0; v < vertices; ++v) {
+        budget.step(32);
         const std::string what = "a coordinate of vertex " + std::to_string(v) + " (0-based)";
         const auto triple = [&] {
             const float x = tokens.number(what);
@@ -79,8 +81,10 @@ PolygonMesh parse_off(std::string_view name, std::string_view bytes, LeftOut& le
     if (!out.colors.empty()) out.colors.resize(vertices, glm::vec3(1));
     for (std::uint64_t f = 0; f < faces; ++f) {
         const std::string face = "face " + std::to_string(f) + " (0-based)";
+        budget.step(16);
         const std::uint64_t corners = tokens.count("the number of corners of " + face);
         for (std::uint64_t i = 0; i < corners; ++i) {
+            budget.step(8);
             const std::uint64_t index = tokens.count("a vertex of " + face);
             if (index >= vertices)
                 tokens.fail(face + " uses vertex " + std::to_string(index) + ", but there are " +

@@ -198,10 +198,11 @@ void complete_corners(const Values& values, PolygonMesh& out, std::uint32_t firs
 
 }  // namespace
 
-PolygonMesh parse_ply(std::string_view name, std::string_view bytes, LeftOut& left_out) {
+PolygonMesh parse_ply(std::string_view name, std::string_view bytes, LeftOut& left_out,
+                      const LoadBudget& budget) {
     bytes = as_text(name, bytes);
     const Header header = parsed_header(name, bytes, left_out);
-    Values values(name, bytes, header);
+    Values values(name, bytes, header, budget);
     for (const std::string_view wanted : {"vertex", "face"})
         if (std::ranges::count(header.elements, wanted, &Element::name) != 1)
             values.fail("expected one element \"" + std::string(wanted) + "\" in the header");
@@ -220,6 +221,7 @@ PolygonMesh parse_ply(std::string_view name, std::string_view bytes, LeftOut& le
                 for (const Property& p : e.properties) skip(values, p, what);
         }
     }
+    budget.check();
     complete_corners(values, out, first_texcoord);
     return out;
 }

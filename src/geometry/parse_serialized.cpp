@@ -42,8 +42,8 @@ Number number_at(std::string_view bytes, std::size_t at) {
 /// The numbers of one mesh, inflated.
 class Stream {
 public:
-    Stream(std::string_view name, std::string_view deflated)
-        : name_(name), left_(kMostGrowth * (deflated.size() + 1)), deflated_(deflated) {
+    Stream(std::string_view name, std::string_view deflated, const LoadBudget& budget)
+        : name_(name), budget_(budget), left_(kMostGrowth * (deflated.size() + 1)), deflated_(deflated) {
         if (inflateInit(&inflate_) != Z_OK) throw std::bad_alloc();
     }
     ~Stream() { inflateEnd(&inflate_); }
@@ -53,6 +53,8 @@ public:
     void read(void* to, std::size_t size) {
         if (size > left_) fail(name_, "the mesh is more than 256 times as large as its file");
         left_ -= size;
+        budget_.take_memory(size);
+        budget_.step(size);
         inflate_.next_out = static_cast<Bytef*>(to);
         while (size > 0) {
             const std::size_t step = std::min<std::size_t>(size, std::size_t{1} << 30U);
@@ -105,6 +107,7 @@ private:
     }
 
     std::string_view name_;
+    const LoadBudget& budget_;
     std::uint64_t left_;
     std::string_view deflated_;
     z_stream inflate_{};
@@ -149,9 +152,9 @@ void read_attributes(Stream& stream, std::uint32_t flags, std::uint64_t vertices
 }  // namespace
 
 PolygonMesh parse_serialized(std::string_view name, std::string_view bytes, std::size_t shape,
-                             LeftOut& left_out) {
+                             LeftOut& left_out, const LoadBudget& budget) {
     const auto version = bytes.size() < kHeader ? std::uint16_t{0} : number_at<std::uint16_t>(bytes, 2);
-    Stream stream(name, mesh_at(name, bytes, shape));
+    Stream stream(name, mesh_at(name, bytes, shape), budget);
     const auto flags = stream.next<std::uint32_t>();
     if (version >= 4)
         while (stream.next<char>() != 0) continue;

@@ -29,10 +29,11 @@ using Corners = std::array<std::array<float, 3>, 3>;
 /// Facets one after the other; equal positions become one.
 class StlMesh {
 public:
-    explicit StlMesh(LeftOut& left_out) : left_out_(left_out) {}
+    StlMesh(LeftOut& left_out, const LoadBudget& budget) : left_out_(left_out), budget_(budget) {}
 
     void add(std::string_view name, const Corners& facet) {
         ++facets_;
+        budget_.step(16);
         if (facet[0] == facet[1] || facet[1] == facet[2] || facet[2] == facet[0])
             return left_out_.add("triangles without area");
         for (const std::array<float, 3>& corner : facet) {
@@ -56,6 +57,7 @@ private:
         std::size_t operator()(const glm::vec3& position) const { return hash_of(position); }
     };
     LeftOut& left_out_;
+    const LoadBudget& budget_;
     PolygonMesh mesh_;
     std::size_t facets_ = 0;
     std::unordered_map<glm::vec3, std::uint32_t, Hash> vertices_;
@@ -122,8 +124,9 @@ void read_binary(StlMesh& out, std::string_view name, std::string_view bytes) {
 
 }  // namespace
 
-PolygonMesh parse_stl(std::string_view name, std::string_view bytes, LeftOut& left_out) {
-    StlMesh out(left_out);
+PolygonMesh parse_stl(std::string_view name, std::string_view bytes, LeftOut& left_out,
+                      const LoadBudget& budget) {
+    StlMesh out(left_out, budget);
     // Binary files may begin with "solid" too; only their size tells them apart.
     const bool sized_as_binary =
         bytes.size() >= kHeaderSize &&
@@ -134,7 +137,7 @@ PolygonMesh parse_stl(std::string_view name, std::string_view bytes, LeftOut& le
     else
         read_binary(out, name, bytes);
     PolygonMesh mesh = out.take();
-    add_crease_normals(mesh, kStlCreaseDegrees);
+    add_crease_normals(mesh, kStlCreaseDegrees, budget);
     return mesh;
 }
 

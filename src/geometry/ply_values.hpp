@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "error.hpp"
+#include "files/load_budget.hpp"
 #include "geometry/ply_header.hpp"
 #include "geometry/tokenizer.hpp"
 
@@ -19,15 +20,17 @@ namespace nicol::geometry::ply {
 /// The values after the header in order, text or binary.
 class Values {
 public:
-    Values(std::string_view name, std::string_view bytes, const Header& header)
+    Values(std::string_view name, std::string_view bytes, const Header& header, const LoadBudget& budget)
         : name_(name),
           bytes_(bytes.substr(header.size)),
           format_(header.format),
-          tokens_(name, bytes_, 0, header.lines + 1) {}
+          tokens_(name, bytes_, 0, header.lines + 1),
+          budget_(budget) {}
 
     /// what() names the value in error messages, for example "vertex 5 (0-based)".
     template <class Name>
     double next(Type type, const Name& what) {
+        budget_.step(8);
         if (format_ == Format::text) return tokens_.number(what());
         return binary(type, what);
     }
@@ -35,6 +38,7 @@ public:
     /// The same, not finite where the text is no finite number.
     template <class Name>
     double any(Type type, const Name& what) {
+        budget_.step(8);
         if (format_ != Format::text) return binary(type, what);
         bool finite = true;
         const float value = tokens_.number_or_zero(what(), finite);
@@ -44,6 +48,7 @@ public:
     /// A count or an index: an integer from 0 to 2^32 - 1.
     template <class Name>
     std::uint64_t integer(Type type, const Name& what) {
+        budget_.step(8);
         if (format_ == Format::text) return tokens_.count(what());
         const double value = next(type, what);
         if (!(value >= 0.0 && value == std::floor(value) && value <= 4294967295.0))
@@ -95,6 +100,7 @@ private:
     std::string_view bytes_;
     Format format_;
     Tokenizer tokens_;
+    const LoadBudget& budget_;
     std::size_t at_ = 0;
 };
 

@@ -40,8 +40,8 @@ glm::vec3 finite_color(const glm::vec3& color) {
 
 class Triangulation {
 public:
-    explicit Triangulation(const PolygonMesh& polygons)
-        : polygons_(polygons), first_of_(polygons.positions.size(), PolygonMesh::kNone) {
+    Triangulation(const PolygonMesh& polygons, const LoadBudget& budget)
+        : polygons_(polygons), budget_(budget), first_of_(polygons.positions.size(), PolygonMesh::kNone) {
         for (const PolygonMesh::Corner& corner : polygons.corners) first_of_[corner.position] = 0;
         for (std::uint32_t p = 0; p < first_of_.size(); ++p)
             if (first_of_[p] != PolygonMesh::kNone) first_of_[p] = add(p, glm::vec3(0));
@@ -63,11 +63,12 @@ public:
             points.clear();
             triangles.clear();
             vertices.clear();
+            budget_.step(8 * face.size());
             for (const PolygonMesh::Corner& corner : face) {
                 points.emplace_back(polygons_.positions[corner.position]);
                 vertices.push_back(vertex_of(corner));
             }
-            clip_ears(points, triangles);
+            clip_ears(points, budget_, triangles);
             for (const glm::uvec3& t : triangles) {
                 mesh.triangles.emplace_back(vertices[t.x], vertices[t.y], vertices[t.z]);
                 if (!polygons_.face_colors.empty())
@@ -109,6 +110,7 @@ private:
     }
 
     const PolygonMesh& polygons_;
+    const LoadBudget& budget_;
     std::vector<std::uint32_t> first_of_;  // by position, its vertex that comes first
     std::vector<bool> taken_;              // of those, whether they have the normal of a corner
     Splits split_;
@@ -116,9 +118,11 @@ private:
 
 }  // namespace
 
-Mesh triangulated(const PolygonMesh& polygons, std::string_view name, LeftOut& left_out) {
-    Triangulation made(polygons);
+Mesh triangulated(const PolygonMesh& polygons, std::string_view name, LeftOut& left_out,
+                  const LoadBudget& budget) {
+    Triangulation made(polygons, budget);
     made.run();
+    budget.check();
     Mesh mesh = std::move(made.mesh);
     left_out.add("vertices of no face", made.unused);
     left_out.add("triangles without area", remove_flat_triangles(mesh));
@@ -127,7 +131,9 @@ Mesh triangulated(const PolygonMesh& polygons, std::string_view name, LeftOut& l
                                                  std::to_string(polygons.face_ends.size()) +
                                                  " faces has an area; a mesh needs one that has");
     }
+    budget.check();
     complete_normals(mesh);
+    budget.check();
     return mesh;
 }
 

@@ -13,6 +13,7 @@
 #include <string_view>
 #include <vector>
 
+#include "files/load_budget.hpp"
 #include "geometry/left_out.hpp"
 #include "geometry/mesh.hpp"
 
@@ -52,10 +53,12 @@ struct PolygonMesh {
 /// Triangles of the polygons, which may be concave. Positions whose corners have different normals are split.
 /// Missing normals are smooth over the faces that lack them; vertices without a face and triangles without
 /// area are left out.
-[[nodiscard]] Mesh triangulated(const PolygonMesh& polygons, std::string_view name, LeftOut& left_out);
+[[nodiscard]] Mesh triangulated(const PolygonMesh& polygons, std::string_view name, LeftOut& left_out,
+                                const LoadBudget& budget);
 
 /// As nicol::load_mesh() of a file that has this name and holds these bytes.
 [[nodiscard]] Mesh mesh_of(const std::filesystem::path& file, std::string_view bytes,
-                           const std::function<void(const std::string&)>& notice = {}, std::size_t shape = 0);
+                           const std::function<void(const std::string&)>& notice = {}, std::size_t shape = 0,
+                           const LoadBudget& budget = {});
 
 }  // namespace nicol::geometry
