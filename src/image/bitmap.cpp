@@ -17,10 +17,14 @@
 
 namespace {
 
+/// Thrown where stb_image would allocate more than its image needs: compressed data go on behind the pixels.
+struct MoreThanPixels {};
+
 /// What stb_image allocates while one of these exists on its thread; freed with it, whatever way it is left.
+/// No block may be larger than `most_bytes`.
 class StbMemory {
 public:
-    StbMemory() { current() = this; }
+    explicit StbMemory(std::size_t most_bytes) : most_bytes_(most_bytes) { current() = this; }
     ~StbMemory() {
         current() = nullptr;
         for (void* block : blocks_) std::free(block);
@@ -29,6 +33,7 @@ public:
     StbMemory& operator=(const StbMemory&) = delete;
 
     static void* allocate(void* old, std::size_t size) {
+        if (size > current()->most_bytes_) throw MoreThanPixels();
         void* const block = std::realloc(old, size);
         if (block == nullptr) return nullptr;
         if (old != nullptr) current()->blocks_.erase(old);
@@ -45,6 +50,7 @@ private:
         thread_local StbMemory* memory = nullptr;
         return memory;
     }
+    std::size_t most_bytes_;
     std::unordered_set<void*> blocks_;
 };
 
@@ -83,12 +89,14 @@ struct Overrun {};
 
 struct Source {
     std::string_view left;
+    const LoadBudget& budget;
 
     [[nodiscard]] stbi_io_callbacks callbacks() const {
         return {.read =
                     [](void* self, char* to, int size) {
-                        std::string_view& left = static_cast<Source*>(self)->left;
+                        auto& [left, budget] = *static_cast<Source*>(self);
                         if (left.empty()) throw Overrun();
+                        budget.step(static_cast<std::uint64_t>(size));
                         const std::size_t count = std::min(left.size(), static_cast<std::size_t>(size));
                         std::memcpy(to, left.data(), count);
                         left.remove_prefix(count);
@@ -122,37 +130,57 @@ void check_size(const path& file, std::size_t bytes, int width, int height) {
 
 /// Decodes with one of stb_image's functions; numbers are divided by `one`.
 template <class Number>
-void decode(const path& file, std::string_view bytes, float one, Bitmap& out,
+void decode(const path& file, std::string_view bytes, float one, const LoadBudget& budget, Bitmap& out,
             Number* (*load)(const stbi_io_callbacks*, void*, int*, int*, int*, int)) {
-    Source source{.left = bytes};
+    Source source{.left = bytes, .budget = budget};
     const stbi_io_callbacks callbacks = source.callbacks();
     const Number* const pixels = load(&callbacks, &source, &out.width, &out.height, &out.channels, 0);
     if (pixels == nullptr)
         invalid_file(file, std::string("is damaged or truncated (") + stbi_failure_reason() + ")");
     const std::size_t count = static_cast<std::size_t>(out.width) * static_cast<std::size_t>(out.height) *
                               static_cast<std::size_t>(out.channels);
+    budget.check();
     out.values.resize(count);
     for (std::size_t i = 0; i < count; ++i) out.values[i] = static_cast<float>(pixels[i]) / one;
 }
 
-void read_by_stb(const path& file, std::string_view bytes, Bitmap& out) {
-    const StbMemory memory;
-    Source head{.left = bytes};
+/// The largest block that stb_image needs for an image: its pixels as floats, or those of 16 bits with the
+/// bytes that PNG puts before each row, of which it may reserve twice as many; or the bytes of the file.
+std::size_t largest_block(std::size_t bytes, int width, int height) {
+    constexpr std::size_t slack = std::size_t{1} << 16;
+    return 2 * bytes + static_cast<std::size_t>(height) * (16 * static_cast<std::size_t>(width) + 64) + slack;
+}
+
+/// Takes what the values of an image need.
+void take_values(const Bitmap& image, const LoadBudget& budget) {
+    budget.take_memory(sizeof(float) * static_cast<std::uint64_t>(image.width) *
+                       static_cast<std::uint64_t>(image.height) * static_cast<std::uint64_t>(image.channels));
+    budget.check();
+}
+
+void read_header_by_stb(const path& file, std::string_view bytes, const LoadBudget& budget, Bitmap& out) {
+    const StbMemory memory(largest_block(bytes.size(), 0, 0));
+    Source head{.left = bytes, .budget = budget};
     const stbi_io_callbacks callbacks = head.callbacks();
     if (stbi_info_from_callbacks(&callbacks, &head, &out.width, &out.height, &out.channels) == 0)
         invalid_file(file, "has a header that is damaged, truncated, or of more than " +
                                std::to_string(kMaxImageSide) + " pixels a side");
     check_size(file, bytes.size(), out.width, out.height);
+}
 
+void read_by_stb(const path& file, std::string_view bytes, const LoadBudget& budget, Bitmap& out) {
+    read_header_by_stb(file, bytes, budget, out);
+    take_values(out, budget);
+    const StbMemory memory(largest_block(bytes.size(), out.width, out.height));
     const auto* const data = reinterpret_cast<const stbi_uc*>(bytes.data());
     const int size = static_cast<int>(std::min<std::size_t>(bytes.size(), 1 << 20));
     if (stbi_is_hdr_from_memory(data, size) != 0) {
         out.linear = true;
-        decode<float>(file, bytes, 1, out, stbi_loadf_from_callbacks);
+        decode<float>(file, bytes, 1, budget, out, stbi_loadf_from_callbacks);
     } else if (stbi_is_16_bit_from_memory(data, size) != 0) {
-        decode<stbi_us>(file, bytes, 65535, out, stbi_load_16_from_callbacks);
+        decode<stbi_us>(file, bytes, 65535, budget, out, stbi_load_16_from_callbacks);
     } else {
-        decode<stbi_uc>(file, bytes, 255, out, stbi_load_from_callbacks);
+        decode<stbi_uc>(file, bytes, 255, budget, out, stbi_load_from_callbacks);
     }
 }
 
@@ -162,25 +190,29 @@ bool is_bitmap(const path& file) {
     return std::ranges::find(kSuffixes, std::string_view(suffix_of(file))) != kSuffixes.end();
 }
 
-Bitmap read_bitmap(const path& file) {
-    return read_bitmap(file, read_bytes(file));
+Bitmap read_bitmap(const path& file, const LoadBudget& budget) {
+    return read_bitmap(file, read_bytes(file, budget), budget);
 }
 
-Bitmap read_bitmap(const path& file, std::string_view bytes) {
+Bitmap read_bitmap(const path& file, std::string_view bytes, const LoadBudget& budget) {
     if (bytes.empty()) invalid_file(file, "is empty");
     Bitmap out;
     if (is_jpeg(bytes)) {
         read_jpeg_header(file, bytes, out);
         check_size(file, bytes.size(), out.width, out.height);
+        take_values(out, budget);
         read_jpeg_pixels(file, bytes, out);
+        budget.check();
         return out;
     }
     if (!has_known_mark(bytes) && suffix_of(file) != ".tga")
         unsupported_file(file, "not an image of a known kind; expected PNG, JPEG, BMP, TGA or Radiance HDR");
     try {
-        read_by_stb(file, bytes, out);
+        read_by_stb(file, bytes, budget, out);
     } catch (const Overrun&) {
         invalid_file(file, "is truncated");
+    } catch (const MoreThanPixels&) {
+        invalid_file(file, "is damaged: its compressed data are more than its pixels");
     }
     return out;
 }

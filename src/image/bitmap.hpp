@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "files/load_budget.hpp"
 #include "image/stokes_image.hpp"
 
 namespace nicol {
@@ -24,9 +25,12 @@ struct Bitmap {
 /// Reads a file by its content (TGA, which has no mark, by its suffix): 8 and 16 bits, palettes, run
 /// lengths, progressive JPEG. Throws Error(file_not_found); Error(unsupported) for another format or more
 /// than kMaxImageSide or kMaxImagePixels; Error(invalid_file) where it is empty, damaged or truncated.
-[[nodiscard]] Bitmap read_bitmap(const std::filesystem::path& file);
+/// Takes the memory of its values from `budget` before it decodes, and no more of compressed pixels than the
+/// image holds is inflated.
+[[nodiscard]] Bitmap read_bitmap(const std::filesystem::path& file, const LoadBudget& budget = {});
 /// The same of the bytes of a file with this name, which is not opened.
-[[nodiscard]] Bitmap read_bitmap(const std::filesystem::path& file, std::string_view bytes);
+[[nodiscard]] Bitmap read_bitmap(const std::filesystem::path& file, std::string_view bytes,
+                                 const LoadBudget& budget = {});
 
 /// Its colours as unpolarized light, one channel where it is grey; alpha is not used.
 [[nodiscard]] StokesImage unpolarized_image(const Bitmap& bitmap);

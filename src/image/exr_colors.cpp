@@ -37,7 +37,7 @@ std::vector<std::string> names_of(const path& file, const Imf::ChannelList& list
     return names;
 }
 
-Bitmap read_pixels(const path& file, Imf::MultiPartInputFile& input) {
+Bitmap read_pixels(const path& file, Imf::MultiPartInputFile& input, const LoadBudget& budget) {
     const Imf::Header& header = input.header(0);
     const Imath::Box2i window = header.dataWindow();
     const std::vector<std::string> names = names_of(file, header.channels());
@@ -47,6 +47,7 @@ Bitmap read_pixels(const path& file, Imf::MultiPartInputFile& input) {
                .linear = true,
                .values = {}};
     const auto columns = static_cast<std::size_t>(out.width), rows = static_cast<std::size_t>(out.height);
+    budget.take_memory(sizeof(float) * columns * rows * names.size());
     out.values.resize(columns * rows * names.size());
     Imf::FrameBuffer buffer;
     const std::size_t step = names.size() * sizeof(float);
@@ -55,7 +56,7 @@ Bitmap read_pixels(const path& file, Imf::MultiPartInputFile& input) {
                       Imf::Slice::Make(Imf::FLOAT, out.values.data() + c, window, step, step * columns));
     Imf::InputPart part(input, 0);
     part.setFrameBuffer(buffer);
-    part.readPixels(window.min.y, window.max.y);
+    read_exr_rows(part, budget);
     for (std::size_t i = 0; i < out.values.size(); ++i)
         require_finite_pixel(file, names[i % names.size()], i / names.size(), out.width, out.values[i]);
     return out;
@@ -63,9 +64,10 @@ Bitmap read_pixels(const path& file, Imf::MultiPartInputFile& input) {
 
 }  // namespace
 
-Bitmap read_exr_colors(const path& file) {
+Bitmap read_exr_colors(const path& file, const LoadBudget& budget) {
     Bitmap out;
-    read_exr_input(file, [&](Imf::MultiPartInputFile& input) { out = read_pixels(file, input); });
+    read_exr_input(file, budget,
+                   [&](Imf::MultiPartInputFile& input) { out = read_pixels(file, input, budget); });
     return out;
 }
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "image/exr_input.hpp"
 
+#include <ImfHeader.h>
+
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <exception>
@@ -13,7 +16,7 @@
 
 namespace nicol {
 
-void read_exr_input(const std::filesystem::path& file,
+void read_exr_input(const std::filesystem::path& file, const LoadBudget& budget,
                     const std::function<void(Imf::MultiPartInputFile& input)>& read) {
     std::error_code error;
     const std::uintmax_t size =
@@ -25,7 +28,7 @@ void read_exr_input(const std::filesystem::path& file,
                                                    (error ? " (" + error.message() + ")" : ""));
     }
     try {
-        check_exr_structure(file, size);
+        check_exr_structure(file, size, budget);
         // No OpenEXR threads (0): its pool is one per process and belongs to the host.
         Imf::MultiPartInputFile input(file.c_str(), 0);
         read(input);
@@ -35,6 +38,16 @@ void read_exr_input(const std::filesystem::path& file,
         throw;
     } catch (const std::exception& e) {
         invalid_file(file, std::string("is damaged or truncated (") + e.what() + ")");
+    }
+}
+
+void read_exr_rows(Imf::InputPart& part, const LoadBudget& budget) {
+    const Imath::Box2i window = part.header().dataWindow();
+    // Chunks that two pieces share stay in the reader's memory.
+    constexpr int rows = 64;
+    for (int y = window.min.y; y <= window.max.y; y += rows) {
+        budget.check();
+        part.readPixels(y, std::min(y + rows - 1, window.max.y));
     }
 }
 

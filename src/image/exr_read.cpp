@@ -15,8 +15,8 @@ namespace {
 
 using std::filesystem::path;
 
-StokesImage read_pixels(const path& file, Imf::MultiPartInputFile& input,
-                        std::span<const double> wavelengths) {
+StokesImage read_pixels(const path& file, Imf::MultiPartInputFile& input, std::span<const double> wavelengths,
+                        const LoadBudget& budget) {
     const Imf::Header& header = input.header(0);
     const ExrLayout layout = find_exr_layout(file, header, wavelengths);
     const Imath::Box2i window = header.dataWindow();
@@ -29,6 +29,8 @@ StokesImage read_pixels(const path& file, Imf::MultiPartInputFile& input,
                                                 std::to_string(channels) +
                                                 " channels; pixels times channels may be at most " +
                                                 std::to_string(kMaxImageVectors));
+    budget.take_memory(4 * sizeof(float) * static_cast<std::uint64_t>(width) *
+                       static_cast<std::uint64_t>(height) * channels);
     StokesImage image(width, height, static_cast<int>(channels));
     image.wavelengths = layout.wavelengths;
     const std::size_t plane_floats =
@@ -45,13 +47,14 @@ StokesImage read_pixels(const path& file, Imf::MultiPartInputFile& input,
     }
     Imf::InputPart part(input, 0);
     part.setFrameBuffer(buffer);
-    part.readPixels(window.min.y, window.max.y);
+    read_exr_rows(part, budget);
 
     for (std::size_t c = 0; c < layout.names.size(); ++c) {
         const std::size_t first = c * plane_floats;
         for (std::size_t p = 0; p < 4; ++p) {
             const std::string& name = layout.names[c][p];
             if (name.empty()) continue;
+            budget.check();
             for (std::size_t i = first + p; i < first + plane_floats; i += 4)
                 require_finite_pixel(file, name, (i - first) / 4, width, image.data[i]);
         }
@@ -63,10 +66,11 @@ StokesImage read_pixels(const path& file, Imf::MultiPartInputFile& input,
 
 }  // namespace
 
-StokesImage read_exr(const path& file, std::span<const double> wavelengths) {
+StokesImage read_exr(const path& file, std::span<const double> wavelengths, const LoadBudget& budget) {
     StokesImage image;
-    read_exr_input(file,
-                   [&](Imf::MultiPartInputFile& input) { image = read_pixels(file, input, wavelengths); });
+    read_exr_input(file, budget, [&](Imf::MultiPartInputFile& input) {
+        image = read_pixels(file, input, wavelengths, budget);
+    });
     return image;
 }
 

@@ -151,21 +151,29 @@ void check_attributes(const path& file, std::uintmax_t file_size) {
     }
 }
 
-/// Every chunk of part 0 must lie inside the file, where the table says.
-void check_chunks(const path& file, exr_const_context_t context, const exr_attr_box2i_t& window, bool tiled) {
+/// Every chunk of part 0 must lie inside the file, where the table says. Returns the bytes of the largest,
+/// decompressed: of all channels, those that are not read among them.
+std::uint64_t check_chunks(const path& file, exr_const_context_t context, const exr_attr_box2i_t& window,
+                           bool tiled, const LoadBudget& budget) {
     const auto require = [&](exr_result_t result) {
         if (result != EXR_ERR_SUCCESS)
             invalid_file(
                 file, std::string("is damaged or truncated (") + exr_get_default_error_message(result) + ")");
     };
     exr_chunk_info_t chunk{};
+    std::uint64_t largest = 0;
+    const auto found = [&](exr_result_t result) {
+        require(result);
+        largest = std::max<std::uint64_t>(largest, chunk.unpacked_size);
+        budget.step(256);
+    };
     if (!tiled) {
         std::int32_t lines = 0;
         require(exr_get_scanlines_per_chunk(context, 0, &lines));
         if (lines < 1) invalid_file(file, "has no scan lines in a chunk");
         for (std::int64_t y = window.min.y; y <= window.max.y; y += lines)
-            require(exr_read_scanline_chunk_info(context, 0, static_cast<int>(y), &chunk));
-        return;
+            found(exr_read_scanline_chunk_info(context, 0, static_cast<int>(y), &chunk));
+        return largest;
     }
     std::int32_t tile_width = 0;
     std::int32_t tile_height = 0;
@@ -174,12 +182,13 @@ void check_chunks(const path& file, exr_const_context_t context, const exr_attr_
     const int columns = (window.max.x - window.min.x) / tile_width + 1;
     const int rows = (window.max.y - window.min.y) / tile_height + 1;
     for (int y = 0; y < rows; ++y)
-        for (int x = 0; x < columns; ++x) require(exr_read_tile_chunk_info(context, 0, x, y, 0, 0, &chunk));
+        for (int x = 0; x < columns; ++x) found(exr_read_tile_chunk_info(context, 0, x, y, 0, 0, &chunk));
+    return largest;
 }
 
 }  // namespace
 
-void check_exr_structure(const path& file, std::uintmax_t file_size) {
+void check_exr_structure(const path& file, std::uintmax_t file_size, const LoadBudget& budget) {
     check_attributes(file, file_size);
     exr_context_initializer_t options = EXR_DEFAULT_CONTEXT_INITIALIZER;
     options.error_handler_fn = [](exr_const_context_t, exr_result_t, const char*) {};
@@ -224,7 +233,7 @@ void check_exr_structure(const path& file, std::uintmax_t file_size) {
     if (chunks > file_size / 16)
         invalid_file(file, "is truncated: " + std::to_string(file_size) + " bytes cannot hold the " +
                                std::to_string(chunks) + " chunks the header claims");
-    check_chunks(file, context, window, storage == EXR_STORAGE_TILED);
+    budget.take_memory(check_chunks(file, context, window, storage == EXR_STORAGE_TILED, budget));
 }
 
 }  // namespace nicol

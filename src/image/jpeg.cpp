@@ -3,6 +3,7 @@
 
 #include <turbojpeg.h>
 
+#include <cstdint>
 #include <memory>
 #include <new>
 #include <string>
@@ -27,6 +28,19 @@ Decoder make_decoder() {
     invalid_file(file, std::string("is damaged or truncated (") + tjGetErrorStr2(decoder.get()) + ")");
 }
 
+/// Each scan passes over all pixels, and decoding cannot be interrupted.
+constexpr std::uint64_t kMaxScannedPixels = std::uint64_t{1} << 32;
+
+/// The marker appears nowhere else in coded pixels.
+std::uint64_t count_scans(std::string_view bytes) {
+    constexpr std::string_view marker = "\xff\xda";
+    std::uint64_t scans = 0;
+    for (std::size_t at = bytes.find(marker); at != std::string_view::npos;
+         at = bytes.find(marker, at + marker.size()))
+        ++scans;
+    return scans;
+}
+
 const unsigned char* data_of(std::string_view bytes) {
     return reinterpret_cast<const unsigned char*>(bytes.data());
 }
@@ -48,6 +62,12 @@ void read_jpeg_header(const std::filesystem::path& file, std::string_view bytes,
 }
 
 void read_jpeg_pixels(const std::filesystem::path& file, std::string_view bytes, Bitmap& out) {
+    const std::uint64_t scans = count_scans(bytes);
+    if (scans * static_cast<std::uint64_t>(out.width) * static_cast<std::uint64_t>(out.height) >
+        kMaxScannedPixels)
+        unsupported_file(file, std::to_string(scans) + " scans of " + std::to_string(out.width) + " x " +
+                                   std::to_string(out.height) + " pixels; their product may be " +
+                                   std::to_string(kMaxScannedPixels));
     const Decoder decoder = make_decoder();
     std::vector<unsigned char> pixels(static_cast<std::size_t>(out.width) *
                                       static_cast<std::size_t>(out.height) *

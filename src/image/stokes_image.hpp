@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "files/load_budget.hpp"
 #include "image/aovs.hpp"
 #include "polarization/stokes.hpp"
 
@@ -95,8 +96,9 @@ void write_exr(const std::filesystem::path& path, const StokesImage& image, cons
 /// Throws Error(file_not_found); Error(unsupported) for deep or subsampled data, reflectances (T channels)
 /// and too many wavelengths; Error(invalid_argument) for `wavelengths` out of range or of a file that has
 /// none; Error(invalid_file) naming what is missing, truncated or too large, or the first channel and pixel
-/// (x, y from the top left) that is not finite.
+/// (x, y from the top left) that is not finite. Takes the memory of the image from `budget` before it is
+/// allocated.
 [[nodiscard]] StokesImage read_exr(const std::filesystem::path& path,
-                                   std::span<const double> wavelengths = {});
+                                   std::span<const double> wavelengths = {}, const LoadBudget& budget = {});
 
 }  // namespace nicol

@@ -124,14 +124,18 @@ CubePoint cube_point(int edge, double x, double y) {
                 "cube_point: x " + std::to_string(x) + ", y " + std::to_string(y) + " lies on no face");
 }
 
-EquirectImage equirect_from_cross(const CubeCross& cross) {
+EquirectImage equirect_from_cross(const CubeCross& cross, const LoadBudget& budget) {
     cross.check("equirect_from_cross: cross");
     const CrossSampler sampler(cross);
     // Bilinear resampling blurs; small images get twice the columns, which halves the loss.
     const int width = cross.width <= 1024 ? 2 * cross.width : cross.width;
-    EquirectImage image(width, width / 2 + 1, cross.channels);
+    const int height = width / 2 + 1;
+    budget.take_memory(4 * sizeof(float) * static_cast<std::uint64_t>(width) *
+                       static_cast<std::uint64_t>(height) * static_cast<std::uint64_t>(cross.channels));
+    EquirectImage image(width, height, cross.channels);
     image.wavelengths = cross.wavelengths;
     tbb::parallel_for(0, image.height, [&](int y) {
+        budget.check_deadline();
         std::vector<Stokes> values(static_cast<std::size_t>(cross.channels));
         for (int x = 0; x < image.width; ++x) {
             const double u = (x + 0.5) / image.width;

@@ -47,12 +47,12 @@ struct CubePoint {
 /// Y or S0 channels. Throws what read_exr() throws; Error(file_not_found) naming the file that is missing;
 /// Error(invalid_file) naming the file whose size or channels differ from those of s0, or that is no 4 : 3
 /// cross.
-[[nodiscard]] CubeCross read_cube_cross(const std::filesystem::path& path);
+[[nodiscard]] CubeCross read_cube_cross(const std::filesystem::path& path, const LoadBudget& budget = {});
 
 /// The same light as an equirectangular image of the world, y up, of 8 edge columns (4 edge above edge
 /// 256): bilinear on the cube, across its edges too, each pixel rotated by parallel transport into the frame
 /// where it is needed.
-[[nodiscard]] EquirectImage equirect_from_cross(const CubeCross& cross);
+[[nodiscard]] EquirectImage equirect_from_cross(const CubeCross& cross, const LoadBudget& budget = {});
 
 /// Writes `NAME_s0.exr` .. `NAME_s3.exr` with faces of `edge` pixels, each file float R G B (or as
 /// write_exr() does for other numbers of channels). Throws Error(invalid_argument) unless 2 <= edge <= 4096,

@@ -27,7 +27,7 @@ path cube_cross_file(const path& stem, int component) {
     return file += "_s" + std::to_string(component) + ".exr";
 }
 
-CubeCross read_cube_cross(const path& given) {
+CubeCross read_cube_cross(const path& given, const LoadBudget& budget) {
     const path stem = cube_cross_stem(given).value_or(given);
     CubeCross cross;
     for (int p = 0; p < 4; ++p) {
@@ -36,10 +36,11 @@ CubeCross read_cube_cross(const path& given) {
         if (!std::filesystem::exists(file, ignored))
             throw Error(ErrorCode::file_not_found,
                         file.string() + ": is missing; a cube map has four files, _s0.exr to _s3.exr");
-        const StokesImage part = read_exr(file);
+        const StokesImage part = read_exr(file, {}, budget);
         const auto invalid = [&](const std::string& what) {
             throw Error(ErrorCode::invalid_file, file.string() + ": " + what);
         };
+        budget.check();
         for (std::size_t i = 0; i < part.data.size(); i += 4)
             if (part.data[i + 1] != 0 || part.data[i + 2] != 0 || part.data[i + 3] != 0)
                 invalid("has channels S1 to S3 of its own; each file of a cube map holds one component");

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "files/load_budget.hpp"
 #include "harmonics/psh.hpp"
 #include "image/stokes_image.hpp"
 
@@ -96,9 +97,10 @@ using EnvironmentPtr = std::shared_ptr<const Environment>;
 ///   unpolarized light, S1.. S3 make it polarized. `wavelengths` chooses channels of spectral files.
 /// Throws Error(invalid_argument) unless scale is finite and >= 0, or for `wavelengths` of a file that is not
 /// spectral; what the readers throw; and what image_environment() throws as Error(invalid_file) naming the
-/// file.
+/// file. Takes the memory of the image from `budget`, which is asked while the file is read.
 [[nodiscard]] EnvironmentPtr load_environment(const std::filesystem::path& path, double scale = 1,
-                                              std::span<const double> wavelengths = {});
+                                              std::span<const double> wavelengths = {},
+                                              const LoadBudget& budget = {});
 
 /// What to tell of light whose radiance was negative somewhere, as in resampled images; "" where none was.
 [[nodiscard]] std::string notice_of_negative(const Environment& environment, const std::string& name);

@@ -27,6 +27,14 @@ bool is_cube(const path& file) {
                                      std::filesystem::exists(cube_cross_file(file, 0), ignored));
 }
 
+/// Light of the bitmap's colours. Takes its memory.
+StokesImage light_of(const Bitmap& bitmap, const LoadBudget& budget) {
+    budget.take_memory(4 * sizeof(float) * static_cast<std::uint64_t>(bitmap.width) *
+                       static_cast<std::uint64_t>(bitmap.height) * (bitmap.channels < 3 ? 1 : 3));
+    budget.check();
+    return unpolarized_image(bitmap);
+}
+
 }  // namespace
 
 std::vector<path> environment_files(const path& file) {
@@ -40,7 +48,8 @@ std::vector<path> environment_files(const path& file) {
     return files;
 }
 
-EnvironmentPtr load_environment(const path& file, double scale, std::span<const double> wavelengths) {
+EnvironmentPtr load_environment(const path& file, double scale, std::span<const double> wavelengths,
+                                const LoadBudget& budget) {
     const std::string name = file.string();
     check_scale(name, scale);
     const bool coefficients = file.extension() == ".npz";
@@ -50,23 +59,25 @@ EnvironmentPtr load_environment(const path& file, double scale, std::span<const 
         throw Error(ErrorCode::invalid_argument,
                     name + ": wavelengths can be chosen from spectral EXR files only");
     if (coefficients) {
-        PshVector field = read_psh_vector(file);
+        PshVector field = read_psh_vector(file, budget);
         for (double& value : field.data()) value *= scale;
         return psh_environment(std::move(field));
     }
     if (cube) {
-        CubeCross cross = read_cube_cross(file);
+        CubeCross cross = read_cube_cross(file, budget);
         const std::vector<double> weights(static_cast<std::size_t>(cross.height), 1.0);
         const double negative =
             examine_image(view_of(cross), 1, weights, name, ErrorCode::invalid_file).negative;
         if (negative > 0)
             for (std::size_t i = 0; i < cross.data.size(); i += 4)
                 cross.data[i] = std::max(cross.data[i], 0.0F);
-        const EquirectImage image = equirect_from_cross(cross);
+        const EquirectImage image = equirect_from_cross(cross, budget);
         return checked_environment(view_of(image), image.wavelengths, scale, name, ErrorCode::invalid_file,
                                    negative);
     }
-    const StokesImage image = bitmap ? unpolarized_image(read_bitmap(file)) : read_exr(file, wavelengths);
+    const StokesImage image =
+        bitmap ? light_of(read_bitmap(file, budget), budget) : read_exr(file, wavelengths, budget);
+    budget.check();
     return checked_environment(view_of(image), image.wavelengths, scale, name, ErrorCode::invalid_file);
 }
 

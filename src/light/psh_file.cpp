@@ -28,7 +28,7 @@ std::string shape_text(const std::vector<std::size_t>& shape) {
 
 }  // namespace
 
-PshVector read_psh_vector(const path& file) {
+PshVector read_psh_vector(const path& file, const LoadBudget& budget) {
     const std::string basis = read_npz_text(file, "sh_type");
     if (basis != "REAL")
         throw Error(ErrorCode::unsupported, file.string() + ": sh_type is " + basis + "; it must be REAL");
@@ -39,7 +39,7 @@ PshVector read_psh_vector(const path& file) {
     const bool polar = codomain == "POLAR4";
 
     constexpr std::size_t most_values = std::size_t{4} * kMaxFileChannels * psh_count(kMaxOrder);
-    const NpyArray array = read_npz_member(file, "coeff", most_values);
+    const NpyArray array = read_npz_member(file, "coeff", most_values, budget);
     std::vector<std::size_t> shape = array.shape;
     const std::size_t inner = polar ? 2 : 1;  // axes after the channel's
     if (shape.size() == inner) shape.insert(shape.begin(), 1);
@@ -55,6 +55,8 @@ PshVector read_psh_vector(const path& file) {
                           " coefficients a channel; that must be (order + 1)^2, order at most " +
                           std::to_string(kMaxOrder));
 
+    budget.take_memory(std::uint64_t{4 * sizeof(double)} * shape[0] * shape[1]);
+    budget.check();
     PshVector result(static_cast<int>(levels) - 1, static_cast<int>(shape[0]));
     const std::span<double> data = result.data();
     const std::size_t step = polar ? 1 : 4;

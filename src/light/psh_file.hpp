@@ -4,6 +4,7 @@
 
 #include <filesystem>
 
+#include "files/load_budget.hpp"
 #include "harmonics/psh.hpp"
 
 namespace nicol {
@@ -14,7 +15,7 @@ namespace nicol {
 /// throws; Error(unsupported) for other types; Error(invalid_file) naming the file for more than 16 channels,
 /// a number of coefficients that is no square or exceeds kMaxOrder, values that are not finite, and p = 1, 2
 /// below l = 2 that are not zero.
-[[nodiscard]] PshVector read_psh_vector(const std::filesystem::path& path);
+[[nodiscard]] PshVector read_psh_vector(const std::filesystem::path& path, const LoadBudget& budget = {});
 
 /// Writes coeff [channel][psh_index(l, m)][4], cod_type POLAR4 and sh_type REAL. The file appears under its
 /// name only when complete. Throws Error(invalid_argument) for no channel or more than 16,

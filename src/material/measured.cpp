@@ -70,7 +70,7 @@ private:
 }  // namespace
 
 MaterialPtr load_measured(const std::filesystem::path& path, const MeasuredParameters& parameters,
-                          const std::function<void(const std::string&)>& notice) {
+                          const std::function<void(const std::string&)>& notice, const LoadBudget& budget) {
     if (parameters.wavelengths.size() > 16)
         throw Error(ErrorCode::invalid_argument, "wavelengths: there must be at most 16");
     for (const double wanted : parameters.wavelengths) check_range(wanted, 100, 5000, "a wavelength");
@@ -83,7 +83,7 @@ MaterialPtr load_measured(const std::filesystem::path& path, const MeasuredParam
                                                   : linear_weights(measured, parameters.wavelengths))
                                    : measured.size() == 1 ? ChannelWeights{{1.0}}
                                                           : rgb_weights(measured);
-    MeasuredTable table(file, weights, parameters.symmetrize);
+    MeasuredTable table(file, weights, parameters.symmetrize, budget);
     if (notice && !table.implied().empty())
         notice(path.string() + ": angles without values are taken as evenly spaced: " + table.implied());
     const std::string key = Key("measured_polarized")

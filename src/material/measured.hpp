@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "files/load_budget.hpp"
 #include "material/material.hpp"
 
 namespace nicol {
@@ -29,10 +30,10 @@ struct MeasuredParameters {
 /// [0][N], which hold no values, stand for N evenly spaced angles, both ends included: theta_h and theta_d
 /// over 0..pi/2, phi_d over 0..2 pi. One call of `notice` then names them.
 ///
-/// The file is streamed. Memory: 34 bytes per channel and direction, 102 MB per channel at the resolution of
-/// the KAIST data set (361 x 91 x 91), half of that where the material is mirror symmetric: symmetrized, or
-/// where the file has azimuths on one side of the plane of incidence only, whose mirror images stand for the
-/// other.
+/// The file is streamed. Memory, which is taken from `budget` before it is allocated: 34 bytes per channel
+/// and direction, 102 MB per channel at the resolution of the KAIST data set (361 x 91 x 91), half of that
+/// where the material is mirror symmetric: symmetrized, or where the file has azimuths on one side of the
+/// plane of incidence only, whose mirror images stand for the other.
 ///
 /// Elements other than M00 are stored relative to M00, clamped to -2..2, in steps of 6e-5. A matrix whose M00
 /// is NaN is missing and replaced by that of the nearest wavelength or the mirror image of that of the
@@ -43,6 +44,7 @@ struct MeasuredParameters {
 /// Error(unsupported) for tables above 1 GiB; Error(invalid_argument) for the parameters.
 [[nodiscard]] MaterialPtr load_measured(const std::filesystem::path& path,
                                         const MeasuredParameters& parameters = {},
-                                        const std::function<void(const std::string&)>& notice = {});
+                                        const std::function<void(const std::string&)>& notice = {},
+                                        const LoadBudget& budget = {});
 
 }  // namespace nicol

@@ -74,7 +74,8 @@ std::vector<double> MeasuredTable::wavelengths(TensorFile& file) {
     return values;
 }
 
-MeasuredTable::MeasuredTable(TensorFile& file, const ChannelWeights& weights, bool symmetrize)
+MeasuredTable::MeasuredTable(TensorFile& file, const ChannelWeights& weights, bool symmetrize,
+                             const LoadBudget& budget)
     : theta_d_(angles(file, "theta_d", 0, pi / 2)),
       theta_h_(angles(file, "theta_h", 0, pi / 2)),
       channels_(weights.size()) {
@@ -99,6 +100,7 @@ MeasuredTable::MeasuredTable(TensorFile& file, const ChannelWeights& weights, bo
                     "the table of a measured material would need more than 1 GiB; "
                     "use fewer channels or angles");
     side_size_ = phi_d_.size() * plane * channels_;
+    budget.take_memory(34 * channels_ * directions);
     m00_.assign(sides_ * side_size_, -1.0F);
     rest_.resize(sides_ * side_size_);
 
@@ -120,6 +122,7 @@ MeasuredTable::MeasuredTable(TensorFile& file, const ChannelWeights& weights, bo
         done += size;
         for (std::size_t at = 0; at < size; at += record_bytes, ++index) {
             record.read(&chunk[at], spectrum);
+            budget.step(64 * spectrum);
             if (!record.any) continue;
             const Azimuth azimuth = azimuths_[index / plane];
             const std::size_t entry = (azimuth.index * plane + index % plane) * channels_;

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "files/load_budget.hpp"
 #include "material/spectrum_weights.hpp"
 #include "material/tensor_file.hpp"
 #include "polarization/mueller.hpp"
@@ -25,7 +26,7 @@ public:
     };
 
     /// Streams the field M. Weights: of the file's wavelengths in each channel.
-    MeasuredTable(TensorFile& file, const ChannelWeights& weights, bool symmetrize);
+    MeasuredTable(TensorFile& file, const ChannelWeights& weights, bool symmetrize, const LoadBudget& budget);
 
     [[nodiscard]] std::size_t channels() const noexcept { return channels_; }
     [[nodiscard]] bool mirror_symmetric() const noexcept { return sides_ == 1; }

@@ -134,11 +134,11 @@ void require_text(const std::filesystem::path& path, const std::vector<std::stri
 
 }  // namespace
 
-std::vector<IsotropicMatrix> read_psh_matrix(const std::filesystem::path& path) {
+std::vector<IsotropicMatrix> read_psh_matrix(const std::filesystem::path& path, const LoadBudget& budget) {
     const std::vector<std::string> members = npz_members(path);
     require_text(path, members, "cod_type", "POLAR4");
     require_text(path, members, "sh_type", "REAL");
-    const NpyArray coeff = read_npz_member(path, "coeff");
+    const NpyArray coeff = read_npz_member(path, "coeff", kMaxNpyValues, budget);
     const std::string name = path.string() + ": member coeff.npy";
     if (coeff.shape.size() != 4 || coeff.shape[2] != 4 || coeff.shape[3] != 4)
         throw Error(ErrorCode::invalid_file, name + " must have the shape [channel][index][4][4]");
@@ -154,6 +154,7 @@ std::vector<IsotropicMatrix> read_psh_matrix(const std::filesystem::path& path) 
     if (!std::ranges::all_of(coeff.values, [](double value) { return std::isfinite(value); }))
         throw Error(ErrorCode::invalid_file, name + " has a value that is not finite");
 
+    budget.take_memory(coeff.values.size() * sizeof(double));
     std::vector<IsotropicMatrix> out;
     const std::size_t channel_size = 16 * coeff.shape[1];
     for (std::size_t c = 0; c < coeff.shape[0]; ++c) {
@@ -161,6 +162,7 @@ std::vector<IsotropicMatrix> read_psh_matrix(const std::filesystem::path& path) 
         IsotropicMatrix& matrix =
             out.emplace_back(static_cast<int>(levels) - 1, static_cast<int>(levels) - 1);
         for_each_pair(matrix.order_in(), [&](const DegreePair& pair) {
+            budget.step(1024);
             matrix.block(pair.m, pair.l_out, pair.l_in) = read_block(channel, pair);
         });
     }

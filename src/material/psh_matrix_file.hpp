@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "files/load_budget.hpp"
 #include "harmonics/operator.hpp"
 #include "material/material.hpp"
 
@@ -17,7 +18,8 @@ namespace nicol {
 /// Throws what read_npz_member() throws, and Error(invalid_file) naming file and member for a shape that is
 /// no ISOBI2, a value that is not finite and, if the file states them, a codomain or harmonics other than
 /// POLAR4 and REAL.
-[[nodiscard]] std::vector<IsotropicMatrix> read_psh_matrix(const std::filesystem::path& path);
+[[nodiscard]] std::vector<IsotropicMatrix> read_psh_matrix(const std::filesystem::path& path,
+                                                           const LoadBudget& budget = {});
 
 /// Writes the same layout. All matrices must have one order, the same on both sides, at most
 /// CoefficientMatrix::kMaxDenseOrder. Throws Error(invalid_argument) and Error(write_failed).

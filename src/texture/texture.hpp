@@ -13,6 +13,7 @@
 #include <string_view>
 #include <vector>
 
+#include "files/load_budget.hpp"
 #include "simd/lanes.hpp"
 
 namespace nicol {
@@ -123,10 +124,11 @@ void decode_srgb(TextureImage& image);
 /// coverage becomes four channels. raw: the file's numbers as they are, n / 255 or n / 65535 for integers;
 /// else those of 8 and 16 bits are decoded from sRGB. Throws Error: file_not_found, invalid_file,
 /// unsupported.
-[[nodiscard]] TextureImage load_texture_image(const std::filesystem::path& file, bool raw);
+[[nodiscard]] TextureImage load_texture_image(const std::filesystem::path& file, bool raw,
+                                              const LoadBudget& budget = {});
 /// The same of the bytes of a file with this name, which is not opened; not EXR.
 [[nodiscard]] TextureImage load_texture_image(const std::filesystem::path& file, std::string_view bytes,
-                                              bool raw);
+                                              bool raw, const LoadBudget& budget = {});
 
 /// Mitsuba's checkerboard of colours: color0 where floor(2u) + floor(2v) is even, else color1, u and v after
 /// to_uv and without their whole part. Both of 1 or 3 channels.

@@ -57,12 +57,14 @@ void decode_srgb(TextureImage& image) {
     }
 }
 
-TextureImage load_texture_image(const std::filesystem::path& file, bool raw) {
-    return image_of(suffix_of(file) == ".exr" ? read_exr_colors(file) : read_bitmap(file), raw);
+TextureImage load_texture_image(const std::filesystem::path& file, bool raw, const LoadBudget& budget) {
+    return image_of(suffix_of(file) == ".exr" ? read_exr_colors(file, budget) : read_bitmap(file, budget),
+                    raw);
 }
 
-TextureImage load_texture_image(const std::filesystem::path& file, std::string_view bytes, bool raw) {
-    return image_of(read_bitmap(file, bytes), raw);
+TextureImage load_texture_image(const std::filesystem::path& file, std::string_view bytes, bool raw,
+                                const LoadBudget& budget) {
+    return image_of(read_bitmap(file, bytes, budget), raw);
 }
 
 }  // namespace nicol

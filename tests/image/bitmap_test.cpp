@@ -117,6 +117,15 @@ TEST_CASE("bitmaps of every kind are read to the last bit") {
         CHECK(photo.values[i] == doctest::Approx(std::array{200, 100, 50}[i % 3] / 255.0).epsilon(0.02));
 }
 
+TEST_CASE("a large JPEG of many scans is refused before it is decoded") {
+    Bytes file(reinterpret_cast<const char*>(jpeg.data()), jpeg.size());
+    const std::size_t frame = file.find("\xff\xc0");
+    file.replace(frame + 5, 4, Bytes("\x20\0\x40\0", 4));  // 8192 x 16384
+    for (int i = 0; i < 100; ++i) file += "\xff\xda" + Bytes(1000, '\x11');
+    const TemporaryFolder folder;
+    check_error(ErrorCode::unsupported, CALL(read_bitmap(folder.write("a.jpg", file))), "101 scans");
+}
+
 TEST_CASE("what is written as PNG is read again") {
     const TemporaryFolder folder;
     std::mt19937 random(4);
