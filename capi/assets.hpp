@@ -25,7 +25,7 @@ nicol_result load(nicol_context context, const char* path, Impl** out, const cha
         require(out, name);
         const SessionPtr session = resolve(context).session;
         require(path, "path");
-        LoadBudget budget(session->load_limits);
+        const LoadBudget budget(session->load_limits);
         *out = make_handle<Impl>(session, make(budget, *session));
     });
 }

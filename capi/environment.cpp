@@ -55,11 +55,13 @@ void tell_negative(const Session& session, const Environment& light, const char*
     if (!negative.empty()) session.notice(negative);
 }
 
-EnvironmentPtr from_file(const char* path, const nicol_environment_load_options* options) {
+EnvironmentPtr from_file(const char* path, const nicol_environment_load_options* options,
+                         const LoadBudget& budget) {
     const auto given =
         read_options(options, nicol_environment_load_options NICOL_ENVIRONMENT_LOAD_OPTIONS_INIT);
     if (given.reserved != 0) refuse("options->reserved must be 0");
-    return load_environment(path, given.scale, spectrum(given.wavelengths, 0, 0, "options->wavelengths"));
+    return load_environment(path, given.scale, spectrum(given.wavelengths, 0, 0, "options->wavelengths"),
+                            budget);
 }
 
 EnvironmentPtr from_coefficients(std::uint32_t order, std::uint32_t channels, const double* coefficients,
@@ -85,12 +87,13 @@ ImagePixels nicol::capi::read_image(const nicol_image* image) {
 nicol_result nicol_environment_load(nicol_context context, const char* path,
                                     const nicol_environment_load_options* options,
                                     nicol_environment* environment) {
-    return load(context, path, environment, "environment", [&](LoadBudget& budget, const Session& session) {
-        for (const std::filesystem::path& file : environment_files(path)) budget.take_file(file);
-        EnvironmentPtr light = from_file(path, options);
-        tell_negative(session, *light, path);
-        return light;
-    });
+    return load(context, path, environment, "environment",
+                [&](const LoadBudget& budget, const Session& session) {
+                    for (const std::filesystem::path& file : environment_files(path)) budget.take_file(file);
+                    EnvironmentPtr light = from_file(path, options, budget);
+                    tell_negative(session, *light, path);
+                    return light;
+                });
 }
 
 nicol_result nicol_environment_create_image(nicol_context context, const nicol_image* image,

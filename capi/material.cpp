@@ -159,15 +159,17 @@ nicol_result create_textured(nicol_context context, nicol_material base, nicol_t
     });
 }
 
-MaterialPtr measured(const char* path, const nicol_measured* options, const Session& session) {
+MaterialPtr measured(const char* path, const nicol_measured* options, const Session& session,
+                     const LoadBudget& budget) {
     const auto given = read_options(options, nicol_measured NICOL_MEASURED_INIT);
     require_constant(given.sampling, NICOL_WAVELENGTH_NEAREST, "options->sampling", "NICOL_WAVELENGTH_...");
-    return load_measured(path,
-                         {.wavelengths = spectrum(given.wavelengths, 0, 0, "options->wavelengths"),
-                          .sampling = given.sampling == NICOL_WAVELENGTH_NEAREST ? WavelengthSampling::nearest
-                                                                                 : WavelengthSampling::linear,
-                          .symmetrize = switch_from(given.symmetrize, "options->symmetrize")},
-                         [&](const std::string& text) { session.notice(text); });
+    return load_measured(
+        path,
+        {.wavelengths = spectrum(given.wavelengths, 0, 0, "options->wavelengths"),
+         .sampling = given.sampling == NICOL_WAVELENGTH_NEAREST ? WavelengthSampling::nearest
+                                                                : WavelengthSampling::linear,
+         .symmetrize = switch_from(given.symmetrize, "options->symmetrize")},
+        [&](const std::string& text) { session.notice(text); }, budget);
 }
 
 // A caller's function as a material's.
@@ -237,19 +239,19 @@ nicol_result nicol_material_create_conductor(nicol_context context, const nicol_
 
 nicol_result nicol_material_load_measured(nicol_context context, const char* path,
                                           const nicol_measured* options, nicol_material* material) {
-    return load(context, path, material, "material", [&](LoadBudget& budget, const Session& session) {
+    return load(context, path, material, "material", [&](const LoadBudget& budget, const Session& session) {
         budget.take_file(path);
-        return measured(path, options, session);
+        return measured(path, options, session, budget);
     });
 }
 
 nicol_result nicol_material_load_psh(nicol_context context, const char* path, const nicol_psh_matrix* options,
                                      nicol_material* material) {
-    return load(context, path, material, "material", [&](LoadBudget& budget, const Session&) {
+    return load(context, path, material, "material", [&](const LoadBudget& budget, const Session&) {
         budget.take_file(path);
         const auto given = read_options(options, nicol_psh_matrix NICOL_PSH_MATRIX_INIT);
         const std::vector<double> scale = spectrum(given.scale, 1, 1, "options->scale");
-        return psh_matrix_material(read_psh_matrix(path), scale,
+        return psh_matrix_material(read_psh_matrix(path, budget), scale,
                                    switch_from(given.symmetrize, "options->symmetrize"));
     });
 }

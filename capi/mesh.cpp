@@ -44,10 +44,10 @@ Mesh mesh_of(const nicol_mesh_data& given) {
 }  // namespace
 
 nicol_result nicol_mesh_load(nicol_context context, const char* path, nicol_mesh* mesh) {
-    return load(context, path, mesh, "mesh", [&](LoadBudget& budget, const Session& session) {
+    return load(context, path, mesh, "mesh", [&](const LoadBudget& budget, const Session& session) {
         budget.take_file(path);
-        const auto loaded =
-            std::make_shared<Mesh>(load_mesh(path, [&](const std::string& text) { session.notice(text); }));
+        const auto loaded = std::make_shared<Mesh>(load_mesh(
+            path, [&](const std::string& text) { session.notice(text); }, 0, budget));
         if (has_upward_texcoords(path)) flip_texcoords(*loaded);
         budget.take_instance(path, loaded->positions.size(), loaded->triangles.size());
         return std::shared_ptr<const Mesh>(loaded);

@@ -106,10 +106,13 @@ nicol_result nicol_texture_create_image(nicol_context context, const nicol_textu
 
 nicol_result nicol_texture_load(nicol_context context, const char* path, const nicol_texture_options* options,
                                 nicol_texture* texture) {
-    return load(context, path, texture, "texture", [&](LoadBudget& budget, const Session&) {
+    return load(context, path, texture, "texture", [&](const LoadBudget& budget, const Session&) {
         const Options how = read(options);
         budget.take_file(path);
-        return image_texture(load_texture_image(path, how.raw), how.sampling);
+        TextureImage image = load_texture_image(path, how.raw, budget);
+        budget.take_pixels(
+            path, static_cast<std::uint64_t>(image.width) * static_cast<std::uint64_t>(image.height));
+        return image_texture(std::move(image), how.sampling);
     });
 }
 

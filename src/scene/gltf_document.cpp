@@ -71,11 +71,12 @@ std::string_view json_of(const std::filesystem::path& file, std::string_view byt
 }
 
 /// What byteLength says of each buffer in a file of its own, in order; 0 where it says nothing of use.
-std::vector<std::uint64_t> lengths_of_buffers(std::string_view text) {
+std::vector<std::uint64_t> lengths_of_buffers(std::string_view text, const LoadBudget& budget) {
     using Json = nlohmann::json;
     const Json file = Json::parse(
         text,
-        [](int depth, Json::parse_event_t event, const Json& key) {
+        [&](int depth, Json::parse_event_t event, const Json& key) {
+            budget.step(64);
             return depth != 1 || event != Json::parse_event_t::key || key == "buffers";
         },
         false);
@@ -95,7 +96,7 @@ std::vector<std::uint64_t> lengths_of_buffers(std::string_view text) {
 /// Reads the files that buffers name, for tinygltf, which asks for them in order.
 struct Buffers {
     const std::filesystem::path& scene;
-    LoadBudget& budget;
+    const LoadBudget& budget;
     std::vector<FileRecord>& files;
     std::vector<std::uint64_t> lengths;
     std::size_t next = 0;
@@ -107,7 +108,7 @@ struct Buffers {
             throw Error(ErrorCode::file_not_found,
                         scene.string() + ": the buffer " + in_quotes(uri) + ": no such file");
         budget.take_file(file);
-        std::string bytes = read_bytes(file);
+        std::string bytes = read_bytes(file, budget);
         if (std::ranges::find(files, file, &FileRecord::path) == files.end())
             files.push_back(record_of(file, bytes));
         // A file may be longer, which tinygltf refuses.
@@ -190,9 +191,9 @@ std::filesystem::path gltf_file(const std::filesystem::path& scene, const std::s
     return scene.parent_path() / name;
 }
 
-GltfDocument::GltfDocument(const std::filesystem::path& file, LoadBudget& budget) : path_(file) {
+GltfDocument::GltfDocument(const std::filesystem::path& file, const LoadBudget& budget) : path_(file) {
     budget.take_file(file);
-    const std::string bytes = read_bytes(file);
+    const std::string bytes = read_bytes(file, budget);
     files_.push_back(record_of(file, bytes));
     if (bytes.size() > std::numeric_limits<std::uint32_t>::max())
         unsupported_file(file, "a glTF file of 4 GiB or more; keep its buffers in files of their own");
@@ -200,8 +201,10 @@ GltfDocument::GltfDocument(const std::filesystem::path& file, LoadBudget& budget
     if (too_deep(json))
         unsupported_file(file,
                          "arrays and objects more than " + std::to_string(kMostLevels) + " levels deep");
-    Buffers buffers{file, budget, files_, lengths_of_buffers(json)};
+    Buffers buffers{file, budget, files_, lengths_of_buffers(json, budget)};
+    budget.check();
     model_ = parsed(bytes, buffers);
+    budget.check();
     for (const tinygltf::Buffer& buffer : model_.buffers) buffer_bytes_ += buffer.data.size();
     if (!model_.asset.version.starts_with("2."))
         fail("asset", "version is " + in_quotes(model_.asset.version) + "; expected 2.0",

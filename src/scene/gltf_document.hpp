@@ -24,7 +24,7 @@ namespace nicol::scene {
 class GltfDocument {
 public:
     /// Takes the sizes of the file and its buffers off the budget. Throws as read_gltf_scene does.
-    GltfDocument(const std::filesystem::path& file, LoadBudget& budget);
+    GltfDocument(const std::filesystem::path& file, const LoadBudget& budget);
 
     [[nodiscard]] const tinygltf::Model& model() const { return model_; }
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }

@@ -15,8 +15,8 @@ namespace {
 class Primitive {
 public:
     Primitive(const GltfDocument& document, const tinygltf::Primitive& primitive, const std::string& where,
-              int texcoord_set, geometry::LeftOut& left_out)
-        : document_(document), primitive_(primitive), where_(where), left_out_(left_out) {
+              int texcoord_set, const LoadBudget& budget, geometry::LeftOut& left_out)
+        : document_(document), primitive_(primitive), where_(where), budget_(budget), left_out_(left_out) {
         positions_ = attribute("POSITION", 3, 3);
         if (!positions_) document_.fail(where_, "has no POSITION");
         normals_ = attribute("NORMAL", 3, 3);
@@ -43,6 +43,7 @@ public:
             left_out_.add("corners of no triangle", corner_count() % 3);
         const std::size_t triangles = triangle_count();
         for (std::size_t t = 0; t < triangles; ++t) {
+            budget_.step(32);
             glm::uvec3 triangle;
             for (glm::length_t k = 0; k < 3; ++k)
                 triangle[k] = vertex_of(corner(t, static_cast<std::size_t>(k)));
@@ -127,6 +128,7 @@ private:
     const GltfDocument& document_;
     const tinygltf::Primitive& primitive_;
     const std::string& where_;
+    const LoadBudget& budget_;
     geometry::LeftOut& left_out_;
     std::optional<GltfAccessor> positions_, normals_, texcoords_, colors_, indices_;
     std::unordered_map<std::size_t, std::uint32_t> vertices_;
@@ -138,15 +140,15 @@ private:
 std::shared_ptr<const Mesh> read_gltf_primitive(const GltfDocument& document,
                                                 const tinygltf::Primitive& primitive,
                                                 const std::string& where, int texcoord_set,
-                                                LoadBudget& budget, geometry::LeftOut& left_out) {
+                                                const LoadBudget& budget, geometry::LeftOut& left_out) {
     if (primitive.mode >= TINYGLTF_MODE_POINTS && primitive.mode < TINYGLTF_MODE_TRIANGLES) {
         left_out.add("primitives of points or lines");
         return nullptr;
     }
     if (primitive.mode < 0 || primitive.mode > TINYGLTF_MODE_TRIANGLE_FAN)
         document.fail(where, "mode is " + std::to_string(primitive.mode) + "; expected 0 to 6");
-    Primitive reader(document, primitive, where, texcoord_set, left_out);
-    budget.take_instance(document.path(), 0, reader.triangle_count());
+    Primitive reader(document, primitive, where, texcoord_set, budget, left_out);
+    budget.take_mesh(document.path(), 0, reader.triangle_count());
     Mesh mesh = reader.mesh();
     if (mesh.triangles.empty()) {
         left_out.add("primitives of no triangle with an area");
@@ -156,7 +158,7 @@ std::shared_ptr<const Mesh> read_gltf_primitive(const GltfDocument& document,
         mesh = with_face_normals(mesh);
     else
         geometry::complete_normals(mesh);
-    budget.take_instance(document.path(), mesh.positions.size(), 0);
+    budget.take_mesh(document.path(), mesh.positions.size(), 0);
     return std::make_shared<const Mesh>(std::move(mesh));
 }
 

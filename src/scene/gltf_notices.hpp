@@ -4,8 +4,9 @@
 
 #include <filesystem>
 #include <string>
-#include <utility>
 #include <vector>
+
+#include "scene/sentences.hpp"
 
 namespace nicol::scene {
 
@@ -14,12 +15,12 @@ class GltfNotices {
 public:
     explicit GltfNotices(const std::filesystem::path& file) : name_(file.string()) {}
     /// Keeps a sentence, once.
-    void add(const std::string& sentence);
-    [[nodiscard]] std::vector<std::string> take() { return std::move(sentences_); }
+    void add(const std::string& sentence) { sentences_.add(name_ + ": " + sentence + "."); }
+    [[nodiscard]] std::vector<std::string> take() { return sentences_.take(); }
 
 private:
     std::string name_;
-    std::vector<std::string> sentences_;
+    Sentences sentences_;
 };
 
 }  // namespace nicol::scene

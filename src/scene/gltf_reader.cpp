@@ -30,7 +30,7 @@ bool is_invertible(const glm::dmat4& m) {
 /// One scene. Materials are numbered in the order in which its shapes use them.
 class GltfReader {
 public:
-    GltfReader(const GltfDocument& document, LoadBudget& budget)
+    GltfReader(const GltfDocument& document, const LoadBudget& budget)
         : document_(document),
           model_(document.model()),
           budget_(budget),
@@ -112,6 +112,7 @@ private:
     }
 
     void read(const PlacedNode& placed) {
+        budget_.step(256);
         for (glm::length_t column = 0; column < 4; ++column)
             for (glm::length_t row = 0; row < 4; ++row)
                 if (!std::isfinite(placed.to_world[column][row]))
@@ -234,7 +235,7 @@ private:
 
     const GltfDocument& document_;
     const tinygltf::Model& model_;
-    LoadBudget& budget_;
+    const LoadBudget& budget_;
     GltfNotices notices_;
     GltfTextures textures_;
     geometry::LeftOut left_out_;
@@ -247,19 +248,13 @@ private:
 
 }  // namespace
 
-void GltfNotices::add(const std::string& sentence) {
-    const std::string text = name_ + ": " + sentence + ".";
-    if (std::ranges::find(sentences_, text) == sentences_.end()) sentences_.push_back(text);
-}
-
 }  // namespace scene
 
 SceneDescription read_gltf_scene(const std::filesystem::path& file, const SceneParameters& parameters,
-                                 const LoadLimits& limits) {
+                                 const LoadBudget& budget) {
     if (!parameters.empty())
         refuse(file.string() + ": the parameter " + parameters.begin()->first +
                " is not used; glTF files have none");
-    LoadBudget budget(limits);
     const scene::GltfDocument document(file, budget);
     return scene::GltfReader(document, budget).run();
 }

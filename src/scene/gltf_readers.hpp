@@ -34,7 +34,7 @@ struct GltfBounds {
 [[nodiscard]] std::shared_ptr<const Mesh> read_gltf_primitive(const GltfDocument& document,
                                                               const tinygltf::Primitive& primitive,
                                                               const std::string& where, int texcoord_set,
-                                                              LoadBudget& budget,
+                                                              const LoadBudget& budget,
                                                               geometry::LeftOut& left_out);
 
 /// What a primitive says of its material.

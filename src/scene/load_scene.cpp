@@ -43,14 +43,16 @@ EnvironmentPtr make(const EnvironmentDescription& d, scene::SceneFiles& files) {
     const SceneChannels rgb;
     switch (d.kind) {
         case EnvironmentDescription::Kind::envmap: {
-            EnvironmentPtr light =
-                files.read(environment_files(d.filename), [&] { return load_environment(d.filename); });
+            EnvironmentPtr light = files.read(environment_files(d.filename), [&] {
+                return load_environment(d.filename, 1, {}, files.budget());
+            });
             const std::string negative = notice_of_negative(*light, d.filename.string());
             if (!negative.empty()) files.notice(negative);
             return light;
         }
         case EnvironmentDescription::Kind::psh:
-            return psh_environment(files.read(d.filename, [&] { return read_psh_vector(d.filename); }));
+            return psh_environment(
+                files.read(d.filename, [&] { return read_psh_vector(d.filename, files.budget()); }));
         case EnvironmentDescription::Kind::constant:
             return constant_environment(radiance(d.radiance, rgb));
         case EnvironmentDescription::Kind::sky:
@@ -90,7 +92,8 @@ Mesh make(const ShapeDescription& d, scene::SceneFiles& files) {
         default:
             mesh = files.read(d.filename, [&] {
                 return load_mesh(
-                    d.filename, [&](const std::string& text) { files.notice(text); }, d.index);
+                    d.filename, [&](const std::string& text) { files.notice(text); }, d.index,
+                    files.budget());
             });
             break;
     }
@@ -128,10 +131,10 @@ private:
 };
 
 SceneDescription read_scene(const std::filesystem::path& file, const SceneParameters& parameters,
-                            const LoadLimits& limits) {
+                            const LoadBudget& budget) {
     const std::string suffix = suffix_of(file);
-    if (suffix == ".gltf" || suffix == ".glb") return read_gltf_scene(file, parameters, limits);
-    return read_mitsuba_scene(file, parameters);
+    if (suffix == ".gltf" || suffix == ".glb") return read_gltf_scene(file, parameters, budget);
+    return read_mitsuba_scene(file, parameters, budget);
 }
 
 Camera make(const SensorDescription& d) {
@@ -158,9 +161,9 @@ Camera make(const SensorDescription& d) {
 }  // namespace
 
 LoadedScene load_scene(const std::filesystem::path& file, const SceneParameters& parameters,
-                       const LoadLimits& limits) {
-    const SceneDescription description = read_scene(file, parameters, limits);
-    scene::SceneFiles files(description.files, limits);
+                       const LoadBudget& budget) {
+    const SceneDescription description = read_scene(file, parameters, budget);
+    scene::SceneFiles files(description.files, budget);
     LoadedScene out;
     out.notices = description.notices;
     if (description.environment) {
@@ -177,14 +180,16 @@ LoadedScene load_scene(const std::filesystem::path& file, const SceneParameters&
     for (const MaterialDescription& material : description.materials)
         materials.push_back(made(file, named("bsdf", material.id),
                                  [&] { return scene::make_material(material, channels, textures, files); }));
-    for (const LightDescription& light : description.lights)
+    for (const LightDescription& light : description.lights) {
+        budget.step(256);
         made(file, named("emitter", light.id),
              [&] { return out.scene.add_light(scene::make_light(light, channels, textures)); });
+    }
     Meshes meshes(files);
     for (const ShapeDescription& shape : description.shapes) {
         made(file, named("shape", shape.id), [&] {
             const std::shared_ptr<const Mesh> mesh = meshes.of(shape);
-            files.budget().take_instance(file, mesh->positions.size(), mesh->triangles.size());
+            budget.take_instance(file, mesh->positions.size(), mesh->triangles.size());
             if (materials.at(shape.material)->anisotropic() && mesh->texcoords.empty())
                 files.notice(
                     "a surface without texture coordinates has a roughness that depends on the direction, "

@@ -30,7 +30,7 @@ struct LoadedScene {
 /// plates give them, see put_plates_before_lights(). Throws what read_mitsuba_scene(),
 /// read_gltf_scene() and the readers of images, meshes and materials throw, and what LoadBudget throws.
 [[nodiscard]] LoadedScene load_scene(const std::filesystem::path& file, const SceneParameters& parameters,
-                                     const LoadLimits& limits = {});
+                                     const LoadBudget& budget = {});
 
 /// The rotation of an affine matrix whose axes are at right angles. Throws Error(invalid_argument) naming
 /// `what` for any other.

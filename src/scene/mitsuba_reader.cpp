@@ -32,6 +32,7 @@ public:
 
 private:
     void read(pugi::xml_node place) {
+        document_.budget().step(256);
         const NestedObject object = checked_object(
             document_, place, "<scene>",
             {"integrator", "sensor", "emitter", "bsdf", "texture", "shape", "film", "sampler", "rfilter"});
@@ -120,6 +121,7 @@ private:
     }
 
     void add(pugi::xml_node place, Shape shape) {
+        document_.budget().step(256);
         if (shape.plate) return plates_.add(place, shape.description, shape.plate);
         if (scene_.shapes.size() == kMaxShapes)
             document_.fail(place, "more than " + std::to_string(kMaxShapes) + " shapes, instances counted",
@@ -159,8 +161,9 @@ private:
 }  // namespace
 }  // namespace scene
 
-SceneDescription read_mitsuba_scene(const std::filesystem::path& file, const SceneParameters& parameters) {
-    const scene::XmlDocument document(file, parameters);
+SceneDescription read_mitsuba_scene(const std::filesystem::path& file, const SceneParameters& parameters,
+                                    const LoadBudget& budget) {
+    const scene::XmlDocument document(file, parameters, budget);
     return scene::Reader(document).run();
 }
 

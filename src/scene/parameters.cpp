@@ -25,6 +25,10 @@ Parameters::Parameters(const SceneParameters& overrides) {
 }
 
 void Parameters::add_default(const std::string& name, const std::string& value) {
+    if (name.find('$') != std::string::npos || name.size() > kMaxNameLength)
+        throw std::invalid_argument("the name " + in_quotes(name) +
+                                    "; expected one without a $, of at most " +
+                                    std::to_string(kMaxNameLength) + " characters");
     // The used mark of an override: a declared one is no misspelling.
     const auto [entry, is_new] = values_.try_emplace(name, Value{value, true});
     entry->second.used = true;
@@ -42,11 +46,7 @@ std::string Parameters::replaced(std::string_view text) {
             continue;
         }
         const std::string_view rest = text.substr(dollar + 1);
-        auto best = values_.end();
-        for (auto entry = values_.begin(); entry != values_.end(); ++entry)
-            if (rest.starts_with(entry->first) &&
-                (best == values_.end() || entry->first.size() > best->first.size()))
-                best = entry;
+        const auto best = longest(rest);
         if (best == values_.end())
             throw std::out_of_range("undefined parameter in " + in_quotes(text) + "; defined are " + names());
         best->second.used = true;
@@ -59,6 +59,18 @@ std::string Parameters::replaced(std::string_view text) {
     return out;
 }
 
+// A name has no $, so that this reads on to the next $ of the text at most.
+Parameters::Values::iterator Parameters::longest(std::string_view text) {
+    auto best = values_.end();
+    for (std::size_t length = 1; length <= text.size(); ++length) {
+        const std::string_view beginning = text.substr(0, length);
+        const auto first = values_.lower_bound(beginning);
+        if (first == values_.end() || !first->first.starts_with(beginning)) break;
+        if (first->first.size() == length) best = first;
+    }
+    return best;
+}
+
 void Parameters::require_all_used(const std::string& file) const {
     for (const auto& [name, value] : values_)
         if (!value.used)
@@ -67,9 +79,12 @@ void Parameters::require_all_used(const std::string& file) const {
 }
 
 std::string Parameters::names() const {
+    constexpr std::size_t most = 300;
     std::string list;
-    for (const auto& [name, value] : values_)
+    for (const auto& [name, value] : values_) {
+        if (list.size() > most) return list + ", ...";
         if (value.used) list += (list.empty() ? "$" : ", $") + name;
+    }
     return list.empty() ? "none" : list;
 }
 

@@ -15,7 +15,8 @@ class Parameters {
 public:
     explicit Parameters(const SceneParameters& overrides);
 
-    /// A <default>; without effect where the name has a value already.
+    /// A <default>; without effect where the name has a value already. Throws std::invalid_argument for a
+    /// name with a $ or of more than 256 characters.
     void add_default(const std::string& name, const std::string& value);
     /// `text` with every $name replaced. As in Mitsuba the longest name that fits is meant, so that
     /// "$folder/a.obj" works; \$ stands for a dollar. Throws std::out_of_range: unknown name;
@@ -26,13 +27,17 @@ public:
     void require_all_used(const std::string& file) const;
 
 private:
+    static constexpr std::size_t kMaxNameLength = 256;
     struct Value {
         std::string text;
         bool used = false;
     };
+    using Values = std::map<std::string, Value, std::less<>>;
+    /// The longest name that `text` begins with, or the end.
+    [[nodiscard]] Values::iterator longest(std::string_view text);
     [[nodiscard]] std::string names() const;
 
-    std::map<std::string, Value, std::less<>> values_;
+    Values values_;
 };
 
 }  // namespace nicol::scene

@@ -62,6 +62,7 @@ NestedObject checked_object(const XmlDocument& document, pugi::xml_node place, c
 
 Plugin::Plugin(const XmlDocument& document, pugi::xml_node node)
     : document_(document), node_(node), type_(node.attribute("type").value()) {
+    document.budget().step(1024);
     if (node.parent().type() == pugi::node_document)
         check_attributes(document, node, {"type", "id", "name", "version"});
     else

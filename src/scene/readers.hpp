@@ -5,9 +5,11 @@
 #include <optional>
 #include <pugixml.hpp>
 #include <string>
+#include <unordered_set>
 #include <vector>
 
 #include "scene/scene_description.hpp"
+#include "scene/sentences.hpp"
 #include "scene/xml_document.hpp"
 
 namespace nicol::scene {
@@ -22,7 +24,7 @@ public:
     /// "sampler "independent"" and the like.
     void add_unfollowed(pugi::xml_node node, const std::string& what);
     void add(pugi::xml_node node, const std::string& sentence);
-    /// The same, unless the sentence has been added at another place.
+    /// The same, unless this has added the sentence at another place.
     void add_once(pugi::xml_node node, const std::string& sentence);
     [[nodiscard]] std::vector<std::string> take();
 
@@ -30,7 +32,8 @@ private:
     const XmlDocument& document_;
     std::string first_place_;
     std::vector<std::string> unfollowed_;
-    std::vector<std::string> sentences_;
+    Sentences sentences_;
+    std::unordered_set<std::string> said_;  // by add_once(), without their places
 };
 
 // Each takes the element of one plug-in, reads all of it, and throws as read_mitsuba_scene does.

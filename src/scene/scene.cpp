@@ -63,22 +63,6 @@ void check_emission(const Mesh& mesh, const Emission& emission, std::uint32_t id
 
 }  // namespace
 
-int Scene::channels_without(const Without& part) const {
-    int most = environment_ && !part.environment ? environment_->channels() : 1;
-    for (std::size_t i = 0; i < instances().size(); ++i) {
-        const Instance& instance = instances()[i];
-        if (i != part.material) most = std::max(most, instance.material->channels());
-        if (i != part.emission && instance.emission) most = std::max(most, instance.emission->channels());
-    }
-    for (std::size_t i = 0; i < lights().size(); ++i)
-        if (i != part.light) most = std::max(most, lights()[i].channels());
-    return most;
-}
-
-int Scene::channels() const {
-    return channels_without({});
-}
-
 bool Scene::varies() const {
     return std::ranges::any_of(instances(), [](const Instance& instance) {
         return instance.material->variation() != nullptr ||
@@ -99,14 +83,24 @@ std::uint32_t Scene::add(Instance instance) {
                        std::max(channels(), instance.material->channels()));
         emission_version_ = new_version();
     }
+    const int of_material = instance.material->channels();
+    const int of_emission = instance.emission ? instance.emission->channels() : 0;
+    channels_.make_room(std::max(of_material, of_emission));
     instances_.add(std::move(instance));
+    channels_.add(of_material);
+    if (of_emission > 0) channels_.add(of_emission);
     geometry_version_ = new_version();
     material_version_ = new_version();
     return id;
 }
 
 void Scene::remove(std::uint32_t id) {
-    if (at(id).emission) emission_version_ = new_version();
+    const Instance& instance = at(id);
+    channels_.remove(instance.material->channels());
+    if (instance.emission) {
+        channels_.remove(instance.emission->channels());
+        emission_version_ = new_version();
+    }
     instances_.remove(id);
     geometry_version_ = new_version();
     material_version_ = new_version();
@@ -123,14 +117,18 @@ void Scene::set_transform(std::uint32_t id, const glm::dmat4& to_world) {
 void Scene::set_material(std::uint32_t id, MaterialPtr material) {
     const std::size_t index = instances_.index_of(id);
     if (!material) refuse("the instance would have no material");
-    check_channels("material", material->channels(), channels_without({.material = index}));
     Instance& instance = instances_[index];
+    check_channels("material", material->channels(),
+                   channels_.largest_without(instance.material->channels()));
     check_attributes(*instance.mesh, *material, id);
     if (instance.material == material) return;
+    channels_.make_room(material->channels());
     if (instance.material->twosided() != material->twosided() ||
         opacity_of(*instance.material) != opacity_of(*material))
         geometry_version_ = new_version();
     material_version_ = new_version();
+    channels_.add(material->channels());
+    channels_.remove(instance.material->channels());
     instance.material = std::move(material);
 }
 
@@ -139,9 +137,16 @@ void Scene::set_emission(std::uint32_t id, EmissionPtr emission) {
     Instance& instance = instances_[index];
     if (emission) {
         check_emission(*instance.mesh, *emission, id);
-        check_channels("emission", emission->channels(), channels_without({.emission = index}));
+        check_channels("emission", emission->channels(),
+                       instance.emission ? channels_.largest_without(instance.emission->channels())
+                                         : channels_.largest());
     }
     if (instance.emission == emission) return;
+    if (emission) {
+        channels_.make_room(emission->channels());
+        channels_.add(emission->channels());
+    }
+    if (instance.emission) channels_.remove(instance.emission->channels());
     instance.emission = std::move(emission);
     emission_version_ = new_version();
 }
@@ -149,13 +154,17 @@ void Scene::set_emission(std::uint32_t id, EmissionPtr emission) {
 std::uint32_t Scene::add_light(SmallLight light) {
     const std::uint32_t id = lights_.next();
     check(light);
-    check_channels("light", light.channels(), channels());
+    const int channels = light.channels();
+    check_channels("light", channels, channels_.largest());
+    channels_.make_room(channels);
     lights_.add(std::move(light));
+    channels_.add(channels);
     small_light_version_ = new_version();
     return id;
 }
 
 void Scene::remove_light(std::uint32_t id) {
+    channels_.remove(light(id).channels());
     lights_.remove(id);
     small_light_version_ = new_version();
 }
@@ -163,7 +172,11 @@ void Scene::remove_light(std::uint32_t id) {
 void Scene::set_light(std::uint32_t id, SmallLight light) {
     const std::size_t index = lights_.index_of(id);
     check(light);
-    check_channels("light", light.channels(), channels_without({.light = index}));
+    const int before = lights_[index].channels();
+    check_channels("light", light.channels(), channels_.largest_without(before));
+    channels_.make_room(light.channels());
+    channels_.add(light.channels());
+    channels_.remove(before);
     lights_[index] = std::move(light);
     small_light_version_ = new_version();
 }
@@ -220,7 +233,7 @@ void Scene::set_environment(EnvironmentPtr environment, const glm::dmat3& rotati
             "mirroring");
     }
     if (environment) {
-        const int others = channels_without({.environment = true});
+        const int others = environment_ ? channels_.largest_without(environment_->channels()) : channels();
         if (environment->channels() != 1 && others != 1 && environment->channels() != others) {
             refuse("the environment has " + std::to_string(environment->channels()) +
                    " colour channels and the scene " + std::to_string(others) +
@@ -228,6 +241,11 @@ void Scene::set_environment(EnvironmentPtr environment, const glm::dmat3& rotati
         }
     }
     if (environment_ == environment && rotation_ == rotation && scale_ == scale) return;
+    if (environment) {
+        channels_.make_room(environment->channels());
+        channels_.add(environment->channels());
+    }
+    if (environment_) channels_.remove(environment_->channels());
     environment_ = std::move(environment);
     rotation_ = rotation;
     scale_ = scale;

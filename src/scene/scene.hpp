@@ -13,6 +13,7 @@
 #include "light/small_light.hpp"
 #include "material/material.hpp"
 #include "polarization/plate.hpp"
+#include "scene/channel_counts.hpp"
 #include "scene/numbered.hpp"
 #include "versioned.hpp"
 
@@ -81,7 +82,7 @@ public:
     [[nodiscard]] const glm::dmat3& light_rotation() const noexcept { return rotation_; }
     [[nodiscard]] double light_scale() const noexcept { return scale_; }
     /// Colour channels: the largest number of any part; parts of one channel serve all.
-    [[nodiscard]] int channels() const;
+    [[nodiscard]] int channels() const { return channels_.largest(); }
     /// Whether a material, or what an instance emits, varies over its surface.
     [[nodiscard]] bool varies() const;
 
@@ -99,16 +100,7 @@ public:
     [[nodiscard]] Version plate_version() const noexcept { return plate_version_; }
 
 private:
-    /// Of everything but the material or the emission of one instance, one light, or the environment.
-    struct Without {
-        static constexpr std::size_t kNone = ~std::size_t{0};
-        std::size_t material = kNone;
-        std::size_t emission = kNone;
-        std::size_t light = kNone;
-        bool environment = false;
-    };
-    [[nodiscard]] int channels_without(const Without& part) const;
-
+    ChannelCounts channels_;
     Numbered<Instance> instances_{"instance"};
     Numbered<SmallLight> lights_{"light"};
     Numbered<PolarizingPlate> plates_{"plate"};

@@ -240,7 +240,8 @@ using SceneParameters = std::map<std::string, std::string>;
 /// 15 deep) as file:line, plug-in and parameter with what is accepted and, within an included file, who
 /// includes it; invalid_argument (an entry of `parameters` that the files never use).
 [[nodiscard]] SceneDescription read_mitsuba_scene(const std::filesystem::path& file,
-                                                  const SceneParameters& parameters = {});
+                                                  const SceneParameters& parameters = {},
+                                                  const LoadBudget& budget = {});
 
 /// Reads the default scene of a glTF 2.0 file, text or binary, with its buffers. Its axes are the world's.
 /// - Shapes are the primitives of triangles, strips and fans of each node; nodes with the same mesh share
@@ -259,11 +260,12 @@ using SceneParameters = std::map<std::string, std::string>;
 ///   animations, points and lines, extensions without effect.
 /// Throws Error: file_not_found (also of a buffer); unsupported (another version, an unknown required
 /// extension, KHR_materials_unlit, buffers and images outside the folder of the file, more than kMaxShapes,
-/// what exceeds `limits`); invalid_file (malformed, references or data out of range, nodes in a circle,
+/// what exceeds `budget`); invalid_file (malformed, references or data out of range, nodes in a circle,
 /// nothing to draw), naming the element; invalid_argument (any parameter; the format has none). Memory is
-/// proportional to the size of the files, times the number of primitives that share data, up to `limits`.
+/// proportional to the size of the files, times the number of primitives that share data, up to the limits of
+/// `budget`.
 [[nodiscard]] SceneDescription read_gltf_scene(const std::filesystem::path& file,
                                                const SceneParameters& parameters = {},
-                                               const LoadLimits& limits = {});
+                                               const LoadBudget& budget = {});
 
 }  // namespace nicol

@@ -2,7 +2,6 @@
 // The files that a scene names, while it is loaded.
 #pragma once
 
-#include <algorithm>
 #include <filesystem>
 #include <string>
 #include <utility>
@@ -10,14 +9,15 @@
 
 #include "files/file_record.hpp"
 #include "files/load_budget.hpp"
+#include "scene/sentences.hpp"
 
 namespace nicol::scene {
 
 /// Reads what a scene names, within a budget, and keeps a record of each file.
 class SceneFiles {
 public:
-    SceneFiles(std::vector<FileRecord> known, const LoadLimits& limits)
-        : recorder_(std::move(known)), budget_(limits) {}
+    SceneFiles(std::vector<FileRecord> known, const LoadBudget& budget)
+        : recorder_(std::move(known), budget), budget_(budget) {}
 
     template <class Read>
     auto read(const std::filesystem::path& file, Read read) {
@@ -30,18 +30,16 @@ public:
     }
 
     /// Keeps a sentence, once.
-    void notice(const std::string& sentence) {
-        if (std::ranges::find(notices_, sentence) == notices_.end()) notices_.push_back(sentence);
-    }
+    void notice(const std::string& sentence) { notices_.add(sentence); }
 
-    [[nodiscard]] LoadBudget& budget() { return budget_; }
-    [[nodiscard]] const std::vector<std::string>& notices() const { return notices_; }
+    [[nodiscard]] const LoadBudget& budget() const { return budget_; }
+    [[nodiscard]] const std::vector<std::string>& notices() const { return notices_.all(); }
     [[nodiscard]] std::vector<FileRecord> records() { return recorder_.take(); }
 
 private:
     FileRecorder recorder_;
     LoadBudget budget_;
-    std::vector<std::string> notices_;
+    Sentences notices_;
 };
 
 }  // namespace nicol::scene

@@ -22,6 +22,7 @@ public:
         : channels_(channels), textures_(textures), files_(files) {}
 
     MaterialPtr make(const MaterialDescription& d) const {
+        files_.budget().check();
         MaterialPtr front = d.parts.empty() ? model(d) : of_parts(d);
         return d.twosided ? twosided(std::move(front)) : front;
     }
@@ -130,7 +131,7 @@ private:
     }
 
     [[nodiscard]] MaterialPtr matrix(const MaterialDescription& d) const {
-        std::vector<IsotropicMatrix> matrices = read_psh_matrix(d.filename);
+        std::vector<IsotropicMatrix> matrices = read_psh_matrix(d.filename, files_.budget());
         std::vector<double> scale{1.0};
         if (!d.scale.texture) scale = reflectance(d.scale, channels_);
         if (std::ranges::all_of(scale, [&](double s) { return s == scale.front(); })) scale.resize(1);
@@ -142,8 +143,9 @@ private:
         MeasuredParameters parameters{.wavelengths = channels_.wavelengths, .symmetrize = d.symmetrize};
         if (d.wavelength) parameters.wavelengths = {*d.wavelength};
         MaterialPtr material = files_.read(d.filename, [&] {
-            return load_measured(d.filename, parameters,
-                                 [&](const std::string& text) { files_.notice(text); });
+            return load_measured(
+                d.filename, parameters, [&](const std::string& text) { files_.notice(text); },
+                files_.budget());
         });
         if (d.scale.texture || d.scale.rgb == glm::dvec3(1)) return times(material, d.scale.texture);
         TextureSpecification scale;

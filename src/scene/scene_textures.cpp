@@ -179,8 +179,9 @@ const TextureImage& SceneTextures::image(const TextureSpecification& d) {
     const auto [entry, is_new] = images_.try_emplace({d.filename, d.raw});
     TextureImage& image = entry->second;
     if (is_new)
-        image = d.bytes ? load_texture_image(d.filename, *d.bytes, d.raw)
-                        : files_.read(d.filename, [&] { return load_texture_image(d.filename, d.raw); });
+        image = d.bytes ? load_texture_image(d.filename, *d.bytes, d.raw, files_.budget())
+                        : files_.read(d.filename,
+                                      [&] { return load_texture_image(d.filename, d.raw, files_.budget()); });
     files_.budget().take_pixels(d.filename, image.values.size() / static_cast<std::size_t>(image.channels));
     return image;
 }

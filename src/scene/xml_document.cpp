@@ -52,6 +52,7 @@ public:
             document_.fail(node, "text " + in_quotes(node.value()) + " inside " + tag(node.parent()) +
                                      "; values go into attributes");
         if (node.type() != pugi::node_element) return true;
+        document_.budget_.step(64);
         for (pugi::xml_attribute attribute : node.attributes()) replace(node, attribute);
         if (is(node, "spectrum") && node.attribute("filename")) document_.read_spectrum(node);
         if (is_declaration(node)) {
@@ -67,7 +68,7 @@ private:
     void replace(pugi::xml_node node, pugi::xml_attribute attribute) {
         if (std::string_view(attribute.value()).find('$') == std::string_view::npos) return;
         try {
-            attribute.set_value(document_.parameters_.replaced(attribute.value()).c_str());
+            document_.replace_parameters(node, attribute);
         } catch (const std::out_of_range& e) {
             if (!inside_sampler(node)) document_.fail(node, e.what());
             document_.left_open_.push_back(node);
@@ -92,14 +93,19 @@ private:
         const std::string name = node.attribute("name").value();
         if (name.empty() || !node.attribute("value"))
             document_.fail(node, "<default> needs a name and a value");
-        document_.parameters_.add_default(name, node.attribute("value").value());
+        try {
+            document_.parameters_.add_default(name, node.attribute("value").value());
+        } catch (const std::invalid_argument& e) {
+            document_.fail(node, "<default>: " + std::string(e.what()));
+        }
     }
 
     XmlDocument& document_;
 };
 
-XmlDocument::XmlDocument(const std::filesystem::path& file, const SceneParameters& parameters)
-    : parameters_(parameters), budget_(kMaxBytes) {
+XmlDocument::XmlDocument(const std::filesystem::path& file, const SceneParameters& parameters,
+                         const LoadBudget& budget)
+    : parameters_(parameters), budget_(budget), bytes_left_(kMaxBytes), replaced_left_(kMaxBytes) {
     load(file, {});
     parameters_.require_all_used(file.string());
 }
@@ -116,11 +122,12 @@ std::vector<FileRecord> XmlDocument::files() const {
 
 void XmlDocument::load(const std::filesystem::path& file, pugi::xml_node include) {
     try {
-        sources_.push_back(std::make_unique<Source>(file, budget_, include));
+        sources_.push_back(std::make_unique<Source>(file, bytes_left_, include));
     } catch (const Error& e) {
         throw Error(e.code(), e.what() + chain(include));
     }
     Source& source = *sources_.back();
+    budget_.check();
     const pugi::xml_node outermost = source.xml.root();
     source_of_root_[outermost.root()] = &source;
     if (include) {
@@ -192,11 +199,21 @@ void XmlDocument::read_spectrum(pugi::xml_node node) {
         fail(node, "<spectrum> of " + in_quotes(file.string()) + ": no such file", ErrorCode::file_not_found);
     if (spectra_.size() == kMaxFiles)
         fail(node, "more than " + std::to_string(kMaxFiles) + " spectra in files", ErrorCode::unsupported);
-    const std::string bytes = read_text(file, budget_);
+    const std::string bytes = read_text(file, bytes_left_);
     node.append_attribute("value") = spectrum_value(file.string(), bytes).c_str();
     node.remove_attribute("filename");
     if (std::ranges::find(spectra_, file, &FileRecord::path) == spectra_.end())
         spectra_.push_back(record_of(file, bytes));
+}
+
+void XmlDocument::replace_parameters(pugi::xml_node node, pugi::xml_attribute attribute) {
+    budget_.step(std::string_view(attribute.value()).size() * 16);
+    const std::string text = parameters_.replaced(attribute.value());
+    if (text.size() > replaced_left_)
+        fail(node, "more than 16 MiB of attributes once their parameters are replaced",
+             ErrorCode::unsupported);
+    replaced_left_ -= text.size();
+    attribute.set_value(text.c_str());
 }
 
 void XmlDocument::add_alias(pugi::xml_node node) {

@@ -19,9 +19,12 @@ namespace nicol::scene {
 class XmlDocument {
 public:
     /// Throws as read_mitsuba_scene does.
-    XmlDocument(const std::filesystem::path& file, const SceneParameters& parameters);
+    XmlDocument(const std::filesystem::path& file, const SceneParameters& parameters,
+                const LoadBudget& budget);
     ~XmlDocument();
 
+    /// To be asked by those who walk.
+    [[nodiscard]] const LoadBudget& budget() const noexcept { return budget_; }
     /// The <scene> element.
     [[nodiscard]] pugi::xml_node root() const;
     /// The elements inside a node in the order of the file, without <default>, <path> and <alias>. An
@@ -51,6 +54,7 @@ private:
     /// Puts what the file of a <spectrum> holds in place of its name.
     void read_spectrum(pugi::xml_node node);
     void add_alias(pugi::xml_node node);
+    void replace_parameters(pugi::xml_node node, pugi::xml_attribute attribute);
     void add_id(const std::string& id, pugi::xml_node node, pugi::xml_node target);
     [[nodiscard]] Source& source_of(pugi::xml_node node) const;
     void append_elements(pugi::xml_node node, std::vector<pugi::xml_node>& found) const;
@@ -58,7 +62,9 @@ private:
     [[nodiscard]] std::string chain(pugi::xml_node include) const;
 
     Parameters parameters_;
-    std::size_t budget_;
+    LoadBudget budget_;
+    std::size_t bytes_left_;     // of files
+    std::size_t replaced_left_;  // of attributes with parameters
     std::vector<std::unique_ptr<Source>> sources_;
     std::map<pugi::xml_node, Source*> source_of_root_;
     std::map<pugi::xml_node, Source*> source_of_include_;

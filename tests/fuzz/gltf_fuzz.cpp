@@ -9,7 +9,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
     const std::filesystem::path& file = memory.hold(nicol::fuzz::text_of(bytes, size));
     nicol::fuzz::may_refuse(file, [&] {
         const nicol::SceneDescription scene =
-            nicol::read_gltf_scene(file, {}, {.vertices = 1 << 16, .triangles = 1 << 16});
+            nicol::read_gltf_scene(file, {}, nicol::LoadLimits{.vertices = 1 << 16, .triangles = 1 << 16});
         require(!scene.shapes.empty(), "something to draw");
         for (const nicol::ShapeDescription& shape : scene.shapes) {
             require(shape.material < scene.materials.size(), "a material for each shape");

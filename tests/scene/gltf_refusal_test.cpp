@@ -238,10 +238,12 @@ TEST_CASE("the buffers of glTF are recorded, counted, and lie in its folder") {
     REQUIRE(loaded.files.size() == 2);
     CHECK(loaded.files[1].path.filename() == "a b.bin");
     CHECK(loaded.files[1].bytes == 36);
+    static_cast<void>(error_of(CALL(load_scene(file, {}, LoadLimits{.bytes = file_size(file) + 35})),
+                               ErrorCode::unsupported));
     static_cast<void>(
-        error_of(CALL(load_scene(file, {}, {.bytes = file_size(file) + 35})), ErrorCode::unsupported));
-    static_cast<void>(error_of(CALL(load_scene(file, {}, {.triangles = 0})), ErrorCode::unsupported));
-    static_cast<void>(error_of(CALL(load_scene(file, {}, {.vertices = 2})), ErrorCode::unsupported));
+        error_of(CALL(load_scene(file, {}, LoadLimits{.triangles = 0})), ErrorCode::unsupported));
+    static_cast<void>(
+        error_of(CALL(load_scene(file, {}, LoadLimits{.vertices = 2})), ErrorCode::unsupported));
     for (const std::string uri :
          {"../out.bin", "/etc/passwd", "http://a/b.bin", "file:///a.bin", "data:text/x,a"}) {
         CAPTURE(uri);
