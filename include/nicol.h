@@ -178,10 +178,16 @@ typedef struct nicol_context_options {
     uint64_t memory_limit;
     /* Limits of each call that loads from files, 1 or more, or NICOL_NO_LIMIT; beyond them it fails with
      * NICOL_ERROR_UNSUPPORTED, and the message names the option. */
-    uint64_t load_bytes_limit; /* of all files together; default 8 GiB */
+    /* Bytes of all files together and of what is decoded from them, which is counted before it is decoded:
+     * images, 4 for each value; textures 16 more for each pixel; environments 16 for each pixel and channel;
+     * inflated meshes and arrays; tables of materials. Default 8 GiB. */
+    uint64_t load_bytes_limit;
     uint64_t vertex_limit;     /* of a mesh, or of all instances of a scene together; default 2^26 */
     uint64_t triangle_limit;   /* likewise; default 2^27 */
-    double load_seconds_limit; /* checked between files and between instances; above 0, default 600 */
+    /* Seconds of each call, checked all the time while files are read and what they hold is prepared; only
+     * the decoding of one PNG or JPEG and the parsing of one glTF file's JSON are not interrupted. Above 0,
+     * default 600. */
+    double load_seconds_limit;
 } nicol_context_options;
 /* clang-format off */
 #define NICOL_CONTEXT_OPTIONS_INIT \
