@@ -147,7 +147,7 @@ void decode(const path& file, std::string_view bytes, float one, const LoadBudge
 /// The largest block that stb_image needs for an image: its pixels as floats, or those of 16 bits with the
 /// bytes that PNG puts before each row, of which it may reserve twice as many; or the bytes of the file.
 std::size_t largest_block(std::size_t bytes, int width, int height) {
-    constexpr std::size_t slack = std::size_t{1} << 16;
+    constexpr std::size_t slack = std::size_t{1} << 18;  // the largest palette of TGA, too
     return 2 * bytes + static_cast<std::size_t>(height) * (16 * static_cast<std::size_t>(width) + 64) + slack;
 }
 
