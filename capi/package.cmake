@@ -17,7 +17,8 @@ set(same "libnicol0.1 (= ${PROJECT_VERSION})")
 set(CPACK_COMPONENT_RUNTIME_DESCRIPTION "Real-time rendering of polarized light: library")
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_NAME libnicol0.1)
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_SECTION libs)
-# Opened at run time, so no linker names them.
+# Opened at run time, so no linker names them. Shadows and the reference method need Embree.
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_DEPENDS "libembree4-4 | libembree3-3")
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_RECOMMENDS "libegl1 | libosmesa6")
 set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "Real-time rendering of polarized light: header, CMake package, pkg-config")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libnicol-dev)

@@ -70,7 +70,7 @@ typedef int32_t nicol_result;
 #define NICOL_ERROR_FILE_NOT_FOUND 4 /* cannot be opened for reading */
 #define NICOL_ERROR_INVALID_FILE 5   /* truncated, malformed, or values out of range */
 #define NICOL_ERROR_WRITE_FAILED 6   /* an output could not be written; nothing half-written remains */
-#define NICOL_ERROR_UNSUPPORTED 7    /* well-formed, but not something this build can do */
+#define NICOL_ERROR_UNSUPPORTED 7    /* well-formed, but beyond this build, or a library is absent */
 #define NICOL_ERROR_NO_BACKEND 8     /* no OpenGL context could be made; the message lists every attempt */
 #define NICOL_ERROR_CANCELLED 9      /* a progress callback returned 0 */
 #define NICOL_ERROR_OPENGL 10        /* the driver failed after the context was made */

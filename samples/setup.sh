@@ -6,7 +6,7 @@ set -eu
 packages="cmake g++ ninja-build python3 python3-glad python3-numpy python3-pip python3-setuptools python3-wheel
   luajit pkg-config doxygen
   libosmesa6-dev libosmesa6 libegl-dev libegl-mesa0 libgl1-mesa-dri
-  libglm-dev libopenexr-dev libembree-dev libtbb-dev libpugixml-dev libpng-dev libstb-dev libturbojpeg0-dev
+  libglm-dev libopenmesh-dev libopenexr-dev libembree3-3 libtbb-dev libpugixml-dev libpng-dev libstb-dev libturbojpeg0-dev
   libtinygltf-dev nlohmann-json3-dev
   libboost-dev libssl-dev libdeflate-dev zlib1g-dev doctest-dev libsdl2-dev xvfb xauth"
 

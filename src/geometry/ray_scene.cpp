@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "geometry/ray_scene.hpp"
 
-#include <embree3/rtcore.h>
-
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <string>
 
 #include "error.hpp"
+#include "geometry/embree.hpp"
 #include "geometry/largest_coordinate.hpp"
 
 namespace nicol {
@@ -44,54 +43,46 @@ float check(std::size_t index, const RaySurface& surface) {
 }
 
 // Leaves out hits where the surface is not there.
-void filter(const RTCFilterFunctionNArguments* hits) {
-    const auto& present = *static_cast<const Presence*>(hits->geometryUserPtr);
-    for (unsigned i = 0; i < hits->N; ++i) {
+void filter(const embree::FilterArguments* hits) {
+    const auto& present = *static_cast<const Presence*>(hits->user_data);
+    for (unsigned i = 0; i < hits->count; ++i) {
         if (hits->valid[i] == 0) continue;
-        if (!present(RTCHitN_primID(hits->hit, hits->N, i), RTCHitN_u(hits->hit, hits->N, i),
-                     RTCHitN_v(hits->hit, hits->N, i)))
-            hits->valid[i] = 0;
+        if (!present(hits->triangle(i), hits->u(i), hits->v(i))) hits->valid[i] = 0;
     }
 }
 
 }  // namespace
 
 struct RayScene::Embree {
-    template <auto release>
     struct Release {
-        template <class T>
-        void operator()(T* object) const {
-            release(object);
-        }
+        void operator()(embree::Device* device) const { embree::library().ReleaseDevice(device); }
+        void operator()(embree::Scene* scene) const { embree::library().ReleaseScene(scene); }
     };
-    std::unique_ptr<RTCDeviceTy, Release<rtcReleaseDevice>> device{rtcNewDevice(nullptr)};
-    std::unique_ptr<RTCSceneTy, Release<rtcReleaseScene>> scene;
+    const embree::Library& library = embree::library();
+    std::unique_ptr<embree::Device, Release> device{library.NewDevice(nullptr)};
+    std::unique_ptr<embree::Scene, Release> scene;
 
     Embree() {
-        if (device) scene.reset(rtcNewScene(device.get()));
+        if (device) scene.reset(library.NewScene(device.get()));
         check();
-        rtcSetSceneFlags(scene.get(), RTC_SCENE_FLAG_ROBUST);
+        library.SetSceneFlags(scene.get(), embree::kSceneRobust);
     }
 
     void check() const {
-        const RTCError error = rtcGetDeviceError(device.get());
-        if (error == RTC_ERROR_NONE && scene) return;
-        if (error == RTC_ERROR_OUT_OF_MEMORY) {
+        const int error = library.GetDeviceError(device.get());
+        if (error == embree::kErrorNone && scene) return;
+        if (error == embree::kErrorOutOfMemory) {
             throw Error(ErrorCode::out_of_memory, "not enough memory for the rays' hierarchy of boxes");
         }
-        throw Error(ErrorCode::internal,
-                    "Embree failed with error " + std::to_string(static_cast<int>(error)));
+        throw Error(ErrorCode::internal, "Embree failed with error " + std::to_string(error));
     }
 
     /// The bits of `active` whose rays meet something. Faster where these are near to each other.
-    std::uint16_t occluded(RTCRay16& rays, unsigned active) const {
+    std::uint16_t occluded(embree::Ray16& rays, unsigned active) const {
         constexpr std::size_t count = RayPacket::kRays;
-        alignas(64) std::array<int, count> valid{};
+        std::array<int, count> valid{};
         for (std::size_t i = 0; i < count; ++i) valid[i] = (active >> i & 1) != 0 ? -1 : 0;
-        RTCIntersectContext context;
-        rtcInitIntersectContext(&context);
-        context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-        rtcOccluded16(valid.data(), scene.get(), &context, &rays);
+        library.occluded(scene.get(), valid, rays);
         unsigned blocked = 0;
         for (std::size_t i = 0; i < count; ++i) blocked |= (rays.tfar[i] < 0 ? 1U : 0U) << i;
         return static_cast<std::uint16_t>(blocked & active);
@@ -99,27 +90,27 @@ struct RayScene::Embree {
 
     /// `present` must outlive the scene; null: everywhere.
     void add(const RaySurface& surface, const Presence* present, unsigned id, float scale) {
-        RTCGeometry geometry = rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
+        embree::Geometry* geometry = library.NewGeometry(device.get(), embree::kTriangleGeometry);
         const std::size_t vertices = surface.positions.size();
         const std::size_t triangles = surface.triangles.size();
-        void* positions = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                                  sizeof(glm::vec3), vertices);
-        void* indices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                                                sizeof(glm::uvec3), triangles);
+        void* positions = library.SetNewGeometryBuffer(geometry, embree::kVertexBuffer, 0,
+                                                       embree::kFormatFloat3, sizeof(glm::vec3), vertices);
+        void* indices = library.SetNewGeometryBuffer(geometry, embree::kIndexBuffer, 0, embree::kFormatUint3,
+                                                     sizeof(glm::uvec3), triangles);
         if (positions != nullptr && indices != nullptr) {
             std::ranges::transform(surface.positions, static_cast<glm::vec3*>(positions),
                                    [scale](const glm::vec3& p) { return scale * p; });
             std::ranges::copy(surface.triangles, static_cast<glm::uvec3*>(indices));
             if (present != nullptr) {
                 // Embree hands the pointer on, and the filter only reads.
-                rtcSetGeometryUserData(geometry, const_cast<Presence*>(present));
-                rtcSetGeometryIntersectFilterFunction(geometry, filter);
-                rtcSetGeometryOccludedFilterFunction(geometry, filter);
+                library.SetGeometryUserData(geometry, const_cast<Presence*>(present));
+                library.SetGeometryIntersectFilterFunction(geometry, filter);
+                library.SetGeometryOccludedFilterFunction(geometry, filter);
             }
-            rtcCommitGeometry(geometry);
-            rtcAttachGeometryByID(scene.get(), geometry, id);
+            library.CommitGeometry(geometry);
+            library.AttachGeometryByID(scene.get(), geometry, id);
         }
-        rtcReleaseGeometry(geometry);
+        library.ReleaseGeometry(geometry);
         check();
     }
 };
@@ -139,14 +130,14 @@ RayScene::RayScene(std::span<const RaySurface> surfaces) {
             present = presences_.emplace_back(std::make_unique<const Presence>(surfaces[s].present)).get();
         embree_->add(surfaces[s], present, static_cast<unsigned>(s), static_cast<float>(scale_));
     }
-    rtcCommitScene(embree_->scene.get());
+    embree_->library.CommitScene(embree_->scene.get());
     embree_->check();
 }
 
 RayScene::~RayScene() = default;
 
 std::optional<RayHit> RayScene::intersect(const Ray& ray) const {
-    RTCRayHit query{};
+    embree::RayHit query{};
     const glm::vec3 origin(scale_ * ray.origin);
     const glm::vec3 direction(ray.direction);
     query.ray.org_x = origin.x;
@@ -159,13 +150,11 @@ std::optional<RayHit> RayScene::intersect(const Ray& ray) const {
     query.ray.tfar =
         static_cast<float>(std::min(scale_ * ray.farthest, double{std::numeric_limits<float>::max()}));
     query.ray.mask = ~0U;
-    query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    rtcIntersect1(embree_->scene.get(), &context, &query);
-    if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
-    return RayHit{.surface = query.hit.geomID,
-                  .triangle = query.hit.primID,
+    query.hit.geometry = embree::kNoGeometry;
+    embree_->library.intersect(embree_->scene.get(), query);
+    if (query.hit.geometry == embree::kNoGeometry) return std::nullopt;
+    return RayHit{.surface = query.hit.geometry,
+                  .triangle = query.hit.triangle,
                   .distance = static_cast<double>(query.ray.tfar) / scale_,
                   .b1 = static_cast<double>(query.hit.u),
                   .b2 = static_cast<double>(query.hit.v)};
@@ -182,7 +171,7 @@ bool RayScene::occluded(const glm::dvec3& point, const glm::dvec3& normal, const
     if (!(length > 0)) return false;
     const glm::vec3 origin(scale_ * leaving(point, normal, direction).origin);
     const glm::vec3 towards(direction);
-    RTCRay ray{};
+    embree::Ray ray{};
     ray.org_x = origin.x;
     ray.org_y = origin.y;
     ray.org_z = origin.z;
@@ -191,9 +180,7 @@ bool RayScene::occluded(const glm::dvec3& point, const glm::dvec3& normal, const
     ray.dir_z = towards.z;
     ray.tfar = static_cast<float>(length);
     ray.mask = ~0U;
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    rtcOccluded1(embree_->scene.get(), &context, &ray);
+    embree_->library.occluded(embree_->scene.get(), ray);
     // Embree marks an occluded ray with a negative length.
     return ray.tfar < 0;
 }
@@ -201,7 +188,7 @@ bool RayScene::occluded(const glm::dvec3& point, const glm::dvec3& normal, const
 std::uint16_t RayScene::occluded(const glm::vec3& origin, const RayBundle& bundle,
                                  std::uint16_t active) const {
     constexpr std::size_t count = RayBundle::kRays;
-    RTCRay16 rays{};
+    embree::Ray16 rays{};
     const glm::vec3 start = static_cast<float>(scale_) * origin;
     for (std::size_t i = 0; i < count; ++i) {
         rays.org_x[i] = start.x;
@@ -218,7 +205,7 @@ std::uint16_t RayScene::occluded(const glm::vec3& origin, const RayBundle& bundl
 
 std::uint16_t RayScene::occluded(const RayPacket& packet, std::uint16_t active) const {
     constexpr std::size_t count = RayPacket::kRays;
-    RTCRay16 rays{};
+    embree::Ray16 rays{};
     const auto scale = static_cast<float>(scale_);
     unsigned traced = 0;
     for (std::size_t i = 0; i < count; ++i) {

@@ -60,7 +60,7 @@ class RayScene {
 public:
     /// Copies what it needs; surfaces may be empty. Throws Error(invalid_argument) naming the surface and
     /// vertex or triangle for a position that is not finite or beyond 1e15 and an index out of range,
-    /// Error(out_of_memory), Error(internal) where Embree fails.
+    /// Error(unsupported) without Embree, Error(out_of_memory), Error(internal) where Embree fails.
     explicit RayScene(std::span<const RaySurface> surfaces);
     ~RayScene();
     RayScene(const RayScene&) = delete;

@@ -10,8 +10,8 @@
 #include <string_view>
 
 #include "error.hpp"
+#include "files/shared_library.hpp"
 #include "gl/egl_extensions.hpp"
-#include "gl/shared_library.hpp"
 
 // Of EGL_EXT_device_persistent_id and EGL_EXT_device_query_name, which older headers lack.
 #ifndef EGL_RENDERER_EXT
@@ -66,7 +66,7 @@ public:
     }
 
 private:
-    SharedLibrary library_{"libEGL.so.1", "libEGL.so"};
+    SharedLibrary library_{{"libEGL.so.1", "libEGL.so"}, ErrorCode::no_backend};
     PFNEGLQUERYDEVICESEXTPROC devices_ = nullptr;
     PFNEGLQUERYDEVICESTRINGEXTPROC string_ = nullptr;
 };

@@ -12,15 +12,15 @@
 #include <string_view>
 
 #include "error.hpp"
+#include "files/shared_library.hpp"
 #include "gl/egl_extensions.hpp"
 #include "gl/platform.hpp"
-#include "gl/shared_library.hpp"
 
 namespace nicol::gl {
 namespace {
 
 struct Egl {
-    SharedLibrary library{"libEGL.so.1", "libEGL.so"};
+    SharedLibrary library{{"libEGL.so.1", "libEGL.so"}, ErrorCode::no_backend};
 // NOLINTNEXTLINE(bugprone-macro-parentheses): these are names
 #define NICOL_EGL(member, name) decltype(&name) member = library.function<decltype(&name)>(#name)
     NICOL_EGL(proc_address, eglGetProcAddress);

@@ -7,14 +7,14 @@
 #include <mutex>
 
 #include "error.hpp"
+#include "files/shared_library.hpp"
 #include "gl/platform.hpp"
-#include "gl/shared_library.hpp"
 
 namespace nicol::gl {
 namespace {
 
 struct OsMesa {
-    SharedLibrary library{"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"};
+    SharedLibrary library{{"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"}, ErrorCode::no_backend};
     decltype(&OSMesaCreateContextAttribs) create =
         library.function<decltype(&OSMesaCreateContextAttribs)>("OSMesaCreateContextAttribs");
     decltype(&OSMesaMakeCurrent) make_current =

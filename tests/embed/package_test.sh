@@ -44,6 +44,7 @@ has nicol-tools /usr/bin/nicol-render /usr/bin/nicol-convert
 has nicol-serve /usr/bin/nicol-serve /usr/lib/systemd/system/nicol-serve.service
 
 depends libnicol0.1 | grep -q 'libc6' || fail "libnicol0.1 depends on: $(depends libnicol0.1)"
+depends libnicol0.1 | grep -q 'libembree4-4 | libembree3-3' || fail "libnicol0.1 depends on: $(depends libnicol0.1)"
 for package in libnicol-dev nicol-tools nicol-serve; do
     depends $package | grep -q "libnicol0.1 (= $version)" || fail "$package depends on: $(depends $package)"
 done

@@ -4,6 +4,7 @@
 #include <bit>
 
 #include "directions.hpp"
+#include "geometry/embree.hpp"
 #include "geometry/mesh.hpp"
 #include "test.hpp"
 
@@ -232,6 +233,37 @@ TEST_CASE("only what lies nearer than the distance hides, at any scale") {
             CHECK(ray.direction == side * up);
         }
     }
+}
+
+TEST_CASE("rays pass where a surface is not, one by one and in packets") {
+    MESSAGE("Embree ", embree::library().version());
+    const std::array<glm::vec3, 4> positions{{{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}};
+    const std::array<glm::uvec3, 2> triangles{{{0, 1, 2}, {0, 2, 3}}};
+    // Only the part of triangle 1 near its corner 2, which is at (-1, 1).
+    const auto present = [](std::uint32_t triangle, float b1, float b2) {
+        return triangle == 1 && b2 > 0.5F && b1 < 0.5F;
+    };
+    const RaySurface surfaces[] = {{positions, triangles, present}};
+    const RayScene scene(surfaces);
+    RayPacket packet{};
+    unsigned expected = 0;
+    for (std::size_t i = 0; i < RayPacket::kRays; ++i) {
+        const glm::dvec3 origin(-0.9 + 0.55 * static_cast<double>(i % 4),
+                                -0.85 + 0.55 * static_cast<double>(i / 4), 2);
+        const double b2 = (origin.y - origin.x) / 2;
+        const bool there = b2 > 0.5;
+        expected |= (there ? 1U : 0U) << i;
+        const Ray ray{.origin = origin, .direction = {0, 0, -1}};
+        CHECK(scene.intersect(ray).has_value() == there);
+        CHECK(scene.occluded(origin, {0, 0, 1}, {0, 0, -1}) == there);
+        packet.origin_x[i] = static_cast<float>(origin.x);
+        packet.origin_y[i] = static_cast<float>(origin.y);
+        packet.origin_z[i] = 2;
+        packet.direction_z[i] = -1;
+        packet.farthest[i] = std::numeric_limits<float>::infinity();
+    }
+    CHECK(expected != 0);
+    CHECK(scene.occluded(packet, 0xffff) == expected);
 }
 
 TEST_CASE("an empty scene has no hits") {

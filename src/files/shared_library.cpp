@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
 // dlopen with the reasons kept.
-#include "gl/shared_library.hpp"
+#include "files/shared_library.hpp"
 
 #include <dlfcn.h>
 
-#include "error.hpp"
+namespace nicol {
 
-namespace nicol::gl {
-
-SharedLibrary::SharedLibrary(std::initializer_list<const char*> names) {
+SharedLibrary::SharedLibrary(std::initializer_list<const char*> names, ErrorCode absent) : absent_(absent) {
     std::string reasons;
     for (const char* name : names) {
         // RTLD_LOCAL: libOSMesa exports every gl* function and would take over a host's libGL.
@@ -21,13 +19,13 @@ SharedLibrary::SharedLibrary(std::initializer_list<const char*> names) {
         reasons += reasons.empty() ? "" : "; ";
         reasons += reason != nullptr ? reason : name;
     }
-    throw Error(ErrorCode::no_backend, "the library cannot be opened: " + reasons);
+    throw Error(absent_, "the library cannot be opened: " + reasons);
 }
 
 void* SharedLibrary::find(const char* symbol) const {
     void* address = dlsym(handle_, symbol);
-    if (address == nullptr) throw Error(ErrorCode::no_backend, name_ + " lacks the function " + symbol);
+    if (address == nullptr) throw Error(absent_, name_ + " lacks the function " + symbol);
     return address;
 }
 
-}  // namespace nicol::gl
+}  // namespace nicol
