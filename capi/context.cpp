@@ -89,7 +89,12 @@ nicol_context make_context(std::shared_ptr<gl::Context> context, const nicol_con
                             .triangles = options.triangle_limit,
                             .seconds = options.load_seconds_limit};
     session->cache = cache_folder(options.cache_folder);
-    session->gl->run([&] { gl::keep_programs(*session->gl, session->cache); });
+    session->gl->run([&] {
+        gl::keep_programs(*session->gl, session->cache,
+                          [weak = std::weak_ptr(session)](const std::string& message) {
+                              if (const SessionPtr kept = weak.lock()) kept->notice(message);
+                          });
+    });
     log_what_opened(*session);
     // The information lives as long as the context whose part it is.
     std::shared_ptr<const gl::ContextInfo> info(session->gl, &session->gl->info());

@@ -524,7 +524,7 @@ typedef struct nicol_conductor {
      * or "aluminium", with measured values; eta and k must be empty then. NULL or "": eta and k hold. */
     const char* metal;
     nicol_spectrum eta; /* default 0; 0 to 100 */
-    nicol_spectrum k;   /* default 1, with eta 0 a perfect mirror; 0 to 100; eta and k must not both be 0 */
+    nicol_spectrum k;   /* default 1, with eta 0 a perfect mirror; 0 to 100; eta^2 + k^2 is 1e-6 or more */
     /* Of a named metal, a channel each, nm, 380 to 800. count 0: red, green and blue as Mitsuba takes them,
      * the colours of light of the spectra of eta and of k; a constant one is white of equal energy. */
     nicol_spectrum wavelengths;

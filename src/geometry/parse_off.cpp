@@ -10,12 +10,11 @@ namespace nicol::geometry {
 namespace {
 
 // All numbers up to what is none.
-std::vector<float> numbers(std::string_view line) {
-    Tokenizer tokens({}, line, '#');
+std::vector<float> numbers(Tokenizer line) {
     std::vector<float> out;
-    while (!Tokenizer(tokens).next().empty()) {
+    while (!Tokenizer(line).next().empty()) {
         bool finite = true;
-        const float value = tokens.number_or_zero({}, finite);
+        const float value = line.number_or_zero("a colour or a texture coordinate", finite);
         if (!finite) break;
         out.push_back(value);
     }
@@ -67,7 +66,7 @@ PolygonMesh parse_off(std::string_view name, std::string_view bytes, LeftOut& le
         out.positions.push_back(triple());
         if (has_normals) out.normals.push_back(triple());
         if (!has_colours && !has_texcoords) continue;
-        const std::vector<float> rest = numbers(tokens.rest_of_line());
+        const std::vector<float> rest = numbers(tokens.line());
         const std::size_t of_texcoord = has_texcoords ? 2 : 0;
         if (has_colours && rest.size() >= 3 + of_texcoord) {
             out.colors.resize(out.positions.size(), glm::vec3(1));
@@ -94,7 +93,7 @@ PolygonMesh parse_off(std::string_view name, std::string_view bytes, LeftOut& le
                                    .normal = has_normals ? at : PolygonMesh::kNone,
                                    .texcoord = has_texcoords ? at : PolygonMesh::kNone});
         }
-        const std::vector<float> rest = numbers(tokens.rest_of_line());
+        const std::vector<float> rest = numbers(tokens.line());
         if (out.end_face(left_out) && rest.size() >= 3) {
             out.face_colors.resize(out.face_ends.size(), glm::vec3(1));
             out.face_colors.back() = color_of(rest);

@@ -39,6 +39,7 @@ struct Number {
     float value = 0;
     bool finite = false;  ///< and in the range of float
     bool whole = false;   ///< nothing follows in the token
+    bool broken = false;  ///< digits follow in the token: "0,5" is not 0
 };
 
 Number leading_number(std::string_view token) {
@@ -46,7 +47,12 @@ Number leading_number(std::string_view token) {
     double value = 0.0;
     const auto [stop, error] = std::from_chars(token.data() + (token.front() == '+' ? 1 : 0), end, value);
     if (error != std::errc() || !(std::abs(value) <= std::numeric_limits<float>::max())) return {};
-    return {.value = static_cast<float>(value), .finite = true, .whole = stop == end};
+    std::string_view rest(stop, static_cast<std::size_t>(end - stop));
+    rest = rest.substr(0, rest.find('#'));
+    return {.value = static_cast<float>(value),
+            .finite = true,
+            .whole = stop == end,
+            .broken = rest.find_first_of("0123456789") != std::string_view::npos};
 }
 
 }  // namespace
@@ -74,13 +80,14 @@ std::string_view Tokenizer::require(std::string_view what) {
 }
 
 void Tokenizer::fail_number(std::string_view what, std::string_view token) const {
-    fail(std::string(what) + " is " + in_quotes(token) + ", not a finite number a float can hold");
+    fail(std::string(what) + " is " + in_quotes(token) +
+         ", not a finite number a float can hold, with a point before its decimals");
 }
 
 float Tokenizer::number_at_start(std::string_view what, bool& whole) {
     const std::string_view token = require(what);
     const Number number = leading_number(token);
-    if (!number.finite) fail_number(what, token);
+    if (!number.finite || number.broken) fail_number(what, token);
     if (!number.whole) whole = false;
     return number.value;
 }
@@ -93,7 +100,9 @@ float Tokenizer::number(std::string_view what) {
 }
 
 float Tokenizer::number_or_zero(std::string_view what, bool& finite) {
-    const Number number = leading_number(require(what));
+    const std::string_view token = require(what);
+    const Number number = leading_number(token);
+    if (number.broken) fail_number(what, token);
     if (!number.finite) finite = false;
     return number.value;
 }
@@ -106,6 +115,11 @@ std::uint64_t Tokenizer::count(std::string_view what, std::uint64_t max) {
         fail(std::string(what) + " is " + in_quotes(token) + ", not a whole number from 0 to " +
              std::to_string(max));
     return value;
+}
+
+Tokenizer Tokenizer::line() {
+    const std::size_t number = line_;
+    return {name_, rest_of_line(), comment_, number};
 }
 
 std::string_view Tokenizer::rest_of_line() {

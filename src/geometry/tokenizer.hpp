@@ -28,12 +28,16 @@ public:
     std::string_view require(std::string_view what);
     /// The next token as a finite number in the range of float; throws, naming `what`, if it is not one.
     float number(std::string_view what);
-    /// The same with other characters behind the number, which clear `whole`.
+    /// The same with other characters behind the number, which clear `whole`. Digits must not be among them:
+    /// "0,5" is not 0.
     float number_at_start(std::string_view what, bool& whole);
-    /// The next token as a number, 0 where it is no finite one, which clears `finite`.
+    /// The next token as a number, 0 where it is no finite one, which clears `finite`. Throws for digits
+    /// behind a number, as number_at_start().
     float number_or_zero(std::string_view what, bool& finite);
     /// The next token as an integer in [0, max]; throws, naming `what`, if it is not one.
     std::uint64_t count(std::string_view what, std::uint64_t max = UINT32_MAX);
+    /// The tokens that are left on the line, which is passed over.
+    [[nodiscard]] Tokenizer line();
     /// What is left of the line, which is passed over.
     std::string_view rest_of_line();
     [[noreturn]] void fail(std::string_view message) const { fail_at(name_, line_, message); }

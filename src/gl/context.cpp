@@ -152,10 +152,12 @@ void Context::require_current() const {
 void Context::execute(void (*call)(void*), void* argument) {
     // The called function may drop the last reference to this context.
     const std::shared_ptr<State> kept = state_;
+    const bool outermost = !on_thread();
     if (kept->host)
         kept->host->execute(*kept, call, argument);
     else
         kept->worker.execute(call, argument);
+    if (outermost) kept->program_notices.deliver();
 }
 
 void Context::lend() {

@@ -36,7 +36,9 @@ std::vector<GLint> formats_of(Context& context) {
 
 }  // namespace
 
-void keep_programs(Context& context, std::filesystem::path folder) {
+void keep_programs(Context& context, std::filesystem::path folder,
+                   std::function<void(const std::string&)> notice) {
+    context.state().program_notices.set_receiver(std::move(notice));
     context.state().programs = formats_of(context).empty() ? std::filesystem::path() : std::move(folder);
 }
 
@@ -48,23 +50,31 @@ ProgramCache::ProgramCache(Context& context) : context_(context), folder_(contex
 
 bool ProgramCache::load(const ProgramKey& key, unsigned program) const {
     if (!enabled()) return false;
+    const CacheFile file = file_of(context_, folder_, key);
+    const auto refused = [&](const std::string& reason) {
+        context_.state().program_notices.add(file.path().string() + ": " + reason +
+                                             "; the program is compiled anew");
+        return false;
+    };
     std::vector<unsigned char> content;
     std::uint32_t format = 0;
-    if (file_of(context_, folder_, key).read(content, kMaxBytes).state != CacheFile::State::complete ||
-        content.size() < sizeof format) {
-        return false;
-    }
+    const CacheFile::Outcome outcome = file.read(content, kMaxBytes);
+    if (outcome.state == CacheFile::State::missing) return false;
+    if (outcome.state == CacheFile::State::unfit) return refused(outcome.reason);
+    if (content.size() < sizeof format) return refused("has the wrong length");
     std::copy_n(content.begin(), sizeof format, reinterpret_cast<unsigned char*>(&format));
     // Another would be an error of OpenGL's.
     const std::vector<GLint> formats = formats_of(context_);
-    if (std::ranges::find(formats, static_cast<GLint>(format)) == formats.end()) return false;
+    if (std::ranges::find(formats, static_cast<GLint>(format)) == formats.end())
+        return refused("has a format that the driver does not know");
     const GladGLContext& gl = functions(context_, "ProgramCache");
     gl.ProgramBinary(program, format, content.data() + sizeof format,
                      static_cast<GLsizei>(content.size() - sizeof format));
     GLint done = GL_FALSE;
     gl.GetProgramiv(program, GL_LINK_STATUS, &done);
-    if (done != GL_TRUE) context_.state().messages.clear();
-    return done == GL_TRUE;
+    if (done == GL_TRUE) return true;
+    context_.state().messages.clear();
+    return refused("is refused by the driver");
 }
 
 void ProgramCache::store(const ProgramKey& key, unsigned program) const {

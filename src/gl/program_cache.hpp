@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 
 #include "gl/context.hpp"
@@ -10,8 +11,10 @@
 namespace nicol::gl {
 
 /// Sets the folder of a context's program cache; empty: no cache. Does nothing if the driver has no binary
-/// format. Inside run().
-void keep_programs(Context& context, std::filesystem::path folder);
+/// format. `notice`, which may be empty, is told about files that are damaged or refused by the driver, on
+/// the thread that called run(), after it. Inside run().
+void keep_programs(Context& context, std::filesystem::path folder,
+                   std::function<void(const std::string&)> notice = {});
 
 /// What identifies a program.
 class ProgramKey {
@@ -24,7 +27,7 @@ private:
 };
 
 /// All members inside run(). A file is for one driver, by its names and version; files that are outdated,
-/// damaged or refused by the driver are ignored, and so are failures to write.
+/// damaged or refused by the driver are notices, and failures to write are ignored.
 class ProgramCache {
 public:
     explicit ProgramCache(Context& context);

@@ -16,6 +16,7 @@
 #include "gl/context.hpp"
 #include "gl/host.hpp"
 #include "gl/platform.hpp"
+#include "gl/program_notices.hpp"
 #include "gl/worker.hpp"
 
 namespace nicol::gl {
@@ -37,6 +38,7 @@ struct Context::State {
     GLuint condition = 0;               ///< a query for attempts to render conditionally, of a host's context
     std::vector<std::string> messages;  ///< of KHR_debug since the last check()
     std::filesystem::path programs;     ///< where linked programs are kept; empty: nowhere
+    ProgramNotices program_notices;
 
     /// Makes the platform current and initialises OpenGL. Throws Error(no_backend).
     void open(std::unique_ptr<Platform> made, Backend backend, const std::string& device);

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdlib>
 #include <cstring>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <unordered_set>
@@ -14,6 +15,7 @@
 #include "files/suffix.hpp"
 #include "image/color.hpp"
 #include "image/jpeg.hpp"
+#include "image/radiance_header.hpp"
 
 namespace {
 
@@ -158,6 +160,18 @@ void take_values(const Bitmap& image, const LoadBudget& budget) {
     budget.check();
 }
 
+/// Divides by the factors in the header.
+void undo_exposure(const path& file, std::string_view bytes, Bitmap& out) {
+    const std::array<double, 3> factors = radiance_factors(file, bytes);
+    const auto channels = static_cast<std::size_t>(out.channels);
+    for (std::size_t i = 0; i < out.values.size(); ++i) {
+        const double value = static_cast<double>(out.values[i]) / factors[i % channels];
+        if (!(value <= std::numeric_limits<float>::max()))
+            invalid_file(file, "EXPOSURE and COLORCORR make a pixel larger than a float can be");
+        out.values[i] = static_cast<float>(value);
+    }
+}
+
 void read_header_by_stb(const path& file, std::string_view bytes, const LoadBudget& budget, Bitmap& out) {
     const StbMemory memory(largest_block(bytes.size(), 0, 0));
     Source head{.left = bytes, .budget = budget};
@@ -177,6 +191,7 @@ void read_by_stb(const path& file, std::string_view bytes, const LoadBudget& bud
     if (stbi_is_hdr_from_memory(data, size) != 0) {
         out.linear = true;
         decode<float>(file, bytes, 1, budget, out, stbi_loadf_from_callbacks);
+        undo_exposure(file, bytes, out);
     } else if (stbi_is_16_bit_from_memory(data, size) != 0) {
         decode<stbi_us>(file, bytes, 65535, budget, out, stbi_load_16_from_callbacks);
     } else {

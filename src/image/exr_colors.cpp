@@ -7,10 +7,12 @@
 #include <ImfInputPart.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "files/file_error.hpp"
 #include "image/exr_input.hpp"
+#include "image/exr_window.hpp"
 
 namespace nicol {
 namespace {
@@ -39,24 +41,29 @@ std::vector<std::string> names_of(const path& file, const Imf::ChannelList& list
 
 Bitmap read_pixels(const path& file, Imf::MultiPartInputFile& input, const LoadBudget& budget) {
     const Imf::Header& header = input.header(0);
-    const Imath::Box2i window = header.dataWindow();
+    const Imath::Box2i window = header.dataWindow(), display = header.displayWindow();
+    check_display_window(file, display);
     const std::vector<std::string> names = names_of(file, header.channels());
-    Bitmap out{.width = window.max.x - window.min.x + 1,
-               .height = window.max.y - window.min.y + 1,
-               .channels = static_cast<int>(names.size()),
-               .linear = true,
-               .values = {}};
-    const auto columns = static_cast<std::size_t>(out.width), rows = static_cast<std::size_t>(out.height);
-    budget.take_memory(sizeof(float) * columns * rows * names.size());
-    out.values.resize(columns * rows * names.size());
+    const std::size_t columns = columns_of(window);
+    budget.take_memory(sizeof(float) * columns * rows_of(window) * names.size());
+    std::vector<float> values(columns * rows_of(window) * names.size());
     Imf::FrameBuffer buffer;
     const std::size_t step = names.size() * sizeof(float);
     for (std::size_t c = 0; c < names.size(); ++c)
         buffer.insert(names[c],
-                      Imf::Slice::Make(Imf::FLOAT, out.values.data() + c, window, step, step * columns));
+                      Imf::Slice::Make(Imf::FLOAT, values.data() + c, window, step, step * columns));
     Imf::InputPart part(input, 0);
     part.setFrameBuffer(buffer);
     read_exr_rows(part, budget);
+    if (window != display) {
+        budget.take_memory(sizeof(float) * columns_of(display) * rows_of(display) * names.size());
+        values = displayed(values, names.size(), window, display);
+    }
+    Bitmap out{.width = static_cast<int>(columns_of(display)),
+               .height = static_cast<int>(rows_of(display)),
+               .channels = static_cast<int>(names.size()),
+               .linear = true,
+               .values = std::move(values)};
     for (std::size_t i = 0; i < out.values.size(); ++i)
         require_finite_pixel(file, names[i % names.size()], i / names.size(), out.width, out.values[i]);
     return out;

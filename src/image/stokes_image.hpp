@@ -84,7 +84,8 @@ struct ExrOptions {
 void write_exr(const std::filesystem::path& path, const StokesImage& image, const ExrOptions& options = {});
 
 /// Reads the channels that write_exr() writes, as float, half or uint, in scan lines or tiles, in any
-/// compression; of a multi-part file the first part. The image is the data window. s0 comes from
+/// compression; of a multi-part file the first part. The image is the display window; what the data window
+/// does not have of it is 0. s0 comes from
 /// S0.<colour>, or from R G B / Y where that is absent; components without channels are zero, but a file with
 /// any of S1..S3 must have S1 and S2 in every colour. Other channels, such as A, are ignored.
 ///

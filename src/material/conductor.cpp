@@ -49,8 +49,9 @@ public:
         for (const std::complex<double> eta : p_.eta) {
             check_range(eta.real(), 0, 100, "eta");
             check_range(-eta.imag(), 0, 100, "k");
-            if (std::abs(eta) < 1e-3)
-                throw Error(ErrorCode::invalid_argument, "eta and k are both zero; a metal has an index");
+            if (std::abs(eta) < kSmallestIndex)
+                throw Error(ErrorCode::invalid_argument,
+                            "eta and k are both 0 or close to it; eta^2 + k^2 of a metal is 1e-6 or more");
         }
         check_reflectance(p_.specular_reflectance, "specular_reflectance");
         check_range(p_.alpha, 0.001, 1, "alpha");

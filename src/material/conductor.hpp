@@ -10,10 +10,14 @@
 
 namespace nicol {
 
+/// Least length of an index.
+inline constexpr double kSmallestIndex = 1e-3;
+
 /// Mitsuba 3's `roughconductor`: single reflection off the facets of an opaque metal. With k = 0 what the
 /// boundary of a dielectric reflects.
 struct RoughConductorParameters {
-    /// Index n - ik relative to air, one value or one a channel: n and k in 0..100, not both zero.
+    /// Index n - ik relative to air, one value or one a channel: n and k in 0..100, at least
+    /// kSmallestIndex long.
     std::vector<std::complex<double>> eta{{0.0, -1.0}};
     std::vector<double> specular_reflectance{1.0};  ///< 0..1, one value or one a channel
     double alpha = 0.1;  ///< roughness, 0.001..1; 0: smooth, kSmoothAlpha stands for it

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 // <bsdf>s of metals.
+#include <cmath>
+
 #include "files/suffix.hpp"
+#include "material/conductor.hpp"
 #include "material/metal_constants.hpp"
 #include "scene/material_readers.hpp"
 #include "scene/values.hpp"
@@ -33,8 +36,10 @@ void read_conductor(const MaterialSource& source, MaterialDescription& material)
             plugin.fail(part, "is given beside material; expected either");
     if (material.eta.spectrum.empty() && material.k.spectrum.empty())
         for (glm::length_t i = 0; i < 3; ++i)
-            if (material.eta.rgb[i] == 0.0 && material.k.rgb[i] == 0.0)
-                plugin.fail(plugin.has("k") ? "k" : "eta", "and the other part of the index are both 0");
+            if (std::hypot(material.eta.rgb[i], material.k.rgb[i]) < kSmallestIndex)
+                plugin.fail(plugin.has("k") ? "k" : "eta",
+                            "and the other part of the index are both 0 or close to it; eta^2 + k^2 of a "
+                            "metal is 1e-6 or more");
     material.specular_reflectance = read_color(source.document, plugin, "specular_reflectance", 1.0, 1.0);
     if (rough) read_anisotropic_facets(source, material);
 }
