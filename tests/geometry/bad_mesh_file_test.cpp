@@ -58,6 +58,21 @@ TEST_CASE("empty files and garbage of every suffix") {
     }
 }
 
+TEST_CASE("a comma before decimals is an error with its line, not a zero") {
+    const std::string face = "f 1 2 3\n";
+    invalid("a.obj", "v 0,5 0,25 0\n" + obj_points + face, ":1: vertex x is \"0,5\"");
+    invalid("a.obj", obj_points + "v 0 0 0 0,5 0,5 0,5\n" + face, ":5: a colour is \"0,5\"");
+    invalid("a.obj", obj_points + "vt 0.5 0,5\n" + face, ":5: texture v is \"0,5\"");
+    invalid("a.obj", obj_points + "vn 0 0,6 0.8\n" + face, ":5: normal y is \"0,6\"");
+    invalid("a.obj", obj_points + "f 1,2,3\n", ":5: corner 0");
+    invalid("a.off", "OFF\n3 1 0\n0 0 0\n1,5 0 0\n0 1 0\n3 0 1 2\n", ":4: ");
+    invalid("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 0,5 0,2 0,1\n", ":6: ");
+    invalid("a.ply", ply_header + "0 0 0\n1,5 0 0\n0 1 0\n3 0 1 2\n", ":10: ");
+    invalid("a.stl", "solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0,5 0\n", ":4: ");
+    // A comma between numbers that are whole is none of their digits.
+    check_refused("a.obj", "v 0, 0, 0\nv 1, 0, 0\nv 2, 0, 0\n", ErrorCode::invalid_file, "no faces");
+}
+
 TEST_CASE("faults of OBJ files, with their line") {
     invalid("a.obj", obj_points, "no faces");
     invalid("a.obj", "f 1 2 3\n", ":1: a face uses vertex 3 (1-based), but the file has 0");

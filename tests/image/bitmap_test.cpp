@@ -126,6 +126,33 @@ TEST_CASE("a large JPEG of many scans is refused before it is decoded") {
     check_error(ErrorCode::unsupported, CALL(read_bitmap(folder.write("a.jpg", file))), "101 scans");
 }
 
+TEST_CASE("a Radiance file is divided by its exposures and colour corrections") {
+    const auto file = [](const std::string& lines) {
+        return "#?RADIANCE\n" + lines + "FORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 1\n" +
+               Bytes("\x80\x40\x20\x85", 4);
+    };
+    const TemporaryFolder folder;
+    struct Row {
+        std::string lines;
+        std::vector<float> values;
+    };
+    const std::vector<Row> rows{{"", {16, 8, 4}},
+                                {"EXPOSURE=2\n", {8, 4, 2}},
+                                {"EXPOSURE= 2.0\r\nmade by hand\nEXPOSURE=4\n", {2, 1, 0.5F}},
+                                {"COLORCORR= 1 2 4\nEXPOSURE=0.5\n", {32, 8, 2}},
+                                {"# EXPOSURE=2\n", {16, 8, 4}}};
+    for (const Row& row : rows) {
+        CAPTURE(row.lines);
+        CHECK(read_bitmap(folder.write("a.hdr", file(row.lines))).values == row.values);
+    }
+    for (const std::string lines :
+         {"EXPOSURE=0\n", "EXPOSURE=-1\n", "EXPOSURE=nan\n", "EXPOSURE=1,5\n", "COLORCORR=1 2\n"}) {
+        CAPTURE(lines);
+        check_error(ErrorCode::invalid_file, CALL(read_bitmap(folder.write("a.hdr", file(lines)))),
+                    "line 2: ");
+    }
+}
+
 TEST_CASE("what is written as PNG is read again") {
     const TemporaryFolder folder;
     std::mt19937 random(4);

@@ -117,8 +117,7 @@ TEST_CASE("R G B hold s0, so that any viewer shows the image, and only the asked
     }
 }
 
-TEST_CASE(
-    "any pixel type, compression, tiling and data window is read; row 0 is the top of the data window") {
+TEST_CASE("any pixel type, compression, tiling and data window is read; the image is the display window") {
     const TemporaryFolder folder;
     const std::vector<std::string> names = {"A", "B", "G", "R", "Z"};
     for (int compression = 0; compression < Imf::NUM_COMPRESSION_METHODS; ++compression) {
@@ -127,15 +126,21 @@ TEST_CASE(
             write_channels(folder / "a.exr", names, type, static_cast<Imf::Compression>(compression), tiled,
                            {-3, 40});
             const StokesImage image = read_exr(folder / "a.exr");
-            REQUIRE(image.width == 21);
-            REQUIRE(image.height == 19);
+            REQUIRE(image.width == 100);
+            REQUIRE(image.height == 100);
             REQUIRE(image.channels == 3);
             const float fraction = type == Imf::UINT ? 0.0f : 0.25f;
             // Lossy compressions keep a percent or so of neighbouring values.
-            CHECK(image.at(2, 0, 1)[0] == doctest::Approx(1 + fraction).epsilon(0.5));
-            CHECK(image.at(1, 18, 20)[0] == doctest::Approx(18 * 21 + 20 + fraction).epsilon(0.02));
+            CHECK(image.at(2, 40, 0)[0] == doctest::Approx(3 + fraction).epsilon(0.5));
+            CHECK(image.at(1, 58, 17)[0] == doctest::Approx(18 * 21 + 20 + fraction).epsilon(0.02));
+            // Nothing is beside the data window.
+            const std::pair<int, int> beside[] = {{39, 5}, {59, 5}, {50, 18}, {99, 99}};
+            for (const auto& [y, x] : beside) CHECK(image.at(0, y, x)[0] == 0);
         });
     }
+    // A data window that the display window does not meet.
+    write_channels(folder / "far.exr", names, Imf::HALF, Imf::ZIP_COMPRESSION, false, {500, -300});
+    CHECK(std::ranges::all_of(read_exr(folder / "far.exr").data, [](float value) { return value == 0; }));
     write_channels(folder / "y.exr", {"Y"}, Imf::HALF, Imf::ZIP_COMPRESSION, false, {0, 0});
     CHECK(read_exr(folder / "y.exr").channels == 1);
     CHECK(read_exr(folder / "y.exr").at(0, 0, 5)[0] == 5.25f);
@@ -165,7 +170,7 @@ TEST_CASE("of several parts the first is read") {
         }
     }
     const StokesImage image = read_exr(folder / "a.exr");
-    CHECK(image.width == 3);
+    CHECK(image.width == 10);
     CHECK(image.at(0, 1, 0)[0] == 4);
 }
 

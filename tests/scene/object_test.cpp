@@ -97,6 +97,8 @@ TEST_CASE("conductors that are refused") {
     invalid_bsdf("conductor", "<float name='eta' value='1'/>" + gold, {"\"eta\" is given beside material"});
     invalid_bsdf("conductor", "<float name='k' value='1'/>" + gold, {"\"k\" is given beside material"});
     invalid_bsdf("conductor", "<rgb name='k' value='1, 0, 1'/>", {"\"k\"", "both 0"});
+    invalid_bsdf("conductor", "<float name='eta' value='1e-6'/><float name='k' value='1e-6'/>",
+                 {"\"k\"", "both 0 or close to it"});
     invalid_bsdf("conductor", "<float name='eta' value='100.5'/>", {"\"eta\"", "from 0 to 100"});
     invalid_bsdf("conductor", "<float name='k' value='-1'/>", {"\"k\"", "from 0 to 100"});
     invalid_bsdf("conductor", "<spectrum name='k' value='400:1 500:101'/>", {"\"k\"", "from 0 to 100"});

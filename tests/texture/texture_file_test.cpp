@@ -38,6 +38,24 @@ double linear_from_srgb(double encoded) {
 
 }  // namespace
 
+TEST_CASE("a texture is the display window of its file, 0 where that has no data") {
+    const TemporaryFolder folder;
+    Imf::Header header(Imath::Box2i({0, 0}, {3, 1}), Imath::Box2i({-1, 1}, {1, 2}));
+    const std::vector<float> values{1, 2, 3, 4, 5, 6};
+    header.channels().insert("Y", Imf::Channel(Imf::FLOAT));
+    Imf::FrameBuffer buffer;
+    buffer.insert("Y", Imf::Slice::Make(Imf::FLOAT, values.data(), header.dataWindow()));
+    {
+        Imf::OutputFile file((folder / "a.exr").c_str(), header, 0);
+        file.setFrameBuffer(buffer);
+        file.writePixels(2);
+    }
+    const TextureImage image = load_texture_image(folder / "a.exr", true);
+    CHECK(image.width == 4);
+    CHECK(image.height == 2);
+    CHECK(image.values == std::vector<float>{0, 0, 0, 0, 2, 3, 0, 0});
+}
+
 TEST_CASE("PNG and EXR of the same values are the same texture") {
     const TemporaryFolder folder;
     Observation png{.width = 16, .height = 16, .rgb = {}};
