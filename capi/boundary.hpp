@@ -12,6 +12,7 @@
 
 #include "arguments.hpp"
 #include "error.hpp"
+#include "floating_environment.hpp"
 #include "nicol.h"
 
 namespace nicol::capi {
@@ -25,13 +26,18 @@ namespace nicol::capi {
 /// Keeps the message for nicol_last_error() and returns the code. Allocates nothing.
 nicol_result fail(ErrorCode code, const char* message) noexcept;
 
+/// The code of an exception that is not an Error: out_of_memory for a thread or a lock that the system has no
+/// room for, else internal.
+ErrorCode code_of(const std::exception& error) noexcept;
+
 /// Throws Error(unsupported) in the child of a process that forked after its first call: threads and the
 /// graphics driver's state did not come along.
 void refuse_after_fork();
 
-/// Runs the body of a C function.
+/// Runs the body of a C function, in an environment that does not depend on the caller's.
 template <class F>
 nicol_result guarded(F&& body) noexcept {
+    const FloatingEnvironment environment;
     try {
         refuse_after_fork();
         body();
@@ -41,7 +47,7 @@ nicol_result guarded(F&& body) noexcept {
     } catch (const std::bad_alloc&) {
         return fail(ErrorCode::out_of_memory, "out of memory");
     } catch (const std::exception& error) {
-        return fail(ErrorCode::internal, error.what());
+        return fail(code_of(error), error.what());
     } catch (...) {
         return fail(ErrorCode::internal, "an unknown exception");
     }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Version, results and contexts.
-#include <pthread.h>
-
 #include <array>
-#include <atomic>
 #include <cstdlib>
+#include <string_view>
+#include <system_error>
 
+#include "forked.hpp"
 #include "gl/program_cache.hpp"
 #include "handles.hpp"
 #include "material/response_table.hpp"
@@ -102,15 +102,19 @@ nicol_context make_context(std::shared_ptr<gl::Context> context, const nicol_con
 }
 
 void refuse_after_fork() {
-    // Set by the child of a process that has been here.
-    static std::atomic<bool> forked = false;
-    static const int watched = pthread_atfork(nullptr, nullptr, [] { forked = true; });
-    static_cast<void>(watched);
-    if (forked)
+    if (forked())
         throw Error(ErrorCode::unsupported,
                     "the process was forked after it had used Nicol, whose threads are those of the parent "
                     "alone; fork before the first call, or start a new process instead (in Python: "
                     "multiprocessing with the method spawn)");
+}
+
+ErrorCode code_of(const std::exception& error) noexcept {
+    bool shortage = std::string_view(error.what()).starts_with("pthread_create has failed");  // TBB's
+    if (const auto* system = dynamic_cast<const std::system_error*>(&error))
+        shortage = system->code() == std::errc::resource_unavailable_try_again ||
+                   system->code() == std::errc::not_enough_memory;
+    return shortage ? ErrorCode::out_of_memory : ErrorCode::internal;
 }
 
 nicol_result fail(ErrorCode code, const char* message) noexcept {

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "forked.hpp"
 #include "gl/worker.hpp"
 
 namespace nicol::capi {
@@ -154,11 +155,11 @@ struct JobQueue::Shared {
 
 namespace {
 
-/// A process that ends while jobs run must not pull the ground from under them.
+/// Queues of the process. A process that ends while jobs run must not pull the ground from under them.
 template <class Queue>
 class LiveQueues {
 public:
-    ~LiveQueues() {
+    void drain() {
         std::unique_lock lock(mutex_);
         const std::vector<std::weak_ptr<Queue>> queues = std::move(queues_);
         lock.unlock();
@@ -181,7 +182,8 @@ private:
 }  // namespace
 
 JobQueue::JobQueue() : shared_(std::make_shared<Shared>()) {
-    static LiveQueues<Shared> live;
+    static auto& live = *new LiveQueues<Shared>;
+    static const AtProcessEnd drain([] { live.drain(); });
     live.add(shared_);
     thread_ = gl::start_quiet_thread([shared = shared_] { shared->work(); });
 }

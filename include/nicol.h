@@ -15,6 +15,8 @@
  *   Threads    Any function may be called from any thread (but see "inside a host's OpenGL"). Calls on objects of one
  *              context lock it; calls on different contexts run in parallel. Callbacks run on the calling thread unless
  *              stated otherwise.
+ *   Numbers    Calls and the callbacks that they make run in the default floating-point environment: rounding to
+ *              nearest, no traps, subnormal numbers kept. The caller's environment is as before when a call returns.
  *   Strings    are UTF-8 and copied. Strings returned are owned by the library; each says for how long.
  *   Matrices   are row-major: a point's image is M * (x, y, z, 1)^T. The default is the identity.
  *   World      right-handed, y up, units are the scene's own. Angles of the interface are degrees.
@@ -61,7 +63,7 @@ NICOL_API const char* nicol_build_info(uint32_t index);
 
 /* Functions that return a nicol_result never let an exception out, and may be called on any thread. In a
  * child made by fork() after the first of these calls they all fail with NICOL_ERROR_UNSUPPORTED; a child
- * made before it, and every process that was started anew, may use the library. */
+ * made before it, and every process that was started anew, may use the library. Any child may end by exit(). */
 typedef int32_t nicol_result;
 #define NICOL_OK 0
 #define NICOL_ERROR_INVALID_ARGUMENT 1 /* a value, size or pointer outside its documented range */

@@ -4,8 +4,13 @@
 
 #include <csignal>
 #include <exception>
+#include <system_error>
 #include <utility>
 #include <vector>
+
+#include "error.hpp"
+#include "floating_environment.hpp"
+#include "forked.hpp"
 
 namespace nicol::gl {
 namespace {
@@ -45,9 +50,7 @@ private:
 LeftThreads& left_threads() {
     static auto& instance = *new LeftThreads;
     // Before Mesa's exit handlers, which would break a context that is still being destroyed.
-    static const struct AtExit {
-        ~AtExit() { instance.join(); }
-    } at_exit;
+    static const AtProcessEnd join([] { instance.join(); });
     return instance;
 }
 
@@ -126,11 +129,16 @@ std::thread start_quiet_thread(std::function<void()> body) {
     pthread_sigmask(SIG_BLOCK, &quiet, &before);  // inherited by the new thread
     try {
         std::thread thread([body = std::move(body)] {
+            const FloatingEnvironment environment;
             is_quiet_thread = true;
             body();
         });
         pthread_sigmask(SIG_SETMASK, &before, nullptr);
         return thread;
+    } catch (const std::system_error& error) {
+        pthread_sigmask(SIG_SETMASK, &before, nullptr);
+        throw Error(ErrorCode::out_of_memory,
+                    std::string("a thread cannot be started (") + error.what() + ")");
     } catch (...) {
         pthread_sigmask(SIG_SETMASK, &before, nullptr);
         throw;

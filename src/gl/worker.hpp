@@ -32,7 +32,8 @@ private:
     std::atomic<std::thread::id> id_{};
 };
 
-/// Starts a thread that blocks the host's signals.
+/// Starts a thread that blocks the host's signals and has the default FloatingEnvironment. Throws
+/// Error(out_of_memory) where the system has no room for a thread.
 [[nodiscard]] std::thread start_quiet_thread(std::function<void()> body);
 
 /// Joins `thread` after stop(). If the caller is such a worker thread itself (perhaps this one), it is joined

@@ -12,16 +12,20 @@ import nicol
 TIMEOUT = 60
 
 
+def sphere(context):
+    """A grey sphere, and a camera that sees it."""
+    scene = nicol.Scene.create(context)
+    material = nicol.Material.create_diffuse(context, 0.5)
+    scene.add_instance(nicol.Instance(mesh=nicol.Mesh.create_sphere(context), material=material))
+    scene.set_environment(nicol.Environment.create_constant(context, 1.0), None, 1)
+    return scene, nicol.Camera(fov=20).look_at((0, 0, 4), (0, 0, 0), (0, 1, 0))
+
+
 def brightness(_=None):
     """Of a grey sphere, rendered."""
     with nicol.Context.create() as context:
-        scene = nicol.Scene.create(context)
-        material = nicol.Material.create_diffuse(context, 0.5)
-        scene.add_instance(nicol.Instance(mesh=nicol.Mesh.create_sphere(context), material=material))
-        scene.set_environment(nicol.Environment.create_constant(context, 1.0), None, 1)
         framebuffer = nicol.Framebuffer.create(context, 9, 9, 1)
-        camera = nicol.Camera(fov=20).look_at((0, 0, 4), (0, 0, 0), (0, 1, 0))
-        nicol.render(scene, camera, None, framebuffer)
+        nicol.render(*sphere(context), None, framebuffer)
         return round(float(framebuffer.plane(nicol.PLANE_S0)[4, 4]), 3)
 
 
@@ -44,6 +48,44 @@ def exit_code(call, leave):
     return os.waitstatus_to_exitcode(os.waitpid(child, 0)[1])
 
 
+def submitted(context, samples):
+    """A job that renders the sphere."""
+    options = nicol.RenderOptions(method=nicol.METHOD_REFERENCE, samples=samples)
+    return nicol.render_async(*sphere(context), options, nicol.Framebuffer.create(context, 64, 64, 1))
+
+
+def running():
+    context = nicol.Context.create()
+    job = submitted(context, 65536)
+    while job.poll().state == nicol.JOB_WAITING or job.poll().fraction == 0:
+        pass
+    return context, job
+
+
+def finished():
+    context = nicol.Context.create()
+    job = submitted(context, 1)
+    job.wait(nicol.WAIT_FOREVER)
+    return context, job
+
+
+def released():
+    with nicol.Context.create() as context, submitted(context, 1) as job:
+        job.wait(nicol.WAIT_FOREVER)
+
+
+def released_while_running():
+    context, job = running()
+    job.cancel()
+    job.release()
+    context.release()
+
+
+def leave():
+    """By the handlers of exit() of C, and not those of Python."""
+    ctypes.CDLL(None).exit(0)
+
+
 class ForkTest(unittest.TestCase):
     def test_before_and_after_use(self):
         # In one test, because the order counts.
@@ -57,6 +99,18 @@ class ForkTest(unittest.TestCase):
         self.assertEqual(exit_code(mesh.get_size, ctypes.CDLL(None).exit), 0)
         self.assertEqual(of_child("spawn"), 0.5)
         self.assertEqual(brightness(), 0.5)
+
+    def test_children_end_while_jobs_run(self):
+        for stage in 5 * (running, finished, released, released_while_running):
+            kept = stage()
+            child = os.fork()
+            if child == 0:
+                signal.alarm(TIMEOUT)
+                leave()
+            code = os.waitstatus_to_exitcode(os.waitpid(child, 0)[1])
+            if kept:
+                kept[1].cancel()
+            self.assertEqual(code, 0, stage.__name__)
 
 
 if __name__ == "__main__":
