@@ -16,6 +16,7 @@ struct Geometry;
 
 // Constants and structures have the same layout in versions 3 and 4 of Embree.
 inline constexpr int kErrorNone = 0;
+inline constexpr int kErrorUnknown = 1;
 inline constexpr int kErrorOutOfMemory = 4;
 inline constexpr int kSceneRobust = 1 << 2;
 inline constexpr int kTriangleGeometry = 0;

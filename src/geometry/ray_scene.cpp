@@ -71,7 +71,8 @@ struct RayScene::Embree {
     void check() const {
         const int error = library.GetDeviceError(device.get());
         if (error == embree::kErrorNone && scene) return;
-        if (error == embree::kErrorOutOfMemory) {
+        // Embree's code for TBB's exception where the system has no room for a thread is unknown.
+        if (error == embree::kErrorOutOfMemory || error == embree::kErrorUnknown) {
             throw Error(ErrorCode::out_of_memory, "not enough memory for the rays' hierarchy of boxes");
         }
         throw Error(ErrorCode::internal, "Embree failed with error " + std::to_string(error));

@@ -61,6 +61,7 @@ std::vector<Candidate> candidates(const ContextRequest& request, std::vector<Fai
             found = find_egl_choices_aside();
             if (!found.no_device.empty()) failed.push_back({"EGL devices", found.no_device});
         } catch (const Error& error) {
+            if (error.code() == ErrorCode::out_of_memory) throw;
             failed.push_back({"EGL", error.what()});
         }
         if (request.device && found.devices > 0 && (*request.device < 0 || *request.device >= found.devices))
@@ -94,7 +95,8 @@ std::shared_ptr<Context> Context::create(const ContextRequest& asked) {
             context->run([&] { state->open(candidate.make(), candidate.backend, candidate.name); });
             state->failed_attempts = std::move(failed);
             return context;
-        } catch (const std::exception& error) {
+        } catch (const Error& error) {
+            if (error.code() == ErrorCode::out_of_memory) throw;
             failed.push_back({candidate.name, error.what()});
         }
     }

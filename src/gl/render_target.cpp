@@ -131,8 +131,10 @@ RenderTarget::RenderTarget(const std::shared_ptr<Context>& context,
         gl.NamedFramebufferRenderbuffer(id(), GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth.id());
     }
     const GLenum status = gl.CheckNamedFramebufferStatus(id(), GL_DRAW_FRAMEBUFFER);
+    // Every driver can draw into these formats. Mesa says in no other way that it has no memory for one.
+    const bool memory = status == GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT;
     if (status != GL_FRAMEBUFFER_COMPLETE)
-        throw Error(ErrorCode::opengl,
+        throw Error(memory ? ErrorCode::out_of_memory : ErrorCode::opengl,
                     text_of(description_) + ": the framebuffer is incomplete: " + text_of_status(status));
     state.check(text_of(description_));
     if (has_depth) clear_depth();

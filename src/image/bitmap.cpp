@@ -6,9 +6,11 @@
 #include <cstdlib>
 #include <cstring>
 #include <limits>
+#include <new>
 #include <string>
 #include <string_view>
 #include <unordered_set>
+#include <utility>
 
 #include "files/file_error.hpp"
 #include "files/read_bytes.hpp"
@@ -36,10 +38,14 @@ public:
 
     static void* allocate(void* old, std::size_t size) {
         if (size > current()->most_bytes_) throw MoreThanPixels();
+        auto& blocks = current()->blocks_;
+        // Nothing is allocated between a new block and its entry.
+        auto entry = blocks.extract(old != nullptr ? blocks.find(old) : blocks.insert(nullptr).first);
         void* const block = std::realloc(old, size);
-        if (block == nullptr) return nullptr;
-        if (old != nullptr) current()->blocks_.erase(old);
-        current()->blocks_.insert(block);
+        if (block != nullptr) entry.value() = block;
+        blocks.insert(std::move(entry));
+        // stb_image would call the file damaged.
+        if (block == nullptr) throw std::bad_alloc();
         return block;
     }
     static void release(void* block) {

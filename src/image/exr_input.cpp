@@ -9,6 +9,7 @@
 #include <exception>
 #include <fstream>
 #include <new>
+#include <string_view>
 
 #include "error.hpp"
 #include "files/file_error.hpp"
@@ -37,6 +38,9 @@ void read_exr_input(const std::filesystem::path& file, const LoadBudget& budget,
     } catch (const std::bad_alloc&) {
         throw;
     } catch (const std::exception& e) {
+        // OpenEXR has no exception of its own for it.
+        if (std::string_view(e.what()).find("Failed to allocate memory") != std::string_view::npos)
+            throw std::bad_alloc();
         invalid_file(file, std::string("is damaged or truncated (") + e.what() + ")");
     }
 }

@@ -7,8 +7,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <fstream>
 #include <memory>
+#include <new>
 #include <set>
 #include <string>
 #include <string_view>
@@ -186,11 +188,18 @@ std::uint64_t check_chunks(const path& file, exr_const_context_t context, const 
     return largest;
 }
 
-}  // namespace
+/// Whether an allocation of the C library has failed on this thread, which it does not always pass on.
+thread_local bool lacked_memory = false;
 
-void check_exr_structure(const path& file, std::uintmax_t file_size, const LoadBudget& budget) {
+void check_structure(const path& file, std::uintmax_t file_size, const LoadBudget& budget) {
     check_attributes(file, file_size);
     exr_context_initializer_t options = EXR_DEFAULT_CONTEXT_INITIALIZER;
+    options.alloc_fn = [](std::size_t size) {
+        void* const block = std::malloc(size);
+        lacked_memory = lacked_memory || block == nullptr;
+        return block;
+    };
+    options.free_fn = std::free;
     options.error_handler_fn = [](exr_const_context_t, exr_result_t, const char*) {};
     exr_context_t context = nullptr;
     const exr_result_t opened = exr_start_read(&context, file.c_str(), &options);
@@ -234,6 +243,18 @@ void check_exr_structure(const path& file, std::uintmax_t file_size, const LoadB
         invalid_file(file, "is truncated: " + std::to_string(file_size) + " bytes cannot hold the " +
                                std::to_string(chunks) + " chunks the header claims");
     budget.take_memory(check_chunks(file, context, window, storage == EXR_STORAGE_TILED, budget));
+}
+
+}  // namespace
+
+void check_exr_structure(const path& file, std::uintmax_t file_size, const LoadBudget& budget) {
+    lacked_memory = false;
+    try {
+        check_structure(file, file_size, budget);
+    } catch (const Error&) {
+        if (lacked_memory) throw std::bad_alloc();
+        throw;
+    }
 }
 
 }  // namespace nicol

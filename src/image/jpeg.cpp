@@ -25,7 +25,11 @@ Decoder make_decoder() {
 }
 
 [[noreturn]] void fail(const std::filesystem::path& file, const Decoder& decoder) {
-    invalid_file(file, std::string("is damaged or truncated (") + tjGetErrorStr2(decoder.get()) + ")");
+    const std::string reason = tjGetErrorStr2(decoder.get());
+    // TurboJPEG has no other sign of it.
+    for (const char* shortage : {"Insufficient memory", "Memory allocation failure"})
+        if (reason.find(shortage) != std::string::npos) throw std::bad_alloc();
+    invalid_file(file, "is damaged or truncated (" + reason + ")");
 }
 
 /// Each scan passes over all pixels, and decoding cannot be interrupted.

@@ -3,6 +3,8 @@
 #include <png.h>
 
 #include <algorithm>
+#include <cstdlib>
+#include <new>
 #include <string>
 
 #include "error.hpp"
@@ -69,11 +71,20 @@ void write_png(const std::filesystem::path& path, const Observation& image) {
     const auto quiet = [](png_structp, png_const_charp) {};
     // With a null error function libpng prints. An error function must not return, but may longjmp.
     const auto leave = [](png_structp png, png_const_charp) { png_longjmp(png, 1); };
-    png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, leave, quiet);
+    bool memory_short = false;
+    const auto allocate = [](png_structp png, png_alloc_size_t size) {
+        void* const block = std::malloc(size);
+        if (block == nullptr) *static_cast<bool*>(png_get_mem_ptr(png)) = true;
+        return block;
+    };
+    const auto release = [](png_structp, png_voidp block) { std::free(block); };
+    png_structp png = png_create_write_struct_2(PNG_LIBPNG_VER_STRING, nullptr, leave, quiet, &memory_short,
+                                                allocate, release);
     png_infop info = png != nullptr ? png_create_info_struct(png) : nullptr;
     const bool written = info != nullptr && write_rows(png, info, file.handle(), image, text.data(),
                                                        static_cast<int>(text.size()));
     png_destroy_write_struct(&png, &info);
+    if (memory_short) throw std::bad_alloc();
     if (!written)
         throw Error(ErrorCode::write_failed,
                     path.string() + ": cannot be written as PNG; the disk may be full");

@@ -7,11 +7,11 @@
 #include <cstring>
 #include <limits>
 #include <new>
-#include <nlohmann/json.hpp>
 #include <string_view>
 
 #include "files/file_error.hpp"
 #include "files/read_bytes.hpp"
+#include "scene/json.hpp"
 #include "scene/xml_file.hpp"
 
 namespace nicol::scene {
@@ -72,12 +72,13 @@ std::string_view json_of(const std::filesystem::path& file, std::string_view byt
 
 /// What byteLength says of each buffer in a file of its own, in order; 0 where it says nothing of use.
 std::vector<std::uint64_t> lengths_of_buffers(std::string_view text, const LoadBudget& budget) {
-    using Json = nlohmann::json;
     const Json file = Json::parse(
         text,
         [&](int depth, Json::parse_event_t event, const Json& key) {
             budget.step(64);
-            return depth != 1 || event != Json::parse_event_t::key || key == "buffers";
+            // Json == text would make a value of the text, in a function that may not throw.
+            return depth != 1 || event != Json::parse_event_t::key ||
+                   key.get_ref<const std::string&>() == "buffers";
         },
         false);
     std::vector<std::uint64_t> lengths;
@@ -174,6 +175,8 @@ tinygltf::Model parsed(const std::string& bytes, Buffers& buffers) {
     } catch (const std::exception& e) {
         error = e.what();
     }
+    // tinygltf keeps the text alone of an exception.
+    if (error == std::bad_alloc().what()) throw std::bad_alloc();
     invalid_file(buffers.scene, shortened(error));
 }
 
@@ -201,6 +204,7 @@ GltfDocument::GltfDocument(const std::filesystem::path& file, const LoadBudget& 
     if (too_deep(json))
         unsupported_file(file,
                          "arrays and objects more than " + std::to_string(kMostLevels) + " levels deep");
+    const JsonRoom room(json);
     Buffers buffers{file, budget, files_, lengths_of_buffers(json, budget)};
     budget.check();
     model_ = parsed(bytes, buffers);

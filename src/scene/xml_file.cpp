@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <new>
 
 #include "error.hpp"
 
@@ -57,6 +58,7 @@ XmlFile::XmlFile(const std::filesystem::path& file, std::size_t& budget) : file_
         line_starts_.push_back(static_cast<std::ptrdiff_t>(at + 1));
     const pugi::xml_parse_result result = document_.load_buffer(
         bytes.data(), bytes.size(), pugi::parse_default | pugi::parse_trim_pcdata | pugi::parse_doctype);
+    if (result.status == pugi::status_out_of_memory) throw std::bad_alloc();
     if (!result) {
         const std::ptrdiff_t at = line(result.offset);
         const std::ptrdiff_t column = result.offset - line_starts_[static_cast<std::size_t>(at - 1)] + 1;

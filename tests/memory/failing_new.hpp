@@ -6,12 +6,18 @@
 
 namespace memory_test {
 
-/// Counts allocations that libnicol's own code makes with operator new, on whatever thread. Where a position
-/// is given the one there throws std::bad_alloc; where it is lasting, so do all after it.
+/// The allocations that a Shortage counts.
+enum class Reach : std::uint8_t {
+    library,  ///< operator new in libnicol's own code, on any thread
+    thread    ///< operator new and malloc in any library but libc, on the thread of the Shortage
+};
+
+/// Counts allocations. If a position is given, the allocation there fails, and all later ones if it is
+/// lasting.
 class Shortage {
 public:
-    Shortage();
-    Shortage(std::int64_t position, bool lasting);
+    explicit Shortage(Reach reach = Reach::library);
+    Shortage(std::int64_t position, bool lasting, Reach reach = Reach::library);
     /// Memory is back.
     ~Shortage();
     Shortage(const Shortage&) = delete;

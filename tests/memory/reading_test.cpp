@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+// A file that is read without enough memory is not called damaged, whatever allocation fails.
+#include "capi/capi.hpp"
+#include "memory/failing_new.hpp"
+
+using namespace capi_test;
+using namespace memory_test;
+
+namespace {
+
+struct Format {
+    const char* folder;  ///< with the files; those of another suffix are copied
+    const char* suffix;  ///< of the files
+    /// Reads a file and puts numbers of it into the text.
+    nicol_result (*read)(nicol_context context, const char* path, std::string& text);
+};
+
+nicol_result read_mesh(nicol_context context, const char* path, std::string& text) {
+    nicol_mesh mesh = nullptr;
+    const nicol_result result = nicol_mesh_load(context, path, &mesh);
+    std::uint32_t vertices = 0, triangles = 0;
+    if (result == NICOL_OK) nicol_mesh_get_size(mesh, &vertices, &triangles);
+    text = std::to_string(vertices) + " " + std::to_string(triangles);
+    release(mesh);
+    return result;
+}
+
+nicol_result read_scene(nicol_context context, const char* path, std::string& text) {
+    nicol_scene scene = nullptr;
+    const nicol_result result = nicol_scene_load(context, path, nullptr, 0, &scene);
+    std::uint32_t instances = 0, channels = 0;
+    if (result == NICOL_OK) nicol_scene_get_instance_count(scene, &instances);
+    if (result == NICOL_OK) nicol_scene_get_channels(scene, &channels);
+    text = std::to_string(instances) + " " + std::to_string(channels);
+    release(scene);
+    return result;
+}
+
+nicol_result read_texture(nicol_context context, const char* path, std::string&) {
+    nicol_texture texture = nullptr;
+    const nicol_result result = nicol_texture_load(context, path, nullptr, &texture);
+    release(texture);
+    return result;
+}
+
+nicol_result describe_light(nicol_context, const char* path, std::string& text) {
+    nicol_file_options options = NICOL_FILE_OPTIONS_INIT;
+    options.order = 2;
+    nicol_light_report report = NICOL_LIGHT_REPORT_INIT;
+    const nicol_result result = nicol_file_describe_light(path, &options, &report, nullptr, 0);
+    if (result == NICOL_OK) text.assign(reinterpret_cast<const char*>(&report), sizeof report);
+    return result;
+}
+
+nicol_result describe_material(nicol_context, const char* path, std::string& text) {
+    nicol_file_options options = NICOL_FILE_OPTIONS_INIT;
+    options.order = 2;
+    nicol_material_report report = NICOL_MATERIAL_REPORT_INIT;
+    const nicol_result result = nicol_file_describe_material(path, &options, &report, nullptr, 0);
+    if (result == NICOL_OK) text.assign(reinterpret_cast<const char*>(&report), sizeof report);
+    return result;
+}
+
+}  // namespace
+
+TEST_CASE("a file that lacks memory says so, and is read when there is some") {
+    const Owned context(make_context(NICOL_BACKEND_AUTOMATIC));
+    const TemporaryFolder folder;
+    for (const Format& format : {Format{NICOL_TEST_SEEDS "/obj", ".obj", read_mesh},
+                                 Format{NICOL_TEST_SEEDS "/ply", ".ply", read_mesh},
+                                 Format{NICOL_TEST_SEEDS "/off", ".off", read_mesh},
+                                 Format{NICOL_TEST_SEEDS "/stl", ".stl", read_mesh},
+                                 Format{NICOL_TEST_SEEDS "/scene", ".xml", read_scene},
+                                 Format{NICOL_TEST_ASSETS, ".gltf", read_scene},
+                                 Format{NICOL_TEST_SEEDS "/bitmap", ".png", read_texture},
+                                 Format{NICOL_TEST_SEEDS "/exr", ".exr", describe_light},
+                                 Format{NICOL_TEST_SEEDS "/npz", ".npz", describe_light},
+                                 Format{NICOL_TEST_SEEDS "/npz", ".npz", describe_material},
+                                 Format{NICOL_TEST_SEEDS "/pbsdf", ".pbsdf", describe_material}}) {
+        int read = 0;
+        std::string expected, found;
+        // The test itself allocates nothing in a shortage.
+        expected.reserve(std::size_t{1} << 14U);
+        found.reserve(std::size_t{1} << 14U);
+        for (const auto& seed : files_in(format.folder)) {
+            // The larger sample would take minutes.
+            if (seed.has_extension() && seed.filename() != "solids.gltf") continue;
+            const std::string path =
+                seed.extension() == format.suffix
+                    ? seed.string()
+                    : folder.write("file" + std::string(format.suffix), file_bytes(seed)).string();
+            CAPTURE(seed.string());
+            std::int64_t allocations = 0;
+            {
+                const Shortage none(Reach::thread);
+                // Seeds of other kinds, and those that only a parser takes, are not for this reader.
+                if (format.read(context, path.c_str(), expected) != NICOL_OK) continue;
+                allocations = none.count();
+            }
+            ++read;
+            const std::int64_t step = std::max<std::int64_t>(1, allocations / 300);
+            for (std::int64_t position = 0; position < allocations; position += step) {
+                for (const bool lasting : {false, true}) {
+                    CAPTURE(position);
+                    CAPTURE(lasting);
+                    nicol_result result = NICOL_OK;
+                    {
+                        const Shortage shortage(position, lasting, Reach::thread);
+                        result = format.read(context, path.c_str(), found);
+                    }
+                    if (result == NICOL_OK) {
+                        CHECK(found == expected);
+                    } else {
+                        INFO(std::string(nicol_last_error()));
+                        CHECK(result == NICOL_ERROR_OUT_OF_MEMORY);
+                    }
+                }
+            }
+            OK(format.read(context, path.c_str(), found));
+            CHECK(found == expected);
+        }
+        CAPTURE(std::string(format.folder));
+        CHECK(read > 0);
+    }
+}
