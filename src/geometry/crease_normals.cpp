@@ -1,25 +1,56 @@
 // SPDX-License-Identifier: MIT
 #include "geometry/crease_normals.hpp"
 
-#include <algorithm>
+#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
+#include <OpenMesh/Core/System/omstream.hh>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <glm/geometric.hpp>
+#include <mutex>
 #include <numbers>
-#include <tuple>
+#include <sstream>
 #include <vector>
 
 namespace nicol::geometry {
 namespace {
 
-constexpr std::size_t kNoCorner = ~std::size_t{0};
+// OpenMesh looks at the triangles about a vertex for each new one: so many meet at one of its vertices at
+// most, further ones at a copy of it.
+constexpr std::uint32_t kMostTrianglesAtVertex = 512;
 
-// Corner c belongs to triangle c / 3. The edge of a corner leads from it to the next corner of its triangle.
-std::size_t next_corner(std::size_t c) {
-    return c % 3 == 2 ? c - 2 : c + 1;
-}
-std::size_t previous_corner(std::size_t c) {
-    return c % 3 == 0 ? c + 2 : c - 1;
-}
+// Positions and normals are the polygons' own.
+struct Traits : OpenMesh::DefaultTraits {
+    VertexAttributes(OpenMesh::Attributes::None);
+    HalfedgeAttributes(OpenMesh::Attributes::PrevHalfedge);
+    EdgeAttributes(OpenMesh::Attributes::None);
+    FaceAttributes(OpenMesh::Attributes::None);
+};
+using Topology = OpenMesh::TriMesh_ArrayKernelT<Traits>;
+using OpenMesh::FaceHandle;
+using OpenMesh::HalfedgeHandle;
+using OpenMesh::VertexHandle;
+
+/// Keeps OpenMesh, which reports faces that it does not take, from writing to std::cerr. Its stream is
+/// everybody's.
+class QuietOpenMesh {
+public:
+    QuietOpenMesh() : lock_(mutex()), before_(stream().rdbuf(text_.rdbuf())) {}
+    ~QuietOpenMesh() { stream().rdbuf(before_); }
+    QuietOpenMesh(const QuietOpenMesh&) = delete;
+    QuietOpenMesh& operator=(const QuietOpenMesh&) = delete;
+
+private:
+    static std::mutex& mutex() {
+        static std::mutex one;
+        return one;
+    }
+    static std::ostream& stream() { return omerr(); }
+
+    std::scoped_lock<std::mutex> lock_;
+    std::ostringstream text_;
+    std::streambuf* before_;
+};
 
 class CreaseNormals {
 public:
@@ -29,87 +60,95 @@ public:
           budget_(budget) {}
 
     void run() {
-        join_edges();
-        for (std::size_t f = 0; f < triangles_.corners.size() / 3; ++f) add_face_normal(f);
-        for (std::size_t c = 0; c < triangles_.corners.size(); ++c)
-            if (triangles_.corners[c].normal == PolygonMesh::kNone) smooth(c);
+        const std::size_t faces = triangles_.corners.size() / 3;
+        topology_.reserve(triangles_.positions.size(), 3 * faces / 2, faces);
+        newest_.resize(triangles_.positions.size());
+        count_.resize(triangles_.positions.size());
+        for (std::uint32_t p = 0; p < triangles_.positions.size(); ++p) newest_[p] = add_vertex(p);
+        for (std::size_t f = 0; f < faces; ++f) add_face(f);
+        for (const FaceHandle face : topology_.faces())
+            for (const HalfedgeHandle corner : topology_.fh_range(face))
+                if (triangles_.corners[index_of(corner)].normal == PolygonMesh::kNone) smooth(corner);
     }
 
 private:
-    struct Edge {
-        std::uint32_t from, to;
-        std::size_t corner;
-    };
-
-    /// Finds the triangle on the other side of each edge: the first that has the edge in the opposite
-    /// direction, for the first that has it in this one. Further triangles at an edge end there.
-    void join_edges() {
-        std::vector<Edge> edges;
-        edges.reserve(triangles_.corners.size());
-        for (std::size_t c = 0; c < triangles_.corners.size(); ++c)
-            edges.push_back({position(c), position(next_corner(c)), c});
-        std::sort(edges.begin(), edges.end(), [&](const Edge& a, const Edge& b) {
-            budget_.step(4);
-            return std::tie(a.from, a.to, a.corner) < std::tie(b.from, b.to, b.corner);
-        });
-        const auto same = [](const Edge& a, const Edge& b) { return a.from == b.from && a.to == b.to; };
-        edges.erase(std::unique(edges.begin(), edges.end(), same), edges.end());
-        opposite_.assign(triangles_.corners.size(), kNoCorner);
-        for (const Edge& edge : edges) {
-            budget_.step(16);
-            const Edge wanted{edge.to, edge.from, 0};
-            const auto found = std::lower_bound(
-                edges.begin(), edges.end(), wanted,
-                [](const Edge& a, const Edge& b) { return std::tie(a.from, a.to) < std::tie(b.from, b.to); });
-            if (found != edges.end() && same(*found, wanted)) opposite_[edge.corner] = found->corner;
-        }
+    VertexHandle add_vertex(std::uint32_t position) {
+        positions_.push_back(position);
+        return topology_.add_vertex({});
     }
 
-    void add_face_normal(std::size_t f) {
-        const glm::dvec3 first = point(3 * f);
-        const glm::dvec3 area = glm::cross(point(3 * f + 1) - first, point(3 * f + 2) - first);
+    // The vertex at a position that the next triangle there shares.
+    VertexHandle vertex_at(std::uint32_t position) {
+        if (count_[position]++ % kMostTrianglesAtVertex == kMostTrianglesAtVertex - 1)
+            newest_[position] = add_vertex(position);
+        return newest_[position];
+    }
+
+    // The face has the number that it has in triangles_. Where it would meet others as no surface does, its
+    // vertices are its own.
+    void add_face(std::size_t f) {
+        std::array<VertexHandle, 3> v;
+        std::array<glm::dvec3, 3> p;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::uint32_t position = triangles_.corners[3 * f + k].position;
+            v[k] = vertex_at(position);
+            p[k] = glm::dvec3(triangles_.positions[position]);
+        }
+        budget_.step(64);
+        const glm::dvec3 area = glm::cross(p[1] - p[0], p[2] - p[0]);
         const double length = glm::length(area);
         normals_.push_back(length > 0 ? area / length : glm::dvec3(0));
+        if (topology_.add_face(v[0], v[1], v[2]).is_valid()) return;
+        for (std::size_t k = 0; k < 3; ++k) v[k] = add_vertex(triangles_.corners[3 * f + k].position);
+        topology_.add_face(v[0], v[1], v[2]);
     }
 
-    [[nodiscard]] std::uint32_t position(std::size_t c) const { return triangles_.corners[c].position; }
-    [[nodiscard]] glm::dvec3 point(std::size_t c) const {
-        return glm::dvec3(triangles_.positions[position(c)]);
+    // The index of the corner that a halfedge starts at.
+    [[nodiscard]] std::size_t index_of(HalfedgeHandle corner) const {
+        const auto face = static_cast<std::size_t>(topology_.face_handle(corner).idx());
+        const auto vertex = static_cast<std::size_t>(topology_.from_vertex_handle(corner).idx());
+        std::size_t i = 3 * face;
+        while (triangles_.corners[i].position != positions_[vertex]) ++i;
+        return i;
     }
 
-    // The corner at the same position in the triangle beside, clockwise and counter-clockwise, up to edges
-    // that are hard or that the surface ends at.
-    [[nodiscard]] std::size_t clockwise(std::size_t c) const {
-        const std::size_t other = opposite_[c];
-        return other == kNoCorner ? kNoCorner : if_smooth(c, next_corner(other));
-    }
-    [[nodiscard]] std::size_t counter_clockwise(std::size_t c) const {
-        const std::size_t other = opposite_[previous_corner(c)];
-        return other == kNoCorner ? kNoCorner : if_smooth(c, other);
-    }
-    [[nodiscard]] std::size_t if_smooth(std::size_t c, std::size_t beside) const {
-        return glm::dot(normals_[c / 3], normals_[beside / 3]) >= least_cosine_ ? beside : kNoCorner;
+    [[nodiscard]] const glm::dvec3& normal_of(HalfedgeHandle corner) const {
+        return normals_[static_cast<std::size_t>(topology_.face_handle(corner).idx())];
     }
 
-    [[nodiscard]] double angle_at(std::size_t c) const {
-        const glm::dvec3 u = point(next_corner(c)) - point(c);
-        const glm::dvec3 v = point(previous_corner(c)) - point(c);
+    // Whether the surface goes on smoothly from one corner of a vertex to another.
+    [[nodiscard]] bool smooth_between(HalfedgeHandle a, HalfedgeHandle b) const {
+        return !topology_.is_boundary(a) && !topology_.is_boundary(b) &&
+               glm::dot(normal_of(a), normal_of(b)) >= least_cosine_;
+    }
+
+    [[nodiscard]] double angle_at(HalfedgeHandle corner) const {
+        const std::size_t i = index_of(corner);
+        const std::size_t first = i / 3 * 3;
+        const auto at = [&](std::size_t k) {
+            return glm::dvec3(triangles_.positions[triangles_.corners[first + k % 3].position]);
+        };
+        const glm::dvec3 u = at(i - first + 1) - at(i - first);
+        const glm::dvec3 v = at(i - first + 2) - at(i - first);
         return std::atan2(glm::length(glm::cross(u, v)), glm::dot(u, v));
     }
 
-    // One normal for the corners about a position from hard edge to hard edge.
-    void smooth(std::size_t corner) {
-        std::size_t first = corner;
-        for (std::size_t before = clockwise(first); before != kNoCorner && before != corner;
-             before = clockwise(first))
+    // One normal for the corners about a vertex from hard edge to hard edge.
+    void smooth(HalfedgeHandle corner) {
+        HalfedgeHandle first = corner;
+        for (HalfedgeHandle before = topology_.cw_rotated_halfedge_handle(first);
+             before != corner && smooth_between(before, first);
+             before = topology_.cw_rotated_halfedge_handle(first))
             first = before;
         const auto normal = static_cast<std::uint32_t>(triangles_.normals.size());
         glm::dvec3 sum(0);
-        for (std::size_t c = first; c != kNoCorner; c = counter_clockwise(c)) {
-            if (triangles_.corners[c].normal != PolygonMesh::kNone) break;  // once around
-            sum += normals_[c / 3] * angle_at(c);
-            triangles_.corners[c].normal = normal;
+        for (HalfedgeHandle at = first;;) {
+            sum += normal_of(at) * angle_at(at);
+            triangles_.corners[index_of(at)].normal = normal;
             budget_.step(16);
+            const HalfedgeHandle next = topology_.ccw_rotated_halfedge_handle(at);
+            if (next == first || !smooth_between(at, next)) break;
+            at = next;
         }
         const double length = glm::length(sum);
         triangles_.normals.emplace_back(length > 0 ? sum / length : glm::dvec3(0));
@@ -118,13 +157,17 @@ private:
     PolygonMesh& triangles_;
     double least_cosine_;
     const LoadBudget& budget_;
-    std::vector<std::size_t> opposite_;  // by corner, the one whose edge is the same in the other direction
-    std::vector<glm::dvec3> normals_;    // of the faces
+    Topology topology_;
+    std::vector<std::uint32_t> positions_;  // by vertex of the topology
+    std::vector<VertexHandle> newest_;      // by position, the vertex that was added last
+    std::vector<std::uint32_t> count_;      // by position, of triangles
+    std::vector<glm::dvec3> normals_;       // of the faces
 };
 
 }  // namespace
 
 void add_crease_normals(PolygonMesh& triangles, double degrees, const LoadBudget& budget) {
+    const QuietOpenMesh quiet;
     CreaseNormals(triangles, degrees, budget).run();
 }
 
