@@ -127,7 +127,7 @@ void XmlDocument::load(const std::filesystem::path& file, pugi::xml_node include
         throw Error(e.code(), e.what() + chain(include));
     }
     Source& source = *sources_.back();
-    budget_.check();
+    budget_.check_time(file);
     const pugi::xml_node outermost = source.xml.root();
     source_of_root_[outermost.root()] = &source;
     if (include) {
