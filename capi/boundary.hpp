@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <cstring>
 #include <exception>
+#include <functional>
 #include <new>
 #include <string>
 
@@ -88,6 +89,13 @@ T read_struct(const T* from, T defaults, const char* name) {
 template <class T>
 T read_options(const T* from, const T& defaults) {
     return from != nullptr ? read_struct(from, defaults, "options") : defaults;
+}
+
+/// A caller's progress callback as the library calls it; empty for NULL.
+inline std::function<bool(const char*, double)> progress_from(nicol_progress_callback callback, void* user) {
+    if (callback == nullptr) return {};
+    return
+        [callback, user](const char* verb, double fraction) { return callback(user, verb, fraction) != 0; };
 }
 
 /// Fills as much of a caller's struct as it has room for; struct_size stays.

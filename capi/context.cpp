@@ -87,7 +87,8 @@ nicol_context make_context(std::shared_ptr<gl::Context> context, const nicol_con
     session->load_limits = {.bytes = options.load_bytes_limit,
                             .vertices = options.vertex_limit,
                             .triangles = options.triangle_limit,
-                            .seconds = options.load_seconds_limit};
+                            .seconds = options.load_seconds_limit,
+                            .progress = progress_from(options.load_progress, options.load_progress_user)};
     session->cache = cache_folder(options.cache_folder);
     session->gl->run([&] {
         gl::keep_programs(*session->gl, session->cache,

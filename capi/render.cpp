@@ -34,13 +34,6 @@ int int_from(std::uint32_t given, const char* name) {
     return static_cast<int>(given);
 }
 
-std::function<bool(const char*, double)> progress_from(const nicol_render_options& given) {
-    if (given.progress == nullptr) return {};
-    return [callback = given.progress, user = given.progress_user](const char* verb, double fraction) {
-        return callback(user, verb, fraction) != 0;
-    };
-}
-
 Method method_from(nicol_method given) {
     switch (given) {
         case NICOL_METHOD_FACTORED:
@@ -154,7 +147,7 @@ RenderOptions options_from(const nicol_render_options& given) {
     options.light_samples = int_from(given.light_samples, "light_samples");
     options.samples = int_from(given.samples, "samples");
     options.seed = given.seed;
-    options.progress = progress_from(given);
+    options.progress = progress_from(given.progress, given.progress_user);
     return options;
 }
 

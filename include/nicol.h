@@ -63,7 +63,8 @@ NICOL_API const char* nicol_build_info(uint32_t index);
 
 /* Functions that return a nicol_result never let an exception out, and may be called on any thread. In a
  * child made by fork() after the first of these calls they all fail with NICOL_ERROR_UNSUPPORTED; a child
- * made before it, and every process that was started anew, may use the library. Any child may end by exit(). */
+ * made before it, and every process that was started anew, may use the library. Any child may end by exit().
+ */
 typedef int32_t nicol_result;
 #define NICOL_OK 0
 #define NICOL_ERROR_INVALID_ARGUMENT 1 /* a value, size or pointer outside its documented range */
@@ -184,16 +185,21 @@ typedef struct nicol_context_options {
      * images, 4 for each value; textures 16 more for each pixel; environments 16 for each pixel and channel;
      * inflated meshes and arrays; tables of materials. Default 8 GiB. */
     uint64_t load_bytes_limit;
-    uint64_t vertex_limit;     /* of a mesh, or of all instances of a scene together; default 2^26 */
-    uint64_t triangle_limit;   /* likewise; default 2^27 */
+    uint64_t vertex_limit;   /* of a mesh, or of all instances of a scene together; default 2^26 */
+    uint64_t triangle_limit; /* likewise; default 2^27 */
     /* Seconds of each call, checked all the time while files are read and what they hold is prepared; only
      * the decoding of one PNG or JPEG and the parsing of one glTF file's JSON are not interrupted. Above 0,
      * default 600. */
     double load_seconds_limit;
+    /* Called about ten times a second while a call loads, on its thread, with the verb "load" and the
+     * fraction 0; the call ends with NICOL_ERROR_CANCELLED where it returns 0. Threads that load at the same
+     * time call it at the same time. NULL: none. */
+    nicol_progress_callback load_progress;
+    void* load_progress_user;
 } nicol_context_options;
 /* clang-format off */
 #define NICOL_CONTEXT_OPTIONS_INIT \
-    { sizeof(nicol_context_options), 0, 0, 0, 0, 0, 0, NICOL_NO_LIMIT, 0x200000000u, 1 << 26, 1 << 27, 600 }
+    { sizeof(nicol_context_options), 0, 0, 0, 0, 0, 0, NICOL_NO_LIMIT, 0x200000000u, 1 << 26, 1 << 27, 600, 0, 0 }
 /* clang-format on */
 
 typedef struct nicol_context_info {

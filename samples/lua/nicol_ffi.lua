@@ -38,6 +38,8 @@ typedef struct nicol_context_options {
     uint64_t vertex_limit;
     uint64_t triangle_limit;
     double load_seconds_limit;
+    nicol_progress_callback load_progress;
+    void* load_progress_user;
 } nicol_context_options;
 typedef struct nicol_context_info {
     uint32_t struct_size;

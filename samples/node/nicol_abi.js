@@ -192,6 +192,8 @@ export const types = [
       ["vertex_limit", "uint64_t", 0, 67108864],
       ["triangle_limit", "uint64_t", 0, 134217728],
       ["load_seconds_limit", "double", 0, 600],
+      ["load_progress", "nicol_progress_callback *", 0],
+      ["load_progress_user", "void *", 0],
     ],
   },
   {

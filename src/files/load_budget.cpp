@@ -11,11 +11,6 @@
 namespace nicol {
 namespace {
 
-struct Shapes {
-    std::uint64_t vertices = 0;
-    std::uint64_t triangles = 0;
-};
-
 /// Adds `amount` to `used`, which may become `limit`.
 void take(std::uint64_t& used, std::uint64_t amount, std::uint64_t limit, const std::filesystem::path& file,
           const char* what, const char* option) {
@@ -25,15 +20,15 @@ void take(std::uint64_t& used, std::uint64_t amount, std::uint64_t limit, const 
     used += amount;
 }
 
-Progress::Callback asking(const std::function<bool()>& go_on) {
-    if (!go_on) return {};
-    return [go_on](const char*, double) { return go_on(); };
-}
-
 }  // namespace
 
 struct LoadBudget::Account {
-    explicit Account(const LoadLimits& given) : limits(given), callback(asking(given.go_on)) {}
+    struct Shapes {
+        std::uint64_t vertices = 0;
+        std::uint64_t triangles = 0;
+    };
+
+    explicit Account(const LoadLimits& given) : limits(given) {}
 
     void take_bytes(std::uint64_t amount) {
         take(bytes, amount, limits.bytes, file,
@@ -47,8 +42,7 @@ struct LoadBudget::Account {
     }
 
     LoadLimits limits;
-    Progress::Callback callback;
-    Progress progress{callback};
+    Progress progress{limits.progress};
     Stopwatch time;
     std::filesystem::path file;  // the last
     std::uint64_t steps = 0;

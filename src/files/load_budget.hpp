@@ -4,8 +4,9 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <functional>
 #include <memory>
+
+#include "progress.hpp"
 
 namespace nicol {
 
@@ -16,14 +17,14 @@ struct LoadLimits {
     std::uint64_t vertices = std::uint64_t{1} << 26;   ///< of all instances together, and of all meshes
     std::uint64_t triangles = std::uint64_t{1} << 27;  ///< of all instances together, and of all meshes
     double seconds = 600;
-    /// Asked about ten times a second on the thread that loads; false ends the load. Empty: never asked.
-    std::function<bool()> go_on{};
+    /// Called about ten times a second on the thread that loads, with "load" and 0; false ends the load.
+    Progress::Callback progress{};
 };
 
 /// One load, held to its limits. It is handed down to every reader, which tells it what it is about to take
 /// and asks it while it works. Copies share one account. All functions throw Error(unsupported) that names
-/// the file, what exceeds the limit, and the option that sets it, or Error(cancelled) where LoadLimits::go_on
-/// says so.
+/// the file, what exceeds the limit, and the option that sets it, or Error(cancelled) where
+/// LoadLimits::progress says so.
 class LoadBudget {
 public:
     LoadBudget(const LoadLimits& limits = {});  // implicit, so that readers can be called with limits
@@ -49,7 +50,7 @@ public:
     /// Reads the clock at once.
     void check() const;
     void check_time(const std::filesystem::path& file) const;
-    /// The same without asking LoadLimits::go_on, for other threads than the one that loads.
+    /// The same without asking LoadLimits::progress, for other threads than the one that loads.
     void check_deadline() const;
 
 private:

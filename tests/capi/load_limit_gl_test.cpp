@@ -30,3 +30,37 @@ TEST_CASE("a small file that becomes a large image is refused by every function 
     CHECK(texture == nullptr);
     CHECK(scene == nullptr);
 }
+
+TEST_CASE("a load ends where its progress callback says so") {
+    struct Asked {
+        int times = 0;
+        std::string verb;
+    } asked;
+    nicol_context_options options = NICOL_CONTEXT_OPTIONS_INIT;
+    options.load_progress_user = &asked;
+    options.load_progress = [](void* user, const char* verb, double) -> std::int32_t {
+        Asked& self = *static_cast<Asked*>(user);
+        ++self.times;
+        self.verb = verb;
+        return 0;
+    };
+    const Owned context(make(nicol_context_create, &options));
+    const TemporaryFolder folder;
+    folder.write("a.png", black_png(64, 64, 1, 64 * 65ULL));
+    folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    folder.write("a.xml", "<scene version='3.0.0'></scene>");
+    const auto path = [&](const char* name) { return folder.file(name).string(); };
+    nicol_environment light = nullptr;
+    nicol_texture texture = nullptr;
+    nicol_mesh mesh = nullptr;
+    nicol_scene scene = nullptr;
+    FAILS(nicol_environment_load(context, path("a.png").c_str(), nullptr, &light), NICOL_ERROR_CANCELLED,
+          "progress callback");
+    FAILS(nicol_texture_load(context, path("a.png").c_str(), nullptr, &texture), NICOL_ERROR_CANCELLED,
+          "progress callback");
+    FAILS(nicol_mesh_load(context, path("a.obj").c_str(), &mesh), NICOL_ERROR_CANCELLED, "progress callback");
+    FAILS(nicol_scene_load(context, path("a.xml").c_str(), nullptr, 0, &scene), NICOL_ERROR_CANCELLED,
+          "progress callback");
+    CHECK(asked.times == 4);
+    CHECK(asked.verb == "load");
+}

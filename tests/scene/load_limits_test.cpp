@@ -124,7 +124,7 @@ TEST_CASE("every reader is asked to stop while it works") {
     for (const Loading& one : cases) {
         CAPTURE(one.name);
         int asked = 0;
-        const LoadBudget stopped(LoadLimits{.go_on = [&] { return ++asked < 2; }});
+        const LoadBudget stopped(LoadLimits{.progress = [&](const char*, double) { return ++asked < 2; }});
         stopped.check();  // the first time, before it begins
         check_error(ErrorCode::cancelled, [&] { one.load(stopped); });
         CHECK(asked == 2);

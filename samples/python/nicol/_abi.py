@@ -175,7 +175,7 @@ class DeviceInfo(Struct):
 
 
 class ContextOptions(Struct):
-    _callbacks_ = {"log": LogCallback}
+    _callbacks_ = {"log": LogCallback, "load_progress": ProgressCallback}
     _fields_ = [
         ("struct_size", c_uint32),
         ("backend", c_uint32),
@@ -189,6 +189,8 @@ class ContextOptions(Struct):
         ("vertex_limit", c_uint64),
         ("triangle_limit", c_uint64),
         ("load_seconds_limit", c_double),
+        ("load_progress", ProgressCallback.type),
+        ("load_progress_user", c_void_p),
     ]
     _defaults_ = {
         "memory_limit": 18446744073709551615,
@@ -1438,7 +1440,8 @@ class Framebuffer(Handle):
     def get_texture(self, channel):
         """The texture of a colour channel: a texel is the Stokes vector (s0, s1, s2, s3), row 0 is the image's TOP.
         The name is valid, and stays the same, until the framebuffer is released; the content is that of the last
-        render. It may be sampled and its sampling parameters changed, but neither written nor deleted.
+        render. It may be sampled, and its filters and wrap modes changed, but not its swizzle; it must neither be
+        written nor deleted.
         NICOL_ERROR_UNSUPPORTED for a framebuffer whose context is not a host's, as for the functions below."""
         texture = GlTexture()
         check(_framebuffer_get_texture(self, channel, byref(texture)))

@@ -264,6 +264,8 @@ pub struct nicol_context_options {
     pub vertex_limit: u64,
     pub triangle_limit: u64,
     pub load_seconds_limit: f64,
+    pub load_progress: nicol_progress_callback,
+    pub load_progress_user: *mut c_void,
 }
 impl Default for nicol_context_options {
     fn default() -> Self {
@@ -279,7 +281,7 @@ impl Default for nicol_context_options {
     }
 }
 const _: () = {
-    assert!(size_of::<nicol_context_options>() == 80);
+    assert!(size_of::<nicol_context_options>() == 96);
     assert!(offset_of!(nicol_context_options, struct_size) == 0);
     assert!(offset_of!(nicol_context_options, backend) == 4);
     assert!(offset_of!(nicol_context_options, device) == 8);
@@ -292,6 +294,8 @@ const _: () = {
     assert!(offset_of!(nicol_context_options, vertex_limit) == 56);
     assert!(offset_of!(nicol_context_options, triangle_limit) == 64);
     assert!(offset_of!(nicol_context_options, load_seconds_limit) == 72);
+    assert!(offset_of!(nicol_context_options, load_progress) == 80);
+    assert!(offset_of!(nicol_context_options, load_progress_user) == 88);
 };
 
 #[repr(C)]
@@ -1991,7 +1995,8 @@ extern "C" {
     pub fn nicol_context_create_host(host: *const nicol_host, options: *const nicol_context_options, context: *mut nicol_context) -> nicol_result;
     /// The texture of a colour channel: a texel is the Stokes vector (s0, s1, s2, s3), row 0 is the image's TOP.
     /// The name is valid, and stays the same, until the framebuffer is released; the content is that of the last
-    /// render. It may be sampled and its sampling parameters changed, but neither written nor deleted.
+    /// render. It may be sampled, and its filters and wrap modes changed, but not its swizzle; it must neither be
+    /// written nor deleted.
     /// NICOL_ERROR_UNSUPPORTED for a framebuffer whose context is not a host's, as for the functions below.
     pub fn nicol_framebuffer_get_texture(framebuffer: nicol_framebuffer, channel: u32, texture: *mut nicol_gl_texture) -> nicol_result;
     /// Copies the Stokes vectors of a channel. Nothing is read back.
