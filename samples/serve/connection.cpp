@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "connection.hpp"
 
-#include <sys/socket.h>
+#include <poll.h>
 
 #include <algorithm>
 #include <boost/asio/write.hpp>
@@ -14,6 +14,8 @@
 #include <string_view>
 
 #include "framing.hpp"
+#include "query.hpp"
+#include "visitors.hpp"
 
 namespace asio = boost::asio;
 namespace beast = boost::beast;
@@ -23,6 +25,8 @@ using boost::system::error_code;
 namespace {
 
 constexpr std::size_t kReadBytes = 65536;  // at once, at most
+/// How long a client's end may go unnoticed behind bytes that it sent before.
+constexpr std::chrono::milliseconds kLookInterval(100);
 
 std::chrono::steady_clock::duration duration(Seconds seconds) {
     return std::chrono::duration_cast<std::chrono::steady_clock::duration>(seconds);
@@ -40,6 +44,15 @@ std::string text_of(beast::string_view text) {
     return {text.data(), text.size()};
 }
 
+/// The address as a Host header has it, without brackets.
+std::string numeric(const asio::ip::address& address) {
+    if (address.is_v4()) return address.to_string();
+    asio::ip::address_v6 v6 = address.to_v6();
+    if (v6.is_v4_mapped()) return asio::ip::make_address_v4(asio::ip::v4_mapped, v6).to_string();
+    v6.scope_id(0);
+    return v6.to_string();
+}
+
 std::string_view content_of(const beast::flat_buffer& buffer) {
     return {static_cast<const char*>(buffer.data().data()), buffer.size()};
 }
@@ -53,10 +66,12 @@ Connection::Connection(asio::ip::tcp::socket socket, std::string network, const 
       around_(surroundings),
       crowd_(std::move(crowd)),
       buffer_(surroundings.options.header_bytes),
-      deadline_(stream_.get_executor()) {
+      deadline_(stream_.get_executor()),
+      next_look_(stream_.get_executor()) {
     crowd_->members.insert(this);
-    // Answers are sent in one piece; Nagle's algorithm would only delay their end.
     error_code ignored;
+    local_ = numeric(stream_.socket().local_endpoint(ignored).address());
+    // Answers are sent in one piece; Nagle's algorithm would only delay their end.
     stream_.socket().set_option(asio::ip::tcp::no_delay(true), ignored);
 }
 
@@ -199,6 +214,10 @@ void Connection::handle() {
                                 .target = origin_form(text_of(message.target())),
                                 .if_none_match = text_of(message[http::field::if_none_match]),
                                 .accept_encoding = text_of(message[http::field::accept_encoding]),
+                                .host = text_of(message[http::field::host]),
+                                .authority = std::string(authority_of(text_of(message.target()))),
+                                .origin = text_of(message[http::field::origin]),
+                                .local = local_,
                                 .status_alone = around_.status_alone});
     if (const auto* wanted = std::get_if<Render>(&outcome)) return render(*wanted);
     // A body that was not read is no request.
@@ -211,8 +230,7 @@ void Connection::render(const Render& render) {
         render.tag, render.request, [self = shared_from_this(), render](const AnswerPtr& made) {
             self->ticket_.reset();
             self->unlimit();
-            error_code ignored;
-            self->stream_.socket().cancel(ignored);  // of watch()
+            self->stop_watching();
             const Seconds waited = std::chrono::steady_clock::now() - self->asked_;
             self->around_.metrics.waited.add(waited.count());
             self->answer(self->around_.service.respond(render, made), self->parser_->get().keep_alive());
@@ -234,29 +252,44 @@ void Connection::render(const Render& render) {
     watch();
 }
 
-/// Nothing is read while an image is rendered, but the end of the stream means that the client left.
+/// Nothing is read while an image is rendered, but the end of the stream means that the client left. That end
+/// may stand behind bytes of a next request, which make the socket readable all the time: it is looked for at
+/// intervals.
 void Connection::watch() {
+    const auto waits = [self = shared_from_this(), job = ticket_->job] {
+        return self->ticket_ && self->ticket_->job == job;
+    };
     stream_.socket().async_wait(asio::ip::tcp::socket::wait_read,
-                                [self = shared_from_this(), job = ticket_->job](const error_code& error) {
-                                    if (error || !self->ticket_ || self->ticket_->job != job) return;
-                                    char byte = 0;
-                                    const ssize_t got = ::recv(self->stream_.socket().native_handle(), &byte,
-                                                               1, MSG_PEEK | MSG_DONTWAIT);
-                                    // The next request may come early; then its connection is there as long
-                                    // as this answer takes.
-                                    if (got > 0 || (got < 0 && (errno == EAGAIN || errno == EINTR))) return;
-                                    ++self->around_.metrics.clients_gone;
-                                    self->leave();
-                                    self->close();
+                                [self = shared_from_this(), waits](const error_code& error) {
+                                    if (error || !waits()) return;
+                                    if (self->client_left()) {
+                                        ++self->around_.metrics.clients_gone;
+                                        self->leave();
+                                        return self->close();
+                                    }
+                                    self->next_look_.expires_after(kLookInterval);
+                                    self->next_look_.async_wait([self, waits](const error_code& cancelled) {
+                                        if (!cancelled && waits()) self->watch();
+                                    });
                                 });
+}
+
+bool Connection::client_left() {
+    pollfd ended{.fd = stream_.socket().native_handle(), .events = POLLRDHUP, .revents = 0};
+    return ::poll(&ended, 1, 0) > 0;
+}
+
+void Connection::stop_watching() {
+    error_code ignored;
+    stream_.socket().cancel(ignored);
+    next_look_.cancel();
 }
 
 void Connection::leave() {
     around_.dispatcher.leave(*ticket_);
     ticket_.reset();
     unlimit();
-    error_code ignored;
-    stream_.socket().cancel(ignored);
+    stop_watching();
 }
 
 void Connection::answer(const Response& response, bool keep_alive) {
@@ -283,6 +316,9 @@ void Connection::answer(const Response& response, bool keep_alive) {
         out->message.set("X-Content-Type-Options", "nosniff");
     }
     for (const auto& [name, value] : response.headers) out->message.set(name, value);
+    const std::string origin = parser_ ? text_of(parser_->get()[http::field::origin]) : "";
+    for (const auto& [name, value] : origin_headers(origin, around_.options.allowed_origins))
+        out->message.insert(name, value);
     // The length of an image that was not made is not known, and 204 and 304 have no content at all.
     const bool unknown =
         response.status == 204 || response.status == 304 || (head && response.content.empty());

@@ -67,6 +67,8 @@ private:
     void handle();
     void render(const Render& render);
     void watch();
+    bool client_left();
+    void stop_watching();
     void leave();
     void answer(const Response& response, bool keep_alive);
     void limit(Seconds time, std::function<void()> over);
@@ -75,11 +77,13 @@ private:
 
     boost::beast::tcp_stream stream_;
     const std::string network_;
+    std::string local_;  ///< address that the client connected to
     const Surroundings& around_;
     const std::shared_ptr<Crowd> crowd_;
     boost::beast::flat_buffer buffer_;
     std::optional<Parser> parser_;
     boost::asio::steady_timer deadline_;        ///< of limit()
+    boost::asio::steady_timer next_look_;       ///< of watch()
     std::uint64_t limits_ = 0;                  ///< how many there were
     std::optional<Dispatcher::Ticket> ticket_;  ///< where an image is under way
     std::chrono::steady_clock::time_point asked_;

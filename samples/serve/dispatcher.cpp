@@ -28,7 +28,7 @@ std::optional<Dispatcher::Ticket> Dispatcher::submit(const std::string& key, con
         return Ticket{.job = job->id, .waiter = last_id_, .joined = true};
     }
     // An idle worker takes it at once; otherwise it is queued.
-    if (idle_.empty() && queue_.size() >= queue_limit_) return std::nullopt;
+    if (queue_.size() >= queue_limit_ && !worker_for(request)) return std::nullopt;
     const auto job = std::make_shared<Job>();
     job->id = ++last_id_;
     job->key = key;
@@ -90,22 +90,43 @@ void Dispatcher::begin_generation() {
     for (const JobPtr& job : std::exchange(queue_, {})) finish(job, unavailable(kOutdated));
 }
 
+void Dispatcher::refuse_scene(std::uint32_t scene) {
+    std::deque<JobPtr> of_scene;
+    std::erase_if(queue_, [&](const JobPtr& job) {
+        if (job->request.view.scene != scene) return false;
+        of_scene.push_back(job);
+        return true;
+    });
+    for (const JobPtr& job : of_scene) finish(job, unavailable("This scene is still being prepared."));
+}
+
+/// An idle worker that can render the request, at best the one that rendered its view last and has it still.
+std::optional<int> Dispatcher::worker_for(const ImageRequest& request) const {
+    std::optional<int> found;
+    for (const int worker : idle_) {
+        if (workers_.can && !workers_.can(worker, request)) continue;
+        const auto last = last_view_.find(worker);
+        if (last != last_view_.end() && last->second == request.view) return worker;
+        if (!found) found = worker;
+    }
+    return found;
+}
+
 void Dispatcher::dispatch() {
-    while (!queue_.empty() && !idle_.empty()) {
-        const JobPtr job = queue_.front();
-        queue_.pop_front();
-        // Who rendered this view last has it still.
-        const auto warm = std::ranges::find_if(idle_, [&](int worker) {
-            const auto last = last_view_.find(worker);
-            return last != last_view_.end() && last->second == job->request.view;
-        });
-        const int worker = warm != idle_.end() ? *warm : *idle_.begin();
-        idle_.erase(worker);
-        last_view_[worker] = job->request.view;
-        job->worker = worker;
+    for (std::size_t at = 0; at < queue_.size() && !idle_.empty();) {
+        const JobPtr job = queue_[at];
+        const std::optional<int> worker = worker_for(job->request);
+        if (!worker) {
+            ++at;
+            continue;
+        }
+        queue_.erase(queue_.begin() + static_cast<std::ptrdiff_t>(at));
+        idle_.erase(*worker);
+        last_view_[*worker] = job->request.view;
+        job->worker = *worker;
         ++job->attempts;
-        running_[worker] = job;
-        workers_.start(worker, job->id, job->request);
+        running_[*worker] = job;
+        workers_.start(*worker, job->id, job->request);
     }
 }
 

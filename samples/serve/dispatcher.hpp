@@ -27,6 +27,8 @@ public:
     struct Workers {
         std::function<void(int worker, std::uint64_t job, const ImageRequest&)> start;
         std::function<void(int worker, std::uint64_t job)> cancel;
+        /// Whether the worker can render this request. Where it is not set, every worker can.
+        std::function<bool(int worker, const ImageRequest&)> can = {};
     };
     using Done = std::function<void(const AnswerPtr&)>;
     struct Ticket {
@@ -44,10 +46,14 @@ public:
 
     /// It takes a job now, at once or later.
     void worker_idle(int worker);
+    /// It has something else to do until worker_idle().
+    void worker_away(int worker) { idle_.erase(worker); }
     /// Answers all waiting requests. The worker gets no other job before worker_idle().
     void worker_done(int worker, std::uint64_t job, const AnswerPtr& answer);
     /// It crashed or was killed: its job is tried once more by another one, and then answered 503.
     void worker_lost(int worker);
+    /// Answers all queued requests for the scene 503: no worker has it any more.
+    void refuse_scene(std::uint32_t scene);
     /// Earlier requests are outdated: queued ones are answered 503, running ones are not tried again.
     void begin_generation();
 
@@ -67,6 +73,7 @@ private:
     using JobPtr = std::shared_ptr<Job>;
 
     void dispatch();
+    [[nodiscard]] std::optional<int> worker_for(const ImageRequest& request) const;
     void forget(const Job& job);
     void finish(const JobPtr& job, const AnswerPtr& answer);
 

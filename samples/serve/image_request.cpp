@@ -171,6 +171,28 @@ ImageRequest parse_image(const Target& target, Format format, std::uint32_t scen
     return request;
 }
 
+std::size_t most_bytes(const ImageRequest& request, const SceneInfo& info) {
+    const std::size_t half = 2, single = 4, components = 4, colours = 3;
+    const std::size_t pixels = std::size_t{request.view.width} * request.view.height;
+    const auto of_pixel = [&]() -> std::size_t {
+        switch (request.format) {
+            case Format::png:
+                return colours;
+            case Format::exr:
+                return info.channels * single;
+            case Format::stokes_f16:
+            case Format::stokes_planes:
+                return info.channels * components * half;
+            default:
+                return info.channels * components * single;
+        }
+    };
+    // Headers, tables of lines, and the compressors' own bytes where nothing can be compressed.
+    constexpr std::size_t header = 16384, of_line = 64;
+    const std::size_t content = pixels * of_pixel();
+    return header + request.view.height * of_line + content + content / 256;
+}
+
 std::string canonical(const ImageRequest& request, const SceneInfo& info) {
     const View& view = request.view;
     std::string text = info.id;

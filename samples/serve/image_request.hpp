@@ -89,5 +89,8 @@ const Resource& resource_of(Format format);
 ImageRequest parse_image(const Target& target, Format format, std::uint32_t scene, const SceneInfo& info,
                          const Limits& limits);
 
+/// The size in bytes that the answer to the request is at most.
+std::size_t most_bytes(const ImageRequest& request, const SceneInfo& info);
+
 /// One text for all requests that have the same answer, and another for each other one.
 std::string canonical(const ImageRequest& request, const SceneInfo& info);

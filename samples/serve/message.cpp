@@ -27,30 +27,39 @@ bool take_text(std::string_view& from, std::string& into) {
 std::string pack(const Hello& hello) {
     std::string bytes;
     put(bytes, hello.renderer);
-    for (const SceneInfo& scene : hello.scenes) {
-        put(bytes, scene.id);
-        put(bytes, scene.digest);
-        bytes += bytes_of(
-            PackedScene{scene.channels, scene.width, scene.height, scene.up, scene.fov, scene.orbit});
-    }
+    for (const std::string& id : hello.scenes) put(bytes, id);
     return bytes;
 }
 
 bool unpack(std::string_view bytes, Hello& hello) {
     hello = {};
     if (!take_text(bytes, hello.renderer)) return false;
-    while (!bytes.empty()) {
-        SceneInfo scene;
-        PackedScene packed{};
-        if (!take_text(bytes, scene.id) || !take_text(bytes, scene.digest) || !take(bytes, packed))
-            return false;
-        scene.channels = packed.channels;
-        scene.width = packed.width;
-        scene.height = packed.height;
-        scene.up = packed.up;
-        scene.fov = packed.fov;
-        scene.orbit = packed.orbit;
-        hello.scenes.push_back(scene);
-    }
+    while (!bytes.empty())
+        if (!take_text(bytes, hello.scenes.emplace_back())) return false;
+    return true;
+}
+
+std::string pack(const Loaded& loaded) {
+    const SceneInfo& scene = loaded.info;
+    std::string bytes;
+    put(bytes, scene.id);
+    put(bytes, scene.digest);
+    put(bytes, loaded.reason);
+    return bytes +=
+           bytes_of(PackedScene{scene.channels, scene.width, scene.height, scene.up, scene.fov, scene.orbit});
+}
+
+bool unpack(std::string_view bytes, Loaded& loaded) {
+    SceneInfo& scene = loaded.info;
+    PackedScene packed{};
+    if (!take_text(bytes, scene.id) || !take_text(bytes, scene.digest) || !take_text(bytes, loaded.reason) ||
+        !take(bytes, packed))
+        return false;
+    scene.channels = packed.channels;
+    scene.width = packed.width;
+    scene.height = packed.height;
+    scene.up = packed.up;
+    scene.fov = packed.fov;
+    scene.orbit = packed.orbit;
     return true;
 }

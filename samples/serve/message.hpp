@@ -13,8 +13,10 @@
 #include "image_request.hpp"
 
 enum class MessageKind : std::uint32_t {
-    hello,   ///< worker: warm; the scenes follow
+    hello,   ///< worker: has a context; the scenes that it can load follow
     failed,  ///< worker: cannot start; the reason follows
+    load,    ///< front: load the scene of this index; nothing follows
+    loaded,  ///< worker: the scene, or why it cannot be loaded, follows
     job,     ///< front: a Job
     cancel,  ///< front: the job's clients left; nothing follows
     result   ///< worker: a ResultHead and the answer's content, or what went wrong
@@ -23,7 +25,7 @@ enum class MessageKind : std::uint32_t {
 struct Head {
     MessageKind kind{};
     std::uint32_t length = 0;  ///< of what follows, bytes
-    std::uint64_t job = 0;     ///< which it is about
+    std::uint64_t job = 0;     ///< which it is about; of load and loaded the scene's index
 };
 
 /// No message is longer; the largest Stokes image stays far below.
@@ -60,12 +62,20 @@ bool take(std::string_view& from, T& into) {
 
 /// Description of a worker, sent in its hello.
 struct Hello {
-    std::string renderer;  ///< OpenGL's name and version
-    std::vector<SceneInfo> scenes;
+    std::string renderer;             ///< OpenGL's name and version
+    std::vector<std::string> scenes;  ///< their ids
 
     bool operator==(const Hello&) const = default;
 };
 
+/// A scene that was loaded, or has no digest and the reason why it was not.
+struct Loaded {
+    SceneInfo info;
+    std::string reason;
+};
+
 std::string pack(const Hello& hello);
+std::string pack(const Loaded& loaded);
 /// False where the bytes are not what pack() makes.
 bool unpack(std::string_view bytes, Hello& hello);
+bool unpack(std::string_view bytes, Loaded& loaded);

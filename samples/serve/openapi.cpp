@@ -63,8 +63,11 @@ std::string image_path(const Options& options, const Resource& resource) {
     text += problem_response(400, "A parameter is wrong; the problem names it and its range");
     if (!options.keys.empty()) text += problem_response(403, "The signature is missing, wrong or expired");
     text += problem_response(404, "There is no such scene");
-    text +=
-        problem_response(503, "Too much to do, or a renderer failed; Retry-After says when to come again");
+    text += problem_response(421, "The service does not answer for this host");
+    text += problem_response(
+        503,
+        "The scene is not ready, too much to do, or a renderer failed; Retry-After says when "
+        "to come again");
     return text + problem_response(504, "Not done within the deadline") + "}}}";
 }
 
@@ -82,7 +85,9 @@ std::string openapi(const Options& options) {
     std::string paths = plain_path("/scenes", "The scenes and their previews", "application/json");
     for (const Resource& resource : resources) paths += image_path(options, resource);
     paths += plain_path("/health", "Whether the service is alive", "application/json");
-    paths += plain_path("/ready", "Whether it renders; 503 where not", "application/json");
+    paths +=
+        plain_path("/ready", "Whether it renders, and which scenes are ready; 503 where it does not render",
+                   "application/json");
     paths += plain_path("/metrics", "Counts and times for Prometheus", "text/plain");
     text += paths.substr(1);
     text +=

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "options.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <filesystem>
@@ -16,11 +17,16 @@ const char* const usage =
     "  --listen ADDRESS:PORT   default 127.0.0.1:8080; port 0 takes one that is free and prints it\n"
     "  --status-listen ADDRESS:PORT\n"
     "                          answers /health, /ready and /metrics there too, with places of its own\n"
+    "  --allow-host NAME       answers requests for this host too, beside localhost, the loopback addresses "
+    "and\n"
+    "                          the address that a request came to; may come several times, '*' for any\n"
+    "  --allow-origin ORIGIN   lets pages of this origin, like https://example.org, read the answers "
+    "(CORS);\n"
+    "                          may come several times, '*' for any\n"
     "  --workers N             processes that render, default one a core\n"
     "  --threads N             of each of them, default 1\n"
     "  --backend NAME          egl or osmesa; without it NICOL_BACKEND decides, else the first that works\n"
     "  --cache DIR             keeps bakes of shadows and tables of materials there; default NICOL_CACHE\n"
-    "  --scratch DIR           for files that live a moment, default /dev/shm\n"
     "  --read DIR              that workers may read beside that of the scenes; may come several times\n"
     "  --no-sandbox            does not confine workers to these folders and OpenGL's (Landlock)\n"
     "  --keys FILE             keys in hexadecimal, one a line: images then need a signature in their URL\n"
@@ -43,11 +49,13 @@ const char* const usage =
     "  --max-header BYTES      of a request, 256 to 1048576, default 8192\n"
     "  --max-body BYTES        of a request, default 1024; bodies are ignored\n"
     "  --results MIB           of answers kept for equal requests, default 64\n"
-    "  --answers MIB           of answers not yet sent, above which images are refused, default 512\n"
+    "  --answers MIB           of answers under way or not yet sent; images beyond are refused, default 512\n"
     "  --max-age S             that clients may keep an image without asking, default 0\n"
     "  --deadline S            for an answer, from when the request was read, default 15; then 504\n"
     "  --render-limit S        for one render, default 10; its worker is then replaced\n"
-    "  --start-limit S         for a worker to load and bake all scenes, default 600\n"
+    "  --start-limit S         for a worker to start, and to load and bake a scene, default 600\n"
+    "  --slow-scene S          for a scene to be loaded, default 5; a slower one is prepared by a further\n"
+    "                          process, while the other scenes are served\n"
     "  --idle-limit S          of a connection without request, default 60\n"
     "  --read-limit S          for a request to arrive, default 10\n"
     "  --write-limit S         for an answer to be taken, default 60\n"
@@ -96,6 +104,29 @@ std::string parse_folder(std::string_view option, std::string_view text) {
     std::error_code unreadable;
     if (!std::filesystem::is_directory(text, unreadable))
         throw Failure(std::string(option) + ": '" + std::string(text) + "' is no folder");
+    return std::string(text);
+}
+
+/// A request's port does not matter, so that the name has none.
+std::string parse_host(std::string_view option, std::string_view text) {
+    std::string name(text);
+    std::ranges::transform(name, name.begin(),
+                           [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+    if (name.starts_with('[') && name.ends_with(']')) return name.substr(1, name.size() - 2);
+    if (name.find_first_of("/@ ") != std::string::npos || std::ranges::count(name, ':') == 1)
+        throw Failure(std::string(option) + ": '" + name +
+                      "' is not a host without scheme and port, like images.example.org, or '*'");
+    return name;
+}
+
+/// Written as browsers send it: scheme, host, and the port if it is not the scheme's own.
+std::string parse_origin(std::string_view option, std::string_view text) {
+    const std::size_t scheme = text.find("://");
+    const bool good = scheme != std::string_view::npos && scheme > 0 && text.size() > scheme + 3 &&
+                      text.find_first_of("/ ", scheme + 3) == std::string_view::npos;
+    if (text != "*" && !good)
+        throw Failure(std::string(option) + ": '" + std::string(text) +
+                      "' is not an origin, like https://example.org or http://localhost:3000, or '*'");
     return std::string(text);
 }
 
@@ -152,6 +183,8 @@ bool parse_limit(Options& o, std::string_view name, std::string_view text) {
         o.render_limit = parse_seconds(name, text, shortest);
     else if (name == "--start-limit")
         o.start_limit = parse_seconds(name, text, shortest);
+    else if (name == "--slow-scene")
+        o.slow_scene = parse_seconds(name, text, shortest);
     else if (name == "--idle-limit")
         o.idle_limit = parse_seconds(name, text, shortest);
     else if (name == "--read-limit")
@@ -175,6 +208,10 @@ void parse_option(Options& o, std::string_view name, std::string_view text) {
         o.status_listen = parse_endpoint(name, text);
     else if (name == "--read")
         o.readable.push_back(parse_folder(name, text));
+    else if (name == "--allow-host")
+        o.allowed_hosts.push_back(parse_host(name, text));
+    else if (name == "--allow-origin")
+        o.allowed_origins.push_back(parse_origin(name, text));
     else if (name == "--workers")
         o.workers = parse_count(name, text, 1, most_processes);
     else if (name == "--threads")
@@ -183,8 +220,6 @@ void parse_option(Options& o, std::string_view name, std::string_view text) {
         o.backend = parse_backend(text);
     else if (name == "--cache")
         o.cache = text;
-    else if (name == "--scratch")
-        o.scratch = text;
     else if (name == "--keys")
         o.keys = text;
     else if (name == "--sign")

@@ -29,9 +29,10 @@ struct Options {
     std::uint32_t workers = 0;              ///< 0: one a core
     std::uint32_t threads = 1;              ///< of each worker
     nicol_backend backend = NICOL_BACKEND_AUTOMATIC;
-    std::string cache;  ///< folder, empty: what NICOL_CACHE says
-    std::string scratch = "/dev/shm";
-    std::vector<std::string> readable;  ///< folders beside that of the scenes
+    std::vector<std::string> allowed_hosts;    ///< in lower case; "*": any
+    std::vector<std::string> allowed_origins;  ///< of pages that may read answers; "*": any
+    std::string cache;                         ///< folder, empty: what NICOL_CACHE says
+    std::vector<std::string> readable;         ///< folders beside that of the scenes
     bool sandbox = true;
     std::string keys;    ///< file, empty: requests need no signature
     std::string target;  ///< to sign
@@ -45,13 +46,13 @@ struct Options {
     std::uint32_t connections_per_address = 64;  ///< 0: any
     std::uint32_t header_bytes = 8192;
     std::uint32_t body_bytes = 1024;
-    std::uint32_t result_bytes = 64u << 20u;  ///< of answers kept
-    std::uint32_t answer_bytes = 512u
-                                 << 20u;  ///< of answers not sent yet, above which new images are refused
+    std::uint32_t result_bytes = 64u << 20u;   ///< of answers kept
+    std::uint32_t answer_bytes = 512u << 20u;  ///< of answers under way or not sent yet
     Seconds max_age{0};        ///< that a client may keep an image without asking; 0: asks each time
     Seconds deadline{15};      ///< for an answer
     Seconds render_limit{10};  ///< for one render, after which its worker counts as hung
-    Seconds start_limit{600};  ///< for a worker to be warm
+    Seconds start_limit{600};  ///< for a worker to start, and for it to load a scene
+    Seconds slow_scene{5};     ///< for a load, after which the spare worker goes on with it
     Seconds idle_limit{60};    ///< of a connection between requests
     Seconds read_limit{10};    ///< for a request to arrive
     Seconds write_limit{60};   ///< for an answer to be taken

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The worker processes: started one before the others, watched, replaced when they crash or hang.
+// The worker processes: started one before the others, watched, replaced when they crash or hang, and a spare
+// one for scenes that take long to load.
 #pragma once
 
 #include <boost/asio/io_context.hpp>
@@ -14,6 +15,7 @@
 #include "dispatcher.hpp"
 #include "metrics.hpp"
 #include "options.hpp"
+#include "scene_loads.hpp"
 #include "worker_process.hpp"
 
 class Pool {
@@ -25,21 +27,26 @@ public:
     Pool(const Pool&) = delete;
     Pool& operator=(const Pool&) = delete;
 
-    /// Starts the first worker, and the others once it is warm and has filled the cache. `failed` is called
-    /// where the first can never be: what a later one says goes to the standard error, and it is tried again,
-    /// ever more rarely.
+    /// Starts the first worker, and the others once it has loaded all scenes that load quickly and has filled
+    /// the cache. `failed` is called where the first worker or all scenes fail: what a later one says goes to
+    /// the standard error, and it is tried again, ever more rarely.
     void start(std::function<void(const std::string& reason)> failed);
     /// Kills all workers; no event comes any more.
     void stop();
 
     [[nodiscard]] Dispatcher& dispatcher() { return dispatcher_; }
-    /// That take requests.
+    /// Workers that take requests.
     [[nodiscard]] std::size_t warm_workers() const;
-    /// The scenes as the newest worker found them; none before the first was warm.
-    [[nodiscard]] const Hello* hello() const { return hello_ ? &*hello_ : nullptr; }
+    /// Whether all scenes that load quickly have been loaded, and a worker takes requests.
+    [[nodiscard]] bool ready() const { return through_ && warm_workers() > 0; }
+    /// The folder's scenes as the newest worker found them, and which are ready; none before the first
+    /// started.
+    [[nodiscard]] const SceneLoads& loads() const { return loads_; }
+    /// The name and version of OpenGL.
+    [[nodiscard]] const std::string& renderer() const { return hello_.renderer; }
     [[nodiscard]] std::vector<WorkerState> states() const;
 
-    /// Called when the first worker takes requests.
+    /// Called when the service is ready for the first time.
     std::function<void()> warm;
     /// Called when scenes have changed on disk: earlier answers are outdated.
     std::function<void()> scenes_changed;
@@ -49,19 +56,30 @@ private:
         explicit Slot(boost::asio::io_context& io) : timer(io) {}
         std::shared_ptr<WorkerProcess> process;
         boost::asio::steady_timer timer;  ///< of start, render or pause, whichever is on
-        bool warm = false, busy = false;
-        bool stale = false;     ///< holds scenes that are no more
-        unsigned failures = 0;  ///< in a row, before being warm or soon after
-        std::chrono::steady_clock::time_point warm_since;
+        bool greeted = false, busy = false;
+        std::optional<std::size_t> loading;  ///< scene
+        std::chrono::steady_clock::time_point load_since;
+        bool stale = false;                           ///< knows other scenes than there are now
+        unsigned failures = 0;                        ///< in a row, at its start or soon after
+        std::chrono::steady_clock::time_point since;  ///< greeted
     };
 
     void launch(std::size_t index);
     void receive(std::size_t index, const Head& head, std::string content);
     void receive_hello(std::size_t index, const std::string& content);
+    void receive_loaded(std::size_t index, std::size_t scene, const std::string& content);
     void receive_result(std::size_t index, const Head& head, std::string content);
+    void go_on(std::size_t index, bool rendered = false);
+    void go_on_all();
+    void settle();
+    void promote();
+    void tend_spare();
+    void overdue(std::size_t index);
     void lose(std::size_t index, bool hung);
+    void end(std::size_t index);
     void pause(std::size_t index);
     void limit(std::size_t index, Seconds time);
+    void begin_load(std::size_t index, std::size_t scene);
     void begin_job(std::size_t index, std::uint64_t job, const ImageRequest& request);
     void reap();
     void wait_for_children();
@@ -72,7 +90,9 @@ private:
     Metrics& metrics_;
     Dispatcher dispatcher_;
     std::vector<std::unique_ptr<Slot>> slots_;
-    std::optional<Hello> hello_;
+    SceneLoads loads_;
+    Hello hello_;
+    bool through_ = false;  ///< the first worker has loaded all that loads quickly
     std::function<void(const std::string&)> failed_;
     boost::asio::signal_set child_ended_;
     std::vector<pid_t> ended_;  ///< killed, not reaped yet

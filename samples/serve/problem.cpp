@@ -19,6 +19,8 @@ const char* status_title(int status) {
             return "Content Too Large";
         case 417:
             return "Expectation Failed";
+        case 421:
+            return "Misdirected Request";
         case 429:
             return "Too Many Requests";
         case 431:

@@ -46,24 +46,34 @@ const std::string* Target::find(std::string_view name) const {
     return nullptr;
 }
 
-std::string origin_form(std::string_view target) {
+std::string_view authority_of(std::string_view target) {
     const std::size_t scheme = target.find("://");
-    if (scheme == std::string_view::npos) return std::string(target);
+    if (scheme == std::string_view::npos) return {};
     std::string name(target.substr(0, scheme));
     std::ranges::transform(name, name.begin(),
                            [](char c) { return c >= 'A' && c <= 'Z' ? char(c + 32) : c; });
-    if (name != "http" && name != "https") return std::string(target);
+    if (name != "http" && name != "https") return {};
     const std::string_view rest = target.substr(scheme + 3);
-    const std::size_t path = rest.find_first_of("/?");
-    if (rest.empty() || path == 0) return std::string(target);  // no host
-    if (path == std::string_view::npos) return "/";
-    return (rest[path] == '?' ? "/" : "") + std::string(rest.substr(path));
+    return rest.substr(0, rest.find_first_of("/?"));
+}
+
+std::string origin_form(std::string_view target) {
+    const std::string_view authority = authority_of(target);
+    if (authority.empty()) return std::string(target);
+    const std::string_view rest(authority.data() + authority.size(), target.data() + target.size());
+    return (rest.starts_with('/') ? "" : "/") + std::string(rest);
 }
 
 Target parse_target(std::string_view target) {
     if (!target.starts_with('/')) refuse("The request's target must be a path that begins with '/'.");
     const std::size_t question = target.find('?');
-    Target result{.path = decode(target.substr(0, question)), .query = {}};
+    Target result;
+    for (std::string_view path = target.substr(0, question); !path.empty();) {
+        path.remove_prefix(1);
+        const std::string_view segment = path.substr(0, path.find('/'));
+        result.segments.push_back(decode(segment));
+        path.remove_prefix(segment.size());
+    }
     if (question == std::string_view::npos) return result;
     std::string_view rest = target.substr(question + 1);
     while (!rest.empty()) {

@@ -8,11 +8,16 @@
 #include <vector>
 
 struct Target {
-    std::string path;                                        ///< percent-decoded, begins with '/'
+    /// Percent-decoded parts between the slashes of the path: "/" has one empty segment. An encoded slash is
+    /// part of its segment.
+    std::vector<std::string> segments;
     std::vector<std::pair<std::string, std::string>> query;  ///< decoded, as they came
 
     [[nodiscard]] const std::string* find(std::string_view name) const;
 };
+
+/// The host, with its port if there is one, of "http://host/path?query"; empty for other targets.
+std::string_view authority_of(std::string_view target);
 
 /// "/path?query" also of "http://host/path?query", in which form a proxy may be asked (RFC 9112, 3.2.2); any
 /// other target as it is.

@@ -113,7 +113,6 @@ void confine(const Options& options) {
     std::error_code ignored;
     for (const fs::directory_entry& entry : fs::directory_iterator("/dev", ignored))
         if (entry.path().filename().string().starts_with("nvidia")) rules.allow(entry.path(), kDevice);
-    rules.allow(options.scratch, kWrite);
     const char* const named = std::getenv("NICOL_CACHE");
     const std::string cache = !options.cache.empty() ? options.cache : named != nullptr ? named : "";
     if (!cache.empty()) {

@@ -9,6 +9,6 @@
 bool can_confine();
 
 /// From here on this process reads nothing but the scenes, --read, what OpenGL's drivers need of the system,
-/// writes to the cache and the scratch folder alone, runs no program and uses no TCP. Throws Failure. Call it
+/// writes to the cache alone, runs no program and uses no TCP. Throws Failure. Call it
 /// before there are threads.
 void confine(const Options& options);

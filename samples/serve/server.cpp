@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "server.hpp"
 
-#include <unistd.h>
-
-#include <cerrno>
 #include <csignal>
 #include <cstdio>
-#include <cstring>
 
 #include "common/failure.hpp"
 #include "notify.hpp"
@@ -21,9 +17,6 @@ constexpr Listener::Places kStatusPlaces{.all = 32, .per_address = 0};
 
 /// What does not keep the service from working, but will be missed.
 void say_what_is_missing(const Options& options) {
-    if (::access((options.scratch + "/.").c_str(), W_OK | X_OK) != 0)
-        std::fprintf(stderr, "nicol-serve: --scratch: %s: %s; stokes.exr is answered 503\n",
-                     one_line(options.scratch.c_str()).c_str(), std::strerror(errno));
     if (options.sandbox && !can_confine())
         std::fputs("nicol-serve: the kernel has no Landlock; workers may open every file of their user\n",
                    stderr);

@@ -14,6 +14,7 @@
 #include "openapi.hpp"
 #include "query.hpp"
 #include "signature.hpp"
+#include "visitors.hpp"
 
 namespace {
 
@@ -28,6 +29,17 @@ std::string build_text() {
     std::string text = nicol_version_string();
     for (std::uint32_t i = 0; const char* fact = nicol_build_info(i); ++i) text.append(" ").append(fact);
     return text;
+}
+
+const char* name_of(SceneLoads::Condition condition) {
+    switch (condition) {
+        case SceneLoads::Condition::ready:
+            return "ready";
+        case SceneLoads::Condition::broken:
+            return "broken";
+        default:
+            return "preparing";
+    }
 }
 
 std::string scene_json(const SceneInfo& scene) {
@@ -61,7 +73,8 @@ Service::Service(const Options& options, Pool& pool, Metrics& metrics)
       metrics_(metrics),
       cache_(options.result_bytes),
       build_(build_text()),
-      openapi_(openapi(options)) {
+      openapi_(openapi(options)),
+      rooms_(options.answer_bytes) {
     if (!options.keys.empty()) keys_ = read_keys(options.keys);
     pool.scenes_changed = [this] { cache_.clear(); };
 }
@@ -78,57 +91,70 @@ std::variant<Response, Render> Service::handle(const Request& request) {
 }
 
 std::variant<Response, Render> Service::route(const Request& request) {
+    for (const std::string& host : {request.host, request.authority})
+        if (!host.empty() && !answers_for(host, request.local, options_.allowed_hosts))
+            refuse(421,
+                   "This service does not answer for the host '" + host + "'; --allow-host allows hosts.");
     if (request.method != "GET" && request.method != "HEAD") {
         const bool asks = request.method == "OPTIONS";
         Response response = asks ? Response{.status = 204, .type = ""}
                                  : respond(Problem{.status = 405, .detail = "There is GET and HEAD alone."});
         response.headers.emplace_back("Allow", "GET, HEAD, OPTIONS");
+        if (asks)
+            for (auto& header : preflight_headers(request.origin, options_.allowed_origins))
+                response.headers.push_back(std::move(header));
         return response;
     }
     const Target target = parse_target(request.target);
-    if (target.path == "/health") return state(false);
-    if (target.path == "/ready") return state(true);
-    if (target.path == "/metrics") return text("text/plain; version=0.0.4", metrics_text());
+    const std::vector<std::string>& path = target.segments;
+    const std::string& name = path.front();
+    const bool alone = path.size() == 1;
+    if (alone && name == "health") return state(false);
+    if (alone && name == "ready") return state(true);
+    if (alone && name == "metrics") return text("text/plain; version=0.0.4", metrics_text());
     if (request.status_alone) refuse(404, "Here are /health, /ready and /metrics alone.");
-    if (target.path.starts_with("/scenes/")) return image(request, target);
-    if (target.path == "/scenes") return scenes();
-    if (target.path == "/openapi.json") return text("application/json", openapi_);
+    if (!alone && name == "scenes") return image(request, target);
+    if (alone && name == "scenes") return scenes();
+    if (alone && name == "openapi.json") return text("application/json", openapi_);
     return page(request, target);
 }
 
 std::variant<Response, Render> Service::image(const Request& request, const Target& target) {
-    constexpr std::size_t id_begin = 8;  // behind "/scenes/"
-    const std::size_t slash = target.path.find('/', id_begin);
-    const std::string id = target.path.substr(id_begin, slash - id_begin);
-    const std::string name = slash == std::string::npos ? "" : target.path.substr(slash + 1);
-    const auto* const resource = std::ranges::find(resources, name, &Resource::name);
+    const std::vector<std::string>& path = target.segments;
+    const auto* const resource =
+        path.size() == 3 ? std::ranges::find(resources, path[2], &Resource::name) : resources.end();
     if (resource == resources.end())
         refuse(404,
                "A scene has image.png, image.exr, stokes.exr, stokes.planes, stokes.f16 and stokes.f32.");
     if (!keys_.empty()) check_signature(request.target, keys_, std::time(nullptr));
-    const std::vector<SceneInfo>& known = hello().scenes;
-    const auto scene = std::ranges::find(known, id, &SceneInfo::id);
-    if (scene == known.end()) refuse(404, "There is no scene of this name; /scenes lists them.");
-    if (scene->digest.empty())
+    const std::vector<SceneLoads::Scene>& known = scenes_known();
+    const auto found = std::ranges::find(known, path[1], [](const auto& one) { return one.info.id; });
+    if (found == known.end()) refuse(404, "There is no scene of this name; /scenes lists them.");
+    const auto index = static_cast<std::size_t>(found - known.begin());
+    const SceneLoads::Condition condition = pool_.loads().condition(index);
+    if (condition == SceneLoads::Condition::broken)
         refuse(503, "This scene cannot be loaded; the service's log says why.", kBrokenSceneSeconds);
-    Render render{.request =
-                      parse_image(target, resource->format, static_cast<std::uint32_t>(scene - known.begin()),
-                                  *scene, options_.limits)};
+    if (condition == SceneLoads::Condition::preparing)
+        refuse(503, "This scene is still being prepared.", kNotReadySeconds);
+    const SceneInfo* const scene = &found->info;
+    Render render{.request = parse_image(target, resource->format, static_cast<std::uint32_t>(index), *scene,
+                                         options_.limits)};
     render.request.deflate =
         resource->format == Format::stokes_planes && accepts_coding(request.accept_encoding, "deflate");
-    render.tag = entity_tag(build_ + '\n' + hello().renderer + '\n' + scene->digest + '\n' +
+    render.tag = entity_tag(build_ + '\n' + pool_.renderer() + '\n' + scene->digest + '\n' +
                             canonical(render.request, *scene));
     if (matches(request.if_none_match, render.tag)) {
         ++metrics_.hits_tag;
         return tagged(304, render);
     }
     if (request.method == "HEAD") return tagged(200, render);
-    if (const AnswerPtr kept = cache_.find(render.tag)) {
+    render.room = rooms_.reserve(render.tag, most_bytes(render.request, *scene));
+    if (!render.room) refuse(503, "Too many answers are unread.", retry_after());
+    if (const AnswerPtr kept = render.room->answer() ? render.room->answer() : cache_.find(render.tag)) {
         ++metrics_.hits_result;
         return respond(render, kept);
     }
     if (draining) refuse(503, "The service is about to end.", kNotReadySeconds);
-    if (*answer_bytes_ > options_.answer_bytes) refuse(503, "Too many answers are unread.", retry_after());
     return render;
 }
 
@@ -152,12 +178,9 @@ Response Service::respond(const Render& render, const AnswerPtr& answer) {
                                .retry_after = head.status == 503 ? retry_after() : 0});
     }
     cache_.keep(render.tag, answer);
-    *answer_bytes_ += answer->content.size();
-    // Counted until the last byte is sent.
-    const std::shared_ptr<const void> owner(
-        answer.get(), [answer, bytes = answer_bytes_](const void*) { *bytes -= answer->content.size(); });
+    render.room->settle(answer);
     Response response = tagged(200, render);
-    response.owner = owner;
+    response.owner = render.room;
     response.content = answer->content;
     const std::string age = std::to_string(static_cast<long>(options_.max_age.count()));
     response.headers.emplace_back("Cache-Control",
@@ -196,23 +219,32 @@ Response Service::text(std::string type, std::string content) const {
 }
 
 Response Service::scenes() const {
-    std::string list, broken;
-    for (const SceneInfo& scene : hello().scenes) {
-        std::string& to = scene.digest.empty() ? broken : list;
-        to += (to.empty() ? "" : ",") + (scene.digest.empty() ? json_string(scene.id) : scene_json(scene));
+    std::string ready, preparing, broken;
+    const std::vector<SceneLoads::Scene>& known = scenes_known();
+    for (std::size_t i = 0; i < known.size(); ++i) {
+        const SceneLoads::Condition condition = pool_.loads().condition(i);
+        const bool is_ready = condition == SceneLoads::Condition::ready;
+        std::string& to = is_ready ? ready : condition == SceneLoads::Condition::broken ? broken : preparing;
+        to +=
+            (to.empty() ? "" : ",") + (is_ready ? scene_json(known[i].info) : json_string(known[i].info.id));
     }
-    return text("application/json", "{\"scenes\":[" + list + "],\"broken\":[" + broken +
-                                        "],\"signed\":" + (keys_.empty() ? "false" : "true") +
-                                        ",\"max_side\":" + std::to_string(options_.limits.max_side) +
-                                        ",\"max_pixels\":" + std::to_string(options_.limits.max_pixels) +
-                                        "}\n");
+    return text("application/json",
+                "{\"scenes\":[" + ready + "],\"preparing\":[" + preparing + "],\"broken\":[" + broken +
+                    "],\"signed\":" + (keys_.empty() ? "false" : "true") +
+                    ",\"max_side\":" + std::to_string(options_.limits.max_side) +
+                    ",\"max_pixels\":" + std::to_string(options_.limits.max_pixels) + "}\n");
 }
 
 Response Service::state(bool must_be_ready) const {
-    const bool ready = pool_.warm_workers() > 0 && !draining;
+    const bool ready = pool_.ready() && !draining;
+    std::string scenes;
+    for (std::size_t i = 0; i < pool_.loads().scenes().size(); ++i)
+        scenes += (scenes.empty() ? "" : ",") + json_string(pool_.loads().scenes()[i].info.id) + ":\"" +
+                  name_of(pool_.loads().condition(i)) + "\"";
     Response response =
         text("application/json", std::string("{\"alive\":true,\"ready\":") + (ready ? "true" : "false") +
-                                     ",\"draining\":" + (draining ? "true" : "false") + "}\n");
+                                     ",\"draining\":" + (draining ? "true" : "false") + ",\"scenes\":{" +
+                                     scenes + "}}\n");
     if (must_be_ready && !ready) {
         response.status = 503;
         response.headers.emplace_back("Retry-After", std::to_string(kNotReadySeconds));
@@ -222,8 +254,9 @@ Response Service::state(bool must_be_ready) const {
 
 Response Service::page(const Request& request, const Target& target) const {
     const std::span<const Asset> all = assets();
-    const auto asset = std::ranges::find(all, target.path, &Asset::path);
-    if (asset == all.end()) refuse(404, "There is nothing here; /openapi.json says what there is.");
+    const auto asset = std::ranges::find(all, "/" + target.segments.front(), &Asset::path);
+    if (target.segments.size() != 1 || asset == all.end())
+        refuse(404, "There is nothing here; /openapi.json says what there is.");
     Response response{.status = 200, .type = std::string(asset->type), .content = asset->content};
     const std::string tag = entity_tag(asset->content);
     response.headers.emplace_back("ETag", tag);
@@ -241,12 +274,12 @@ std::string Service::metrics_text() const {
                           .running = dispatcher.running(),
                           .connections = connections ? connections() : 0,
                           .cached_bytes = cache_.bytes(),
-                          .answer_bytes = *answer_bytes_,
-                          .ready = pool_.warm_workers() > 0 && !draining,
+                          .answer_bytes = rooms_.bytes(),
+                          .ready = pool_.ready() && !draining,
                           .workers = pool_.states()});
 }
 
-const Hello& Service::hello() const {
-    if (const Hello* known = pool_.hello()) return *known;
-    refuse(503, "The scenes are still being prepared.", kNotReadySeconds);
+const std::vector<SceneLoads::Scene>& Service::scenes_known() const {
+    if (pool_.loads().scenes().empty()) refuse(503, "The scenes are still being prepared.", kNotReadySeconds);
+    return pool_.loads().scenes();
 }

@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "answer_rooms.hpp"
 #include "metrics.hpp"
 #include "pool.hpp"
 #include "problem.hpp"
@@ -17,6 +18,10 @@
 /// The parts of a request that the service uses.
 struct Request {
     std::string method, target, if_none_match, accept_encoding;
+    std::string host;           ///< header; empty if there is none
+    std::string authority;      ///< the host that the target names, if it names one
+    std::string origin;         ///< header, of requests by pages
+    std::string local;          ///< numeric address that the connection came to
     bool status_alone = false;  ///< of a listener that has nothing else
 };
 
@@ -31,7 +36,8 @@ struct Response {
 /// An image that has to be made.
 struct Render {
     ImageRequest request;
-    std::string tag = {};  ///< its entity tag, quotes included; the same for equal requests
+    std::string tag = {};                   ///< its entity tag, quotes included; the same for equal requests
+    std::shared_ptr<AnswerRoom> room = {};  ///< in memory, for the answer
 };
 
 class Service {
@@ -58,7 +64,7 @@ private:
     [[nodiscard]] Response state(bool must_be_ready) const;
     [[nodiscard]] Response page(const Request& request, const Target& target) const;
     [[nodiscard]] std::string metrics_text() const;
-    const Hello& hello() const;
+    [[nodiscard]] const std::vector<SceneLoads::Scene>& scenes_known() const;
 
     const Options& options_;
     Pool& pool_;
@@ -67,6 +73,5 @@ private:
     std::vector<std::string> keys_;
     std::string build_;  ///< of the library, part of every entity tag
     std::string openapi_;
-    /// Of images that are being sent.
-    std::shared_ptr<std::size_t> answer_bytes_ = std::make_shared<std::size_t>(0);
+    AnswerRooms rooms_;
 };

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "stage.hpp"
 
+#include <sys/mman.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <chrono>
 #include <cmath>
-#include <fstream>
+#include <cstring>
 
 #include "camera.hpp"
 #include "common/failure.hpp"
@@ -58,6 +60,32 @@ std::string digest_of(nicol_scene scene) {
         digests += file.digest;
     }
     return hex(sha256(digests));
+}
+
+/// Bytes of the OpenEXR file with Stokes vectors. The library writes files only, so it writes to one in
+/// memory, which has no name that another user could take.
+std::string exr_file(nicol_framebuffer framebuffer) {
+    struct MemoryFile {
+        int descriptor = ::memfd_create("nicol-serve", MFD_CLOEXEC);
+        MemoryFile() {
+            if (descriptor < 0) throw Failure(std::string("memfd_create: ") + std::strerror(errno));
+        }
+        ~MemoryFile() { ::close(descriptor); }
+        MemoryFile(const MemoryFile&) = delete;
+        MemoryFile& operator=(const MemoryFile&) = delete;
+    };
+    const MemoryFile file;
+    const std::string name = "/proc/self/fd/" + std::to_string(file.descriptor);
+    check(nicol_framebuffer_write_exr(framebuffer, name.c_str()));
+    const off_t size = ::lseek(file.descriptor, 0, SEEK_END);
+    std::string content(static_cast<std::size_t>(std::max<off_t>(size, 0)), '\0');
+    for (std::size_t read = 0; read < content.size();) {
+        const ssize_t got =
+            ::pread(file.descriptor, content.data() + read, content.size() - read, static_cast<off_t>(read));
+        if (got <= 0) throw Failure("the memory file cannot be read back");
+        read += static_cast<std::size_t>(got);
+    }
+    return content;
 }
 
 }  // namespace
@@ -137,17 +165,16 @@ void Stage::draw(const View& view, const Progress& progress, ResultHead& head) {
                statistics.shade_ms,   statistics.draw_ms, 0};
 }
 
-std::string Stage::render(const ImageRequest& request, const Progress& progress, const std::string& scratch,
-                          ResultHead& head) {
+std::string Stage::render(const ImageRequest& request, const Progress& progress, ResultHead& head) {
     draw(request.view, progress, head);
     const auto start = std::chrono::steady_clock::now();
     head.scale = static_cast<float>(request.scale);
-    std::string content = encode(request, scratch, head);
+    std::string content = encode(request, head);
     head.ms.back() = milliseconds_since(start);
     return content;
 }
 
-std::string Stage::encode(const ImageRequest& request, const std::string& scratch, ResultHead& head) const {
+std::string Stage::encode(const ImageRequest& request, ResultHead& head) const {
     switch (request.format) {
         case Format::stokes_f16:
         case Format::stokes_f32:
@@ -158,20 +185,8 @@ std::string Stage::encode(const ImageRequest& request, const std::string& scratc
             if (!request.deflate) return planes.bytes;
             return deflated(planes.bytes, request.bits > 0 ? Deflate::size : Deflate::speed);
         }
-        case Format::stokes_exr: {
-            // The library writes files alone.
-            const std::string path = scratch + "/nicol-serve-" + std::to_string(getpid()) + ".exr";
-            const nicol_result written = nicol_framebuffer_write_exr(framebuffer_.get(), path.c_str());
-            if (written == NICOL_ERROR_WRITE_FAILED) throw ScratchFailure(nicol_last_error());
-            check(written);
-            std::ifstream file(path, std::ios::binary | std::ios::ate);
-            std::string content(static_cast<std::size_t>(std::max<std::streamoff>(file.tellg(), 0)), '\0');
-            file.seekg(0);
-            file.read(content.data(), static_cast<std::streamsize>(content.size()));
-            unlink(path.c_str());
-            if (!file) throw ScratchFailure(path + ": cannot be read back");
-            return content;
-        }
+        case Format::stokes_exr:
+            return exr_file(framebuffer_.get());
         case Format::exr:
             return encode_float_image(observe(framebuffer_.get(), request), request.observer);
         default: {

@@ -16,11 +16,6 @@ struct Progress {
     void* user = nullptr;
 };
 
-/// The scratch folder could not be used.
-struct ScratchFailure : Failure {
-    using Failure::Failure;
-};
-
 class Stage {
 public:
     /// Loads the scene and renders it, which bakes it or takes the bake from the cache. Throws Failure.
@@ -28,17 +23,14 @@ public:
 
     [[nodiscard]] const SceneInfo& info() const { return info_; }
 
-    /// The answer's content; fills in the head but for its status. `scratch` is a folder for files that live
-    /// for this call. Throws nicol::Error, or ScratchFailure.
-    std::string render(const ImageRequest& request, const Progress& progress, const std::string& scratch,
-                       ResultHead& head);
+    /// Returns the answer's content and fills in the head but for its status. Throws nicol::Error or Failure.
+    std::string render(const ImageRequest& request, const Progress& progress, ResultHead& head);
 
 private:
     void draw(const View& view, const Progress& progress, ResultHead& head);
     void make_framebuffer(std::uint32_t width, std::uint32_t height);
     [[nodiscard]] double centre_depth() const;
-    [[nodiscard]] std::string encode(const ImageRequest& request, const std::string& scratch,
-                                     ResultHead& head) const;
+    [[nodiscard]] std::string encode(const ImageRequest& request, ResultHead& head) const;
     [[nodiscard]] std::string stokes(bool half) const;
 
     nicol_context context_;

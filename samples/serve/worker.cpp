@@ -118,22 +118,18 @@ Context make_context(const Options& options) {
 }
 
 void render(const Channel& channel, std::uint64_t id, const ImageRequest& request,
-            std::vector<std::optional<Stage>>& stages, const Options& options) {
+            std::vector<std::optional<Stage>>& stages) {
     Watch watch{.channel = channel, .job = id};
     ResultHead result;
     std::string content;
     try {
         content = stages.at(request.view.scene)
                       .value()
-                      .render(request, {.callback = Watch::poll, .user = &watch}, options.scratch, result);
+                      .render(request, {.callback = Watch::poll, .user = &watch}, result);
         result.status = 200;
     } catch (const nicol::Error& error) {
         result.status = status_of(error.result());
         content = error.what();
-    } catch (const ScratchFailure& failure) {
-        log(nullptr, NICOL_LOG_WARNING, NICOL_OK, failure.what());
-        result.status = 503;
-        content = "The service has no place for the file to be made.";
     } catch (const std::bad_alloc&) {
         result.status = 503;
         content = "out of memory";
@@ -156,33 +152,35 @@ void limit_memory(std::uint64_t bytes) {
 #endif
 }
 
+void load(const Channel& channel, nicol_context context, const std::filesystem::path& path,
+          std::uint64_t index, std::optional<Stage>& stage) {
+    Loaded loaded;
+    stage.reset();
+    try {
+        stage.emplace(context, path);
+        loaded.info = stage->info();
+    } catch (const std::exception& error) {
+        loaded.info.id = path.stem();
+        loaded.reason = one_line(error.what());
+    }
+    channel.send({.kind = MessageKind::loaded, .length = 0, .job = index}, pack(loaded));
+}
+
 void serve(const Channel& channel, const Options& options) {
     const Context context = make_context(options);
-    std::vector<std::optional<Stage>> stages;
-    Hello hello;
-    std::vector<std::string> broken;
-    for (const std::filesystem::path& path : find_scenes(options.scenes)) {
-        std::optional<Stage>& stage = stages.emplace_back();
-        hello.scenes.emplace_back().id = path.stem();
-        try {
-            stage.emplace(context.get(), path);
-            hello.scenes.back() = stage->info();
-        } catch (const std::exception& error) {
-            broken.emplace_back(error.what());
-        }
-    }
-    if (broken.size() == stages.size()) throw Failure(broken.front());
-    for (const std::string& reason : broken)
-        log(nullptr, NICOL_LOG_WARNING, NICOL_OK, ("a scene is left out: " + reason).c_str());
+    const std::vector<std::filesystem::path> paths = find_scenes(options.scenes);
+    std::vector<std::optional<Stage>> stages(paths.size());
     nicol_context_info info = NICOL_CONTEXT_INFO_INIT;
     check(nicol_context_get_info(context.get(), &info));
-    hello.renderer = std::string(info.renderer) + ", " + info.version;
+    Hello hello{.renderer = std::string(info.renderer) + ", " + info.version, .scenes = {}};
+    for (const std::filesystem::path& path : paths) hello.scenes.push_back(path.stem());
     channel.send({.kind = MessageKind::hello, .length = 0, .job = 0}, pack(hello));
     for (;;) {
         const Head head = channel.receive<Head>();
+        if (head.kind == MessageKind::load)
+            load(channel, context.get(), paths.at(head.job), head.job, stages.at(head.job));
         // A cancel that comes here is of a job that was done already.
-        if (head.kind == MessageKind::job)
-            render(channel, head.job, channel.receive<ImageRequest>(), stages, options);
+        if (head.kind == MessageKind::job) render(channel, head.job, channel.receive<ImageRequest>(), stages);
     }
 }
 

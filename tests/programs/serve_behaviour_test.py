@@ -5,6 +5,7 @@ import os
 import re
 import signal
 import socket
+import stat
 import tempfile
 import time
 import unittest
@@ -65,11 +66,13 @@ class Caching(ServeTest):
             try:
                 with open(path, "wb") as file:
                     file.write(scene.replace(b"0.9", b"0.1"))
-                # A worker that starts anew finds the new scene, and the other one is replaced.
-                killed, left = [pid for pid, _ in other.workers()]
+                # A worker that starts anew finds the new scene, and the other one loads it again.
+                killed = other.workers()[0][0]
+                old = other.get(IMAGE + "&azimuth=5").body
                 os.kill(killed, signal.SIGKILL)
                 other.wait(lambda: other.get(IMAGE, method="HEAD").headers.get("etag") != tag)
-                other.wait(lambda: left not in [pid for pid, _ in other.workers()])
+                other.wait(lambda: all(state == "idle" for _, state in other.workers()))
+                self.assertNotEqual(other.get(IMAGE + "&azimuth=5").body, old)
                 self.assertEqual(other.get(IMAGE).status, 200)
                 self.assertEqual(other.get("/scenes/box/image.png").headers["etag"], box)
             finally:
@@ -117,6 +120,50 @@ class Load(ServeTest):
         self.assertEqual(self.server.metric("clients_gone_total"), before["clients_gone_total"] + 2)
         self.server.signal_workers(signal.SIGCONT)
         self.assertEqual(self.server.get(IMAGE + "&azimuth=23").status, 200)
+
+
+    def test_who_leaves_behind_further_bytes_is_not_worked_for(self):
+        before = self.server.metric("clients_gone_total")
+        self.server.signal_workers(signal.SIGSTOP)
+        for number, data in enumerate((b"G", b"GET /health HTTP/1.1\r\nHost: localhost\r\n\r\n" * 400)):
+            with socket.create_connection(("127.0.0.1", self.server.port), PATIENCE) as connection:
+                connection.sendall(f"GET {IMAGE}&azimuth={24 + number} HTTP/1.1\r\nHost: localhost\r\n\r\n".encode() + data)
+                self.server.wait(lambda: self.server.metric("renders_running") + self.server.metric("queue_length") == 1 + number)  # noqa: B023
+        self.server.wait(lambda: self.server.metric("clients_gone_total") == before + 2)
+        self.assertEqual(self.server.metric("queue_length"), 0)
+
+
+class Unread(ServeTest):
+    """Answers that nobody reads take no more memory than there is for them."""
+
+    options = ("--workers", "1", "--answers", "8", "--results", "0", "--write-limit", "1")
+    LARGE = SQUARE + "stokes.f32?size=512x512"  # 12 MiB
+
+    def tearDown(self):
+        self.server.signal_workers(signal.SIGCONT)
+        self.server.wait(lambda: self.server.metric("answer_bytes") == 0)
+
+    def test_answers_under_way_count(self):
+        self.server.signal_workers(signal.SIGSTOP)
+        first = self.server.ask(self.LARGE)
+        self.server.wait(lambda: self.server.metric("renders_running") == 1)
+        self.assertGreaterEqual(self.server.metric("answer_bytes"), 512 * 512 * 48)
+        refused = self.server.get(self.LARGE + "&azimuth=1")
+        self.assert_problem(refused, 503, words="unread")
+        self.assertGreaterEqual(int(refused.headers["retry-after"]), 1)
+        equal = self.server.ask(self.LARGE + "&light=0")  # is in memory once
+        self.server.wait(lambda: self.server.metric('cache_hits_total{kind="flight"}') >= 1)
+        self.server.signal_workers(signal.SIGCONT)
+        self.assertEqual([len(self.server.answer(asked).body) for asked in (first, equal)], [512 * 512 * 48] * 2)
+
+    def test_who_does_not_read_is_dropped(self):
+        with socket.socket() as silent:
+            silent.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4096)
+            silent.connect(("127.0.0.1", self.server.port))
+            silent.sendall(f"GET {self.LARGE}&azimuth=2 HTTP/1.1\r\nHost: localhost\r\n\r\n".encode())
+            self.server.wait(lambda: self.server.metric("answer_bytes") == 512 * 512 * 48)
+            self.server.wait(lambda: self.server.metric("answer_bytes") == 0)
+        self.assertEqual(self.server.get(self.LARGE + "&azimuth=3").status, 200)
 
 
 class Limits(ServeTest):
@@ -172,7 +219,7 @@ class Places(ServeTest):
 
     def assert_open(self, connections):
         for connection in connections:
-            connection.sendall(b"GET /health HTTP/1.1\r\nHost: a\r\n\r\n")
+            connection.sendall(b"GET /health HTTP/1.1\r\nHost: localhost\r\n\r\n")
             self.assertIn(b" 200 ", connection.recv(1000))
 
     def test_who_waits_longest_makes_room(self):
@@ -294,6 +341,10 @@ class Ends(ProgramTest):
             (["--status-listen", "numeric"], "--listen 127.0.0.1:0 --status-listen nowhere.invalid:0"),
             (["--connections-per-address"], "--connections-per-address -1"),
             (["--read", "/none"], "--read /none"),
+            (["--allow-host", "images.example.org"], "--allow-host http://a"),
+            (["--allow-host", "images.example.org"], "--allow-host a:80"),
+            (["--allow-origin", "https://example.org"], "--allow-origin example.org"),
+            (["--allow-origin", "https://example.org"], "--allow-origin https://example.org/page"),
             (["--workers", "1 to 1024"], "--workers 0"),
             (["--deadline"], "--deadline nan"),
             (["--keys", "/none"], "--keys /none"),
@@ -330,6 +381,35 @@ class Ends(ProgramTest):
         self.assertEqual([server.get(path).status for path in (IMAGE, "/scenes/box/image.png")], [200, 503])
         self.assertEqual(server.stop(), 0)
 
+    def test_a_slow_scene_is_its_own(self):
+        """The other scene is served by the one worker while a further process, which stands still here, loads the slow one."""
+        write_scenes(self.folder)
+        side = 31
+        lines = [f"v {x / 15 - 1} {y / 15 - 1} {(x * y) % 7 / 70}\n" for y in range(side) for x in range(side)]
+        lines += [f"f {i} {i + 1} {i + side + 1} {i + side}\n" for y in range(1, side) for i in range(side * (y - 1) + 1, side * y)]
+        self.write("slow.obj", "".join(lines))
+        shape = '<shape type="obj"><string name="filename" value="slow.obj"/><bsdf type="pplastic"/></shape>'
+        box = read(os.path.join(self.folder, "box.xml")).decode()
+        self.write("box.xml", re.sub("<shape.*</shape>", shape, box))
+        server = Server(PROGRAM, self.folder, "--workers", "1", "--slow-scene", "0.3", "--deadline", "60", ready=False)
+        spare = lambda: [pid for pid, state in server.workers() if state == "spare"]  # noqa: E731
+        try:
+            server.wait(spare)
+            held = spare()[0]
+            os.kill(held, signal.SIGSTOP)
+            server.wait(lambda: server.get("/ready").status == 200)
+            self.assertEqual(server.get("/ready").json()["scenes"], {"box": "preparing", "square": "ready"})
+            self.assertEqual(server.get("/scenes").json()["preparing"], ["box"])
+            self.assertEqual(server.get(IMAGE).status, 200)
+            slow = server.get("/scenes/box/image.png")
+            self.assertEqual((slow.status, "prepared" in slow.json()["detail"]), (503, True))
+            self.assertGreaterEqual(int(slow.headers["retry-after"]), 1)
+            os.kill(held, signal.SIGCONT)
+            server.wait(lambda: server.get("/ready").json()["scenes"] == {"box": "ready", "square": "ready"})
+            self.assertEqual([server.get(path).status for path in (IMAGE + "&azimuth=1", "/scenes/box/image.png")], [200, 200])
+        finally:
+            server.stop()
+
     def test_a_worker_reads_no_other_files(self):
         if not has_landlock():
             self.skipTest("the kernel has no Landlock")
@@ -354,20 +434,19 @@ class Ends(ProgramTest):
                     server.stop()
                 os.remove(os.path.join(self.folder, "log"))
 
-    def test_without_scratch(self):
+    def test_no_file_has_a_name_that_others_can_take(self):
+        """A pipe in its place would be waited for, and a link followed."""
         write_scenes(self.folder)
-        for scratch in ("/none", self.write("file", "")):
-            with self.subTest(scratch=scratch):
-                server = Server(PROGRAM, self.folder, "--workers", "1", "--scratch", scratch)
-                try:
-                    self.assertIn(f"nicol-serve: --scratch: {scratch}: ", server.errors())
-                    answer = server.get(SQUARE + "stokes.exr")
-                    self.assertEqual((answer.status, answer.json()["status"]), (503, 503))
-                    self.assertNotIn(scratch, answer.json()["detail"])
-                    self.assertIn("retry-after", answer.headers)
-                    self.assertEqual(server.get(IMAGE).status, 200)
-                finally:
-                    server.stop()
+        server = Server(PROGRAM, self.folder, "--workers", "1")
+        try:
+            pipes = [os.path.join(folder, f"nicol-serve-{server.workers()[0][0]}.exr") for folder in ("/dev/shm", "/tmp", self.folder)]
+            for pipe in pipes:
+                os.mkfifo(pipe)
+                self.addCleanup(os.remove, pipe)
+            self.assertEqual(server.get(SQUARE + "stokes.exr").body[:4], b"\x76\x2f\x31\x01")
+            self.assertTrue(all(stat.S_ISFIFO(os.stat(pipe).st_mode) for pipe in pipes))
+        finally:
+            server.stop()
 
     def test_systemd_is_told(self):
         write_scenes(self.folder)

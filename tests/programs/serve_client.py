@@ -51,7 +51,8 @@ class Server:
         self.log = open(os.path.join(folder, "log"), "a+", encoding="utf-8")
         cache = os.path.join(folder, "cache")
         self.process = subprocess.Popen(
-            [program, "--scenes", folder, "--listen", "127.0.0.1:0", "--cache", cache, "--scratch", folder, *options],
+            [program, "--scenes", folder, "--listen", "127.0.0.1:0", "--cache", cache,
+             "--slow-scene", str(PATIENCE), *options],
             stdout=subprocess.PIPE, stderr=self.log, stdin=subprocess.DEVNULL, text=True)  # fmt: skip
         line = self.process.stdout.readline()
         if "http://" not in line:

@@ -40,7 +40,7 @@ def request(random):
     if "size=" not in query:
         query += "&size=8x8" if query else "size=8x8"
     target = random.choice(PATHS) + "?" + query
-    headers = ["Host: a"] * (random.random() < 0.9) + [random.choice(HEADERS) for _ in range(random.choice([0, 0, 1, 2, 5]))]
+    headers = ["Host: localhost"] * (random.random() < 0.9) + [random.choice(HEADERS) for _ in range(random.choice([0, 0, 1, 2, 5]))]
     text = f"{random.choice(METHODS)} {target} {random.choice(['HTTP/1.1'] * 9 + ['HTTP/1.0', 'HTTP/3', ''])}\r\n"
     data = bytearray((text + "".join(h + "\r\n" for h in headers) + "\r\n").encode("utf-8", "surrogateescape"))
     if random.random() < 0.2:

@@ -49,7 +49,8 @@ class Resources(ServeTest):
             self.assertEqual(self.server.get(path.replace("{id}", "square")).status, 200, path)
 
     def test_what_is_not_there(self):
-        for target in ("/none", "/scenes/none/image.png", "/scenes/square", "/scenes/square/image.gif", "/scenes/../secret/image.png"):
+        for target in ("/none", "/scenes/none/image.png", "/scenes/square", "/scenes/square/image.gif", "/scenes/../secret/image.png",
+                       "/scenes%2fsquare/image.png", "/scenes/square%2Fimage.png", "/%2fhealth", "/health/", "//health"):  # fmt: skip
             self.assert_problem(self.server.get(target), 404)
         answer = self.server.get(IMAGE, method="POST")
         self.assert_problem(answer, 405)
@@ -79,7 +80,7 @@ class Resources(ServeTest):
 
     def test_framing(self):
         """A second request follows each: it is answered where the first one's end is beyond doubt, and only there."""
-        host, more = "Host: a\r\n", "GET /health HTTP/1.1\r\nHost: a\r\n\r\n"
+        host, more = "Host: localhost\r\n", "GET /health HTTP/1.1\r\nHost: localhost\r\n\r\n"
         chunks = "Transfer-Encoding: chunked\r\n"
         for first, statuses in (
             ("GET /health HTTP/1.1\r\n" + host, [200, 200]),
@@ -91,8 +92,9 @@ class Resources(ServeTest):
             ("GET /health HTTP/1.0\r\n" + host + host, [400]),
             ("GET /health HTTP/1.1\r\nHost: a b\r\n", [400]),
             ("GET /health HTTP/1.1\r\nHost: a/b\r\n", [400]),
-            ("GET http://other:80/health HTTP/1.1\r\n" + host, [200, 200]),
-            ("GET HTTP://other?x=1 HTTP/1.1\r\n" + host, [200, 200]),
+            ("GET http://localhost:80/health HTTP/1.1\r\n" + host, [200, 200]),
+            ("GET HTTP://localhost?x=1 HTTP/1.1\r\n" + host, [200, 200]),
+            ("GET http://other/health HTTP/1.1\r\n" + host, [421, 200]),
             ("GET http:///health HTTP/1.1\r\n" + host, [400, 200]),
             ("OPTIONS * HTTP/1.1\r\n" + host, [204, 200]),
             ("CONNECT a:80 HTTP/1.1\r\n" + host, [405, 200]),
@@ -116,11 +118,11 @@ class Resources(ServeTest):
     def test_a_body_is_waited_for_when_the_client_is_told_to_send_it(self):
         for method, length, answers in (("GET", 3, (100, 200)), ("POST", 3, (405,)), ("GET", 9999, (413,))):
             with self.subTest(method=method, length=length), socket.create_connection(("127.0.0.1", self.server.port), PATIENCE) as connection:
-                connection.sendall(f"{method} /health HTTP/1.1\r\nHost: a\r\nContent-Length: {length}\r\nExpect: 100-continue\r\n\r\n".encode())
+                connection.sendall(f"{method} /health HTTP/1.1\r\nHost: localhost\r\nContent-Length: {length}\r\nExpect: 100-continue\r\n\r\n".encode())
                 replies = connection.makefile("rb")
                 self.assertIn(str(answers[0]).encode(), replies.readline())
                 if answers[0] == 100:
-                    connection.sendall(b"abcGET /health HTTP/1.1\r\nHost: a\r\nConnection: close\r\n\r\n")
+                    connection.sendall(b"abcGET /health HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n\r\n")
                     self.assertEqual(replies.read().count(b"HTTP/1.1 200"), 2)
                 else:
                     self.assertIn(b"Connection: close", replies.read())
@@ -135,10 +137,53 @@ class Resources(ServeTest):
         self.assertEqual(connection.sock.getsockname(), local)
         connection.close()
         with socket.create_connection(("127.0.0.1", self.server.port), PATIENCE) as raw:
-            raw.sendall(f"GET {IMAGE}&azimuth=77 HTTP/1.1\r\nHost: x\r\n\r\n".encode())
-            raw.sendall(b"GET /health HTTP/1.1\r\nHost: x\r\nConnection: close\r\n\r\n")
+            raw.sendall(f"GET {IMAGE}&azimuth=77 HTTP/1.1\r\nHost: localhost\r\n\r\n".encode())
+            raw.sendall(b"GET /health HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n\r\n")
             answers = raw.makefile("rb").read()
         self.assertEqual(answers.count(b"HTTP/1.1 200 OK"), 2)
+
+
+    def test_hosts(self):
+        """A name that somebody lets stand for this machine's address is no host of the service."""
+        for host, status in (
+            ("localhost", 200), ("LOCALHOST.:1", 200), ("127.0.0.1", 200), ("[::1]:80", 200), ("127.0.0.9:1", 421), ("evil.example", 421),
+            ("evil.example:8080", 421), ("localhost.evil.example", 421), ("127.0.0.1.evil.example", 421), ("[::2]", 421), ("user@localhost", 400),
+        ):  # fmt: skip
+            for target in ("/health", "/metrics", "/scenes", "/", IMAGE):
+                with self.subTest(host=host, target=target):
+                    answer = self.server.get(target, Host=host)
+                    self.assertEqual(answer.status, status)
+                    if status == 421:
+                        self.assertIn("--allow-host", self.assert_problem(answer, 421, words=host)["detail"])
+
+    def test_answers_are_for_pages_of_the_service(self):
+        for target in ("/", "/scenes", IMAGE, "/none"):
+            answer = self.server.get(target, Origin="https://other.example")
+            self.assertEqual(answer.headers["cross-origin-resource-policy"], "same-origin", target)
+            self.assertNotIn("access-control-allow-origin", answer.headers)
+
+
+class Visitors(ServeTest):
+    """A service with hosts and origins of its own."""
+
+    PAGE = "https://page.example"
+    options = ("--workers", "1", "--allow-host", "Images.Example", "--allow-origin", PAGE)
+
+    def test_allowed_hosts(self):
+        for host, status in (("images.example", 200), ("images.example:8080", 200), ("localhost", 200), ("other.example", 421)):
+            self.assertEqual(self.server.get("/health", Host=host).status, status, host)
+
+    def test_allowed_origins(self):
+        for origin, allowed in ((self.PAGE, self.PAGE), ("https://other.example", None), ("null", None), (self.PAGE + ".example", None)):
+            for method in ("GET", "HEAD", "OPTIONS"):
+                with self.subTest(origin=origin, method=method):
+                    answer = self.server.get(IMAGE, method=method, Origin=origin, Access_Control_Request_Method="GET")
+                    self.assertEqual(answer.status, 204 if method == "OPTIONS" else 200)
+                    self.assertEqual(answer.headers.get("access-control-allow-origin"), allowed)
+                    self.assertIn("Origin", answer.headers["vary"])
+                    asked = answer.headers.get("access-control-allow-methods")
+                    self.assertEqual(asked, "GET, HEAD" if allowed and method == "OPTIONS" else None)
+        self.assertIn("ETag", self.server.get(IMAGE, Origin=self.PAGE).headers["access-control-expose-headers"])
 
 
 class Images(ServeTest):

@@ -187,3 +187,35 @@ TEST_CASE("who is told may ask again at once") {
     CHECK(again);
     CHECK(dispatcher.queued() == 1);
 }
+
+TEST_CASE("a request waits for a worker that has its scene, and others pass it") {
+    std::vector<std::pair<int, std::uint32_t>> started;
+    std::vector<int> statuses;
+    Dispatcher dispatcher(
+        1, {.start = [&](int worker, std::uint64_t,
+                         const ImageRequest& request) { started.emplace_back(worker, request.view.scene); },
+            .cancel = [](int, std::uint64_t) {},
+            .can =
+                [](int worker, const ImageRequest& request) {
+                    return static_cast<std::uint32_t>(worker) == request.view.scene;
+                }});
+    const auto ask = [&](const std::string& key, std::uint32_t scene) {
+        ImageRequest request;
+        request.view.scene = scene;
+        return dispatcher.submit(key, request,
+                                 [&](const AnswerPtr& answer) { statuses.push_back(answer->head.status); });
+    };
+    dispatcher.worker_idle(0);
+    CHECK(ask("a", 1));
+    CHECK(started.empty());
+    CHECK(!ask("b", 1));  // the queue is full
+    CHECK(ask("c", 0));
+    CHECK(started == std::vector<std::pair<int, std::uint32_t>>{{0, 0}});
+    dispatcher.refuse_scene(1);
+    CHECK(statuses == std::vector<int>{503});
+    CHECK(dispatcher.queued() == 0);
+    dispatcher.worker_idle(1);
+    dispatcher.worker_away(1);
+    CHECK(ask("d", 1));
+    CHECK(dispatcher.queued() == 1);
+}

@@ -97,17 +97,7 @@ TEST_CASE("a coding is taken where the client says so") {
 }
 
 TEST_CASE("a hello arrives as it was said, or not at all") {
-    Hello hello;
-    hello.renderer = "some OpenGL";
-    hello.scenes.resize(2);
-    hello.scenes[1] = {.id = "a",
-                       .digest = "b",
-                       .channels = 3,
-                       .width = 4,
-                       .height = 5,
-                       .up = 2,
-                       .fov = 6,
-                       .orbit = {.azimuth = 7, .elevation = 8, .distance = 9, .target = {1, 2, 3}}};
+    const Hello hello{.renderer = "some OpenGL", .scenes = {"a", ""}};
     const std::string bytes = pack(hello);
     Hello read;
     REQUIRE(unpack(bytes, read));
@@ -116,6 +106,25 @@ TEST_CASE("a hello arrives as it was said, or not at all") {
         const bool whole = unpack(std::string_view(bytes).substr(0, length), read);
         CHECK((!whole || read.scenes.size() < 2));
     }
+}
+
+TEST_CASE("a loaded scene arrives as it was said, or not at all") {
+    const Loaded loaded{.info = {.id = "a",
+                                 .digest = "b",
+                                 .channels = 3,
+                                 .width = 4,
+                                 .height = 5,
+                                 .up = 2,
+                                 .fov = 6,
+                                 .orbit = {.azimuth = 7, .elevation = 8, .distance = 9, .target = {1, 2, 3}}},
+                        .reason = "c"};
+    const std::string bytes = pack(loaded);
+    Loaded read;
+    REQUIRE(unpack(bytes, read));
+    CHECK(read.info == loaded.info);
+    CHECK(read.reason == "c");
+    for (std::size_t length = 0; length < bytes.size(); ++length)
+        CHECK(!unpack(std::string_view(bytes).substr(0, length), read));
 }
 
 TEST_CASE("a histogram counts up to each bound") {

@@ -8,7 +8,7 @@
 
 TEST_CASE("a target is a path and named values") {
     const Target target = parse_target("/a%20b/c?x=1&y=&z=%C3%A9%3d");
-    CHECK(target.path == "/a b/c");
+    CHECK(target.segments == std::vector<std::string>{"a b", "c"});
     REQUIRE(target.query.size() == 3);
     CHECK(*target.find("x") == "1");
     CHECK(target.find("y")->empty());
@@ -16,6 +16,25 @@ TEST_CASE("a target is a path and named values") {
     CHECK(target.find("w") == nullptr);
     CHECK(parse_target("/?").query.empty());
     CHECK(parse_target("/?a=1&").query.size() == 1);
+}
+
+TEST_CASE("an encoded slash does not part a path") {
+    using Segments = std::vector<std::string>;
+    const std::pair<const char*, Segments> cases[] = {
+        {"/", {""}},        {"/a", {"a"}},           {"/a/", {"a", ""}},
+        {"//a", {"", "a"}}, {"/a%2fb", {"a/b"}},     {"/a%2Fb/c", {"a/b", "c"}},
+        {"/%2f", {"/"}},    {"/a%252fb", {"a%2fb"}}, {"/a/../b", {"a", "..", "b"}},
+    };
+    for (const auto& [target, segments] : cases)
+        CHECK_MESSAGE(parse_target(target).segments == segments, target);
+}
+
+TEST_CASE("an absolute target names its host") {
+    const std::pair<const char*, const char*> cases[] = {
+        {"/a", ""},        {"http://h/a", "h"},   {"HTTPS://h:1?b", "h:1"}, {"http://h", "h"},
+        {"ftp://h/a", ""}, {"/a?b=http://h", ""}, {"http:///a", ""},
+    };
+    for (const auto& [target, host] : cases) CHECK(authority_of(target) == host);
 }
 
 TEST_CASE("an absolute target is what stands behind its host") {

@@ -151,10 +151,8 @@ async function start() {
     view = new View(canvas);
     for (;;) {
       const response = await fetch("/scenes");
-      if (response.ok) {
-        ({ scenes, ...limits } = await response.json());
-        break;
-      }
+      if (response.ok) ({ scenes, ...limits } = await response.json());
+      if (scenes?.length || limits?.signed) break;
       say("The scenes are still being prepared.");
       await pause(Number(response.headers.get("Retry-After")) || 1);
     }
