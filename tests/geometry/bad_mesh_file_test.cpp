@@ -67,7 +67,7 @@ TEST_CASE("a comma before decimals is an error with its line, not a zero") {
     invalid("a.obj", obj_points + "f 1,2,3\n", ":5: corner 0");
     invalid("a.off", "OFF\n3 1 0\n0 0 0\n1,5 0 0\n0 1 0\n3 0 1 2\n", ":4: ");
     invalid("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 0,5 0,2 0,1\n", ":6: ");
-    invalid("a.ply", ply_header + "0 0 0\n1,5 0 0\n0 1 0\n3 0 1 2\n", ":10: ");
+    invalid("a.ply", ply_header + "0 0 0\n1,5 0 0\n0 1 0\n3 0 1 2\n", ":11: ");
     invalid("a.stl", "solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0,5 0\n", ":4: ");
     // A comma between numbers that are whole is none of their digits.
     check_refused("a.obj", "v 0, 0, 0\nv 1, 0, 0\nv 2, 0, 0\n", ErrorCode::invalid_file, "no faces");
