@@ -11,17 +11,18 @@
 #include "simd/lane_angle.hpp"
 
 namespace nicol {
-namespace {
-
 // Where rays meet the image, as turns about the vertical and half turns from the zenith; and the rotation of
 // (s1, s2) from the image's frame, x along growing u, to the camera's, as cos s1 + sin s2 and cos s2 - sin
 // s1.
-struct Places {
+struct BackgroundPlaces {
     Lanes turn, half_turn;
     Lanes cosine, sine;
 };
 
-[[gnu::always_inline]] inline void find_places(const LaneVectors& rays, const glm::vec3& up, Places& out) {
+namespace {
+
+[[gnu::always_inline]] inline void find_places(const LaneVectors& rays, const glm::vec3& up,
+                                               BackgroundPlaces& out) {
     for (std::size_t i = 0; i < kLanes; ++i) {
         const float x = rays.x.value[i];
         const float y = rays.y.value[i];
@@ -59,7 +60,7 @@ struct Background::Pixels {
     std::array<std::size_t, kLanes> index;
     std::array<float, kLanes> weight;
     LaneVectors rays;
-    Places places;
+    BackgroundPlaces places;
 };
 
 Background::Background(const Environment& environment, int channels) : polarized_(environment.polarized()) {
