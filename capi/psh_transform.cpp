@@ -9,8 +9,6 @@
 #include "psh_arguments.hpp"
 
 namespace nicol::capi {
-namespace {
-
 struct SharedTransform {
     explicit SharedTransform(PshTransform made) : transform(std::move(made)) {}
 
@@ -23,7 +21,6 @@ struct SharedTransform {
     }
 };
 
-}  // namespace
 }  // namespace nicol::capi
 
 struct nicol_psh_transform_impl : nicol::capi::Handle<nicol::capi::SharedTransform> {
