@@ -23,10 +23,10 @@ struct Bitmap {
 [[nodiscard]] bool is_bitmap(const std::filesystem::path& file);
 
 /// Reads a file by its content (TGA, which has no mark, by its suffix): 8 and 16 bits, palettes, run
-/// lengths, progressive JPEG, exposure and colour correction of Radiance. Throws Error(file_not_found); Error(unsupported) for another format or more
-/// than kMaxImageSide or kMaxImagePixels; Error(invalid_file) where it is empty, damaged or truncated.
-/// Takes the memory of its values from `budget` before it decodes, and no more of compressed pixels than the
-/// image holds is inflated.
+/// lengths, progressive JPEG, exposure and colour correction of Radiance. Throws Error(file_not_found);
+/// Error(unsupported) for another format or more than kMaxImageSide or kMaxImagePixels; Error(invalid_file)
+/// where it is empty, damaged or truncated. Takes the memory of its values from `budget` before it decodes,
+/// and no more of compressed pixels than the image holds is inflated.
 [[nodiscard]] Bitmap read_bitmap(const std::filesystem::path& file, const LoadBudget& budget = {});
 /// The same of the bytes of a file with this name, which is not opened.
 [[nodiscard]] Bitmap read_bitmap(const std::filesystem::path& file, std::string_view bytes,

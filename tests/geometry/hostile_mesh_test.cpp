@@ -147,7 +147,8 @@ TEST_CASE("every parser of meshes is asked to stop while it works") {
             static_cast<void>(one.parse(one.name, one.bytes, left_out, budget));
         };
         int asked = 0;
-        check_error(ErrorCode::cancelled, [&] { parse({.progress = [&](const char*, double) { return ++asked < 2; }}); });
+        check_error(ErrorCode::cancelled,
+                    [&] { parse({.progress = [&](const char*, double) { return ++asked < 2; }}); });
         CHECK(asked == 2);
         check_error(
             ErrorCode::unsupported, [&] { parse({.seconds = 0.05}); }, "load_seconds_limit");
