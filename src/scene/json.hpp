@@ -56,7 +56,7 @@ private:
 
 }  // namespace nicol::scene
 
-/// Of the vectors that nlohmann's destructors make.
+/// Allocator of the vectors that nlohmann's destructors make: JsonRoom's memory.
 template <>
 struct std::allocator<nicol::scene::Json> {
     using value_type = nicol::scene::Json;

@@ -20,7 +20,7 @@ diff -u "$folder/listed" "$folder/exported"
 diff -u "$folder/listed" "$folder/declared"
 # Threads of the library outlive a dlclose().
 readelf -d "$1" | grep -q NODELETE
-# What is imported has a version, or is of a library whose names do not change their meaning:
+# Every imported name has a version, or is of a library whose names do not change their meaning:
 # - namespaces with a version: OpenEXR's C++ library (Imf_3_1), Imath (Imath_3_1), oneTBB (tbb::detail::d1 and r1);
 # - zlib, whose functions are as they were in its version 1;
 # - OpenEXRCore (exr_), which calls itself by these names, too: no user of it is safe from another one in the process;

@@ -15,7 +15,7 @@ import sys
 import tempfile
 import unittest
 
-# What a child is to have in its process stands behind "render", and comes before Nicol.
+# The code for a child process to run first stands behind "render"; it comes before Nicol.
 for library in sys.argv[2:] if sys.argv[1] == "render" else []:
     ctypes.CDLL(library, ctypes.RTLD_GLOBAL)
 
@@ -62,7 +62,7 @@ class ForeignTest(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             scene = pathlib.Path(folder, "scene.xml")
             scene.write_text(SCENE)
-            # What the host calculates is kept for the other: the libraries are called in the host.
+            # The host keeps its results for the comparison, because the libraries are called in its process.
             for program in (HOST, SAVE_STOKES):
                 path = pathlib.Path(folder, "image.npy")
                 done = child(program, str(scene), str(path), cache=str(pathlib.Path(folder, "cache")))

@@ -49,7 +49,7 @@ UnusualStates capabilities() {
     return states;
 }
 
-/// What fragments and samples go through.
+/// Settings of the tests and blending that fragments and samples go through.
 UnusualStates fragment_states() {
     UnusualStates states{
         {"depth function", [](const Gl& gl, bool on) { gl.DepthFunc(on ? GL_NEVER : GL_LESS); }},
@@ -123,7 +123,7 @@ UnusualStates fragment_states() {
     return states;
 }
 
-/// What vertices and primitives go through.
+/// Settings that vertices and primitives go through.
 UnusualStates primitive_states() {
     UnusualStates states{
         {"culled face",

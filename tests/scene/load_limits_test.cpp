@@ -93,7 +93,7 @@ TEST_CASE("an image is not inflated beyond its pixels") {
     const TemporaryFolder folder;
     const path bomb = folder.write("bomb.png", black_png(1, 1, 8, std::uint64_t{1} << 30));
     check_error(ErrorCode::invalid_file, CALL(read_bitmap(bomb)), bomb.string(), "more than its pixels");
-    // What is right fits.
+    // The limit admits a load that needs no more than it.
     CHECK(read_bitmap(folder.write("a.png", black_png(1, 1, 8, 2))).values.size() == 1);
     CHECK(read_bitmap(folder.write("b.png", black_png(999, 1, 16, 1 + 2 * 999))).values.size() == 999);
     CHECK(read_bitmap(folder.write("c.png", black_png(1, 9999, 1, 2 * 9999))).values.size() == 9999);
