@@ -15,7 +15,7 @@ import sys
 import tempfile
 import unittest
 
-# The code for a child process to run first stands behind "render"; it comes before Nicol.
+# The libraries that a child process loads first stand behind "render"; they come before Nicol.
 for library in sys.argv[2:] if sys.argv[1] == "render" else []:
     ctypes.CDLL(library, ctypes.RTLD_GLOBAL)
 
