@@ -29,8 +29,8 @@ struct FileRecord {
 /// Keeps a record of each file that it sees read, once each.
 class FileRecorder {
 public:
-    explicit FileRecorder(std::vector<FileRecord> known, const LoadBudget& budget = {})
-        : records_(std::move(known)), budget_(budget) {
+    explicit FileRecorder(std::vector<FileRecord> known, LoadBudget budget = {})
+        : records_(std::move(known)), budget_(std::move(budget)) {
         for (const FileRecord& record : records_) recorded_.insert(record.path);
     }
 

@@ -28,7 +28,7 @@ struct LoadBudget::Account {
         std::uint64_t triangles = 0;
     };
 
-    explicit Account(const LoadLimits& given) : limits(given) {}
+    explicit Account(LoadLimits given) : limits(std::move(given)) {}
 
     void take_bytes(std::uint64_t amount) {
         take(bytes, amount, limits.bytes, file,

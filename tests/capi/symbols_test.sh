@@ -25,7 +25,7 @@ readelf -d "$1" | grep -q NODELETE
 # - zlib, whose functions are as they were in its version 1;
 # - OpenEXRCore (exr_), which calls itself by these names, too: no user of it is safe from another one in the process;
 # - hooks of the C run time and of sanitizers;
-# - OpenMesh, which has no other version in use.
+# - OpenMesh, of which a process rarely has a second version.
 nm -D --undefined-only "$1" | awk '{ print $NF }' | grep -v @ | c++filt |
     sed -E 's/^(vtable|typeinfo|typeinfo name|VTT|guard variable|(non-)?virtual thunk) (for|to) //' >"$folder/imported"
 if grep -vE -e '(Imf|Imath)_[0-9]+_[0-9]+::' -e 'tbb::detail::[dr]1::' -e '^(inflate(Init_|Init2_|End)?|crc32)$' -e '^exr_[a-z_]+$' \
