@@ -49,7 +49,7 @@ TEST_CASE("a load ends where its progress callback says so") {
     folder.write("a.png", black_png(64, 64, 1, 64 * 65ULL));
     folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     folder.write("a.xml", "<scene version='3.0.0'></scene>");
-    const auto path = [&](const char* name) { return folder.file(name).string(); };
+    const auto path = [&](const char* name) { return folder.file(name); };
     nicol_environment light = nullptr;
     nicol_texture texture = nullptr;
     nicol_mesh mesh = nullptr;
