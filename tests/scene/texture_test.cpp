@@ -404,12 +404,12 @@ TEST_CASE("images are read once, recorded, and count as bytes of the load") {
     REQUIRE(loaded.files.size() == 3);
     CHECK(std::ranges::count(loaded.files, folder / "a.png", &FileRecord::path) == 1);
     const std::uint64_t files = file_size(folder / "a.png") + file_size(folder / "a.ply");
-    // Two textures of two pixels.
-    static_cast<void>(folder.load(two, {.bytes = files + 64}));
-    static_cast<void>(error_of(CALL(folder.load(two, {.bytes = files + 63})), ErrorCode::unsupported));
+    // The image has six values of 4 bytes and is decoded once; a texture takes 16 bytes a pixel.
+    static_cast<void>(folder.load(two, {.bytes = files + 24 + 64}));
+    static_cast<void>(error_of(CALL(folder.load(two, {.bytes = files + 24 + 63})), ErrorCode::unsupported));
     // Equal textures are one.
     const std::string same = bsdf("pplastic", bitmap("diffuse_reflectance") + bitmap("specular_reflectance"));
-    static_cast<void>(folder.load(same, {.bytes = files + 32}));
+    static_cast<void>(folder.load(same, {.bytes = files + 24 + 32}));
     const std::string missing = "<string name='filename' value='none.png'/>";
     const std::string message =
         error_of(CALL(folder.load(bsdf("diffuse", texture("reflectance", "bitmap", missing)))),
