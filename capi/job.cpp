@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "forked.hpp"
+#include "geometry/embree.hpp"
 #include "gl/worker.hpp"
 
 namespace nicol::capi {
@@ -182,6 +183,9 @@ private:
 }  // namespace
 
 JobQueue::JobQueue() : shared_(std::make_shared<Shared>()) {
+    // At the process's end jobs are ended before Embree's static objects, which are destroyed earlier than
+    // those that were there when Embree was opened.
+    embree::open_if_there();
     static auto& live = *new LiveQueues<Shared>;
     static const AtProcessEnd drain([] { live.drain(); });
     live.add(shared_);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "geometry/embree.hpp"
 
+#include <exception>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -110,6 +111,13 @@ void Library::occluded(Scene* scene, const std::array<int, Ray16::kRays>& valid,
 const Library& library() {
     static const Library opened_once;
     return opened_once;
+}
+
+void open_if_there() noexcept {
+    try {
+        static_cast<void>(library());
+    } catch (const std::exception&) {  // whoever needs it meets the same error
+    }
 }
 
 }  // namespace nicol::embree

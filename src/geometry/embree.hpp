@@ -107,5 +107,7 @@ private:
 /// Opens Embree 4 where there is one, else Embree 3, in the first call. Throws Error(unsupported) naming the
 /// packages if there is neither.
 [[nodiscard]] const Library& library();
+/// Opens it as library() does; where there is none, library() will say so.
+void open_if_there() noexcept;
 
 }  // namespace nicol::embree

@@ -168,36 +168,6 @@ HOST_TEST_CASE("an application that cannot lend its context fails the job, and s
     OK(hosted.stage.try_render(drawn()));
 }
 
-HOST_TEST_CASE("callbacks of a thread that lends may ask, but neither wait nor render") {
-    struct Asked {
-        nicol_job job = nullptr;
-        const Stage* stage = nullptr;
-        nicol_result waited = NICOL_OK, polled = -1, rendered = NICOL_OK;
-    } asked;
-    const Application application;
-    const nicol_host access = host();
-    nicol_context_options options = two_threads(NICOL_BACKEND_AUTOMATIC);
-    options.log_user = &asked;
-    options.log = [](void* user, std::uint32_t, nicol_result, const char*) {
-        auto& all = *static_cast<Asked*>(user);
-        if (all.job == nullptr) return;
-        nicol_job_status status = NICOL_JOB_STATUS_INIT;
-        all.polled = nicol_job_poll(all.job, &status);
-        all.waited = nicol_job_wait(all.job, NICOL_WAIT_FOREVER);
-        all.rendered = all.stage->try_render(drawn());
-    };
-    const Owned context(make(nicol_context_create_host, &access, &options));
-    const Stage stage(context);
-    const Owned job(submit(stage, drawn()));
-    asked.stage = &stage;
-    asked.job = job;
-    application.gl.Enable(GL_TRIANGLES);  // an error, of which a notice tells
-    OK(nicol_job_wait(job, NICOL_WAIT_FOREVER));
-    CHECK(asked.polled == NICOL_OK);
-    CHECK(asked.waited == NICOL_ERROR_INVALID_ARGUMENT);
-    CHECK(asked.rendered == NICOL_ERROR_INVALID_ARGUMENT);
-}
-
 HOST_TEST_CASE("a job ends that nobody can lend the context any more") {
     const Application application;
     std::atomic<bool> released = false;
