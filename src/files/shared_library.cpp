@@ -4,6 +4,10 @@
 
 #include <dlfcn.h>
 
+#include <cerrno>
+#include <new>
+#include <system_error>
+
 namespace nicol {
 
 SharedLibrary::SharedLibrary(std::initializer_list<const char*> names, ErrorCode absent) : absent_(absent) {
@@ -19,6 +23,8 @@ SharedLibrary::SharedLibrary(std::initializer_list<const char*> names, ErrorCode
         reasons += reasons.empty() ? "" : "; ";
         reasons += reason != nullptr ? reason : name;
     }
+    // The loader has no other sign that it lacked memory than its words.
+    if (reasons.find(std::generic_category().message(ENOMEM)) != std::string::npos) throw std::bad_alloc();
     throw Error(absent_, "the library cannot be opened: " + reasons);
 }
 

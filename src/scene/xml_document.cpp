@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 #include "scene/spectrum_file.hpp"
 #include "scene/values.hpp"
@@ -104,8 +105,8 @@ private:
 };
 
 XmlDocument::XmlDocument(const std::filesystem::path& file, const SceneParameters& parameters,
-                         const LoadBudget& budget)
-    : parameters_(parameters), budget_(budget), bytes_left_(kMaxBytes), replaced_left_(kMaxBytes) {
+                         LoadBudget budget)
+    : parameters_(parameters), budget_(std::move(budget)), bytes_left_(kMaxBytes), replaced_left_(kMaxBytes) {
     load(file, {});
     parameters_.require_all_used(file.string());
 }

@@ -19,8 +19,7 @@ namespace nicol::scene {
 class XmlDocument {
 public:
     /// Throws as read_mitsuba_scene does.
-    XmlDocument(const std::filesystem::path& file, const SceneParameters& parameters,
-                const LoadBudget& budget);
+    XmlDocument(const std::filesystem::path& file, const SceneParameters& parameters, LoadBudget budget);
     ~XmlDocument();
 
     /// To be asked by those who walk.
