@@ -6,25 +6,27 @@
 
 #include <cerrno>
 #include <new>
-#include <system_error>
 
 namespace nicol {
 
 SharedLibrary::SharedLibrary(std::initializer_list<const char*> names, ErrorCode absent) : absent_(absent) {
     std::string reasons;
+    bool lacks_memory = false;
     for (const char* name : names) {
         // RTLD_LOCAL: libOSMesa exports every gl* function and would take over a host's libGL.
+        errno = 0;
         handle_ = dlopen(name, RTLD_NOW | RTLD_LOCAL);
         if (handle_ != nullptr) {
             name_ = name;
             return;
         }
+        // The words of the loader do not always say why it cannot map a library.
+        lacks_memory = lacks_memory || errno == ENOMEM;
         const char* reason = dlerror();
         reasons += reasons.empty() ? "" : "; ";
         reasons += reason != nullptr ? reason : name;
     }
-    // The loader has no other sign that it lacked memory than its words.
-    if (reasons.find(std::generic_category().message(ENOMEM)) != std::string::npos) throw std::bad_alloc();
+    if (lacks_memory) throw std::bad_alloc();
     throw Error(absent_, "the library cannot be opened: " + reasons);
 }
 
