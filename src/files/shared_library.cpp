@@ -6,23 +6,33 @@
 
 #include <cerrno>
 #include <new>
+#include <string_view>
+#include <system_error>
 
 namespace nicol {
+namespace {
+
+/// The loader has no other sign that it lacked memory than its words. Where it cannot map a library for
+/// another reason, it appends the reason.
+bool tells_of_shortage(std::string_view reason) {
+    return reason.ends_with("failed to map segment from shared object") ||
+           reason.find(std::generic_category().message(ENOMEM)) != std::string_view::npos;
+}
+
+}  // namespace
 
 SharedLibrary::SharedLibrary(std::initializer_list<const char*> names, ErrorCode absent) : absent_(absent) {
     std::string reasons;
     bool lacks_memory = false;
     for (const char* name : names) {
         // RTLD_LOCAL: libOSMesa exports every gl* function and would take over a host's libGL.
-        errno = 0;
         handle_ = dlopen(name, RTLD_NOW | RTLD_LOCAL);
         if (handle_ != nullptr) {
             name_ = name;
             return;
         }
-        // The words of the loader do not always say why it cannot map a library.
-        lacks_memory = lacks_memory || errno == ENOMEM;
         const char* reason = dlerror();
+        lacks_memory = lacks_memory || (reason != nullptr && tells_of_shortage(reason));
         reasons += reasons.empty() ? "" : "; ";
         reasons += reason != nullptr ? reason : name;
     }
