@@ -14,7 +14,7 @@ cmake -S . -B build-fuzz -G Ninja -DCMAKE_BUILD_TYPE=Debug -DCMAKE_C_COMPILER=cl
 cmake --build build-fuzz --target fuzzers
 
 export LSAN_OPTIONS=suppressions=$PWD/tests/lsan.supp:print_suppressions=0
-# As in tests/main.cpp.
+# tests/main.cpp says why.
 export ASAN_OPTIONS=intercept_tls_get_addr=0
 [ ! -d /dev/shm ] || export TMPDIR=/dev/shm
 rm -f build-fuzz/*.found
