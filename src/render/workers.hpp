@@ -26,7 +26,7 @@ public:
 
     template <class Function>
     void run(Function&& function) {
-        arena_.execute(function);
+        arena().execute(function);
     }
 
     /// Calls body(begin, end) for pieces that cover first <= i < last, side by side, and reports progress as
@@ -57,12 +57,18 @@ private:
         for (std::size_t begin = first; begin < last; begin += kChunk) {
             progress.report(verb, static_cast<double>(begin) / static_cast<double>(all));
             const tbb::blocked_range<std::size_t> part(begin, std::min(begin + kChunk, last), kGrain);
-            arena_.execute([&] {
+            arena().execute([&] {
                 tbb::parallel_for(part, [&body](const tbb::blocked_range<std::size_t>& range) {
                     body(range.begin(), range.end());
                 });
             });
         }
+    }
+
+    /// An arena that is opened by execute() waits for ever in the next one if memory was short in the first.
+    tbb::task_arena& arena() {
+        arena_.initialize(count());
+        return arena_;
     }
 
     tbb::task_arena arena_;
