@@ -67,7 +67,7 @@ private:
 
     /// An arena that is opened by execute() waits for ever in the next one if memory was short in the first.
     tbb::task_arena& arena() {
-        arena_.initialize(count());
+        if (!arena_.is_active()) arena_.initialize(count());
         return arena_;
     }
 
