@@ -65,6 +65,7 @@ Library::Library() {
     find(ReleaseGeometry, "rtcReleaseGeometry");
     find(CommitGeometry, "rtcCommitGeometry");
     find(AttachGeometryByID, "rtcAttachGeometryByID");
+    find(DetachGeometry, "rtcDetachGeometry");
     find(SetNewGeometryBuffer, "rtcSetNewGeometryBuffer");
     find(SetGeometryUserData, "rtcSetGeometryUserData");
     find(SetGeometryIntersectFilterFunction, "rtcSetGeometryIntersectFilterFunction");

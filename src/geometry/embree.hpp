@@ -87,6 +87,7 @@ public:
     void (*ReleaseGeometry)(Geometry*) = nullptr;
     void (*CommitGeometry)(Geometry*) = nullptr;
     void (*AttachGeometryByID)(Scene*, Geometry*, unsigned id) = nullptr;
+    void (*DetachGeometry)(Scene*, unsigned) = nullptr;
     void* (*SetNewGeometryBuffer)(Geometry*, int buffer, unsigned slot, int format, std::size_t stride,
                                   std::size_t count) = nullptr;
     void (*SetGeometryUserData)(Geometry*, void*) = nullptr;

@@ -114,6 +114,20 @@ struct RayScene::Embree {
         library.ReleaseGeometry(geometry);
         check();
     }
+
+    void commit(std::size_t surfaces) {
+        library.CommitScene(scene.get());
+        try {
+            check();
+        } catch (const Error&) {
+            // A thread that found no memory may stay bound to the scene's allocator: were it freed, the next
+            // one at its address would hand out blocks that are no longer there. What is large goes.
+            for (unsigned id = 0; id < surfaces; ++id) library.DetachGeometry(scene.get(), id);
+            static_cast<void>(scene.release());
+            static_cast<void>(device.release());
+            throw;
+        }
+    }
 };
 
 RayScene::RayScene(std::span<const RaySurface> surfaces) {
@@ -131,8 +145,7 @@ RayScene::RayScene(std::span<const RaySurface> surfaces) {
             present = presences_.emplace_back(std::make_unique<const Presence>(surfaces[s].present)).get();
         embree_->add(surfaces[s], present, static_cast<unsigned>(s), static_cast<float>(scale_));
     }
-    embree_->library.CommitScene(embree_->scene.get());
-    embree_->check();
+    embree_->commit(surfaces.size());
 }
 
 RayScene::~RayScene() = default;
