@@ -155,8 +155,9 @@ void AtomicFile::commit() {
         const auto link = [&](const fs::path& name) {
             return ::linkat(AT_FDCWD, nameless.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0;
         };
-        if (link(place_.file)) {
-            temporary_ = place_.file;  // is removed if closing fails
+        // What copies a name may lack memory, and has to come before there is a file to be removed.
+        if (fs::path name = place_.file; link(name)) {
+            temporary_ = std::move(name);  // is removed if closing fails
             close();
             temporary_.clear();
             return;
@@ -164,7 +165,7 @@ void AtomicFile::commit() {
         // A link cannot replace a file: the new one gets a name for a moment, which takes the other's place.
         for (int attempt = 0; temporary_.empty(); ++attempt) {
             if (errno != EEXIST || attempt == kNameAttempts) fail(errno);
-            if (const fs::path name = new_name(); link(name)) temporary_ = name;
+            if (fs::path name = new_name(); link(name)) temporary_ = std::move(name);
         }
     }
     close();

@@ -12,8 +12,11 @@
 #include <array>
 #include <cerrno>
 #include <cstdint>
+#include <cstdio>
 #include <exception>
 #include <functional>
+#include <new>
+#include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -33,16 +36,22 @@ public:
     FileStream(std::FILE* file, const char* name) : OStream(name), file_(file) {}
     void write(const char* bytes, int count) override {
         const auto size = static_cast<std::size_t>(count);
-        if (std::fwrite(bytes, 1, size, file_) != size) throw std::runtime_error("write error");
+        if (std::fwrite(bytes, 1, size, file_) != size) fail("write error");
     }
     std::uint64_t tellp() override { return static_cast<std::uint64_t>(ftello(file_)); }
     void seekp(std::uint64_t position) override {
-        if (fseeko(file_, static_cast<off_t>(position), SEEK_SET) != 0)
-            throw std::runtime_error("seek error");
+        if (fseeko(file_, static_cast<off_t>(position), SEEK_SET) != 0) fail("seek error");
     }
+    [[nodiscard]] bool failed() const { return failed_; }
 
 private:
+    [[noreturn]] void fail(const char* what) {
+        failed_ = true;
+        throw std::runtime_error(what);
+    }
+
     std::FILE* file_;
+    bool failed_ = false;
 };
 
 /// OpenEXR's frame buffers are also for reading, hence the mutable pointer.
@@ -144,15 +153,21 @@ void write_exr(const std::filesystem::path& path, const StokesImage& image, cons
     if (options.aovs != nullptr) insert_aovs(*options.aovs, colours, header, buffer);
 
     AtomicFile file(path);
+    FileStream stream(file.handle(), path.c_str());
     try {
-        FileStream stream(file.handle(), path.c_str());
         // No OpenEXR threads (0): its pool is one per process and belongs to the host.
         Imf::OutputFile output(stream, header, 0);
         output.setFrameBuffer(buffer);
-        output.writePixels(image.height);
-    } catch (const std::bad_alloc&) {
-        throw;
+        // Rows that zlib has no memory for are left out without an error: each of its blocks is looked at.
+        constexpr int block = 16;
+        for (int row = 0; row < image.height; row += block) {
+            const std::uint64_t before = stream.tellp();
+            output.writePixels(std::min(block, image.height - row));
+            if (stream.tellp() == before) throw std::bad_alloc();
+        }
     } catch (const std::exception& e) {
+        // OpenEXR calls it "output failed" when it found no memory.
+        if (!stream.failed()) throw std::bad_alloc();
         throw Error(ErrorCode::write_failed, path.string() + ": cannot be written (" + e.what() +
                                                  "); the disk may be full or the folder not writable");
     }
