@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A file that is read without enough memory is not called damaged, whatever allocation fails.
-#include "capi/capi.hpp"
-#include "memory/failing_new.hpp"
+#include "memory/sweep.hpp"
 
 using namespace capi_test;
 using namespace memory_test;
@@ -70,6 +69,7 @@ TEST_CASE("a file that lacks memory says so, and is read when there is some") {
                                  Format{NICOL_TEST_SEEDS "/ply", ".ply", read_mesh},
                                  Format{NICOL_TEST_SEEDS "/off", ".off", read_mesh},
                                  Format{NICOL_TEST_SEEDS "/stl", ".stl", read_mesh},
+                                 Format{NICOL_TEST_SEEDS "/serialized", ".serialized", read_mesh},
                                  Format{NICOL_TEST_SEEDS "/scene", ".xml", read_scene},
                                  Format{NICOL_TEST_ASSETS, ".gltf", read_scene},
                                  Format{NICOL_TEST_SEEDS "/bitmap", ".png", read_texture},
@@ -90,32 +90,14 @@ TEST_CASE("a file that lacks memory says so, and is read when there is some") {
                     ? seed.string()
                     : folder.write("file" + std::string(format.suffix), file_bytes(seed)).string();
             CAPTURE(seed.string());
-            std::int64_t allocations = 0;
-            {
-                const Shortage none(Reach::thread);
-                // Seeds of other kinds, and those that only a parser takes, are not for this reader.
-                if (format.read(context, path.c_str(), expected) != NICOL_OK) continue;
-                allocations = none.count();
-            }
+            // Seeds of other kinds, and those that only a parser takes, are not for this reader.
+            if (format.read(context, path.c_str(), expected) != NICOL_OK) continue;
             ++read;
-            const std::int64_t step = std::max<std::int64_t>(1, allocations / 300);
-            for (std::int64_t position = 0; position < allocations; position += step) {
-                for (const bool lasting : {false, true}) {
-                    CAPTURE(position);
-                    CAPTURE(lasting);
-                    nicol_result result = NICOL_OK;
-                    {
-                        const Shortage shortage(position, lasting, Reach::thread);
-                        result = format.read(context, path.c_str(), found);
-                    }
-                    if (result == NICOL_OK) {
-                        CHECK(found == expected);
-                    } else {
-                        INFO(std::string(nicol_last_error()));
-                        CHECK(result == NICOL_ERROR_OUT_OF_MEMORY);
-                    }
-                }
-            }
+            sweep(
+                300, [&] { return format.read(context, path.c_str(), found); },
+                [&](nicol_result result) {
+                    if (result == NICOL_OK) CHECK(found == expected);
+                });
             OK(format.read(context, path.c_str(), found));
             CHECK(found == expected);
         }
