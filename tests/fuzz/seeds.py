@@ -85,6 +85,16 @@ def stl_binary():
     return bytes(80) + struct.pack("<I", 2) + b"".join(struct.pack("<12fH", *f, 0) for f in facets)
 
 
+def serialized(version, code, level):
+    """Two meshes of a triangle with normals, texture coordinates and colours."""
+    flags = {"f": 0x1000, "d": 0x2000}[code] | 1 | 2 | 8
+    numbers = [0, 0, 1, 1, 0, 1, 0, 1, 1] + 3 * [0, 0, 1] + [0, 0, 1, 0, 0, 1] + [1, 0, 0, 0, 1, 0, 0, 0, 1]
+    content = struct.pack("<I", flags) + (b"name\0" if version == 4 else b"") + struct.pack("<2Q", 3, 1)
+    content += struct.pack(f"<{len(numbers)}{code}3I", *numbers, 0, 1, 2)
+    mesh = struct.pack("<2H", 0x041C, version) + zlib.compress(content, level)
+    return 2 * mesh + struct.pack({3: "<3I", 4: "<2QI"}[version], 0, len(mesh), 2)
+
+
 def exr(channels, width, height, value=0.5, tile=0):
     """Uncompressed, float, in scan lines, or one tile of this size."""
     attribute = lambda name, kind, data: name + b"\0" + kind + b"\0" + struct.pack("<I", len(data)) + data
@@ -309,6 +319,7 @@ SEEDS = {
     "ply": [ply_text(), ply_binary("<", "float", "f"), ply_binary(">", "double", "d")],
     "off": [OFF, NOFF],
     "stl": [STL, stl_binary()],
+    "serialized": [serialized(3, "f", 0), serialized(4, "f", 9), serialized(4, "d", 9)],
     "exr": [exr("RGB", 4, 2), exr("Y", 3, 3, tile=4), exr(STOKES, 2, 2, 0.0), exr(SPECTRAL, 2, 2, 0.0)],
     "bitmap": [png(8, 2, [b"abcdef", b"ghijkl"]), png(16, 0, [b"abcd"]), png(8, 3, [b"\1\0"], palette=b"abcdef"),
                png(1, 0, [b"a"]), JPEG, BMP, TGA, TGA_RUNS, HDR, HDR_RUNS],
