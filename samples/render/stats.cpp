@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "stats.hpp"
 
-#include <unistd.h>
-
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
-#include <filesystem>
 #include <fstream>
 #include <sstream>
 
@@ -107,35 +104,15 @@ std::string stats_json(const nicol_context_info& context, std::uint32_t width, s
 }
 
 void write_file(const std::string& path, const std::string& content) {
-    namespace fs = std::filesystem;
-    const auto fail = [&](int reason) { throw Failure(path + ": cannot write: " + std::strerror(reason)); };
-    if (path == kStandardOutput) {
-        if (std::fputs(content.c_str(), stdout) < 0 || std::fflush(stdout) != 0) fail(errno);
-        return;
-    }
-    std::error_code error;
-    // Links and devices are written through.
-    const bool direct =
-        fs::is_symlink(path, error) || (fs::exists(path, error) && !fs::is_regular_file(path, error));
-    const std::string target = direct ? path : path + "." + std::to_string(getpid()) + ".part";
-    const auto clean_up = [&] {
-        if (!direct) fs::remove(target, error);
-    };
     errno = 0;
-    std::ofstream file(target, std::ios::binary);
-    file << content;
-    file.close();
-    if (!file) {
-        const int reason = errno;
-        clean_up();
-        fail(reason);
+    bool written = false;
+    if (path == kStandardOutput) {
+        written = std::fputs(content.c_str(), stdout) >= 0 && std::fflush(stdout) == 0;
+    } else {
+        std::ofstream file(path, std::ios::binary);
+        file << content;
+        file.close();
+        written = file.good();
     }
-    if (direct) return;
-    if (fs::exists(path, error)) fs::permissions(target, fs::status(path).permissions(), error);
-    fs::rename(target, path, error);
-    if (error) {
-        const int reason = error.value();
-        clean_up();
-        fail(reason);
-    }
+    if (!written) throw Failure(path + ": cannot write: " + std::strerror(errno));
 }

@@ -10,6 +10,6 @@
 std::string stats_json(const nicol_context_info& context, std::uint32_t width, std::uint32_t height,
                        std::uint32_t channels, const nicol_statistics& statistics);
 
-/// Writes beside the target and renames, so that the target is never half-written. Links, pipes and devices
-/// are written through; kStandardOutput is the standard output. Throws Failure.
+/// kStandardOutput is the standard output. The text is written in place: it is short, and without the picture
+/// of its run it is of no use. Throws Failure.
 void write_file(const std::string& path, const std::string& content);
