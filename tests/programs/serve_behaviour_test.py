@@ -3,6 +3,7 @@
 import ctypes
 import os
 import re
+import resource
 import signal
 import socket
 import stat
@@ -19,6 +20,30 @@ from serve_client import PATIENCE, Server, write_scenes
 def has_landlock():
     create_ruleset, ask_version = 444, 1
     return ctypes.CDLL(None).syscall(create_ruleset, None, 0, ask_version) > 0
+
+
+class LackOfMemory(ServeTest):
+    """A worker whose address space is full says so or is replaced; the next request is answered."""
+
+    options = ("--workers", "1")
+
+    def test_each_room(self):
+        refused = 0
+        for number, room in enumerate((0, 1, 2, 4, 8, 16, 32, 64)):
+            with self.subTest(room=room):
+                worker = self.server.workers()[0][0]
+                used = int(read(f"/proc/{worker}/statm").split()[0]) * resource.getpagesize()
+                _, most = resource.prlimit(worker, resource.RLIMIT_AS)
+                resource.prlimit(worker, resource.RLIMIT_AS, (used + (room << 20), most))
+                short = self.server.get(f"{SQUARE}image.png?size=640x480&azimuth={number}")
+                if short.status != 200:
+                    refused += 1
+                    self.assert_problem(short, 503)
+                if alive(worker):
+                    resource.prlimit(worker, resource.RLIMIT_AS, (most, most))
+                self.server.wait(lambda: self.server.workers()[0][1] == "idle")
+                self.assertEqual(self.server.get(f"{IMAGE}&azimuth={number}").status, 200)
+        self.assertGreater(refused, 0)
 
 
 class Caching(ServeTest):
