@@ -164,13 +164,14 @@ RenderCall read_render_call(const nicol_camera* camera, const nicol_render_optio
 
 // The caller's progress callback behind the job's own.
 std::function<bool(const char*, double)> job_progress(Job& job, const RenderOptions& options) {
-    return [&job, callback = options.progress](const char* verb, double fraction) {
-        job.report(verb, fraction);
-        if (!callback) return true;
-        const bool go_on = callback(verb, fraction);
-        job.report(verb, fraction);  // a cancellation may have come meanwhile
-        return go_on;
-    };
+    return
+        [&job, callback = ProgressCallback::Function(options.progress)](const char* verb, double fraction) {
+            job.report(verb, fraction);
+            if (!callback) return true;
+            const bool go_on = callback(verb, fraction);
+            job.report(verb, fraction);  // a cancellation may have come meanwhile
+            return go_on;
+        };
 }
 
 // Says once of a scene file that nothing lights it, by when a light would have been given.

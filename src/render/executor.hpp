@@ -7,7 +7,7 @@
 #include <span>
 
 #include "polarization/viewpoint.hpp"
-#include "render/render.hpp"
+#include "render/statistics.hpp"
 #include "render/transfer_input.hpp"
 #include "render/workers.hpp"
 #include "versioned.hpp"

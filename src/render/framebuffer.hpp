@@ -10,7 +10,7 @@
 #include "gl/render_target.hpp"
 #include "image/aovs.hpp"
 #include "image/stokes_image.hpp"
-#include "render/render.hpp"
+#include "render/statistics.hpp"
 
 namespace nicol {
 

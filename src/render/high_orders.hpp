@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "material/response_cache.hpp"
+#include "render/render.hpp"
 #include "render/transfer_method.hpp"
 #include "render/vertex_stage.hpp"
 #include "specular/high_order.hpp"

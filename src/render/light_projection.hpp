@@ -9,6 +9,7 @@
 #include "harmonics/light_layout.hpp"
 #include "light/environment.hpp"
 #include "render/render.hpp"
+#include "render/statistics.hpp"
 #include "versioned.hpp"
 
 namespace nicol {

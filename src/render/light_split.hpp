@@ -4,6 +4,7 @@
 
 #include "light/split_lamps.hpp"
 #include "render/render.hpp"
+#include "render/statistics.hpp"
 #include "versioned.hpp"
 
 namespace nicol {

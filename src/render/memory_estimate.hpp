@@ -7,6 +7,7 @@
 
 #include "harmonics/light_layout.hpp"
 #include "render/render.hpp"
+#include "render/statistics.hpp"
 #include "scene/scene.hpp"
 #include "versioned.hpp"
 

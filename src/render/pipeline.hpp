@@ -17,6 +17,7 @@
 #include "render/light_projection.hpp"
 #include "render/light_split.hpp"
 #include "render/order_selector.hpp"
+#include "render/render.hpp"
 #include "render/scene_geometry.hpp"
 #include "render/scene_visibility.hpp"
 #include "render/small_lights.hpp"

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "render/framebuffer.hpp"
+#include "render/render.hpp"
 #include "scene/camera.hpp"
 #include "scene/scene.hpp"
 

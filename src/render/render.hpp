@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Options of a render, and what it reports.
+// Options of a render.
 #pragma once
 
 #include <cstdint>
 #include <functional>
-#include <tuple>
+#include <utility>
 
 namespace nicol {
 
@@ -57,6 +57,23 @@ enum Skip : std::uint32_t {
     skip_hidden = 32,           ///< shading vertices that face away or lie outside the view
     skip_unoccluded = 64,       ///< shadows of vertices with nothing above their horizon
     skip_all = 127,
+};
+
+/// Says how far a render is. Options that differ in it alone make the same image and are equal.
+class ProgressCallback {
+public:
+    using Function = std::function<bool(const char* verb, double fraction)>;
+
+    ProgressCallback() = default;
+    // NOLINTBEGIN(google-explicit-constructor): it stands for the function
+    template <class Callback>
+    ProgressCallback(Callback callback) : function_(std::move(callback)) {}
+    operator const Function&() const { return function_; }
+    // NOLINTEND(google-explicit-constructor)
+    bool operator==(const ProgressCallback&) const { return true; }
+
+private:
+    Function function_;
 };
 
 /// The reference method uses shadows, aovs, samples, seed and progress alone, and it alone makes
@@ -114,89 +131,9 @@ struct RenderOptions {
     std::uint64_t seed = 0;
     /// Called about ten times a second on the calling thread with the verb at work and the fraction done;
     /// false stops the render with Error(cancelled).
-    std::function<bool(const char* verb, double fraction)> progress;
+    ProgressCallback progress;
 
-    /// All but the callback.
-    bool operator==(const RenderOptions& o) const {
-        const auto values = [](const RenderOptions& a) {
-            return std::tie(a.method, a.executor, a.shadows, a.bake_directions, a.refine_tolerance,
-                            a.max_vertices, a.order_low, a.order_high, a.high_orders, a.shade_at,
-                            a.high_order_shadows, a.choose_orders, a.tolerance, a.dering, a.physical,
-                            a.split_lights, a.light_samples, a.components, a.pixel_samples, a.aovs, a.samples,
-                            a.seed, a.disabled_optimisations);
-        };
-        return values(*this) == values(o);
-    }
-};
-
-/// Milliseconds are 0 for verbs that did not have to run.
-struct Statistics {
-    int order_low = 0;           ///< of the light that was rendered
-    int order = 0;               ///< the highest of it
-    double predicted_error = 0;  ///< where orders were chosen
-    bool compute = false;        ///< compute shaders made it
-    std::uint64_t vertices = 0;
-    std::uint64_t triangles = 0;
-    std::uint64_t vertices_added = 0;  ///< of these vertices, by refinement
-    double project_ms = 0;
-    double bake_ms = 0;
-    double relight_ms = 0;
-    double shade_ms = 0;
-    double draw_ms = 0;
-    double observe_ms = 0;
-    std::uint64_t vertices_skipped = 0;       ///< of no triangle that faces the camera inside the view
-    std::uint64_t vertices_unoccluded = 0;    ///< nothing hides the environment from them
-    std::uint64_t vertices_unphysical = 0;    ///< moved into the physical range, times channels; not pixels
-    std::uint64_t light_columns_skipped = 0;  ///< Stokes components that the light lacks, times its channels
-    std::uint64_t response_rows_skipped =
-        0;                              ///< Stokes components that a material cannot make, times channels
-    std::uint64_t channels_shared = 0;  ///< colour channels of light that equal another
-    std::uint64_t small_lights = 0;     ///< the scene's, each surface that shines as one, and those split off
-    std::uint64_t lights_split = 0;     ///< of them, lamps of the environment
-    std::uint64_t light_rays = 0;       ///< from shading points to small lights
-    double light_ms = 0;                ///< of shade_ms, small lights and their shadows
-    std::uint64_t response_bytes = 0;
-    std::uint64_t bake_rays = 0;
-    double bake_trace_ms = 0;  ///< of bake_ms, the rays alone
-    std::uint64_t visibility_bytes = 0;
-    std::uint64_t transfer_bytes = 0;
-    std::uint64_t buffer_bytes = 0;
-    std::uint64_t texture_bytes = 0;
-    std::uint64_t camera_rays = 0;  ///< of the reference method
-    std::uint64_t shadow_rays = 0;  ///< likewise
-    double trace_ms = 0;            ///< likewise
-    // What was made again; 0 where all could be kept.
-    std::uint64_t lights_projected = 0;  ///< environments to coefficients
-    std::uint64_t materials_projected =
-        0;  ///< tables, matrices and sets of lobes of materials, also from a cache
-    std::uint64_t vertices_traced = 0;  ///< from which the bake traced rays
-    std::uint64_t matrices_baked = 0;   ///< dense: of vertices
-    std::uint64_t vertices_relit = 0;   ///< into whose frames light was brought
-    std::uint64_t vertices_shaded = 0;  ///< whose Stokes vectors were computed
-    std::uint64_t pixels_shaded = 0;    ///< likewise
-
-    /// Adds times and counts of what was made of another render of the scene; the rest becomes its.
-    void add(const Statistics& other) {
-        Statistics sum = other;
-        for (double Statistics::*const ms :
-             {&Statistics::project_ms, &Statistics::bake_ms, &Statistics::bake_trace_ms,
-              &Statistics::relight_ms, &Statistics::shade_ms, &Statistics::light_ms, &Statistics::draw_ms,
-              &Statistics::observe_ms})
-            sum.*ms += this->*ms;
-        for (std::uint64_t Statistics::*const count :
-             {&Statistics::bake_rays, &Statistics::light_rays, &Statistics::lights_projected,
-              &Statistics::materials_projected, &Statistics::vertices_traced, &Statistics::matrices_baked,
-              &Statistics::vertices_relit, &Statistics::vertices_shaded, &Statistics::pixels_shaded})
-            sum.*count += this->*count;
-        *this = sum;
-    }
-
-    /// Sets times and counts of what was made to 0, for a render that could keep all.
-    void nothing_ran() {
-        project_ms = bake_ms = bake_trace_ms = relight_ms = shade_ms = draw_ms = observe_ms = trace_ms = 0;
-        bake_rays = lights_projected = materials_projected = vertices_traced = 0;
-        matrices_baked = vertices_relit = vertices_shaded = pixels_shaded = camera_rays = shadow_rays = 0;
-    }
+    bool operator==(const RenderOptions&) const = default;
 };
 
 }  // namespace nicol

@@ -13,6 +13,7 @@
 #include "render/painter.hpp"
 #include "render/pipeline.hpp"
 #include "render/plate_painter.hpp"
+#include "render/render.hpp"
 
 namespace nicol {
 

@@ -13,6 +13,7 @@
 #include "render/refined_surfaces.hpp"
 #include "render/render.hpp"
 #include "render/scene_geometry.hpp"
+#include "render/statistics.hpp"
 #include "render/surface_state.hpp"
 #include "render/workers.hpp"
 #include "versioned.hpp"

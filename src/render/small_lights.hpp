@@ -13,6 +13,7 @@
 #include "light/lamp.hpp"
 #include "render/refined_surfaces.hpp"
 #include "render/render.hpp"
+#include "render/statistics.hpp"
 #include "scene/scene.hpp"
 #include "shading/small_lighting.hpp"
 #include "versioned.hpp"

@@ -7,7 +7,7 @@
 #include <span>
 
 #include "render/executor.hpp"
-#include "render/render.hpp"
+#include "render/statistics.hpp"
 #include "render/transfer_input.hpp"
 #include "render/workers.hpp"
 #include "visibility/visibility_blocks.hpp"

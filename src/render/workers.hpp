@@ -12,7 +12,7 @@
 #include <limits>
 
 #include "progress.hpp"
-#include "render/render.hpp"
+#include "render/statistics.hpp"
 #include "simd/lanes.hpp"
 #include "worker_count.hpp"
 

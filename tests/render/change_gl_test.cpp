@@ -114,8 +114,10 @@ TEST_CASE("what has not changed is not computed") {
     const auto context = gl::make_context(gl::Backend::osmesa);
     for (const Method method : methods) {
         Scene scene = balls_on_plate();
+        scene.add_light({.value = std::vector<double>(3, 1.0)});
         Studio studio(context, method);
         const Statistics first = studio(scene);
+        CHECK(first.light_rays > 0);
         CHECK(first.lights_projected == 1);
         CHECK(first.materials_projected == 4);  // tables or matrices, and lobes, of two
         CHECK(first.vertices_traced == first.vertices);
@@ -129,10 +131,7 @@ TEST_CASE("what has not changed is not computed") {
         scene.set_material(0, materials()[0]);
         const Statistics still = studio(scene);
         CHECK(studio.target.content() == content);
-        check_nothing_projected_or_baked(still);
-        CHECK(still.vertices_relit == 0);
-        CHECK(still.vertices_shaded == 0);
-        CHECK(still.draw_ms == 0);
+        CHECK(static_cast<const RenderWork&>(still) == RenderWork{});
 
         Camera camera = test::camera_at({-3, 4, 5});
         const Statistics moved = studio.as_fresh(scene, camera);

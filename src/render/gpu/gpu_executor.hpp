@@ -14,6 +14,7 @@
 #include "render/gpu/device_pixels.hpp"
 #include "render/gpu/device_shade.hpp"
 #include "render/gpu/device_textures.hpp"
+#include "render/render.hpp"
 
 namespace nicol {
 
