@@ -1,7 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 # Sets up, builds and runs every test. With NICOL_CI_SANITIZE=1 or --sanitize also under AddressSanitizer and UBSan,
-# with --threads those of several threads under ThreadSanitizer.
+# with --threads those of several threads under ThreadSanitizer. With --all what is computed is tested by each OpenGL
+# backend instead of one.
 set -eu
 cd "$(dirname "$0")/.."
 
@@ -11,8 +12,9 @@ for argument in "$@"; do
     case $argument in
     --sanitize) sanitize=1 ;;
     --threads) threads=1 ;;
+    --all) export NICOL_TEST_BACKENDS=all ;;
     *)
-        echo "usage: sh tests/run.sh [--sanitize] [--threads]" >&2
+        echo "usage: sh tests/run.sh [--sanitize] [--threads] [--all]" >&2
         exit 2
         ;;
     esac

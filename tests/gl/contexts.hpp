@@ -2,8 +2,10 @@
 // For tests that need OpenGL: every backend, one context each.
 #pragma once
 
+#include <cstdlib>
 #include <numeric>
 #include <optional>
+#include <string_view>
 
 #include "gl/context.hpp"
 #include "test.hpp"
@@ -35,9 +37,28 @@ void on_every_backend(Test test) {
     }
 }
 
+/// Calls test(context) once a backend where the environment has NICOL_TEST_BACKENDS=all, else once.
+template <class Test>
+void on_one_backend(Test test) {
+    const char* const wanted = std::getenv("NICOL_TEST_BACKENDS");
+    if (wanted != nullptr && std::string_view(wanted) == "all") return on_every_backend(test);
+    test(make_context(Backend::egl));
+}
+
 }  // namespace nicol::gl
 
-/// A test case that runs once a backend, each time with a fresh `context`.
+/// A test case of what is computed, which is alike on every backend: `tests/run.sh --all` runs it on each,
+/// other runs on one, with a fresh `context`.
+#define IMAGE_TEST_CASE(title) IMAGE_TEST_CASE_NAMED(title, DOCTEST_ANONYMOUS(run_on_))
+#define IMAGE_TEST_CASE_NAMED(title, run)                                \
+    static void run(const std::shared_ptr<nicol::gl::Context>& context); \
+    TEST_CASE(title) {                                                   \
+        nicol::gl::on_one_backend(run);                                  \
+    }                                                                    \
+    static void run(const std::shared_ptr<nicol::gl::Context>& context)
+
+/// A test case of OpenGL itself, of contexts, lifetimes or memory: runs once a backend, each time with a
+/// fresh `context`.
 #define GL_TEST_CASE(title) GL_TEST_CASE_NAMED(title, DOCTEST_ANONYMOUS(run_on_))
 #define GL_TEST_CASE_NAMED(title, run)                                   \
     static void run(const std::shared_ptr<nicol::gl::Context>& context); \

@@ -36,7 +36,7 @@ std::vector<RenderOptions> ways() {
 
 }  // namespace
 
-GL_TEST_CASE("what black surfaces leave of an even light is one minus alpha, by every method") {
+IMAGE_TEST_CASE("what black surfaces leave of an even light is one minus alpha, by every method") {
     Renderer renderer(context, 0);
     Framebuffer target(context, kSide, kSide, 1);
     Scene scene = black_scene();
@@ -59,7 +59,7 @@ GL_TEST_CASE("what black surfaces leave of an even light is one minus alpha, by 
     }
 }
 
-GL_TEST_CASE("hidden emitters light the scene, and leave the camera what surfaces reflect") {
+IMAGE_TEST_CASE("hidden emitters light the scene, and leave the camera what surfaces reflect") {
     Renderer renderer(context, 0);
     for (const RenderOptions& options : ways()) {
         CAPTURES(options.method, options.shade_at, options.pixel_samples, options.samples);
@@ -90,7 +90,7 @@ GL_TEST_CASE("hidden emitters light the scene, and leave the camera what surface
     }
 }
 
-GL_TEST_CASE("alpha is the same in darkness") {
+IMAGE_TEST_CASE("alpha is the same in darkness") {
     Renderer renderer(context, 0);
     for (const RenderOptions& options : ways()) {
         CAPTURES(options.method, options.shade_at, options.pixel_samples, options.samples);

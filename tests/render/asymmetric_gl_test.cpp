@@ -114,7 +114,7 @@ std::vector<IsotropicMatrix> matrices(int order) {
 
 }  // namespace
 
-GL_TEST_CASE("a sphere of a material without mirror symmetry is what its matrix makes of the light") {
+IMAGE_TEST_CASE("a sphere of a material without mirror symmetry is what its matrix makes of the light") {
     struct Row {
         Method method;
         Executor executor;

@@ -158,7 +158,7 @@ TEST_CASE("what has not changed is not computed") {
     }
 }
 
-GL_TEST_CASE("a scene that is rotated and shifted as a whole is relit alone") {
+IMAGE_TEST_CASE("a scene that is rotated and shifted as a whole is relit alone") {
     for (const Method method : methods) {
         for (const ShadeAt where : {ShadeAt::vertices, ShadeAt::pixels}) {
             Scene scene = balls_on_plate();
@@ -191,7 +191,7 @@ GL_TEST_CASE("a scene that is rotated and shifted as a whole is relit alone") {
     }
 }
 
-GL_TEST_CASE("a moved instance is traced anew, and others where it can be in their light") {
+IMAGE_TEST_CASE("a moved instance is traced anew, and others where it can be in their light") {
     for (const Method method : methods) {
         Scene scene = balls_on_plate();
         Studio studio(context, method);
@@ -237,7 +237,7 @@ TEST_CASE("without shadows a shifted instance keeps its light and a rotated one 
     }
 }
 
-GL_TEST_CASE("a material that is swapped is projected alone and its instance shaded alone") {
+IMAGE_TEST_CASE("a material that is swapped is projected alone and its instance shaded alone") {
     for (const Method method : methods) {
         Scene scene = balls_on_plate();
         Studio studio(context, method);

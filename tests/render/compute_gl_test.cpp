@@ -72,7 +72,7 @@ struct Comparison {
 
 }  // namespace
 
-GL_TEST_CASE("compute shaders make what threads make, of every light, number of channels, order and method") {
+IMAGE_TEST_CASE("compute shaders make what threads make, of every light, number of channels, order and method") {
     constexpr auto none = HighOrders::none, split = HighOrders::split;
     constexpr auto factored = Method::factored;
     const std::vector<LightKind> all = test::kLightKinds, two{LightKind::unpolarized, LightKind::full};
@@ -115,7 +115,7 @@ GL_TEST_CASE("compute shaders make what threads make, of every light, number of 
     }
 }
 
-GL_TEST_CASE(
+IMAGE_TEST_CASE(
     "at pixels compute shaders make what threads make, of every light, method and number of samples") {
     constexpr auto none = HighOrders::none, split = HighOrders::split;
     constexpr auto factored = Method::factored, dense = Method::dense;
@@ -162,7 +162,7 @@ GL_TEST_CASE(
     }
 }
 
-GL_TEST_CASE("options and changes reach compute shaders") {
+IMAGE_TEST_CASE("options and changes reach compute shaders") {
     const EnvironmentPtr light = falling_light(6, LightKind::linear, 3);
     Comparison comparison(context, 3);
     Scene scene = sphere_on_plate(light, 3);
@@ -208,7 +208,7 @@ TEST_CASE("compute shaders take more pixels than are listed at once") {
     CHECK(comparison.by_shaders.statistics().pixels_shaded > 65536 + 1000);
 }
 
-GL_TEST_CASE("an empty scene and the automatic choice of the executor") {
+IMAGE_TEST_CASE("an empty scene and the automatic choice of the executor") {
     test::Studio render(context, 8, 8);
     Scene scene;
     scene.set_environment(constant_environment({1.0, 1.0, 1.0}), glm::dmat3(1), 1);

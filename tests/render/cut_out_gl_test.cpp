@@ -79,7 +79,7 @@ int differing(const StokesImage& a, const StokesImage& b, float tolerance) {
 
 }  // namespace
 
-GL_TEST_CASE("a surface that is cut out looks and hides like a mesh without those parts") {
+IMAGE_TEST_CASE("a surface that is cut out looks and hides like a mesh without those parts") {
     const bool device = GpuExecutor::obstacle(*context).empty();
     const struct {
         const char* name;
@@ -130,7 +130,7 @@ TEST_CASE("rays pass where a surface is cut out") {
     CHECK(rms_difference(whole, expected) > 0.05 * rms(expected));
 }
 
-GL_TEST_CASE("what is cut out changes with the material, and its shadow too") {
+IMAGE_TEST_CASE("what is cut out changes with the material, and its shadow too") {
     const MaterialPtr plain = twosided(pplastic({.alpha = 0.3}));
     Scene scene = board_over(board(true), plain);
     Studio render(context);

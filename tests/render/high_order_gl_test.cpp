@@ -64,7 +64,7 @@ RenderOptions with(int low, int high, HighOrders form, bool shadows = false,
 
 }  // namespace
 
-GL_TEST_CASE("split takes the image most of the way to all orders, convolution some") {
+IMAGE_TEST_CASE("split takes the image most of the way to all orders, convolution some") {
     for (const bool polarized : {false, true}) {
         const Scene scene = lone_sphere(falling_light(16, polarized),
                                         pplastic({.diffuse_reflectance = {0.3, 0.2, 0.1}, .alpha = 0.2}));
@@ -83,7 +83,7 @@ GL_TEST_CASE("split takes the image most of the way to all orders, convolution s
     }
 }
 
-GL_TEST_CASE("both methods get the same high orders") {
+IMAGE_TEST_CASE("both methods get the same high orders") {
     const Scene scene = balls_on_plate(falling_light(9, true));
     for (const HighOrders form : {HighOrders::split, HighOrders::convolution}) {
         StokesImage high[2];

@@ -32,7 +32,7 @@ const Camera some_camera = test::camera_at({1, 2, 6});
 
 }  // namespace
 
-GL_TEST_CASE("dense equals factored where factored truncates the outgoing side as well") {
+IMAGE_TEST_CASE("dense equals factored where factored truncates the outgoing side as well") {
     const MaterialPtr plastic = pplastic({.diffuse_reflectance = {0.6, 0.3, 0.1}, .alpha = 0.3});
     const MaterialPtr metal = test::chiral(test::some_metal(0.3));
     for (const int order : {0, 3}) {
@@ -64,7 +64,7 @@ GL_TEST_CASE("dense equals factored where factored truncates the outgoing side a
     }
 }
 
-GL_TEST_CASE("dense reports what it holds and skips") {
+IMAGE_TEST_CASE("dense reports what it holds and skips") {
     Scene scene = two_spheres(diffuse({0.5}), diffuse({0.2}), 4);
     scene.set_environment(constant_environment({1.0, 1.0, 1.0}), glm::dmat3(1), 1);
     Framebuffer target(context, 16, 16, 3);

@@ -132,7 +132,7 @@ Errors errors_of(const std::shared_ptr<gl::Context>& context, const MirroredLamp
 
 }  // namespace
 
-GL_TEST_CASE("a mirror shows lamps where they are, and what hides them") {
+IMAGE_TEST_CASE("a mirror shows lamps where they are, and what hides them") {
     for (const MirroredLamp& lamp : lamps())
         for (const Executor executor : {Executor::cpu, Executor::compute}) {
             CAPTURES(lamp.name, executor == Executor::cpu);
@@ -143,7 +143,7 @@ GL_TEST_CASE("a mirror shows lamps where they are, and what hides them") {
         }
 }
 
-GL_TEST_CASE("glass and both sides of a thin mirror show lamps") {
+IMAGE_TEST_CASE("glass and both sides of a thin mirror show lamps") {
     const MirroredLamp& square = lamps().front();
     const MaterialPtr glass = rough_conductor({.eta = {1.5}, .alpha = 0});
     CHECK(errors_of(context, square, glass, 1.5, Executor::cpu).largest < 2e-3);

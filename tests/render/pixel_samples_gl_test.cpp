@@ -95,7 +95,7 @@ TEST_CASE("samples that are drawn one by one fill their pixel evenly") {
     }
 }
 
-GL_TEST_CASE("a number that is not drawn together is the mean of images of a jittered camera") {
+IMAGE_TEST_CASE("a number that is not drawn together is the mean of images of a jittered camera") {
     Studio render(context, 40, 40);
     const Scene scene = sphere_on_plate();
     for (const ShadeAt where : kPlaces) {
@@ -115,7 +115,7 @@ GL_TEST_CASE("a number that is not drawn together is the mean of images of a jit
     }
 }
 
-GL_TEST_CASE("a straight edge covers a pixel to half a sample") {
+IMAGE_TEST_CASE("a straight edge covers a pixel to half a sample") {
     Studio render(context, 8, 8);
     Camera camera;
     camera.orthographic = true;
@@ -146,7 +146,7 @@ GL_TEST_CASE("a straight edge covers a pixel to half a sample") {
                 }
 }
 
-GL_TEST_CASE("outlines are as of 64 images of a jittered camera, the closer the more samples") {
+IMAGE_TEST_CASE("outlines are as of 64 images of a jittered camera, the closer the more samples") {
     Studio render(context);
     const Scene scene = sphere_on_plate();
     for (const ShadeAt where : kPlaces) {
@@ -162,7 +162,7 @@ GL_TEST_CASE("outlines are as of 64 images of a jittered camera, the closer the 
     }
 }
 
-GL_TEST_CASE("what has no edges is as with one sample, and the environment is not blurred") {
+IMAGE_TEST_CASE("what has no edges is as with one sample, and the environment is not blurred") {
     Studio render(context);
     for (const ShadeAt where : kPlaces)
         for (const bool surface : {true, false}) {
@@ -181,7 +181,7 @@ GL_TEST_CASE("what has no edges is as with one sample, and the environment is no
         }
 }
 
-GL_TEST_CASE("the mean of 16 images of a jittered camera is an image of four times the size, averaged") {
+IMAGE_TEST_CASE("the mean of 16 images of a jittered camera is an image of four times the size, averaged") {
     const Scene scene = sphere_on_plate();
     Studio small(context, 32, 24);
     Studio large(context, 128, 96);
@@ -198,7 +198,7 @@ GL_TEST_CASE("the mean of 16 images of a jittered camera is an image of four tim
     }
 }
 
-GL_TEST_CASE("AOVs are of the nearest sample, normals their mean and alpha the fraction with a surface") {
+IMAGE_TEST_CASE("AOVs are of the nearest sample, normals their mean and alpha the fraction with a surface") {
     const Scene scene = sphere_on_plate();
     Studio studio(context);
     RenderOptions options = with(1, ShadeAt::vertices);
@@ -247,7 +247,7 @@ GL_TEST_CASE("AOVs are of the nearest sample, normals their mean and alpha the f
     CHECK(aovs_of(test::some_camera(), aov_alpha).alpha == aovs.alpha);
 }
 
-GL_TEST_CASE("samples add work at outlines alone where pixels are shaded, and physical stays physical") {
+IMAGE_TEST_CASE("samples add work at outlines alone where pixels are shaded, and physical stays physical") {
     Studio render(context);
     const Scene scene = sphere_on_plate();
     render(scene, with(1, ShadeAt::pixels));
@@ -265,7 +265,7 @@ GL_TEST_CASE("samples add work at outlines alone where pixels are shaded, and ph
     CHECK(static_cast<double>(render.statistics.pixels_shaded) < 1.4 * one);
 }
 
-GL_TEST_CASE("an image of several samples is that of a fresh start, whatever was rendered before") {
+IMAGE_TEST_CASE("an image of several samples is that of a fresh start, whatever was rendered before") {
     Studio render(context);
     const Scene scene = sphere_on_plate();
     for (const ShadeAt where : kPlaces)
@@ -279,7 +279,7 @@ GL_TEST_CASE("an image of several samples is that of a fresh start, whatever was
         }
 }
 
-GL_TEST_CASE("other numbers of samples are refused") {
+IMAGE_TEST_CASE("other numbers of samples are refused") {
     Studio render(context);
     for (const int samples : {0, -4, 1025})
         check_error(ErrorCode::invalid_argument,
@@ -287,7 +287,7 @@ GL_TEST_CASE("other numbers of samples are refused") {
                     "1 to 1024");
 }
 
-GL_TEST_CASE("where nothing else asks for pixels, threads shade several samples there, which costs less") {
+IMAGE_TEST_CASE("where nothing else asks for pixels, threads shade several samples there, which costs less") {
     for (const Executor executor : {Executor::cpu, Executor::compute}) {
         for (const int samples : {1, 4}) {
             CAPTURES(executor == Executor::cpu, samples);

@@ -128,7 +128,7 @@ StokesImage filtered(const StokesImage& open, const Scene& scene, const Camera& 
 
 }  // namespace
 
-GL_TEST_CASE("polarizers before a bright background follow Malus' law") {
+IMAGE_TEST_CASE("polarizers before a bright background follow Malus' law") {
     for (const Way& way : every_way()) {
         CAPTURE(way.name);
         Studio render(context, 4, 3);
@@ -152,7 +152,7 @@ GL_TEST_CASE("polarizers before a bright background follow Malus' law") {
     }
 }
 
-GL_TEST_CASE("plates act in the order in which light meets them, from either side") {
+IMAGE_TEST_CASE("plates act in the order in which light meets them, from either side") {
     const std::vector<PolarizingPlate> plates{across(Kind::retarder, 45, 1), across(Kind::polarizer, 0, 0)};
     for (const Way& way : every_way()) {
         CAPTURE(way.name);
@@ -166,7 +166,7 @@ GL_TEST_CASE("plates act in the order in which light meets them, from either sid
     }
 }
 
-GL_TEST_CASE("plates that the camera cannot see do nothing") {
+IMAGE_TEST_CASE("plates that the camera cannot see do nothing") {
     Camera camera = camera_at({0, 0, 4});
     camera.near_clip = 1;
     camera.far_clip = 100;
@@ -181,7 +181,7 @@ GL_TEST_CASE("plates that the camera cannot see do nothing") {
     }
 }
 
-GL_TEST_CASE("a plate behind a surface does nothing to it") {
+IMAGE_TEST_CASE("a plate behind a surface does nothing to it") {
     Scene scene = still();
     for (const Way& way : every_way()) {
         CAPTURE(way.name);
@@ -198,7 +198,7 @@ GL_TEST_CASE("a plate behind a surface does nothing to it") {
     }
 }
 
-GL_TEST_CASE("each pixel is what its plates make of what is behind") {
+IMAGE_TEST_CASE("each pixel is what its plates make of what is behind") {
     Camera cameras[] = {test::some_camera(), test::some_camera()};
     cameras[0].jitter = {0.3, -0.2};
     cameras[1].orthographic = true;
@@ -223,7 +223,7 @@ GL_TEST_CASE("each pixel is what its plates make of what is behind") {
     }
 }
 
-GL_TEST_CASE("samples of a pixel have each their own plates") {
+IMAGE_TEST_CASE("samples of a pixel have each their own plates") {
     Scene scene;
     scene.set_environment(constant_environment({2}), glm::dmat3(1), 1);
     scene.add_plate({.to_world = glm::rotate(at(0.1, -0.2, 0, 0.6), 0.5, {0.3, 0.2, 1}), .angle = 0.2});
@@ -248,7 +248,7 @@ GL_TEST_CASE("samples of a pixel have each their own plates") {
     }
 }
 
-GL_TEST_CASE("the components that an image has are those of all four") {
+IMAGE_TEST_CASE("the components that an image has are those of all four") {
     Scene scene = still();
     add_plates(scene);
     for (const Way& way : every_way()) {
@@ -267,7 +267,7 @@ GL_TEST_CASE("the components that an image has are those of all four") {
     }
 }
 
-GL_TEST_CASE("methods agree behind plates") {
+IMAGE_TEST_CASE("methods agree behind plates") {
     Scene scene;
     scene.set_environment(test::falling_light(4, true, 1), glm::dmat3(1), 1);
     add_plates(scene);

@@ -39,7 +39,7 @@ Scene things_on_floor(int floor_cells, bool two_sided = false) {
 
 }  // namespace
 
-GL_TEST_CASE("a floor of two triangles shows the shadows of a fine one, with fewer vertices") {
+IMAGE_TEST_CASE("a floor of two triangles shows the shadows of a fine one, with fewer vertices") {
     Studio render(context, 128, 96);
     for (const bool two_sided : {false, true}) {
         const StokesImage fine = render(things_on_floor(64, two_sided), options_of(0));
@@ -56,7 +56,7 @@ GL_TEST_CASE("a floor of two triangles shows the shadows of a fine one, with few
     }
 }
 
-GL_TEST_CASE("surfaces stay where they are") {
+IMAGE_TEST_CASE("surfaces stay where they are") {
     Studio render(context, 64, 48);
     const Scene scene = things_on_floor(1, true);
     RenderOptions options = options_of(0);
@@ -76,7 +76,7 @@ GL_TEST_CASE("surfaces stay where they are") {
         CHECK(std::abs(after.aovs().normals[i] - before.aovs().normals[i]) < 2e-2F);
 }
 
-GL_TEST_CASE("changes of refined scenes end where a fresh start does") {
+IMAGE_TEST_CASE("changes of refined scenes end where a fresh start does") {
     for (const ShadeAt where : {ShadeAt::vertices, ShadeAt::pixels}) {
         for (const Method method : {Method::factored, Method::dense}) {
             RenderOptions options = options_of(0.05, where);
@@ -114,7 +114,7 @@ GL_TEST_CASE("changes of refined scenes end where a fresh start does") {
     }
 }
 
-GL_TEST_CASE("nothing is split where nothing casts shadows, and never beyond the bound") {
+IMAGE_TEST_CASE("nothing is split where nothing casts shadows, and never beyond the bound") {
     Studio render(context, 16, 12);
     Scene alone;
     alone.set_environment(falling_light(3, false, 1), glm::dmat3(1), 1);
@@ -138,7 +138,7 @@ GL_TEST_CASE("nothing is split where nothing casts shadows, and never beyond the
     CHECK(render.statistics.vertices_added == 0);
 }
 
-GL_TEST_CASE("a tolerance of refinement out of range is refused") {
+IMAGE_TEST_CASE("a tolerance of refinement out of range is refused") {
     Studio render(context, 16, 12);
     for (const double tolerance : {-1e-3, 1.1, std::numeric_limits<double>::quiet_NaN()}) {
         CHECK_THROWS_WITH_AS(render(things_on_floor(1), options_of(tolerance)),

@@ -107,7 +107,7 @@ void check_backs(const std::shared_ptr<gl::Context>& context, Executor executor)
 
 }  // namespace
 
-GL_TEST_CASE("where vertices are dense, pixels make what they make") {
+IMAGE_TEST_CASE("where vertices are dense, pixels make what they make") {
     Studio render(context);
     struct Case {
         int channels;
@@ -145,7 +145,7 @@ GL_TEST_CASE("where vertices are dense, pixels make what they make") {
     }
 }
 
-GL_TEST_CASE("at pixels a coarse mesh looks as its triangles split in sixteen do") {
+IMAGE_TEST_CASE("at pixels a coarse mesh looks as its triangles split in sixteen do") {
     Studio render(context);
     const auto coarse = test::coarse_sphere(4);
     const auto fine = std::make_shared<const Mesh>(split(split(*coarse)));
@@ -166,7 +166,7 @@ GL_TEST_CASE("at pixels a coarse mesh looks as its triangles split in sixteen do
         }
 }
 
-GL_TEST_CASE("shadows dim high orders at pixels as they dim them at vertices") {
+IMAGE_TEST_CASE("shadows dim high orders at pixels as they dim them at vertices") {
     Studio render(context);
     const Scene scene = sphere_on_plate(falling_light(9, false), test::coarse_sphere(23), 40);
     // What the high orders add, with and without shadows.
@@ -190,7 +190,7 @@ GL_TEST_CASE("shadows dim high orders at pixels as they dim them at vertices") {
     }
 }
 
-GL_TEST_CASE("the physical range is that of the sum of all orders, at pixels") {
+IMAGE_TEST_CASE("the physical range is that of the sum of all orders, at pixels") {
     Studio render(context);
     const Scene scene = sphere_on_plate(test::lamp(), test::coarse_sphere(14), 4);
     const auto unphysical = [](const StokesImage& image) {
@@ -219,10 +219,10 @@ GL_TEST_CASE("the physical range is that of the sum of all orders, at pixels") {
     }
 }
 
-GL_TEST_CASE("a render at pixels is that of a fresh start, whatever was rendered before") {
+IMAGE_TEST_CASE("a render at pixels is that of a fresh start, whatever was rendered before") {
     for (const Executor executor : {Executor::cpu, Executor::compute}) check_changes(context, executor);
 }
 
-GL_TEST_CASE("pixels of backs are black, and each side of a surface has its own light") {
+IMAGE_TEST_CASE("pixels of backs are black, and each side of a surface has its own light") {
     for (const Executor executor : {Executor::cpu, Executor::compute}) check_backs(context, executor);
 }

@@ -123,7 +123,7 @@ const std::vector<Case>& cases() {
 
 }  // namespace
 
-GL_TEST_CASE("a directional light on a Lambertian sphere is its cosine") {
+IMAGE_TEST_CASE("a directional light on a Lambertian sphere is its cosine") {
     const glm::dvec3 from = glm::normalize(glm::dvec3(2, 1, 3));
     Scene scene;
     scene.add({.mesh = test::fine_sphere(), .material = diffuse({0.5})});
@@ -156,7 +156,7 @@ GL_TEST_CASE("a directional light on a Lambertian sphere is its cosine") {
     CHECK(near > 0.99 * count);
 }
 
-GL_TEST_CASE("highlights of brushed metal follow texture coordinates, as by the reference method") {
+IMAGE_TEST_CASE("highlights of brushed metal follow texture coordinates, as by the reference method") {
     const auto lit = [](const Mesh& mesh, const glm::dmat4& to_world, double alpha_u, double alpha_v) {
         Scene scene;
         scene.add(
@@ -198,7 +198,7 @@ GL_TEST_CASE("highlights of brushed metal follow texture coordinates, as by the 
     CHECK(rms(render(plain, options(ShadeAt::pixels))) > 0.01);
 }
 
-GL_TEST_CASE("small lights are those of the reference method") {
+IMAGE_TEST_CASE("small lights are those of the reference method") {
     for (const Case& light : cases()) {
         CAPTURE(light.name);
         for (const bool shadows : {true, false}) {

@@ -99,7 +99,7 @@ struct Comparison {
 
 }  // namespace
 
-GL_TEST_CASE("beside compute shaders small lights are what they are beside threads") {
+IMAGE_TEST_CASE("beside compute shaders small lights are what they are beside threads") {
     struct Row {
         Method method;
         ShadeAt shade_at;
@@ -140,7 +140,7 @@ GL_TEST_CASE("beside compute shaders small lights are what they are beside threa
     }
 }
 
-GL_TEST_CASE("beside compute shaders small lights shine on materials that vary") {
+IMAGE_TEST_CASE("beside compute shaders small lights shine on materials that vary") {
     const MaterialPtr plastic = pplastic({.diffuse_reflectance = {0.6, 0.3, 0.1}, .alpha = 0.3});
     const TexturePtr checks = checkerboard_texture(glm::vec3(0.9F, 0.2F, 0.1F), glm::vec3(0.1F, 0.3F, 0.8F),
                                                    3, glm::dmat3(7, 0, 0, 0, 5, 0, 0.2, -0.1, 1));
@@ -167,7 +167,7 @@ GL_TEST_CASE("beside compute shaders small lights shine on materials that vary")
     }
 }
 
-GL_TEST_CASE("beside compute shaders small lights follow changes") {
+IMAGE_TEST_CASE("beside compute shaders small lights follow changes") {
     for (const ShadeAt shade_at : {ShadeAt::vertices, ShadeAt::pixels}) {
         CAPTURES(static_cast<int>(shade_at));
         Comparison comparison(context, 3);
@@ -203,7 +203,7 @@ GL_TEST_CASE("beside compute shaders small lights follow changes") {
     }
 }
 
-GL_TEST_CASE("beside compute shaders lamps of an environment are split off") {
+IMAGE_TEST_CASE("beside compute shaders lamps of an environment are split off") {
     EquirectImage room(64, 33, 3);
     for (int c = 0; c < 3; ++c) {
         for (int y = 0; y < 33; ++y)
@@ -222,7 +222,7 @@ GL_TEST_CASE("beside compute shaders lamps of an environment are split off") {
     }
 }
 
-GL_TEST_CASE("the hits that threads read beside compute shaders are in the prediction of memory") {
+IMAGE_TEST_CASE("the hits that threads read beside compute shaders are in the prediction of memory") {
     Scene scene = plain_still();
     Comparison comparison(context, 1);
     for (const int samples : {1, 4}) {

@@ -97,7 +97,7 @@ void for_floor(const Seen& seen, const Body& body) {
 
 }  // namespace
 
-GL_TEST_CASE("textures of one value give the picture without any") {
+IMAGE_TEST_CASE("textures of one value give the picture without any") {
     const MaterialPtr metal = test::some_metal(0.2);
     for (const bool polarized : {false, true})
         for (const int order_high : {4, 9})
@@ -118,7 +118,7 @@ GL_TEST_CASE("textures of one value give the picture without any") {
 }
 
 // Of one lobe width: the visible fractions of high orders are a surface's, not a layer's.
-GL_TEST_CASE("a checkerboard of two materials is one or the other") {
+IMAGE_TEST_CASE("a checkerboard of two materials is one or the other") {
     const MaterialPtr first = plastic(0.3);
     const MaterialPtr second = test::some_metal(0.3);
     const Seen seen = see(context, ball_over(blend(first, second, checks())), options());
@@ -139,7 +139,7 @@ GL_TEST_CASE("a checkerboard of two materials is one or the other") {
     CHECK(rms(minus(a, b)) > 0.1 * rms(a));
 }
 
-GL_TEST_CASE("a blend of 0.3 is 0.7 of one and 0.3 of the other") {
+IMAGE_TEST_CASE("a blend of 0.3 is 0.7 of one and 0.3 of the other") {
     Studio render(context);
     const MaterialPtr first = plastic(0.3);
     struct Case {
@@ -161,7 +161,7 @@ GL_TEST_CASE("a blend of 0.3 is 0.7 of one and 0.3 of the other") {
     }
 }
 
-GL_TEST_CASE("a ramp is exact on a floor that shadows split, on both sides and mirrored") {
+IMAGE_TEST_CASE("a ramp is exact on a floor that shadows split, on both sides and mirrored") {
     for (const bool below : {false, true})
         for (const bool mirrored : {false, true}) {
             CAPTURES(below, mirrored);
@@ -183,7 +183,7 @@ GL_TEST_CASE("a ramp is exact on a floor that shadows split, on both sides and m
         }
 }
 
-GL_TEST_CASE("vertex colours are interpolated") {
+IMAGE_TEST_CASE("vertex colours are interpolated") {
     Mesh mesh = *textured_floor();
     for (const glm::vec3& p : mesh.positions)
         mesh.colors.emplace_back(0.5F + 0.5F * p.x, 0.25F, 0.5F - 0.5F * p.y);
@@ -209,7 +209,7 @@ GL_TEST_CASE("vertex colours are interpolated") {
     CHECK(worst < 1e-5 * rms(plain));
 }
 
-GL_TEST_CASE("colours of faces are the same across each, by every method") {
+IMAGE_TEST_CASE("colours of faces are the same across each, by every method") {
     const glm::vec3 colors[] = {{1, 0.25F, 0.5F}, {0.125F, 1, 0.75F}};
     Mesh mesh = *textured_floor();
     mesh.face_colors.assign(std::begin(colors), std::end(colors));
@@ -245,7 +245,7 @@ GL_TEST_CASE("colours of faces are the same across each, by every method") {
     }
 }
 
-GL_TEST_CASE("a roughness texture of a few values is exact, and smooth between others") {
+IMAGE_TEST_CASE("a roughness texture of a few values is exact, and smooth between others") {
     const auto rough = [](double alpha) { return test::some_metal(alpha); };
     const TexturePtr two = checkerboard_texture(glm::vec3(0.2F), glm::vec3(0.4F), 1);
     const Seen seen = see(context, ball_over(with_roughness(rough, two)), options(4));
@@ -281,7 +281,7 @@ GL_TEST_CASE("a roughness texture of a few values is exact, and smooth between o
     }
 }
 
-GL_TEST_CASE("a map or a bump of one slope is the picture of normals that are tilted so") {
+IMAGE_TEST_CASE("a map or a bump of one slope is the picture of normals that are tilted so") {
     // In the rectangle's axes u grows along x and v falls along y.
     const glm::vec3 tilted = glm::normalize(glm::vec3(0.3F, -0.2F, 1));
     Mesh mesh = *textured_floor();
@@ -341,7 +341,7 @@ GL_TEST_CASE("a map or a bump of one slope is the picture of normals that are ti
     CHECK(rms(minus(image, expected)) < 2e-5 * rms(expected));
 }
 
-GL_TEST_CASE("a texture learns how far its neighbours are") {
+IMAGE_TEST_CASE("a texture learns how far its neighbours are") {
     for (const bool orthographic : {false, true}) {
         Camera camera = test::some_camera();
         camera.orthographic = orthographic;
@@ -379,7 +379,7 @@ GL_TEST_CASE("a texture learns how far its neighbours are") {
     }
 }
 
-GL_TEST_CASE("a change of textures ends where a fresh start does") {
+IMAGE_TEST_CASE("a change of textures ends where a fresh start does") {
     Studio render(context);
     Scene scene = ball_over(plastic());
     const auto as_fresh = [&] {
@@ -399,7 +399,7 @@ GL_TEST_CASE("a change of textures ends where a fresh start does") {
     as_fresh();
 }
 
-GL_TEST_CASE("what has no textures is refused, and nothing else") {
+IMAGE_TEST_CASE("what has no textures is refused, and nothing else") {
     Studio render(context);
     const Scene varying = ball_over(scaled(plastic(), ramp()));
     const Scene plain = ball_over(plastic());

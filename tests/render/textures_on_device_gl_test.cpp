@@ -51,7 +51,7 @@ Scene ball_over(const MaterialPtr& ball, const MaterialPtr& floor) {
 
 }  // namespace
 
-GL_TEST_CASE("compute shaders texture as threads do") {
+IMAGE_TEST_CASE("compute shaders texture as threads do") {
     if (!GpuExecutor::obstacle(*context).empty()) return;
     using Filter = TextureSampling::Filter;
     using Wrap = TextureSampling::Wrap;
