@@ -123,7 +123,7 @@ std::string_view mesh_at(std::string_view name, std::string_view bytes, std::siz
                                                 std::to_string(version) + "; expected 3 or 4");
     const auto count = number_at<std::uint32_t>(bytes, bytes.size() - sizeof(std::uint32_t));
     const std::size_t entry = version == 3 ? 4 : 8;
-    if (count == 0 || count > bytes.size() / entry)
+    if (count == 0 || count > (bytes.size() - sizeof(std::uint32_t)) / entry)
         fail(name, "the file does not end in a directory of its meshes");
     if (shape >= count)
         fail(name, "has " + std::to_string(count) + " meshes; there is no mesh " + std::to_string(shape) +

@@ -102,6 +102,8 @@ TEST_CASE("faults of serialized files") {
         {astray, ErrorCode::invalid_file, "directory's entry of mesh 0 (0-based) leads to none"},
         {good.substr(0, good.size() - 4) + raw<std::uint32_t>(0), ErrorCode::invalid_file,
          "end in a directory"},
+        // The directory would begin before the file.
+        {good.substr(0, 15) + raw<std::uint32_t>(2), ErrorCode::invalid_file, "end in a directory"},
         {file_of(4, {content.substr(0, content.size() - 1)}), ErrorCode::invalid_file,
          "shorter than it says"},
         {file_of(4, {triangle(4, 1.0F, 3)}), ErrorCode::invalid_file, "face 0 (0-based) uses vertex 3"},
