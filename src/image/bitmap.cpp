@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
+#include <cmath>
 #include <cstdlib>
 #include <cstring>
 #include <limits>
@@ -17,7 +19,6 @@
 #include "files/suffix.hpp"
 #include "image/color.hpp"
 #include "image/jpeg.hpp"
-#include "image/radiance_header.hpp"
 
 namespace {
 
@@ -164,6 +165,48 @@ void take_values(const Bitmap& image, const LoadBudget& budget) {
     budget.take_memory(sizeof(float) * static_cast<std::uint64_t>(image.width) *
                        static_cast<std::uint64_t>(image.height) * static_cast<std::uint64_t>(image.channels));
     budget.check();
+}
+
+/// Takes the next number off a line; 0 if it is not a number above 0.
+double take_factor(std::string_view& text) {
+    text.remove_prefix(std::min(text.find_first_not_of(" \t"), text.size()));
+    double value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || !std::isfinite(value) || !(value > 0)) return 0;
+    text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+    return text.empty() || text.front() == ' ' || text.front() == '\t' || text.front() == '\r' ? value : 0;
+}
+
+/// Factors of R, G and B that programs have multiplied the pixels by: the product of all lines EXPOSURE= and
+/// COLORCORR=, which stand before the first empty line. Radiance is the pixel divided by them. Throws
+/// Error(invalid_file) naming the line if one is not a finite number above 0.
+std::array<double, 3> radiance_factors(const path& file, std::string_view bytes) {
+    std::array<double, 3> factors{1, 1, 1};
+    for (int number = 1; !bytes.empty(); ++number) {
+        std::string_view line = bytes.substr(0, bytes.find('\n'));
+        bytes.remove_prefix(std::min(line.size() + 1, bytes.size()));
+        if (line.empty() || line == "\r") break;
+        const auto starts_with = [&line](std::string_view key) {
+            const bool found = line.starts_with(key);
+            if (found) line.remove_prefix(key.size());
+            return found;
+        };
+        const bool exposure = starts_with("EXPOSURE=");
+        if (!exposure && !starts_with("COLORCORR=")) continue;
+        const double first = take_factor(line);
+        const std::array<double, 3> found = exposure
+                                                ? std::array{first, first, first}
+                                                : std::array{first, take_factor(line), take_factor(line)};
+        for (std::size_t c = 0; c < 3; ++c) {
+            factors[c] *= found[c];
+            if (!(factors[c] > 0) || !std::isfinite(factors[c]))
+                invalid_file(file,
+                             "line " + std::to_string(number) + ": " +
+                                 (exposure ? "EXPOSURE is not a number" : "COLORCORR is not three numbers") +
+                                 " above 0 that floats can be divided by");
+        }
+    }
+    return factors;
 }
 
 /// Divides by the factors in the header.
