@@ -3,18 +3,24 @@
 #include "light/equirect_projection.hpp"
 
 #include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
 #include <tbb/parallel_reduce.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <complex>
 #include <numbers>
+#include <span>
 #include <vector>
 
+#include "harmonics/batch_fft.hpp"
 #include "harmonics/grid.hpp"
 #include "harmonics/rotation.hpp"
 #include "harmonics/transform.hpp"
 #include "light/equirect.hpp"
-#include "light/row_analysis.hpp"
+#include "light/folded_sums.hpp"
 
 namespace nicol {
 namespace {
@@ -24,6 +30,189 @@ using Complex = std::complex<double>;
 
 /// Upper limit of the Fourier coefficients (in doubles) of channels that are read together.
 constexpr double kRowDoubles = 1 << 24;
+
+/// Fourier coefficients of rows: a few degrees directly, many by FFT.
+class RowAnalysis {
+public:
+    RowAnalysis(const EquirectView& view, int first, int count, int order)
+        : view_(view), first_(first), count_(count), order_(order) {
+        // A row linear between its pixels is their comb convolved with a hat, whose transform is sinc^2.
+        for (int m = 0; m <= order; ++m) {
+            const double x = pi * m / view.width;
+            const double sinc = m == 0 ? 1 : std::sin(x) / x;
+            factor_.push_back(sinc * sinc / view.width);
+            // The columns start half a step from phi = -pi.
+            rotation_.push_back(std::polar(factor_.back(), m * (pi - pi / view.width)));
+        }
+    }
+
+    [[nodiscard]] std::vector<FourierRows> run() const {
+        std::vector<FourierRows> result(static_cast<std::size_t>(count_), FourierRows(order_, view_.height));
+        if (FoldedSums::suits(order_, view_.width))
+            run_folded(result);
+        else
+            run_transformed(result);
+        return result;
+    }
+
+private:
+    /// Row i of the result's order in memory.
+    [[nodiscard]] const float* row(int channel, int i) const {
+        return view_.values + static_cast<std::size_t>(first_ + channel) * view_.channel_stride +
+               static_cast<std::size_t>(view_.height - 1 - i) * view_.row_stride;
+    }
+
+    void run_folded(std::vector<FourierRows>& results) const {
+        const FoldedSums prototype(order_, view_.width);
+        tbb::enumerable_thread_specific<FoldedSums> workers(prototype);
+        if (view_.components == 4) {
+            tbb::parallel_for(0, view_.height, [&](int i) {
+                for (int c = 0; c < count_; ++c) {
+                    FourierRows& result = results[static_cast<std::size_t>(c)];
+                    const float* start = row(c, i);
+                    const auto sums =
+                        workers.local()({{start, start + 1, start + 2, start + 3}, view_.pixel_stride});
+                    store_folded(sums, 0, result.s0, i);
+                    store_folded(sums, 3, result.s3, i);
+                    store_folded_spin(sums, result, i);
+                }
+            });
+            return;
+        }
+        tbb::parallel_for(0, (view_.height + 3) / 4, [&](int group) {
+            for (int c = 0; c < count_; ++c) {
+                std::array<int, 4> rows{};
+                std::array<const float*, 4> starts{};
+                for (std::size_t k = 0; k < 4; ++k) {
+                    rows[k] = std::min(4 * group + static_cast<int>(k), view_.height - 1);
+                    starts[k] = row(c, rows[k]);
+                }
+                const auto sums = workers.local()({starts, view_.pixel_stride});
+                for (std::size_t k = 0; k < 4; ++k)
+                    store_folded(sums, k, results[static_cast<std::size_t>(c)].s0, rows[k]);
+            }
+        });
+    }
+
+    /// phi = pi - a, so exp(-i m phi) = (-1)^m exp(i m a).
+    [[nodiscard]] double folded_factor(std::size_t m) const { return m % 2 == 0 ? factor_[m] : -factor_[m]; }
+
+    void store_folded(std::span<const double> sums, std::size_t k, std::vector<Complex>& to, int i) const {
+        const auto n = static_cast<std::size_t>(order_);
+        for (std::size_t m = 0; m <= n; ++m)
+            to[static_cast<std::size_t>(i) * (n + 1) + m] =
+                folded_factor(m) * Complex(sums[8 * m + k], sums[8 * m + 4 + k]);
+    }
+
+    /// From the image's frame to the theta-phi frame: rotated by 90 degrees, which negates s1 + i s2.
+    void store_folded_spin(std::span<const double> sums, FourierRows& result, int i) const {
+        for (int m = 0; m <= order_; ++m) {
+            const double* s = &sums[8 * static_cast<std::size_t>(m)];
+            const double factor = -folded_factor(static_cast<std::size_t>(m));
+            result.spin[result.spin_index(i, m)] = factor * Complex(s[1] - s[6], s[2] + s[5]);
+            result.spin[result.spin_index(i, -m)] = factor * Complex(s[1] + s[6], s[2] - s[5]);
+        }
+    }
+
+    /// A complex sequence of a batch: components p and q of two rows, which may be the same.
+    struct Lane {
+        int row_p, row_q;
+        std::size_t p, q;
+    };
+    struct Worker {
+        BatchFft fft;
+        std::vector<double> data;
+    };
+
+    void run_transformed(std::vector<FourierRows>& results) const {
+        const auto width = static_cast<std::size_t>(view_.width);
+        tbb::enumerable_thread_specific<Worker> workers([&] {
+            return Worker{BatchFft(view_.width), std::vector<double>(BatchFft::kElement * width)};
+        });
+        // s0 + i s3 and s1 + i s2 of four rows, or s0 of sixteen in pairs.
+        const bool polarized = view_.components == 4;
+        const int rows = polarized ? 4 : 16;
+        tbb::parallel_for(0, (view_.height + rows - 1) / rows, [&](int group) {
+            Worker& worker = workers.local();
+            for (int c = 0; c < count_; ++c) {
+                std::array<Lane, BatchFft::kLanes> lanes{};
+                for (std::size_t lane = 0; lane < lanes.size(); ++lane) {
+                    const auto at = [&](std::size_t k) {
+                        return std::min(rows * group + static_cast<int>(k), view_.height - 1);
+                    };
+                    if (!polarized)
+                        lanes[lane] = {at(2 * lane), at(2 * lane + 1), 0, 0};
+                    else if (lane % 2 == 0)
+                        lanes[lane] = {at(lane / 2), at(lane / 2), 0, 3};
+                    else
+                        lanes[lane] = {at(lane / 2), at(lane / 2), 1, 2};
+                    load(lanes[lane], c, worker.data.data() + lane);
+                }
+                const double* out = worker.fft.forward(worker.data.data());
+                FourierRows& result = results[static_cast<std::size_t>(c)];
+                for (std::size_t lane = 0; lane < lanes.size(); ++lane) {
+                    if (lanes[lane].p == 1)
+                        store_spin(out + lane, result, lanes[lane].row_p);
+                    else
+                        store_scalars(out + lane, lanes[lane], result);
+                }
+            }
+        });
+    }
+
+    /// phi = pi - 2 pi u falls with the column, so the pixels are read from right to left.
+    void load(const Lane& lane, int channel, double* to) const {
+        const float* p = row(channel, lane.row_p) + lane.p;
+        const float* q = row(channel, lane.row_q) + lane.q;
+        const auto width = static_cast<std::size_t>(view_.width);
+        for (std::size_t i = 0; i < width; ++i, to += BatchFft::kElement) {
+            const std::size_t at = (width - 1 - i) * view_.pixel_stride;
+            to[0] = p[at];
+            to[BatchFft::kLanes] = q[at];
+        }
+    }
+
+    /// Degree m of a transformed lane, also above width / 2, where the sums are periodic.
+    [[nodiscard]] Complex degree(const double* out, int m) const {
+        const int bin = (m % view_.width + view_.width) % view_.width;
+        const double* z = out + BatchFft::kElement * static_cast<std::size_t>(bin);
+        const Complex phase = rotation_[static_cast<std::size_t>(std::abs(m))];
+        return Complex(z[0], z[BatchFft::kLanes]) * (m < 0 ? std::conj(phase) : phase);
+    }
+
+    void store_scalars(const double* out, const Lane& lane, FourierRows& result) const {
+        for (int m = 0; m <= order_; ++m) {
+            const Complex plus = degree(out, m);
+            const Complex minus = std::conj(degree(out, -m));
+            const Complex real = 0.5 * (plus + minus);
+            const Complex imaginary = Complex(0, -0.5) * (plus - minus);
+            result.s0[result.scalar_index(lane.row_p, m)] = real;
+            if (lane.q == 3)
+                result.s3[result.scalar_index(lane.row_q, m)] = imaginary;
+            else
+                result.s0[result.scalar_index(lane.row_q, m)] = imaginary;
+        }
+    }
+
+    void store_spin(const double* out, FourierRows& result, int i) const {
+        for (int m = -order_; m <= order_; ++m) result.spin[result.spin_index(i, m)] = -degree(out, m);
+    }
+
+    const EquirectView& view_;
+    int first_;
+    int count_;
+    int order_;
+    std::vector<double> factor_;     // of degree |m|
+    std::vector<Complex> rotation_;  // the factor of m >= 0, rotated to where the columns start
+};
+
+/// Fourier coefficients, over the azimuth of the propagation direction about the image's axes, of the rows
+/// of `count` channels from `first` on, which are linear between pixels. Row i of a result lies at theta =
+/// i pi / (height - 1), where i = 0 is the nadir of the image (its last row), for theta belongs to where
+/// the light goes.
+std::vector<FourierRows> analyze_rows(const EquirectView& view, int first, int count, int order) {
+    return RowAnalysis(view, first, count, order).run();
+}
 
 /// Gauss points of one interval between rows: positions in 0..1 and weights of sum 1.
 struct IntervalRule {
