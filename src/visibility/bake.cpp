@@ -7,16 +7,19 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <cstdint>
 #include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "arguments.hpp"
 #include "geometry/ray_scene.hpp"
 #include "progress.hpp"
+#include "simd/dispatch.hpp"
 #include "visibility/bake_origins.hpp"
-#include "visibility/bundle_cones.hpp"
 #include "visibility/vertex_rays.hpp"
 
 namespace nicol {
@@ -57,6 +60,70 @@ std::vector<std::size_t> places_before(const FormerBake& former, std::size_t ver
     }
     return places;
 }
+
+// Margin against rounding: of radii, relative to the distance, and of cosines.
+constexpr float kSlack = 1e-4F;
+
+// disturbed[b] = 1 where the angle between an axis and the unit vector is at most the sum of half the opening
+// angle and an angle of this cosine and sine, which is below a right angle.
+[[gnu::always_inline]] inline void mark_near(std::size_t count, const float* x, const float* y,
+                                             const float* z, const float* cosine, const float* sine,
+                                             const glm::vec3& to, float ball_cosine, float ball_sine,
+                                             std::uint8_t* disturbed) {
+    for (std::size_t b = 0; b < count; ++b) {
+        const float along = x[b] * to.x + y[b] * to.y + z[b] * to.z;
+        const bool near = along >= cosine[b] * ball_cosine - sine[b] * ball_sine - kSlack;
+        disturbed[b] = static_cast<std::uint8_t>(disturbed[b] | (near ? 1 : 0));
+    }
+}
+
+/// A cone around each of a set's bundles of directions.
+class BundleCones {
+public:
+    explicit BundleCones(const DirectionSet& directions) {
+        for (const RayBundle& bundle : directions.bundles()) {
+            const auto ray = [&bundle](std::size_t i) {
+                return glm::dvec3(bundle.x[i], bundle.y[i], bundle.z[i]);
+            };
+            glm::dvec3 sum(0.0);
+            for (std::size_t i = 0; i < RayBundle::kRays; ++i) sum += ray(i);
+            const double length = glm::length(sum);
+            const glm::dvec3 axis = length > 1e-6 ? sum / length : ray(0);
+            double cosine = 1;
+            for (std::size_t i = 0; i < RayBundle::kRays; ++i)
+                cosine = std::min(cosine, glm::dot(axis, ray(i)));
+            // A cone wider than a half sphere is the whole sphere.
+            const bool wide = cosine <= 0;
+            x_.push_back(static_cast<float>(axis.x));
+            y_.push_back(static_cast<float>(axis.y));
+            z_.push_back(static_cast<float>(axis.z));
+            cosine_.push_back(wide ? -2.0F : static_cast<float>(cosine));
+            sine_.push_back(wide ? 2.0F : static_cast<float>(std::sqrt(1 - cosine * cosine)));
+        }
+    }
+
+    /// Sets disturbed[b] where a ray from `origin` in a direction of bundle b may meet the ball; others are
+    /// left alone. For directions above the plane of the unit normal it is conservative: it may set too many,
+    /// never too few.
+    void mark(const glm::vec3& origin, const glm::vec3& normal, const Ball& ball,
+              std::span<std::uint8_t> disturbed) const {
+        const glm::vec3 to = ball.centre - origin;
+        const float distance = glm::length(to);
+        const float radius = ball.radius + kSlack * (distance + ball.radius);
+        if (glm::dot(normal, to) < -radius) return;  // wholly below the horizon
+        if (!(radius < distance)) {
+            std::ranges::fill(disturbed, std::uint8_t{1});
+            return;
+        }
+        const float sine = radius / distance;
+        dispatch<mark_near>(x_.size(), x_.data(), y_.data(), z_.data(), cosine_.data(), sine_.data(),
+                            to / distance, std::sqrt(1 - sine * sine), sine, disturbed.data());
+    }
+
+private:
+    // Unit axes, and cosines and sines of half the opening angle.
+    std::vector<float> x_, y_, z_, cosine_, sine_;
+};
 
 }  // namespace
 
