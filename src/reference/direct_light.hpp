@@ -10,11 +10,9 @@
 #include <vector>
 
 #include "geometry/ray_scene.hpp"
-#include "reference/lamp_sampler.hpp"
-#include "reference/light_sampler.hpp"
+#include "reference/light_samplers.hpp"
 #include "reference/low_discrepancy.hpp"
 #include "reference/plates_on_ray.hpp"
-#include "reference/sky_disc.hpp"
 #include "reference/surface_sampler.hpp"
 #include "reference/traced_surface.hpp"
 #include "scene/scene.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "reference/light_sampler.hpp"
 #include "directions.hpp"
+#include "reference/light_samplers.hpp"
 #include "sampling.hpp"
 #include "test.hpp"
 
