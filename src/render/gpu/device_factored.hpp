@@ -7,14 +7,35 @@
 #include <optional>
 #include <vector>
 
+#include "gl/program.hpp"
 #include "render/factored_method.hpp"
+#include "render/gpu/device_light.hpp"
 #include "render/gpu/device_pixels.hpp"
 #include "render/gpu/device_rotation.hpp"
 #include "render/gpu/device_shade.hpp"
 #include "render/gpu/device_shadow_grid.hpp"
-#include "render/gpu/device_shadow_matrices.hpp"
+#include "render/gpu/device_shadow_numbers.hpp"
+#include "transfer/visibility_product.hpp"
 
 namespace nicol {
+
+/// relight, second half: light times the shadow matrices of its vertices. All members inside run().
+class DeviceShadowMatrices {
+public:
+    /// The same matrices as the host's; `shadows` has some.
+    DeviceShadowMatrices(const std::shared_ptr<gl::Context>& context, const VisibilityProduct& shadows);
+
+    /// light = V light for its vertices that are not in unoccluded blocks.
+    void run(DeviceLight& light);
+
+private:
+    std::shared_ptr<gl::Context> context_;
+    gl::Program multiply_;
+    gl::Program store_;
+    DeviceShadowNumbers numbers_;
+    gl::Buffer rows_;
+    std::optional<gl::Buffer> product_;
+};
 
 /// Holds copies of what a FactoredMethod made and the light of its vertices. All members inside run().
 class DeviceFactored {
