@@ -5,6 +5,7 @@
 #include <array>
 #include <bit>
 #include <cstring>
+#include <fstream>  // for tinygltf, which leaves it out of what writes files
 #include <limits>
 #include <new>
 #include <string_view>
@@ -13,6 +14,19 @@
 #include "files/read_bytes.hpp"
 #include "scene/json.hpp"
 #include "scene/xml_file.hpp"
+
+// The code of tinygltf, which is a header. It is compiled here because a shared library of it would open
+// images. tinygltf calls its values nlohmann::json, which cannot be destroyed where memory is short.
+namespace nicol::scene::tiny_json {
+using json = Json;
+}
+#define TINYGLTF_NO_INCLUDE_JSON
+#define nlohmann nicol::scene::tiny_json
+#define TINYGLTF_IMPLEMENTATION
+#include <tiny_gltf.h>
+#undef TINYGLTF_IMPLEMENTATION
+#undef nlohmann
+#undef TINYGLTF_NO_INCLUDE_JSON
 
 namespace nicol::scene {
 namespace {

@@ -10,7 +10,13 @@
 #include "error.hpp"
 #include "files/file_record.hpp"
 #include "files/load_budget.hpp"
-#include "scene/tiny_gltf.hpp"
+
+// tinygltf opens no files and decodes no images here.
+#define TINYGLTF_NO_FS
+#define TINYGLTF_NO_EXTERNAL_IMAGE
+#define TINYGLTF_NO_STB_IMAGE
+#define TINYGLTF_NO_STB_IMAGE_WRITE
+#include <tiny_gltf.h>
 
 namespace nicol::scene {
 

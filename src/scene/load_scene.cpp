@@ -10,14 +10,18 @@
 #include <glm/trigonometric.hpp>
 #include <iterator>
 #include <map>
+#include <memory>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 #include "arguments.hpp"
 #include "light/psh_file.hpp"
+#include "light/small_light.hpp"
 #include "scene/plates_before_lights.hpp"
 #include "scene/scene_color.hpp"
+#include "scene/scene_description.hpp"
 #include "scene/scene_files.hpp"
-#include "scene/scene_lights.hpp"
 #include "scene/scene_materials.hpp"
 #include "scene/scene_textures.hpp"
 #include "scene/values.hpp"
@@ -103,6 +107,39 @@ Mesh make(const ShapeDescription& d, scene::SceneFiles& files) {
     return mesh;
 }
 
+/// make_light() and make_emission() throw what reading textures throws, and Error(unsupported) for colours
+/// that the scene's channels cannot have.
+SmallLight make_light(const LightDescription& d, const SceneChannels& channels,
+                      scene::SceneTextures& textures) {
+    SmallLight light;
+    light.kind = d.kind;
+    light.value = radiance(d.value, channels);
+    for (double& value : light.value) value *= d.scale;
+    light.to_world = glm::dmat4(rotation_of(d.to_world, "a light"));
+    light.to_world[3] = d.to_world[3];
+    light.angular_radius = d.angular_radius;
+    light.cutoff_angle = d.cutoff_angle;
+    light.beam_width = d.beam_width;
+    if (d.texture) {
+        light.texture = textures.color(*d.texture);
+        light.aspect = textures.aspect(*d.texture);
+    }
+    light.fov = glm::radians(horizontal_fov(d.fov, d.fov_axis, light.aspect));
+    light.state = d.state;
+    return light;
+}
+
+EmissionPtr make_emission(const EmissionDescription& d, const SceneChannels& channels,
+                          scene::SceneTextures& textures) {
+    Emission emission;
+    emission.radiance = d.radiance.texture ? std::vector<double>{1} : radiance(d.radiance, channels);
+    for (double& value : emission.radiance) value *= d.scale;
+    if (d.radiance.texture) emission.texture = textures.color(*d.radiance.texture);
+    emission.two_sided = d.two_sided;
+    emission.state = d.state;
+    return std::make_shared<const Emission>(std::move(emission));
+}
+
 /// Shapes of the same file and flags share a mesh.
 class Meshes {
 public:
@@ -183,7 +220,7 @@ LoadedScene load_scene(const std::filesystem::path& file, const SceneParameters&
     for (const LightDescription& light : description.lights) {
         budget.step(256);
         made(file, named("emitter", light.id),
-             [&] { return out.scene.add_light(scene::make_light(light, channels, textures)); });
+             [&] { return out.scene.add_light(make_light(light, channels, textures)); });
     }
     Meshes meshes(files);
     for (const ShapeDescription& shape : description.shapes) {
@@ -196,7 +233,7 @@ LoadedScene load_scene(const std::filesystem::path& file, const SceneParameters&
                     "which "
                     "is any then");
             const EmissionPtr emission =
-                shape.emission ? scene::make_emission(*shape.emission, channels, textures) : nullptr;
+                shape.emission ? make_emission(*shape.emission, channels, textures) : nullptr;
             out.scene.add({.mesh = mesh,
                            .material = materials.at(shape.material),
                            .to_world = shape.to_world,

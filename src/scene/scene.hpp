@@ -2,22 +2,107 @@
 // What is rendered: instances of meshes under one environment and small lights, seen through plates.
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
+#include <limits>
 #include <memory>
+#include <string>
+#include <utility>
 #include <vector>
 
+#include "arguments.hpp"
 #include "geometry/mesh.hpp"
 #include "light/environment.hpp"
 #include "light/small_light.hpp"
 #include "material/material.hpp"
 #include "polarization/plate.hpp"
-#include "scene/channel_counts.hpp"
-#include "scene/numbered.hpp"
 #include "versioned.hpp"
 
 namespace nicol {
+
+/// How many parts of a scene have each number of colour channels.
+class ChannelCounts {
+public:
+    /// Allocates what add() needs, so that a change to a scene happens as a whole or not at all.
+    void make_room(int channels) { parts_.reserve(static_cast<std::size_t>(channels) + 1); }
+    void add(int channels) {
+        const auto at = static_cast<std::size_t>(channels);
+        if (at >= parts_.size()) parts_.resize(at + 1);
+        ++parts_[at];
+    }
+    /// Removes a part that was added.
+    void remove(int channels) {
+        --parts_[static_cast<std::size_t>(channels)];
+        while (!parts_.empty() && parts_.back() == 0) parts_.pop_back();
+    }
+
+    /// The largest number; 1 where there are no parts.
+    [[nodiscard]] int largest() const { return parts_.empty() ? 1 : static_cast<int>(parts_.size()) - 1; }
+    /// The same without one part that has so many.
+    [[nodiscard]] int largest_without(int channels) const {
+        int most = largest();
+        if (most != channels || parts_.back() > 1) return most;
+        while (--most > 1 && parts_[static_cast<std::size_t>(most)] == 0) continue;
+        return most < 1 ? 1 : most;
+    }
+
+private:
+    std::vector<std::size_t> parts_;  // by number of channels; the last is not 0
+};
+
+/// Parts of a scene that are known by their ids. Ids count up from 0 and are never given twice.
+template <class T>
+class Numbered {
+public:
+    /// `what`: one of them, for messages; it must live as long.
+    explicit Numbered(const char* what) : what_(what) {}
+
+    [[nodiscard]] const std::vector<T>& values() const noexcept { return values_; }
+    /// The ids of values(), ascending.
+    [[nodiscard]] const std::vector<std::uint32_t>& ids() const noexcept { return ids_; }
+
+    /// The id of the next add(). Throws Error(invalid_argument) where there are no more.
+    [[nodiscard]] std::uint32_t next() const {
+        if (next_ == std::numeric_limits<std::uint32_t>::max())
+            refuse("the scene has had too many " + std::string(what_) + "s");
+        return next_;
+    }
+
+    /// The index in values(). Throws Error(invalid_argument) for ids of none.
+    [[nodiscard]] std::size_t index_of(std::uint32_t id) const {
+        const auto found = std::ranges::lower_bound(ids_, id);
+        if (found == ids_.end() || *found != id)
+            refuse(
+                "there is no " + std::string(what_) + " " + std::to_string(id) +
+                (id < next_ ? "; it was removed" : "; ids below " + std::to_string(next_) + " were given"));
+        return static_cast<std::size_t>(found - ids_.begin());
+    }
+    [[nodiscard]] const T& at(std::uint32_t id) const { return values_[index_of(id)]; }
+    [[nodiscard]] T& operator[](std::size_t index) { return values_[index]; }
+
+    std::uint32_t add(T value) {
+        const std::uint32_t id = next();
+        if (ids_.size() == ids_.capacity()) ids_.reserve(2 * ids_.size() + 1);
+        values_.push_back(std::move(value));
+        ids_.push_back(id);
+        ++next_;
+        return id;
+    }
+    void remove(std::uint32_t id) {
+        const auto index = static_cast<std::ptrdiff_t>(index_of(id));
+        values_.erase(values_.begin() + index);
+        ids_.erase(ids_.begin() + index);
+    }
+
+private:
+    const char* what_;
+    std::vector<T> values_;
+    std::vector<std::uint32_t> ids_;
+    std::uint32_t next_ = 0;
+};
 
 struct Instance {
     std::shared_ptr<const Mesh> mesh;  ///< validated
