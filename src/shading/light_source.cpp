@@ -5,13 +5,12 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 #include "light/environment.hpp"
 #include "material/reflectance.hpp"
-#include "shading/directional_source.hpp"
-#include "shading/globe_source.hpp"
-#include "shading/point_source.hpp"
+#include "shading/simple_sources.hpp"
 #include "shading/surface_source.hpp"
 
 namespace nicol {
