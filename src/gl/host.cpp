@@ -1,17 +1,146 @@
 // SPDX-License-Identifier: MIT
-// Calls in a host's context.
+// Calls in a host's context, whose pending errors are taken and whose unsuitable states are refused.
 #include "gl/host.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cstdint>
+#include <limits>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "error.hpp"
-#include "gl/host_errors.hpp"
-#include "gl/host_refusal.hpp"
 #include "gl/host_state.hpp"
 #include "gl/state.hpp"
 
 namespace nicol::gl {
+namespace {
+
+constexpr int kMostErrors = 8;  // a lost context reports errors without end
+
+constexpr std::array<GLenum, 5> kProvokable{GL_INVALID_ENUM, GL_INVALID_VALUE, GL_INVALID_OPERATION,
+                                            GL_INVALID_FRAMEBUFFER_OPERATION, GL_OUT_OF_MEMORY};
+
+void provoke(const GladGLContext& gl, GLenum error) {
+    GLuint name = 0;
+    switch (error) {
+        case GL_INVALID_ENUM:
+            gl.Enable(GL_NONE);
+            break;
+        case GL_INVALID_VALUE:
+            gl.LineWidth(0);
+            break;
+        case GL_INVALID_OPERATION:
+            gl.BindVertexArray(std::numeric_limits<GLuint>::max());  // no driver has given this name
+            break;
+        case GL_INVALID_FRAMEBUFFER_OPERATION:
+            gl.CreateFramebuffers(1, &name);
+            gl.BlitNamedFramebuffer(name, name, 0, 0, 1, 1, 0, 0, 1, 1, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+            gl.DeleteFramebuffers(1, &name);
+            break;
+        default:  // GL_OUT_OF_MEMORY
+            gl.CreateBuffers(1, &name);
+            gl.NamedBufferStorage(name, PTRDIFF_MAX, nullptr, 0);
+            gl.DeleteBuffers(1, &name);
+            break;
+    }
+}
+
+/// Takes the host's pending errors on construction, so that errors found later are this library's, and makes
+/// them pending again on destruction: the host's next glGetError returns what it would have returned without
+/// the call.
+class HostErrors {
+public:
+    /// Throws Error(opengl) for an error that cannot be made pending again: GL_STACK_OVERFLOW,
+    /// GL_STACK_UNDERFLOW or GL_CONTEXT_LOST.
+    explicit HostErrors(const GladGLContext& gl) : gl_(gl) {
+        for (int i = 0; i < kMostErrors; ++i) {
+            const GLenum error = gl_.GetError();
+            if (error == GL_NO_ERROR) return;
+            if (std::ranges::find(kProvokable, error) == kProvokable.end()) {
+                put_back();
+                throw Error(
+                    ErrorCode::opengl,
+                    "the host left " + error_name(error) +
+                        " pending in its OpenGL context, which Nicol took and cannot make pending again");
+            }
+            pending_.push_back(error);
+        }
+    }
+
+    ~HostErrors() {
+        for (int i = 0; i < kMostErrors && gl_.GetError() != GL_NO_ERROR; ++i) {
+            // The call has reported its own errors.
+        }
+        put_back();
+    }
+    HostErrors(const HostErrors&) = delete;
+    HostErrors& operator=(const HostErrors&) = delete;
+
+private:
+    void put_back() const {
+        if (pending_.empty()) return;
+        const GLboolean debug = gl_.IsEnabled(GL_DEBUG_OUTPUT);
+        gl_.Disable(GL_DEBUG_OUTPUT);  // the driver has already told the host
+        for (const GLenum error : pending_) provoke(gl_, error);
+        if (debug == GL_TRUE) gl_.Enable(GL_DEBUG_OUTPUT);
+    }
+
+    const GladGLContext& gl_;
+    std::vector<GLenum> pending_;
+};
+
+// State of compatibility contexts, for which the core loader has no names.
+constexpr GLenum kListIndex = 0x0B33, kRenderMode = 0x0C40;
+constexpr GLint kRender = 0x1C00;
+
+[[noreturn]] void refuse_state(const char* text) {
+    throw Error(ErrorCode::unsupported, text);
+}
+
+void require_lasting_program(const Context::State& state) {
+    const auto program = static_cast<GLuint>(state.integer(GL_CURRENT_PROGRAM));
+    if (program == 0) return;
+    GLint deleted = GL_FALSE, linked = GL_TRUE;
+    state.gl.GetProgramiv(program, GL_DELETE_STATUS, &deleted);
+    state.gl.GetProgramiv(program, GL_LINK_STATUS, &linked);
+    if (deleted == GL_TRUE)
+        refuse_state(
+            "the host's current program is deleted and would be gone once another one is used; use another "
+            "or none around calls of Nicol");
+    if (linked != GL_TRUE)
+        refuse_state(
+            "the host's current program failed to link again and what it was would be gone once another one "
+            "is used; use another or none around calls of Nicol");
+}
+
+/// Throws Error(unsupported), which names the state, where nothing can be drawn or the state cannot be
+/// restored.
+void require_drawable(const Context::State& state) {
+    GLboolean active = GL_FALSE, paused = GL_FALSE;
+    state.gl.GetBooleanv(GL_TRANSFORM_FEEDBACK_ACTIVE, &active);
+    state.gl.GetBooleanv(GL_TRANSFORM_FEEDBACK_PAUSED, &paused);
+    if (active == GL_TRUE && paused == GL_FALSE)
+        refuse_state("the host's transform feedback is active; end or pause it around calls of Nicol");
+    if (state.compatibility && state.integer(kListIndex) != 0)
+        refuse_state("the host compiles a display list; end it around calls of Nicol");
+    if (state.compatibility && state.integer(kRenderMode) != kRender)
+        refuse_state("the host's render mode is not GL_RENDER; return to it around calls of Nicol");
+    require_lasting_program(state);
+}
+
+/// Throws Error(unsupported) where the host renders conditionally; with no error pending.
+void require_unconditional(const Context::State& state) {
+    // No query tells of conditional rendering, but it cannot be begun twice.
+    state.gl.BeginConditionalRender(state.condition, GL_QUERY_NO_WAIT);
+    if (state.gl.GetError() != GL_NO_ERROR)
+        refuse_state("the host renders conditionally; end that around calls of Nicol");
+    state.gl.EndConditionalRender();
+}
+
+}  // namespace
+
 void Host::mark(const Context::State& state) {
     static std::atomic<unsigned long> contexts = 0;
     mark_ = "nicol " + std::to_string(++contexts);

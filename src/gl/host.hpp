@@ -42,8 +42,10 @@ public:
     /// Throws Error(not_current) unless it is.
     void require_current(const Context::State& state) const;
     /// Calls call(argument) between saving and restoring the host's state; for a thread that borrows, where
-    /// the context is lent. Throws Error(not_current), and for a pending error or a
-    /// state of the host what host_errors.hpp and host_refusal.hpp say.
+    /// the context is lent. The host's pending errors are pending again afterwards. Throws
+    /// Error(not_current); Error(opengl) for a pending error that cannot be made pending again:
+    /// GL_STACK_OVERFLOW, GL_STACK_UNDERFLOW or GL_CONTEXT_LOST; and Error(unsupported) for a state of the
+    /// host in which nothing can be drawn, or which cannot be restored.
     void execute(Context::State& state, void (*call)(void*), void* argument);
     [[nodiscard]] bool on_thread() const noexcept { return inside_.load() == std::this_thread::get_id(); }
 
