@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "bake.hpp"
+#include "commands.hpp"
 
 #include "median.hpp"
 #include "stage.hpp"

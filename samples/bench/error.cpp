@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "error.hpp"
+#include "commands.hpp"
 
 #include <algorithm>
 #include <limits>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "frame.hpp"
+#include "commands.hpp"
 
 #include <cmath>
 #include <cstdio>

@@ -4,7 +4,6 @@
 
 #include <vector>
 
-#include "scene_variant.hpp"
 #include "stage.hpp"
 
 /// Median milliseconds. A frame is the whole call of nicol_render.
@@ -15,6 +14,13 @@ struct FrameTimes {
     double camera_shade = 0, camera_draw = 0;
     double light_relight = 0, light_shade = 0, light_draw = 0;
     double transfer_mb = 0;  ///< kept of vertices, shadows included, and of pixels that are shaded
+};
+
+/// Replacement of a scene's light and material.
+enum class SceneVariant {
+    original,     ///< the scene as it is
+    polarized,    ///< rough plastic under a polarized sky, which needs all Stokes components
+    unpolarized,  ///< diffuse surfaces of the same colour under the same sky, unpolarized
 };
 
 /// One way to render, with a scene of its own.

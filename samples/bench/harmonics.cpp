@@ -1,20 +1,54 @@
 // SPDX-License-Identifier: MIT
-#include "harmonics.hpp"
+#include "commands.hpp"
 
 #include <nicol_psh.h>
 
+#include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <numeric>
 #include <random>
+#include <string>
+#include <vector>
 
 #include "common/handles.hpp"
-#include "contest.hpp"
+#include "median.hpp"
 #include "peer.hpp"
 
 namespace {
 
 const double not_measured = std::nan("");
+
+/// Median seconds of each contestant for one call: contestants alternate in one process. Every contestant
+/// runs once untimed; then all alternate until `seconds` have passed, for at least five rounds. A run repeats
+/// the call for about a millisecond, since clocks are coarse.
+std::vector<double> contest(const std::vector<std::function<void()>>& contestants, double seconds) {
+    using Clock = std::chrono::steady_clock;
+    const auto elapsed = [](Clock::time_point since) {
+        return std::chrono::duration<double>(Clock::now() - since).count();
+    };
+    std::vector<int> repeats;
+    for (const auto& run : contestants) {
+        run();
+        const auto start = Clock::now();
+        run();
+        repeats.push_back(static_cast<int>(std::clamp(1e-3 / std::max(elapsed(start), 1e-9), 1.0, 1e5)));
+    }
+    std::vector<std::vector<double>> times(contestants.size());
+    const auto begin = Clock::now();
+    while (times.front().size() < 5 || elapsed(begin) < seconds) {
+        for (std::size_t i = 0; i < contestants.size(); ++i) {
+            const auto start = Clock::now();
+            for (int r = 0; r < repeats[i]; ++r) contestants[i]();
+            times[i].push_back(elapsed(start) / repeats[i]);
+        }
+    }
+    std::vector<double> medians;
+    for (auto& list : times) medians.push_back(median(std::move(list)));
+    return medians;
+}
 
 std::size_t coefficient_count(int order) {
     return std::size_t{4} * static_cast<std::size_t>((order + 1) * (order + 1));

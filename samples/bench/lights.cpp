@@ -1,16 +1,22 @@
 // SPDX-License-Identifier: MIT
-#include "lights.hpp"
+#include "commands.hpp"
 
+#include <array>
+#include <chrono>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
+#include <numbers>
 #include <stdexcept>
+#include <string>
 #include <tuple>
 #include <utility>
+#include <vector>
 
 #include "comparison.hpp"
 #include "frame_times.hpp"
 #include "lamp_room.hpp"
-#include "polygon.hpp"
+#include "stage.hpp"
 #include "temporary_folder.hpp"
 
 namespace {
@@ -104,6 +110,96 @@ void add_errors(Report& report, const Options& given, const TemporaryFolder& fol
         const Comparison comparison(source, size, samples, true);
         add(light.name, comparison, at_pixels());
         add_noise(comparison);
+    }
+}
+
+constexpr std::uint32_t kSquareSize = 256;
+constexpr double kSquareHeight = 1.5;
+constexpr double kSquareHalf = 0.5;  // of the light's side
+constexpr double kSquareRadiance = 10;
+constexpr double kFloorReflectance = 0.5;
+
+// A square light above a floor. The camera is between them.
+void write_square(const std::filesystem::path& path) {
+    std::ofstream out(path);
+    out << R"(<scene version="3.0.0"><sensor type="orthographic"><transform name="to_world"><scale value="2"/>)"
+        << R"(<lookat origin="0,0,1" target="0,0,0" up="0,1,0"/></transform></sensor>)"
+        << R"(<emitter type="constant"><float name="radiance" value="0"/></emitter>)"
+        << R"(<shape type="rectangle"><transform name="to_world"><scale value="3"/></transform><bsdf type="diffuse">)"
+        << R"(<float name="reflectance" value=")" << kFloorReflectance << R"("/></bsdf></shape>)"
+        << R"(<shape type="rectangle"><transform name="to_world"><scale value=")" << kSquareHalf
+        << R"("/><rotate x="1" angle="180"/><translate z=")" << kSquareHeight << R"("/></transform>)"
+        << R"(<emitter type="area"><float name="radiance" value=")" << kSquareRadiance
+        << R"("/></emitter></shape></scene>)";
+    if (!out.flush()) throw std::runtime_error(path.string() + ": cannot be written");
+}
+
+// Irradiance by a square that faces the floor, by the angles of its edges (Lambert 1760).
+double irradiance(double x, double y) {
+    std::array<std::array<double, 3>, 4> corner{};
+    for (std::size_t i = 0; i < 4; ++i) {
+        const double cx = (i == 0 || i == 3 ? -kSquareHalf : kSquareHalf) - x,
+                     cy = (i < 2 ? -kSquareHalf : kSquareHalf) - y;
+        const double length = std::sqrt(cx * cx + cy * cy + kSquareHeight * kSquareHeight);
+        corner[i] = {cx / length, cy / length, kSquareHeight / length};
+    }
+    double sum = 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+        const auto& a = corner[i];
+        const auto& b = corner[(i + 1) % 4];
+        const double cosine = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+        const double up = a[0] * b[1] - a[1] * b[0];  // of their cross product
+        sum += std::acos(cosine) / std::sqrt(1 - cosine * cosine) * up;
+    }
+    return kSquareRadiance * sum / 2;
+}
+
+std::vector<float> plane(nicol_framebuffer framebuffer, nicol_plane which, std::size_t components) {
+    std::vector<float> out(std::size_t{kSquareSize} * kSquareSize * components);
+    check(nicol_framebuffer_read(framebuffer, which, 0, out.data(), 0, out.size() * sizeof(float)));
+    return out;
+}
+
+/// A square light by places, beside its closed form: of a matt floor under the light, without shadows, what
+/// some numbers of places err, and how long they take beside Lambert's formula for the same pixels.
+void add_polygon(Report& report, const Options& given, const TemporaryFolder& folder) {
+    const double none = std::nan("");
+    Options options = given;
+    options.scene = (folder.path() / "polygon.xml").string();
+    options.light.clear();
+    write_square(options.scene);
+    const SceneSource source(options);
+    const Stage stage(source);
+    const Framebuffer framebuffer = stage.framebuffer(kSquareSize, kSquareSize);
+
+    nicol_render_options wanted = NICOL_RENDER_OPTIONS_INIT;
+    wanted.shadows = 0;
+    wanted.shade_at = NICOL_SHADE_AT_PIXELS;
+    wanted.aovs = NICOL_AOV_POSITION;
+    std::vector<double> truth(std::size_t{kSquareSize} * kSquareSize);
+    double closed_ms = 0;
+    for (const std::uint32_t places : {4U, 16U, 64U}) {
+        wanted.light_samples = places;
+        const nicol_statistics statistics = stage.render(wanted, framebuffer.get());
+        if (closed_ms == 0) {
+            const std::vector<float> points = plane(framebuffer.get(), NICOL_PLANE_POSITION, 3);
+            const auto begin = std::chrono::steady_clock::now();
+            for (std::size_t i = 0; i < truth.size(); ++i)
+                truth[i] = kFloorReflectance / std::numbers::pi *
+                           irradiance(double{points[3 * i]}, double{points[3 * i + 1]});
+            closed_ms =
+                std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+        }
+        const std::vector<float> s0 = plane(framebuffer.get(), NICOL_PLANE_STOKES, 4);
+        double error = 0, power = 0;
+        for (std::size_t i = 0; i < truth.size(); ++i) {
+            error += std::pow(double{s0[4 * i]} - truth[i], 2);
+            power += truth[i] * truth[i];
+        }
+        report.add("square above a matt floor, " + std::to_string(places) + " places",
+                   {std::sqrt(error / power), none, none, none, none, none});
+        report.add("  their time, on all threads / the closed form's, on one",
+                   {none, none, none, none, none, statistics.light_ms / closed_ms});
     }
 }
 

@@ -7,21 +7,9 @@
 #include <stdexcept>
 #include <string>
 
-#include "bake.hpp"
-#include "coarse.hpp"
-#include "error.hpp"
-#include "frame.hpp"
-#include "harmonics.hpp"
-#include "lights.hpp"
-#include "materials.hpp"
+#include "commands.hpp"
 #include "options.hpp"
-#include "pareto.hpp"
 #include "report.hpp"
-#include "scale.hpp"
-#include "skip.hpp"
-#include "start.hpp"
-#include "textures.hpp"
-#include "tolerance.hpp"
 
 namespace {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "skip.hpp"
+#include "commands.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "textures.hpp"
+#include "commands.hpp"
 
 #include <array>
 #include <cmath>

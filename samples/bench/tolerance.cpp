@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tolerance.hpp"
+#include "commands.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// The sub-commands of nicol-bench, one source each. All throw std::runtime_error with Nicol's message where a
+// call fails.
+#pragma once
+
+#include "options.hpp"
+#include "report.hpp"
+
+/// Measures visibility at the vertices.
+Report bench_bake(const Options& options);
+
+/// Measures errors of a mesh of few triangles, at vertices and at pixels.
+Report bench_coarse(const Options& given);
+
+/// Measures the distance from the reference method, by order.
+Report bench_error(const Options& options);
+
+/// Measures the cost of a frame beside drawing the triangles.
+Report bench_frame(const Options& options);
+
+/// Measures transforms, rotation and projection: `seconds` for each line.
+Report bench_harmonics(double seconds);
+
+/// Measures errors of small lights, and what they add to a frame.
+Report bench_lights(const Options& given);
+
+/// Repeats Figure 21 for many materials: errors that each form of the high orders leaves.
+Report bench_materials(const Options& given);
+
+/// Measures run time against error. Writes the plot too if requested.
+Report bench_pareto(const Options& options);
+
+/// Measures cost against the number of vertices and against the order.
+Report bench_scale(const Options& options);
+
+/// Measures what is saved by leaving out what a scene does not need.
+Report bench_skip(const Options& options);
+
+/// Measures the time from nothing to the first image.
+Report bench_start(const Options& options);
+
+/// Measures errors of a plastic that varies by textures.
+Report bench_textures(const Options& given);
+
+/// Compares requested, predicted and measured errors.
+Report bench_tolerance(const Options& options);
