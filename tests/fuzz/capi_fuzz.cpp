@@ -74,6 +74,8 @@ double real_number(const std::string& name, Bytes& bytes) {
         180, -180, 1e-3, 1e-30, 1e-310, 1.5e30, 1e300, -1e300, HUGE_VAL, -HUGE_VAL};
     const std::size_t choice = bytes.below(values.size() + 1);
     if (choice == values.size()) return std::nan("");
+    // Fine meshes are slow to bake, and a job that does it delays the inputs after it.
+    if (name == "refine_tolerance" && values.at(choice) > 0 && values.at(choice) < 0.25) return 1;
     if (name == "turbidity" && values.at(choice) >= 1.7 && values.at(choice) <= 10) return 1;
     return values.at(choice);
 }
