@@ -72,7 +72,8 @@ struct Comparison {
 
 }  // namespace
 
-IMAGE_TEST_CASE("compute shaders make what threads make, of every light, number of channels, order and method") {
+IMAGE_TEST_CASE(
+    "compute shaders make what threads make, of every light, number of channels, order and method") {
     constexpr auto none = HighOrders::none, split = HighOrders::split;
     constexpr auto factored = Method::factored;
     const std::vector<LightKind> all = test::kLightKinds, two{LightKind::unpolarized, LightKind::full};
