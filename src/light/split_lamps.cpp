@@ -37,21 +37,16 @@ constexpr double kReach = 0.05;
 // Number of regions, the brightest ones, that lamps are made of at most.
 constexpr std::size_t kMostRegions = 1024;
 
-// A small bright part of an image.
-struct LampPixels {
-    struct Pixel {
-        int row, column;
-    };
+struct Pixel {
+    int row, column;
+};
+
+// A small bright part of an image: neighbouring pixels, or those of parts that are close.
+struct Region {
     std::vector<Pixel> pixels;
     /// Light that is taken out of the pixels: Stokes vectors, [pixel][channel][p], physical where the image
     /// is. Unpolarized light is left, as bright as the light around the lamp or all that a pixel has.
     std::vector<float> values;
-};
-
-using Pixel = LampPixels::Pixel;
-
-// Neighbouring pixels, or those of regions that are close.
-struct Region : LampPixels {
     double flux = 0;    // integral of the brightness that is taken
     double energy = 0;  // and of its square
     glm::dvec3 centre{};
@@ -244,13 +239,6 @@ private:
     double flux_ = 0;                   // of all light
 };
 
-/// The lamps of split_lamps(), those first of which harmonics miss most.
-std::vector<LampPixels> find_lamps(const EquirectView& view, int most) {
-    std::vector<LampPixels> lamps;
-    for (Region& region : LampSearch(view).lamps(most)) lamps.push_back(std::move(region));
-    return lamps;
-}
-
 // The pixels and those around them. Columns begin after the widest gap.
 EquirectWindow window_around(const std::vector<Pixel>& pixels, const EquirectView& view) {
     const auto [first, last] = std::ranges::minmax(pixels, {}, &Pixel::row);
@@ -275,7 +263,7 @@ EquirectWindow window_around(const std::vector<Pixel>& pixels, const EquirectVie
 }
 
 // Takes the lamp out of the image.
-std::shared_ptr<const Lamp> cut_out(const LampPixels& lamp, const EquirectView& view, EquirectImage& rest) {
+std::shared_ptr<const Lamp> cut_out(const Region& lamp, const EquirectView& view, EquirectImage& rest) {
     const EquirectWindow window = window_around(lamp.pixels, view);
     const auto channels = static_cast<std::size_t>(view.channels);
     const int across = window.columns + 1;
@@ -301,11 +289,11 @@ std::shared_ptr<const Lamp> cut_out(const LampPixels& lamp, const EquirectView& 
 SplitLight split_lamps(const EnvironmentPtr& light, int most) {
     const EquirectView view = light != nullptr ? light->pixels() : EquirectView{};
     if (most == 0 || view.values == nullptr) return {light, {}};
-    const std::vector<LampPixels> found = find_lamps(view, most);
+    const std::vector<Region> found = LampSearch(view).lamps(most);
     if (found.empty()) return {light, {}};
     SplitLight split;
     EquirectImage rest = light->image();
-    for (const LampPixels& lamp : found) split.lamps.push_back(cut_out(lamp, view, rest));
+    for (const Region& lamp : found) split.lamps.push_back(cut_out(lamp, view, rest));
     split.rest = std::make_shared<const ImageLight>(std::move(rest));
     return split;
 }
