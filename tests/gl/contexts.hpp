@@ -47,25 +47,20 @@ void on_one_backend(Test test) {
 
 }  // namespace nicol::gl
 
-/// A test case of what is computed, which is alike on every backend: `tests/run.sh --all` runs it on each,
-/// other runs on one, with a fresh `context`.
-#define IMAGE_TEST_CASE(title) IMAGE_TEST_CASE_NAMED(title, DOCTEST_ANONYMOUS(run_on_))
-#define IMAGE_TEST_CASE_NAMED(title, run)                                \
+/// A test case that `each` calls with fresh contexts.
+#define CONTEXT_TEST_CASE(title, each, run)                              \
     static void run(const std::shared_ptr<nicol::gl::Context>& context); \
     TEST_CASE(title) {                                                   \
-        nicol::gl::on_one_backend(run);                                  \
+        nicol::gl::each(run);                                            \
     }                                                                    \
     static void run(const std::shared_ptr<nicol::gl::Context>& context)
 
-/// A test case of OpenGL itself, of contexts, lifetimes or memory: runs once a backend, each time with a
-/// fresh `context`.
-#define GL_TEST_CASE(title) GL_TEST_CASE_NAMED(title, DOCTEST_ANONYMOUS(run_on_))
-#define GL_TEST_CASE_NAMED(title, run)                                   \
-    static void run(const std::shared_ptr<nicol::gl::Context>& context); \
-    TEST_CASE(title) {                                                   \
-        nicol::gl::on_every_backend(run);                                \
-    }                                                                    \
-    static void run(const std::shared_ptr<nicol::gl::Context>& context)
+/// A test case of what is computed, which is alike on every backend: `tests/run.sh --all` runs it on each,
+/// other runs on one.
+#define IMAGE_TEST_CASE(title) CONTEXT_TEST_CASE(title, on_one_backend, DOCTEST_ANONYMOUS(run_on_))
+
+/// A test case of OpenGL itself, of contexts, lifetimes or memory: runs once a backend.
+#define GL_TEST_CASE(title) CONTEXT_TEST_CASE(title, on_every_backend, DOCTEST_ANONYMOUS(run_on_))
 
 /// The same, on the context's thread.
 #define GL_THREAD_TEST_CASE(title) GL_THREAD_TEST_CASE_NAMED(title, DOCTEST_ANONYMOUS(run_on_))
