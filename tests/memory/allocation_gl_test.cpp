@@ -55,6 +55,43 @@ nicol_result render(nicol_scene scene, const Variant& variant, nicol_framebuffer
     return nicol_render(scene, &camera, &options, framebuffer);
 }
 
+/// Renders the tent without and then with a Shortage at about sixty of the allocations.
+void render_in_shortages(nicol_context context, const Tent& tent, const Variant& variant, Reach reach) {
+    std::vector<float> expected;
+    std::int64_t allocations = 0, failed = 0;
+    std::int64_t step = 1;
+    for (std::int64_t position = -1; position < allocations || position < 0; position += step) {
+        CAPTURE(position);
+        const Owned scene(simple_scene(context, tent.environment, tent.mesh, tent.material));
+        const Owned framebuffer(framebuffer_of(context, size, size, 3));
+        if (position < 0) {
+            {
+                const Shortage none(reach);
+                OK(render(scene, variant, framebuffer));
+                allocations = none.count();
+            }
+            expected = read_all(framebuffer);
+            step = std::max<std::int64_t>(1, allocations / 60);
+            MESSAGE(std::string(variant.name), ": ", allocations, " allocations, every ", step);
+        } else {
+            nicol_result result = NICOL_OK;
+            {
+                const Shortage shortage(position, position / step % 2 == 1, reach);
+                result = render(scene, variant, framebuffer);
+            }
+            // What is not an error was made up for, such as a larger room that a container asked for.
+            if (result != NICOL_OK) {
+                ++failed;
+                CHECK(result == NICOL_ERROR_OUT_OF_MEMORY);
+                CHECK(std::string(nicol_last_error()).find("memory") != std::string::npos);
+                OK(render(scene, variant, framebuffer));
+            }
+            REQUIRE(read_all(framebuffer) == expected);
+        }
+    }
+    CHECK(failed > allocations / step / 2);
+}
+
 }  // namespace
 
 TEST_CASE("a render that lacks memory says so and harms nothing") {
@@ -62,43 +99,11 @@ TEST_CASE("a render that lacks memory says so and harms nothing") {
     context_options.threads = 1;
     const Owned context(make(nicol_context_create, &context_options));
     const Tent tent(context);
-    for (std::size_t i = 0; i < 2 * std::size(variants); ++i) {
-        const Variant& variant = variants[i / 2];
-        const Reach reach = i % 2 == 0 ? Reach::library : Reach::thread;
-        CAPTURE(std::string(variant.name));
-        CAPTURE(reach == Reach::thread);
-        std::vector<float> expected;
-        std::int64_t allocations = 0, failed = 0;
-        std::int64_t step = 1;
-        for (std::int64_t position = -1; position < allocations || position < 0; position += step) {
-            CAPTURE(position);
-            const Owned scene(simple_scene(context, tent.environment, tent.mesh, tent.material));
-            const Owned framebuffer(framebuffer_of(context, size, size, 3));
-            if (position < 0) {
-                {
-                    const Shortage none(reach);
-                    OK(render(scene, variant, framebuffer));
-                    allocations = none.count();
-                }
-                expected = read_all(framebuffer);
-                step = std::max<std::int64_t>(1, allocations / 60);
-                MESSAGE(std::string(variant.name), ": ", allocations, " allocations, every ", step);
-            } else {
-                nicol_result result = NICOL_OK;
-                {
-                    const Shortage shortage(position, position / step % 2 == 1, reach);
-                    result = render(scene, variant, framebuffer);
-                }
-                // What is not an error was made up for, such as a larger room that a container asked for.
-                if (result != NICOL_OK) {
-                    ++failed;
-                    CHECK(result == NICOL_ERROR_OUT_OF_MEMORY);
-                    CHECK(std::string(nicol_last_error()).find("memory") != std::string::npos);
-                    OK(render(scene, variant, framebuffer));
-                }
-                REQUIRE(read_all(framebuffer) == expected);
-            }
+    for (const Variant& variant : variants) {
+        for (const Reach reach : {Reach::library, Reach::thread}) {
+            CAPTURE(std::string(variant.name));
+            CAPTURE(reach == Reach::thread);
+            render_in_shortages(context, tent, variant, reach);
         }
-        CHECK(failed > allocations / step / 2);
     }
 }
