@@ -111,6 +111,7 @@ public:
         for (std::size_t type = 0; type < handle_names.size(); ++type) alive_[type] = {base.handles[type]};
     }
     ~Handles() {
+        end_jobs();
         for (std::size_t type = alive_.size(); type-- > 0;)
             for (const Slot handle : alive_[type])
                 for (; references_[handle] > 0; --references_[handle]) release(type, handle);
@@ -130,6 +131,7 @@ public:
     void add(std::size_t type, Slot handle) {
         if (handle == 0) return;
         if (std::ranges::find(alive_[type], handle) == alive_[type].end()) alive_[type].push_back(handle);
+        if (type == handle_type<nicol_job>() && references_[handle] == 0) hold(argument<nicol_job>(handle));
         ++references_[handle];
     }
     [[nodiscard]] bool may_release(Slot handle) {
@@ -146,7 +148,23 @@ public:
     }
 
 private:
+    /// Jobs that the program releases run on; they are held until they can be ended.
+    void hold(nicol_job job) {
+        OK(nicol_job_retain(job));
+        jobs_.push_back(job);
+    }
+    /// A job that outlived the program would take its time from the inputs after it.
+    void end_jobs() {
+        for (const nicol_job job : jobs_) OK(nicol_job_cancel(job));
+        for (const nicol_job job : jobs_) {
+            const nicol_result result = nicol_job_wait(job, NICOL_WAIT_FOREVER);
+            CHECK_MESSAGE(result != NICOL_ERROR_INTERNAL, nicol_last_error());
+            OK(nicol_job_release(job));
+        }
+    }
+
     const Everything& base_;
+    std::vector<nicol_job> jobs_;
     std::array<std::vector<Slot>, handle_names.size()> alive_;
     std::map<Slot, int> references_;
     std::vector<Slot> released_;
