@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "boundary.hpp"
+#include "draw/framebuffer.hpp"
 #include "files/file_record.hpp"
 #include "files/load_budget.hpp"
 #include "geometry/mesh.hpp"
@@ -19,7 +20,6 @@
 #include "job.hpp"
 #include "light/environment.hpp"
 #include "material/material.hpp"
-#include "render/framebuffer.hpp"
 #include "render/renderer.hpp"
 #include "scene/camera.hpp"
 #include "scene/scene.hpp"

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "handles.hpp"
-#include "scene/load_scene.hpp"
+#include "import/load_scene.hpp"
 
 using namespace nicol;
 using namespace nicol::capi;

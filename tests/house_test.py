@@ -6,7 +6,7 @@ import re
 import sys
 
 FOLDERS = """error.hpp arguments.hpp floating_environment.hpp forked.hpp progress.hpp versioned.hpp worker_count.hpp simd polarization harmonics files image texture light material geometry visibility
-transfer specular shading gl scene reference render inspect""".split()
+transfer specular shading gl scene import reference stage surfaces methods draw devices render inspect""".split()
 INCLUDE = re.compile(r'^\s*#\s*include\s*"([^"]+)"', re.MULTILINE)
 
 

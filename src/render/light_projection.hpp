@@ -8,8 +8,8 @@
 
 #include "harmonics/light_layout.hpp"
 #include "light/environment.hpp"
-#include "render/render.hpp"
-#include "render/statistics.hpp"
+#include "stage/options.hpp"
+#include "stage/statistics.hpp"
 #include "versioned.hpp"
 
 namespace nicol {

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "light/split_lamps.hpp"
-#include "render/render.hpp"
-#include "render/statistics.hpp"
+#include "stage/options.hpp"
+#include "stage/statistics.hpp"
 #include "versioned.hpp"
 
 namespace nicol {

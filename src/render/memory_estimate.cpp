@@ -8,15 +8,15 @@
 #include <string>
 #include <vector>
 
+#include "draw/aov_layout.hpp"
+#include "draw/framebuffer.hpp"
+#include "draw/hit_image.hpp"
+#include "draw/pixel_image.hpp"
+#include "draw/plate_painter.hpp"
+#include "draw/sample_pattern.hpp"
 #include "error.hpp"
 #include "harmonics/psh.hpp"
-#include "render/aov_layout.hpp"
-#include "render/framebuffer.hpp"
-#include "render/hit_image.hpp"
 #include "render/light_projection.hpp"
-#include "render/pixel_image.hpp"
-#include "render/plate_painter.hpp"
-#include "render/sample_pattern.hpp"
 #include "transfer/vertex_light.hpp"
 #include "transfer/visibility_product.hpp"
 

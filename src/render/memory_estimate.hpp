@@ -6,9 +6,9 @@
 #include <limits>
 
 #include "harmonics/light_layout.hpp"
-#include "render/render.hpp"
-#include "render/statistics.hpp"
 #include "scene/scene.hpp"
+#include "stage/options.hpp"
+#include "stage/statistics.hpp"
 #include "versioned.hpp"
 
 namespace nicol {

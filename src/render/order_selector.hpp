@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "material/response_power.hpp"
-#include "render/render.hpp"
-#include "render/surface_state.hpp"
 #include "scene/scene.hpp"
+#include "stage/options.hpp"
+#include "surfaces/surface_state.hpp"
 #include "versioned.hpp"
 #include "visibility/visibility_power.hpp"
 

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "polarization/viewpoint.hpp"
-#include "render/geometry.hpp"
-#include "render/rigid_motion.hpp"
+#include "surfaces/geometry.hpp"
+#include "surfaces/rigid_motion.hpp"
 
 namespace nicol {
 namespace {

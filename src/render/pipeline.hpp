@@ -9,22 +9,22 @@
 #include <functional>
 #include <vector>
 
-#include "render/dense_method.hpp"
-#include "render/executor.hpp"
-#include "render/factored_method.hpp"
-#include "render/high_orders.hpp"
-#include "render/hit_image.hpp"
+#include "draw/hit_image.hpp"
+#include "methods/dense_method.hpp"
+#include "methods/executor.hpp"
+#include "methods/factored_method.hpp"
+#include "methods/high_orders.hpp"
 #include "render/light_projection.hpp"
 #include "render/light_split.hpp"
 #include "render/order_selector.hpp"
-#include "render/render.hpp"
-#include "render/scene_geometry.hpp"
 #include "render/scene_visibility.hpp"
-#include "render/small_lights.hpp"
-#include "render/vertex_stage.hpp"
 #include "scene/projection.hpp"
 #include "scene/scene.hpp"
 #include "shading/background.hpp"
+#include "stage/options.hpp"
+#include "surfaces/scene_geometry.hpp"
+#include "surfaces/small_lights.hpp"
+#include "surfaces/vertex_stage.hpp"
 
 namespace nicol {
 

@@ -6,12 +6,12 @@
 #include <utility>
 
 #include "arguments.hpp"
+#include "draw/sample_pattern.hpp"
 #include "error.hpp"
 #include "image/observer.hpp"
 #include "progress.hpp"
 #include "reference/render_reference.hpp"
-#include "render/rigid_motion.hpp"
-#include "render/sample_pattern.hpp"
+#include "surfaces/rigid_motion.hpp"
 
 namespace nicol {
 namespace {
@@ -138,7 +138,7 @@ Renderer::Renderer(std::shared_ptr<gl::Context> context, int threads)
 bool Renderer::on_device(const RenderOptions& options) const {
     const Executor executor = options.executor;
     if (executor == Executor::cpu) return false;
-    const std::string obstacle = GpuExecutor::obstacle(*context_);
+    const std::string obstacle = GlExecutor::obstacle(*context_);
     if (executor == Executor::automatic) return !context_->info().software && obstacle.empty();
     if (!obstacle.empty()) {
         throw Error(ErrorCode::unsupported, "the executor cannot be compute shaders: " + obstacle);

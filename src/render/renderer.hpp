@@ -7,13 +7,13 @@
 #include <memory>
 #include <optional>
 
-#include "render/cpu/cpu_executor.hpp"
-#include "render/gpu/gpu_executor.hpp"
+#include "devices/cpu/cpu_executor.hpp"
+#include "devices/gl/gl_executor.hpp"
+#include "draw/painter.hpp"
+#include "draw/plate_painter.hpp"
 #include "render/memory_estimate.hpp"
-#include "render/painter.hpp"
 #include "render/pipeline.hpp"
-#include "render/plate_painter.hpp"
-#include "render/render.hpp"
+#include "stage/options.hpp"
 
 namespace nicol {
 
@@ -63,7 +63,7 @@ private:
     CutOuts cut_outs_;
     HitImage hits_;
     std::optional<CpuExecutor> cpu_;  // one or the other
-    std::optional<GpuExecutor> gpu_;
+    std::optional<GlExecutor> gpu_;
     Painter painter_;
     PlatePainter plates_;
 

@@ -10,12 +10,12 @@
 #include <vector>
 
 #include "material/response_cache.hpp"
-#include "render/refined_surfaces.hpp"
-#include "render/render.hpp"
-#include "render/scene_geometry.hpp"
-#include "render/statistics.hpp"
-#include "render/surface_state.hpp"
-#include "render/workers.hpp"
+#include "stage/options.hpp"
+#include "stage/statistics.hpp"
+#include "stage/workers.hpp"
+#include "surfaces/refined_surfaces.hpp"
+#include "surfaces/scene_geometry.hpp"
+#include "surfaces/surface_state.hpp"
 #include "versioned.hpp"
 #include "visibility/visibility.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // glTF files, text and binary.
 #include "drawable_mesh.hpp"
-#include "scene/scene_description.hpp"
+#include "import/scene_description.hpp"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
     using nicol::fuzz::require;

@@ -2,8 +2,8 @@
 // Scene files, without the files that they name.
 #include <algorithm>
 
+#include "import/load_scene.hpp"
 #include "memory_file.hpp"
-#include "scene/load_scene.hpp"
 
 namespace {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Images against Mitsuba 3's, object pixels away from silhouettes. Fewer samples than the truth has; what
 // matters is that nothing but noise is left: it must average out over blocks of pixels as noise does.
+#include "import/load_scene.hpp"
 #include "reference/camera_rays.hpp"
-#include "scene/load_scene.hpp"
 #include "scenes.hpp"
 #include "temporary_folder.hpp"
 #include "test.hpp"

@@ -80,7 +80,7 @@ int differing(const StokesImage& a, const StokesImage& b, float tolerance) {
 }  // namespace
 
 IMAGE_TEST_CASE("a surface that is cut out looks and hides like a mesh without those parts") {
-    const bool device = GpuExecutor::obstacle(*context).empty();
+    const bool device = GlExecutor::obstacle(*context).empty();
     const struct {
         const char* name;
         MaterialPtr plain;

@@ -4,8 +4,8 @@
 
 #include "render/memory_estimate.hpp"
 #include "render/order_selector.hpp"
-#include "render/scene_geometry.hpp"
 #include "render/scenes.hpp"
+#include "surfaces/scene_geometry.hpp"
 #include "test.hpp"
 
 using namespace nicol;

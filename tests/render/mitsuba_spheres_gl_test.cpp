@@ -4,8 +4,8 @@
 #include "gl/contexts.hpp"
 #include "image/exr_colors.hpp"
 #include "image_difference.hpp"
+#include "import/load_scene.hpp"
 #include "render/scenes.hpp"
-#include "scene/load_scene.hpp"
 
 using namespace nicol;
 using test::minus;

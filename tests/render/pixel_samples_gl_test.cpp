@@ -5,9 +5,9 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
+#include "draw/sample_pattern.hpp"
 #include "gl/contexts.hpp"
 #include "image_difference.hpp"
-#include "render/sample_pattern.hpp"
 #include "render/scenes.hpp"
 
 using namespace nicol;

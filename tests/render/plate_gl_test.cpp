@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Polarizing plates before the camera: closed forms, each pixel by hand, and the reference method.
+#include "draw/sample_pattern.hpp"
 #include "gl/contexts.hpp"
 #include "image_difference.hpp"
 #include "reference/camera_rays.hpp"
 #include "reference/plates_on_ray.hpp"
-#include "render/sample_pattern.hpp"
 #include "render/scenes.hpp"
 
 using namespace nicol;

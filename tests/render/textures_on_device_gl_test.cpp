@@ -52,7 +52,7 @@ Scene ball_over(const MaterialPtr& ball, const MaterialPtr& floor) {
 }  // namespace
 
 IMAGE_TEST_CASE("compute shaders texture as threads do") {
-    if (!GpuExecutor::obstacle(*context).empty()) return;
+    if (!GlExecutor::obstacle(*context).empty()) return;
     using Filter = TextureSampling::Filter;
     using Wrap = TextureSampling::Wrap;
     const MaterialPtr grey = diffuse({0.5});

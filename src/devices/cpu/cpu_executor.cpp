@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: MIT
+#include "devices/cpu/cpu_executor.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <deque>
+
+#include "devices/vertex_lights.hpp"
+#include "draw/hit_image.hpp"
+#include "draw/pixel_image.hpp"
+#include "draw/vertex_buffers.hpp"
+#include "material/spatial_variation.hpp"
+#include "methods/dense_method.hpp"
+#include "methods/factored_method.hpp"
+#include "methods/high_orders.hpp"
+#include "shading/physical_range.hpp"
+#include "shading/shade.hpp"
+
+namespace nicol {
+namespace {
+
+// Calls body(begin, end) for the longest runs of first <= i < last with stale(i).
+template <class Stale, class Body>
+void for_runs(std::size_t first, std::size_t last, const Stale& stale, const Body& body) {
+    for (std::size_t i = first; i < last;) {
+        if (!stale(i)) {
+            ++i;
+            continue;
+        }
+        const std::size_t begin = i;
+        while (i < last && stale(i)) ++i;
+        body(begin, i);
+    }
+}
+
+// Light in the frames of vertices becomes rows in the geometry's axes.
+void leave_for_pixels(const FrameRotation& back, std::span<const glm::vec3> normals, std::size_t first,
+                      std::size_t last, VertexLight& light) {
+    for (std::size_t block = first; block < last; ++block) {
+        const std::size_t v = block * kLanes;
+        back.into_world(normals.subspan(v, std::min(kLanes, normals.size() - v)), light, block);
+        light.to_rows(block);
+    }
+}
+
+TexturedSurface textured_surface(const SpatialVariation& variation, const FactoredMethod::Tables& tables,
+                                 const PixelInput& input) {
+    TexturedSurface out;
+    std::vector<HighOrderLayers::Layer> high_orders;
+    for (const MaterialLayer& layer : variation.layers) {
+        out.responses.push_back(&tables.at(layer.material));
+        if (input.high_orders == nullptr) continue;
+        const HighOrderTransfer::Part& part = input.high_orders->parts()->at(layer.material);
+        high_orders.push_back({.factors = &part.factors, .maps = part.maps});
+    }
+    if (!high_orders.empty()) out.high_orders.emplace(high_orders, input.light_to_geometry);
+    return out;
+}
+
+}  // namespace
+
+std::uint64_t CpuExecutor::relight(const FactoredMethod& method, const TransferInput& input,
+                                   std::span<const std::uint8_t> current, RenderRun& run) {
+    const std::size_t vertices = input.geometry.positions.size();
+    light_.resize(input.layout, input.light.channels(), vertices);
+    const std::span normals(input.geometry.normals);
+    const Relight rotation(input.layout, input.light);
+    const std::optional<VisibilityProduct>& shadows = *method.shadows();
+    std::optional<FrameRotation> back;
+    if (input.at_pixels) back.emplace(input.layout);
+    const auto stale = [&](std::size_t block) {
+        const auto vertices_of = current.subspan(block * kLanes);
+        return std::ranges::any_of(vertices_of.first(std::min(kLanes, vertices_of.size())),
+                                   [](std::uint8_t one) { return one == 0; });
+    };
+    std::atomic<std::uint64_t> relit = 0;
+    run.workers.for_blocks(light_.blocks(), "relight", run.progress,
+                           [&](std::size_t first, std::size_t last) {
+                               for_runs(first, last, stale, [&](std::size_t begin, std::size_t end) {
+                                   rotation.run(normals, begin, end, light_);
+                                   if (shadows) shadows->run(light_, begin, end);
+                                   if (back) leave_for_pixels(*back, normals, begin, end, light_);
+                                   relit += std::min(end * kLanes, vertices) - begin * kLanes;
+                               });
+                           });
+    return relit;
+}
+
+std::uint64_t CpuExecutor::relight(const DenseMethod& method, const TransferInput& input,
+                                   std::span<const std::uint8_t> current, RenderRun& run) {
+    const std::vector<DenseMethod::Run>& runs = *method.runs();
+    outgoing_.resize(runs.size());
+    std::atomic<std::uint64_t> relit = 0;
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        const DenseTransfer& matrices = runs[i].matrices;
+        VertexLight& light = outgoing_[i];
+        const std::size_t count = matrices.vertices();
+        const int channels = std::max(input.light.channels(), matrices.material().channels());
+        light.resize(matrices.material().outgoing(), channels, count);
+        // Rows are made of all or of none.
+        const auto stale = [&](std::size_t v) { return input.at_pixels || current[runs[i].first + v] == 0; };
+        run.workers.for_vertices(0, count, count, "relight", run.progress,
+                                 [&](std::size_t first, std::size_t last) {
+                                     for_runs(first, last, stale, [&](std::size_t begin, std::size_t end) {
+                                         matrices.apply(input.light, begin, end, 0, light);
+                                         relit += end - begin;
+                                     });
+                                 });
+        if (input.at_pixels) {
+            const FrameRotation back(matrices.material().outgoing());
+            const std::span normals = std::span(input.geometry.normals).subspan(runs[i].first, count);
+            run.workers.for_blocks(light.blocks(), "relight", run.progress,
+                                   [&](std::size_t first, std::size_t last) {
+                                       leave_for_pixels(back, normals, first, last, light);
+                                   });
+        }
+    }
+    return relit;
+}
+
+void CpuExecutor::resize(const ShadeInput& input) {
+    stokes_.resize(static_cast<std::size_t>(input.channels));
+    for (auto& channel : stokes_) channel.resize(input.geometry.positions.size());
+    pixels_.clear();
+}
+
+void CpuExecutor::shade(const FactoredMethod& method, const ShadeInput& input, RenderRun& run) {
+    resize(input);
+    const WorldGeometry& geometry = input.geometry;
+    const Shade shade(input.layout, input.least_components, input.most_components);
+    const std::vector<std::span<glm::vec4>> channels(stokes_.begin(), stokes_.end());
+    for (const VertexRange& range : geometry.ranges) {
+        const ResponseTable& table = method.tables()->at(range.material);
+        run.workers.for_vertices(range.first, range.last, geometry.positions.size(), "shade", run.progress,
+                                 [&](std::size_t begin, std::size_t end) {
+                                     shade.run(table, light_, input.view, geometry.positions,
+                                               geometry.normals, input.chosen, begin, end, channels);
+                                 });
+    }
+}
+
+void CpuExecutor::shade(const DenseMethod& method, const ShadeInput& input, RenderRun& run) {
+    resize(input);
+    for (std::size_t i = 0; i < method.runs()->size(); ++i) {
+        const DenseMethod::Run& of = (*method.runs())[i];
+        const std::size_t count = of.matrices.vertices();
+        const std::span positions = std::span(input.geometry.positions).subspan(of.first, count);
+        const std::span normals = std::span(input.geometry.normals).subspan(of.first, count);
+        const Shade shade(of.matrices.material().outgoing());
+        std::vector<std::span<glm::vec4>> channels;
+        for (auto& channel : stokes_) channels.push_back(std::span(channel).subspan(of.first, count));
+        run.workers.for_vertices(0, count, count, "shade", run.progress,
+                                 [&](std::size_t begin, std::size_t end) {
+                                     shade.run(*of.response, outgoing_[i], input.view, positions, normals,
+                                               input.chosen.subspan(of.first, count), begin, end, channels);
+                                 });
+    }
+}
+
+void CpuExecutor::shade_pixels(const FactoredMethod& method, const PixelInput& input, RenderRun& run) {
+    const Shade shade(input.layout, input.least_components, input.most_components);
+    const FrameRotation rotation(input.layout);
+    const Relight unoccluded(input.layout, input.light);
+    std::vector<PixelSurface> surfaces;
+    std::deque<TexturedSurface> textured;  // which stay where they are
+    for (const VertexRange& range : input.geometry.ranges) {
+        PixelSurface& surface = surfaces.emplace_back(PixelSurface{.shade = &shade,
+                                                                   .textures = nullptr,
+                                                                   .response = nullptr,
+                                                                   .high_orders = nullptr,
+                                                                   .light = &light_,
+                                                                   .first_row = 0,
+                                                                   .rotation = &rotation,
+                                                                   .unoccluded = &unoccluded});
+        const SpatialVariation* const variation = range.material->variation();
+        if (variation == nullptr) {
+            surface.response = &method.tables()->at(range.material);
+            continue;
+        }
+        surface.textures = &textured.emplace_back(textured_surface(*variation, *method.tables(), input));
+    }
+    run_pixels(input, surfaces, run);
+}
+
+void CpuExecutor::shade_pixels(const DenseMethod& method, const PixelInput& input, RenderRun& run) {
+    const std::vector<DenseMethod::Run>& runs = *method.runs();
+    std::vector<Shade> shades;
+    std::vector<FrameRotation> rotations;
+    for (const DenseMethod::Run& of : runs) {
+        shades.emplace_back(of.matrices.material().outgoing());
+        rotations.emplace_back(of.matrices.material().outgoing());
+    }
+    std::vector<PixelSurface> surfaces;
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        surfaces.push_back({.shade = &shades[i],
+                            .textures = nullptr,
+                            .response = runs[i].response.get(),
+                            .high_orders = nullptr,
+                            .light = &outgoing_[i],
+                            .first_row = runs[i].first,
+                            .rotation = &rotations[i],
+                            .unoccluded = nullptr});
+    }
+    run_pixels(input, surfaces, run);
+}
+
+void CpuExecutor::run_pixels(const PixelInput& input, std::span<PixelSurface> surfaces, RenderRun& run) {
+    std::vector<HighOrder> high_orders;
+    if (input.high_orders != nullptr) {
+        compute_fractions(*input.high_orders, input, run);
+        high_orders.reserve(surfaces.size());
+        for (std::size_t i = 0; i < surfaces.size(); ++i) {
+            if (surfaces[i].textures != nullptr) continue;
+            const HighOrderTransfer::Part& part =
+                input.high_orders->parts()->at(input.geometry.ranges[i].material);
+            surfaces[i].high_orders =
+                &high_orders.emplace_back(part.factors, part.maps, input.light_to_geometry);
+        }
+    }
+    const std::size_t pixels =
+        static_cast<std::size_t>(input.hits.width()) * static_cast<std::size_t>(input.hits.height());
+    pixels_.resize(static_cast<std::size_t>(input.channels));
+    for (auto& channel : pixels_) channel.resize(pixels);
+    const std::vector<std::span<glm::vec4>> channels(pixels_.begin(), pixels_.end());
+    const bool fractions = input.high_orders != nullptr && !input.high_orders->visibility()->empty();
+    const PixelShading shading(input, surfaces, fractions ? fractions_ : std::span<const glm::vec2>());
+    std::atomic<std::uint64_t> shaded = 0;
+    std::atomic<std::uint64_t> rays = 0;
+    std::atomic<double> light_seconds = 0;
+    run.workers.for_vertices(0, pixels, pixels, "shade", run.progress,
+                             [&](std::size_t begin, std::size_t end) {
+                                 const PixelCounts counts = shading.run(begin, end, channels);
+                                 shaded += counts.shaded;
+                                 rays += counts.rays;
+                                 light_seconds += counts.light_seconds;
+                             });
+    run.statistics.pixels_shaded += shaded;
+    run.statistics.light_rays += rays;
+    run.statistics.light_ms += 1e3 * light_seconds / run.workers.count();
+}
+
+void CpuExecutor::compute_fractions(const HighOrderTransfer& high_orders, const ShadeInput& input,
+                                    RenderRun& run) {
+    const WorldGeometry& geometry = input.geometry;
+    const std::size_t vertices = geometry.positions.size();
+    const VisibilityBlocks& visibility = *high_orders.visibility();
+    fractions_.resize(visibility.empty() ? 0 : vertices);
+    if (visibility.empty()) return;
+    for (const VertexRange& range : geometry.ranges) {
+        const HighOrderVisibility seen(visibility.order(), high_orders.lobe_width(range.material));
+        run.workers.for_vertices(range.first, range.last, vertices, "shade", run.progress,
+                                 [&](std::size_t begin, std::size_t end) {
+                                     seen.run(input.view, geometry.positions, geometry.normals, input.chosen,
+                                              visibility, begin, end, fractions_);
+                                 });
+    }
+}
+
+void CpuExecutor::specular(const HighOrderTransfer& high_orders, const ShadeInput& input, RenderRun& run) {
+    const WorldGeometry& geometry = input.geometry;
+    const VisibilityBlocks& visibility = *high_orders.visibility();
+    const std::vector<std::span<glm::vec4>> channels(stokes_.begin(), stokes_.end());
+    for (const VertexRange& range : geometry.ranges) {
+        const HighOrderTransfer::Part& part = high_orders.parts()->at(range.material);
+        const HighOrder high(part.factors, part.maps, input.light_to_geometry);
+        const HighOrderVisibility seen(visibility.order(), high_orders.lobe_width(range.material));
+        const HighOrderShadows shadows{
+            .fractions = {}, .visibility = visibility.empty() ? nullptr : &seen, .seen = &visibility};
+        run.workers.for_vertices(range.first, range.last, geometry.positions.size(), "shade", run.progress,
+                                 [&](std::size_t begin, std::size_t end) {
+                                     high.run(input.view, geometry.positions, geometry.normals, input.chosen,
+                                              shadows, begin, end, channels);
+                                 });
+    }
+}
+
+std::uint64_t CpuExecutor::make_physical(const ShadeInput& input) {
+    std::uint64_t moved = 0;
+    for (auto& channel : stokes_) {
+        for (std::size_t v = 0; v < channel.size(); ++v)
+            if (input.chosen[v] != 0)
+                moved += nicol::make_physical(std::span(channel).subspan(v, 1), input.noise);
+    }
+    return moved;
+}
+
+void CpuExecutor::illuminate(const SmallLights& lights, const ShadeInput& input, RenderRun& run) {
+    const std::vector<std::span<glm::vec4>> channels(stokes_.begin(), stokes_.end());
+    VertexLights(lights, input).add(run, channels);
+}
+
+void CpuExecutor::store(VertexBuffers& buffers) const {
+    buffers.upload(stokes_);
+}
+
+void CpuExecutor::store(PixelImage& image) const {
+    for (int c = 0; c < image.channels(); ++c) {
+        const std::vector<glm::vec4>& pixels = pixels_[static_cast<std::size_t>(c)];
+        image.channel(c).update(std::span(&pixels.front().x, 4 * pixels.size()));
+    }
+}
+
+void CpuExecutor::count(Statistics& statistics) const {
+    for (const VertexLight& light : outgoing_) statistics.transfer_bytes += light.bytes();
+    for (const auto& channel : stokes_) statistics.transfer_bytes += channel.size() * sizeof(glm::vec4);
+    for (const auto& channel : pixels_) statistics.transfer_bytes += channel.size() * sizeof(glm::vec4);
+    statistics.transfer_bytes += light_.bytes() + fractions_.size() * sizeof(glm::vec2);
+}
+
+}  // namespace nicol

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// relight, shade and specular on threads.
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <vector>
+
+#include "devices/cpu/pixel_shading.hpp"
+#include "methods/executor.hpp"
+#include "transfer/vertex_light.hpp"
+
+namespace nicol {
+
+class CpuExecutor final : public RenderExecutor {
+public:
+    [[nodiscard]] bool can_choose() const noexcept override { return true; }
+    [[nodiscard]] bool samples_pixels() const noexcept override { return true; }
+    [[nodiscard]] bool adds_background() const noexcept override { return true; }
+    std::uint64_t relight(const FactoredMethod& method, const TransferInput& input,
+                          std::span<const std::uint8_t> current, RenderRun& run) override;
+    std::uint64_t relight(const DenseMethod& method, const TransferInput& input,
+                          std::span<const std::uint8_t> current, RenderRun& run) override;
+    void shade(const FactoredMethod& method, const ShadeInput& input, RenderRun& run) override;
+    void shade(const DenseMethod& method, const ShadeInput& input, RenderRun& run) override;
+    void specular(const HighOrderTransfer& high_orders, const ShadeInput& input, RenderRun& run) override;
+    void shade_pixels(const FactoredMethod& method, const PixelInput& input, RenderRun& run) override;
+    void shade_pixels(const DenseMethod& method, const PixelInput& input, RenderRun& run) override;
+    std::uint64_t make_physical(const ShadeInput& input) override;
+    void illuminate(const SmallLights& lights, const ShadeInput& input, RenderRun& run) override;
+    void finish() override {}
+    void store(VertexBuffers& buffers) const override;
+    void store(PixelImage& image) const override;
+    void count(Statistics& statistics) const override;
+
+    /// Results of the last shade(), specular() and make_physical().
+    [[nodiscard]] const VertexStokes& stokes() const noexcept { return stokes_; }
+
+private:
+    /// Makes room; vertices that are not shaded keep what they had.
+    void resize(const ShadeInput& input);
+    void compute_fractions(const HighOrderTransfer& high_orders, const ShadeInput& input, RenderRun& run);
+    void run_pixels(const PixelInput& input, std::span<PixelSurface> surfaces, RenderRun& run);
+
+    VertexLight light_;                  // of the factored method
+    std::vector<VertexLight> outgoing_;  // of the dense method, one for each of its runs
+    VertexStokes stokes_;
+    std::vector<std::vector<glm::vec4>> pixels_;  // of the last image that was shaded at pixels, by channel
+    /// Of the lobe about the mirror direction and of the hemisphere; empty where nothing casts shadows.
+    std::vector<glm::vec2> fractions_;
+};
+
+}  // namespace nicol

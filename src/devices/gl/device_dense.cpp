@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#include "devices/gl/device_dense.hpp"
+
+#include <algorithm>
+
+#include "gl/draw.hpp"
+
+namespace nicol {
+
+void DeviceDense::relight(const DenseMethod& method, const TransferInput& input, Progress& progress,
+                          VertexBuffers& buffers) {
+    copying_.run(method.runs().version(), input.light.channels(),
+                 [&] { copy(method, input.light.channels()); });
+    if (!program_) program_ = gl::Program::compute(context_, "dense.comp");
+    for (Piece& piece : pieces_) {
+        progress.report("relight", static_cast<double>(piece.light.first()) /
+                                       static_cast<double>(input.geometry.positions.size()));
+        multiply(input, piece);
+        if (!input.at_pixels) continue;
+        if (!rotation_) rotation_.emplace(context_);
+        rotation_->set_layout(piece.material->outgoing());
+        rotation_->into_world(*buffers.normals(input.geometry), piece.light);
+    }
+}
+
+void DeviceDense::copy(const DenseMethod& method, int light_channels) {
+    pieces_.clear();
+    tables_.clear();
+    for (const DenseMethod::Run& run : *method.runs()) {
+        const DenseTransfer& transfer = run.matrices;
+        const LightLayout& outgoing = transfer.material().outgoing();
+        const auto table = tables_.try_emplace(run.response, context_, outgoing, *run.response).first;
+        const std::size_t numbers = outgoing.size();
+        const gl::Limits& limits = context_->limits();
+        const std::size_t step = std::max<std::size_t>(
+            1, std::min({DeviceLight::most_vertices(*context_,
+                                                    std::max(numbers, DeviceRotation::work_space(outgoing))),
+                         limits.storage_bytes / (transfer.vertex_stride() * sizeof(float)),
+                         limits.groups[0] * gl::kGroupOfVertices / transfer.row_stride()}));
+        for (std::size_t first = 0; first < transfer.vertices(); first += step) {
+            const std::size_t last = std::min(first + step, transfer.vertices());
+            pieces_.push_back(
+                {.material = &transfer.material(),
+                 .table = &table->second,
+                 .rows = static_cast<int>(transfer.row_stride()),
+                 .matrices = gl::Buffer(context_, gl::BufferUse::storage,
+                                        std::as_bytes(transfer.between(first, last))),
+                 .light = DeviceLight(context_, run.first + first, last - first, numbers,
+                                      std::max(light_channels, transfer.material().channels()))});
+        }
+    }
+}
+
+void DeviceDense::multiply(const TransferInput& input, Piece& piece) {
+    const std::vector<std::size_t>& columns = piece.material->columns();
+    const int channels = piece.material->channels();
+    program_->set("count", static_cast<int>(piece.light.count()));
+    program_->set("stride", static_cast<int>(piece.light.stride()));
+    program_->set("rows", piece.rows);
+    program_->set("used_rows", static_cast<int>(piece.light.numbers()));
+    program_->set("columns", static_cast<int>(columns.size()));
+    program_->set("channels", channels);
+    std::vector<float> world;
+    for (int c = 0; c < piece.light.channels(); ++c) {
+        world.clear();
+        const std::span<const double> from = input.light.channel(input.light.channels() == 1 ? 0 : c);
+        for (const std::size_t column : columns) world.push_back(static_cast<float>(from[column]));
+        const gl::Buffer values(context_, gl::BufferUse::storage, std::as_bytes(std::span(world)));
+        piece.matrices.bind_storage(0);
+        values.bind_storage(1);
+        piece.light.bind(2, c);
+        program_->set("channel", channels == 1 ? 0 : c);
+        gl::dispatch(*program_, gl::groups_for(piece.light.count() * static_cast<std::size_t>(piece.rows)));
+    }
+}
+
+void DeviceDense::shade(DeviceShade& shade, const DevicePoints& vertices) {
+    for (const Piece& piece : pieces_)
+        shade.run(*piece.table, piece.light, piece.light.first(), piece.light.last(), vertices);
+}
+
+std::size_t DeviceDense::prepare_pixels(const DenseMethod& /*method*/, const PixelInput& input) {
+    const LightLayout largest(input.layout.order(), LightKind::full);
+    return DeviceLight::most_vertices(*context_,
+                                      std::max(largest.size(), DeviceRotation::work_space(largest)));
+}
+
+const DeviceDense::Piece& DeviceDense::first_piece(const PixelRun& run) const {
+    return *std::ranges::find(pieces_, run.surface.first,
+                              [](const Piece& piece) { return piece.light.first(); });
+}
+
+void DeviceDense::light_pixels(const PixelInput& /*input*/, const PixelRun& run, DevicePixels& pixels) {
+    const Piece& first = first_piece(run);
+    DeviceLight& light = pixels.light(run, first.light.numbers(), first.light.channels());
+    for (const Piece& piece : pieces_) {
+        if (piece.light.first() >= first.light.first()) pixels.interpolate(piece.light, run, light);
+    }
+    rotation_->set_layout(first.material->outgoing());
+    rotation_->into_frames(*pixels.points().normals, light);
+}
+
+void DeviceDense::shade_pixels(const MaterialPtr& /*material*/, const PixelInput& /*input*/,
+                               const PixelRun& run, DevicePixels& pixels, DeviceShade& shade,
+                               const DevicePoints& points) {
+    const Piece& piece = first_piece(run);
+    const DeviceLight& light = pixels.light(run, piece.light.numbers(), piece.light.channels());
+    shade.run(*piece.table, light, run.first, run.last, points);
+}
+
+}  // namespace nicol

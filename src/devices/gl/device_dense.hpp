@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// The dense method on the device.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "devices/gl/device_pixels.hpp"
+#include "devices/gl/device_rotation.hpp"
+#include "devices/gl/device_shade.hpp"
+#include "methods/dense_method.hpp"
+
+namespace nicol {
+
+/// Holds copies of the matrices of a DenseMethod and the outgoing light of its vertices. All members inside
+/// run().
+class DeviceDense {
+public:
+    explicit DeviceDense(std::shared_ptr<gl::Context> context) : context_(std::move(context)) {}
+
+    /// relight of all vertices.
+    void relight(const DenseMethod& method, const TransferInput& input, Progress& progress,
+                 VertexBuffers& buffers);
+    void shade(DeviceShade& shade, const DevicePoints& vertices);
+
+    /// The most points that shading at pixels takes at once.
+    [[nodiscard]] std::size_t prepare_pixels(const DenseMethod& method, const PixelInput& input);
+    /// The light that leaves a run's points.
+    void light_pixels(const PixelInput& input, const PixelRun& run, DevicePixels& pixels);
+    void shade_pixels(const MaterialPtr& material, const PixelInput& input, const PixelRun& run,
+                      DevicePixels& pixels, DeviceShade& shade, const DevicePoints& points);
+
+private:
+    // Vertices of one instance whose matrices one binding reaches.
+    struct Piece {
+        const DenseMaterial* material;
+        const DeviceTable* table;
+        int rows;  // of a matrix, with padding
+        gl::Buffer matrices;
+        DeviceLight light;
+    };
+
+    [[nodiscard]] const Piece& first_piece(const PixelRun& run) const;
+    void copy(const DenseMethod& method, int light_channels);
+    void multiply(const TransferInput& input, Piece& piece);
+
+    std::shared_ptr<gl::Context> context_;
+    std::optional<gl::Program> program_;
+    std::map<std::shared_ptr<const ResponseTable>, DeviceTable> tables_;
+    std::vector<Piece> pieces_;
+    std::optional<DeviceRotation> rotation_;  // where pixels are shaded
+    Stage<Version, int> copying_;             // runs, channels of the light
+};
+
+}  // namespace nicol

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+#include "devices/gl/device_factored.hpp"
+
+#include <array>
+#include <vector>
+
+#include "gl/context.hpp"
+#include "gl/draw.hpp"
+#include "simd/lane_vector.hpp"
+
+namespace nicol {
+namespace {
+
+// For each number of a light: the first element of its matrix, its row, the size of the matrix and where the
+// numbers that it multiplies begin in a light.
+std::vector<std::array<std::int32_t, 4>> matrix_rows(const ShadowMatrices& matrices, std::size_t numbers) {
+    std::vector<std::array<std::int32_t, 4>> rows(numbers);
+    std::size_t element = 0;
+    for (const ShadowMatrices::Block& block : matrices.blocks()) {
+        const std::size_t size = block.triples.size();
+        for (std::size_t part = 0; part < block.parts; ++part) {
+            for (std::size_t row = 0; row < size; ++row) {
+                rows[block.begin[part] + row] = {
+                    static_cast<std::int32_t>(element), static_cast<std::int32_t>(row),
+                    static_cast<std::int32_t>(size), static_cast<std::int32_t>(block.begin[part])};
+            }
+        }
+        element += block.triples.elements();
+    }
+    return rows;
+}
+
+}  // namespace
+
+DeviceShadowMatrices::DeviceShadowMatrices(const std::shared_ptr<gl::Context>& context,
+                                           const VisibilityProduct& shadows)
+    : context_(context),
+      multiply_(gl::Program::compute(context, "shadow_multiply.comp")),
+      store_(gl::Program::compute(context, "shadow_store.comp")),
+      numbers_(context, shadows),
+      rows_(gl::storage(context, matrix_rows(*shadows.matrices(), shadows.layout().size()))) {
+    multiply_.set("numbers_of_block", static_cast<int>(shadows.numbers_of_vertex()));
+    multiply_.set("scale", shadows.unit() / kFixedOne);
+}
+
+void DeviceShadowMatrices::run(DeviceLight& light) {
+    const std::size_t bytes = light.numbers() * light.stride() * sizeof(float);
+    if (!product_ || product_->size() < bytes) {
+        product_.reset();
+        product_.emplace(context_, gl::BufferUse::storage, bytes, gl::BufferUpdate::fixed);
+    }
+    const auto multiply = [&](std::size_t first, std::size_t last, std::size_t first_block,
+                              const gl::Buffer& numbers) {
+        for (gl::Program* program : {&multiply_, &store_}) {
+            program->set("first", static_cast<int>(first));
+            program->set("count", static_cast<int>(last - first));
+            program->set("first_vertex", static_cast<int>(light.first()));
+            program->set("stride", static_cast<int>(light.stride()));
+        }
+        multiply_.set("first_block", static_cast<int>(first_block));
+        store_.set("gathered_stride", static_cast<int>(light.stride()));
+        numbers_.vertices().bind_storage(0);
+        for (int c = 0; c < light.channels(); ++c) {
+            numbers.bind_storage(1);
+            light.bind(2, c);
+            rows_.bind_storage(3);
+            product_->bind_storage(4, 0, bytes);
+            gl::dispatch(multiply_, gl::groups_for(last - first), static_cast<unsigned>(light.numbers()));
+            product_->bind_storage(1, 0, bytes);
+            gl::dispatch(store_, gl::groups_for(last - first), static_cast<unsigned>(light.numbers()));
+        }
+    };
+    numbers_.for_chunks(light, light.count(), multiply);
+}
+
+void DeviceFactored::relight(const FactoredMethod& method, const TransferInput& input, Progress& progress,
+                             VertexBuffers& buffers) {
+    allocate_light(input);
+    copy_shadows(method);
+    set_light(input);
+    const gl::Buffer& normals = *buffers.normals(input.geometry);
+    for (DeviceLight& light : light_) {
+        progress.report("relight", static_cast<double>(light.first()) /
+                                       static_cast<double>(input.geometry.positions.size()));
+        rotation_->run(normals, light);
+        if (shadow_matrices_) shadow_matrices_->run(light);
+        if (shadow_grid_) shadow_grid_->run(light);
+        if (input.at_pixels) rotation_->into_world(normals, light);
+    }
+}
+
+void DeviceFactored::set_light(const TransferInput& input) {
+    if (!rotation_) rotation_.emplace(context_);
+    rotation_->set_layout(input.layout);
+    rotation_->set_light(input.light);
+}
+
+std::size_t DeviceFactored::most_points(const TransferInput& input) const {
+    return DeviceLight::most_vertices(
+        *context_, std::max(input.layout.size(), DeviceRotation::work_space(input.layout)));
+}
+
+void DeviceFactored::copy_tables(const FactoredMethod& method, const TransferInput& input) {
+    copying_tables_.run(method.tables().version(), [&] {
+        tables_.clear();
+        for (const auto& [material, table] : *method.tables()) {
+            tables_.emplace(material, DeviceTable(context_, input.layout, table));
+        }
+    });
+}
+
+void DeviceFactored::copy_shadows(const FactoredMethod& method) {
+    copying_shadows_.run(method.shadows().version(), [&] {
+        shadow_matrices_.reset();
+        shadow_grid_.reset();
+        const std::optional<VisibilityProduct>& shadows = *method.shadows();
+        if (!shadows) return;
+        if (shadows->matrices() != nullptr) shadow_matrices_.emplace(context_, *shadows);
+        if (shadows->grid() != nullptr) shadow_grid_.emplace(context_, *shadows);
+    });
+}
+
+void DeviceFactored::allocate_light(const TransferInput& input) {
+    const std::size_t vertices = input.geometry.positions.size();
+    const std::size_t numbers = input.layout.size();
+    const std::size_t step = most_points(input);
+    const bool same = !light_.empty() && light_.back().last() == vertices &&
+                      light_.front().count() == std::min(step, vertices) &&
+                      light_.front().numbers() == numbers &&
+                      light_.front().channels() == input.light.channels();
+    if (same) return;
+    light_.clear();
+    for (std::size_t first = 0; first < vertices; first += step) {
+        light_.emplace_back(context_, first, std::min(step, vertices - first), numbers,
+                            input.light.channels());
+    }
+}
+
+void DeviceFactored::shade(const FactoredMethod& method, const TransferInput& input, DeviceShade& shade,
+                           const DevicePoints& vertices) {
+    copy_tables(method, input);
+    for (const DeviceLight& light : light_) {
+        for (const VertexRange& range : input.geometry.ranges) {
+            const std::size_t first = std::max(range.first, light.first());
+            const std::size_t last = std::min(range.last, light.last());
+            if (first >= last) continue;
+            shade.run(tables_.at(range.material), light, first, last, vertices);
+        }
+    }
+}
+
+std::size_t DeviceFactored::prepare_pixels(const FactoredMethod& method, const PixelInput& input) {
+    copy_tables(method, input);
+    set_light(input);
+    return most_points(input);
+}
+
+void DeviceFactored::light_pixels(const PixelInput& input, const PixelRun& run, DevicePixels& pixels) {
+    const DevicePoints& points = pixels.points();
+    DeviceLight& light = pixels.light(run, input.layout.size(), input.light.channels());
+    if (run.occluded) {
+        for (const DeviceLight& of_vertices : light_) pixels.interpolate(of_vertices, run, light);
+        rotation_->into_frames(*points.normals, light);
+    } else {
+        rotation_->run(*points.normals, light);
+    }
+}
+
+void DeviceFactored::shade_pixels(const MaterialPtr& material, const PixelInput& input, const PixelRun& run,
+                                  DevicePixels& pixels, DeviceShade& shade, const DevicePoints& points) {
+    const DeviceLight& light = pixels.light(run, input.layout.size(), input.light.channels());
+    shade.run(tables_.at(material), light, run.first, run.last, points);
+}
+
+}  // namespace nicol

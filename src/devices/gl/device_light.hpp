@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+// Light of vertices, or of points that pixels show, on the device.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "gl/buffer.hpp"
+#include "gl/context.hpp"
+#include "gl/storage.hpp"
+
+namespace nicol {
+
+/// Light of the vertices, or points, first .. first + count - 1 of all: [channel][number][vertex].
+class DeviceLight {
+public:
+    /// The most vertices that one holds: what the context lets a shader reach, and no more than keeps its
+    /// work space small.
+    [[nodiscard]] static std::size_t most_vertices(const gl::Context& context, std::size_t numbers) {
+        const std::size_t fit = context.limits().storage_bytes / (numbers * sizeof(float));
+        return std::clamp(fit / gl::kGroupOfVertices * gl::kGroupOfVertices, gl::kGroupOfVertices,
+                          std::size_t{65536});
+    }
+
+    /// numbers: of a vertex in a channel.
+    DeviceLight(const std::shared_ptr<gl::Context>& context, std::size_t first, std::size_t count,
+                std::size_t numbers, int channels)
+        : first_(first),
+          count_(count),
+          stride_((count + gl::kGroupOfVertices - 1) / gl::kGroupOfVertices * gl::kGroupOfVertices),
+          numbers_(numbers),
+          channels_(channels),
+          buffer_(context, gl::BufferUse::storage, static_cast<std::size_t>(channels) * channel_bytes(),
+                  gl::BufferUpdate::dynamic) {}
+
+    /// Copies from the host: numbers_of(vertex, channel) is a span of numbers().
+    template <class NumbersOf>
+    void upload(const NumbersOf& numbers_of) {
+        std::vector<float> data(static_cast<std::size_t>(channels_) * numbers_ * stride_);
+        for (int c = 0; c < channels_; ++c) {
+            float* channel = data.data() + static_cast<std::size_t>(c) * numbers_ * stride_;
+            for (std::size_t v = 0; v < count_; ++v) {
+                const std::span<const float> from = numbers_of(first_ + v, c);
+                for (std::size_t j = 0; j < numbers_; ++j) channel[j * stride_ + v] = from[j];
+            }
+        }
+        buffer_.update(0, std::as_bytes(std::span(data)));
+    }
+
+    /// Becomes the light of other points, at most as many as at first; the content is unspecified.
+    void place(std::size_t first, std::size_t count) noexcept {
+        first_ = first;
+        count_ = count;
+    }
+
+    void bind(unsigned binding, int channel) const {
+        buffer_.bind_storage(binding, static_cast<std::size_t>(channel) * channel_bytes(), channel_bytes());
+    }
+
+    [[nodiscard]] std::size_t first() const noexcept { return first_; }
+    [[nodiscard]] std::size_t count() const noexcept { return count_; }
+    [[nodiscard]] std::size_t last() const noexcept { return first_ + count_; }
+    /// Vertices from number to number.
+    [[nodiscard]] std::size_t stride() const noexcept { return stride_; }
+    [[nodiscard]] std::size_t numbers() const noexcept { return numbers_; }
+    [[nodiscard]] int channels() const noexcept { return channels_; }
+
+private:
+    [[nodiscard]] std::size_t channel_bytes() const noexcept { return numbers_ * stride_ * sizeof(float); }
+
+    std::size_t first_;
+    std::size_t count_;
+    std::size_t stride_;
+    std::size_t numbers_;
+    int channels_;
+    gl::Buffer buffer_;
+};
+
+}  // namespace nicol

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// Light between the geometry's axes and the frames of points, on the device.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "devices/gl/device_light.hpp"
+#include "gl/program.hpp"
+#include "harmonics/light_layout.hpp"
+#include "harmonics/psh.hpp"
+
+namespace nicol {
+
+/// Rotates the numbers of LightLayout as Relight and FrameRotation do. `normals`: of all points, three floats
+/// each. The lights of points have the layout.
+class DeviceRotation {
+public:
+    explicit DeviceRotation(const std::shared_ptr<gl::Context>& context);
+
+    /// Of the lights below.
+    void set_layout(const LightLayout& layout);
+    /// A distant light: coefficients in the geometry's axes, of at least the layout's order.
+    void set_light(const PshVector& light);
+
+    /// Fills `out`, which has the distant light's channels, with it.
+    void run(const gl::Buffer& normals, DeviceLight& out);
+    /// Rotates each point's own light.
+    void into_frames(const gl::Buffer& normals, DeviceLight& light);
+    void into_world(const gl::Buffer& normals, DeviceLight& light);
+
+    /// Floats a point of the work space.
+    [[nodiscard]] static std::size_t work_space(const LightLayout& layout);
+
+private:
+    struct Tables {
+        LightLayout layout;
+        gl::Buffer quarter_rotation;
+        gl::Buffer entries;
+        unsigned entry_count;
+    };
+    // distant: the light of all points, or null.
+    void rotate(const gl::Buffer& normals, bool back, const std::vector<gl::Buffer>* distant,
+                DeviceLight& light);
+
+    std::shared_ptr<gl::Context> context_;
+    gl::Program azimuth_;
+    gl::Program zenith_;
+    std::map<LightKind, Tables> tables_;  // of one order
+    const Tables* current_ = nullptr;
+    std::vector<gl::Buffer> distant_;  // by channel
+    std::optional<gl::Buffer> work_;
+};
+
+}  // namespace nicol

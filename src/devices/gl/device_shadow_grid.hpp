@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// relight, second half, on the device: light times the visibility of its vertices, on a grid.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+
+#include "devices/gl/device_light.hpp"
+#include "devices/gl/device_shadow_numbers.hpp"
+#include "gl/program.hpp"
+#include "transfer/visibility_product.hpp"
+
+namespace nicol {
+
+/// ShadowGrid in passes over all vertices of a chunk, each from the one work space into the other:
+///   light            [harmonic]
+///   sums over l      [component][row][slot]
+///   sums over m      [component][cosines of even, odd m, sines of even, odd m][row][column]
+///     ... made samples, multiplied by visibility, and made sums again in place
+///   sums over phi    [component][slot][row]
+///   sums over rows   [harmonic]
+/// A component is the even or odd part of a Stokes component; rows, columns and slots are ShadowGrid's.
+class DeviceShadowGrid {
+public:
+    /// The same samples as the host's; `shadows` has a grid.
+    DeviceShadowGrid(const std::shared_ptr<gl::Context>& context, const VisibilityProduct& shadows);
+
+    /// light = V light for its vertices that are not in unoccluded blocks.
+    void run(DeviceLight& light);
+
+private:
+    // Numbers that are each a sum of products of consecutive others with fixed factors.
+    struct Sums {
+        gl::Buffer rows;
+        gl::Buffer factors;
+        unsigned count;
+    };
+
+    [[nodiscard]] Sums over_orders(const ShadowGrid& grid) const;
+    [[nodiscard]] Sums over_degrees(const ShadowGrid& grid) const;
+    [[nodiscard]] Sums over_columns(const ShadowGrid& grid) const;
+    [[nodiscard]] Sums over_rows(const ShadowGrid& grid, std::size_t size) const;
+
+    std::shared_ptr<gl::Context> context_;
+    gl::Program gather_;
+    gl::Program sums_;
+    gl::Program multiply_;
+    gl::Program store_;
+    DeviceShadowNumbers samples_;
+    unsigned points_;    // rows times columns times Stokes components
+    std::size_t chunk_;  // vertices
+    Sums orders_;
+    Sums degrees_;
+    Sums columns_;
+    Sums rows_;
+    gl::Buffer on_columns_;  // both work spaces: [number][shadowed vertex]
+    gl::Buffer on_slots_;
+};
+
+}  // namespace nicol

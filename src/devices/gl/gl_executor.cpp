@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: MIT
+#include "devices/gl/gl_executor.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "devices/vertex_lights.hpp"
+#include "draw/hit_image.hpp"
+#include "gl/draw.hpp"
+#include "surfaces/plain_materials.hpp"
+
+namespace nicol {
+namespace {
+
+constexpr std::size_t kStep = std::size_t{1} << 20;  // Stokes vectors of one dispatch
+
+}  // namespace
+
+std::string GlExecutor::obstacle(const gl::Context& context) {
+    constexpr int bindings = 8;
+    const gl::Limits& limits = context.limits();
+    if (limits.storage_bindings < bindings) {
+        return context.info().renderer + " binds " + std::to_string(limits.storage_bindings) +
+               " storage buffers at once; " + std::to_string(bindings) + " are needed";
+    }
+    constexpr std::size_t least = std::size_t{1} << 27;  // as OpenGL guarantees
+    if (limits.storage_bytes < least) {
+        return context.info().renderer + " binds storage buffers of " + std::to_string(limits.storage_bytes) +
+               " bytes at most; " + std::to_string(least) + " are needed";
+    }
+    return {};
+}
+
+GlExecutor::GlExecutor(std::shared_ptr<gl::Context> context, VertexBuffers& buffers)
+    : context_(context),
+      buffers_(buffers),
+      image_(context_),
+      textures_(context_),
+      factored_(context),
+      dense_(context),
+      high_orders_(std::move(context)) {}
+
+bool GlExecutor::prepare(const TransferInput& input) {
+    buffers_.update(input.geometry, input.versions.geometry, input.channels);
+    return !buffers_.empty();
+}
+
+std::uint64_t GlExecutor::relight(const FactoredMethod& method, const TransferInput& input,
+                                  std::span<const std::uint8_t> /*current*/, RenderRun& run) {
+    return context_->run([&]() -> std::uint64_t {
+        if (!prepare(input)) return 0;
+        factored_.relight(method, input, run.progress, buffers_);
+        gl::finish(*context_);
+        return input.geometry.positions.size();
+    });
+}
+
+std::uint64_t GlExecutor::relight(const DenseMethod& method, const TransferInput& input,
+                                  std::span<const std::uint8_t> /*current*/, RenderRun& run) {
+    return context_->run([&]() -> std::uint64_t {
+        if (!prepare(input)) return 0;
+        dense_.relight(method, input, run.progress, buffers_);
+        gl::finish(*context_);
+        return input.geometry.positions.size();
+    });
+}
+
+DeviceShade& GlExecutor::shade_for(const Viewpoint& view) {
+    if (!shade_) shade_.emplace(context_);
+    shade_->set_view(view);
+    return *shade_;
+}
+
+void GlExecutor::shade(const FactoredMethod& method, const ShadeInput& input, RenderRun& run) {
+    run.progress.report("shade", 0);
+    context_->run([&] {
+        if (prepare(input)) factored_.shade(method, input, shade_for(input.view), vertices(input, false));
+    });
+}
+
+void GlExecutor::shade(const DenseMethod& /*method*/, const ShadeInput& input, RenderRun& run) {
+    run.progress.report("shade", 0);
+    context_->run([&] {
+        if (prepare(input)) dense_.shade(shade_for(input.view), vertices(input, false));
+    });
+}
+
+DevicePoints GlExecutor::vertices(const ShadeInput& input, bool fractions) {
+    return vertex_points(buffers_, input.geometry, input.channels, fractions);
+}
+
+void GlExecutor::specular(const HighOrderTransfer& high_orders, const ShadeInput& input, RenderRun& /*run*/) {
+    context_->run([&] {
+        if (!prepare(input)) return;
+        high_orders_.compute_fractions(high_orders, input, buffers_);
+        const DevicePoints points = vertices(input, !high_orders.visibility()->empty());
+        for (const VertexRange& range : input.geometry.ranges)
+            high_orders_.add(high_orders, range.material, range.first, range.last, input, points);
+    });
+}
+
+template <class Method, class Device>
+void GlExecutor::shade_pixels_by(const Method& method, Device& device, const PixelInput& input,
+                                 RenderRun& run) {
+    run.statistics.pixels_shaded += context_->run([&]() -> std::uint64_t {
+        image_.resize(input.hits.width(), input.hits.height(), input.channels);
+        if (!prepare(input)) {
+            image_.clear();
+            return 0;
+        }
+        if (!pixels_) pixels_.emplace(context_, image_);
+        DeviceShade& shade = shade_for(input.view);
+        const gl::Buffer uncounted(context_, gl::BufferUse::storage, sizeof(std::uint32_t),
+                                   gl::BufferUpdate::fixed);
+        if (input.high_orders != nullptr) high_orders_.compute_fractions(*input.high_orders, input, buffers_);
+        const std::size_t most = device.prepare_pixels(method, input);
+        textures_.prepare(input, buffers_);
+        return pixels_->run(input, buffers_, most, run, [&](const PixelRun& points) {
+            const bool varies = points.surface.material->variation() != nullptr;
+            if (varies) textures_.find(input, points, *pixels_);
+            device.light_pixels(input, points, *pixels_);
+            std::size_t layer = 0;
+            for (const MaterialPtr& material : plain_materials(points.surface.material)) {
+                const DevicePoints& to =
+                    varies ? textures_.layer_points(pixels_->points()) : pixels_->points();
+                device.shade_pixels(material, input, points, *pixels_, shade, to);
+                if (input.high_orders != nullptr)
+                    high_orders_.add(*input.high_orders, material, points.first, points.last, input, to);
+                if (varies) textures_.add(layer++, points, pixels_->points());
+            }
+            if (input.physical)
+                make_physical(pixels_->points(), points.first, points.last, input.noise, uncounted);
+        });
+    });
+}
+
+void GlExecutor::shade_pixels(const FactoredMethod& method, const PixelInput& input, RenderRun& run) {
+    shade_pixels_by(method, factored_, input, run);
+}
+
+void GlExecutor::shade_pixels(const DenseMethod& method, const PixelInput& input, RenderRun& run) {
+    shade_pixels_by(method, dense_, input, run);
+}
+
+std::uint64_t GlExecutor::make_physical(const ShadeInput& input) {
+    return context_->run([&]() -> std::uint64_t {
+        if (!prepare(input)) return 0;
+        const gl::Buffer counter(context_, gl::BufferUse::storage, sizeof(std::uint32_t),
+                                 gl::BufferUpdate::fixed);
+        make_physical(vertices(input, false), 0, input.geometry.positions.size(), input.noise, counter);
+        std::uint32_t moved = 0;
+        counter.read(0, std::as_writable_bytes(std::span(&moved, 1)));
+        return moved;
+    });
+}
+
+void GlExecutor::make_physical(const DevicePoints& points, std::size_t first, std::size_t last, float noise,
+                               const gl::Buffer& counter) {
+    if (!physical_) physical_ = gl::Program::compute(context_, "physical.comp");
+    for (const gl::Buffer* const stokes : points.stokes) {
+        for (std::size_t begin = first; begin < last; begin += kStep) {
+            const std::size_t end = std::min(begin + kStep, last);
+            std::ignore = gl::bind_vertices(*stokes, 0, 4, begin, end);
+            counter.bind_storage(1);
+            physical_->set("count", static_cast<int>(end - begin));
+            physical_->set("noise", noise);
+            gl::dispatch(*physical_, gl::groups_for(end - begin));
+        }
+    }
+}
+
+void GlExecutor::illuminate(const SmallLights& lights, const ShadeInput& input, RenderRun& run) {
+    // Threads work beside the device, which still shades.
+    context_->run([&] { gl::flush(*context_); });
+    const std::size_t vertices = input.geometry.positions.size();
+    VertexStokes sums(static_cast<std::size_t>(input.channels), std::vector<glm::vec4>(vertices));
+    const std::vector<std::span<glm::vec4>> channels(sums.begin(), sums.end());
+    VertexLights(lights, input).add(run, channels);
+    context_->run([&] {
+        if (!prepare(input)) return;
+        for (std::size_t c = 0; c < sums.size(); ++c) add(sums[c], *buffers_.stokes(static_cast<int>(c)));
+    });
+}
+
+void GlExecutor::add(const std::vector<glm::vec4>& more, const gl::Buffer& stokes) {
+    if (!add_) add_ = gl::Program::compute(context_, "add.comp");
+    const gl::Buffer copy = gl::storage(context_, more);
+    for (std::size_t begin = 0; begin < more.size(); begin += kStep) {
+        const std::size_t end = std::min(begin + kStep, more.size());
+        std::ignore = gl::bind_vertices(copy, 0, 4, begin, end);
+        std::ignore = gl::bind_vertices(stokes, 1, 4, begin, end);
+        add_->set("count", static_cast<int>(end - begin));
+        gl::dispatch(*add_, gl::groups_for(end - begin));
+    }
+}
+
+void GlExecutor::finish() {
+    context_->run([&] { gl::finish(*context_); });
+}
+
+}  // namespace nicol

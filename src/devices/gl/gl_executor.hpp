@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+// relight, shade and specular as compute shaders: what the methods make is copied to the device, where the
+// results stay. What small lights add is found on threads.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "devices/gl/device_dense.hpp"
+#include "devices/gl/device_factored.hpp"
+#include "devices/gl/device_high_orders.hpp"
+#include "devices/gl/device_pixels.hpp"
+#include "devices/gl/device_shade.hpp"
+#include "devices/gl/device_textures.hpp"
+#include "methods/executor.hpp"
+#include "stage/options.hpp"
+
+namespace nicol {
+
+class GlExecutor final : public RenderExecutor {
+public:
+    /// Why a context cannot; empty where it can.
+    [[nodiscard]] static std::string obstacle(const gl::Context& context);
+
+    /// Stokes vectors of vertices go into `buffers`, which must outlive the object.
+    GlExecutor(std::shared_ptr<gl::Context> context, VertexBuffers& buffers);
+
+    [[nodiscard]] bool can_choose() const noexcept override { return false; }
+    [[nodiscard]] bool samples_pixels() const noexcept override { return false; }
+    [[nodiscard]] bool adds_background() const noexcept override { return false; }
+    std::uint64_t relight(const FactoredMethod& method, const TransferInput& input,
+                          std::span<const std::uint8_t> current, RenderRun& run) override;
+    std::uint64_t relight(const DenseMethod& method, const TransferInput& input,
+                          std::span<const std::uint8_t> current, RenderRun& run) override;
+    void shade(const FactoredMethod& method, const ShadeInput& input, RenderRun& run) override;
+    void shade(const DenseMethod& method, const ShadeInput& input, RenderRun& run) override;
+    void specular(const HighOrderTransfer& high_orders, const ShadeInput& input, RenderRun& run) override;
+    void shade_pixels(const FactoredMethod& method, const PixelInput& input, RenderRun& run) override;
+    void shade_pixels(const DenseMethod& method, const PixelInput& input, RenderRun& run) override;
+    std::uint64_t make_physical(const ShadeInput& input) override;
+    void illuminate(const SmallLights& lights, const ShadeInput& input, RenderRun& run) override;
+    void finish() override;
+    void store(VertexBuffers& /*buffers*/) const override {}
+    void store(PixelImage& image) const override { image_.copy_to(image); }
+    void count(Statistics& /*statistics*/) const override {}
+
+private:
+    /// Makes buffers of the size of the input; false where there is nothing in it.
+    bool prepare(const TransferInput& input);
+    DeviceShade& shade_for(const Viewpoint& view);
+    [[nodiscard]] DevicePoints vertices(const ShadeInput& input, bool fractions);
+    template <class Method, class Device>
+    void shade_pixels_by(const Method& method, Device& device, const PixelInput& input, RenderRun& run);
+    /// first: a multiple of gl::kGroupOfVertices. Adds the number of those that were moved to `counter`.
+    void make_physical(const DevicePoints& points, std::size_t first, std::size_t last, float noise,
+                       const gl::Buffer& counter);
+
+    /// stokes += more.
+    void add(const std::vector<glm::vec4>& more, const gl::Buffer& stokes);
+
+    std::shared_ptr<gl::Context> context_;
+    VertexBuffers& buffers_;
+    DevicePixelImage image_;
+    DeviceTextures textures_;
+    std::optional<DeviceShade> shade_;
+    DeviceFactored factored_;
+    DeviceDense dense_;
+    DeviceHighOrders high_orders_;
+    std::optional<DevicePixels> pixels_;
+    std::optional<gl::Program> physical_;
+    std::optional<gl::Program> add_;
+};
+
+}  // namespace nicol

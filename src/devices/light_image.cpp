@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#include "devices/light_image.hpp"
+
+#include <atomic>
+
+#include "devices/pixel_lights.hpp"
+#include "draw/hit_image.hpp"
+
+namespace nicol {
+
+void find_light_image(const PixelInput& input, std::size_t first, std::size_t last, RenderRun& run,
+                      std::vector<std::vector<glm::vec4>>& out) {
+    const Stopwatch watch;
+    out.resize(static_cast<std::size_t>(input.channels));
+    for (auto& channel : out) channel.assign(last - first, glm::vec4(0));
+    const std::vector<std::span<glm::vec4>> image(out.begin(), out.end());
+    const PixelLights lights(*input.small_lights, input);
+    const std::size_t pixels =
+        static_cast<std::size_t>(input.hits.width()) * static_cast<std::size_t>(input.hits.height());
+    std::atomic<std::uint64_t> rays = 0;
+    run.workers.for_vertices(first, last, pixels, "shade", run.progress,
+                             [&](std::size_t begin, std::size_t end) {
+                                 thread_local std::vector<PixelPoint> points;
+                                 thread_local std::vector<float> coverage;
+                                 thread_local PixelBatch batch;
+                                 thread_local std::vector<glm::vec4> sums;
+                                 coverage.resize(end - begin);
+                                 list_points(input, begin, end, points, coverage);
+                                 for (std::span<const PixelPoint> rest(points); !rest.empty();
+                                      rest = rest.subspan(batch.points().size())) {
+                                     batch.take(input, rest);
+                                     const std::size_t count = batch.points().size();
+                                     sums.assign(out.size() * count, glm::vec4(0));
+                                     std::vector<std::span<glm::vec4>> stokes;
+                                     for (std::size_t c = 0; c < out.size(); ++c)
+                                         stokes.push_back(std::span(sums).subspan(c * count, count));
+                                     rays += lights.add(batch, stokes);
+                                     batch.gather(stokes, input.most_components, first, image);
+                                 }
+                             });
+    run.statistics.light_rays += rays;
+    run.statistics.light_ms += watch.milliseconds();
+}
+
+}  // namespace nicol

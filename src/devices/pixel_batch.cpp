@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: MIT
+#include "devices/pixel_batch.hpp"
+
+#include <algorithm>
+#include <array>
+#include <glm/geometric.hpp>
+
+#include "draw/hit_image.hpp"
+#include "shading/lane_footprint.hpp"
+#include "shading/normal_variation.hpp"
+
+namespace nicol {
+namespace {
+
+bool share_corner(const glm::uvec3& a, const glm::uvec3& b) {
+    const auto in_b = [&b](std::uint32_t v) { return v == b.x || v == b.y || v == b.z; };
+    return in_b(a.x) || in_b(a.y) || in_b(a.z);
+}
+
+// Samples of one smooth surface in one pixel.
+struct Patch {
+    std::array<std::uint32_t, kMostPixelSamples> triangles;
+    std::array<glm::vec2, kMostPixelSamples> at;  // from the pixel's centre
+    std::size_t samples = 0;
+};
+
+// `range`: that of the patch before, which is often the same.
+PixelPoint point_of(const Patch& patch, const PixelInput& input, std::size_t pixel, std::size_t& range) {
+    glm::vec2 mean(0);
+    for (const glm::vec2& at : std::span(patch.at).first(patch.samples)) mean += at;
+    mean /= static_cast<float>(patch.samples);
+    // The mean may lie between triangles; the nearest sample's then stands for all.
+    std::size_t nearest = 0;
+    for (std::size_t s = 1; s < patch.samples; ++s) {
+        const glm::vec2 d = patch.at[s] - mean;
+        const glm::vec2 least = patch.at[nearest] - mean;
+        if (glm::dot(d, d) < glm::dot(least, least)) nearest = s;
+    }
+    const std::uint32_t triangle = patch.triangles[nearest];
+    const glm::uvec3& corners = input.geometry.triangles[triangle];
+    const std::vector<VertexRange>& ranges = input.geometry.ranges;
+    if (corners.x < ranges[range].first || corners.x >= ranges[range].last)
+        range = range_of(input.geometry, corners.x);
+    const bool occluded = input.visibility != nullptr && !(input.visibility->unoccluded(corners.x) &&
+                                                           input.visibility->unoccluded(corners.y) &&
+                                                           input.visibility->unoccluded(corners.z));
+    return {.range = static_cast<std::uint32_t>(range),
+            .occluded = occluded ? 1U : 0U,
+            .triangle = triangle,
+            .pixel = static_cast<std::uint32_t>(pixel),
+            .weight = static_cast<float>(patch.samples) / static_cast<float>(input.hits.offsets().size()),
+            .at = mean};
+}
+
+PixelSteps steps_of(const TextureView& view) {
+    const Projection& p = view.projection;
+    return {.forward = p.view.forward,
+            .right = p.view.right * (2 * p.sample_size * p.half_width / view.width),
+            .down = p.view.up * (-2 * p.sample_size * p.half_height / view.height),
+            .orthographic = p.view.orthographic};
+}
+
+// Input of textures and normals at sixteen points.
+class Block {
+public:
+    Block(const SpatialVariation& variation, const TextureView& view)
+        : view_(view),
+          steps_(steps_of(view)),
+          footprint_(variation.needs_footprint()),
+          axes_(footprint_ || variation.normal.kind != NormalVariation::Kind::none) {}
+
+    // triangles: up to sixteen. Other lanes repeat the first.
+    void set(std::span<const std::uint32_t> triangles, const LaneSurface& surface) {
+        const WorldGeometry& geometry = view_.geometry;
+        const Viewpoint& camera = view_.projection.view;
+        const glm::vec3 eye(camera.eye), forward(camera.forward);
+        for (std::size_t i = 0; i < kLanes; ++i) {
+            const std::uint32_t triangle = triangles[i < triangles.size() ? i : 0];
+            const glm::vec3 weights(surface.weights[0][i], surface.weights[1][i], surface.weights[2][i]);
+            const glm::vec3 ray = camera.orthographic ? forward : surface.positions[i] - eye;
+            put(towards_viewer, i, -ray);
+            put(normals, i, surface.normals[i]);
+            if (!geometry.texcoords.empty()) {
+                const std::array<glm::vec2, 3>& texcoords = geometry.texcoords[triangle];
+                if (axes_ && triangle != known_) use(triangle, texcoords);
+                for (glm::length_t k = 0; k < 2; ++k)
+                    points.uv[static_cast<std::size_t>(k)][i] = weights.x * texcoords[0][k] +
+                                                                weights.y * texcoords[1][k] +
+                                                                weights.z * texcoords[2][k];
+                put(axes.by_u, i, triangle_axes_.by_u);
+                put(axes.by_v, i, triangle_axes_.by_v);
+            }
+            if (!geometry.colors.empty()) {
+                const std::array<glm::vec3, 3>& colors = geometry.colors[triangle];
+                for (glm::length_t k = 0; k < 3; ++k)
+                    points.color[static_cast<std::size_t>(k)][i] =
+                        weights.x * colors[0][k] + weights.y * colors[1][k] + weights.z * colors[2][k];
+            }
+        }
+        if (footprint_) find_footprints(steps_, axes, towards_viewer, points);
+    }
+
+    TexturePoints points{};
+    LaneTextureAxes axes{};
+    LaneVectors towards_viewer, normals;
+
+private:
+    void use(std::uint32_t triangle, const std::array<glm::vec2, 3>& texcoords) {
+        known_ = triangle;
+        const std::vector<glm::vec3>& positions = view_.geometry.positions;
+        const glm::uvec3& t = view_.geometry.triangles[triangle];
+        triangle_axes_ = texture_axes({positions[t.x], positions[t.y], positions[t.z]}, texcoords);
+    }
+
+    const TextureView& view_;
+    PixelSteps steps_;
+    bool footprint_, axes_;
+    std::uint32_t known_ = ~std::uint32_t{0};  // the triangle before, which is often the same
+    TextureAxes triangle_axes_;
+};
+
+}  // namespace
+
+void list_points(const PixelInput& input, std::size_t first, std::size_t last, std::vector<PixelPoint>& out,
+                 std::span<float> coverage) {
+    out.clear();
+    const std::span offsets = input.hits.offsets();
+    const std::span triangles(input.geometry.triangles);
+    const float weight = 1.0F / static_cast<float>(offsets.size());
+    std::array<Patch, kMostPixelSamples> patches;
+    std::size_t range = 0;
+    for (std::size_t i = first; i < last; ++i) {
+        std::size_t count = 0;
+        std::size_t covered = 0;
+        for (std::size_t s = 0; s < offsets.size(); ++s) {
+            const std::optional<Hit> hit = input.hits.at(s, i);
+            if (!hit) continue;
+            ++covered;
+            if (!hit->front) continue;
+            const auto same = [&](const Patch& patch) {
+                const std::uint32_t other = patch.triangles[patch.samples - 1];
+                return other == hit->triangle || share_corner(triangles[other], triangles[hit->triangle]);
+            };
+            const auto known = std::span(patches).first(count);
+            const auto found = std::ranges::find_if(known, same);
+            Patch& patch = found != known.end() ? *found : patches[count++];
+            if (found == known.end()) patch.samples = 0;
+            patch.triangles[patch.samples] = hit->triangle;
+            patch.at[patch.samples++] = glm::vec2(offsets[s]);
+        }
+        coverage[i - first] = weight * static_cast<float>(covered);
+        for (const Patch& patch : std::span(patches).first(count))
+            out.push_back(point_of(patch, input, i, range));
+    }
+    if (!std::ranges::is_sorted(out, {}, &PixelPoint::group))
+        std::ranges::stable_sort(out, {}, &PixelPoint::group);
+}
+
+void TexturedPixels::find(const SpatialVariation& variation, bool back, const TextureView& view,
+                          std::span<const std::uint32_t> triangles, std::span<LaneSurface> surfaces) {
+    const std::size_t layers = variation.layers.size();
+    weights_.resize(surfaces.size() * layers);
+    Block block(variation, view);
+    for (std::size_t b = 0; b < surfaces.size(); ++b) {
+        const std::span own = triangles.subspan(b * kLanes, std::min(kLanes, triangles.size() - b * kLanes));
+        block.set(own, surfaces[b]);
+        const std::span weights = std::span(weights_).subspan(b * layers, layers);
+        variation.weights(block.points, weights);
+        if (variation.normal.kind == NormalVariation::Kind::none) continue;
+        turn_normals(variation.normal, block.points, block.axes, back, block.towards_viewer, block.normals);
+        for (std::size_t i = 0; i < kLanes; ++i)
+            surfaces[b].normals[i] = {block.normals.x[i], block.normals.y[i], block.normals.z[i]};
+    }
+}
+
+void PixelBatch::take(const PixelInput& input, std::span<const PixelPoint> points) {
+    const std::uint64_t group = points.front().group();
+    std::size_t count = 0;
+    while (count < points.size() && count < kMost && points[count].group() == group) ++count;
+    points_ = points.first(count);
+    weights_ = {};
+    find_surfaces(input);
+    const VertexRange& range = input.geometry.ranges[points_.front().range];
+    if (range.material->variation() != nullptr) find_textures(input, range);
+}
+
+void PixelBatch::find_surfaces(const PixelInput& input) {
+    const WorldGeometry& geometry = input.geometry;
+    const auto width = static_cast<std::size_t>(input.hits.width());
+    for (std::size_t begin = 0; begin < points_.size(); begin += kLanes) {
+        const std::size_t count = std::min(kLanes, points_.size() - begin);
+        std::array<Corners, kLanes> triangles;
+        std::array<glm::vec2, kLanes> at;
+        for (std::size_t i = 0; i < count; ++i) {
+            const PixelPoint& point = points_[begin + i];
+            triangles[i] = geometry.triangles[point.triangle];
+            const std::size_t column = point.pixel % width;
+            const std::size_t row = point.pixel / width;
+            at[i] =
+                glm::vec2(on_image_plane(input.projection, input.hits.width(), input.hits.height(),
+                                         static_cast<double>(column) + 0.5 + static_cast<double>(point.at.x),
+                                         static_cast<double>(row) + 0.5 + static_cast<double>(point.at.y)));
+        }
+        find_surface(input.view, geometry.positions, geometry.normals, std::span(triangles).first(count),
+                     std::span(at).first(count), surfaces_[begin / kLanes]);
+    }
+}
+
+void PixelBatch::find_textures(const PixelInput& input, const VertexRange& range) {
+    triangles_.clear();
+    for (const PixelPoint& point : points_) triangles_.push_back(point.triangle);
+    textures_.find(*range.material->variation(), is_back(input.geometry, range),
+                   {.geometry = input.geometry,
+                    .projection = input.projection,
+                    .width = input.hits.width(),
+                    .height = input.hits.height()},
+                   triangles_, std::span(surfaces_).first(surfaces().size()));
+    weights_ = textures_.weights();
+}
+
+void PixelBatch::gather(std::span<const std::span<glm::vec4>> stokes, std::size_t components,
+                        std::size_t first, std::span<const std::span<glm::vec4>> out) const {
+    glm::vec4 wanted(0);
+    for (std::size_t p = 0; p < components; ++p) wanted[static_cast<glm::length_t>(p)] = 1;
+    for (std::size_t c = 0; c < out.size(); ++c)
+        for (std::size_t i = 0; i < points_.size(); ++i)
+            out[c][points_[i].pixel - first] += points_[i].weight * wanted * stokes[c][i];
+}
+
+}  // namespace nicol

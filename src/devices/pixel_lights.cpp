@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+#include "devices/pixel_lights.hpp"
+
+#include <algorithm>
+#include <array>
+#include <glm/geometric.hpp>
+#include <vector>
+
+#include "shading/light_places.hpp"
+#include "shading/shine.hpp"
+#include "surfaces/tangents.hpp"
+
+namespace nicol {
+namespace {
+
+glm::vec3 facet_of(const WorldGeometry& geometry, std::uint32_t triangle, const glm::vec3& otherwise) {
+    const glm::uvec3& t = geometry.triangles[triangle];
+    // In double precision, as squares of very small or large edges are no floats.
+    const glm::dvec3 corner(geometry.positions[t.x]);
+    const glm::dvec3 normal = glm::cross(glm::dvec3(geometry.positions[t.y]) - corner,
+                                         glm::dvec3(geometry.positions[t.z]) - corner);
+    const double length = glm::length(normal);
+    return length > 0 ? glm::vec3(normal / length) : otherwise;
+}
+
+bool turns_normals(const Material& material) {
+    const SpatialVariation* const variation = material.variation();
+    return variation != nullptr && variation->normal.kind != NormalVariation::Kind::none;
+}
+
+std::vector<const Material*> layers_of(const Material& material) {
+    const SpatialVariation* const variation = material.variation();
+    if (variation == nullptr) return {&material};
+    std::vector<const Material*> out;
+    for (const MaterialLayer& layer : variation->layers) out.push_back(layer.material.get());
+    return out;
+}
+
+}  // namespace
+
+std::uint64_t PixelLights::add(const PixelBatch& batch, std::span<const std::span<glm::vec4>> out) const {
+    const std::span points = batch.points();
+    const PixelPoint& any = points.front();
+    const VertexRange& range = input_.geometry.ranges[any.range];
+    const bool shadowed = input_.visibility == nullptr || any.occluded != 0;
+    const std::vector<const Material*> layers = layers_of(*range.material);
+    const bool anisotropic = range.material->anisotropic() && !input_.geometry.texcoords.empty();
+    const bool turned = turns_normals(*range.material);
+    std::uint64_t rays = 0;
+    std::vector<std::span<glm::vec4>> channels(out.size());
+    for (std::size_t first = 0; first < points.size(); first += kLanes) {
+        const std::size_t count = std::min(kLanes, points.size() - first);
+        const LaneSurface& surface = batch.surfaces()[first / kLanes];
+        std::array<glm::vec3, kLanes> facets, origins, tangents;
+        std::array<std::uint32_t, kLanes> seeds;
+        for (std::size_t i = 0; i < count; ++i) {
+            facets[i] = facet_of(input_.geometry, points[first + i].triangle, surface.normals[i]);
+            origins[i] = surface.positions[i] + lights_.offset() * facets[i];
+            seeds[i] = place_seed(points[first + i].pixel, input_.seed);
+            if (!anisotropic) continue;
+            const glm::vec3 weights(surface.weights[0][i], surface.weights[1][i], surface.weights[2][i]);
+            tangents[i] = tangent(input_.geometry, points[first + i].triangle, weights);
+        }
+        std::span<const LayerWeights> weights;
+        if (!batch.weights().empty())
+            weights = batch.weights().subspan(first / kLanes * layers.size(), layers.size());
+        for (std::size_t c = 0; c < out.size(); ++c) channels[c] = out[c].subspan(first, count);
+        const std::span of_facets = std::span(facets).first(count);
+        rays += lights_.lighting().add(input_.view,
+                                       {.positions = std::span(surface.positions).first(count),
+                                        .normals = std::span(surface.normals).first(count),
+                                        .tangents = std::span(tangents).first(anisotropic ? count : 0),
+                                        .facets = turned ? of_facets : std::span<glm::vec3>(),
+                                        .origins = std::span(origins).first(count),
+                                        .seeds = std::span(seeds).first(count),
+                                        .shadowed = shadowed},
+                                       {.layers = layers, .weights = weights}, channels);
+        if (range.emission != nullptr) add_emission(range, batch, first, channels);
+    }
+    return rays;
+}
+
+void PixelLights::add_emission(const VertexRange& range, const PixelBatch& batch, std::size_t first,
+                               std::span<const std::span<glm::vec4>> out) const {
+    const LaneSurface& surface = batch.surfaces()[first / kLanes];
+    const std::size_t count = out.front().size();
+    std::array<glm::vec2, kLanes> texcoords{};
+    if (range.emission->texture != nullptr) {
+        for (std::size_t i = 0; i < count; ++i) {
+            const std::array<glm::vec2, 3>& corners =
+                input_.geometry.texcoords[batch.points()[first + i].triangle];
+            for (std::size_t k = 0; k < 3; ++k) texcoords[i] += surface.weights[k][i] * corners[k];
+        }
+    }
+    add_shine(*range.emission, lights_.axis_of(range.instance), input_.view,
+              std::span(surface.positions).first(count), std::span(surface.normals).first(count),
+              std::span(texcoords).first(count), out);
+}
+
+}  // namespace nicol

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// Small lights at pixels, on threads.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <glm/vec4.hpp>
+#include <span>
+
+#include "devices/pixel_batch.hpp"
+#include "methods/executor.hpp"
+#include "surfaces/small_lights.hpp"
+
+namespace nicol {
+
+class PixelLights {
+public:
+    /// Both must outlive this.
+    PixelLights(const SmallLights& lights, const PixelInput& input) : lights_(lights), input_(input) {}
+
+    /// Adds to out[c][point] what the batch's points reflect of small lights, and what they emit. Returns the
+    /// number of rays.
+    std::uint64_t add(const PixelBatch& batch, std::span<const std::span<glm::vec4>> out) const;
+
+private:
+    void add_emission(const VertexRange& range, const PixelBatch& batch, std::size_t first,
+                      std::span<const std::span<glm::vec4>> out) const;
+
+    const SmallLights& lights_;
+    const PixelInput& input_;
+};
+
+}  // namespace nicol

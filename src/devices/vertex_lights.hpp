@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// Small lights at vertices, on threads.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <glm/vec4.hpp>
+#include <span>
+
+#include "methods/executor.hpp"
+#include "surfaces/small_lights.hpp"
+
+namespace nicol {
+
+class VertexLights {
+public:
+    VertexLights(const SmallLights& lights, const ShadeInput& input) : lights_(lights), input_(input) {}
+
+    /// Adds to out[c][v], for chosen vertices, what they reflect of small lights and what they emit. Counts
+    /// rays in the statistics.
+    void add(RenderRun& run, std::span<const std::span<glm::vec4>> out) const;
+
+private:
+    // For first <= v < last of a range. Returns the number of rays.
+    std::uint64_t add(const VertexRange& range, std::size_t first, std::size_t last,
+                      std::span<const std::span<glm::vec4>> out) const;
+    std::uint64_t add(const VertexRange& range, std::span<const std::uint32_t> vertices,
+                      std::span<const std::span<glm::vec4>> out) const;
+
+    const SmallLights& lights_;
+    const ShadeInput& input_;
+};
+
+}  // namespace nicol

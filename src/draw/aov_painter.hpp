@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// draw: depth, normals, positions, instances and coverage beside a Stokes image.
+#pragma once
+
+#include <cstdint>
+#include <glm/mat4x4.hpp>
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "draw/cut_outs.hpp"
+#include "draw/framebuffer.hpp"
+#include "draw/vertex_buffers.hpp"
+#include "gl/draw.hpp"
+#include "scene/projection.hpp"
+
+namespace nicol {
+
+/// Holds memory on the device only while AOVs are requested. All
+/// members inside run() of the context.
+class AovPainter {
+public:
+    explicit AovPainter(std::shared_ptr<gl::Context> context) : context_(std::move(context)) {}
+
+    /// Allocates all that draw() needs; the framebuffer keeps its content. `mask`: bits of AovBit. `samples`:
+    /// of a pixel, as sample_pattern() has them.
+    void prepare(const WorldGeometry& geometry, VertexBuffers& buffers, const CutOuts& cut_outs,
+                 std::uint32_t mask, std::span<const glm::dvec2> samples, Framebuffer& target);
+    /// Draws what was prepared. `projection` is of the world, to which the rigid motion `to_world` takes the
+    /// geometry.
+    void draw(const CutOuts& cut_outs, const Projection& projection, const glm::dmat4& to_world,
+              Framebuffer& target);
+
+private:
+    // Consecutive triangles of one side of one instance.
+    struct Batch {
+        TriangleBatch triangles;
+        std::uint32_t instance;
+    };
+
+    void bind(const WorldGeometry& geometry, VertexBuffers& buffers);
+    void prepare_sample();
+    // textures: of an opacity.
+    gl::Program& program(const char* vertex, const char* fragment, int textures = 0);
+    void clear(gl::RenderTarget& image) const;
+    void draw_surfaces(const CutOuts& cut_outs, const Projection& projection, const glm::dmat4& to_world,
+                       gl::RenderTarget& image);
+    // Adds what sample_ has to the attachments.
+    void merge(std::size_t sample);
+
+    std::shared_ptr<gl::Context> context_;
+    // By fragment shader, mask, textures of an opacity.
+    std::map<std::tuple<std::string, std::uint32_t, int>, gl::Program> programs_;
+    std::optional<gl::VertexArray> vertices_;
+    std::vector<Batch> batches_;
+    Stage<Version> binding_;  // buffers
+    std::uint32_t mask_ = 0;
+    std::uint32_t drawn_ = 0;  // those and the depth, where it tells which sample is the nearest
+    std::span<const glm::dvec2> samples_;
+    std::optional<gl::RenderTarget> sample_;  // one sample of every pixel, where there are several
+    std::shared_ptr<gl::RenderTarget> attachments_;
+};
+
+}  // namespace nicol

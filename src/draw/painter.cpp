@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: MIT
+#include "draw/painter.hpp"
+
+#include <algorithm>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+#include <string>
+#include <utility>
+
+#include "surfaces/rigid_motion.hpp"
+
+namespace nicol {
+namespace {
+
+int group_size(int channels, std::size_t group) {
+    return std::min(Framebuffer::kGroup, channels - static_cast<int>(group) * Framebuffer::kGroup);
+}
+
+gl::TextureDescription equirect(const EquirectImage& image) {
+    return {.width = image.width,
+            .height = image.height,
+            .filter = gl::Filter::linear,
+            .wrap_x = gl::Wrap::repeat,
+            .wrap_y = gl::Wrap::clamp};
+}
+
+// A background of all components covers what the surfaces leave.
+void clear(gl::RenderTarget& image, bool background, int components) {
+    if (background && components == 4) {
+        image.clear_depth();
+    } else {
+        image.clear();
+    }
+}
+
+}  // namespace
+
+Painter::Painter(std::shared_ptr<gl::Context> context)
+    : context_(std::move(context)), pixels_(context_), aovs_(context_) {}
+
+void Painter::draw(const Scene& scene, const RefinedSurfaces& surfaces, VertexBuffers& buffers,
+                   const CutOuts& cut_outs, const RenderExecutor* pixels, const Wanted& wanted,
+                   const Projection& projection, Framebuffer& target) {
+    const int channels = target.channels();
+    binding_.run(buffers.version(), channels, [&] { bind_vertices(buffers, channels); });
+    const bool behind = scene.background() != nullptr && !(pixels != nullptr && pixels->adds_background());
+    if (behind)
+        uploading_.run(scene.background(), channels,
+                       [&] { upload_environment(*scene.background(), channels); });
+    aovs_.prepare(surfaces.geometry(), buffers, cut_outs, wanted.aovs, wanted.samples, target);
+
+    prepare_sample(pixels == nullptr && wanted.samples.size() > 1, target);
+    if (pixels != nullptr) {
+        pixels_.begin(target);
+        pixels->store(pixels_);
+    } else {
+        pixels_.clear();
+    }
+
+    for (std::size_t g = 0; g < groups_.size(); ++g) {
+        if (pixels != nullptr) {
+            if (behind) draw_around_pixels(scene, wanted.components, projection, g, target);
+        } else {
+            draw_samples(scene, surfaces, wanted, projection, g, target);
+        }
+    }
+    aovs_.draw(cut_outs, projection, surfaces.to_world(), target);
+    gl::finish(*context_);
+}
+
+void Painter::prepare_sample(bool several, const Framebuffer& target) {
+    if (!several) {
+        sample_.reset();
+        return;
+    }
+    const int colours = std::min(Framebuffer::kGroup, target.channels());
+    if (sample_ && sample_->width() == target.width() && sample_->height() == target.height() &&
+        sample_->colours() == colours)
+        return;
+    sample_.reset();
+    sample_.emplace(context_, gl::RenderTargetDescription{
+                                  .width = target.width(), .height = target.height(), .colours = colours});
+}
+
+void Painter::draw_samples(const Scene& scene, const RefinedSurfaces& surfaces, const Wanted& wanted,
+                           const Projection& projection, std::size_t group, Framebuffer& target) {
+    const int channels = group_size(target.channels(), group);
+    gl::RenderTarget& image = target.groups()[group];
+    gl::RenderTarget& drawn = sample_ ? *sample_ : image;
+    for (std::size_t s = 0; s < wanted.samples.size(); ++s) {
+        const Projection moved = jittered(projection, wanted.samples[s]);
+        draw_surface(scene, surfaces.geometry(), wanted.components, in_axes(moved, surfaces.to_world()),
+                     group, channels, drawn);
+        // The environment is as smooth as its image is: a pixel has that of its centre.
+        if (scene.background())
+            draw_background(scene, wanted.components, projection, false, group, channels, drawn);
+        if (sample_) add_sample(s, wanted, channels, image);
+    }
+}
+
+void Painter::add_sample(std::size_t sample, const Wanted& wanted, int channels, gl::RenderTarget& image) {
+    gl::Program& mean = program("fullscreen.vert", "mean.frag", channels, {});
+    mean.set("weight", 1.0F / static_cast<float>(wanted.samples.size()));
+    mean.set("first", sample == 0 ? 1 : 0);
+    for (int c = 0; c < channels; ++c) {
+        sample_->colour(c).bind(static_cast<unsigned>(c));
+        image.colour(c).bind(static_cast<unsigned>(Framebuffer::kGroup + c));
+    }
+    gl::texture_barrier(*context_);
+    gl::draw_fullscreen(image, mean, {.depth_test = gl::DepthTest::off, .depth_write = false});
+}
+
+void Painter::draw_surface(const Scene& scene, const WorldGeometry& geometry, int components,
+                           const Projection& projection, std::size_t group, int channels,
+                           gl::RenderTarget& image) {
+    gl::Program& surface = program("surface.vert", "surface.frag", channels, {});
+    surface.set("world_to_clip", glm::mat4(projection.world_to_clip));
+    clear(image, scene.background() != nullptr, components);
+    const auto draw_some = [&](std::size_t first, std::size_t last, gl::Cull cull) {
+        if (first == last) return;
+        gl::draw(image, surface, *groups_[group].vertices, 3 * first, 3 * (last - first),
+                 {.cull = cull, .components = components});
+    };
+    // Materials without a back are drawn black from behind, the others have triangles for each side.
+    draw_some(0, geometry.one_sided, gl::Cull::none);
+    draw_some(geometry.one_sided, geometry.triangles.size(), gl::Cull::back);
+}
+
+void Painter::draw_around_pixels(const Scene& scene, int components, const Projection& projection,
+                                 std::size_t group, Framebuffer& target) {
+    const int channels = group_size(target.channels(), group);
+    gl::RenderTarget& image = target.groups()[group];
+    constexpr unsigned first = Framebuffer::kGroup;
+    for (int c = 0; c < channels; ++c) image.colour(c).bind(first + static_cast<unsigned>(c));
+    pixels_.coverage().bind(first + Framebuffer::kGroup);
+    gl::texture_barrier(*context_);
+    draw_background(scene, components, projection, true, group, channels, image);
+}
+
+gl::Program& Painter::program(const char* vertex, const char* fragment, int channels,
+                              const std::set<std::string>& features) {
+    const auto key = std::make_tuple(std::string(fragment), channels, features);
+    auto found = programs_.find(key);
+    if (found == programs_.end()) {
+        std::vector<gl::Define> defines{{.name = "CHANNELS", .value = std::to_string(channels)}};
+        for (const std::string& feature : features) defines.push_back({.name = feature});
+        found = programs_.emplace(key, gl::Program::graphics(context_, vertex, fragment, defines)).first;
+    }
+    return found->second;
+}
+
+void Painter::bind_vertices(VertexBuffers& buffers, int channels) {
+    const auto count = static_cast<std::size_t>((channels + Framebuffer::kGroup - 1) / Framebuffer::kGroup);
+    groups_.resize(count);
+    for (Group& group : groups_) group.vertices.reset();
+    if (buffers.empty()) return;
+    for (std::size_t g = 0; g < count; ++g) {
+        std::vector<gl::Attribute> attributes{
+            {.location = 0, .components = 3, .buffer = buffers.positions()}};
+        for (int c = 0; c < group_size(channels, g); ++c) {
+            attributes.push_back({.location = static_cast<unsigned>(1 + c),
+                                  .components = 4,
+                                  .buffer = buffers.stokes(static_cast<int>(g) * Framebuffer::kGroup + c)});
+        }
+        groups_[g].vertices.emplace(context_, attributes, buffers.indices());
+    }
+}
+
+void Painter::upload_environment(const Environment& environment, int channels) {
+    for (Group& group : groups_) group.environment.clear();
+    const EquirectImage image = environment.image();
+    const std::size_t pixels = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
+    const auto channel_data = [&](int c) {
+        const auto from = static_cast<std::size_t>(image.channels == 1 ? 0 : c) * 4 * pixels;
+        return std::span(image.data).subspan(from, 4 * pixels);
+    };
+    for (std::size_t g = 0; g < groups_.size(); ++g) {
+        const int first = static_cast<int>(g) * Framebuffer::kGroup;
+        if (environment.polarized()) {
+            for (int c = 0; c < group_size(channels, g); ++c) {
+                groups_[g].environment.emplace_back(context_, equirect(image), channel_data(first + c));
+            }
+            continue;
+        }
+        std::vector<float> packed(4 * pixels);
+        for (int c = 0; c < group_size(channels, g); ++c) {
+            const std::span<const float> from = channel_data(first + c);
+            for (std::size_t i = 0; i < pixels; ++i)
+                packed[4 * i + static_cast<std::size_t>(c)] = from[4 * i];
+        }
+        groups_[g].environment.emplace_back(context_, equirect(image), packed);
+    }
+}
+
+void Painter::draw_background(const Scene& scene, int components, const Projection& projection, bool shaded,
+                              std::size_t group, int channels, gl::RenderTarget& image) {
+    const Viewpoint& view = projection.view;
+    std::set<std::string> features;
+    if (scene.background()->polarized()) features.insert("POLARIZED");
+    if (shaded) features.insert("SHADED");
+    gl::Program& sky = program("fullscreen.vert", "background.frag", channels, features);
+    sky.set("camera", glm::mat3(view.right, view.up, view.forward));
+    sky.set("half_size", glm::vec2(projection.half_width, projection.half_height));
+    sky.set("shift", glm::vec2(projection.shift));
+    sky.set("orthographic", view.orthographic ? 1 : 0);
+    sky.set("to_light", glm::mat3(glm::transpose(scene.light_rotation())));
+    sky.set("scale", static_cast<float>(scene.light_scale()));
+    const std::vector<gl::Texture2D>& environment = groups_[group].environment;
+    for (std::size_t i = 0; i < environment.size(); ++i) environment[i].bind(static_cast<unsigned>(i));
+    gl::draw_fullscreen(image, sky,
+                        {.depth_test = shaded ? gl::DepthTest::off : gl::DepthTest::less_equal,
+                         .depth_write = false,
+                         .components = components});
+}
+
+}  // namespace nicol

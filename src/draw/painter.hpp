@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+// draw: shaded vertices and the environment into a framebuffer.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "draw/aov_painter.hpp"
+#include "draw/framebuffer.hpp"
+#include "draw/pixel_image.hpp"
+#include "draw/sample_pattern.hpp"
+#include "draw/vertex_buffers.hpp"
+#include "gl/draw.hpp"
+#include "methods/executor.hpp"
+#include "scene/projection.hpp"
+#include "scene/scene.hpp"
+#include "surfaces/refined_surfaces.hpp"
+
+namespace nicol {
+
+/// Keeps a scene's environment's images and the programs on the device.
+class Painter {
+public:
+    explicit Painter(std::shared_ptr<gl::Context> context);
+
+    struct Wanted {
+        int components = 4;      ///< Stokes components that are drawn; the others are 0
+        std::uint32_t aovs = 0;  ///< bits of AovBit
+        std::span<const glm::dvec2> samples = sample_pattern(1);  ///< of a pixel
+    };
+
+    /// `buffers` and `cut_outs` are of `surfaces`; `projection` is of the world. `pixels`, where not null,
+    /// has shaded the image's pixels, and vertices are not drawn. With several samples vertices are drawn as
+    /// often, and averaged: that gives every driver the same samples. All memory is allocated before the
+    /// framebuffer is touched.
+    void draw(const Scene& scene, const RefinedSurfaces& surfaces, VertexBuffers& buffers,
+              const CutOuts& cut_outs, const RenderExecutor* pixels, const Wanted& wanted,
+              const Projection& projection, Framebuffer& target);
+
+private:
+    // Channels that are drawn at once.
+    struct Group {
+        std::optional<gl::VertexArray> vertices;
+        std::vector<gl::Texture2D> environment;  // one of all s0, or one Stokes texture a channel
+    };
+
+    gl::Program& program(const char* vertex, const char* fragment, int channels,
+                         const std::set<std::string>& features);
+    void bind_vertices(VertexBuffers& buffers, int channels);
+    // `projection` is of the surfaces' axes.
+    void draw_surface(const Scene& scene, const WorldGeometry& geometry, int components,
+                      const Projection& projection, std::size_t group, int channels, gl::RenderTarget& image);
+    void prepare_sample(bool several, const Framebuffer& target);
+    void draw_samples(const Scene& scene, const RefinedSurfaces& surfaces, const Wanted& wanted,
+                      const Projection& projection, std::size_t group, Framebuffer& target);
+    // Adds what was drawn to the mean of the samples, which `image` becomes.
+    void add_sample(std::size_t sample, const Wanted& wanted, int channels, gl::RenderTarget& image);
+    void draw_around_pixels(const Scene& scene, int components, const Projection& projection,
+                            std::size_t group, Framebuffer& target);
+    void upload_environment(const Environment& environment, int channels);
+    // Behind what `image` has or, with `shaded`, around its pixels, which are bound.
+    void draw_background(const Scene& scene, int components, const Projection& projection, bool shaded,
+                         std::size_t group, int channels, gl::RenderTarget& image);
+
+    std::shared_ptr<gl::Context> context_;
+    std::map<std::tuple<std::string, int, std::set<std::string>>, gl::Program> programs_;
+    std::vector<Group> groups_;
+    Stage<Version, int> binding_;             // buffers, channels
+    Stage<EnvironmentPtr, int> uploading_;    // environment, channels
+    std::optional<gl::RenderTarget> sample_;  // one sample of every pixel, where there are several
+    PixelImage pixels_;
+    AovPainter aovs_;
+};
+
+}  // namespace nicol

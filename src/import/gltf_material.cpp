@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: MIT
+// Materials.
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "import/gltf_readers.hpp"
+
+namespace nicol::scene {
+namespace {
+
+using Part = TextureSpecification::Part;
+
+/// Those of a material that have an effect here.
+constexpr std::array<std::string_view, 2> kFollowed = {"KHR_materials_ior",
+                                                       "KHR_materials_emissive_strength"};
+
+TextureSpecificationPtr shared(TextureSpecification texture) {
+    return std::make_shared<const TextureSpecification>(std::move(texture));
+}
+
+TextureSpecification constant(const ColorDescription& value) {
+    TextureSpecification out;
+    out.color0 = value;
+    return out;
+}
+
+/// What is made of a material, with `texture`.
+MaterialDescription around(MaterialDescription::Kind kind, std::vector<MaterialDescription> parts,
+                           TextureSpecification texture) {
+    MaterialDescription out;
+    out.kind = kind;
+    out.parts = std::move(parts);
+    out.texture = shared(std::move(texture));
+    return out;
+}
+
+class MaterialReader {
+public:
+    MaterialReader(const GltfDocument& document, const GltfSurface& surface,
+                   const tinygltf::Material& material, GltfTextures& textures, GltfNotices& notices)
+        : document_(document),
+          surface_(surface),
+          where_("materials[" + std::to_string(surface.material) + "]"),
+          material_(material),
+          pbr_(material.pbrMetallicRoughness),
+          textures_(textures),
+          notices_(notices),
+          base_(pbr_.baseColorTexture, where_ + ".baseColorTexture"),
+          metallic_roughness_(pbr_.metallicRoughnessTexture, where_ + ".metallicRoughnessTexture"),
+          normal_(material.normalTexture, where_ + ".normalTexture") {}
+
+    GltfMaterial run() {
+        if (material_.extensions.contains("KHR_materials_unlit"))
+            document_.fail(where_, "KHR_materials_unlit is not supported; surfaces reflect light",
+                           ErrorCode::unsupported);
+        say_what_is_left();
+        const int set = texcoord_set();
+        MaterialDescription out = blended();
+        if (auto normals = texture(normal_)) {
+            const double scale = material_.normalTexture.scale;
+            if (!(std::abs(scale) <= 1e3))
+                document_.fail(normal_.where, "scale is not a number from -1000 to 1000");
+            normals->raw = true;
+            // Scales x and y, 2 t - 1, of the normal.
+            normals->factor = {scale, scale, 1};
+            normals->offset = {(1 - scale) / 2, (1 - scale) / 2, 0};
+            out = around(MaterialDescription::Kind::normalmap, {std::move(out)}, std::move(*normals));
+            out.mirrored_y = true;
+        }
+        if (auto opacity = coverage())
+            out = around(MaterialDescription::Kind::mask, {std::move(out)}, std::move(*opacity));
+        out.id = material_.name;
+        out.twosided = material_.doubleSided;
+        return {std::move(out), set};
+    }
+
+private:
+    [[nodiscard]] double in_unit(double value, const char* name) const {
+        if (!(value >= 0 && value <= 1))
+            document_.fail(where_, std::string(name) + " is " + std::to_string(value) + "; expected 0 to 1");
+        return value;
+    }
+
+    /// Of all textures; leaves them out where the primitive lacks it.
+    int texcoord_set() {
+        std::optional<int> set;
+        for (const GltfTextureUse* use : {&base_, &metallic_roughness_, &normal_}) {
+            if (use->index < 0) continue;
+            const int wanted = textures_.texcoord_set(*use);
+            if (!set) set = wanted;
+            if (*set != wanted)
+                notices_.add("a material whose textures take several sets of texture coordinates takes " +
+                             std::string("those of its base colour for all"));
+        }
+        has_texcoords_ =
+            set && std::ranges::find(surface_.texcoord_sets, *set) != surface_.texcoord_sets.end();
+        if (set && !has_texcoords_)
+            notices_.add("textures are left out of primitives that lack the texture coordinates they take");
+        return has_texcoords_ ? *set : 0;
+    }
+
+    [[nodiscard]] std::optional<TextureSpecification> texture(const GltfTextureUse& use) {
+        if (!has_texcoords_) return std::nullopt;
+        return textures_.read(use);
+    }
+
+    [[nodiscard]] glm::dvec4 base_factor() const {
+        const std::vector<double>& factor = pbr_.baseColorFactor;
+        glm::dvec4 color(1);
+        for (std::size_t c = 0; c < std::min(factor.size(), std::size_t{4}); ++c)
+            color[static_cast<glm::length_t>(c)] = in_unit(factor[c], "baseColorFactor");
+        return color;
+    }
+
+    /// The factor, times the texture and the colours of vertices where there are any.
+    [[nodiscard]] TexturedColor base_color() {
+        const glm::dvec3 factor(base_factor());
+        std::optional<TextureSpecification> image = texture(base_);
+        if (!image && !surface_.colors) return factor;
+        TextureSpecification out = image ? std::move(*image) : constant(factor);
+        if (image) out.factor = factor;
+        if (surface_.colors) out.times_colors_of = ColorsOf::vertices;
+        return shared(std::move(out));
+    }
+
+    /// Where it is 0.5 or more there is a surface. None where there is one everywhere.
+    [[nodiscard]] std::optional<TextureSpecification> coverage() {
+        if (material_.alphaMode == "OPAQUE") return std::nullopt;
+        const bool masks = material_.alphaMode == "MASK";
+        if (!masks)
+            notices_.add("alphaMode BLEND is not followed; surfaces are drawn where they cover half or more");
+        const double cutoff = masks ? material_.alphaCutoff : 0.5;
+        if (!(cutoff > 0)) return std::nullopt;
+        const double factor = base_factor().w * 0.5 / cutoff;
+        if (auto image = texture(base_)) {
+            image->part = Part::coverage;
+            image->factor = glm::dvec3(factor);
+            return image;
+        }
+        if (factor >= 0.5) return std::nullopt;
+        return constant(factor);
+    }
+
+    /// Plastic and metal, weighted by how metallic the surface is.
+    [[nodiscard]] MaterialDescription blended() {
+        const double metallic = in_unit(pbr_.metallicFactor, "metallicFactor");
+        std::optional<TextureSpecification> weight;
+        if (metallic > 0) weight = texture(metallic_roughness_);
+        if (weight) {
+            weight->raw = true;
+            weight->part = Part::blue;
+            weight->factor = glm::dvec3(metallic);
+        } else if (metallic == 0) {
+            return plastic();
+        } else if (metallic == 1) {
+            return metal();
+        } else {
+            weight = constant(metallic);
+        }
+        return around(MaterialDescription::Kind::blendbsdf, {plastic(), metal()}, std::move(*weight));
+    }
+
+    [[nodiscard]] MaterialDescription plastic() {
+        MaterialDescription out = facets();
+        out.kind = MaterialDescription::Kind::pplastic;
+        out.diffuse_reflectance = base_color();
+        out.int_ior = index_of_refraction();
+        out.ext_ior = 1;
+        return out;
+    }
+
+    /// A mirror times a colour that varies; of one colour, a metal that has it.
+    [[nodiscard]] MaterialDescription metal() {
+        MaterialDescription out = facets();
+        out.kind = MaterialDescription::Kind::roughconductor;
+        const TexturedColor color = base_color();
+        if (color.texture) {
+            out.specular_reflectance = color;
+        } else {
+            out.eta = 1.0;
+            out.k = absorption(color.rgb);
+        }
+        return out;
+    }
+
+    [[nodiscard]] MaterialDescription facets() {
+        const double roughness = in_unit(pbr_.roughnessFactor, "roughnessFactor");
+        MaterialDescription out;
+        out.distribution = MaterialDescription::Distribution::ggx;
+        out.alpha = std::max(roughness * roughness, 0.001);
+        if (auto image = texture(metallic_roughness_)) {
+            image->raw = true;
+            image->part = Part::green;
+            image->factor = glm::dvec3(roughness);
+            image->squared = true;
+            out.alpha_texture = shared(std::move(*image));
+        }
+        return out;
+    }
+
+    /// The index 1 - ik of a metal that reflects `reflectance` at normal incidence, k^2 / (4 + k^2). Real
+    /// parts from (1 - sqrt r) / (1 + sqrt r) to (1 + sqrt r) / (1 - sqrt r) are possible for a reflectance r
+    /// (Gulbrandsen, "Artist Friendly Metallic Fresnel", JCGT 3(4), 2014, which lets its user choose); 1
+    /// always is, and is near aluminium's.
+    static glm::dvec3 absorption(const glm::dvec3& reflectance) {
+        constexpr double most = 100;
+        glm::dvec3 k;
+        for (glm::length_t c = 0; c < 3; ++c)
+            k[c] = std::min(2 * std::sqrt(reflectance[c] / (1 - std::min(reflectance[c], 0.9999))), most);
+        return k;
+    }
+
+    [[nodiscard]] double index_of_refraction() const {
+        const auto extension = material_.extensions.find("KHR_materials_ior");
+        if (extension == material_.extensions.end() || !extension->second.Has("ior")) return 1.5;
+        const tinygltf::Value& value = extension->second.Get("ior");
+        const double ior = value.IsNumber() ? value.GetNumberAsDouble() : -1;
+        // 0 stands for an infinite index, a mirror at every angle.
+        if (ior == 0) return 1e3;
+        if (!(ior >= 1 && ior <= 1e3))
+            document_.fail(where_, "KHR_materials_ior: ior is not 0 or a number from 1 to 1000");
+        return ior;
+    }
+
+    void say_what_is_left() {
+        if (material_.occlusionTexture.index >= 0) notices_.add("occlusion textures are not followed");
+        if (material_.emissiveTexture.index >= 0 ||
+            std::ranges::any_of(material_.emissiveFactor, [](double factor) { return factor != 0; }))
+            notices_.add("materials that emit light are not followed; they reflect it");
+        for (const auto& [name, value] : material_.extensions)
+            if (std::ranges::find(kFollowed, name) == kFollowed.end())
+                notices_.add(name.substr(0, 80) + " is not followed");
+    }
+
+    const GltfDocument& document_;
+    const GltfSurface& surface_;
+    std::string where_;
+    const tinygltf::Material& material_;
+    const tinygltf::PbrMetallicRoughness& pbr_;
+    GltfTextures& textures_;
+    GltfNotices& notices_;
+    GltfTextureUse base_, metallic_roughness_, normal_;
+    bool has_texcoords_ = false;
+};
+
+}  // namespace
+
+GltfSurface::GltfSurface(const tinygltf::Primitive& primitive)
+    : material(primitive.material), colors(primitive.attributes.contains("COLOR_0")) {
+    constexpr std::string_view prefix = "TEXCOORD_";
+    for (const auto& [name, accessor] : primitive.attributes) {
+        if (!name.starts_with(prefix)) continue;
+        int set = 0;
+        const char* const end = name.data() + name.size();
+        if (std::from_chars(name.data() + prefix.size(), end, set).ptr == end) texcoord_sets.push_back(set);
+    }
+}
+
+GltfMaterial read_gltf_material(const GltfDocument& document, const GltfSurface& surface,
+                                GltfTextures& textures, GltfNotices& notices) {
+    const tinygltf::Material none;
+    const tinygltf::Material& material =
+        surface.material == -1
+            ? none
+            : document.at(document.model().materials, "materials", surface.material, "a primitive");
+    return MaterialReader(document, surface, material, textures, notices).run();
+}
+
+}  // namespace nicol::scene

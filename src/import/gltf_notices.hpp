@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// What of a glTF file is read and not followed.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "import/sentences.hpp"
+
+namespace nicol::scene {
+
+/// A sentence for each kind.
+class GltfNotices {
+public:
+    explicit GltfNotices(const std::filesystem::path& file) : name_(file.string()) {}
+    /// Keeps a sentence, once.
+    void add(const std::string& sentence) { sentences_.add(name_ + ": " + sentence + "."); }
+    [[nodiscard]] std::vector<std::string> take() { return sentences_.take(); }
+
+private:
+    std::string name_;
+    Sentences sentences_;
+};
+
+}  // namespace nicol::scene

@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: MIT
+// Puts a scene together from the nodes of a glTF file.
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <limits>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "arguments.hpp"
+#include "import/gltf_readers.hpp"
+
+namespace nicol {
+namespace scene {
+namespace {
+
+std::string name_of(const char* list, std::size_t index) {
+    return std::string(list) + "[" + std::to_string(index) + "]";
+}
+
+/// As a mesh's transform must be.
+bool is_invertible(const glm::dmat4& m) {
+    const glm::dmat3 linear(m);
+    const double box = glm::length(linear[0]) * glm::length(linear[1]) * glm::length(linear[2]);
+    return std::abs(glm::determinant(linear)) > 1e-12 * box;
+}
+
+/// One scene. Materials are numbered in the order in which its shapes use them.
+class GltfReader {
+public:
+    GltfReader(const GltfDocument& document, const LoadBudget& budget)
+        : document_(document),
+          model_(document.model()),
+          budget_(budget),
+          notices_(document.path()),
+          textures_(document, notices_) {}
+
+    SceneDescription run() {
+        read_nodes();
+        if (scene_.shapes.empty())
+            document_.fail("nodes", "none has a mesh of triangles; expected at least one");
+        scene_.sensor =
+            camera_ ? read_gltf_camera(document_, *camera_->node, camera_->where, camera_->to_world, bounds_)
+                    : gltf_camera_in_front(bounds_);
+        if (!model_.animations.empty()) notices_.add("animations are not followed; the rest pose is drawn");
+        scene_.files = document_.files();
+        scene_.notices = notices_.take();
+        if (std::string text = left_out_.notice(document_.path().string()); !text.empty())
+            scene_.notices.push_back(std::move(text));
+        return std::move(scene_);
+    }
+
+private:
+    struct Made {
+        std::shared_ptr<const Mesh> mesh;  ///< null: nothing to draw
+        GltfBounds bounds;
+    };
+    struct ReadMaterial {
+        GltfMaterial material;
+        std::optional<std::size_t> index;  ///< into SceneDescription::materials, once a shape uses it
+    };
+    struct PlacedNode {
+        const tinygltf::Node* node = nullptr;
+        std::string where;
+        glm::dmat4 to_world{1.0};
+    };
+
+    /// Of the default scene, else of the first, else of the file.
+    [[nodiscard]] std::vector<int> roots() const {
+        if (!model_.scenes.empty())
+            return document_.at(model_.scenes, "scenes", std::max(model_.defaultScene, 0), "scene").nodes;
+        std::vector<bool> is_child(model_.nodes.size(), false);
+        for (const tinygltf::Node& node : model_.nodes)
+            for (const int child : node.children)
+                if (child >= 0 && static_cast<std::size_t>(child) < is_child.size())
+                    is_child[static_cast<std::size_t>(child)] = true;
+        std::vector<int> found;
+        for (std::size_t i = 0; i < is_child.size(); ++i)
+            if (!is_child[i]) found.push_back(static_cast<int>(i));
+        return found;
+    }
+
+    /// Parents first, children in the order of the file.
+    void read_nodes() {
+        struct Waiting {
+            int index;
+            glm::dmat4 parent;
+            std::string of;
+        };
+        std::vector<Waiting> waiting;
+        const auto wait = [&](const std::vector<int>& nodes, const glm::dmat4& parent,
+                              const std::string& of) {
+            for (std::size_t i = nodes.size(); i-- > 0;) waiting.push_back({nodes[i], parent, of});
+        };
+        std::vector<bool> seen(model_.nodes.size(), false);
+        wait(roots(), glm::dmat4(1.0), "scene");
+        while (!waiting.empty()) {
+            const Waiting next = std::move(waiting.back());
+            waiting.pop_back();
+            const tinygltf::Node& node = document_.at(model_.nodes, "nodes", next.index, next.of);
+            const auto index = static_cast<std::size_t>(next.index);
+            const PlacedNode placed{&node, name_of("nodes", index),
+                                    next.parent * transform(node, name_of("nodes", index))};
+            // This ends circles too.
+            if (seen[index]) document_.fail(placed.where, "has two parents, or is below itself");
+            seen[index] = true;
+            read(placed);
+            wait(node.children, placed.to_world, placed.where);
+        }
+    }
+
+    void read(const PlacedNode& placed) {
+        budget_.step(256);
+        for (glm::length_t column = 0; column < 4; ++column)
+            for (glm::length_t row = 0; row < 4; ++row)
+                if (!std::isfinite(placed.to_world[column][row]))
+                    document_.fail(placed.where, "its transform is not finite");
+        const tinygltf::Node& node = *placed.node;
+        if (node.skin >= 0) notices_.add("skins are not followed; the rest pose is drawn");
+        if (node.extensions.contains("EXT_mesh_gpu_instancing"))
+            notices_.add("EXT_mesh_gpu_instancing is not followed; such a node is drawn once");
+        if (node.camera >= 0 && camera_) notices_.add("only the first of several cameras is used");
+        if (node.camera >= 0 && !camera_) camera_ = placed;
+        if (auto light = read_gltf_light(document_, node, placed.where, placed.to_world, notices_))
+            scene_.lights.push_back(std::move(*light));
+        if (node.mesh >= 0) add_mesh(placed);
+    }
+
+    [[nodiscard]] glm::dmat4 transform(const tinygltf::Node& node, const std::string& where) const {
+        const auto check = [&](const std::vector<double>& values, std::size_t size, const char* name) {
+            if (!values.empty() && values.size() != size)
+                document_.fail(where, std::string(name) + " has " + std::to_string(values.size()) +
+                                          " numbers; expected " + std::to_string(size));
+            return !values.empty();
+        };
+        glm::dmat4 m(1.0);
+        if (check(node.matrix, 16, "matrix")) {
+            for (glm::length_t i = 0; i < 16; ++i) m[i / 4][i % 4] = node.matrix[static_cast<std::size_t>(i)];
+            if (m[0][3] != 0 || m[1][3] != 0 || m[2][3] != 0 || m[3][3] != 1)
+                document_.fail(where, "the last row of matrix (its numbers 4, 8, 12, 16) must be 0 0 0 1");
+            return m;
+        }
+        if (const auto& t = node.translation; check(t, 3, "translation"))
+            m = glm::translate(m, glm::dvec3(t[0], t[1], t[2]));
+        if (const auto& r = node.rotation; check(r, 4, "rotation")) {
+            const glm::dquat q(r[3], r[0], r[1], r[2]);
+            if (!(glm::length(q) > 0.5 && glm::length(q) < 2))
+                document_.fail(where,
+                               "rotation has length " + std::to_string(glm::length(q)) + "; expected 1");
+            m *= glm::mat4_cast(glm::normalize(q));
+        }
+        if (const auto& s = node.scale; check(s, 3, "scale")) m = glm::scale(m, glm::dvec3(s[0], s[1], s[2]));
+        return m;
+    }
+
+    void add_mesh(const PlacedNode& placed) {
+        const tinygltf::Node& node = *placed.node;
+        const tinygltf::Mesh& mesh = document_.at(model_.meshes, "meshes", node.mesh, placed.where);
+        for (std::size_t p = 0; p < mesh.primitives.size(); ++p) {
+            const Made& made = primitive(node.mesh, p);
+            if (!made.mesh) continue;
+            if (!is_invertible(placed.to_world)) {
+                left_out_.add("instances that their transform makes flat");
+                continue;
+            }
+            if (scene_.shapes.size() == kMaxShapes)
+                document_.fail(placed.where, "more than " + std::to_string(kMaxShapes) + " shapes",
+                               ErrorCode::unsupported);
+            ShapeDescription shape;
+            shape.kind = ShapeDescription::Kind::mesh;
+            shape.id = node.name.empty() ? mesh.name : node.name;
+            shape.mesh = made.mesh;
+            shape.to_world = placed.to_world;
+            shape.material = index_of(material(mesh.primitives[p]));
+            extend(made.bounds, placed.to_world);
+            scene_.shapes.push_back(std::move(shape));
+        }
+    }
+
+    const Made& primitive(int mesh, std::size_t index) {
+        const auto [entry, is_new] = made_.try_emplace({mesh, index});
+        if (is_new) {
+            const tinygltf::Primitive& source =
+                model_.meshes[static_cast<std::size_t>(mesh)].primitives[index];
+            const std::string where =
+                name_of("meshes", static_cast<std::size_t>(mesh)) + "." + name_of("primitives", index);
+            if (source.extensions.contains("KHR_draco_mesh_compression"))
+                notices_.add("KHR_draco_mesh_compression is not followed; what is there beside it is drawn");
+            if (!source.targets.empty())
+                notices_.add("morph targets are not followed; the rest pose is drawn");
+            Made& made = entry->second;
+            made.mesh = read_gltf_primitive(document_, source, where, material(source).material.texcoord_set,
+                                            budget_, left_out_);
+            if (made.mesh) made.bounds = bounds_of(*made.mesh);
+        }
+        return entry->second;
+    }
+
+    ReadMaterial& material(const tinygltf::Primitive& primitive) {
+        const auto [entry, is_new] = materials_.try_emplace(GltfSurface(primitive));
+        if (is_new) entry->second.material = read_gltf_material(document_, entry->first, textures_, notices_);
+        return entry->second;
+    }
+
+    std::size_t index_of(ReadMaterial& read) {
+        if (!read.index) {
+            read.index = scene_.materials.size();
+            scene_.materials.push_back(read.material.description);
+        }
+        return *read.index;
+    }
+
+    static GltfBounds bounds_of(const Mesh& mesh) {
+        glm::vec3 lower = mesh.positions.front(), upper = lower;
+        for (const glm::vec3& p : mesh.positions) {
+            lower = glm::min(lower, p);
+            upper = glm::max(upper, p);
+        }
+        return {lower, upper};
+    }
+
+    void extend(const GltfBounds& box, const glm::dmat4& to_world) {
+        for (int i = 0; i < 8; ++i) {
+            const glm::dvec3 corner((i & 1) != 0 ? box.upper.x : box.lower.x,
+                                    (i & 2) != 0 ? box.upper.y : box.lower.y,
+                                    (i & 4) != 0 ? box.upper.z : box.lower.z);
+            const glm::dvec3 p(to_world * glm::dvec4(corner, 1));
+            const bool first = scene_.shapes.empty() && i == 0;
+            bounds_.lower = first ? p : glm::min(bounds_.lower, p);
+            bounds_.upper = first ? p : glm::max(bounds_.upper, p);
+        }
+    }
+
+    const GltfDocument& document_;
+    const tinygltf::Model& model_;
+    const LoadBudget& budget_;
+    GltfNotices notices_;
+    GltfTextures textures_;
+    geometry::LeftOut left_out_;
+    SceneDescription scene_;
+    GltfBounds bounds_;
+    std::optional<PlacedNode> camera_;
+    std::map<std::pair<int, std::size_t>, Made> made_;
+    std::map<GltfSurface, ReadMaterial> materials_;
+};
+
+}  // namespace
+
+}  // namespace scene
+
+SceneDescription read_gltf_scene(const std::filesystem::path& file, const SceneParameters& parameters,
+                                 const LoadBudget& budget) {
+    if (!parameters.empty())
+        refuse(file.string() + ": the parameter " + parameters.begin()->first +
+               " is not used; glTF files have none");
+    const scene::GltfDocument document(file, budget);
+    return scene::GltfReader(document, budget).run();
+}
+
+}  // namespace nicol

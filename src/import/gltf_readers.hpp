@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+// One reader for each kind of object in a glTF file.
+#pragma once
+
+#include <filesystem>
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+#include <memory>
+#include <optional>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "files/load_budget.hpp"
+#include "geometry/left_out.hpp"
+#include "geometry/mesh.hpp"
+#include "import/gltf_document.hpp"
+#include "import/gltf_notices.hpp"
+#include "import/gltf_textures.hpp"
+#include "import/scene_description.hpp"
+
+namespace nicol::scene {
+
+/// The extent of shapes in the world.
+struct GltfBounds {
+    glm::dvec3 lower{0.0};
+    glm::dvec3 upper{0.0};
+};
+
+// Each throws as read_gltf_scene does.
+
+/// The triangles of a primitive, `where` in the file, with its colours and the texture coordinates of this
+/// set, if it has them; null where none has an area. `left_out` counts what is not drawn.
+[[nodiscard]] std::shared_ptr<const Mesh> read_gltf_primitive(const GltfDocument& document,
+                                                              const tinygltf::Primitive& primitive,
+                                                              const std::string& where, int texcoord_set,
+                                                              const LoadBudget& budget,
+                                                              geometry::LeftOut& left_out);
+
+/// What a primitive says of its material.
+struct GltfSurface {
+    int material = -1;               ///< -1: none, which is white metal
+    bool colors = false;             ///< it has COLOR_0
+    std::vector<int> texcoord_sets;  ///< n of each TEXCOORD_n that it has
+
+    explicit GltfSurface(const tinygltf::Primitive& primitive);
+    bool operator<(const GltfSurface& other) const {
+        return std::tie(material, colors, texcoord_sets) <
+               std::tie(other.material, other.colors, other.texcoord_sets);
+    }
+};
+
+/// A material as such primitives have it, and the texture coordinates that its textures take.
+struct GltfMaterial {
+    MaterialDescription description;
+    int texcoord_set = 0;
+};
+[[nodiscard]] GltfMaterial read_gltf_material(const GltfDocument& document, const GltfSurface& surface,
+                                              GltfTextures& textures, GltfNotices& notices);
+
+/// The light that a node has by KHR_lights_punctual, which `to_world` places, its scale without effect; none
+/// if it has none.
+[[nodiscard]] std::optional<LightDescription> read_gltf_light(const GltfDocument& document,
+                                                              const tinygltf::Node& node,
+                                                              const std::string& where,
+                                                              const glm::dmat4& to_world,
+                                                              GltfNotices& notices);
+
+/// How a thing of glTF that looks along its -z with +y up is placed as one of ours, which looks along +z.
+/// Throws, naming the `thing`, where axes have no length or are parallel.
+[[nodiscard]] glm::dmat4 gltf_view(const GltfDocument& document, const std::string& where, const char* thing,
+                                   const glm::dmat4& to_world);
+
+/// The camera of a node that `to_world` places, its scale without effect.
+[[nodiscard]] SensorDescription read_gltf_camera(const GltfDocument& document, const tinygltf::Node& node,
+                                                 const std::string& where, const glm::dmat4& to_world,
+                                                 const GltfBounds& bounds);
+/// One that looks along -z at all of the scene, its field of view 45 degrees high.
+[[nodiscard]] SensorDescription gltf_camera_in_front(const GltfBounds& bounds);
+
+}  // namespace nicol::scene

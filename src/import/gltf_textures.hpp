@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// The textures of a glTF file.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "import/gltf_document.hpp"
+#include "import/gltf_notices.hpp"
+#include "import/texture_specification.hpp"
+
+namespace nicol::scene {
+
+/// What a material says where it uses a texture.
+struct GltfTextureUse {
+    int index = -1;  ///< -1: none
+    int texcoord_set = 0;
+    const tinygltf::ExtensionMap* extensions = nullptr;
+    std::string where;  ///< in the file, for messages
+
+    GltfTextureUse(const auto& info, std::string name)
+        : index(info.index),
+          texcoord_set(info.texCoord),
+          extensions(&info.extensions),
+          where(std::move(name)) {}
+};
+
+/// Those that materials use. An image in the file itself is copied once.
+class GltfTextures {
+public:
+    /// Both must outlive this.
+    GltfTextures(const GltfDocument& document, GltfNotices& notices)
+        : document_(document), notices_(notices) {}
+
+    /// Its image and sampling; none where there is no texture, or one that is not followed. Throws as
+    /// read_gltf_scene() does.
+    [[nodiscard]] std::optional<TextureSpecification> read(const GltfTextureUse& use);
+    /// Which of TEXCOORD_n it takes.
+    [[nodiscard]] int texcoord_set(const GltfTextureUse& use) const;
+
+private:
+    void read_image(int index, const std::string& where, TextureSpecification& out);
+    [[nodiscard]] TextureSampling sampling(int sampler, const std::string& where);
+    [[nodiscard]] std::shared_ptr<const std::string> embedded(int image);
+
+    const GltfDocument& document_;
+    GltfNotices& notices_;
+    std::map<int, std::shared_ptr<const std::string>> embedded_;
+};
+
+}  // namespace nicol::scene

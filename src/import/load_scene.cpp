@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: MIT
+#include "import/load_scene.hpp"
+#include "files/suffix.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <glm/trigonometric.hpp>
+#include <iterator>
+#include <map>
+#include <memory>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "arguments.hpp"
+#include "import/plates_before_lights.hpp"
+#include "import/scene_color.hpp"
+#include "import/scene_description.hpp"
+#include "import/scene_files.hpp"
+#include "import/scene_materials.hpp"
+#include "import/scene_textures.hpp"
+#include "import/values.hpp"
+#include "light/psh_file.hpp"
+#include "light/small_light.hpp"
+
+namespace nicol {
+namespace {
+
+/// Calls make(). Its errors begin with the scene's file and the object that is made.
+template <class Make>
+auto made(const std::filesystem::path& file, const std::string& object, Make make) {
+    try {
+        return make();
+    } catch (const Error& error) {
+        throw Error(error.code(), file.string() + ": " + object + ": " + error.what());
+    }
+}
+
+std::string named(const std::string& kind, const std::string& id) {
+    return id.empty() ? kind : kind + " \"" + id + "\"";
+}
+
+EnvironmentPtr make(const EnvironmentDescription& d, scene::SceneFiles& files) {
+    const SceneChannels rgb;
+    switch (d.kind) {
+        case EnvironmentDescription::Kind::envmap: {
+            EnvironmentPtr light = files.read(environment_files(d.filename), [&] {
+                return load_environment(d.filename, 1, {}, files.budget());
+            });
+            const std::string negative = notice_of_negative(*light, d.filename.string());
+            if (!negative.empty()) files.notice(negative);
+            return light;
+        }
+        case EnvironmentDescription::Kind::psh:
+            return psh_environment(
+                files.read(d.filename, [&] { return read_psh_vector(d.filename, files.budget()); }));
+        case EnvironmentDescription::Kind::constant:
+            return constant_environment(radiance(d.radiance, rgb));
+        case EnvironmentDescription::Kind::sky:
+            break;
+    }
+    return rayleigh_sky({.sun_direction = d.sun_direction,
+                         .dop_max = d.dop_max,
+                         .radiance = radiance(d.radiance, rgb),
+                         .turbidity = d.turbidity,
+                         .ground_albedo = reflectance(d.ground_albedo, rgb)});
+}
+
+/// The light says what the channels are; grey light serves any.
+SceneChannels channels_under(const EnvironmentPtr& light) {
+    if (!light || (light->channels() == 1 && light->wavelengths().empty())) return {};
+    return {.count = light->channels(), .wavelengths = light->wavelengths()};
+}
+
+Mesh make(const ShapeDescription& d, scene::SceneFiles& files) {
+    Mesh mesh;
+    switch (d.kind) {
+        case ShapeDescription::Kind::sphere:
+            mesh = make_sphere(d.center, d.radius);
+            break;
+        case ShapeDescription::Kind::rectangle:
+            mesh = make_rectangle();
+            break;
+        case ShapeDescription::Kind::cube:
+            mesh = make_cube();
+            break;
+        case ShapeDescription::Kind::disk:
+            mesh = make_disk();
+            break;
+        case ShapeDescription::Kind::cylinder:
+            mesh = make_cylinder(d.p0, d.p1, d.radius);
+            break;
+        default:
+            mesh = files.read(d.filename, [&] {
+                return load_mesh(
+                    d.filename, [&](const std::string& text) { files.notice(text); }, d.index,
+                    files.budget());
+            });
+            break;
+    }
+    if (d.face_normals) mesh = with_face_normals(mesh);
+    if (d.flip_normals) flip_normals(mesh);
+    if (d.flip_tex_coords) flip_texcoords(mesh);
+    return mesh;
+}
+
+/// make_light() and make_emission() throw what reading textures throws, and Error(unsupported) for colours
+/// that the scene's channels cannot have.
+SmallLight make_light(const LightDescription& d, const SceneChannels& channels,
+                      scene::SceneTextures& textures) {
+    SmallLight light;
+    light.kind = d.kind;
+    light.value = radiance(d.value, channels);
+    for (double& value : light.value) value *= d.scale;
+    light.to_world = glm::dmat4(rotation_of(d.to_world, "a light"));
+    light.to_world[3] = d.to_world[3];
+    light.angular_radius = d.angular_radius;
+    light.cutoff_angle = d.cutoff_angle;
+    light.beam_width = d.beam_width;
+    if (d.texture) {
+        light.texture = textures.color(*d.texture);
+        light.aspect = textures.aspect(*d.texture);
+    }
+    light.fov = glm::radians(horizontal_fov(d.fov, d.fov_axis, light.aspect));
+    light.state = d.state;
+    return light;
+}
+
+EmissionPtr make_emission(const EmissionDescription& d, const SceneChannels& channels,
+                          scene::SceneTextures& textures) {
+    Emission emission;
+    emission.radiance = d.radiance.texture ? std::vector<double>{1} : radiance(d.radiance, channels);
+    for (double& value : emission.radiance) value *= d.scale;
+    if (d.radiance.texture) emission.texture = textures.color(*d.radiance.texture);
+    emission.two_sided = d.two_sided;
+    emission.state = d.state;
+    return std::make_shared<const Emission>(std::move(emission));
+}
+
+/// Shapes of the same file and flags share a mesh.
+class Meshes {
+public:
+    explicit Meshes(scene::SceneFiles& files) : files_(files) {}
+
+    std::shared_ptr<const Mesh> of(const ShapeDescription& d) {
+        if (d.kind == ShapeDescription::Kind::mesh) return d.mesh;
+        const Key key{
+            d.kind,
+            d.filename,
+            d.index,
+            {d.center.x, d.center.y, d.center.z, d.p0.x, d.p0.y, d.p0.z, d.p1.x, d.p1.y, d.p1.z, d.radius},
+            d.face_normals,
+            d.flip_normals,
+            d.flip_tex_coords};
+        std::shared_ptr<const Mesh>& mesh = made_[key];
+        if (!mesh) mesh = std::make_shared<const Mesh>(make(d, files_));
+        return mesh;
+    }
+
+private:
+    using Key = std::tuple<ShapeDescription::Kind, std::filesystem::path, std::size_t, std::array<double, 10>,
+                           bool, bool, bool>;
+    scene::SceneFiles& files_;
+    std::map<Key, std::shared_ptr<const Mesh>> made_;
+};
+
+SceneDescription read_scene(const std::filesystem::path& file, const SceneParameters& parameters,
+                            const LoadBudget& budget) {
+    const std::string suffix = suffix_of(file);
+    if (suffix == ".gltf" || suffix == ".glb") return read_gltf_scene(file, parameters, budget);
+    return read_mitsuba_scene(file, parameters, budget);
+}
+
+Camera make(const SensorDescription& d) {
+    Camera camera;
+    camera.orthographic = d.kind == SensorDescription::Kind::orthographic;
+    camera.to_world = d.to_world;
+    if (!camera.orthographic) camera.fov = horizontal_fov(d);
+    camera.shift = d.principal_point_offset;
+    if (d.crop) {
+        // The pixels of a crop look where they do in the film.
+        const glm::dvec2 film(d.width, d.height);
+        const glm::dvec2 size(d.crop->size);
+        const double part = size.x / film.x;
+        camera.to_world[0] *= camera.orthographic ? part : 1;
+        camera.to_world[1] *= camera.orthographic ? part : 1;
+        camera.fov = glm::degrees(2 * std::atan(part * std::tan(glm::radians(camera.fov / 2))));
+        camera.shift = (camera.shift * film + glm::dvec2(d.crop->offset) + 0.5 * (size - film)) / size;
+    }
+    camera.near_clip = d.near_clip;
+    camera.far_clip = d.far_clip;
+    return camera;
+}
+
+}  // namespace
+
+LoadedScene load_scene(const std::filesystem::path& file, const SceneParameters& parameters,
+                       const LoadBudget& budget) {
+    const SceneDescription description = read_scene(file, parameters, budget);
+    scene::SceneFiles files(description.files, budget);
+    LoadedScene out;
+    out.notices = description.notices;
+    if (description.environment) {
+        made(file, "emitter", [&] {
+            out.scene.set_environment(make(*description.environment, files),
+                                      rotation_of(description.environment->to_world, "the emitter"),
+                                      description.environment->scale);
+        });
+    }
+    out.scene.hide_emitters(description.integrator.hide_emitters);
+    const SceneChannels channels = channels_under(out.scene.environment());
+    scene::SceneTextures textures(channels, files);
+    std::vector<MaterialPtr> materials;
+    for (const MaterialDescription& material : description.materials)
+        materials.push_back(made(file, named("bsdf", material.id),
+                                 [&] { return scene::make_material(material, channels, textures, files); }));
+    for (const LightDescription& light : description.lights) {
+        budget.step(256);
+        made(file, named("emitter", light.id),
+             [&] { return out.scene.add_light(make_light(light, channels, textures)); });
+    }
+    Meshes meshes(files);
+    for (const ShapeDescription& shape : description.shapes) {
+        made(file, named("shape", shape.id), [&] {
+            const std::shared_ptr<const Mesh> mesh = meshes.of(shape);
+            budget.take_instance(file, mesh->positions.size(), mesh->triangles.size());
+            if (materials.at(shape.material)->anisotropic() && mesh->texcoords.empty())
+                files.notice(
+                    "a surface without texture coordinates has a roughness that depends on the direction, "
+                    "which "
+                    "is any then");
+            const EmissionPtr emission =
+                shape.emission ? make_emission(*shape.emission, channels, textures) : nullptr;
+            out.scene.add({.mesh = mesh,
+                           .material = materials.at(shape.material),
+                           .to_world = shape.to_world,
+                           .emission = emission});
+        });
+    }
+    for (const PolarizingPlate& plate : description.plates)
+        made(file, "shape", [&] { return out.scene.add_plate(plate); });
+    scene::put_plates_before_lights(description, out.scene, files);
+    std::ranges::copy(files.notices(), std::back_inserter(out.notices));
+    out.files = files.records();
+    out.camera = make(description.sensor);
+    const SensorDescription& sensor = description.sensor;
+    out.width = sensor.crop ? sensor.crop->size.x : sensor.width;
+    out.height = sensor.crop ? sensor.crop->size.y : sensor.height;
+    out.luminance = description.sensor.luminance;
+    out.aovs = description.integrator.aovs;
+    return out;
+}
+
+glm::dmat3 rotation_of(const glm::dmat4& to_world, const char* what) {
+    glm::dmat3 axes(to_world);
+    for (int i = 0; i < 3; ++i) {
+        const double length = glm::length(axes[i]);
+        if (!(length > 0) || !std::isfinite(length)) {
+            refuse(std::string(what) + ": to_world has an axis without length or that is not finite");
+        }
+        axes[i] /= length;
+    }
+    for (int i = 0; i < 3; ++i) {
+        if (std::abs(glm::dot(axes[i], axes[(i + 1) % 3])) > 1e-5 || glm::determinant(axes) < 0) {
+            refuse(std::string(what) + ": to_world must rotate without shearing or mirroring");
+        }
+    }
+    return axes;
+}
+
+}  // namespace nicol

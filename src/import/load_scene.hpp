@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// From a scene file to the things it describes.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "files/load_budget.hpp"
+#include "import/scene_description.hpp"
+#include "scene/camera.hpp"
+#include "scene/scene.hpp"
+
+namespace nicol {
+
+struct LoadedScene {
+    Scene scene;
+    Camera camera;
+    int width = 0;  ///< of the film or its crop, pixels
+    int height = 0;
+    bool luminance = false;            ///< the film has one channel
+    std::uint32_t aovs = 0;            ///< bits of AovBit that the file asks for
+    std::vector<FileRecord> files;     ///< all that were read, as they were then; the scene file first
+    std::vector<std::string> notices;  ///< what has no effect or was assumed, one line each
+};
+
+/// Reads a scene file, glTF where its suffix is .gltf or .glb and else Mitsuba's XML, and everything it
+/// names. The light says what the channels of colours are; grey light
+/// and none mean red, green and blue. Shapes of the same file share a mesh. Lights have the Stokes state that
+/// plates give them, see put_plates_before_lights(). Throws what read_mitsuba_scene(),
+/// read_gltf_scene() and the readers of images, meshes and materials throw, and what LoadBudget throws.
+[[nodiscard]] LoadedScene load_scene(const std::filesystem::path& file, const SceneParameters& parameters,
+                                     const LoadBudget& budget = {});
+
+/// The rotation of an affine matrix whose axes are at right angles. Throws Error(invalid_argument) naming
+/// `what` for any other.
+[[nodiscard]] glm::dmat3 rotation_of(const glm::dmat4& to_world, const char* what);
+
+}  // namespace nicol

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// Colours of a scene file as values a colour channel.
+#pragma once
+
+#include <vector>
+
+#include "import/scene_description.hpp"
+
+namespace nicol {
+
+/// The meaning of a scene's colour channels: red, green and blue (three, no wavelengths), wavelengths in nm,
+/// or unknown.
+struct SceneChannels {
+    int count = 3;
+    std::vector<double> wavelengths;  ///< empty, or one a channel
+
+    [[nodiscard]] bool rgb() const noexcept { return count == 3 && wavelengths.empty(); }
+};
+
+/// The values of a colour, three for red, green and blue; else one for grey, or one a wavelength. A table is
+/// linear between its wavelengths and, as in Mitsuba, 0 beyond them. As red, green and blue
+/// - a reflectance is observed under D65 (rgb_weights()), so that a constant table is grey, and clipped to
+/// 0..1;
+/// - light and an index are observed as they are (rgb_emission_weights()), as Mitsuba's modes without spectra
+///   do it: a constant table is white of equal energy, a little redder than D65; clipped below 0.
+/// At wavelengths the table of an index is constant beyond its ends.
+/// Throws Error(unsupported) for a colour that the channels cannot have: one of red, green and blue unless it
+/// is grey, a table where the channels are neither.
+[[nodiscard]] std::vector<double> reflectance(const ColorDescription& color, const SceneChannels& channels);
+[[nodiscard]] std::vector<double> radiance(const ColorDescription& color, const SceneChannels& channels);
+[[nodiscard]] std::vector<double> refractive_index(const ColorDescription& color,
+                                                   const SceneChannels& channels);
+
+}  // namespace nicol

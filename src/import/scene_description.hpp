@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: MIT
+// What a scene file says, as plain data.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "files/file_record.hpp"
+#include "files/load_budget.hpp"
+#include "geometry/mesh.hpp"
+#include "import/color_description.hpp"
+#include "import/texture_specification.hpp"
+#include "light/small_light.hpp"
+#include "polarization/plate.hpp"
+
+namespace nicol {
+
+/// A camera and the size of its image. Camera space: +z forward, +x image LEFT, +y image up.
+struct SensorDescription {
+    enum class Kind { perspective, orthographic };
+    enum class FovAxis { x, y, diagonal, smaller, larger };
+    Kind kind = Kind::perspective;
+    double fov = 0.0;  ///< perspective: degrees along fov_axis, in (0, 180)
+    FovAxis fov_axis = FovAxis::x;
+    /// Camera to world, affine. Orthographic: the image spans [-1, 1] of camera x, and of y by the aspect.
+    glm::dmat4 to_world{1.0};
+    double near_clip = 1e-2;
+    double far_clip = 1e4;
+    int width = 768;  ///< of the film
+    int height = 576;
+    struct Crop {
+        glm::ivec2 offset{0};  ///< pixels right and down
+        glm::ivec2 size{0};
+    };
+    std::optional<Crop> crop;  ///< none: all of it
+    /// Of the film's middle from the view direction, right and down, in its widths and heights.
+    glm::dvec2 principal_point_offset{0.0};
+    bool luminance = false;  ///< the film has one channel, the luminance
+};
+
+/// The horizontal field of view of an image, in degrees, from that along an axis and width over height.
+[[nodiscard]] double horizontal_fov(double fov, SensorDescription::FovAxis axis, double aspect);
+/// That of a perspective sensor.
+[[nodiscard]] double horizontal_fov(const SensorDescription& sensor);
+
+/// A colour that a texture may give.
+struct TexturedColor : ColorDescription {
+    using ColorDescription::ColorDescription;
+    TexturedColor(const ColorDescription& color) : ColorDescription(color) {}
+    TexturedColor(TextureSpecificationPtr of) : ColorDescription(0.0), texture(std::move(of)) {}
+
+    TextureSpecificationPtr texture;  ///< not null: in place of the values
+};
+
+/// A number that a texture may give.
+struct TexturedNumber {
+    TexturedNumber(double number) : value(number) {}
+
+    double value;
+    TextureSpecificationPtr texture;  ///< not null: in place of the value
+};
+
+/// Mitsuba's principled; numbers of 0 to 1, see PrincipledParameters.
+struct PrincipledDescription {
+    TexturedColor base_color{0.5};
+    double eta = 1.5;  ///< 0.001 to 1000
+    TexturedNumber roughness{0.5};
+    TexturedNumber anisotropic{0.0}, metallic{0.0}, spec_trans{0.0}, spec_tint{0.0}, sheen{0.0},
+        sheen_tint{0.0}, flatness{0.0}, clearcoat{0.0}, clearcoat_gloss{0.0};
+};
+
+/// A reflectance model, or one made of others, which are its parts.
+struct MaterialDescription {
+    enum class Kind {
+        pplastic,
+        plastic,
+        diffuse,
+        psh,
+        conductor,
+        roughconductor,
+        principled,
+        measured_polarized,
+        normalmap,
+        bumpmap,
+        mask,
+        blendbsdf
+    };
+    enum class Distribution { beckmann, ggx };
+    Kind kind = Kind::diffuse;
+    std::string id;          ///< of the outermost bsdf; empty when the file gives none
+    bool twosided = false;   ///< the back reflects as the front does
+    bool nonlinear = false;  ///< plastic
+    Distribution distribution = Distribution::beckmann;  ///< pplastic, plastic, roughconductor
+    TexturedColor reflectance{0.5};                      ///< diffuse
+    TexturedColor diffuse_reflectance{0.5};              ///< pplastic, plastic
+    TexturedColor specular_reflectance{1.0};             ///< pplastic, plastic, conductor, roughconductor
+    double int_ior = 1.49;                               ///< pplastic, plastic, inside
+    double ext_ior = 1.000277;                           ///< pplastic, plastic, outside
+    std::string metal;          ///< conductor, roughconductor: of named_metals(); empty: eta and k hold
+    ColorDescription eta{0.0};  ///< conductor, roughconductor: real part of the index, 0 to 100
+    ColorDescription k{1.0};    ///< conductor, roughconductor: imaginary part, 0 to 100
+    double alpha = 0.1;  ///< pplastic, plastic, roughconductor: roughness, 0.001 to 1; plastic: 0 is smooth
+    TextureSpecificationPtr alpha_texture;  ///< not null: in place of alpha
+    double alpha_v = 0;                     ///< roughconductor: along v, where alpha is along u; 0: as alpha
+    TextureSpecificationPtr alpha_v_texture;  ///< not null: in place of alpha_v
+    PrincipledDescription principled;         ///< principled
+    std::filesystem::path filename;  ///< psh: a PSH matrix (.npz); measured_polarized: a table (.pbsdf)
+    TexturedColor scale{1.0};        ///< psh, measured_polarized
+    std::optional<double>
+        wavelength;           ///< measured_polarized: the only one to use, nm; none: all of the table
+    bool symmetrize = false;  ///< psh, measured_polarized: without what breaks mirror symmetry
+
+    /// normalmap, bumpmap, mask: one; blendbsdf: two, the first where its texture is 0.
+    std::vector<MaterialDescription> parts;
+    TextureSpecificationPtr texture;  ///< of a kind with parts: normals, heights, opacity, weight; not null
+    double bump_scale = 1.0;          ///< bumpmap
+    bool mirrored_y = false;          ///< normalmap: see NormalVariation
+};
+
+/// What a surface emits, see Emission.
+struct EmissionDescription {
+    TexturedColor radiance{1.0};
+    double scale = 1.0;  ///< times radiance
+    bool two_sided = false;
+    PolarizationState state;
+};
+
+struct ShapeDescription {
+    enum class Kind { obj, ply, off, stl, serialized, sphere, rectangle, cube, disk, cylinder, mesh };
+    Kind kind = Kind::obj;
+    std::string id;                  ///< of an instance, its own; empty when the file gives none
+    std::filesystem::path filename;  ///< of those before sphere
+    std::size_t index = 0;           ///< serialized: of the file's meshes
+    glm::dvec3 center{0.0};          ///< sphere
+    double radius = 1.0;             ///< sphere, cylinder
+    glm::dvec3 p0{0.0};              ///< cylinder: the ends of its axis
+    glm::dvec3 p1{0.0, 0.0, 1.0};
+    std::shared_ptr<const Mesh> mesh;  ///< mesh: itself, the scene file holds it; validated
+    bool flip_normals = false;
+    bool face_normals = false;                    ///< of those with a file: hard edges everywhere
+    bool flip_tex_coords = false;                 ///< of those with a file: v becomes 1 - v
+    glm::dmat4 to_world{1.0};                     ///< affine and invertible
+    std::size_t material = 0;                     ///< index into SceneDescription::materials
+    std::optional<EmissionDescription> emission;  ///< none: it does not shine
+};
+
+/// Light from all around.
+struct EnvironmentDescription {
+    enum class Kind { envmap, psh, constant, sky };
+    Kind kind = Kind::constant;
+    std::filesystem::path filename;  ///< envmap: EXR; psh: a PSH vector (.npz)
+    double scale = 1.0;              ///< envmap, psh
+    ColorDescription radiance{1.0};  ///< constant, sky
+    glm::dvec3 sun_direction{0.0};   ///< sky: unit, towards the sun, in the emitter's frame (y up)
+    double dop_max = 0.8;            ///< sky: degree of polarization at 90 degrees from the sun, in [0, 1]
+    double turbidity = 0.0;          ///< sky: 0, light scattered once; or 1.7 to 10, very clear to hazy
+    ColorDescription ground_albedo{0.2};  ///< sky with turbidity: 0 to 1
+    glm::dmat4 to_world{1.0};             ///< affine and invertible; only its rotation matters
+};
+
+/// A light without a surface, see SmallLight.
+struct LightDescription {
+    std::string id;  ///< empty when the file gives none
+    SmallLight::Kind kind = SmallLight::Kind::point;
+    ColorDescription value{1.0};
+    double scale = 1.0;           ///< times value
+    glm::dmat4 to_world{1.0};     ///< affine and invertible; only its rotation and shift matter
+    double angular_radius = 0.0;  ///< directional: radians
+    double cutoff_angle = 0.0;    ///< spot: radians
+    double beam_width = 0.0;      ///< spot: radians
+    double fov = 45.0;            ///< projector: degrees along fov_axis, in (0, 180)
+    SensorDescription::FovAxis fov_axis = SensorDescription::FovAxis::x;
+    TextureSpecificationPtr texture;  ///< spot, projector, whose rectangle has its shape; null: none
+    PolarizationState state;
+};
+
+/// A plate that does not stand directly before a lamp.
+struct PlateDescription : PolarizingPlate {
+    std::string where;  ///< file and line
+};
+
+/// What of an integrator matters.
+struct IntegratorDescription {
+    /// Light is asked for that surfaces reflect to each other.
+    bool reflects_often = true;
+    bool hide_emitters = false;  ///< see Scene::hide_emitters()
+    std::uint32_t aovs = 0;      ///< bits of AovBit that the file asks for
+};
+
+struct SceneDescription {
+    IntegratorDescription integrator;
+    SensorDescription sensor;
+    std::vector<MaterialDescription> materials;
+    std::vector<ShapeDescription> shapes;
+    std::optional<EnvironmentDescription> environment;
+    std::vector<LightDescription> lights;
+    std::vector<PlateDescription> plates;
+    std::vector<FileRecord> files;     ///< the scene file and those that it includes
+    std::vector<std::string> notices;  ///< what was read and not followed, one sentence each
+};
+
+/// Most of one scene, instances counted: memory for them is not bounded by the size of its files.
+inline constexpr std::size_t kMaxShapes = 100000;
+
+/// Values for the file's $parameters, by name without the $; they win over <default>.
+using SceneParameters = std::map<std::string, std::string>;
+
+/// Reads a scene of Mitsuba 3's XML format. Defaults are Mitsuba's, and so is the meaning of each parameter;
+/// beside its plug-ins (sensors perspective, thinlens, orthographic; shapes obj, ply, serialized, sphere,
+/// rectangle, cube, disk, cylinder, shapegroup, instance, merge; bsdfs pplastic, plastic, roughplastic,
+/// dielectric, roughdielectric, null, diffuse, conductor, roughconductor, principled, measured_polarized,
+/// twosided, normalmap, bumpmap, mask, blendbsdf; textures bitmap, checkerboard, mesh_attribute, rawconstant;
+/// emitters envmap, constant, directional, point, spot, projector, area) these are ours: shapes off and stl,
+/// bsdf psh, emitters psh and sky, and of the others but envmap and constant how their light is polarized
+/// (dolp, aolp in degrees, docp, polarization_axis), the angular_radius of directional and two_sided of area.
+/// A light given by its position or direction has its polarization_axis in the world's axes, one with
+/// to_world in its own. Rectangles and disks of a bsdf polarizer, retarder or circular become the Stokes
+/// state of the lamps that they stand directly before, see PolarizingPlates, as at normal incidence; others
+/// are plates of the scene, and for load_scene() to put before its lights. A shape that shines and has no
+/// bsdf is black, another without one is grey. An instance becomes a shape for each member of its group.
+/// Integrators but for their AOVs and hide_emitters, sampler and reconstruction filter are not followed,
+/// which one notice says; a roughness that differs by direction has a notice that says where it is followed,
+/// and of pplastic becomes its geometric mean. <rgb> takes one value, three, or #rrggbb, which is linear n /
+/// 255; <spectrum> a file, too, of lines with a wavelength in nm and a value, behind # a comment, which is
+/// read. Other filenames are not opened, but looked for: in the folders of <path>, the newest first, in the
+/// folder of the file that holds them, then in those of the files that include it; where none has the file,
+/// the name is relative to the folder of the file. Throws Error: file_not_found (also of an <include>);
+/// unsupported (a plug-in, element or value outside the above; files of more than 16 MiB together, or more
+/// than 1000); invalid_file (XML that is not well-formed, unknown or missing parameters, values out of range,
+/// undefined $parameters but of samplers, ids that are missing or doubled, includes in a circle or more than
+/// 15 deep) as file:line, plug-in and parameter with what is accepted and, within an included file, who
+/// includes it; invalid_argument (an entry of `parameters` that the files never use).
+[[nodiscard]] SceneDescription read_mitsuba_scene(const std::filesystem::path& file,
+                                                  const SceneParameters& parameters = {},
+                                                  const LoadBudget& budget = {});
+
+/// Reads the default scene of a glTF 2.0 file, text or binary, with its buffers. Its axes are the world's.
+/// - Shapes are the primitives of triangles, strips and fans of each node; nodes with the same mesh share
+///   it. Without NORMAL they are flat. Colours and texture coordinates (v downwards) are the file's; those of
+///   the set that the base colour takes, where there are several.
+/// - A metallicFactor of 0 makes pplastic, 1 roughconductor, and any between both, blended; GGX with alpha =
+///   roughness^2. Base colour, metal, roughness, normals and alphaMode MASK follow their textures.
+/// - The sensor is the first camera; without one it looks along -z, its image 45 degrees high, and the sphere
+///   around the box of the scene fits in. The film is 768 pixels wide and as high as the camera's aspect
+///   ratio says, else 576. There is no environment.
+/// - Lights are those of KHR_lights_punctual, their numbers as they are; a spot falls off linearly in the
+/// angle
+///   between its cones. A range has no effect.
+/// - Notices name what is not followed: occlusion, emission, alphaMode BLEND, ranges of lights, skins, morph
+/// targets,
+///   animations, points and lines, extensions without effect.
+/// Throws Error: file_not_found (also of a buffer); unsupported (another version, an unknown required
+/// extension, KHR_materials_unlit, buffers and images outside the folder of the file, more than kMaxShapes,
+/// what exceeds `budget`); invalid_file (malformed, references or data out of range, nodes in a circle,
+/// nothing to draw), naming the element; invalid_argument (any parameter; the format has none). Memory is
+/// proportional to the size of the files, times the number of primitives that share data, up to the limits of
+/// `budget`.
+[[nodiscard]] SceneDescription read_gltf_scene(const std::filesystem::path& file,
+                                               const SceneParameters& parameters = {},
+                                               const LoadBudget& budget = {});
+
+}  // namespace nicol

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: MIT
+#include "import/scene_textures.hpp"
+
+#include <algorithm>
+#include <array>
+#include <glm/geometric.hpp>
+#include <string>
+#include <utility>
+
+#include "error.hpp"
+
+namespace nicol::scene {
+namespace {
+
+using Part = TextureSpecification::Part;
+
+float luminance(const glm::vec3& rgb) {
+    return glm::dot(rgb, glm::vec3(0.2126F, 0.7152F, 0.0722F));
+}
+
+/// The pixels of an image that a texture is made of, with what it does to them.
+class Pixels {
+public:
+    Pixels(const TextureImage& image, const TextureSpecification& description)
+        : image_(image), description_(description) {}
+
+    [[nodiscard]] TextureImage colors() const {
+        TextureImage out = empty(image_.channels == 1 && is_grey(description_) ? 1 : 3);
+        each([&](const glm::vec3& value) {
+            out.values.insert(out.values.end(), {value.x, value.y, value.z});
+            if (out.channels == 1) out.values.resize(out.values.size() - 2);
+        });
+        return out;
+    }
+
+    [[nodiscard]] TextureImage numbers() const {
+        TextureImage out = empty(1);
+        const bool one = image_.channels == 1 || description_.part != Part::color;
+        each([&](const glm::vec3& value) { out.values.push_back(one ? value.x : luminance(value)); });
+        return out;
+    }
+
+private:
+    static bool is_grey(const TextureSpecification& d) {
+        return d.factor == glm::dvec3(d.factor.x) && d.offset == glm::dvec3(d.offset.x);
+    }
+
+    [[nodiscard]] TextureImage empty(int channels) const {
+        TextureImage out{.width = image_.width, .height = image_.height, .channels = channels, .values = {}};
+        out.values.reserve(count() * static_cast<std::size_t>(channels) + 2);
+        return out;
+    }
+    [[nodiscard]] std::size_t count() const {
+        return image_.values.size() / static_cast<std::size_t>(image_.channels);
+    }
+
+    [[nodiscard]] glm::vec3 part(const float* pixel) const {
+        const auto channel = [&](int c) { return pixel[image_.channels == 1 ? 0 : c]; };
+        switch (description_.part) {
+            case Part::color:
+                break;
+            case Part::green:
+                return glm::vec3(channel(1));
+            case Part::blue:
+                return glm::vec3(channel(2));
+            case Part::coverage:
+                return glm::vec3(image_.channels == 4 ? pixel[3] : 1.0F);
+        }
+        return {channel(0), channel(1), channel(2)};
+    }
+
+    template <class Add>
+    void each(Add add) const {
+        const glm::vec3 factor(description_.factor), offset(description_.offset);
+        const auto step = static_cast<std::size_t>(image_.channels);
+        for (std::size_t i = 0; i < image_.values.size(); i += step) {
+            glm::vec3 value = factor * part(&image_.values[i]) + offset;
+            if (description_.squared) value *= value;
+            add(value);
+        }
+    }
+
+    const TextureImage& image_;
+    const TextureSpecification& description_;
+};
+
+/// With one channel where the three are equal in all pixels.
+TextureImage without_repetition(TextureImage image) {
+    if (image.channels != 3) return image;
+    const std::size_t size = image.values.size();
+    for (std::size_t i = 0; i < size; i += 3)
+        if (image.values[i] != image.values[i + 1] || image.values[i] != image.values[i + 2]) return image;
+    for (std::size_t i = 0; i < size; i += 3) image.values[i / 3] = image.values[i];
+    image.values.resize(size / 3);
+    image.channels = 1;
+    return image;
+}
+
+}  // namespace
+
+TexturePtr SceneTextures::color(const TextureSpecification& description) {
+    return of(description, Use::color);
+}
+
+TexturePtr SceneTextures::number(const TextureSpecification& description) {
+    return of(description, Use::number);
+}
+
+TexturePtr SceneTextures::vector(const TextureSpecification& description) {
+    return of(description, Use::vector);
+}
+
+double SceneTextures::aspect(const TextureSpecification& d) const {
+    if (d.kind != TextureSpecification::Kind::image) return 1;
+    const TextureImage& image = images_.at({d.filename, d.raw});
+    return static_cast<double>(image.width) / image.height;
+}
+
+TexturePtr SceneTextures::of(const TextureSpecification& description, Use use) {
+    if (description.kind != TextureSpecification::Kind::image) return made(description, use);
+    std::vector<Made>& made_of_file = made_[description.filename];
+    for (const Made& known : made_of_file)
+        if (known.use == use && known.description == description) return known.texture;
+    TexturePtr texture = made(description, use);
+    made_of_file.push_back({description, use, texture});
+    return texture;
+}
+
+glm::vec4 SceneTextures::value(const ColorDescription& color, Use use) const {
+    if (use == Use::vector && color.spectrum.empty()) return {color.rgb, 1};
+    const std::vector<double> values = reflectance(color, use == Use::color ? channels_ : SceneChannels());
+    if (values.size() > 3)
+        throw Error(ErrorCode::unsupported,
+                    "a <spectrum> table in a texture under light of wavelengths; give one grey value");
+    const glm::vec3 rgb(values[0], values[values.size() == 3 ? 1 : 0], values[values.size() == 3 ? 2 : 0]);
+    return {use == Use::number ? glm::vec3(luminance(rgb)) : rgb, 1};
+}
+
+TexturePtr SceneTextures::made(const TextureSpecification& d, Use use) {
+    const auto require_rgb = [&](const char* what) {
+        if (use == Use::color && !channels_.rgb())
+            throw Error(ErrorCode::unsupported, std::string(what) + " under light of " +
+                                                    std::to_string(channels_.count) +
+                                                    " other channels; give grey ones");
+    };
+    const auto channels_of = [](const glm::vec4& a) { return a.x == a.y && a.y == a.z ? 1 : 3; };
+    TexturePtr texture;
+    switch (d.kind) {
+        case TextureSpecification::Kind::constant: {
+            const glm::vec4 all = value(d.color0, use);
+            texture = constant_texture(all, channels_of(all));
+            break;
+        }
+        case TextureSpecification::Kind::checkerboard: {
+            glm::vec4 a = value(d.color0, use), b = value(d.color1, use);
+            if (use == Use::number) std::swap(a, b);  // as Mitsuba, which evaluates both apart
+            texture = checkerboard_texture(a, b, std::max(channels_of(a), channels_of(b)), d.sampling.to_uv);
+            break;
+        }
+        case TextureSpecification::Kind::image: {
+            const Pixels pixels(image(d), d);
+            TextureImage image = use == Use::number ? pixels.numbers() : without_repetition(pixels.colors());
+            if (image.channels == 3) require_rgb("an image of red, green and blue");
+            texture = image_texture(std::move(image), d.sampling);
+            break;
+        }
+    }
+    if (!d.times_colors_of) return texture;
+    require_rgb("a mesh's colours");
+    if (use == Use::number)
+        throw Error(ErrorCode::unsupported, "a mesh's colours where one number is expected; give an image");
+    TexturePtr colors = mesh_color_texture(*d.times_colors_of);
+    return texture->constant() && texture->mean() == glm::vec4(1)
+               ? colors
+               : product_texture(std::move(texture), std::move(colors));
+}
+
+const TextureImage& SceneTextures::image(const TextureSpecification& d) {
+    const auto [entry, is_new] = images_.try_emplace({d.filename, d.raw});
+    TextureImage& image = entry->second;
+    if (is_new)
+        image = d.bytes ? load_texture_image(d.filename, *d.bytes, d.raw, files_.budget())
+                        : files_.read(d.filename,
+                                      [&] { return load_texture_image(d.filename, d.raw, files_.budget()); });
+    files_.budget().take_pixels(d.filename, image.values.size() / static_cast<std::size_t>(image.channels));
+    return image;
+}
+
+}  // namespace nicol::scene

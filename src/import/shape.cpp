@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+// <shape>.
+#include <algorithm>
+#include <array>
+
+#include "files/suffix.hpp"
+#include "import/plugin.hpp"
+#include "import/readers.hpp"
+#include "import/values.hpp"
+
+namespace nicol::scene {
+namespace {
+
+constexpr std::array<std::string_view, 10> kKindNames = {"obj",    "ply",       "off",  "stl",  "serialized",
+                                                         "sphere", "rectangle", "cube", "disk", "cylinder"};
+
+void read_mesh(Plugin& plugin, ShapeDescription& shape) {
+    shape.filename = plugin.filename("filename");
+    if (suffix_of(shape.filename) != "." + plugin.type())
+        plugin.fail("filename", "is " + in_quotes(shape.filename.filename().string()) +
+                                    "; expected a name in ." + plugin.type() +
+                                    " as the type of the shape says");
+    if (shape.kind == ShapeDescription::Kind::serialized)
+        shape.index =
+            static_cast<std::size_t>(plugin.integer("shape_index", 0, 0, std::numeric_limits<int>::max()));
+    shape.face_normals = plugin.boolean("face_normals", false);
+    shape.flip_tex_coords = plugin.boolean("flip_tex_coords", has_upward_texcoords(shape.filename));
+}
+
+}  // namespace
+
+ShapeDescription read_shape(const XmlDocument& document, pugi::xml_node node, Notices& notices,
+                            pugi::xml_node& bsdf) {
+    Plugin plugin(document, node);
+    const auto kind = std::ranges::find(kKindNames, std::string_view(plugin.type()));
+    if (kind == kKindNames.end())
+        plugin.fail_type(
+            "obj, ply, off, stl, serialized, sphere, rectangle, cube, disk, cylinder, shapegroup, instance, "
+            "merge");
+    ShapeDescription shape;
+    shape.kind = static_cast<ShapeDescription::Kind>(kind - kKindNames.begin());
+    shape.id = plugin.id();
+    if (shape.kind <= ShapeDescription::Kind::serialized) {
+        read_mesh(plugin, shape);
+    } else if (shape.kind == ShapeDescription::Kind::sphere) {
+        shape.center = plugin.vector("center", shape.center);
+        shape.radius = plugin.number("radius", shape.radius, 0.0, kNoLimit, true);
+    } else if (shape.kind == ShapeDescription::Kind::cylinder) {
+        shape.p0 = plugin.vector("p0", shape.p0);
+        shape.p1 = plugin.vector("p1", shape.p1);
+        if (shape.p0 == shape.p1) plugin.fail("p1", "is p0; expected two points that differ");
+        shape.radius = plugin.number("radius", shape.radius, 0.0, kNoLimit, true);
+    }
+    shape.flip_normals = plugin.boolean("flip_normals", false);
+    shape.to_world = plugin.transform("to_world");
+    // Of Mitsuba's sampling for derivatives.
+    plugin.pass_over({"silhouette_sampling_weight"});
+    plugin.finish();
+    for (const NestedObject& object : plugin.single_objects({"bsdf", "emitter"})) {
+        if (std::string_view(object.node.name()) == "bsdf")
+            bsdf = object.node;
+        else
+            shape.emission = read_emission(document, object.node, notices);
+    }
+    return shape;
+}
+
+std::vector<pugi::xml_node> read_group(const XmlDocument& document, pugi::xml_node node) {
+    const Plugin plugin(document, node);
+    plugin.finish();
+    std::vector<pugi::xml_node> members;
+    for (const NestedObject& object : plugin.objects({"shape"})) {
+        const std::string_view type = object.node.attribute("type").value();
+        // This ends circles too.
+        if (type == "shapegroup" || type == "instance" || type == "merge")
+            document.fail(object.place, "a shape " + in_quotes(type) + " inside a " + plugin.type(),
+                          ErrorCode::unsupported);
+        members.push_back(object.node);
+    }
+    return members;
+}
+
+pugi::xml_node read_instance(const XmlDocument& document, pugi::xml_node node, ShapeDescription& instance) {
+    Plugin plugin(document, node);
+    instance.id = plugin.id();
+    instance.to_world = plugin.transform("to_world");
+    plugin.finish();
+    const std::vector<NestedObject> objects = plugin.objects({"shape"});
+    if (objects.size() != 1)
+        plugin.fail(
+            "", "refers to " + std::to_string(objects.size()) + " shapes; expected one, of type shapegroup");
+    const std::string_view type = objects.front().node.attribute("type").value();
+    if (type != "shapegroup")
+        document.fail(objects.front().place,
+                      "an instance of a shape " + in_quotes(type) + "; expected a shapegroup");
+    return objects.front().node;
+}
+
+}  // namespace nicol::scene

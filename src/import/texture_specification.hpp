@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// What a scene file says of a texture, as plain data.
+#pragma once
+
+#include <filesystem>
+#include <glm/vec3.hpp>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "import/color_description.hpp"
+#include "texture/texture.hpp"
+
+namespace nicol {
+
+struct TextureSpecification {
+    enum class Kind { constant, checkerboard, image };
+    /// Of an image: its colours, or one of its channels as a number.
+    enum class Part { color, green, blue, coverage };
+
+    Kind kind = Kind::constant;
+    ColorDescription color0{0.4};              ///< constant; checkerboard, the first square of colours
+    ColorDescription color1{0.2};              ///< checkerboard, the first square of numbers
+    std::filesystem::path filename;            ///< image; also names one that is in `bytes`
+    std::shared_ptr<const std::string> bytes;  ///< image: its file, where the scene file holds it; else null
+    bool raw = false;                          ///< image: see load_texture_image()
+    Part part = Part::color;                   ///< image
+    glm::dvec3 factor{1.0};  ///< image: t becomes factor t + offset, of red, green and blue; one number: red
+    glm::dvec3 offset{0.0};  ///< image
+    bool squared = false;    ///< image: after that
+    TextureSampling sampling;                 ///< image; checkerboard: to_uv alone
+    std::optional<ColorsOf> times_colors_of;  ///< any: these colours of the mesh are a factor
+
+    bool operator==(const TextureSpecification&) const = default;
+};
+
+using TextureSpecificationPtr = std::shared_ptr<const TextureSpecification>;
+
+}  // namespace nicol

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include "methods/factored_method.hpp"
+
+#include <utility>
+
+#include "surfaces/plain_materials.hpp"
+
+namespace nicol {
+
+void FactoredMethod::set_cache(std::filesystem::path folder, CacheNotice notice) {
+    folder_ = std::move(folder);
+    notice_ = std::move(notice);
+}
+
+void FactoredMethod::project(const TransferInput& input, RenderRun& run) {
+    const int order = input.layout.order();
+    const LightKind kind = input.layout.kind();
+    projecting_.run(input.materials, input.channels, order, kind, [&] {
+        const Stopwatch watch;
+        Tables& known = tables_.change();
+        sizing_.run(input.channels, order, kind, [&] { known.clear(); });
+        Tables tables;
+        const std::vector<MaterialPtr> materials = plain_materials(input.geometry.ranges);
+        for (const MaterialPtr& material : materials) {
+            if (auto kept = known.extract(material)) {
+                tables.insert(std::move(kept));
+                continue;
+            }
+            run.progress.report("project",
+                                static_cast<double>(tables.size()) / static_cast<double>(materials.size()));
+            ++run.statistics.materials_projected;
+            run.workers.run([&] {
+                tables.emplace(material,
+                               load_or_build(*material, input.layout, input.channels, folder_, notice_));
+            });
+        }
+        known = std::move(tables);
+        run.statistics.project_ms += watch.milliseconds();
+    });
+}
+
+void FactoredMethod::bake(const TransferInput& input, VisibilityRequest* request, RenderRun& run) {
+    if (!baking_.update(input, input.layout.order(), input.layout.kind())) return;
+    std::optional<VisibilityProduct> former = std::exchange(shadows_.change(), std::nullopt);
+    if (input.visibility != nullptr) {
+        const Stopwatch watch;
+        run.workers.run([&] {
+            std::optional<VisibilityProduct>& shadows = shadows_.change();
+            if (former && baking_.any_current()) {
+                shadows.emplace(std::move(*former), baking_.current(), *input.visibility, *input.directions,
+                                input.geometry.normals);
+                return;
+            }
+            former.reset();
+            const bool fits = request != nullptr && request->blocks.order() == 2 * input.layout.order();
+            shadows.emplace(*input.visibility, *input.directions, input.geometry.normals, input.layout,
+                            fits ? &request->blocks : nullptr);
+            if (fits) request->filled = true;
+        });
+        run.statistics.bake_ms += watch.milliseconds();
+    }
+    baking_.complete();
+}
+
+void FactoredMethod::relight(const TransferInput& input, RenderExecutor& executor, RenderRun& run) {
+    if (input.at_pixels && !*shadows_) return;  // the same light everywhere
+    if (!relighting_.update(input, executor.version(), input.light_version, input.at_pixels)) return;
+    const Stopwatch watch;
+    run.statistics.vertices_relit += executor.relight(*this, input, relighting_.current(), run);
+    relighting_.complete();
+    run.statistics.relight_ms += watch.milliseconds();
+}
+
+void FactoredMethod::shade(const ShadeInput& input, RenderExecutor& executor, RenderRun& run) const {
+    executor.shade(*this, input, run);
+}
+
+void FactoredMethod::shade_pixels(const PixelInput& input, RenderExecutor& executor, RenderRun& run) const {
+    executor.shade_pixels(*this, input, run);
+}
+
+void FactoredMethod::count(const TransferInput& input, Statistics& statistics) const {
+    for (const auto& [material, table] : *tables_) {
+        statistics.response_bytes += table.bytes();
+        for (std::size_t p = 0; p < 4; ++p) {
+            // s1 and s2 are made together or not at all.
+            const bool made = p == 1 || p == 2 ? table.makes(1) || table.makes(2) : p == 0 || table.makes(p);
+            if (!made) statistics.response_rows_skipped += static_cast<std::uint64_t>(input.channels);
+        }
+    }
+    if (*shadows_) statistics.transfer_bytes += (*shadows_)->bytes();
+}
+
+}  // namespace nicol

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// The factored method: light in the vertices' frames, dotted with the rows of response tables.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+
+#include "material/response_cache.hpp"
+#include "methods/transfer_method.hpp"
+#include "surfaces/vertex_stage.hpp"
+#include "transfer/visibility_product.hpp"
+
+namespace nicol {
+
+class FactoredMethod final : public TransferMethod {
+public:
+    /// Keeps response tables in a folder, see load_or_build().
+    void set_cache(std::filesystem::path folder, CacheNotice notice);
+
+    void project(const TransferInput& input, RenderRun& run) override;
+    void bake(const TransferInput& input, VisibilityRequest* request, RenderRun& run) override;
+    void relight(const TransferInput& input, RenderExecutor& executor, RenderRun& run) override;
+    void shade(const ShadeInput& input, RenderExecutor& executor, RenderRun& run) const override;
+    void shade_pixels(const PixelInput& input, RenderExecutor& executor, RenderRun& run) const override;
+    void count(const TransferInput& input, Statistics& statistics) const override;
+
+    /// Of plain_materials().
+    using Tables = std::map<MaterialPtr, ResponseTable>;
+    [[nodiscard]] const Versioned<Tables>& tables() const noexcept { return tables_; }
+    /// None where nothing casts shadows.
+    [[nodiscard]] const Versioned<std::optional<VisibilityProduct>>& shadows() const noexcept {
+        return shadows_;
+    }
+
+private:
+    std::filesystem::path folder_;
+    CacheNotice notice_;
+    // Channels, order, kind.
+    Stage<int, int, LightKind> sizing_;
+    Stage<Version, int, int, LightKind> projecting_;
+    Versioned<Tables> tables_;
+    // Order, kind.
+    VertexStage<int, LightKind> baking_{{}};
+    Versioned<std::optional<VisibilityProduct>> shadows_;
+    // Executor, light, for pixels.
+    VertexStage<Version, Version, bool> relighting_{{}};
+};
+
+}  // namespace nicol

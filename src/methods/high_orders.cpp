@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+#include "methods/high_orders.hpp"
+
+#include <algorithm>
+#include <glm/vec2.hpp>
+#include <utility>
+
+#include "specular/convolution_kernel.hpp"
+#include "specular/high_order_cache.hpp"
+#include "surfaces/plain_materials.hpp"
+
+namespace nicol {
+
+void HighOrderTransfer::set_cache(std::filesystem::path folder, CacheNotice notice) {
+    folder_ = std::move(folder);
+    notice_ = std::move(notice);
+}
+
+void HighOrderTransfer::project(const TransferInput& input, const DistantLight& light, HighOrders form,
+                                RenderRun& run) {
+    const Stopwatch watch;
+    bool ran =
+        fitting_.run(input.materials, form, light.low, light.high, input.channels, light.polarized, [&] {
+            sizing_.run(form, light.low, light.high, input.channels, light.polarized, [&] {
+                parts_.change().clear();
+                light_.reset();
+                kernels_.clear();
+            });
+            fit(input, light, form, run);
+            fitted_ = new_version();
+        });
+    ran |= filtering_.run(fitted_, light.version, [&] {
+        lighting_.run(light.version, [&] {
+            light_.reset();
+            for (auto& [material, part] : parts_.change()) part.filtered = false;
+        });
+        run.workers.run([&] { filter(light, form); });
+    });
+    if (ran) run.statistics.project_ms += watch.milliseconds();
+}
+
+void HighOrderTransfer::fit(const TransferInput& input, const DistantLight& light, HighOrders form,
+                            RenderRun& run) {
+    Parts& known = parts_.change();
+    Parts parts;
+    std::map<MaterialPtr, std::vector<ConvolutionKernel>> kernels;
+    const std::vector<MaterialPtr> materials = plain_materials(input.geometry.ranges);
+    for (const MaterialPtr& material : materials) {
+        if (auto kept = kernels_.extract(material)) kernels.insert(std::move(kept));
+        if (auto kept = known.extract(material)) {
+            parts.insert(std::move(kept));
+            continue;
+        }
+        run.progress.report("project",
+                            static_cast<double>(parts.size()) / static_cast<double>(materials.size()));
+        ++run.statistics.materials_projected;
+        run.workers.run([&] {
+            Part part{.factors = HighOrderFactors::mirror(), .convolved = {}, .maps = {}};
+            if (form == HighOrders::convolution) {
+                const int channels = material->channels() == 1 ? 1 : input.channels;
+                kernels[material] = mirrored_kernels(*material, light.high, channels);
+            } else {
+                part.factors =
+                    load_or_fit(*material, light.low, light.high, input.channels, folder_, notice_);
+            }
+            parts.emplace(material, std::move(part));
+        });
+    }
+    known = std::move(parts);
+    kernels_ = std::move(kernels);
+}
+
+void HighOrderTransfer::filter(const DistantLight& light, HighOrders form) {
+    for (auto& [material, part] : parts_.change()) {
+        if (part.filtered) continue;
+        if (form == HighOrders::convolution) {
+            part.convolved = convolved_map(light.coefficients, kernels_.at(material), light.low, light.high);
+            part.maps = {.central = &*part.convolved};
+        } else {
+            if (!light_) light_.emplace(light.coefficients, light.low, light.high, light.polarized);
+            part.maps = light_->maps(part.factors);
+        }
+        part.filtered = true;
+    }
+}
+
+std::optional<VisibilityRequest> HighOrderTransfer::request(const TransferInput& input, int low) {
+    const int order = 2 * low;
+    if (input.visibility == nullptr || !expanding_.update(input, order) || expanding_.any_current()) {
+        return std::nullopt;
+    }
+    return VisibilityRequest{.blocks = VisibilityBlocks(*input.visibility, order)};
+}
+
+void HighOrderTransfer::bake(const TransferInput& input, int low, std::optional<VisibilityRequest> request,
+                             RenderRun& run) {
+    const int order = 2 * low;
+    if (!expanding_.update(input, order)) return;
+    const Stopwatch watch;
+    if (!expanding_.any_current()) visibility_.change() = {};
+    if (request && request->filled) {
+        visibility_.change() = std::move(request->blocks);
+    } else if (input.visibility != nullptr) {
+        request.reset();
+        visibility_.change() = expanded(input, order, run);
+    }
+    expanding_.complete();
+    run.statistics.bake_ms += watch.milliseconds();
+}
+
+VisibilityBlocks HighOrderTransfer::expanded(const TransferInput& input, int order, RenderRun& run) const {
+    const std::size_t vertices = input.geometry.positions.size();
+    const VisibilityHarmonics harmonics(*input.directions, order);
+    const std::span current = expanding_.current();
+    VisibilityBlocks next(*input.visibility, order);
+    run.workers.for_vertices(
+        0, vertices, vertices, "bake", run.progress, [&](std::size_t begin, std::size_t end) {
+            std::vector<Lanes> coefficients(psh_count(order));
+            for (std::size_t first = begin; first < end; first += kLanes) {
+                const std::size_t block = first / kLanes;
+                if (next.block(block) == nullptr) continue;
+                const std::size_t size = std::min(kLanes, end - first);
+                const bool known = std::ranges::all_of(current.subspan(first, size),
+                                                       [](std::uint8_t one) { return one != 0; });
+                if (known && visibility_->block(block) != nullptr) {
+                    next.take_over(block, *visibility_);
+                    continue;
+                }
+                project_block(harmonics, *input.visibility, input.geometry.normals, first, size,
+                              coefficients.data());
+                next.set(block, coefficients.data());
+            }
+        });
+    return next;
+}
+
+double HighOrderTransfer::lobe_width(const MaterialPtr& material) const {
+    std::vector<int> lobes;
+    for (const MaterialPtr& plain : plain_materials(material))
+        lobes.push_back(parts_->at(plain).factors.central_lobe());
+    const auto middle = lobes.begin() + static_cast<std::ptrdiff_t>(lobes.size() / 2);
+    std::ranges::nth_element(lobes, middle);
+    return kLobeWidths[static_cast<std::size_t>(*middle)];
+}
+
+void HighOrderTransfer::count(Statistics& statistics) const {
+    if (light_) statistics.response_bytes += light_->bytes();
+    for (const auto& [material, part] : *parts_) {
+        statistics.response_bytes += part.factors.data().size_bytes();
+        if (part.convolved) statistics.response_bytes += part.convolved->bytes();
+    }
+    statistics.transfer_bytes += visibility_->bytes();
+}
+
+}  // namespace nicol

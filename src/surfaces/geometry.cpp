@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#include "surfaces/geometry.hpp"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <atomic>
+#include <glm/geometric.hpp>
+
+namespace nicol {
+
+std::size_t range_of(const WorldGeometry& geometry, std::size_t vertex) {
+    const auto found = std::ranges::upper_bound(geometry.ranges, vertex, {}, &VertexRange::last);
+    return static_cast<std::size_t>(found - geometry.ranges.begin());
+}
+
+std::vector<TriangleBatch> triangle_batches(const WorldGeometry& geometry) {
+    std::vector<TriangleBatch> batches;
+    for (std::size_t i = 0; i < geometry.triangles.size(); ++i) {
+        const std::size_t vertex = geometry.triangles[i].x;
+        const VertexRange* const known = batches.empty() ? nullptr : &geometry.ranges[batches.back().range];
+        if (known == nullptr || vertex < known->first || vertex >= known->last)
+            batches.push_back({.range = range_of(geometry, vertex),
+                               .two_sided = i >= geometry.one_sided,
+                               .first = i,
+                               .last = i});
+        batches.back().last = i + 1;
+    }
+    return batches;
+}
+
+Presence presence_of(const WorldGeometry& geometry) {
+    const auto cut_out = [](const VertexRange& range) { return opacity_of(*range.material) != nullptr; };
+    if (std::ranges::none_of(geometry.ranges, cut_out)) return {};
+    return [&geometry](std::uint32_t triangle, float b1, float b2) {
+        const SpatialVariation* const variation =
+            geometry.ranges[range_of(geometry, geometry.triangles[triangle].x)].material->variation();
+        if (variation == nullptr || variation->opacity == nullptr) return true;
+        const TexturePoint point = texture_point(
+            {1 - b1 - b2, b1, b2}, geometry.texcoords.empty() ? nullptr : &geometry.texcoords[triangle],
+            geometry.colors.empty() ? nullptr : &geometry.colors[triangle]);
+        return variation->present(point);
+    };
+}
+
+std::size_t find_visible(const WorldGeometry& geometry, const Projection& projection,
+                         std::vector<std::uint8_t>& visible) {
+    using Range = tbb::blocked_range<std::size_t>;
+    constexpr std::size_t grain = 4096;
+    const std::size_t vertices = geometry.positions.size();
+    // Which sides of the view a vertex is outside of, as bits.
+    std::vector<std::uint8_t> outside(vertices);
+    visible.resize(vertices);
+    const glm::mat4 clip(projection.world_to_clip);
+    const glm::vec2 side = 1.0F + glm::vec2(projection.pixel) / 2.0F;
+    tbb::parallel_for(Range(0, vertices, grain), [&](const Range& range) {
+        for (std::size_t v = range.begin(); v < range.end(); ++v) {
+            const glm::vec4 p = clip * glm::vec4(geometry.positions[v], 1);
+            outside[v] = static_cast<std::uint8_t>(
+                (p.x < -side.x * p.w ? 1 : 0) | (p.x > side.x * p.w ? 2 : 0) | (p.y < -side.y * p.w ? 4 : 0) |
+                (p.y > side.y * p.w ? 8 : 0) | (p.z < -p.w ? 16 : 0) | (p.z > p.w ? 32 : 0));
+            visible[v] = 0;
+        }
+    });
+
+    const glm::vec3 eye(projection.view.eye);
+    const glm::vec3 backward(-projection.view.forward);
+    tbb::parallel_for(Range(0, geometry.triangles.size(), grain), [&](const Range& range) {
+        for (std::size_t i = range.begin(); i < range.end(); ++i) {
+            const glm::uvec3& t = geometry.triangles[i];
+            if ((outside[t.x] & outside[t.y] & outside[t.z]) != 0) continue;
+            const glm::vec3& a = geometry.positions[t.x];
+            const glm::vec3 normal = glm::cross(geometry.positions[t.y] - a, geometry.positions[t.z] - a);
+            const glm::vec3 towards = projection.view.orthographic ? backward : eye - a;
+            // Edge-on triangles count as facing: rounding here must not lose what the rasteriser keeps.
+            const float facing = glm::dot(normal, towards);
+            if (facing < 0 &&
+                facing * facing > 1e-8F * glm::dot(normal, normal) * glm::dot(towards, towards)) {
+                continue;
+            }
+            // Neighbours share vertices, and may be in another thread's hands.
+            for (glm::length_t corner = 0; corner < 3; ++corner) {
+                std::atomic_ref(visible[t[corner]]).store(1, std::memory_order_relaxed);
+            }
+        }
+    });
+    return static_cast<std::size_t>(std::count(visible.begin(), visible.end(), std::uint8_t{0}));
+}
+
+}  // namespace nicol

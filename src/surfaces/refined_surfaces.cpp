@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+#include "surfaces/refined_surfaces.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <glm/geometric.hpp>
+#include <map>
+#include <numeric>
+#include <utility>
+
+namespace nicol {
+namespace {
+
+std::vector<std::uint8_t> same(const std::vector<glm::vec3>& before, const std::vector<glm::vec3>& after) {
+    std::vector<std::uint8_t> out(after.size(), 0);
+    const std::size_t both = std::min(before.size(), after.size());
+    for (std::size_t i = 0; i < both; ++i) out[i] = before[i] == after[i] ? 1 : 0;
+    return out;
+}
+
+// Where the triangles of a refinement lie in those that were given.
+std::vector<TrianglePart> parts_of(const WorldGeometry& geometry, const Refinement& refinement) {
+    const std::size_t given = geometry.positions.size();
+    std::vector<TrianglePart> parts;
+    parts.reserve(refinement.triangles.size());
+    // Vertices of the same source, whose parts follow one another. Parents have smaller numbers.
+    std::map<std::uint32_t, glm::vec3> known;
+    const std::function<glm::vec3(std::uint32_t, const glm::uvec3&)> weights = [&](std::uint32_t vertex,
+                                                                                   const glm::uvec3& source) {
+        if (vertex < given) {
+            return glm::vec3(source.x == vertex ? 1 : 0, source.y == vertex ? 1 : 0,
+                             source.z == vertex ? 1 : 0);
+        }
+        if (const auto found = known.find(vertex); found != known.end()) return found->second;
+        const glm::uvec2 parents = refinement.parents[vertex - given];
+        return known[vertex] = 0.5F * weights(parents.x, source) + 0.5F * weights(parents.y, source);
+    };
+    for (std::size_t i = 0; i < refinement.triangles.size(); ++i) {
+        const std::uint32_t source = refinement.sources[i];
+        if (i > 0 && source != refinement.sources[i - 1]) known.clear();
+        const glm::uvec3& t = refinement.triangles[i];
+        const glm::uvec3& of = geometry.triangles[source];
+        parts.push_back(
+            {.source = source, .corners = {weights(t.x, of), weights(t.y, of), weights(t.z, of)}});
+    }
+    return parts;
+}
+
+template <class Value>
+std::vector<std::array<Value, 3>> of_parts(const std::vector<std::array<Value, 3>>& given,
+                                           std::span<const TrianglePart> parts) {
+    std::vector<std::array<Value, 3>> out;
+    if (given.empty()) return out;
+    out.reserve(parts.size());
+    for (const TrianglePart& part : parts) {
+        const std::array<Value, 3>& from = given[part.source];
+        const auto at = [&](const glm::vec3& w) { return w.x * from[0] + w.y * from[1] + w.z * from[2]; };
+        out.push_back({at(part.corners[0]), at(part.corners[1]), at(part.corners[2])});
+    }
+    return out;
+}
+
+}  // namespace
+
+RefinedGeometry refined(const WorldGeometry& geometry, const Refinement& refinement) {
+    // As the refinement numbers them: those given, then those added.
+    std::vector<glm::vec3> positions = geometry.positions;
+    std::vector<glm::vec3> normals = geometry.normals;
+    std::vector<std::uint32_t> range_of(positions.size());
+    for (std::uint32_t r = 0; r < geometry.ranges.size(); ++r) {
+        const VertexRange& range = geometry.ranges[r];
+        std::fill(range_of.begin() + static_cast<std::ptrdiff_t>(range.first),
+                  range_of.begin() + static_cast<std::ptrdiff_t>(range.last), r);
+    }
+    for (const glm::uvec2& parents : refinement.parents) {
+        positions.push_back(0.5F * positions[parents.x] + 0.5F * positions[parents.y]);
+        const glm::vec3 normal = 0.5F * normals[parents.x] + 0.5F * normals[parents.y];
+        normals.push_back(glm::dot(normal, normal) > 1e-12F ? normal : normals[parents.x]);
+        range_of.push_back(range_of[parents.x]);
+    }
+    for (std::size_t v = geometry.normals.size(); v < normals.size(); ++v)
+        normals[v] = glm::normalize(normals[v]);
+
+    std::vector<std::uint32_t> order(positions.size());
+    std::iota(order.begin(), order.end(), 0U);
+    std::ranges::stable_sort(order, {}, [&](std::uint32_t v) { return range_of[v]; });
+    std::vector<std::uint32_t> number(order.size());
+    for (std::uint32_t i = 0; i < order.size(); ++i) number[order[i]] = i;
+
+    WorldGeometry out;
+    for (const std::uint32_t v : order) {
+        out.positions.push_back(positions[v]);
+        out.normals.push_back(normals[v]);
+    }
+    for (const glm::uvec3& t : refinement.triangles)
+        out.triangles.emplace_back(number[t.x], number[t.y], number[t.z]);
+    const auto two_sided = std::ranges::lower_bound(refinement.sources, geometry.one_sided);
+    out.one_sided = static_cast<std::size_t>(two_sided - refinement.sources.begin());
+    std::size_t first = 0;
+    for (std::uint32_t r = 0; r < geometry.ranges.size(); ++r) {
+        VertexRange range = geometry.ranges[r];
+        range.first = first;
+        while (first < order.size() && range_of[order[first]] == r) ++first;
+        range.last = first;
+        out.ranges.push_back(std::move(range));
+    }
+    return {.geometry = std::move(out),
+            .visibility = refinement.visibility.selected(order),
+            .parts = parts_of(geometry, refinement)};
+}
+
+void RefinedSurfaces::update(const SceneGeometry& surfaces, const std::shared_ptr<WorldGeometry>& refined,
+                             std::span<const TrianglePart> parts) {
+    to_world_ = surfaces.to_world();
+    const WorldGeometry& given = surfaces.geometry();
+    if (refined && (refined != geometry_ || corners_ != surfaces.material_version())) {
+        for (std::size_t r = 0; r < refined->ranges.size(); ++r) {
+            refined->ranges[r].material = given.ranges[r].material;
+            refined->ranges[r].emission = given.ranges[r].emission;
+        }
+        refined->texcoords = of_parts(given.texcoords, parts);
+        refined->colors = of_parts(given.colors, parts);
+        corners_ = surfaces.material_version();
+    }
+    const std::shared_ptr<const WorldGeometry> next = refined ? refined : surfaces.shared_geometry();
+    if (next != geometry_) {
+        change_ = {.before = version_,
+                   .same_normals = same(geometry_->normals, next->normals),
+                   .same_places = same(geometry_->positions, next->positions)};
+        geometry_ = next;
+        version_ = new_version();
+    }
+    if (ranges_ != geometry_->ranges) {
+        ranges_ = geometry_->ranges;
+        material_version_ = new_version();
+    }
+}
+
+}  // namespace nicol

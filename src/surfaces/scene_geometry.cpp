@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: MIT
+#include "surfaces/scene_geometry.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/matrix.hpp>
+#include <limits>
+#include <utility>
+
+#include "error.hpp"
+#include "geometry/principal_axes.hpp"
+#include "material/spatial_variation.hpp"
+#include "surfaces/rigid_motion.hpp"
+
+namespace nicol {
+namespace {
+
+Ball ball_around(std::span<const glm::vec3> points) {
+    if (points.empty()) return {.centre = glm::vec3(0), .radius = 0};
+    glm::vec3 low = points.front();
+    glm::vec3 high = low;
+    for (const glm::vec3& point : points) {
+        low = glm::min(low, point);
+        high = glm::max(high, point);
+    }
+    const glm::vec3 centre = low + 0.5F * (high - low);
+    double radius = 0;
+    for (const glm::vec3& point : points) {
+        radius = std::max(radius, glm::distance(glm::dvec3(point), glm::dvec3(centre)));
+    }
+    return {.centre = centre, .radius = static_cast<float>(1.00001 * radius)};
+}
+
+// Whether two placements of one mesh differ by no more than rounding. Shifts were found as differences of
+// numbers as large as `shift`.
+bool near(const glm::dmat4& a, const glm::dmat4& b, const Ball& ball, double shift) {
+    double size = 0;
+    double linear = 0;
+    double offset = 0;
+    for (int column = 0; column < 4; ++column) {
+        for (int row = 0; row < 3; ++row) {
+            const double difference = std::abs(a[column][row] - b[column][row]);
+            (column < 3 ? linear : offset) = std::max(column < 3 ? linear : offset, difference);
+            if (column < 3) size = std::max(size, std::abs(b[column][row]));
+        }
+    }
+    constexpr double of_floats = 2e-7;
+    return linear <= kRotationTolerance * size &&
+           offset <= kRotationTolerance * static_cast<double>(ball.radius) + of_floats * shift;
+}
+
+void append_triangles(const Mesh& mesh, bool flipped, std::size_t first, std::vector<glm::uvec3>& triangles) {
+    const auto offset = static_cast<std::uint32_t>(first);
+    for (const glm::uvec3& t : mesh.triangles) {
+        triangles.push_back((flipped ? glm::uvec3(t.x, t.z, t.y) : t) + offset);
+    }
+}
+
+// What the corners of a mesh's triangles have: `values` by `triangles`, or `missing` where there are none.
+template <class Value>
+void append_corners(const std::vector<Value>& values, const std::vector<glm::uvec3>& triangles,
+                    std::size_t count, const Value& missing, bool flipped,
+                    std::vector<std::array<Value, 3>>& corners) {
+    for (std::size_t i = 0; i < count; ++i) {
+        std::array<Value, 3> of{missing, missing, missing};
+        if (!values.empty()) {
+            const glm::uvec3& t = triangles[i];
+            of = {values[t.x], values[flipped ? t.z : t.y], values[flipped ? t.y : t.z]};
+        }
+        corners.push_back(of);
+    }
+}
+
+}  // namespace
+
+void SceneGeometry::update(const Scene& scene) {
+    placing_.run(scene.geometry_version(), [&] {
+        std::vector<Piece> pieces = place(scene);
+        bool same = version_ != 0 && pieces.size() == pieces_.size();
+        for (const Piece& piece : pieces) same = same && piece.former != kNone;
+        if (!same) build(scene, pieces);
+    });
+    assigning_.run(scene.material_version(), scene.emission_version(), [&] { set_materials(scene); });
+    completing_.run(version_, material_version_, [&] { set_corners(); });
+}
+
+void SceneGeometry::find_axes(const Scene& scene, std::size_t largest) {
+    const Instance& instance = scene.instances()[largest];
+    const bool same = largest_mesh_ == instance.mesh && largest_ == scene.ids()[largest];
+    if (same) {
+        if (const auto motion = rigid_motion(largest_placement_, instance.to_world)) {
+            to_world_ = *motion;
+            return;
+        }
+    }
+    if (largest_mesh_ != instance.mesh) mesh_axes_ = principal_axes(instance.mesh->positions);
+    largest_mesh_ = instance.mesh;
+    largest_ = scene.ids()[largest];
+    largest_placement_ = instance.to_world;
+    to_world_ = glm::dmat4(1.0);
+    // Not aligned with the mesh: directions of a bake that lie in a mesh's own planes of symmetry would be
+    // above the horizons of its vertices or not as rounding has it.
+    const glm::dmat3 askew = glm::mat3_cast(glm::normalize(glm::dquat(0.9, 0.31, 0.17, 0.23)));
+    own_axes_ = rotate_in(glm::dmat3(instance.to_world)) * mesh_axes_ * askew;
+}
+
+std::vector<SceneGeometry::Piece> SceneGeometry::place(const Scene& scene) {
+    const std::vector<Instance>& instances = scene.instances();
+    std::vector<Piece> pieces;
+    if (instances.empty()) return pieces;
+    const auto largest = std::ranges::max_element(
+        instances, {}, [](const Instance& instance) { return instance.mesh->positions.size(); });
+    find_axes(scene, static_cast<std::size_t>(largest - instances.begin()));
+    const bool moved = to_world_ != glm::dmat4(1.0);
+    const glm::dmat4 from_world = inverse_motion(to_world_);
+    for (std::size_t i = 0; i < instances.size(); ++i) {
+        const Instance& instance = instances[i];
+        Piece& piece =
+            pieces.emplace_back(Piece{.id = scene.ids()[i],
+                                      .mesh = instance.mesh,
+                                      .twosided = instance.material->twosided(),
+                                      .opacity = opacity_of(*instance.material),
+                                      .placement = moved ? from_world * instance.to_world : instance.to_world,
+                                      .first = 0,
+                                      .last = 0,
+                                      .ball = {},
+                                      .former = kNone});
+        const auto former = std::ranges::lower_bound(pieces_, piece.id, {}, &Piece::id);
+        if (former == pieces_.end() || former->id != piece.id || former->mesh != piece.mesh ||
+            former->twosided != piece.twosided || former->opacity != piece.opacity) {
+            continue;
+        }
+        const double shift = glm::length(glm::dvec3(instance.to_world[3])) +
+                             glm::length(glm::dvec3(to_world_[3])) +
+                             glm::length(glm::dvec3(former->placement[3]));
+        if (near(piece.placement, former->placement, former->ball, moved ? shift : 0)) {
+            piece.placement = former->placement;
+            piece.ball = former->ball;
+            piece.former = static_cast<std::size_t>(former - pieces_.begin());
+        }
+    }
+    return pieces;
+}
+
+void SceneGeometry::build(const Scene& scene, std::vector<Piece>& pieces) {
+    WorldGeometry next;
+    Change change{.before = version_, .kept = {}, .disturbances = {}};
+    std::vector<glm::uvec3> two_sided;
+    std::vector<char> stays(pieces_.size(), 0);
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        Piece& piece = pieces[i];
+        const Mesh& mesh = *piece.mesh;
+        const std::size_t count = mesh.positions.size();
+        const std::size_t sides = piece.twosided ? 2 : 1;
+        piece.first = next.positions.size();
+        piece.last = piece.first + sides * count;
+        if (piece.last > std::numeric_limits<std::uint32_t>::max()) {
+            throw Error(ErrorCode::invalid_argument, "the scene has more than 2^32 vertices");
+        }
+        if (piece.former != kNone) {
+            const Piece& former = pieces_[piece.former];
+            stays[piece.former] = 1;
+            const auto copy = [&](const std::vector<glm::vec3>& from, std::vector<glm::vec3>& to) {
+                to.insert(to.end(), from.begin() + static_cast<std::ptrdiff_t>(former.first),
+                          from.begin() + static_cast<std::ptrdiff_t>(former.last));
+            };
+            copy(geometry_->positions, next.positions);
+            copy(geometry_->normals, next.normals);
+            change.kept.push_back({.first = piece.first, .last = piece.last, .before = former.first});
+        } else {
+            const Mesh in_place = placed(mesh, piece.placement, piece.id);
+            piece.ball = ball_around(in_place.positions);
+            change.disturbances.push_back(piece.ball);
+            for (std::size_t side = 0; side < sides; ++side) {
+                next.positions.insert(next.positions.end(), in_place.positions.begin(),
+                                      in_place.positions.end());
+                for (const glm::vec3& n : in_place.normals) next.normals.push_back(side == 0 ? n : -n);
+            }
+        }
+        const bool mirrored = glm::determinant(glm::dmat3(piece.placement)) < 0;
+        for (std::size_t side = 0; side < sides; ++side) {
+            const std::size_t first = piece.first + side * count;
+            append_triangles(mesh, mirrored != (side == 1), first,
+                             piece.twosided ? two_sided : next.triangles);
+            next.ranges.push_back({.first = first,
+                                   .last = first + count,
+                                   .material = scene.instances()[i].material,
+                                   .instance = piece.id});
+        }
+    }
+    for (std::size_t i = 0; i < pieces_.size(); ++i) {
+        if (stays[i] == 0) change.disturbances.push_back(pieces_[i].ball);
+    }
+    next.one_sided = next.triangles.size();
+    next.triangles.insert(next.triangles.end(), two_sided.begin(), two_sided.end());
+
+    if (geometry_->ranges != next.ranges) material_version_ = new_version();
+    geometry_ = std::make_shared<WorldGeometry>(std::move(next));
+    pieces_ = std::move(pieces);
+    change_ = std::move(change);
+    version_ = new_version();
+}
+
+void SceneGeometry::set_materials(const Scene& scene) {
+    bool changed = false;
+    for (VertexRange& range : geometry_->ranges) {
+        const Instance& instance = scene.at(range.instance);
+        // The back of a two-sided material shines where its emission has two sides, too.
+        const bool shines = instance.emission != nullptr && !scene.emitters_hidden() &&
+                            (instance.emission->two_sided || !is_back(*geometry_, range));
+        const EmissionPtr emission = shines ? instance.emission : nullptr;
+        if (range.material == instance.material && range.emission == emission) continue;
+        range.material = instance.material;
+        range.emission = emission;
+        changed = true;
+    }
+    if (changed) material_version_ = new_version();
+}
+
+void SceneGeometry::set_corners() {
+    bool texcoords = false;
+    bool colors = false;
+    for (const VertexRange& range : geometry_->ranges) {
+        const SpatialVariation* const variation = range.material->variation();
+        texcoords = texcoords || range.material->anisotropic() ||
+                    (variation != nullptr && variation->needs_texcoords()) ||
+                    (range.emission != nullptr && range.emission->texture != nullptr);
+        colors = colors || needs_colors(*range.material, ColorsOf::vertices) ||
+                 needs_colors(*range.material, ColorsOf::faces);
+    }
+    geometry_->texcoords.clear();
+    geometry_->colors.clear();
+    for (const bool twosided : {false, true}) {
+        for (const Piece& piece : pieces_) {
+            if (piece.twosided != twosided) continue;
+            const Mesh& mesh = *piece.mesh;
+            const Material& material = *geometry_->ranges[range_of(*geometry_, piece.first)].material;
+            const bool mirrored = glm::determinant(glm::dmat3(piece.placement)) < 0;
+            const std::size_t count = mesh.triangles.size();
+            for (const bool back : {false, true}) {
+                if (back && !twosided) continue;
+                const bool flipped = mirrored != back;
+                if (texcoords) {
+                    append_corners(mesh.texcoords, mesh.texcoord_triangles, count, glm::vec2(0), flipped,
+                                   geometry_->texcoords);
+                }
+                if (colors && needs_colors(material, ColorsOf::faces)) {
+                    for (const glm::vec3& color : mesh.face_colors)
+                        geometry_->colors.push_back({color, color, color});
+                } else if (colors) {
+                    append_corners(mesh.colors, mesh.triangles, count, glm::vec3(1), flipped,
+                                   geometry_->colors);
+                }
+            }
+        }
+    }
+}
+
+}  // namespace nicol

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+// A scene's surfaces, and which of them a change leaves as they were.
+#pragma once
+
+#include <cstdint>
+#include <glm/mat3x3.hpp>
+#include <glm/mat4x4.hpp>
+#include <memory>
+#include <vector>
+
+#include "scene/scene.hpp"
+#include "surfaces/geometry.hpp"
+#include "versioned.hpp"
+#include "visibility/bake.hpp"
+
+namespace nicol {
+
+/// Keeps surfaces in axes that move with the scene's largest instance, that with the most vertices. In these
+/// axes a scene that is rotated and shifted as a whole does not change, so all that was computed for it stays
+/// valid: light and camera move instead. The axes are the world's when an instance becomes the largest or
+/// changes its shape.
+class SceneGeometry {
+public:
+    /// Takes over the scene's changes. Throws Error(invalid_argument) where there are more than 2^32
+    /// vertices; the next call then starts from nothing.
+    void update(const Scene& scene);
+
+    [[nodiscard]] const WorldGeometry& geometry() const noexcept { return *geometry_; }
+    /// Its ranges get other materials in place, and its corners what these need; for other vertices or
+    /// triangles there is a new object.
+    [[nodiscard]] std::shared_ptr<const WorldGeometry> shared_geometry() const noexcept { return geometry_; }
+    /// Of vertices and triangles.
+    [[nodiscard]] Version version() const noexcept { return version_; }
+    /// Of the ranges, their materials and emission, and of what corners have.
+    [[nodiscard]] Version material_version() const noexcept { return material_version_; }
+
+    /// From geometry()'s axes to the world's: a rotation and a shift.
+    [[nodiscard]] const glm::dmat4& to_world() const noexcept { return to_world_; }
+    /// The axes of the largest instance, which rotate with its transform and its vertices.
+    [[nodiscard]] const glm::dmat3& own_axes() const noexcept { return own_axes_; }
+
+    /// From the version before to this one.
+    struct Change {
+        Version before = 0;              ///< 0: there was none
+        std::vector<VertexRun> kept;     ///< vertices of instances that have not moved
+        std::vector<Ball> disturbances;  ///< all other triangles of both versions lie in these
+    };
+    [[nodiscard]] const Change& change() const noexcept { return change_; }
+
+private:
+    // One instance in geometry_.
+    struct Piece {
+        std::uint32_t id;
+        std::shared_ptr<const Mesh> mesh;
+        bool twosided;
+        TexturePtr opacity;    // which shadows depend on
+        glm::dmat4 placement;  // in geometry()'s axes
+        std::size_t first;     // vertex
+        std::size_t last;
+        Ball ball;
+        std::size_t former;  // index among the former pieces if it has not moved, or kNone
+    };
+    static constexpr std::size_t kNone = ~std::size_t{0};
+
+    [[nodiscard]] std::vector<Piece> place(const Scene& scene);
+    void find_axes(const Scene& scene, std::size_t largest);
+    void build(const Scene& scene, std::vector<Piece>& pieces);
+    void set_materials(const Scene& scene);
+    void set_corners();
+
+    std::shared_ptr<WorldGeometry> geometry_ = std::make_shared<WorldGeometry>();
+    std::vector<Piece> pieces_;
+    glm::dmat4 to_world_{1.0};
+    glm::dmat3 own_axes_{1.0};
+    glm::dmat3 mesh_axes_{1.0};  // of largest_mesh_ alone
+    std::shared_ptr<const Mesh> largest_mesh_;
+    std::uint32_t largest_ = 0;          // its id
+    glm::dmat4 largest_placement_{1.0};  // in geometry()'s axes
+    Version version_ = 0;
+    Version material_version_ = 0;
+    Stage<Version> placing_;             // of the scene's geometry
+    Stage<Version, Version> assigning_;  // of its materials and emission
+    Stage<Version, Version> completing_;
+    Change change_;
+};
+
+}  // namespace nicol

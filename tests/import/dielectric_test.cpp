@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+// Plastic, glass and nothing: what comes out, and what is refused.
+#include "import/load_scene.hpp"
+#include "import/scene_file.hpp"
+#include "material/layered.hpp"
+#include "material/material.hpp"
+
+using namespace nicol;
+
+namespace {
+
+using Kind = MaterialDescription::Kind;
+
+const std::string once = "<integrator type='path'><integer name='max_depth' value='2'/></integrator>\n";
+
+MaterialDescription material(const std::string& bsdf, const std::string& integrator = "") {
+    const SceneDescription s = read(shape_with(bsdf) + integrator);
+    REQUIRE(s.materials.size() == 1);
+    return s.materials[0];
+}
+
+bool has_notice(const std::vector<std::string>& notices, const std::string& part) {
+    return std::ranges::count_if(
+               notices, [&](const std::string& n) { return n.find(part) != std::string::npos; }) == 1;
+}
+
+/// Refused with every part; `content` begins on line 2.
+void refused(const std::string& content, ErrorCode code, int line, const std::vector<std::string>& parts) {
+    const SceneFile file(scene(content));
+    CAPTURE(content);
+    check_refused(file, code, file.scene().string() + ":" + std::to_string(line) + ": ", parts);
+}
+
+/// What a material of a scene reflects in the first channel at 45 degrees, mirrored.
+double mirrored(const std::string& bsdf, bool* smooth = nullptr) {
+    const LoadedScene loaded = load_scene(SceneFile(scene(shape_with(bsdf) + once)).scene(), {});
+    const Material& made = *loaded.scene.instances().front().material;
+    if (smooth != nullptr) *smooth = made.smooth(made.terms() - 1);
+    const double half = std::sqrt(0.5);
+    return evaluate(made, 0, {half, 0, half}, {-half, 0, half})(0, 0);
+}
+
+}  // namespace
+
+TEST_CASE("plastic and roughplastic: Mitsuba's defaults and parameters") {
+    const MaterialDescription smooth = material("<bsdf type='plastic'/>");
+    CHECK(smooth.kind == Kind::plastic);
+    CHECK(smooth.alpha == 0);
+    CHECK(smooth.int_ior == 1.49);
+    CHECK(smooth.ext_ior == 1.000277);
+    CHECK(smooth.diffuse_reflectance.rgb == glm::dvec3(0.5));
+    CHECK(smooth.specular_reflectance.rgb == glm::dvec3(1));
+    CHECK_FALSE(smooth.nonlinear);
+    const MaterialDescription rough = material(
+        "<bsdf type='roughplastic'><boolean name='nonlinear' value='true'/><float name='alpha' value='0.4'/>"
+        "<string name='distribution' value='ggx'/><string name='int_ior' value='diamond'/>"
+        "<texture type='checkerboard' name='diffuse_reflectance'/>"
+        "<boolean name='sample_visible' value='true'/></bsdf>");
+    CHECK(rough.kind == Kind::plastic);
+    CHECK(rough.alpha == 0.4);
+    CHECK(rough.distribution == MaterialDescription::Distribution::ggx);
+    CHECK(rough.int_ior == 2.419);
+    CHECK(rough.nonlinear);
+    CHECK(rough.diffuse_reflectance.texture != nullptr);
+    CHECK(material("<bsdf type='roughplastic'/>").alpha == 0.1);
+
+    // One notice of all of them.
+    const SceneDescription both =
+        read(shape_with("<bsdf type='plastic'/>") + "<shape type='cube'><bsdf type='roughplastic'/></shape>");
+    CHECK(both.notices.size() == 1);
+    CHECK(has_notice(both.notices, "scene.xml:4: plastic and roughplastic depolarize; pplastic"));
+    refused("<bsdf type='plastic'>\n<float name='alpha' value='0.1'/></bsdf>", ErrorCode::invalid_file, 3,
+            {"bsdf \"plastic\": parameter \"alpha\" is unknown", "nonlinear"});
+    refused("<bsdf type='plastic'><float name='int_ior' value='1.000277'/></bsdf>", ErrorCode::invalid_file,
+            2, {"must differ"});
+}
+
+TEST_CASE("glass is what its boundary reflects, where light is reflected once") {
+    const std::string direct = "<integrator type='stokes'><integrator type='direct'/></integrator>";
+    for (const std::string& integrator : {once, direct}) {
+        const MaterialDescription smooth = material(
+            "<bsdf type='dielectric'><float name='int_ior' value='3'/>"
+            "<float name='ext_ior' value='2'/><float name='specular_transmittance' value='0.5'/>"
+            "<float name='specular_reflectance' value='0.25'/></bsdf>",
+            integrator);
+        CHECK(smooth.kind == Kind::conductor);
+        CHECK(smooth.eta.rgb == glm::dvec3(1.5));
+        CHECK(smooth.k.rgb == glm::dvec3(0));
+        CHECK(smooth.specular_reflectance.rgb == glm::dvec3(0.25));
+    }
+    const MaterialDescription rough =
+        material("<bsdf type='roughdielectric'><float name='alpha' value='0.3'/></bsdf>", once);
+    CHECK(rough.kind == Kind::roughconductor);
+    CHECK(rough.alpha == 0.3);
+    CHECK(rough.eta.rgb.x == doctest::Approx(1.5046 / 1.000277));
+    const SceneDescription both = read(shape_with("<bsdf type='dielectric'/>") + once +
+                                       "<shape type='cube'><bsdf type='roughdielectric'/></shape>");
+    CHECK(both.notices.size() == 2);
+    CHECK(has_notice(both.notices, "scene.xml:4: of dielectric and roughdielectric what passes through"));
+}
+
+TEST_CASE("glass is refused where light is to be reflected often, wherever the integrator stands") {
+    const std::string often = "<integrator type='path'/>\n";
+    const std::vector<std::string> parts = {"lets light through", "max_depth 2"};
+    for (const std::string type : {"dielectric", "roughdielectric"}) {
+        const std::string bsdf = "\n<bsdf type='" + type + "'/>";
+        std::vector<std::string> all = parts;
+        all.push_back("bsdf \"" + type + "\"");
+        refused(shape_with(bsdf) + often, ErrorCode::unsupported, 5, all);
+        refused(often + shape_with(bsdf), ErrorCode::unsupported, 6, all);
+        refused(shape_with(bsdf), ErrorCode::unsupported, 5, all);  // as Mitsuba's default does
+    }
+    refused(once + "<bsdf type='thindielectric'/>", ErrorCode::unsupported, 3, {"nothing passes through"});
+}
+
+TEST_CASE("materials of boundaries are made as they are described") {
+    bool smooth = false;
+    const double glass = mirrored("<bsdf type='dielectric'/>", &smooth);
+    CHECK(smooth);
+    CHECK(glass > 0);
+    CHECK(mirrored("<bsdf type='roughdielectric'><float name='alpha' value='0.01'/></bsdf>", &smooth) ==
+          doctest::Approx(glass));
+    CHECK_FALSE(smooth);
+    CHECK(mirrored("<bsdf type='plastic'><float name='diffuse_reflectance' value='0'/>"
+                   "<string name='int_ior' value='bk7'/></bsdf>",
+                   &smooth) == doctest::Approx(glass));
+    CHECK(smooth);
+    CHECK(mirrored("<bsdf type='roughplastic'><float name='diffuse_reflectance' value='0'/>"
+                   "<string name='int_ior' value='bk7'/><float name='alpha' value='0.02'/></bsdf>",
+                   &smooth) < glass);
+    CHECK_FALSE(smooth);
+}
+
+TEST_CASE("a null bsdf is a surface that is not there, but it may shine") {
+    const MaterialDescription nothing = material("<bsdf type='null'/>");
+    CHECK(nothing.kind == Kind::mask);
+    CHECK(nothing.texture->color0.rgb == glm::dvec3(0));
+    REQUIRE(nothing.parts.size() == 1);
+    const LoadedScene loaded = load_scene(SceneFile(scene(shape_with("<bsdf type='null'/>"))).scene(), {});
+    const TexturePtr opacity = opacity_of(*loaded.scene.instances().front().material);
+    REQUIRE(opacity != nullptr);
+    CHECK(opacity->mean().x == 0);
+
+    const SceneDescription shining = read_shape("<bsdf type='null'/><emitter type='area'/>");
+    CHECK(shining.shapes.at(0).emission.has_value());
+    CHECK(has_notice(shining.notices, "it is not seen through"));
+    CHECK(shining.materials.at(0).kind == Kind::diffuse);
+    CHECK(shining.materials.at(0).reflectance.rgb == glm::dvec3(0));
+}

@@ -1,0 +1,319 @@
+// SPDX-License-Identifier: MIT
+// Textures of glTF.
+#include "image/color.hpp"
+#include "import/gltf_file.hpp"
+#include "import/png_file.hpp"
+#include "material/spatial_variation.hpp"
+
+using namespace nicol;
+
+namespace {
+
+using Kind = MaterialDescription::Kind;
+using Part = TextureSpecification::Part;
+using Filter = TextureSampling::Filter;
+using Wrap = TextureSampling::Wrap;
+
+/// One pixel: 51, 102, 204 with coverage 128.
+std::string an_image() {
+    return png_bytes(1, 1, 4, {51, 102, 204, 128});
+}
+
+const std::vector<glm::vec2> some_texcoords = {{0, 0}, {1, 0}, {0, 1}};
+const std::vector<glm::vec2> other_texcoords = {{0.25, 0.5}, {0.5, 0.5}, {0.25, 1}};
+
+/// A triangle with two sets of texture coordinates, and colours if `attributes` names accessor 3.
+class TexturedFile : public TemporaryFolder {
+public:
+    explicit TexturedFile(const std::string& material, const std::string& more = "",
+                          const std::string& attributes = "\"TEXCOORD_0\":1,\"TEXCOORD_1\":2") {
+        GltfBuffer buffer = triangle_buffer();
+        buffer.accessor("VEC2", gltf_float, 3, GltfBuffer::of(buffer.view(some_texcoords)));
+        buffer.accessor("VEC2", gltf_float, 3, GltfBuffer::of(buffer.view(other_texcoords)));
+        buffer.vectors({{1, 0.5, 0.25}, {1, 1, 1}, {0, 0, 0}});
+        const std::string image = an_image();
+        image_view_ = buffer.view(std::vector<char>(image.begin(), image.end()));
+        write("a.bin", buffer.bytes);
+        write("part/a b.png", image);
+        write("a.gltf",
+              buffer.json("\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0" +
+                          (attributes.empty() ? "" : "," + attributes) +
+                          "},\"material\":0}]}],\"nodes\":[{\"mesh\":0}],\"materials\":[{" + material +
+                          "}]," + (more.empty() ? one_texture("{\"uri\":\"part/a%20b.png\"}") : more)));
+    }
+    static std::string one_texture(const std::string& image, const std::string& sampler = "{}") {
+        return "\"textures\":[{\"source\":0,\"sampler\":0}],\"images\":[" + image + "],\"samplers\":[" +
+               sampler + "]";
+    }
+
+    [[nodiscard]] SceneDescription read() const { return read_gltf_scene(*this / "a.gltf"); }
+    [[nodiscard]] MaterialDescription material() const { return read().materials.at(0); }
+    [[nodiscard]] LoadedScene load(const LoadLimits& limits = {}) const {
+        return load_scene(*this / "a.gltf", {}, limits);
+    }
+    [[nodiscard]] int image_view() const { return image_view_; }
+
+private:
+    int image_view_ = 0;
+};
+
+std::string pbr(const std::string& members, const std::string& more = "") {
+    return "\"pbrMetallicRoughness\":{" + members + "}" + more;
+}
+std::string base(const std::string& more = "", const std::string& members = ",\"metallicFactor\":0") {
+    return pbr("\"baseColorTexture\":{\"index\":0" + more + "}" + members);
+}
+std::string transform(const std::string& members) {
+    return ",\"extensions\":{\"KHR_texture_transform\":{" + members + "}}";
+}
+
+std::string refusal(const std::string& material, const std::string& more, ErrorCode code) {
+    const TexturedFile file(material, more);
+    const std::string message = error_of(CALL(file.load()), code);
+    CHECK(message.find((file / "a.gltf").string()) != std::string::npos);
+    return message;
+}
+
+}  // namespace
+
+TEST_CASE("the base colour of glTF is its factor times its texture, sRGB, times colours of vertices") {
+    const MaterialDescription d =
+        TexturedFile(base("", ",\"metallicFactor\":0,\"baseColorFactor\":[0.5,1,0.25,1]")).material();
+    CHECK(d.kind == Kind::pplastic);
+    REQUIRE(d.diffuse_reflectance.texture);
+    const TextureSpecification& t = *d.diffuse_reflectance.texture;
+    CHECK(t.kind == TextureSpecification::Kind::image);
+    CHECK(t.filename.filename() == "a b.png");
+    CHECK_FALSE(t.raw);
+    CHECK(t.part == Part::color);
+    CHECK(t.factor == glm::dvec3(0.5, 1, 0.25));
+    CHECK_FALSE(t.times_colors_of);
+
+    const std::string colored = "\"TEXCOORD_0\":1,\"COLOR_0\":3";
+    CHECK(TexturedFile(base(), "", colored).material().diffuse_reflectance.texture->times_colors_of ==
+          ColorsOf::vertices);
+    const MaterialDescription bare =
+        TexturedFile(pbr("\"metallicFactor\":0,\"baseColorFactor\":[0.5,1,0.25,1]"), "", colored).material();
+    REQUIRE(bare.diffuse_reflectance.texture);
+    CHECK(bare.diffuse_reflectance.texture->kind == TextureSpecification::Kind::constant);
+    CHECK(bare.diffuse_reflectance.texture->color0.rgb == glm::dvec3(0.5, 1, 0.25));
+    CHECK(bare.diffuse_reflectance.texture->times_colors_of == ColorsOf::vertices);
+
+    // A metal of a colour that varies is a mirror times that colour.
+    const MaterialDescription metal = TexturedFile(base("", "")).material();
+    CHECK(metal.kind == Kind::roughconductor);
+    CHECK(metal.eta.rgb == glm::dvec3(0));
+    CHECK(metal.specular_reflectance.texture);
+}
+
+TEST_CASE("metal and roughness of glTF are channels of one texture") {
+    const std::string rough = "\"metallicRoughnessTexture\":{\"index\":0},\"roughnessFactor\":0.5";
+    const MaterialDescription d = TexturedFile(pbr(rough + ",\"metallicFactor\":0.25")).material();
+    CHECK(d.kind == Kind::blendbsdf);
+    REQUIRE(d.parts.size() == 2);
+    CHECK(d.parts[0].kind == Kind::pplastic);
+    CHECK(d.parts[1].kind == Kind::roughconductor);
+    CHECK(d.texture->part == Part::blue);
+    CHECK(d.texture->raw);
+    CHECK(d.texture->factor == glm::dvec3(0.25));
+    for (const MaterialDescription& part : d.parts) {
+        REQUIRE(part.alpha_texture);
+        CHECK(part.alpha_texture->part == Part::green);
+        CHECK(part.alpha_texture->raw);
+        CHECK(part.alpha_texture->factor == glm::dvec3(0.5));
+        CHECK(part.alpha_texture->squared);
+    }
+    CHECK(TexturedFile(pbr(rough + ",\"metallicFactor\":0")).material().kind == Kind::pplastic);
+    const MaterialDescription half = TexturedFile(pbr("\"metallicFactor\":0.5")).material();
+    CHECK(half.kind == Kind::blendbsdf);
+    CHECK(half.texture->color0 == ColorDescription(0.5));
+}
+
+TEST_CASE("textures of glTF become the material that their pixel stands for") {
+    const TexturePoint point{.uv = {0.5, 0.5}, .color = {1, 0.5, 0.25}};
+    const double red = srgb_to_linear(0.2F), green = srgb_to_linear(0.4F), blue = srgb_to_linear(0.8F);
+    const auto weight_sum = [&](const Material& material, int channel) {
+        std::vector<glm::vec3> weights(material.variation()->layers.size());
+        material.variation()->weights(point, weights);
+        glm::dvec3 sum(0);
+        for (const glm::vec3& weight : weights) sum += glm::dvec3(weight);
+        return sum[channel];
+    };
+    // One pixel is the same everywhere; colours of vertices are not.
+    const LoadedScene plain = TexturedFile(base()).load();
+    const MaterialPtr material = plain.scene.instances().at(0).material;
+    CHECK(material->variation() == nullptr);
+    const glm::dvec3 up(0, 0, 1);
+    const MaterialPtr expected = pplastic({.diffuse_reflectance = {red, green, blue},
+                                           .int_ior = 1.5,
+                                           .ext_ior = 1,
+                                           .alpha = 1,
+                                           .distribution = Distribution::ggx});
+    for (int c = 0; c < 3; ++c)
+        CHECK(evaluate(*material, c, up, up)(0, 0) ==
+              doctest::Approx(evaluate(*expected, c, up, up)(0, 0)).epsilon(1e-5));
+    const LoadedScene colored = TexturedFile(base("", ""), "", "\"TEXCOORD_0\":1,\"COLOR_0\":3").load();
+    const Material& metal = *colored.scene.instances().at(0).material;
+    REQUIRE(metal.variation());
+    CHECK(weight_sum(metal, 0) == doctest::Approx(red));
+    CHECK(weight_sum(metal, 1) == doctest::Approx(0.5 * green));
+    CHECK(weight_sum(metal, 2) == doctest::Approx(0.25 * blue));
+}
+
+TEST_CASE("normal maps of glTF") {
+    const MaterialDescription d =
+        TexturedFile("\"doubleSided\":true,\"normalTexture\":{\"index\":0,\"scale\":0.5}").material();
+    CHECK(d.kind == Kind::normalmap);
+    CHECK(d.twosided);
+    CHECK(d.mirrored_y);
+    CHECK(d.texture->raw);
+    // 2 t - 1 is halved in x and y.
+    const glm::dvec3 t(0.75, 0.25, 1);
+    CHECK(2.0 * (d.texture->factor * t + d.texture->offset) - 1.0 == glm::dvec3(0.25, -0.25, 1));
+    REQUIRE(d.parts.size() == 1);
+    CHECK(d.parts[0].kind == Kind::roughconductor);
+}
+
+TEST_CASE("coverage of glTF cuts at its cutoff") {
+    struct Case {
+        std::string members;
+        double factor;  ///< 0: no mask
+    };
+    const std::string mask = ",\"alphaMode\":\"MASK\"";
+    for (const Case& c : {Case{base() + mask, 1}, Case{base() + mask + ",\"alphaCutoff\":0.25", 2},
+                          Case{base() + mask + ",\"alphaCutoff\":0", 0},
+                          Case{base("", ",\"metallicFactor\":0,\"baseColorFactor\":[1,1,1,0.5]") + mask, 0.5},
+                          Case{base(), 0}, Case{base() + ",\"alphaMode\":\"BLEND\"", 1}}) {
+        CAPTURE(c.members);
+        const SceneDescription scene = TexturedFile(c.members).read();
+        const MaterialDescription& d = scene.materials.at(0);
+        CHECK((d.kind == Kind::mask) == (c.factor != 0));
+        if (c.factor == 0) continue;
+        CHECK(d.texture->part == Part::coverage);
+        CHECK(d.texture->factor == glm::dvec3(c.factor));
+        CHECK(d.texture->filename == d.parts.at(0).diffuse_reflectance.texture->filename);
+        CHECK(has_notice(scene, "alphaMode BLEND") == (c.members.find("BLEND") != std::string::npos));
+    }
+    const std::string faint = "\"alphaMode\":\"MASK\"," + pbr("\"baseColorFactor\":[1,1,1,0.25]");
+    CHECK(TexturedFile(faint).material().kind == Kind::mask);
+    CHECK(TexturedFile("\"alphaMode\":\"MASK\"").material().kind == Kind::roughconductor);
+}
+
+TEST_CASE("samplers of glTF") {
+    struct Case {
+        std::string sampler;
+        Filter filter;
+        Wrap wrap;
+    };
+    for (const Case& c :
+         {Case{"{}", Filter::mipmap, Wrap::repeat},
+          Case{"{\"wrapS\":33071,\"wrapT\":33071,\"minFilter\":9729}", Filter::bilinear, Wrap::clamp},
+          Case{"{\"wrapS\":33648,\"wrapT\":33648,\"minFilter\":9987}", Filter::mipmap, Wrap::mirror},
+          Case{"{\"magFilter\":9728,\"minFilter\":9728}", Filter::nearest, Wrap::repeat},
+          Case{"{\"magFilter\":9728,\"minFilter\":9984}", Filter::mipmap, Wrap::repeat}}) {
+        CAPTURE(c.sampler);
+        const TextureSampling sampling =
+            TexturedFile(base(), TexturedFile::one_texture("{\"uri\":\"a.png\"}", c.sampler))
+                .material()
+                .diffuse_reflectance.texture->sampling;
+        CHECK(sampling.filter == c.filter);
+        CHECK(sampling.wrap == c.wrap);
+    }
+    CHECK(has_notice(
+        TexturedFile(base(), TexturedFile::one_texture("{\"uri\":\"a.png\"}", "{\"wrapS\":33071}")).read(),
+        "wrapT"));
+}
+
+TEST_CASE("KHR_texture_transform scales, then rotates counter-clockwise with v down, then moves") {
+    const auto to_uv = [](const std::string& members) {
+        return TexturedFile(base(transform(members))).material().diffuse_reflectance.texture->sampling.to_uv;
+    };
+    // The example of the extension: the image's lower left quarter, rotated clockwise.
+    const glm::dmat3 m = to_uv("\"offset\":[0,1],\"rotation\":1.57079632679,\"scale\":[0.5,0.5]");
+    const auto near = [&](const glm::dvec2& uv, const glm::dvec2& expected) {
+        return glm::distance(glm::dvec2(m * glm::dvec3(uv, 1)), expected) < 1e-9;
+    };
+    CHECK(near({0, 0}, {0, 1}));
+    CHECK(near({1, 0}, {0, 0.5}));
+    CHECK(near({0, 1}, {0.5, 1}));
+    CHECK(to_uv("\"scale\":[2,3]") * glm::dvec3(1, 1, 1) == glm::dvec3(2, 3, 1));
+    CHECK(to_uv("") == glm::dmat3(1));
+}
+
+TEST_CASE("textures of glTF take the texture coordinates that they name") {
+    const auto texcoords = [](const SceneDescription& scene) { return scene.shapes.at(0).mesh->texcoords; };
+    CHECK(texcoords(TexturedFile(base()).read()) == some_texcoords);
+    CHECK(texcoords(TexturedFile(base(",\"texCoord\":1")).read()) == other_texcoords);
+    CHECK(texcoords(TexturedFile(base(transform("\"texCoord\":1"))).read()) == other_texcoords);
+    const SceneDescription both =
+        TexturedFile(base(",\"texCoord\":1") + ",\"normalTexture\":{\"index\":0}").read();
+    CHECK(texcoords(both) == other_texcoords);
+    CHECK(has_notice(both, "several sets of texture coordinates"));
+    const SceneDescription none = TexturedFile(base(",\"texCoord\":2")).read();
+    CHECK(has_notice(none, "lack the texture coordinates"));
+    CHECK_FALSE(none.materials.at(0).diffuse_reflectance.texture);
+    CHECK_FALSE(TexturedFile(base(), "", "").material().diffuse_reflectance.texture);
+}
+
+TEST_CASE("images of glTF in files, in buffers and in the text are the same") {
+    const std::string png = an_image();
+    static constexpr std::string_view digits =
+        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string base64;
+    for (std::size_t i = 0; i < png.size(); i += 3) {
+        std::uint32_t three = 0;
+        for (std::size_t k = 0; k < 3; ++k)
+            three = three << 8 | (i + k < png.size() ? static_cast<unsigned char>(png[i + k]) : 0u);
+        for (std::size_t k = 0; k < 4; ++k)
+            base64 += i + k > png.size() ? '=' : digits[three >> (18 - 6 * k) & 63];
+    }
+    const int view = TexturedFile(base()).image_view();
+    const MaterialPtr in_file = TexturedFile(base()).load().scene.instances().at(0).material;
+    for (const std::string& image :
+         {std::string("{\"bufferView\":") + std::to_string(view) + ",\"mimeType\":\"image/png\"}",
+          "{\"uri\":\"data:image/png;base64," + base64 + "\"}"}) {
+        CAPTURE(image);
+        const LoadedScene loaded = TexturedFile(base(), TexturedFile::one_texture(image)).load();
+        CHECK(loaded.files.size() == 2);
+        const Material& material = *loaded.scene.instances().at(0).material;
+        CHECK(material.content_key() == in_file->content_key());
+    }
+    const LoadedScene loaded = TexturedFile(base()).load();
+    CHECK(loaded.files.size() == 3);
+    CHECK(std::ranges::count_if(loaded.files, [](const FileRecord& record) {
+              return record.path.filename() == "a b.png";
+          }) == 1);
+}
+
+TEST_CASE("textures of glTF that are refused, by element") {
+    struct Case {
+        std::string material, more, part;
+        ErrorCode code = ErrorCode::invalid_file;
+    };
+    const auto image = [](const std::string& of) { return TexturedFile::one_texture(of); };
+    for (const Case& c : {
+             Case{base(), "\"images\":[]", "materials[0].baseColorTexture: refers to textures[0]"},
+             Case{base(), "\"textures\":[{\"source\":3}],\"images\":[{\"uri\":\"a.png\"}]",
+                  "textures[0]: refers to images[3]"},
+             Case{base(), "\"textures\":[{\"source\":0,\"sampler\":2}],\"images\":[{\"uri\":\"a.png\"}]",
+                  "textures[0]: refers to samplers[2]"},
+             Case{base(), image("{\"uri\":\"none.png\"}"), "none.png", ErrorCode::file_not_found},
+             Case{base(), image("{\"uri\":\"../a.png\"}"), "an image's uri", ErrorCode::unsupported},
+             Case{base(), image("{\"uri\":\"%2e%2e/a.png\"}"), "an image's uri", ErrorCode::unsupported},
+             Case{base(), image("{\"uri\":\"/etc/passwd\"}"), "an image's uri", ErrorCode::unsupported},
+             Case{base(), image("{\"uri\":\"data:image/png;base64,AAAA\"}"), "images[0]",
+                  ErrorCode::unsupported},
+             Case{base(), image("{\"bufferView\":0,\"mimeType\":\"image/png\"}"), "images[0]",
+                  ErrorCode::unsupported},
+             Case{base(transform("\"offset\":[1]")), "", "offset is not an array of two numbers"},
+             Case{base(transform("\"scale\":[1,\"a\"]")), "", "scale is not made of numbers"},
+             Case{base(transform("\"rotation\":1e300")), "", "rotation is not made of numbers"},
+             Case{base(transform("\"texCoord\":\"a\"")), "", "texCoord is not a whole number"},
+             Case{"\"normalTexture\":{\"index\":0,\"scale\":1e9}", "", "normalTexture: scale"},
+         }) {
+        CAPTURE(c.material + c.more);
+        const std::string message = refusal(c.material, c.more, c.code);
+        CHECK_MESSAGE(message.find(c.part) != std::string::npos, message);
+    }
+    CHECK(has_notice(TexturedFile(base(), "\"textures\":[{}]").read(), "without a PNG or JPEG image"));
+}

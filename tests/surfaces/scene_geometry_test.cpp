@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+#include "surfaces/scene_geometry.hpp"
+
+#include "render/scenes.hpp"
+#include "test.hpp"
+
+using namespace nicol;
+using test::at;
+using test::coarse_sphere;
+
+namespace {
+
+Scene two_balls() {
+    Scene scene;
+    scene.add({.mesh = coarse_sphere(4), .material = diffuse({0.5})});
+    scene.add({.mesh = coarse_sphere(2), .material = diffuse({0.4}), .to_world = at(3, 0, 0)});
+    return scene;
+}
+
+bool inside(const Ball& ball, const glm::vec3& point) {
+    return glm::distance(ball.centre, point) <= ball.radius;
+}
+
+}  // namespace
+
+TEST_CASE("an instance that is moved too far is named") {
+    Scene scene = two_balls();
+    scene.remove(0);
+    scene.set_transform(1, at(1e15, 0, 0));
+    SceneGeometry surfaces;
+    CHECK_NOTHROW(surfaces.update(scene));
+    const std::uint32_t id =
+        scene.add({.mesh = coarse_sphere(3), .material = diffuse({0.4}), .to_world = at(0, -2e15, 0)});
+    const std::string message = error_of(CALL(surfaces.update(scene)));
+    CHECK(message.starts_with("instance " + std::to_string(id) + ": "));
+    CHECK(message.find("beyond 1e15") != std::string::npos);
+}
+
+TEST_CASE("the largest instance carries the axes") {
+    Scene scene = two_balls();
+    SceneGeometry surfaces;
+    surfaces.update(scene);
+    const Version first = surfaces.version();
+    const glm::dmat4 motion = glm::rotate(at(1, 2, 3), 0.5, glm::dvec3(1, 1, 0));
+    const glm::dmat3 axes = surfaces.own_axes();
+    for (const auto id : scene.ids()) scene.set_transform(id, motion * scene.at(id).to_world);
+    surfaces.update(scene);
+    CHECK(surfaces.version() == first);
+    CHECK(surfaces.own_axes() == axes);
+    for (int i = 0; i < 4; ++i) CHECK(glm::distance(surfaces.to_world()[i], motion[i]) < 1e-12);
+
+    // A fresh start finds the same axes, rotated.
+    SceneGeometry fresh;
+    fresh.update(scene);
+    CHECK(fresh.to_world() == glm::dmat4(1));
+    for (int i = 0; i < 3; ++i)
+        CHECK(glm::distance(fresh.own_axes()[i], glm::dmat3(motion) * axes[i]) < 1e-12);
+
+    // Scaled, it is another shape; the other one is where it was.
+    scene.set_transform(0, glm::scale(motion, glm::dvec3(1.1)));
+    surfaces.update(scene);
+    CHECK(surfaces.version() > first);
+    CHECK(surfaces.to_world() == glm::dmat4(1));
+}
+
+TEST_CASE("a change reports what is kept and where the rest is") {
+    Scene scene = two_balls();
+    SceneGeometry surfaces;
+    surfaces.update(scene);
+    CHECK(surfaces.change().before == 0);
+    const WorldGeometry before = surfaces.geometry();
+    const Version first = surfaces.version();
+    scene.set_transform(1, at(3, 1, 0));
+    surfaces.update(scene);
+    const WorldGeometry& after = surfaces.geometry();
+    const SceneGeometry::Change& change = surfaces.change();
+    CHECK(change.before == first);
+    CHECK(surfaces.version() > first);
+    REQUIRE(change.kept.size() == 1);
+    CHECK(change.kept[0].first == 0);
+    CHECK(change.kept[0].last == after.ranges[1].first);
+    REQUIRE(change.disturbances.size() == 2);
+    for (std::size_t v = after.ranges[1].first; v < after.ranges[1].last; ++v) {
+        CHECK(inside(change.disturbances[0], after.positions[v]));
+        CHECK(inside(change.disturbances[1], before.positions[v]));
+    }
+
+    scene.remove(0);
+    surfaces.update(scene);
+    REQUIRE(surfaces.geometry().ranges.size() == 1);
+    CHECK(surfaces.geometry().ranges[0].instance == 1);
+    // It is the largest now, and was kept in other axes.
+    CHECK(surfaces.to_world() == glm::dmat4(1));
+    scene.remove(1);
+    surfaces.update(scene);
+    CHECK(surfaces.geometry().positions.empty());
+}
+
+TEST_CASE("materials change without the geometry, unless sides do") {
+    Scene scene = two_balls();
+    SceneGeometry surfaces;
+    surfaces.update(scene);
+    const Version geometry = surfaces.version();
+    const Version materials = surfaces.material_version();
+    const MaterialPtr other = diffuse({0.1});
+    scene.set_material(1, other);
+    surfaces.update(scene);
+    CHECK(surfaces.version() == geometry);
+    CHECK(surfaces.material_version() > materials);
+    CHECK(surfaces.geometry().ranges[1].material == other);
+    scene.set_material(1, twosided(other));
+    surfaces.update(scene);
+    CHECK(surfaces.version() > geometry);
+    CHECK(surfaces.geometry().ranges.size() == 3);
+    CHECK(surfaces.geometry().ranges[2].instance == 1);
+}
