@@ -56,6 +56,8 @@ public:
     [[nodiscard]] virtual bool can_choose() const noexcept = 0;
     /// Whether several samples of a pixel cost less where pixels are shaded than drawing vertices as often.
     [[nodiscard]] virtual bool samples_pixels() const noexcept = 0;
+    /// Whether shade_pixels() reads hits on the host; otherwise on the device.
+    [[nodiscard]] virtual bool reads_hits_on_host() const noexcept = 0;
     /// Whether shade_pixels() adds the background; otherwise it is drawn around what shade_pixels() leaves.
     [[nodiscard]] virtual bool adds_background() const noexcept = 0;
 

@@ -135,26 +135,15 @@ Renderer::Renderer(std::shared_ptr<gl::Context> context, int threads)
       painter_(context),
       plates_(std::move(context)) {}
 
-bool Renderer::on_device(const RenderOptions& options) const {
-    const Executor executor = options.executor;
-    if (executor == Executor::cpu) return false;
-    const std::string obstacle = GlExecutor::obstacle(*context_);
-    if (executor == Executor::automatic) return !context_->info().software && obstacle.empty();
-    if (!obstacle.empty()) {
-        throw Error(ErrorCode::unsupported, "the executor cannot be compute shaders: " + obstacle);
-    }
-    return true;
-}
-
 RenderExecutor& Renderer::executor_for(const RenderOptions& options) {
-    if (on_device(options)) {
-        cpu_.reset();
-        if (!gpu_) gpu_.emplace(context_, buffers_);
-        return *gpu_;
+    const Device& device = device_for(options.executor, *context_);
+    if (device_ != &device) {
+        executor_.reset();  // and with it all that it alone works on
+        device_ = nullptr;
+        executor_ = device.make(context_, buffers_);
+        device_ = &device;
     }
-    gpu_.reset();  // and with it all that only compute shaders work on
-    if (!cpu_) cpu_.emplace();
-    return *cpu_;
+    return *executor_;
 }
 
 void Renderer::render(const Scene& scene, const Camera& camera, const RenderOptions& options,
@@ -253,7 +242,7 @@ void Renderer::draw(const Scene& scene, const Projection& projection, const Rend
     Progress progress(options.progress);
     Statistics statistics;
     RenderExecutor& executor = executor_for(options);
-    statistics.compute = gpu_.has_value();
+    statistics.compute = device_->executor == Executor::compute;
     RenderOptions chosen = options;
     chosen.max_vertices = memory_limit_.max_vertices(options);
     const bool plates = !scene.plates().empty();
@@ -269,8 +258,8 @@ void Renderer::draw(const Scene& scene, const Projection& projection, const Rend
                    target.width(), target.height(), sample_pattern(options.pixel_samples), kept);
     };
     const auto hits_for_shading = [&](bool on_host) -> const HitImage& {
-        const bool host = on_host || !gpu_;
-        const bool device = plates || gpu_;
+        const bool host = on_host || executor.reads_hits_on_host();
+        const bool device = plates || !executor.reads_hits_on_host();
         context_->run([&] {
             draw_hits(!device ? HitImage::Kept::on_host
                       : host  ? HitImage::Kept::on_both

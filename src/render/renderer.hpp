@@ -7,8 +7,7 @@
 #include <memory>
 #include <optional>
 
-#include "devices/cpu/cpu_executor.hpp"
-#include "devices/gl/gl_executor.hpp"
+#include "devices/device.hpp"
 #include "draw/painter.hpp"
 #include "draw/plate_painter.hpp"
 #include "render/memory_estimate.hpp"
@@ -49,8 +48,6 @@ private:
                          Framebuffer& target);
     // Copies surfaces to the device, inside run() of the context.
     void update_buffers(const RefinedSurfaces& surfaces, int channels);
-    // Whether compute shaders are the executor.
-    [[nodiscard]] bool on_device(const RenderOptions& options) const;
     [[nodiscard]] RenderExecutor& executor_for(const RenderOptions& options);
 
     std::shared_ptr<gl::Context> context_;
@@ -62,8 +59,8 @@ private:
     VertexBuffers buffers_;
     CutOuts cut_outs_;
     HitImage hits_;
-    std::optional<CpuExecutor> cpu_;  // one or the other
-    std::optional<GlExecutor> gpu_;
+    const Device* device_ = nullptr;  // of the executor
+    std::unique_ptr<RenderExecutor> executor_;
     Painter painter_;
     PlatePainter plates_;
 

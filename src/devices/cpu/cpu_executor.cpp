@@ -59,6 +59,15 @@ TexturedSurface textured_surface(const SpatialVariation& variation, const Factor
 
 }  // namespace
 
+const Device kCpuDevice{
+    .executor = Executor::cpu,
+    .name = "threads",
+    .obstacle = [](const gl::Context& /*context*/) { return std::string(); },
+    .preferred = [](const gl::Context& /*context*/) { return true; },
+    .make = [](const std::shared_ptr<gl::Context>& /*context*/, VertexBuffers& /*buffers*/)
+        -> std::unique_ptr<RenderExecutor> { return std::make_unique<CpuExecutor>(); },
+};
+
 std::uint64_t CpuExecutor::relight(const FactoredMethod& method, const TransferInput& input,
                                    std::span<const std::uint8_t> current, RenderRun& run) {
     const std::size_t vertices = input.geometry.positions.size();

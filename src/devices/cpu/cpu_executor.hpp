@@ -6,15 +6,19 @@
 #include <vector>
 
 #include "devices/cpu/pixel_shading.hpp"
+#include "devices/device.hpp"
 #include "methods/executor.hpp"
 #include "transfer/vertex_light.hpp"
 
 namespace nicol {
 
+extern const Device kCpuDevice;
+
 class CpuExecutor final : public RenderExecutor {
 public:
     [[nodiscard]] bool can_choose() const noexcept override { return true; }
     [[nodiscard]] bool samples_pixels() const noexcept override { return true; }
+    [[nodiscard]] bool reads_hits_on_host() const noexcept override { return true; }
     [[nodiscard]] bool adds_background() const noexcept override { return true; }
     std::uint64_t relight(const FactoredMethod& method, const TransferInput& input,
                           std::span<const std::uint8_t> current, RenderRun& run) override;

@@ -14,9 +14,8 @@ namespace {
 
 constexpr std::size_t kStep = std::size_t{1} << 20;  // Stokes vectors of one dispatch
 
-}  // namespace
-
-std::string GlExecutor::obstacle(const gl::Context& context) {
+/// Why a context cannot compute.
+std::string obstacle(const gl::Context& context) {
     constexpr int bindings = 8;
     const gl::Limits& limits = context.limits();
     if (limits.storage_bindings < bindings) {
@@ -30,6 +29,17 @@ std::string GlExecutor::obstacle(const gl::Context& context) {
     }
     return {};
 }
+
+}  // namespace
+
+const Device kGlDevice{
+    .executor = Executor::compute,
+    .name = "compute shaders",
+    .obstacle = obstacle,
+    .preferred = [](const gl::Context& context) { return !context.info().software; },
+    .make = [](const std::shared_ptr<gl::Context>& context, VertexBuffers& buffers)
+        -> std::unique_ptr<RenderExecutor> { return std::make_unique<GlExecutor>(context, buffers); },
+};
 
 GlExecutor::GlExecutor(std::shared_ptr<gl::Context> context, VertexBuffers& buffers)
     : context_(context),

@@ -5,8 +5,8 @@
 
 #include <memory>
 #include <optional>
-#include <string>
 
+#include "devices/device.hpp"
 #include "devices/gl/device_dense.hpp"
 #include "devices/gl/device_factored.hpp"
 #include "devices/gl/device_high_orders.hpp"
@@ -14,20 +14,19 @@
 #include "devices/gl/device_shade.hpp"
 #include "devices/gl/device_textures.hpp"
 #include "methods/executor.hpp"
-#include "stage/options.hpp"
 
 namespace nicol {
 
+extern const Device kGlDevice;
+
 class GlExecutor final : public RenderExecutor {
 public:
-    /// Why a context cannot; empty where it can.
-    [[nodiscard]] static std::string obstacle(const gl::Context& context);
-
     /// Stokes vectors of vertices go into `buffers`, which must outlive the object.
     GlExecutor(std::shared_ptr<gl::Context> context, VertexBuffers& buffers);
 
     [[nodiscard]] bool can_choose() const noexcept override { return false; }
     [[nodiscard]] bool samples_pixels() const noexcept override { return false; }
+    [[nodiscard]] bool reads_hits_on_host() const noexcept override { return false; }
     [[nodiscard]] bool adds_background() const noexcept override { return false; }
     std::uint64_t relight(const FactoredMethod& method, const TransferInput& input,
                           std::span<const std::uint8_t> current, RenderRun& run) override;
