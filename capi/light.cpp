@@ -50,17 +50,17 @@ TexturePtr texture_from(const nicol_scene_impl& scene, nicol_texture given) {
     return texture.content;
 }
 
-static_assert(static_cast<int>(SmallLight::Kind::directional) == NICOL_LIGHT_DIRECTIONAL &&
-              static_cast<int>(SmallLight::Kind::point) == NICOL_LIGHT_POINT &&
-              static_cast<int>(SmallLight::Kind::spot) == NICOL_LIGHT_SPOT &&
-              static_cast<int>(SmallLight::Kind::projector) == NICOL_LIGHT_PROJECTOR);
+static_assert(static_cast<int>(LocalLight::Kind::directional) == NICOL_LIGHT_DIRECTIONAL &&
+              static_cast<int>(LocalLight::Kind::point) == NICOL_LIGHT_POINT &&
+              static_cast<int>(LocalLight::Kind::spot) == NICOL_LIGHT_SPOT &&
+              static_cast<int>(LocalLight::Kind::projector) == NICOL_LIGHT_PROJECTOR);
 
-SmallLight light_from(const nicol_scene_impl& scene, const nicol_light* light) {
+LocalLight light_from(const nicol_scene_impl& scene, const nicol_light* light) {
     const nicol_light given = read_struct(light, nicol_light NICOL_LIGHT_INIT, "light");
     require_constant(given.kind, NICOL_LIGHT_PROJECTOR, "light->kind", "NICOL_LIGHT_...");
     if (given.reserved != 0) refuse("light->reserved must be 0");
-    SmallLight out;
-    out.kind = static_cast<SmallLight::Kind>(given.kind);
+    LocalLight out;
+    out.kind = static_cast<LocalLight::Kind>(given.kind);
     out.value = spectrum(given.value, 1, 1, "light->value");
     out.to_world = matrix(given.to_world);
     constexpr double narrowest = 0.01;
@@ -79,7 +79,7 @@ SmallLight light_from(const nicol_scene_impl& scene, const nicol_light* light) {
     return out;
 }
 
-nicol_light light_to(const SmallLight& light) {
+nicol_light light_to(const LocalLight& light) {
     nicol_light out = NICOL_LIGHT_INIT;
     out.kind = static_cast<nicol_light_kind>(light.kind);
     out.value = spectrum_to(light.value);
@@ -135,7 +135,7 @@ void write_with_texture(const nicol_scene_impl& scene, const Struct& value, Stru
 nicol_result nicol_scene_add_light(nicol_scene scene, const nicol_light* light, uint32_t* id) {
     return guarded([&] {
         const nicol_scene_impl& self = resolve(scene);
-        SmallLight given = light_from(self, light);
+        LocalLight given = light_from(self, light);
         const Edit edit(self);
         const std::uint32_t added = self.content->scene.add_light(std::move(given));
         if (id != nullptr) *id = added;
@@ -145,7 +145,7 @@ nicol_result nicol_scene_add_light(nicol_scene scene, const nicol_light* light, 
 nicol_result nicol_scene_set_light(nicol_scene scene, uint32_t id, const nicol_light* light) {
     return guarded([&] {
         const nicol_scene_impl& self = resolve(scene);
-        SmallLight given = light_from(self, light);
+        LocalLight given = light_from(self, light);
         const Edit edit(self);
         self.content->scene.set_light(id, std::move(given));
     });
@@ -164,7 +164,7 @@ nicol_result nicol_scene_get_light(nicol_scene scene, uint32_t id, nicol_light* 
     return guarded([&] {
         const nicol_scene_impl& self = resolve(scene);
         const Edit edit(self);
-        const SmallLight& found = self.content->scene.light(id);
+        const LocalLight& found = self.content->scene.light(id);
         write_with_texture(self, light_to(found), light, "light", found.texture, texture);
     });
 }

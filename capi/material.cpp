@@ -6,8 +6,8 @@
 
 #include "assets.hpp"
 #include "material/conductor.hpp"
-#include "material/layered.hpp"
 #include "material/measured.hpp"
+#include "material/mixture.hpp"
 #include "material/principled.hpp"
 #include "material/psh_matrix_file.hpp"
 #include "material/textured.hpp"

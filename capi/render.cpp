@@ -176,7 +176,7 @@ std::function<bool(const char*, double)> job_progress(Job& job, const RenderOpti
 
 // Says once of a scene file that nothing lights it, by when a light would have been given.
 void notice_darkness(const Scene& scene, SceneState& state, const Session& session) {
-    if (scene.environment() || scene.has_small_lights() || !state.film ||
+    if (scene.environment() || scene.has_local_lights() || !state.film ||
         std::exchange(state.darkness_noticed, true))
         return;
     session.notice(state.files.front().path.string() + ": no emitter lights the scene.");
@@ -332,7 +332,7 @@ nicol_result nicol_framebuffer_get_statistics(nicol_framebuffer framebuffer, nic
         out.vertices_shaded = s.vertices_shaded;
         out.pixels_shaded = s.pixels_shaded;
         out.vertices_added = s.vertices_added;
-        out.small_lights = s.small_lights;
+        out.local_lights = s.local_lights;
         out.lights_split = s.lights_split;
         out.light_rays = s.light_rays;
         out.light_ms = s.light_ms;

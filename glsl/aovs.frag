@@ -7,9 +7,9 @@ layout(location = 0) in vec3 vertex_position;
 layout(location = 1) in vec3 vertex_normal;
 layout(location = 0) out vec4 pixel[ATTACHMENTS];
 
-// CUT_OUT: the surface is not there everywhere.
-#ifdef CUT_OUT
-#include "cut_out.glsl"
+// ALPHA_MASK: the surface is not there everywhere.
+#ifdef ALPHA_MASK
+#include "alpha_mask.glsl"
 layout(location = 2) in vec3 surface_position;
 uniform uint first;  // of the triangles that are drawn
 #endif
@@ -24,7 +24,7 @@ uniform uint instance;
 #endif
 
 void main() {
-#ifdef CUT_OUT
+#ifdef ALPHA_MASK
     if (!present(first + uint(gl_PrimitiveID), surface_position)) discard;
 #endif
     float value[4 * ATTACHMENTS];

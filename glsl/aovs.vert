@@ -7,7 +7,7 @@ layout(location = 1) in vec3 normal;
 
 layout(location = 0) out vec3 vertex_position;
 layout(location = 1) out vec3 vertex_normal;
-#ifdef CUT_OUT
+#ifdef ALPHA_MASK
 layout(location = 2) out vec3 surface_position;
 #endif
 
@@ -15,7 +15,7 @@ uniform mat4 to_clip;   // from the axes of the vertices
 uniform mat4 to_world;  // likewise; a rotation and a translation
 
 void main() {
-#ifdef CUT_OUT
+#ifdef ALPHA_MASK
     surface_position = position;
 #endif
     vertex_position = (to_world * vec4(position, 1.0)).xyz;

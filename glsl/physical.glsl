@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The physical range of Stokes vectors (Eq. 70), as make_physical() has it.
+// The physically realizable range of Stokes vectors (Eq. 70), as make_physical() has it.
 
 bool is_physical(vec4 stokes) {
     return stokes.x >= 0.0 && dot(stokes.yzw, stokes.yzw) <= stokes.x * stokes.x;

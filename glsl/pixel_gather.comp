@@ -3,14 +3,14 @@
 // invocation a pixel.
 #version 450 core
 
-// SAMPLES: of a pixel. LIT: there are small lights.
+// SAMPLES: of a pixel. LIT: there are local lights.
 layout(local_size_x = 64) in;
 
 // [pixel][SAMPLES]: place of a point times 16, plus its samples; the first 0 ends a pixel's.
 layout(std430, binding = 0) readonly buffer Shares { uint shares[]; };
 layout(std430, binding = 1) readonly buffer StokesVectors { vec4 stokes[]; };
 #ifdef LIT
-layout(std430, binding = 2) readonly buffer SmallLights { vec4 small_lights[]; };  // by pixel, what they add
+layout(std430, binding = 2) readonly buffer LocalLights { vec4 local_lights[]; };  // by pixel, what they add
 #endif
 layout(binding = 0, rgba32f) writeonly uniform image2D image;
 
@@ -30,7 +30,7 @@ void main() {
     }
     sum *= wanted;
 #ifdef LIT
-    sum += small_lights[i];
+    sum += local_lights[i];
 #endif
     int pixel = first + i;
     imageStore(image, ivec2(pixel % width, pixel / width), sum);

@@ -83,8 +83,8 @@ vec3 bumped(uint texture, TexturePoint point, vec3 by_u, vec3 by_v, vec3 n) {
     return dot(turned, n) < 0.0 ? -turned : turned;
 }
 
-// See turned_normal() and facing().
-vec3 turned_normal(TexturePoint point, vec4 values[TEXTURES], vec3 by_u, vec3 by_v, vec3 position, vec3 normal) {
+// See perturbed_normal() and facing().
+vec3 perturbed_normal(TexturePoint point, vec4 values[TEXTURES], vec3 by_u, vec3 by_v, vec3 position, vec3 normal) {
     if (by_u == vec3(0.0) && by_v == vec3(0.0)) return normal;
     vec3 front = back ? -normal : normal;
     uint number = table[NORMAL_TEXTURE];
@@ -125,7 +125,7 @@ void main() {
 
     if (table[NORMAL_KIND] != 0u) {
         vec3 normal = vec3(normals[3 * i], normals[3 * i + 1], normals[3 * i + 2]);
-        normal = turned_normal(point, values, by_u, by_v, position, normal);
+        normal = perturbed_normal(point, values, by_u, by_v, position, normal);
         for (int k = 0; k < 3; ++k) normals[3 * i + k] = normal[k];
     }
     for (uint l = 0u; l < table[LAYERS]; ++l) {

@@ -108,7 +108,7 @@ typedef struct nicol_environment_impl* nicol_environment; /* light from infinite
 typedef struct nicol_texture_impl* nicol_texture;         /* values that vary over a surface; immutable */
 typedef struct nicol_material_impl* nicol_material;       /* a polarimetric BRDF; immutable */
 typedef struct nicol_mesh_impl* nicol_mesh;               /* triangles; immutable */
-typedef struct nicol_scene_impl* nicol_scene;             /* instances, lights, plates, environment */
+typedef struct nicol_scene_impl* nicol_scene;             /* what is rendered, and by which light */
 typedef struct nicol_framebuffer_impl* nicol_framebuffer; /* the Stokes image of the last render into it */
 
 #define NICOL_MAX_CHANNELS 16
@@ -541,7 +541,7 @@ typedef struct nicol_conductor {
     nicol_texture specular_reflectance_texture;
     nicol_texture alpha_texture;
     /* Roughness along texture coordinates u and v, 0.001 to 1, as of brushed metal; 0: alpha. Where they
-     * differ, small lights and NICOL_METHOD_REFERENCE follow the direction, any where a mesh has no texture
+     * differ, local lights and NICOL_METHOD_REFERENCE follow the direction, any where a mesh has no texture
      * coordinates; other light is reflected as by sqrt(alpha_u alpha_v). A texture stands for the number of
      * its name; NULL with the number 0: alpha_texture. */
     float alpha_u;
@@ -740,21 +740,21 @@ NICOL_API nicol_result nicol_camera_look_at(nicol_camera* camera, const double o
 /* ---------------------------------------------------------------- light */
 
 /* clang-format off */
-/* How the light of a lamp is polarized, the same for all of it. Its frame, seen by who looks into the lamp:
+/* How what a light emits is polarized, all of it the same. Its frame, seen by who looks into the light:
  *
  *  y|  / E-vector
  *   | /    z  comes towards the viewer, along the light
- *   |/     x  is the part of axis across z (of an axis along z, the direction of growing angle from the lamp's own +z)
+ *   |/     x  is the part of axis across z (of an axis along z, the direction of growing angle from the light's own +z)
  *   +---x  y  = z cross x; the AoLP counts from x to y, counter-clockwise
  *
- * A sheet polarizer that absorbs along `axis`, across which the lamp shines, is dolp 1 and aolp pi / 2, seen from
- * anywhere; a quarter-wave plate behind it docp 1 or -1. */
+ * A sheet polarizer before the light that absorbs along `axis` is dolp 1 and aolp pi / 2, seen from anywhere; a
+ * quarter-wave plate behind it docp 1 or -1. */
 /* clang-format on */
 typedef struct nicol_polarization {
     double dolp;    /* degree of linear polarization, 0, the default, to 1 */
     double aolp;    /* angle of linear polarization, radians as NICOL_PLANE_AOLP; finite, default 0 */
     double docp;    /* s3 / s0: -1 (left circular) to 1 (right); default 0. dolp^2 + docp^2 may be 1 */
-    double axis[3]; /* where AoLP is 0, in the lamp's own axes, of any length but 0; default (1, 0, 0) */
+    double axis[3]; /* where AoLP is 0, in the light's own axes, of any length but 0; default (1, 0, 0) */
 } nicol_polarization;
 /* clang-format off */
 #define NICOL_POLARIZATION_INIT { 0, 0, 0, { 1, 0, 0 } }
@@ -766,7 +766,7 @@ typedef uint32_t nicol_light_kind;
 #define NICOL_LIGHT_SPOT 2        /* within a cone */
 #define NICOL_LIGHT_PROJECTOR 3   /* a texture, or one colour, onto a rectangle */
 
-/* A light without a surface, beside the environment. In its own axes it shines along +z, from the origin
+/* A light without a surface, beside the environment. In its own axes it emits light along +z, from the origin
  * where it has a place; +y is up and +x to the left of who looks along +z, as of cameras. Fields of other
  * kinds have no effect. */
 typedef struct nicol_light {
@@ -810,17 +810,19 @@ typedef struct nicol_emission {
     { sizeof(nicol_emission), 0, NICOL_SPECTRUM_INIT, 0, 0, NICOL_POLARIZATION_INIT }
 /* clang-format on */
 
-/* ---------------------------------------------------------------- polarizing plates */
+/* ---------------------------------------------------------------- polarization elements */
 
-typedef uint32_t nicol_plate_kind;
-#define NICOL_PLATE_POLARIZER 0      /* linear: lets through what is polarized along its axis */
-#define NICOL_PLATE_RETARDER 1       /* a wave plate: delays what is polarized across its fast axis */
-#define NICOL_PLATE_RIGHT_CIRCULAR 2 /* lets right circular light through; it has no axis */
-#define NICOL_PLATE_LEFT_CIRCULAR 3  /* likewise left circular light */
+typedef uint32_t nicol_polarization_element_kind;
+/* clang-format off */
+#define NICOL_POLARIZATION_ELEMENT_POLARIZER 0      /* linear: lets through what is polarized along its axis */
+#define NICOL_POLARIZATION_ELEMENT_RETARDER 1       /* a wave plate: delays what is polarized across its fast axis */
+#define NICOL_POLARIZATION_ELEMENT_RIGHT_CIRCULAR 2 /* lets right circular light through; it has no axis */
+#define NICOL_POLARIZATION_ELEMENT_LEFT_CIRCULAR 3  /* lets left circular light through; it has no axis */
+/* clang-format on */
 
-typedef uint32_t nicol_plate_outline;
-#define NICOL_PLATE_RECTANGLE 0 /* |x| <= 1, |y| <= 1 */
-#define NICOL_PLATE_DISK 1      /* of radius 1 */
+typedef uint32_t nicol_polarization_element_outline;
+#define NICOL_POLARIZATION_ELEMENT_RECTANGLE 0 /* |x| <= 1, |y| <= 1 */
+#define NICOL_POLARIZATION_ELEMENT_DISK 1      /* of radius 1 */
 
 /* clang-format off */
 /* An ideal, infinitely thin sheet. The camera sees what is behind it through its Mueller matrix; several along a ray
@@ -828,7 +830,7 @@ typedef uint32_t nicol_plate_outline;
  * In its own axes it lies in the plane z = 0 about the origin; light passes both ways alike.
  *
  *   y
- *   |  / axis   x  is where to_world takes the plate's x, z its normal, and y = z cross x
+ *   |  / axis   x  is where to_world takes the element's x, z its normal, and y = z cross x
  *   | /) angle
  *   +------x
  *
@@ -836,21 +838,22 @@ typedef uint32_t nicol_plate_outline;
  * direction that it absorbs, retardance is times the cosine of that angle. A fast axis is what is across the ray of it,
  * where Mitsuba 3.9 rotates it with the tilt. */
 /* clang-format on */
-typedef struct nicol_plate {
+typedef struct nicol_polarization_element {
     uint32_t struct_size;
-    nicol_plate_kind kind;       /* default polarizer */
-    nicol_plate_outline outline; /* default rectangle */
-    uint32_t reserved;           /* 0 */
-    double to_world[16];         /* any invertible affine transform; its last row is 0 0 0 1 */
+    nicol_polarization_element_kind kind;       /* default polarizer */
+    nicol_polarization_element_outline outline; /* default rectangle */
+    uint32_t reserved;                          /* 0 */
+    double to_world[16];                        /* any invertible affine transform; its last row is 0 0 0 1 */
     /* Of the axis that a polarizer lets through or of a retarder's fast axis, degrees from x to y; finite,
      * default 0. Without effect on circular ones, which have none. */
     double angle;
     double retardance; /* retarder: degrees, at normal incidence; finite, default 90, a quarter-wave plate */
     double transmittance; /* times what is ideal, 0 to 1, the default */
-} nicol_plate;
+} nicol_polarization_element;
 /* clang-format off */
-#define NICOL_PLATE_INIT \
-    { sizeof(nicol_plate), NICOL_PLATE_POLARIZER, NICOL_PLATE_RECTANGLE, 0, NICOL_IDENTITY_4X4, 0, 90, 1 }
+#define NICOL_POLARIZATION_ELEMENT_INIT \
+    { sizeof(nicol_polarization_element), NICOL_POLARIZATION_ELEMENT_POLARIZER, \
+      NICOL_POLARIZATION_ELEMENT_RECTANGLE, 0, NICOL_IDENTITY_4X4, 0, 90, 1 }
 /* clang-format on */
 
 /* ---------------------------------------------------------------- scene */
@@ -871,8 +874,8 @@ typedef struct nicol_instance {
 NICOL_API nicol_result nicol_scene_create(nicol_context context, nicol_scene* scene);
 /* A Mitsuba 3 XML file, or glTF 2.0 where the name ends in .gltf or .glb (the subsets that
  * samples/render/README.md lists); definitions are "name=value" strings that override <default>s of the XML.
- * glTF has no environment, and may have lights. Lights of a file that polarizing plates of it cover have the
- * state and the brightness of their light behind these. */
+ * glTF has no environment, and may have lights. Lights of a file that polarization elements of it cover have
+ * the state and the brightness of their light behind these. */
 NICOL_API nicol_result nicol_scene_load(nicol_context context, const char* path,
                                         const char* const* definitions, uint32_t definition_count,
                                         nicol_scene* scene);
@@ -925,26 +928,31 @@ NICOL_API nicol_result nicol_scene_get_light(nicol_scene scene, uint32_t id, nic
 NICOL_API nicol_result nicol_scene_get_light_count(nicol_scene scene, uint32_t* lights);
 /* The ids of all lights, ascending; count: of the lights. */
 NICOL_API nicol_result nicol_scene_get_light_ids(nicol_scene scene, uint32_t* ids, uint64_t count);
-/* Makes an instance shine, emission NULL: not shine. id is the instance's. A texture needs texture
+/* Makes an instance emit light, emission NULL: stop it. id is the instance's. A texture needs texture
  * coordinates of the mesh. */
 NICOL_API nicol_result nicol_scene_set_emission(nicol_scene scene, uint32_t id,
                                                 const nicol_emission* emission);
-/* What an instance emits, its texture as of nicol_scene_get_light. Of one that does not shine the radiance
+/* What an instance emits, its texture as of nicol_scene_get_light. Of one that emits no light the radiance
  * is 0. */
 NICOL_API nicol_result nicol_scene_get_emission(nicol_scene scene, uint32_t id, nicol_emission* emission,
                                                 nicol_texture* texture);
-/* Adds a plate, with an id of its own: plates are counted from 0, apart from instances and lights. id may be
- * NULL. NICOL_ERROR_INVALID_ARGUMENT names the field that is out of range. */
-NICOL_API nicol_result nicol_scene_add_plate(nicol_scene scene, const nicol_plate* plate, uint32_t* id);
-/* All of the plate of this id. */
-NICOL_API nicol_result nicol_scene_set_plate(nicol_scene scene, uint32_t id, const nicol_plate* plate);
+/* Adds an element, with an id of its own: elements are counted from 0, apart from instances and lights. id
+ * may be NULL. NICOL_ERROR_INVALID_ARGUMENT names the field that is out of range. */
+NICOL_API nicol_result nicol_scene_add_polarization_element(nicol_scene scene,
+                                                            const nicol_polarization_element* element,
+                                                            uint32_t* id);
+/* All of the element of this id. */
+NICOL_API nicol_result nicol_scene_set_polarization_element(nicol_scene scene, uint32_t id,
+                                                            const nicol_polarization_element* element);
 /* Its id is not used again; the others keep theirs. */
-NICOL_API nicol_result nicol_scene_remove_plate(nicol_scene scene, uint32_t id);
-/* The plate as it was given. */
-NICOL_API nicol_result nicol_scene_get_plate(nicol_scene scene, uint32_t id, nicol_plate* plate);
-NICOL_API nicol_result nicol_scene_get_plate_count(nicol_scene scene, uint32_t* plates);
-/* The ids of all plates, ascending; count: of the plates. */
-NICOL_API nicol_result nicol_scene_get_plate_ids(nicol_scene scene, uint32_t* ids, uint64_t count);
+NICOL_API nicol_result nicol_scene_remove_polarization_element(nicol_scene scene, uint32_t id);
+/* The element as it was given. */
+NICOL_API nicol_result nicol_scene_get_polarization_element(nicol_scene scene, uint32_t id,
+                                                            nicol_polarization_element* element);
+NICOL_API nicol_result nicol_scene_get_polarization_element_count(nicol_scene scene, uint32_t* elements);
+/* The ids of all elements, ascending; count: of the elements. */
+NICOL_API nicol_result nicol_scene_get_polarization_element_ids(nicol_scene scene, uint32_t* ids,
+                                                                uint64_t count);
 /* The camera and film size of a loaded file, and the AOVs that its integrators ask for, a sum of
  * NICOL_AOV_... for nicol_render_options; NICOL_ERROR_UNSUPPORTED for a scene that was not loaded. */
 NICOL_API nicol_result nicol_scene_get_camera(nicol_scene scene, nicol_camera* camera);
@@ -1065,19 +1073,20 @@ typedef struct nicol_render_options {
                                  NICOL_DIRECTIONS_AUTOMATIC, the default: 2048; where orders are chosen, 1024
                                  for a tolerance of 0.03 or more, which leaves noise of about a tenth of that,
                                  2048 down to 0.015, 4096 down to 0.0075, else 8192 */
-    uint32_t physical; /* 1, the default: Stokes vectors are moved into the physical range (Eq. 70), s0 >= 0
-                          and no more polarized than s0, which truncated light may violate: at vertices, or at
-                          pixels if these are shaded. Where orders are chosen, light that is as weak as the
-                          predicted error becomes less polarized: no false DoLP in the dark. 0: no */
-    double dering;     /* against ringing: the light's order l is multiplied by 1 / (1 + dering (l (l +
-                          1))^2). 0: not at all; 0.0001 to 0.01 are of use; finite, not negative */
+    /* 1, the default: Stokes vectors are made physically realizable (Eq. 70), s0 >= 0 and no more polarized
+     * than s0, which truncated light may violate: at vertices, or at pixels if these are shaded. Where orders
+     * are chosen, light that is as weak as the predicted error becomes less polarized: no false DoLP in the
+     * dark. 0: they are not. */
+    uint32_t physical;
+    double dering; /* against ringing: the light's order l is multiplied by 1 / (1 + dering (l (l +
+                      1))^2). 0: not at all; 0.0001 to 0.01 are of use; finite, not negative */
     nicol_progress_callback progress; /* NULL: none. Of the verbs project, bake, relight, shade, draw; of the
                                          reference method trace */
     void* progress_user;
     uint32_t
         samples; /* reference: camera rays a pixel, 1 to 2^20, default 256. Powers of two are spread best */
     nicol_executor executor; /* default automatic */
-    uint64_t seed; /* of the reference method and of places of small lights: equal seeds give equal images,
+    uint64_t seed; /* of the reference method and of samples of local lights: equal seeds give equal images,
                       whatever the threads */
     /* Where both orders are automatic: the largest predicted error of the orders left out, as RMSE of s0, s1
      * and s2 relative to the RMS of s0; the fastest orders that keep it are taken, order_low up to 16. Errors
@@ -1105,11 +1114,11 @@ typedef struct nicol_render_options {
                                 most this part of all of it; 0: none is split. 0 to 1, default 0.02 */
     uint64_t max_vertices;   /* that splitting may lead to; 0, the default: 65536, or four times as many as
                                 there were where that is more. A memory_limit lowers it */
-    int32_t split_lights; /* factored: lamps of the environment, such as a sun, that are taken out of it and
-                             rendered as lights, at most: 0 to NICOL_MAX_SPLIT_LIGHTS.
-                             NICOL_SPLIT_AUTOMATIC, the default: those that the orders would miss */
+    int32_t split_lights;    /* factored: lights extracted from the environment, such as a sun, that are taken
+                                out of it and    rendered as lights, at most: 0 to NICOL_MAX_SPLIT_LIGHTS.
+                                NICOL_SPLIT_AUTOMATIC, the default: those that the orders would miss */
     uint32_t
-        light_samples; /* real-time methods: places of each light with a size that light a point or a
+        light_samples; /* real-time methods: samples of each light with a size that light a point or a
                           pixel, 1 to 1024, default 16. Fewer are faster, and leave steps in soft shadows */
 } nicol_render_options;
 /* clang-format off */
@@ -1208,7 +1217,7 @@ typedef struct nicol_statistics {
     uint64_t bake_rays;             /* traced by the bake; 0 likewise */
     uint64_t vertices_skipped;      /* not shaded: facing away or outside the view */
     uint64_t vertices_unoccluded;   /* nothing above their horizon: no shadow to compute */
-    uint64_t vertices_unphysical;   /* that `physical` moved into the physical range, times channels; pixels are not counted */
+    uint64_t vertices_unphysical;   /* that `physical` moved into the physically realizable range, times channels; pixels are not counted */
     uint64_t light_columns_skipped; /* Stokes components of the light that are zero everywhere, times channels */
     uint64_t response_rows_skipped; /* Stokes components that no material reflects, times channels */
     uint64_t channels_shared;       /* colour channels of light that equal another and are not computed again */
@@ -1234,8 +1243,8 @@ typedef struct nicol_statistics {
     uint64_t vertices_shaded;       /* whose Stokes vectors were computed */
     uint64_t pixels_shaded;         /* likewise */
     uint64_t vertices_added;        /* where the bake split triangles; as they are, recomputed or not */
-    uint64_t small_lights;          /* lights beside the environment: the scene's, each instance that shines, and ... */
-    uint64_t lights_split;          /* ... lamps of the environment that were taken out of it */
+    uint64_t local_lights;          /* lights beside the environment: the scene's, each instance that emits light, and ... */
+    uint64_t lights_split;          /* ... those that were taken out of the environment */
     uint64_t light_rays;            /* real-time methods: rays from vertices and pixels to these lights */
     double light_ms;                /* of shade_ms: these lights and their shadows */
 } nicol_statistics;

@@ -21,7 +21,7 @@ Report bench_frame(const Options& options);
 /// Measures transforms, rotation and projection: `seconds` for each line.
 Report bench_harmonics(double seconds);
 
-/// Measures errors of small lights, and what they add to a frame.
+/// Measures errors of local lights, and what they add to a frame.
 Report bench_lights(const Options& given);
 
 /// Repeats Figure 21 for many materials: errors that each form of the high orders leaves.

@@ -83,7 +83,7 @@ void add_errors(Report& report, const Options& given, const TemporaryFolder& fol
     const auto add = [&](const std::string& name, const Comparison& comparison, const Recipe& recipe) {
         const Comparison::Measured m = comparison.measure(recipe);
         report.add(name, {m.errors[0], m.errors[1], m.errors[2], m.dolp.mean,
-                          static_cast<double>(m.statistics.small_lights), none});
+                          static_cast<double>(m.statistics.local_lights), none});
     };
     const auto add_noise = [&](const Comparison& comparison) {
         const StokesErrors noise = comparison.truth().noise();
@@ -230,7 +230,7 @@ void add_times(Report& report, const Options& given, const TemporaryFolder& fold
 
 Report bench_lights(const Options& given) {
     const TemporaryFolder folder;
-    Report report({"relative RMSE", "s0", "s1", "s2", "DoLP, mean", "small lights", "frame"});
+    Report report({"relative RMSE", "s0", "s1", "s2", "DoLP, mean", "local lights", "frame"});
     add_errors(report, given, folder);
     add_polygon(report, given, folder);
     add_times(report, given, folder);

@@ -40,7 +40,7 @@ const Command commands[] = {
     {"lights",
      bench_lights,
      {"--backend", "--cache", "--size", "--samples", "--seconds", "--csv", "--json"},
-     "errors of small lights and of lamps that are split off their environment, and what they\n"
+     "errors of local lights and of lamps that are split off their environment, and what they\n"
      "              add to a frame"},
     {"textures",
      bench_textures,

@@ -20,7 +20,7 @@ struct Recipe {
     double tolerance = 0;             ///< above 0: chooses the orders
     nicol_shade_at shade_at = NICOL_SHADE_AT_VERTICES;
     std::uint32_t samples = 1;  ///< of a pixel
-    int split = 0;  ///< lamps of the light that become small lights, at most; without effect by default
+    int split = 0;  ///< lamps of the light that become local lights, at most; without effect by default
 
     /// As in "dense 4 + convolution to 9, at pixels, no shadows".
     [[nodiscard]] std::string name() const;

@@ -260,18 +260,18 @@ typedef struct nicol_emission {
     nicol_texture texture;
     nicol_polarization polarization;
 } nicol_emission;
-typedef uint32_t nicol_plate_kind;
-typedef uint32_t nicol_plate_outline;
-typedef struct nicol_plate {
+typedef uint32_t nicol_polarization_element_kind;
+typedef uint32_t nicol_polarization_element_outline;
+typedef struct nicol_polarization_element {
     uint32_t struct_size;
-    nicol_plate_kind kind;
-    nicol_plate_outline outline;
+    nicol_polarization_element_kind kind;
+    nicol_polarization_element_outline outline;
     uint32_t reserved;
     double to_world[16];
     double angle;
     double retardance;
     double transmittance;
-} nicol_plate;
+} nicol_polarization_element;
 typedef struct nicol_instance {
     uint32_t struct_size;
     uint32_t reserved;
@@ -366,7 +366,7 @@ typedef struct nicol_statistics {
     uint64_t vertices_shaded;
     uint64_t pixels_shaded;
     uint64_t vertices_added;
-    uint64_t small_lights;
+    uint64_t local_lights;
     uint64_t lights_split;
     uint64_t light_rays;
     double light_ms;
@@ -563,12 +563,12 @@ nicol_result nicol_scene_get_light_count(nicol_scene scene, uint32_t* lights);
 nicol_result nicol_scene_get_light_ids(nicol_scene scene, uint32_t* ids, uint64_t count);
 nicol_result nicol_scene_set_emission(nicol_scene scene, uint32_t id, const nicol_emission* emission);
 nicol_result nicol_scene_get_emission(nicol_scene scene, uint32_t id, nicol_emission* emission, nicol_texture* texture);
-nicol_result nicol_scene_add_plate(nicol_scene scene, const nicol_plate* plate, uint32_t* id);
-nicol_result nicol_scene_set_plate(nicol_scene scene, uint32_t id, const nicol_plate* plate);
-nicol_result nicol_scene_remove_plate(nicol_scene scene, uint32_t id);
-nicol_result nicol_scene_get_plate(nicol_scene scene, uint32_t id, nicol_plate* plate);
-nicol_result nicol_scene_get_plate_count(nicol_scene scene, uint32_t* plates);
-nicol_result nicol_scene_get_plate_ids(nicol_scene scene, uint32_t* ids, uint64_t count);
+nicol_result nicol_scene_add_polarization_element(nicol_scene scene, const nicol_polarization_element* element, uint32_t* id);
+nicol_result nicol_scene_set_polarization_element(nicol_scene scene, uint32_t id, const nicol_polarization_element* element);
+nicol_result nicol_scene_remove_polarization_element(nicol_scene scene, uint32_t id);
+nicol_result nicol_scene_get_polarization_element(nicol_scene scene, uint32_t id, nicol_polarization_element* element);
+nicol_result nicol_scene_get_polarization_element_count(nicol_scene scene, uint32_t* elements);
+nicol_result nicol_scene_get_polarization_element_ids(nicol_scene scene, uint32_t* ids, uint64_t count);
 nicol_result nicol_scene_get_camera(nicol_scene scene, nicol_camera* camera);
 nicol_result nicol_scene_get_film_size(nicol_scene scene, uint32_t* width, uint32_t* height);
 nicol_result nicol_scene_get_aovs(nicol_scene scene, uint32_t* aovs);
@@ -681,12 +681,12 @@ return {
         LIGHT_POINT = 1,
         LIGHT_SPOT = 2,
         LIGHT_PROJECTOR = 3,
-        PLATE_POLARIZER = 0,
-        PLATE_RETARDER = 1,
-        PLATE_RIGHT_CIRCULAR = 2,
-        PLATE_LEFT_CIRCULAR = 3,
-        PLATE_RECTANGLE = 0,
-        PLATE_DISK = 1,
+        POLARIZATION_ELEMENT_POLARIZER = 0,
+        POLARIZATION_ELEMENT_RETARDER = 1,
+        POLARIZATION_ELEMENT_RIGHT_CIRCULAR = 2,
+        POLARIZATION_ELEMENT_LEFT_CIRCULAR = 3,
+        POLARIZATION_ELEMENT_RECTANGLE = 0,
+        POLARIZATION_ELEMENT_DISK = 1,
         METHOD_FACTORED = 0,
         METHOD_DENSE = 1,
         METHOD_REFERENCE = 2,
@@ -829,12 +829,12 @@ return {
         scene_get_light_ids = true,
         scene_set_emission = true,
         scene_get_emission = "nicol_texture",
-        scene_add_plate = true,
-        scene_set_plate = true,
-        scene_remove_plate = true,
-        scene_get_plate = true,
-        scene_get_plate_count = true,
-        scene_get_plate_ids = true,
+        scene_add_polarization_element = true,
+        scene_set_polarization_element = true,
+        scene_remove_polarization_element = true,
+        scene_get_polarization_element = true,
+        scene_get_polarization_element_count = true,
+        scene_get_polarization_element_ids = true,
         scene_get_camera = true,
         scene_get_film_size = true,
         scene_get_aovs = true,
@@ -910,7 +910,7 @@ return {
         polarization = { false, { axis = { 1, 0, 0 } } },
         light = { true, { kind = 1, to_world = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 }, cutoff_angle = 20, beam_width = 15, fov = 45, aspect = 1, polarization = { 0, 0, 0, { 1, 0, 0 } } } },
         emission = { true, { polarization = { 0, 0, 0, { 1, 0, 0 } } } },
-        plate = { true, { to_world = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 }, retardance = 90, transmittance = 1 } },
+        polarization_element = { true, { to_world = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 }, retardance = 90, transmittance = 1 } },
         instance = { true, { to_world = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 } } },
         scene_file = { true, {} },
         render_options = { true, { order_low = 4294967295, order_high = 4294967295, shadows = 1, physical = 1, samples = 256, tolerance = 0.03, high_order_shadows = 1, refine_tolerance = 0.02, split_lights = -1, light_samples = 16 } },

@@ -18,7 +18,7 @@ struct Image {
 /// Of a framebuffer with three channels and as many rows as columns; `object` stays empty.
 Image read_image(nicol_framebuffer framebuffer);
 
-/// Shares of an object's pixels, where some channel leaves the physical range (Eq. 70).
+/// Shares of an object's pixels, where some channel leaves the physically realizable range (Eq. 70).
 struct PhysicalRange {
     double negative = 0;       ///< s0 < 0
     double overpolarized = 0;  ///< else, more polarization than light

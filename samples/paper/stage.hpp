@@ -33,7 +33,7 @@ public:
     /// Of the same objects, materials and light; keeps its own work between renders.
     [[nodiscard]] Scene make_scene() const;
     /// For the reference method, which looks light up often: lit by an image of the light, which is written
-    /// to this file and moved into the physical range.
+    /// to this file and moved into the physically realizable range.
     [[nodiscard]] Scene make_reference_scene(const std::string& image) const;
     /// Black objects before white light.
     [[nodiscard]] Scene make_mask_scene() const;

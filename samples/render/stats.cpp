@@ -64,7 +64,7 @@ std::string stats_json(const nicol_context_info& context, std::uint32_t width, s
          << "  \"vertices\": " << s.vertices << ",\n"
          << "  \"vertices_added\": " << s.vertices_added << ",\n"
          << "  \"triangles\": " << s.triangles << ",\n"
-         << "  \"small_lights\": " << s.small_lights << ",\n"
+         << "  \"local_lights\": " << s.local_lights << ",\n"
          << "  \"lights_split\": " << s.lights_split << ",\n"
          << "  \"pixels_shaded\": " << s.pixels_shaded << ",\n"
          << "  \"milliseconds\": {\n"

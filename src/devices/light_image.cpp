@@ -4,7 +4,7 @@
 #include <atomic>
 
 #include "devices/pixel_lights.hpp"
-#include "draw/hit_image.hpp"
+#include "draw/visibility_buffer.hpp"
 
 namespace nicol {
 
@@ -14,7 +14,7 @@ void find_light_image(const PixelInput& input, std::size_t first, std::size_t la
     out.resize(static_cast<std::size_t>(input.channels));
     for (auto& channel : out) channel.assign(last - first, glm::vec4(0));
     const std::vector<std::span<glm::vec4>> image(out.begin(), out.end());
-    const PixelLights lights(*input.small_lights, input);
+    const PixelLights lights(*input.local_lights, input);
     const std::size_t pixels =
         static_cast<std::size_t>(input.hits.width()) * static_cast<std::size_t>(input.hits.height());
     std::atomic<std::uint64_t> rays = 0;

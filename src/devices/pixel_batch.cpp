@@ -5,7 +5,7 @@
 #include <array>
 #include <glm/geometric.hpp>
 
-#include "draw/hit_image.hpp"
+#include "draw/visibility_buffer.hpp"
 #include "shading/lane_footprint.hpp"
 #include "shading/normal_variation.hpp"
 

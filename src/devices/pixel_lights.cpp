@@ -6,8 +6,8 @@
 #include <glm/geometric.hpp>
 #include <vector>
 
-#include "shading/light_places.hpp"
-#include "shading/shine.hpp"
+#include "shading/emission.hpp"
+#include "shading/light_samples.hpp"
 #include "surfaces/tangents.hpp"
 
 namespace nicol {
@@ -56,7 +56,7 @@ std::uint64_t PixelLights::add(const PixelBatch& batch, std::span<const std::spa
         for (std::size_t i = 0; i < count; ++i) {
             facets[i] = facet_of(input_.geometry, points[first + i].triangle, surface.normals[i]);
             origins[i] = surface.positions[i] + lights_.offset() * facets[i];
-            seeds[i] = place_seed(points[first + i].pixel, input_.seed);
+            seeds[i] = sample_seed(points[first + i].pixel, input_.seed);
             if (!anisotropic) continue;
             const glm::vec3 weights(surface.weights[0][i], surface.weights[1][i], surface.weights[2][i]);
             tangents[i] = tangent(input_.geometry, points[first + i].triangle, weights);
@@ -92,9 +92,9 @@ void PixelLights::add_emission(const VertexRange& range, const PixelBatch& batch
             for (std::size_t k = 0; k < 3; ++k) texcoords[i] += surface.weights[k][i] * corners[k];
         }
     }
-    add_shine(*range.emission, lights_.axis_of(range.instance), input_.view,
-              std::span(surface.positions).first(count), std::span(surface.normals).first(count),
-              std::span(texcoords).first(count), out);
+    add_emission(*range.emission, lights_.axis_of(range.instance), input_.view,
+                 std::span(surface.positions).first(count), std::span(surface.normals).first(count),
+                 std::span(texcoords).first(count), out);
 }
 
 }  // namespace nicol

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Small lights at pixels, on threads.
+// Local lights at pixels, on threads.
 #pragma once
 
 #include <cstddef>
@@ -9,16 +9,16 @@
 
 #include "devices/pixel_batch.hpp"
 #include "methods/executor.hpp"
-#include "surfaces/small_lights.hpp"
+#include "surfaces/local_lights.hpp"
 
 namespace nicol {
 
 class PixelLights {
 public:
     /// Both must outlive this.
-    PixelLights(const SmallLights& lights, const PixelInput& input) : lights_(lights), input_(input) {}
+    PixelLights(const LocalLights& lights, const PixelInput& input) : lights_(lights), input_(input) {}
 
-    /// Adds to out[c][point] what the batch's points reflect of small lights, and what they emit. Returns the
+    /// Adds to out[c][point] what the batch's points reflect of local lights, and what they emit. Returns the
     /// number of rays.
     std::uint64_t add(const PixelBatch& batch, std::span<const std::span<glm::vec4>> out) const;
 
@@ -26,7 +26,7 @@ private:
     void add_emission(const VertexRange& range, const PixelBatch& batch, std::size_t first,
                       std::span<const std::span<glm::vec4>> out) const;
 
-    const SmallLights& lights_;
+    const LocalLights& lights_;
     const PixelInput& input_;
 };
 

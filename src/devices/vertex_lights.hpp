@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Small lights at vertices, on threads.
+// Local lights at vertices, on threads.
 #pragma once
 
 #include <cstddef>
@@ -8,15 +8,15 @@
 #include <span>
 
 #include "methods/executor.hpp"
-#include "surfaces/small_lights.hpp"
+#include "surfaces/local_lights.hpp"
 
 namespace nicol {
 
 class VertexLights {
 public:
-    VertexLights(const SmallLights& lights, const ShadeInput& input) : lights_(lights), input_(input) {}
+    VertexLights(const LocalLights& lights, const ShadeInput& input) : lights_(lights), input_(input) {}
 
-    /// Adds to out[c][v], for chosen vertices, what they reflect of small lights and what they emit. Counts
+    /// Adds to out[c][v], for chosen vertices, what they reflect of local lights and what they emit. Counts
     /// rays in the statistics.
     void add(RenderRun& run, std::span<const std::span<glm::vec4>> out) const;
 
@@ -27,7 +27,7 @@ private:
     std::uint64_t add(const VertexRange& range, std::span<const std::uint32_t> vertices,
                       std::span<const std::span<glm::vec4>> out) const;
 
-    const SmallLights& lights_;
+    const LocalLights& lights_;
     const ShadeInput& input_;
 };
 

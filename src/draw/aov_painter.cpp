@@ -39,7 +39,7 @@ glm::vec4 AovLayout::background(int attachment) const {
     return values;
 }
 
-void AovPainter::prepare(const WorldGeometry& geometry, VertexBuffers& buffers, const CutOuts& cut_outs,
+void AovPainter::prepare(const WorldGeometry& geometry, VertexBuffers& buffers, const AlphaMasks& alpha_masks,
                          std::uint32_t mask, std::span<const glm::dvec2> samples, Framebuffer& target) {
     attachments_.reset();
     mask_ = mask;
@@ -55,7 +55,7 @@ void AovPainter::prepare(const WorldGeometry& geometry, VertexBuffers& buffers, 
     }
     binding_.run(buffers.version(), [&] { bind(geometry, buffers); });
     for (const Batch& batch : batches_)
-        program("aovs.vert", "aovs.frag", cut_outs.textures(batch.triangles.range));
+        program("aovs.vert", "aovs.frag", alpha_masks.textures(batch.triangles.range));
     if (samples.size() > 1) program("fullscreen.vert", "aovs_merge.frag");
     attachments_ = target.aov_attachments(drawn_);
     prepare_sample();
@@ -66,7 +66,7 @@ gl::Program& AovPainter::program(const char* vertex, const char* fragment, int t
     auto found = programs_.find(key);
     if (found == programs_.end()) {
         std::vector<gl::Define> defines = defines_of(AovLayout(drawn_));
-        for (gl::Define& define : CutOuts::defines(textures)) defines.push_back(std::move(define));
+        for (gl::Define& define : AlphaMasks::defines(textures)) defines.push_back(std::move(define));
         found = programs_.emplace(key, gl::Program::graphics(context_, vertex, fragment, defines)).first;
     }
     return found->second;
@@ -96,13 +96,13 @@ void AovPainter::bind(const WorldGeometry& geometry, VertexBuffers& buffers) {
     }
 }
 
-void AovPainter::draw(const CutOuts& cut_outs, const Projection& projection, const glm::dmat4& to_world,
+void AovPainter::draw(const AlphaMasks& alpha_masks, const Projection& projection, const glm::dmat4& to_world,
                       Framebuffer& target) {
     if (mask_ != 0) {
         clear(*attachments_);
         for (std::size_t s = 0; s < samples_.size(); ++s) {
             if (sample_) clear(*sample_);
-            draw_surfaces(cut_outs, jittered(projection, samples_[s]), to_world,
+            draw_surfaces(alpha_masks, jittered(projection, samples_[s]), to_world,
                           sample_ ? *sample_ : *attachments_);
             if (sample_) merge(s);
         }
@@ -117,7 +117,7 @@ void AovPainter::clear(gl::RenderTarget& image) const {
     image.clear_depth();
 }
 
-void AovPainter::draw_surfaces(const CutOuts& cut_outs, const Projection& projection,
+void AovPainter::draw_surfaces(const AlphaMasks& alpha_masks, const Projection& projection,
                                const glm::dmat4& to_world, gl::RenderTarget& image) {
     const glm::mat4 to_clip(projection.world_to_clip * to_world);
     gl::Program* whole = nullptr;
@@ -132,12 +132,12 @@ void AovPainter::draw_surfaces(const CutOuts& cut_outs, const Projection& projec
     };
     for (const Batch& batch : batches_) {
         const TriangleBatch& triangles = batch.triangles;
-        const int textures = cut_outs.textures(triangles.range);
+        const int textures = alpha_masks.textures(triangles.range);
         gl::Program& surface = program_of(textures);
         if ((drawn_ & aov_instances) != 0) surface.set("instance", batch.instance);
         if (textures > 0) {
             surface.set("first", static_cast<std::uint32_t>(triangles.first));
-            cut_outs.bind(surface, triangles.range);
+            alpha_masks.bind(surface, triangles.range);
         }
         gl::draw(image, surface, *vertices_, 3 * triangles.first, 3 * (triangles.last - triangles.first),
                  {.cull = triangles.two_sided ? gl::Cull::back : gl::Cull::none});

@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "draw/cut_outs.hpp"
+#include "draw/alpha_masks.hpp"
 #include "draw/framebuffer.hpp"
 #include "draw/vertex_buffers.hpp"
 #include "gl/draw.hpp"
@@ -29,11 +29,11 @@ public:
 
     /// Allocates all that draw() needs; the framebuffer keeps its content. `mask`: bits of AovBit. `samples`:
     /// of a pixel, as sample_pattern() has them.
-    void prepare(const WorldGeometry& geometry, VertexBuffers& buffers, const CutOuts& cut_outs,
+    void prepare(const WorldGeometry& geometry, VertexBuffers& buffers, const AlphaMasks& alpha_masks,
                  std::uint32_t mask, std::span<const glm::dvec2> samples, Framebuffer& target);
     /// Draws what was prepared. `projection` is of the world, to which the rigid motion `to_world` takes the
     /// geometry.
-    void draw(const CutOuts& cut_outs, const Projection& projection, const glm::dmat4& to_world,
+    void draw(const AlphaMasks& alpha_masks, const Projection& projection, const glm::dmat4& to_world,
               Framebuffer& target);
 
 private:
@@ -48,8 +48,8 @@ private:
     // textures: of an opacity.
     gl::Program& program(const char* vertex, const char* fragment, int textures = 0);
     void clear(gl::RenderTarget& image) const;
-    void draw_surfaces(const CutOuts& cut_outs, const Projection& projection, const glm::dmat4& to_world,
-                       gl::RenderTarget& image);
+    void draw_surfaces(const AlphaMasks& alpha_masks, const Projection& projection,
+                       const glm::dmat4& to_world, gl::RenderTarget& image);
     // Adds what sample_ has to the attachments.
     void merge(std::size_t sample);
 

@@ -39,7 +39,7 @@ Painter::Painter(std::shared_ptr<gl::Context> context)
     : context_(std::move(context)), pixels_(context_), aovs_(context_) {}
 
 void Painter::draw(const Scene& scene, const RefinedSurfaces& surfaces, VertexBuffers& buffers,
-                   const CutOuts& cut_outs, const RenderExecutor* pixels, const Wanted& wanted,
+                   const AlphaMasks& alpha_masks, const RenderExecutor* pixels, const Wanted& wanted,
                    const Projection& projection, Framebuffer& target) {
     const int channels = target.channels();
     binding_.run(buffers.version(), channels, [&] { bind_vertices(buffers, channels); });
@@ -47,7 +47,7 @@ void Painter::draw(const Scene& scene, const RefinedSurfaces& surfaces, VertexBu
     if (behind)
         uploading_.run(scene.background(), channels,
                        [&] { upload_environment(*scene.background(), channels); });
-    aovs_.prepare(surfaces.geometry(), buffers, cut_outs, wanted.aovs, wanted.samples, target);
+    aovs_.prepare(surfaces.geometry(), buffers, alpha_masks, wanted.aovs, wanted.samples, target);
 
     prepare_sample(pixels == nullptr && wanted.samples.size() > 1, target);
     if (pixels != nullptr) {
@@ -64,7 +64,7 @@ void Painter::draw(const Scene& scene, const RefinedSurfaces& surfaces, VertexBu
             draw_samples(scene, surfaces, wanted, projection, g, target);
         }
     }
-    aovs_.draw(cut_outs, projection, surfaces.to_world(), target);
+    aovs_.draw(alpha_masks, projection, surfaces.to_world(), target);
     gl::finish(*context_);
 }
 

@@ -34,12 +34,12 @@ public:
         std::span<const glm::dvec2> samples = sample_pattern(1);  ///< of a pixel
     };
 
-    /// `buffers` and `cut_outs` are of `surfaces`; `projection` is of the world. `pixels`, where not null,
+    /// `buffers` and `alpha_masks` are of `surfaces`; `projection` is of the world. `pixels`, where not null,
     /// has shaded the image's pixels, and vertices are not drawn. With several samples vertices are drawn as
     /// often, and averaged: that gives every driver the same samples. All memory is allocated before the
     /// framebuffer is touched.
     void draw(const Scene& scene, const RefinedSurfaces& surfaces, VertexBuffers& buffers,
-              const CutOuts& cut_outs, const RenderExecutor* pixels, const Wanted& wanted,
+              const AlphaMasks& alpha_masks, const RenderExecutor* pixels, const Wanted& wanted,
               const Projection& projection, Framebuffer& target);
 
 private:

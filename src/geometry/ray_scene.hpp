@@ -73,7 +73,7 @@ public:
     [[nodiscard]] Ray leaving(const glm::dvec3& point, const glm::dvec3& normal,
                               const glm::dvec3& direction) const;
     /// Whether anything lies on the ray leaving() there, nearer than the distance `farthest`: the ray ends
-    /// 1e-4 of `farthest` and offset() before that, so that a lamp's own surface does not hide it.
+    /// 1e-4 of `farthest` and offset() before that, so that an area light's own surface does not hide it.
     [[nodiscard]] bool occluded(const glm::dvec3& point, const glm::dvec3& normal,
                                 const glm::dvec3& direction,
                                 double farthest = std::numeric_limits<double>::infinity()) const;

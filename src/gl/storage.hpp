@@ -34,8 +34,7 @@ inline constexpr std::size_t kGroupOfVertices = 64;
 
 /// A copy for shaders.
 template <class Element>
-[[nodiscard]] Buffer storage(const std::shared_ptr<Context>& context,
-                                 const std::vector<Element>& elements) {
+[[nodiscard]] Buffer storage(const std::shared_ptr<Context>& context, const std::vector<Element>& elements) {
     return {context, BufferUse::storage, std::as_bytes(std::span(elements))};
 }
 

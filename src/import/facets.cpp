@@ -141,7 +141,7 @@ void read_anisotropic_facets(const MaterialSource& source, MaterialDescription& 
     material.alpha_v_texture = v.texture;
     source.notices.add(
         source.node,
-        "alpha_u and alpha_v differ: small lights and --method reference follow the direction; "
+        "alpha_u and alpha_v differ: local lights and --method reference follow the direction; "
         "light of the environment is reflected as by sqrt(alpha_u alpha_v)");
 }
 

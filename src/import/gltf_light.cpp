@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lights of KHR_lights_punctual. They shine along their -z, ours along +z.
+// Lights of KHR_lights_punctual. They emit light along their -z, ours along +z.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -27,7 +27,7 @@ void read_cone(const GltfDocument& document, const std::string& name, const tiny
                LightDescription& light) {
     const double widest = std::numbers::pi / 2;
     constexpr double rounding = 1e-6;
-    light.kind = SmallLight::Kind::spot;
+    light.kind = LocalLight::Kind::spot;
     if (!(spot.outerConeAngle > 1e-4 && spot.outerConeAngle <= widest + rounding))
         document.fail(name + ".spot", "outerConeAngle is " + std::to_string(spot.outerConeAngle) +
                                           "; expected more than 0, up to pi / 2");
@@ -62,7 +62,7 @@ std::optional<LightDescription> read_gltf_light(const GltfDocument& document, co
     if (source.type == "spot")
         read_cone(document, name, source.spot, light);
     else if (source.type == "directional")
-        light.kind = SmallLight::Kind::directional;
+        light.kind = LocalLight::Kind::directional;
     else if (source.type != "point")
         document.fail(name, "type is " + in_quotes(source.type) + "; expected directional, point or spot");
     return light;

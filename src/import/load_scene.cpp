@@ -16,15 +16,15 @@
 #include <vector>
 
 #include "arguments.hpp"
-#include "import/plates_before_lights.hpp"
+#include "import/elements_before_lights.hpp"
 #include "import/scene_color.hpp"
 #include "import/scene_description.hpp"
 #include "import/scene_files.hpp"
 #include "import/scene_materials.hpp"
 #include "import/scene_textures.hpp"
 #include "import/values.hpp"
+#include "light/local_light.hpp"
 #include "light/psh_file.hpp"
-#include "light/small_light.hpp"
 
 namespace nicol {
 namespace {
@@ -109,9 +109,9 @@ Mesh make(const ShapeDescription& d, scene::SceneFiles& files) {
 
 /// make_light() and make_emission() throw what reading textures throws, and Error(unsupported) for colours
 /// that the scene's channels cannot have.
-SmallLight make_light(const LightDescription& d, const SceneChannels& channels,
+LocalLight make_light(const LightDescription& d, const SceneChannels& channels,
                       scene::SceneTextures& textures) {
-    SmallLight light;
+    LocalLight light;
     light.kind = d.kind;
     light.value = radiance(d.value, channels);
     for (double& value : light.value) value *= d.scale;
@@ -240,9 +240,9 @@ LoadedScene load_scene(const std::filesystem::path& file, const SceneParameters&
                            .emission = emission});
         });
     }
-    for (const PolarizingPlate& plate : description.plates)
-        made(file, "shape", [&] { return out.scene.add_plate(plate); });
-    scene::put_plates_before_lights(description, out.scene, files);
+    for (const PolarizationElement& element : description.elements)
+        made(file, "shape", [&] { return out.scene.add_element(element); });
+    scene::put_elements_before_lights(description, out.scene, files);
     std::ranges::copy(files.notices(), std::back_inserter(out.notices));
     out.files = files.records();
     out.camera = make(description.sensor);

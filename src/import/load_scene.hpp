@@ -27,7 +27,7 @@ struct LoadedScene {
 /// Reads a scene file, glTF where its suffix is .gltf or .glb and else Mitsuba's XML, and everything it
 /// names. The light says what the channels of colours are; grey light
 /// and none mean red, green and blue. Shapes of the same file share a mesh. Lights have the Stokes state that
-/// plates give them, see put_plates_before_lights(). Throws what read_mitsuba_scene(),
+/// elements give them, see put_elements_before_lights(). Throws what read_mitsuba_scene(),
 /// read_gltf_scene() and the readers of images, meshes and materials throw, and what LoadBudget throws.
 [[nodiscard]] LoadedScene load_scene(const std::filesystem::path& file, const SceneParameters& parameters,
                                      const LoadBudget& budget = {});

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // <bsdf>.
 #include "import/material_readers.hpp"
-#include "import/polarizing_plate.hpp"
+#include "import/polarization_element.hpp"
 #include "import/values.hpp"
 
 namespace nicol::scene {
@@ -30,8 +30,8 @@ void read_measured(const XmlDocument& document, Plugin& plugin, MaterialDescript
 /// Why a plug-in of Mitsuba is not there.
 std::string reason(pugi::xml_node node) {
     const std::string type = node.attribute("type").value();
-    if (is_plate_material(node))
-        return "it belongs into a <shape> of type rectangle or disk that does not shine";
+    if (is_element_material(node))
+        return "it belongs into a <shape> of type rectangle or disk that emits no light";
     if (type == "thindielectric" || type == "principledthin") return "nothing passes through a surface";
     return "";
 }

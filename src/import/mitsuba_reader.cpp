@@ -3,7 +3,7 @@
 #include <map>
 
 #include "import/plugin.hpp"
-#include "import/polarizing_plate.hpp"
+#include "import/polarization_element.hpp"
 #include "import/readers.hpp"
 
 namespace nicol {
@@ -14,14 +14,14 @@ namespace {
 class Reader {
 public:
     explicit Reader(const XmlDocument& document)
-        : document_(document), notices_(document), plates_(document) {}
+        : document_(document), notices_(document), elements_(document) {}
 
     SceneDescription run() {
         for (const pugi::xml_node node : document_.elements(document_.root())) read(node);
         if (!sensor_)
             document_.fail(document_.root(), "no <sensor>; expected one of type perspective or orthographic");
-        scene_.plates = plates_.put_before_lamps(scene_.shapes);
-        if (scene_.shapes.empty() && scene_.plates.empty())
+        scene_.elements = elements_.put_before_lamps(scene_.shapes);
+        if (scene_.shapes.empty() && scene_.elements.empty())
             document_.fail(document_.root(), "no <shape>; expected at least one");
         for (const pugi::xml_node node : document_.left_open())
             notices_.add(node, "a $parameter that has no value, of a sampler, which is not followed");
@@ -56,8 +56,8 @@ private:
                 read_emitter(document_, object, notices_, scene_);
         } else if (name == "bsdf") {
             // Checked here, listed where a shape uses it.
-            if (is_plate_material(node))
-                static_cast<void>(read_plate_material(document_, node));
+            if (is_element_material(node))
+                static_cast<void>(read_element_material(document_, node));
             else
                 static_cast<void>(read_material(document_, node, notices_));
         } else if (name == "texture") {
@@ -82,7 +82,7 @@ private:
 
     struct Shape {
         ShapeDescription description;
-        pugi::xml_node plate;  // its bsdf; null: it is a surface
+        pugi::xml_node element;  // its bsdf; null: it is a surface
     };
 
     void single(pugi::xml_node place, pugi::xml_node node) { add(place, read_single(node)); }
@@ -90,10 +90,10 @@ private:
     Shape read_single(pugi::xml_node node) {
         pugi::xml_node bsdf;
         ShapeDescription description = read_shape(document_, node, notices_, bsdf);
-        if (PolarizingPlates::are(description, bsdf)) return {std::move(description), bsdf};
+        if (PolarizationElements::are(description, bsdf)) return {std::move(description), bsdf};
         const bool there = bsdf && bsdf.attribute("type").value() != std::string_view("null");
         if (bsdf && !there && description.emission)
-            notices_.add(bsdf, "a null bsdf of a shape that shines: it is not seen through");
+            notices_.add(bsdf, "a null bsdf of an emissive shape: it is not seen through");
         description.material = !there && description.emission ? black() : material(bsdf);
         return {std::move(description), {}};
     }
@@ -122,7 +122,7 @@ private:
 
     void add(pugi::xml_node place, Shape shape) {
         document_.budget().step(256);
-        if (shape.plate) return plates_.add(place, shape.description, shape.plate);
+        if (shape.element) return elements_.add(place, shape.description, shape.element);
         if (scene_.shapes.size() == kMaxShapes)
             document_.fail(place, "more than " + std::to_string(kMaxShapes) + " shapes, instances counted",
                            ErrorCode::unsupported);
@@ -138,7 +138,7 @@ private:
         return entry->second;
     }
 
-    /// Mitsuba's for shapes that shine and name none. Those of a null bsdf are seen, but not through.
+    /// Mitsuba's for emissive shapes and name none. Those of a null bsdf are seen, but not through.
     std::size_t black() {
         if (!black_) {
             black_ = scene_.materials.size();
@@ -149,7 +149,7 @@ private:
 
     const XmlDocument& document_;
     Notices notices_;
-    PolarizingPlates plates_;
+    PolarizationElements elements_;
     SceneDescription scene_;
     bool sensor_ = false;
     bool integrator_ = false;

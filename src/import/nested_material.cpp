@@ -52,7 +52,7 @@ std::optional<MaterialDescription> read_nested_material(const XmlDocument& docum
     if (plugin.type() == "normalmap") {
         material.kind = MaterialDescription::Kind::normalmap;
         material.texture = read_texture(document, plugin.only_texture());
-        // Of light and views below the horizon of the turned normal.
+        // Of light and views below the horizon of the perturbed normal.
         plugin.pass_over({"use_shadowing_function", "flip_invalid_normals"});
     } else if (plugin.type() == "bumpmap") {
         material.kind = MaterialDescription::Kind::bumpmap;

@@ -19,8 +19,8 @@
 #include "geometry/mesh.hpp"
 #include "import/color_description.hpp"
 #include "import/texture_specification.hpp"
-#include "light/small_light.hpp"
-#include "polarization/plate.hpp"
+#include "light/local_light.hpp"
+#include "polarization/element.hpp"
 
 namespace nicol {
 
@@ -150,7 +150,7 @@ struct ShapeDescription {
     bool flip_tex_coords = false;                 ///< of those with a file: v becomes 1 - v
     glm::dmat4 to_world{1.0};                     ///< affine and invertible
     std::size_t material = 0;                     ///< index into SceneDescription::materials
-    std::optional<EmissionDescription> emission;  ///< none: it does not shine
+    std::optional<EmissionDescription> emission;  ///< none: it emits no light
 };
 
 /// Light from all around.
@@ -167,10 +167,10 @@ struct EnvironmentDescription {
     glm::dmat4 to_world{1.0};             ///< affine and invertible; only its rotation matters
 };
 
-/// A light without a surface, see SmallLight.
+/// A light without a surface, see LocalLight.
 struct LightDescription {
     std::string id;  ///< empty when the file gives none
-    SmallLight::Kind kind = SmallLight::Kind::point;
+    LocalLight::Kind kind = LocalLight::Kind::point;
     ColorDescription value{1.0};
     double scale = 1.0;           ///< times value
     glm::dmat4 to_world{1.0};     ///< affine and invertible; only its rotation and shift matter
@@ -183,8 +183,8 @@ struct LightDescription {
     PolarizationState state;
 };
 
-/// A plate that does not stand directly before a lamp.
-struct PlateDescription : PolarizingPlate {
+/// An element that does not stand directly before an area light.
+struct ElementDescription : PolarizationElement {
     std::string where;  ///< file and line
 };
 
@@ -203,7 +203,7 @@ struct SceneDescription {
     std::vector<ShapeDescription> shapes;
     std::optional<EnvironmentDescription> environment;
     std::vector<LightDescription> lights;
-    std::vector<PlateDescription> plates;
+    std::vector<ElementDescription> elements;
     std::vector<FileRecord> files;     ///< the scene file and those that it includes
     std::vector<std::string> notices;  ///< what was read and not followed, one sentence each
 };
@@ -224,16 +224,16 @@ using SceneParameters = std::map<std::string, std::string>;
 /// (dolp, aolp in degrees, docp, polarization_axis), the angular_radius of directional and two_sided of area.
 /// A light given by its position or direction has its polarization_axis in the world's axes, one with
 /// to_world in its own. Rectangles and disks of a bsdf polarizer, retarder or circular become the Stokes
-/// state of the lamps that they stand directly before, see PolarizingPlates, as at normal incidence; others
-/// are plates of the scene, and for load_scene() to put before its lights. A shape that shines and has no
-/// bsdf is black, another without one is grey. An instance becomes a shape for each member of its group.
-/// Integrators but for their AOVs and hide_emitters, sampler and reconstruction filter are not followed,
-/// which one notice says; a roughness that differs by direction has a notice that says where it is followed,
-/// and of pplastic becomes its geometric mean. <rgb> takes one value, three, or #rrggbb, which is linear n /
-/// 255; <spectrum> a file, too, of lines with a wavelength in nm and a value, behind # a comment, which is
-/// read. Other filenames are not opened, but looked for: in the folders of <path>, the newest first, in the
-/// folder of the file that holds them, then in those of the files that include it; where none has the file,
-/// the name is relative to the folder of the file. Throws Error: file_not_found (also of an <include>);
+/// state of the area lights that they stand directly before, see PolarizationElements, as at normal
+/// incidence; others are elements of the scene, and for load_scene() to put before its lights. An emissive
+/// shape and has no bsdf is black, another without one is grey. An instance becomes a shape for each member
+/// of its group. Integrators but for their AOVs and hide_emitters, sampler and reconstruction filter are not
+/// followed, which one notice says; a roughness that differs by direction has a notice that says where it is
+/// followed, and of pplastic becomes its geometric mean. <rgb> takes one value, three, or #rrggbb, which is
+/// linear n / 255; <spectrum> a file, too, of lines with a wavelength in nm and a value, behind # a comment,
+/// which is read. Other filenames are not opened, but looked for: in the folders of <path>, the newest first,
+/// in the folder of the file that holds them, then in those of the files that include it; where none has the
+/// file, the name is relative to the folder of the file. Throws Error: file_not_found (also of an <include>);
 /// unsupported (a plug-in, element or value outside the above; files of more than 16 MiB together, or more
 /// than 1000); invalid_file (XML that is not well-formed, unknown or missing parameters, values out of range,
 /// undefined $parameters but of samplers, ids that are missing or doubled, includes in a circle or more than

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "error.hpp"
-#include "material/layered.hpp"
 #include "material/measured.hpp"
+#include "material/mixture.hpp"
 #include "material/psh_matrix_file.hpp"
 #include "material/textured.hpp"
 
@@ -85,13 +85,13 @@ private:
             case MaterialDescription::Kind::bumpmap:
                 return bump_mapped(std::move(first), textures_.number(*d.texture), d.bump_scale);
             case MaterialDescription::Kind::mask:
-                return cut_out(std::move(first), textures_.number(*d.texture));
+                return alpha_mask(std::move(first), textures_.number(*d.texture));
             default:
                 return blend(first, make(d.parts.back()), textures_.number(*d.texture));
         }
     }
 
-    [[nodiscard]] MaterialPtr cut_out(MaterialPtr material, TexturePtr opacity) const {
+    [[nodiscard]] MaterialPtr alpha_mask(MaterialPtr material, TexturePtr opacity) const {
         const float value = opacity->mean().x;
         if (opacity->constant() && value > 0 && value < 1)
             files_.notice("a surface with an opacity between 0 and 1 is " +

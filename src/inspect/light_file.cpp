@@ -16,7 +16,7 @@
 #include "light/equirect_projection.hpp"
 #include "light/image_light.hpp"
 #include "light/psh_file.hpp"
-#include "shading/physical_range.hpp"
+#include "shading/realizable_range.hpp"
 
 namespace nicol {
 namespace {

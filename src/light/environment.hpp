@@ -65,9 +65,9 @@ public:
     /// Throws Error(invalid_argument) for a channel out of range or a direction that is not of unit length.
     [[nodiscard]] virtual Stokes radiance(int channel, const glm::dvec3& towards_light) const = 0;
 
-    /// Coefficients over PROPAGATION directions in the world's axes (a lamp at the +z side gives s0 at
-    /// theta = pi). Of images, those of the bilinear function that radiance() returns.
-    /// Throws Error(invalid_argument) unless 0 <= order <= kMaxOrder.
+    /// Coefficients over PROPAGATION directions in the world's axes (a light source at the +z side gives s0
+    /// at theta = pi). Of images, those of the bilinear function that radiance() returns. Throws
+    /// Error(invalid_argument) unless 0 <= order <= kMaxOrder.
     [[nodiscard]] virtual PshVector project(int order) const = 0;
 
     /// The background. Of an image: its own pixels times the scale.

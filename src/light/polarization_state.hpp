@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How the light of a lamp is polarized.
+// How the light of a light source is polarized.
 #pragma once
 
 #include <glm/geometric.hpp>
@@ -9,16 +9,16 @@
 
 namespace nicol {
 
-/// The same for all light of a lamp. A polarizing sheet in front of it, which absorbs along one axis however
-/// light passes it, is dolp = 1 and aolp = pi/2 with that as `axis`; so is Mitsuba 3's `polarizer`, whose
-/// axis is (sin theta, cos theta, 0) of its plate. A quarter-wave plate behind that: docp = 1 or -1.
+/// The same for all light of a light source. A polarizing sheet in front of it, which absorbs along one axis
+/// however light passes it, is dolp = 1 and aolp = pi/2 with that as `axis`; so is Mitsuba 3's `polarizer`,
+/// whose axis is (sin theta, cos theta, 0) of its element. A quarter-wave plate behind that: docp = 1 or -1.
 struct PolarizationState {
     double dolp = 0;  ///< degree of linear polarization, 0 to 1
     /// Angle of linear polarization, radians, from the frame's x to its y, see polarization_frame().
     double aolp = 0;
     double docp = 0;  ///< s3 / s0: -1 to 1, positive is right circular; dolp^2 + docp^2 <= 1
-    /// Where AoLP is 0, in the lamp's own axes, of any length but 0: its part across the direction of the
-    /// light.
+    /// Where AoLP is 0, in the light source's own axes, of any length but 0: its part across the direction of
+    /// the light.
     glm::dvec3 axis{1, 0, 0};
     bool operator==(const PolarizationState&) const = default;
 

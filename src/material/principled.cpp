@@ -8,7 +8,7 @@
 #include <string_view>
 #include <utility>
 
-#include "material/layered.hpp"
+#include "material/mixture.hpp"
 #include "material/principled_lobes.hpp"
 #include "material/reflectance.hpp"
 

@@ -4,7 +4,7 @@
 #include <functional>
 #include <utility>
 
-#include "material/layered.hpp"
+#include "material/mixture.hpp"
 
 namespace nicol {
 namespace {

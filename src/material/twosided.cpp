@@ -2,8 +2,8 @@
 #include <utility>
 
 #include "error.hpp"
-#include "material/layered.hpp"
 #include "material/material.hpp"
+#include "material/mixture.hpp"
 
 namespace nicol {
 namespace {

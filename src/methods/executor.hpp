@@ -18,9 +18,9 @@ class Background;
 class DenseMethod;
 class FactoredMethod;
 class HighOrderTransfer;
-class HitImage;
+class VisibilityBuffer;
 class PixelImage;
-class SmallLights;
+class LocalLights;
 class VertexBuffers;
 struct Projection;
 
@@ -35,11 +35,11 @@ struct ShadeInput : TransferInput {
 /// What shading at pixels starts from; chosen are vertices of triangles in view.
 struct PixelInput : ShadeInput {
     const Projection& projection;          ///< of the geometry's axes
-    const HitImage& hits;                  ///< where there are small lights, on the host in any case
+    const VisibilityBuffer& hits;          ///< where there are local lights, on the host in any case
     const HighOrderTransfer* high_orders;  ///< null: none
-    bool physical;                         ///< Stokes vectors are moved into the physical range
-    const SmallLights* small_lights;       ///< null: none
-    std::uint32_t seed;                    ///< of places of small lights
+    bool physical;                         ///< Stokes vectors are moved into the physically realizable range
+    const LocalLights* local_lights;       ///< null: none
+    std::uint32_t seed;                    ///< of samples of local lights
     const Background* background;          ///< what is behind the surfaces; null: nothing, or it is drawn
     double light_scale;                    ///< times the background
 };
@@ -81,11 +81,11 @@ public:
     virtual void shade_pixels(const FactoredMethod& method, const PixelInput& input, RenderRun& run) = 0;
     virtual void shade_pixels(const DenseMethod& method, const PixelInput& input, RenderRun& run) = 0;
 
-    /// Moves Stokes vectors into the physical range. Returns how many it moved.
+    /// Moves Stokes vectors into the physically realizable range. Returns how many it moved.
     virtual std::uint64_t make_physical(const ShadeInput& input) = 0;
 
-    /// Adds what the chosen vertices reflect of small lights, and what they emit.
-    virtual void illuminate(const SmallLights& lights, const ShadeInput& input, RenderRun& run) = 0;
+    /// Adds what the chosen vertices reflect of local lights, and what they emit.
+    virtual void illuminate(const LocalLights& lights, const ShadeInput& input, RenderRun& run) = 0;
 
     /// Waits until all of the above is done.
     virtual void finish() = 0;

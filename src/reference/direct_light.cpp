@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kSky = std::numeric_limits<double>::infinity();
 
-// Of the points; one each for discs and lamps follows.
+// Of the points; one each for discs and area lights follows.
 constexpr std::uint32_t kEnvironmentStream = DirectLight::kFirstStream;
 constexpr std::uint32_t kSurfaceStream = kEnvironmentStream + 1;
 constexpr std::uint32_t kDiscStream = kSurfaceStream + 1;
@@ -40,7 +40,7 @@ struct DirectLight::Reflection {
     [[nodiscard]] Frame incident_frame(const glm::dvec3& towards_light) const {
         return hit.frame * theta_phi_frame(-towards_light);
     }
-    /// A turned normal sees light from below the surface, which hides it.
+    /// A perturbed normal sees light from below the surface, which hides it.
     [[nodiscard]] bool lit_from(const glm::dvec3& towards_light) const {
         return towards_light.z > 0 && glm::dot(in_world(towards_light), hit.unturned) > 0;
     }
@@ -54,14 +54,14 @@ DirectLight::DirectLight(const Scene& scene, Strategy strategy, bool shadows)
       strategy_(strategy),
       shadows_(shadows),
       channels_(scene.channels()),
-      plates_(scene.plates()) {
+      elements_(scene.elements()) {
     if (environment_ != nullptr) {
         check_brightness(environment_->project(0), light_scale_);
         light_sampler_ = std::make_unique<LightSampler>(*environment_);
         table_ = environment_->tabulated();
         if (table_) environment_ = table_.get();
     }
-    for (const SmallLight& light : scene.lights()) {
+    for (const LocalLight& light : scene.lights()) {
         if (without_size(light))
             without_size_.push_back(&light);
         else
@@ -94,7 +94,7 @@ DirectLight::DirectLight(const Scene& scene, Strategy strategy, bool shadows)
                              .present = surface.presence()});
         triangles_ += surface.mesh.triangles.size();
     }
-    lamp_sampler_ = std::make_unique<LampSampler>(surfaces_);
+    area_light_sampler_ = std::make_unique<AreaLightSampler>(surfaces_);
     rays_ = std::make_unique<RayScene>(triangles);
 }
 
@@ -110,25 +110,26 @@ bool DirectLight::add(const Ray& ray, const Frame& received, const LowDiscrepanc
     workspace.incident.resize(sum.size());
     workspace.irradiance.resize(sum.size());
     const std::optional<RayHit> found = rays_->intersect(ray);
-    std::optional<Mueller> plates;
-    if (!plates_.empty()) {
+    std::optional<Mueller> elements;
+    if (!elements_.empty()) {
         Ray before = ray;
         if (found) before.farthest = found->distance;
-        plates = plates_.mueller(before, received);
+        elements = elements_.mueller(before, received);
     }
-    if (!plates) {
-        add_behind_plates(ray, found, received, points, index, sum, workspace);
+    if (!elements) {
+        add_behind_elements(ray, found, received, points, index, sum, workspace);
         return found.has_value();
     }
     workspace.behind.assign(sum.size(), Stokes(0.0));
-    add_behind_plates(ray, found, received, points, index, workspace.behind, workspace);
-    for (std::size_t c = 0; c < sum.size(); ++c) sum[c] += *plates * workspace.behind[c];
+    add_behind_elements(ray, found, received, points, index, workspace.behind, workspace);
+    for (std::size_t c = 0; c < sum.size(); ++c) sum[c] += *elements * workspace.behind[c];
     return found.has_value();
 }
 
-void DirectLight::add_behind_plates(const Ray& ray, const std::optional<RayHit>& found, const Frame& received,
-                                    const LowDiscrepancy& points, std::uint32_t index, std::span<Stokes> sum,
-                                    Workspace& workspace) const {
+void DirectLight::add_behind_elements(const Ray& ray, const std::optional<RayHit>& found,
+                                      const Frame& received, const LowDiscrepancy& points,
+                                      std::uint32_t index, std::span<Stokes> sum,
+                                      Workspace& workspace) const {
     if (!found) {
         if (environment_ != nullptr && !emitters_hidden_) add_background(ray.direction, received, sum);
         return;
@@ -139,19 +140,19 @@ void DirectLight::add_behind_plates(const Ray& ray, const std::optional<RayHit>&
     weigh_layers(hit, workspace);
 
     Reflection at{.hit = hit, .received = received, .sum = sum, .workspace = workspace};
-    const std::size_t lamps = lamp_sampler_->samples();
+    const std::size_t area_lights = area_light_sampler_->samples();
     if (strategy_ != Strategy::surface) {
         if (environment_ != nullptr && !light_sampler_->dark())
             add_sampled_environment(at, points.point(index, kEnvironmentStream));
         std::uint32_t stream = kDiscStream;
         for (const SkyDisc& disc : discs_) add_sampled_disc(at, disc, points.point(index, stream++));
-        for (std::size_t i = 0; i < lamps; ++i)
-            add_sampled_lamp(at, lamp_sampler_->sample(i, points.point(index, stream++)));
+        for (std::size_t i = 0; i < area_lights; ++i)
+            add_sampled_area_light(at, area_light_sampler_->sample(i, points.point(index, stream++)));
     }
-    const bool anything_with_size = environment_ != nullptr || !discs_.empty() || lamps > 0;
+    const bool anything_with_size = environment_ != nullptr || !discs_.empty() || area_lights > 0;
     if (strategy_ != Strategy::light && anything_with_size)
         add_sampled_surface(at, points.point(index, kSurfaceStream));
-    for (const SmallLight* const light : without_size_) add_without_size(at, *light);
+    for (const LocalLight* const light : without_size_) add_without_size(at, *light);
 }
 
 void DirectLight::weigh_layers(const SurfaceHit& hit, Workspace& workspace) const {
@@ -221,21 +222,22 @@ void DirectLight::add_sampled_disc(Reflection& at, const SkyDisc& disc, const gl
     if (at.lit_from(towards_light) && !hidden(at, towards_light, kSky)) add_disc(at, disc, towards_light);
 }
 
-void DirectLight::add_sampled_lamp(Reflection& at, const RayHit& place) const {
-    const TracedSurface& lamp = surfaces_[place.surface];
-    const glm::dvec3 way = lamp.position(place) - at.hit.position;
+void DirectLight::add_sampled_area_light(Reflection& at, const RayHit& place) const {
+    const TracedSurface& area_light = surfaces_[place.surface];
+    const glm::dvec3 way = area_light.position(place) - at.hit.position;
     const double distance = glm::length(way);
-    const double cosine = std::abs(glm::dot(lamp.geometric_normal(place), way)) / distance;
+    const double cosine = std::abs(glm::dot(area_light.geometric_normal(place), way)) / distance;
     if (!(cosine > 0)) return;
     const glm::dvec3 towards_light = way / distance * at.hit.frame;
     if (!at.lit_from(towards_light)) return;
-    if (!lamp.emitted(place, at.incident_frame(towards_light), at.workspace.incident)) return;
-    // As the ray starts off the surface, it meets the lamp's plane that much earlier, or more at a slant.
+    if (!area_light.emitted(place, at.incident_frame(towards_light), at.workspace.incident)) return;
+    // As the ray starts off the surface, it meets the area light's plane that much earlier, or more at a
+    // slant.
     if (hidden(at, towards_light, distance - 2 * rays_->offset() / cosine)) return;
-    add_reflected(at, towards_light, pdf(at, towards_light, lamp_pdf(at, place)));
+    add_reflected(at, towards_light, pdf(at, towards_light, area_light_pdf(at, place)));
 }
 
-void DirectLight::add_without_size(Reflection& at, const SmallLight& light) const {
+void DirectLight::add_without_size(Reflection& at, const LocalLight& light) const {
     const auto arrival = light_arrival(light, at.hit.position, at.workspace.irradiance);
     if (!arrival) return;
     const glm::dvec3 towards_light = arrival->towards_light * at.hit.frame;
@@ -251,8 +253,8 @@ void DirectLight::add_without_size(Reflection& at, const SmallLight& light) cons
 void DirectLight::add_sampled_surface(Reflection& at, const glm::dvec2& point) const {
     const glm::dvec3 towards_light = sample(at.hit, point, at.workspace);
     if (!at.lit_from(towards_light)) return;
-    const bool beyond_lamps = lamp_sampler_->samples() > 0;
-    if (beyond_lamps ? add_lamps(at, towards_light) : hidden(at, towards_light, kSky)) return;
+    const bool beyond_area_lights = area_light_sampler_->samples() > 0;
+    if (beyond_area_lights ? add_area_lights(at, towards_light) : hidden(at, towards_light, kSky)) return;
     if (environment_ != nullptr) add_environment(at, towards_light);
     for (const SkyDisc& disc : discs_) add_disc(at, disc, towards_light);
 }
@@ -273,7 +275,7 @@ void DirectLight::add_environment(Reflection& at, const glm::dvec3& towards_ligh
 void DirectLight::add_disc(Reflection& at, const SkyDisc& disc, const glm::dvec3& towards_light) const {
     const double of_light = disc.pdf(at.in_world(towards_light));
     if (of_light == 0) return;
-    const SmallLight& light = disc.light();
+    const LocalLight& light = disc.light();
     const Stokes state =
         stokes_in(at.incident_frame(towards_light), light.state, axis_in_world(light.to_world, light.state));
     for (int c = 0; c < channels_; ++c)
@@ -281,15 +283,15 @@ void DirectLight::add_disc(Reflection& at, const SkyDisc& disc, const glm::dvec3
     add_reflected(at, towards_light, pdf(at, towards_light, of_light));
 }
 
-// Adds surfaces that shine, up to the first of all surfaces if they hide what is beyond; returns whether one
+// Adds emissive surfaces, up to the first of all surfaces if they hide what is beyond; returns whether one
 // does.
-bool DirectLight::add_lamps(Reflection& at, const glm::dvec3& towards_light) const {
+bool DirectLight::add_area_lights(Reflection& at, const glm::dvec3& towards_light) const {
     if (shadows_) ++at.workspace.shadow_rays;
     Ray ray = rays_->leaving(at.hit.position, at.hit.geometric_normal, at.in_world(towards_light));
     while (const std::optional<RayHit> found = rays_->intersect(ray)) {
-        const TracedSurface& lamp = surfaces_[found->surface];
-        if (lamp.emitted(*found, at.incident_frame(towards_light), at.workspace.incident))
-            add_reflected(at, towards_light, pdf(at, towards_light, lamp_pdf(at, *found)));
+        const TracedSurface& area_light = surfaces_[found->surface];
+        if (area_light.emitted(*found, at.incident_frame(towards_light), at.workspace.incident))
+            add_reflected(at, towards_light, pdf(at, towards_light, area_light_pdf(at, *found)));
         if (shadows_) return true;
         ray.nearest = found->distance + rays_->offset();
     }
@@ -303,13 +305,13 @@ bool DirectLight::hidden(Reflection& at, const glm::dvec3& towards_light, double
                            std::max(0.0, distance));
 }
 
-// Of the places that the lamps' samples would choose, at this one, per steradian.
-double DirectLight::lamp_pdf(const Reflection& at, const RayHit& place) const {
-    const TracedSurface& lamp = surfaces_[place.surface];
-    const glm::dvec3 way = lamp.position(place) - at.hit.position;
+// Of the places that the area lights' samples would choose, at this one, per steradian.
+double DirectLight::area_light_pdf(const Reflection& at, const RayHit& place) const {
+    const TracedSurface& area_light = surfaces_[place.surface];
+    const glm::dvec3 way = area_light.position(place) - at.hit.position;
     const double distance = glm::length(way);
-    return lamp_sampler_->density(place.surface) * distance * distance * distance /
-           std::abs(glm::dot(lamp.geometric_normal(place), way));
+    return area_light_sampler_->density(place.surface) * distance * distance * distance /
+           std::abs(glm::dot(area_light.geometric_normal(place), way));
 }
 
 void DirectLight::add_reflected(Reflection& at, const glm::dvec3& towards_light, double pdf,

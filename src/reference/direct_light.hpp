@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The light that reaches the camera along a ray: of the environment and of surfaces that shine, and what a
-// surface reflects once, all of it through the plates before.
+// The light that reaches the camera along a ray: of the environment and of emissive surfaces, and what a
+// surface reflects once, all of it through the elements before.
 #pragma once
 
 #include <cstdint>
@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "geometry/ray_scene.hpp"
+#include "reference/elements_on_ray.hpp"
 #include "reference/light_samplers.hpp"
 #include "reference/low_discrepancy.hpp"
-#include "reference/plates_on_ray.hpp"
 #include "reference/surface_sampler.hpp"
 #include "reference/traced_surface.hpp"
 #include "scene/scene.hpp"
@@ -36,7 +36,7 @@ public:
         std::vector<double> shares;      ///< the chance of each to be sampled
         std::vector<Stokes> incident;    ///< radiance of each channel
         std::vector<double> irradiance;  ///< likewise
-        std::vector<Stokes> behind;      ///< plates
+        std::vector<Stokes> behind;      ///< elements
         std::uint64_t shadow_rays = 0;
     };
 
@@ -63,10 +63,10 @@ public:
 private:
     struct Reflection;
 
-    // As add(), without plates; `found`: where the ray meets a surface.
-    void add_behind_plates(const Ray& ray, const std::optional<RayHit>& found, const Frame& received,
-                           const LowDiscrepancy& points, std::uint32_t index, std::span<Stokes> sum,
-                           Workspace& workspace) const;
+    // As add(), without elements; `found`: where the ray meets a surface.
+    void add_behind_elements(const Ray& ray, const std::optional<RayHit>& found, const Frame& received,
+                             const LowDiscrepancy& points, std::uint32_t index, std::span<Stokes> sum,
+                             Workspace& workspace) const;
     void weigh_layers(const SurfaceHit& hit, Workspace& workspace) const;
     [[nodiscard]] glm::dvec3 sample(const SurfaceHit& hit, const glm::dvec2& point,
                                     const Workspace& workspace) const;
@@ -79,19 +79,19 @@ private:
     // Each adds what the surface reflects of a light, unless that is hidden.
     void add_sampled_environment(Reflection& at, const glm::dvec2& point) const;
     void add_sampled_disc(Reflection& at, const SkyDisc& disc, const glm::dvec2& point) const;
-    void add_sampled_lamp(Reflection& at, const RayHit& place) const;
-    void add_without_size(Reflection& at, const SmallLight& light) const;
+    void add_sampled_area_light(Reflection& at, const RayHit& place) const;
+    void add_without_size(Reflection& at, const LocalLight& light) const;
     void add_sampled_surface(Reflection& at, const glm::dvec2& point) const;
 
     // Each adds what the surface reflects of a light in a direction, which nothing hides.
     void add_environment(Reflection& at, const glm::dvec3& towards_light) const;
     void add_disc(Reflection& at, const SkyDisc& disc, const glm::dvec3& towards_light) const;
-    [[nodiscard]] bool add_lamps(Reflection& at, const glm::dvec3& towards_light) const;
+    [[nodiscard]] bool add_area_lights(Reflection& at, const glm::dvec3& towards_light) const;
     /// `sized`: of a light with a size; of others smooth terms reflect nothing.
     void add_reflected(Reflection& at, const glm::dvec3& towards_light, double pdf, bool sized = true) const;
 
     [[nodiscard]] bool hidden(Reflection& at, const glm::dvec3& towards_light, double distance) const;
-    [[nodiscard]] double lamp_pdf(const Reflection& at, const RayHit& place) const;
+    [[nodiscard]] double area_light_pdf(const Reflection& at, const RayHit& place) const;
     [[nodiscard]] Stokes radiance(int channel, const glm::dvec3& towards_light) const;
 
     const Environment* environment_;
@@ -107,10 +107,10 @@ private:
     std::vector<std::uint32_t> ids_;  // of their instances
     std::map<const Material*, SurfaceSampler> samplers_;
     std::unique_ptr<LightSampler> light_sampler_;
-    std::vector<const SmallLight*> without_size_;
+    std::vector<const LocalLight*> without_size_;
     std::vector<SkyDisc> discs_;
-    std::unique_ptr<LampSampler> lamp_sampler_;
-    PlatesOnRay plates_;
+    std::unique_ptr<AreaLightSampler> area_light_sampler_;
+    ElementsOnRay elements_;
     std::unique_ptr<RayScene> rays_;
 };
 

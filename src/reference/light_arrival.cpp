@@ -8,13 +8,13 @@
 
 namespace nicol {
 
-using Kind = SmallLight::Kind;
+using Kind = LocalLight::Kind;
 
-bool without_size(const SmallLight& light) noexcept {
+bool without_size(const LocalLight& light) noexcept {
     return light.kind != Kind::directional || light.angular_radius == 0;
 }
 
-std::optional<LightArrival> light_arrival(const SmallLight& light, const glm::dvec3& position,
+std::optional<LightArrival> light_arrival(const LocalLight& light, const glm::dvec3& position,
                                           std::span<double> irradiance) {
     const glm::dmat3 axes(light.to_world);
     const auto fill = [&](double factor, const glm::vec4& texel) {

@@ -6,12 +6,12 @@
 #include <optional>
 #include <span>
 
-#include "light/small_light.hpp"
+#include "light/local_light.hpp"
 
 namespace nicol {
 
 /// Whether all its light reaches a point from one direction.
-[[nodiscard]] bool without_size(const SmallLight& light) noexcept;
+[[nodiscard]] bool without_size(const LocalLight& light) noexcept;
 
 struct LightArrival {
     glm::dvec3 towards_light;  ///< unit, in the world
@@ -20,7 +20,7 @@ struct LightArrival {
 
 /// For a light without a size. `irradiance`, of each channel, becomes that of a surface at the point
 /// `position` of the world that faces the light. None where no light reaches it.
-[[nodiscard]] std::optional<LightArrival> light_arrival(const SmallLight& light, const glm::dvec3& position,
+[[nodiscard]] std::optional<LightArrival> light_arrival(const LocalLight& light, const glm::dvec3& position,
                                                         std::span<double> irradiance);
 
 }  // namespace nicol

@@ -136,7 +136,7 @@ double LightSampler::pdf(const glm::dvec3& towards_light) const {
     return std::lerp(std::lerp(c.ul, c.ll, b), std::lerp(c.ur, c.lr, b), x - left) / total_;
 }
 
-SkyDisc::SkyDisc(const SmallLight& light)
+SkyDisc::SkyDisc(const LocalLight& light)
     : light_(&light),
       axes_(theta_phi_frame(-glm::normalize(glm::dvec3(light.to_world[2])))),
       sin_half_(std::sin(light.angular_radius / 2)) {
@@ -162,32 +162,33 @@ double SkyDisc::radiance(int channel) const {
     return per_irradiance_ * textured_value(light_->value, nullptr, {}, channel);
 }
 
-LampSampler::LampSampler(std::span<const TracedSurface> surfaces) : densities_(surfaces.size(), 0) {
+AreaLightSampler::AreaLightSampler(std::span<const TracedSurface> surfaces) : densities_(surfaces.size(), 0) {
     for (std::uint32_t s = 0; s < surfaces.size(); ++s) {
         const Emission* const emission = surfaces[s].emission;
         if (emission == nullptr) continue;
-        Lamp lamp{.surface = s, .areas = cumulative_areas(surfaces[s].mesh), .power = 0};
-        if (lamp.areas.empty()) continue;
-        lamp.power = brightness(*emission) * lamp.areas.back() * (emission->two_sided ? 2 : 1);
-        if (!(lamp.power > 0)) continue;
-        powers_.push_back(lamp.power + (powers_.empty() ? 0 : powers_.back()));
-        lamps_.push_back(std::move(lamp));
+        AreaLight area_light{.surface = s, .areas = cumulative_areas(surfaces[s].mesh), .power = 0};
+        if (area_light.areas.empty()) continue;
+        area_light.power = brightness(*emission) * area_light.areas.back() * (emission->two_sided ? 2 : 1);
+        if (!(area_light.power > 0)) continue;
+        powers_.push_back(area_light.power + (powers_.empty() ? 0 : powers_.back()));
+        area_lights_.push_back(std::move(area_light));
     }
-    for (const Lamp& lamp : lamps_) {
-        const double chance = lamps_.size() > kFew ? lamp.power / powers_.back() : 1;
-        densities_[lamp.surface] = chance / lamp.areas.back();
+    for (const AreaLight& area_light : area_lights_) {
+        const double chance = area_lights_.size() > kFew ? area_light.power / powers_.back() : 1;
+        densities_[area_light.surface] = chance / area_light.areas.back();
     }
 }
 
-std::size_t LampSampler::samples() const noexcept {
-    return lamps_.size() > kFew ? 1 : lamps_.size();
+std::size_t AreaLightSampler::samples() const noexcept {
+    return area_lights_.size() > kFew ? 1 : area_lights_.size();
 }
 
-RayHit LampSampler::sample(std::size_t index, glm::dvec2 point) const {
-    const Lamp& lamp = lamps_[lamps_.size() > kFew ? choose_index(powers_, point.x) : index];
-    const auto triangle = static_cast<std::uint32_t>(choose_index(lamp.areas, point.x));
+RayHit AreaLightSampler::sample(std::size_t index, glm::dvec2 point) const {
+    const AreaLight& area_light =
+        area_lights_[area_lights_.size() > kFew ? choose_index(powers_, point.x) : index];
+    const auto triangle = static_cast<std::uint32_t>(choose_index(area_light.areas, point.x));
     const double root = std::sqrt(point.x);
-    return {.surface = lamp.surface,
+    return {.surface = area_light.surface,
             .triangle = triangle,
             .distance = 0,
             .b1 = root * (1 - point.y),

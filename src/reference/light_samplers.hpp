@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Samplers of the lights that have a size: the environment, discs of the sky, and surfaces that shine.
+// Samplers of the lights that have a size: the environment, discs of the sky, and emissive surfaces.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "light/environment.hpp"
-#include "light/small_light.hpp"
+#include "light/local_light.hpp"
 #include "reference/traced_surface.hpp"
 
 namespace nicol {
@@ -55,9 +55,9 @@ private:
 class SkyDisc {
 public:
     /// Refers to a directional light with an angular radius above 0.
-    explicit SkyDisc(const SmallLight& light);
+    explicit SkyDisc(const LocalLight& light);
 
-    [[nodiscard]] const SmallLight& light() const noexcept { return *light_; }
+    [[nodiscard]] const LocalLight& light() const noexcept { return *light_; }
     /// A unit direction towards the light, evenly by solid angle; `point` in [0, 1)^2.
     [[nodiscard]] glm::dvec3 sample(const glm::dvec2& point) const;
     /// The density of a unit direction, per steradian: 0 outside.
@@ -65,21 +65,21 @@ public:
     [[nodiscard]] double radiance(int channel) const;
 
 private:
-    const SmallLight* light_;
+    const LocalLight* light_;
     glm::dmat3 axes_;        ///< z towards the middle
     double sin_half_;        ///< of half the radius: exact for the smallest
     double per_irradiance_;  ///< radiance of the irradiance 1
 };
 
-/// Samples places evenly by area: of every surface that shines while there are few of them, else of one that
+/// Samples places evenly by area: of every emissive surface while there are few of them, else of one that
 /// is chosen in proportion to its power.
-class LampSampler {
+class AreaLightSampler {
 public:
-    /// More lamps than this share one sample.
+    /// More area lights than this share one sample.
     static constexpr std::size_t kFew = 16;
 
     /// Black surfaces are left out.
-    explicit LampSampler(std::span<const TracedSurface> surfaces);
+    explicit AreaLightSampler(std::span<const TracedSurface> surfaces);
 
     /// Samples to take for each point that is lit.
     [[nodiscard]] std::size_t samples() const noexcept;
@@ -89,12 +89,12 @@ public:
     [[nodiscard]] double density(std::uint32_t surface) const { return densities_[surface]; }
 
 private:
-    struct Lamp {
+    struct AreaLight {
         std::uint32_t surface;
         std::vector<double> areas;  ///< of triangles, cumulative
         double power;
     };
-    std::vector<Lamp> lamps_;
+    std::vector<AreaLight> area_lights_;
     std::vector<double> powers_;     ///< cumulative
     std::vector<double> densities_;  ///< by surface
 };

@@ -19,7 +19,7 @@ inline constexpr int kMaxReferenceSamples = 1 << 20;
 
 struct ReferenceOptions {
     /// Camera rays a pixel, 1..kMaxReferenceSamples; each that hits a surface sends one ray towards the
-    /// environment, one towards each small light (of more than 16 surfaces that shine, to one of them) and
+    /// environment, one towards each local light (of more than 16 emissive surfaces, to one of them) and
     /// one into the surface's lobe. Powers of two are stratified best.
     int samples = 256;
     bool shadows = true;  ///< whether surfaces hide light from each other
@@ -45,9 +45,9 @@ struct ReferenceStatistics {
 /// For each pixel the mean, over the pixel's square, of the light towards the camera in the frame field of
 /// the viewpoint. Where a ray meets a surface this is the integral over the hemisphere about the interpolated
 /// normal of M(towards light, towards viewer) L(towards light) cos, L being that of the environment, of small
-/// lights and of surfaces that shine, where no triangle is in the way if shadows are asked for; 0 where the
+/// lights and of emissive surfaces, where no triangle is in the way if shadows are asked for; 0 where the
 /// viewer is behind that normal, unless the material is two-sided; and what the surface emits itself.
-/// Elsewhere it is the environment. Plates before that act on it. `projection` must have been made for this
+/// Elsewhere it is the environment. Elements before that act on it. `projection` must have been made for this
 /// width and height. Throws Error(invalid_argument) for options or sizes out of range, the variance of a
 /// single sample among them, Error(out_of_memory), Error(cancelled), and what the environment and the
 /// materials throw. `aovs`, where not null, gets the AOVs of the options: the variance as PixelEstimate has

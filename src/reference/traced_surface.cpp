@@ -107,7 +107,7 @@ SurfaceHit surface_hit(const TracedSurface& surface, const RayHit& hit, const gl
         out.point = texture_point(surface, hit.triangle, glm::vec3(weights_of(hit)));
         if (variation->normal.kind != NormalVariation::Kind::none) {
             const glm::vec3 normal_of_mesh(shading_normal);
-            const glm::vec3 turned = turned_normal(
+            const glm::vec3 turned = perturbed_normal(
                 variation->normal, out.point, texture_axes(surface.mesh, hit.triangle), normal_of_mesh, back);
             shading_normal =
                 glm::normalize(glm::dvec3(facing(turned, normal_of_mesh, glm::vec3(towards_viewer))));

@@ -20,7 +20,7 @@ struct TracedSurface {
     Mesh mesh;  ///< in the world
     const Material* material;
     std::vector<Layer> layers;   ///< of a material that varies; else itself
-    const Emission* emission;    ///< null: it does not shine
+    const Emission* emission;    ///< null: it emits no light
     glm::dvec3 emission_axis{};  ///< of its polarization, in the world
 
     /// Valid as long as the surface stays where it is.
@@ -32,7 +32,7 @@ struct TracedSurface {
     /// Unit, interpolated between the corners'.
     [[nodiscard]] glm::dvec3 normal(const RayHit& hit) const;
     /// The Stokes vectors, in each channel, of what it emits at a hit along z of `frame`. False where it is
-    /// not there or does not shine that way, and `radiance` is left as it is.
+    /// not there or emits no light that way, and `radiance` is left as it is.
     [[nodiscard]] bool emitted(const RayHit& hit, const Frame& frame, std::span<Stokes> radiance) const;
 };
 

@@ -6,7 +6,7 @@
 namespace nicol {
 namespace {
 
-int most_lamps(const RenderOptions& options) {
+int most_extracted(const RenderOptions& options) {
     if (options.method != Method::factored) return 0;
     return options.split_lights == kSplitAutomatic ? kMaxSplitLights : options.split_lights;
 }
@@ -15,12 +15,12 @@ int most_lamps(const RenderOptions& options) {
 
 void LightSplit::update(const EnvironmentPtr& environment, const RenderOptions& options,
                         Statistics& statistics) {
-    splitting_.run(environment, most_lamps(options), [&] {
+    splitting_.run(environment, most_extracted(options), [&] {
         const Stopwatch watch;
-        split_ = split_lamps(environment, most_lamps(options));
+        split_ = extract_lights(environment, most_extracted(options));
         statistics.project_ms += watch.milliseconds();
     });
-    statistics.lights_split = split_.lamps.size();
+    statistics.lights_split = split_.extracted_lights.size();
 }
 
 }  // namespace nicol

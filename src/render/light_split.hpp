@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// project, first of all: the lamps of a scene's environment, and the rest that becomes coefficients.
+// project, first of all: the extracted lights of a scene's environment, and the rest that becomes
+// coefficients.
 #pragma once
 
-#include "light/split_lamps.hpp"
+#include "light/extract_lights.hpp"
 #include "stage/options.hpp"
 #include "stage/statistics.hpp"
 #include "versioned.hpp"
@@ -16,12 +17,13 @@ public:
 
     /// The same pointers as long as update() has nothing to do.
     [[nodiscard]] const EnvironmentPtr& rest() const noexcept { return split_.rest; }
-    [[nodiscard]] const std::vector<std::shared_ptr<const Lamp>>& lamps() const noexcept {
-        return split_.lamps;
+    [[nodiscard]] const std::vector<std::shared_ptr<const ExtractedLight>>& extracted_lights()
+        const noexcept {
+        return split_.extracted_lights;
     }
 
 private:
-    Stage<EnvironmentPtr, int> splitting_;  // environment, lamps at most
+    Stage<EnvironmentPtr, int> splitting_;  // environment, extracted lights at most
     SplitLight split_;
 };
 

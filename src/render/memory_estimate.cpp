@@ -9,11 +9,11 @@
 #include <vector>
 
 #include "draw/aov_layout.hpp"
+#include "draw/element_painter.hpp"
 #include "draw/framebuffer.hpp"
-#include "draw/hit_image.hpp"
 #include "draw/pixel_image.hpp"
-#include "draw/plate_painter.hpp"
 #include "draw/sample_pattern.hpp"
+#include "draw/visibility_buffer.hpp"
 #include "error.hpp"
 #include "harmonics/psh.hpp"
 #include "render/light_projection.hpp"
@@ -78,12 +78,14 @@ std::uint64_t dense(const Scene& scene, const LightLayout& layout) {
     return bytes;
 }
 
-// Threads shade small lights, of which the environment's lamps may become some; the device draws plates.
-HitImage::Kept hits_of(const Scene& scene, const RenderOptions& options) {
+// Threads shade local lights, of which the environment's extracted lights may become some; the device draws
+// elements.
+VisibilityBuffer::Kept hits_of(const Scene& scene, const RenderOptions& options) {
     if (options.executor != Executor::compute)
-        return scene.plates().empty() ? HitImage::Kept::on_host : HitImage::Kept::on_both;
-    const bool lamps = scene.environment() != nullptr && options.split_lights != 0;
-    return lamps || scene.has_small_lights() ? HitImage::Kept::on_both : HitImage::Kept::on_device;
+        return scene.elements().empty() ? VisibilityBuffer::Kept::on_host : VisibilityBuffer::Kept::on_both;
+    const bool extracted_lights = scene.environment() != nullptr && options.split_lights != 0;
+    return extracted_lights || scene.has_local_lights() ? VisibilityBuffer::Kept::on_both
+                                                        : VisibilityBuffer::Kept::on_device;
 }
 
 MemoryEstimate reference_memory(const Scene& scene) {
@@ -145,12 +147,14 @@ std::uint64_t image_memory(const Scene& scene, const RenderOptions& options, int
     const bool several = options.pixel_samples > 1;
     const std::size_t samples = samples_at_once(options.pixel_samples);
     const auto planes = static_cast<std::uint64_t>(scene.channels());
-    const std::uint64_t of_plates =
-        scene.plates().empty() ? 0 : HitImage::bytes_per_pixel(samples, HitImage::Kept::on_device);
+    const std::uint64_t of_elements =
+        scene.elements().empty()
+            ? 0
+            : VisibilityBuffer::bytes_per_pixel(samples, VisibilityBuffer::Kept::on_device);
     const std::uint64_t of_sample =
         several ? std::min<std::uint64_t>(Framebuffer::kGroup, planes) * texel + depth : 0;
-    const std::uint64_t at_vertices = of_sample + of_plates;
-    const std::uint64_t at_pixels = HitImage::bytes_per_pixel(samples, hits_of(scene, options)) +
+    const std::uint64_t at_vertices = of_sample + of_elements;
+    const std::uint64_t at_pixels = VisibilityBuffer::bytes_per_pixel(samples, hits_of(scene, options)) +
                                     PixelImage::kBytesPerPixel + planes * texel;
     std::uint64_t bytes = 0;
     if (options.shade_at != ShadeAt::pixels) bytes = at_vertices;
@@ -163,7 +167,7 @@ std::uint64_t image_memory(const Scene& scene, const RenderOptions& options, int
     }
     if (sample_pattern(options.pixel_samples).empty()) bytes += planes * texel;  // of one of them
     return bytes * static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height) +
-           scene.plates().size() * PlatePainter::kBytesPerPlate;
+           scene.elements().size() * ElementPainter::kBytesPerElement;
 }
 
 void MemoryLimit::check(const Scene& scene, const RenderOptions& options, int width, int height) {

@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t kMostTriangles = 4096;
 
 // Share of reflected light that varies with the direction at all, as measured on coarse meshes in light of
-// lamps and of photographs (nicol-bench coarse).
+// extracted lights and of photographs (nicol-bench coarse).
 constexpr double kVarying = 0.3;
 
 double highest_order(const Material& material, int order) {
@@ -96,12 +96,12 @@ void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderO
     const glm::dmat3 light_to_geometry =
         glm::transpose(glm::dmat3(surfaces_.to_world())) * scene.light_rotation();
     light_.update(split_.rest(), scene.light_scale(), options, light_to_geometry, run.statistics);
-    small_lights_.update(scene, {split_.lamps(), light_to_geometry}, visibility_.surfaces(), options,
-                         run.statistics);
+    local_lights_.update(scene, {split_.extracted_lights(), light_to_geometry}, visibility_.surfaces(),
+                         options, run.statistics);
     pixels_ =
         options.shade_at == ShadeAt::pixels ||
         (options.shade_at == ShadeAt::automatic &&
-         ((options.pixel_samples > 1 && executor.samples_pixels()) || scene.varies() || small_lights_.any() ||
+         ((options.pixel_samples > 1 && executor.samples_pixels()) || scene.varies() || local_lights_.any() ||
           interpolation_error(surfaces.geometry, projection.view, light_.last_order()) > options.tolerance));
     const TransferInput input{
         surfaces,
@@ -157,7 +157,7 @@ RenderOptions Pipeline::choose_orders(const Scene& scene, const RenderOptions& o
     constexpr double of_dark = 1.0 / 3;
     RenderOptions chosen = options;
     noise_ = 0;
-    if (scene.environment() == nullptr) {  // what small lights light has no orders
+    if (scene.environment() == nullptr) {  // what local lights light has no orders
         chosen.order_low = chosen.order_high = 0;
         return chosen;
     }
@@ -185,7 +185,7 @@ void Pipeline::shade(ShadeInput input, const Projection& projection, const Rende
     const bool high_orders = distant.high > distant.low;
     if ((options.disabled_optimisations & skip_unchanged) != 0) shading_.reset();
     shading_.update(input, executor.version(), options.method, input.view, input.light_version,
-                    distant.version, small_lights_.version(),
+                    distant.version, local_lights_.version(),
                     high_orders ? options.high_orders : HighOrders::none,
                     high_orders && !high_orders_.visibility()->empty(), options.physical, noise_,
                     input.channels, input.least_components, input.most_components);
@@ -199,11 +199,11 @@ void Pipeline::shade(ShadeInput input, const Projection& projection, const Rende
     if (high_orders) executor.specular(high_orders_, input, run);
     if (options.physical) run.statistics.vertices_unphysical += executor.make_physical(input);
     run.statistics.vertices_shaded += static_cast<std::uint64_t>(std::ranges::count(chosen_, 1));
-    if (small_lights_.any()) {
+    if (local_lights_.any()) {
         const Stopwatch lighting;
         // It has shaded all vertices; rays are for those that can be seen.
         if (!executor.can_choose()) find_seen(input.geometry, projection, options, run);
-        executor.illuminate(small_lights_, input, run);
+        executor.illuminate(local_lights_, input, run);
         run.statistics.light_ms += lighting.milliseconds();
     }
     executor.finish();
@@ -215,7 +215,7 @@ void Pipeline::shade_pixels(const Scene& scene, ShadeInput input, const Projecti
                             const RenderOptions& options, bool high_orders, RenderExecutor& executor,
                             RenderRun& run, const DrawHits& draw_hits) {
     const Stopwatch drawing;
-    const HitImage& hits = draw_hits(small_lights_.any());
+    const VisibilityBuffer& hits = draw_hits(local_lights_.any());
     run.statistics.draw_ms += drawing.milliseconds();
 
     const Stopwatch watch;
@@ -230,7 +230,7 @@ void Pipeline::shade_pixels(const Scene& scene, ShadeInput input, const Projecti
     method_for(options.method)
         .shade_pixels(
             {input, projection, hits, high_orders ? &high_orders_ : nullptr, options.physical,
-             small_lights_.any() ? &small_lights_ : nullptr, static_cast<std::uint32_t>(options.seed),
+             local_lights_.any() ? &local_lights_ : nullptr, static_cast<std::uint32_t>(options.seed),
              behind ? &*background_ : nullptr, scene.light_scale()},
             executor, run);
     executor.finish();

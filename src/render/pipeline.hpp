@@ -9,7 +9,7 @@
 #include <functional>
 #include <vector>
 
-#include "draw/hit_image.hpp"
+#include "draw/visibility_buffer.hpp"
 #include "methods/dense_method.hpp"
 #include "methods/executor.hpp"
 #include "methods/factored_method.hpp"
@@ -22,8 +22,8 @@
 #include "scene/scene.hpp"
 #include "shading/background.hpp"
 #include "stage/options.hpp"
+#include "surfaces/local_lights.hpp"
 #include "surfaces/scene_geometry.hpp"
-#include "surfaces/small_lights.hpp"
 #include "surfaces/vertex_stage.hpp"
 
 namespace nicol {
@@ -35,7 +35,7 @@ public:
 
     /// Which triangles of surfaces() are at the pixels of an image; on_host: whatever the executor, the host
     /// needs them, too.
-    using DrawHits = std::function<const HitImage&(bool on_host)>;
+    using DrawHits = std::function<const VisibilityBuffer&(bool on_host)>;
 
     /// Shades every vertex that can be seen, or every pixel that shows a surface;
     /// `executor` keeps the results. Adds times and counts to the statistics. `projection`: of the world.
@@ -73,11 +73,11 @@ private:
     FactoredMethod factored_;
     DenseMethod dense_;
     HighOrderTransfer high_orders_;
-    SmallLights small_lights_;
+    LocalLights local_lights_;
     bool pixels_ = false;
     float noise_ = 0;  // see make_physical()
 
-    // Executor, method, view, light of low and high orders, small lights, form of the high orders, with
+    // Executor, method, view, light of low and high orders, local lights, form of the high orders, with
     // shadows, physical, noise, channels, least and most components.
     VertexStage<Version, Method, Viewpoint, Version, Version, Version, HighOrders, bool, bool, float, int,
                 std::size_t, std::size_t>

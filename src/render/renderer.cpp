@@ -76,11 +76,11 @@ void check_varying(const RenderOptions& options) {
         refuse_unsupported("the dense method has no textures; set method to factored or reference");
 }
 
-// Which triangle each sample shows is kept while pixels are shaded, and for plates.
+// Which triangle each sample shows is kept while pixels are shaded, and for elements.
 void check_size(const Scene& scene, const RenderOptions& options, const Framebuffer& target) {
     constexpr std::uint64_t most = std::uint64_t{1} << 27;
     if (options.method == Method::reference) return;
-    if (options.shade_at == ShadeAt::vertices && scene.plates().empty()) return;
+    if (options.shade_at == ShadeAt::vertices && scene.elements().empty()) return;
     const std::uint64_t samples = std::uint64_t{samples_at_once(options.pixel_samples)} *
                                   static_cast<std::uint64_t>(target.width()) *
                                   static_cast<std::uint64_t>(target.height());
@@ -88,7 +88,7 @@ void check_size(const Scene& scene, const RenderOptions& options, const Framebuf
     refuse("pixel_samples is " + std::to_string(options.pixel_samples) + ": " + std::to_string(samples) +
            " samples of " + std::to_string(target.width()) + " x " + std::to_string(target.height()) +
            " pixels are more than the " + std::to_string(most) +
-           " that shading at pixels and polarizing plates can keep");
+           " that shading at pixels and polarization elements can keep");
 }
 
 /// Traces an image of the framebuffer's size, on `threads` threads (0: one a core), and puts it there; the
@@ -130,10 +130,10 @@ Renderer::Renderer(std::shared_ptr<gl::Context> context, int threads)
       threads_(threads),
       workers_(threads),
       buffers_(context),
-      cut_outs_(context_),
+      alpha_masks_(context_),
       hits_(context),
       painter_(context),
-      plates_(std::move(context)) {}
+      elements_(std::move(context)) {}
 
 RenderExecutor& Renderer::executor_for(const RenderOptions& options) {
     const Device& device = device_for(options.executor, *context_);
@@ -186,7 +186,7 @@ void Renderer::render_into(const Scene& scene, const Camera& camera, const Rende
     values.progress = nullptr;
     const bool rendered = rendering_.run(
         scene.geometry_version(), scene.material_version(), scene.light_version(), scene.emission_version(),
-        scene.small_light_version(), scene.plate_version(), camera, values, [&] {
+        scene.local_light_version(), scene.element_version(), camera, values, [&] {
             if (options.method == Method::reference)
                 return render_by_reference(scene, camera, options, threads_, target);
             const Projection projection = project(camera, target.width(), target.height());
@@ -234,7 +234,7 @@ void Renderer::draw_one_by_one(const Scene& scene, const Projection& projection,
 
 void Renderer::update_buffers(const RefinedSurfaces& surfaces, int channels) {
     buffers_.update(surfaces.geometry(), surfaces.version(), channels);
-    cut_outs_.update(surfaces.geometry(), surfaces.version(), surfaces.material_version(), buffers_);
+    alpha_masks_.update(surfaces.geometry(), surfaces.version(), surfaces.material_version(), buffers_);
 }
 
 void Renderer::draw(const Scene& scene, const Projection& projection, const RenderOptions& options,
@@ -245,25 +245,25 @@ void Renderer::draw(const Scene& scene, const Projection& projection, const Rend
     statistics.compute = device_->executor == Executor::compute;
     RenderOptions chosen = options;
     chosen.max_vertices = memory_limit_.max_vertices(options);
-    const bool plates = !scene.plates().empty();
-    if (plates) chosen.components = 4;  // any of them may become any other
+    const bool elements = !scene.elements().empty();
+    if (elements) chosen.components = 4;  // any of them may become any other
     RenderRun run{.workers = workers_,
                   .progress = progress,
                   .statistics = statistics,
                   .memory_limit = memory_limit_.for_scene()};
-    const auto draw_hits = [&](HitImage::Kept kept) {
+    const auto draw_hits = [&](VisibilityBuffer::Kept kept) {
         const RefinedSurfaces& surfaces = pipeline_.surfaces();
         update_buffers(surfaces, target.channels());
-        hits_.draw(surfaces.geometry(), buffers_, cut_outs_, in_axes(projection, surfaces.to_world()),
+        hits_.draw(surfaces.geometry(), buffers_, alpha_masks_, in_axes(projection, surfaces.to_world()),
                    target.width(), target.height(), sample_pattern(options.pixel_samples), kept);
     };
-    const auto hits_for_shading = [&](bool on_host) -> const HitImage& {
+    const auto hits_for_shading = [&](bool on_host) -> const VisibilityBuffer& {
         const bool host = on_host || executor.reads_hits_on_host();
-        const bool device = plates || !executor.reads_hits_on_host();
+        const bool device = elements || !executor.reads_hits_on_host();
         context_->run([&] {
-            draw_hits(!device ? HitImage::Kept::on_host
-                      : host  ? HitImage::Kept::on_both
-                              : HitImage::Kept::on_device);
+            draw_hits(!device ? VisibilityBuffer::Kept::on_host
+                      : host  ? VisibilityBuffer::Kept::on_both
+                              : VisibilityBuffer::Kept::on_device);
         });
         return hits_;
     };
@@ -276,20 +276,20 @@ void Renderer::draw(const Scene& scene, const Projection& projection, const Rend
         update_buffers(surfaces, target.channels());
         const bool at_pixels = pipeline_.shaded_pixels();
         if (!at_pixels) {
-            if (plates)
-                draw_hits(HitImage::Kept::on_device);
+            if (elements)
+                draw_hits(VisibilityBuffer::Kept::on_device);
             else
                 hits_.clear();
             executor.store(buffers_);
         }
-        if (plates) plates_.prepare(scene, surfaces, projection, options.pixel_samples, target);
-        painter_.draw(scene, surfaces, buffers_, cut_outs_, at_pixels ? &executor : nullptr,
+        if (elements) elements_.prepare(scene, surfaces, projection, options.pixel_samples, target);
+        painter_.draw(scene, surfaces, buffers_, alpha_masks_, at_pixels ? &executor : nullptr,
                       {.components = chosen.components,
                        .aovs = options.aovs,
                        .samples = sample_pattern(options.pixel_samples)},
                       projection, target);
-        if (plates) {
-            plates_.draw(buffers_, hits_, options.components, target);
+        if (elements) {
+            elements_.draw(buffers_, hits_, options.components, target);
             gl::finish(*context_);
         }
     });

@@ -8,8 +8,8 @@
 #include <optional>
 
 #include "devices/device.hpp"
+#include "draw/element_painter.hpp"
 #include "draw/painter.hpp"
-#include "draw/plate_painter.hpp"
 #include "render/memory_estimate.hpp"
 #include "render/pipeline.hpp"
 #include "stage/options.hpp"
@@ -57,12 +57,12 @@ private:
     Workers workers_;
     Pipeline pipeline_;
     VertexBuffers buffers_;
-    CutOuts cut_outs_;
-    HitImage hits_;
+    AlphaMasks alpha_masks_;
+    VisibilityBuffer hits_;
     const Device* device_ = nullptr;  // of the executor
     std::unique_ptr<RenderExecutor> executor_;
     Painter painter_;
-    PlatePainter plates_;
+    ElementPainter elements_;
 
     // What the last image was made of: versions of the scene, camera, options.
     Stage<Version, Version, Version, Version, Version, Version, Camera, RenderOptions> rendering_;

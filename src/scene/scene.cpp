@@ -151,7 +151,7 @@ void Scene::set_emission(std::uint32_t id, EmissionPtr emission) {
     emission_version_ = new_version();
 }
 
-std::uint32_t Scene::add_light(SmallLight light) {
+std::uint32_t Scene::add_light(LocalLight light) {
     const std::uint32_t id = lights_.next();
     check(light);
     const int channels = light.channels();
@@ -159,17 +159,17 @@ std::uint32_t Scene::add_light(SmallLight light) {
     channels_.make_room(channels);
     lights_.add(std::move(light));
     channels_.add(channels);
-    small_light_version_ = new_version();
+    local_light_version_ = new_version();
     return id;
 }
 
 void Scene::remove_light(std::uint32_t id) {
     channels_.remove(light(id).channels());
     lights_.remove(id);
-    small_light_version_ = new_version();
+    local_light_version_ = new_version();
 }
 
-void Scene::set_light(std::uint32_t id, SmallLight light) {
+void Scene::set_light(std::uint32_t id, LocalLight light) {
     const std::size_t index = lights_.index_of(id);
     check(light);
     const int before = lights_[index].channels();
@@ -178,10 +178,10 @@ void Scene::set_light(std::uint32_t id, SmallLight light) {
     channels_.add(light.channels());
     channels_.remove(before);
     lights_[index] = std::move(light);
-    small_light_version_ = new_version();
+    local_light_version_ = new_version();
 }
 
-bool Scene::has_small_lights() const {
+bool Scene::has_local_lights() const {
     return !lights().empty() || std::ranges::any_of(instances(), [](const Instance& instance) {
         return instance.emission != nullptr;
     });
@@ -193,26 +193,26 @@ void Scene::hide_emitters(bool hide) {
     emission_version_ = new_version();
 }
 
-std::uint32_t Scene::add_plate(const PolarizingPlate& plate) {
-    const std::uint32_t id = plates_.next();
-    check(plate);
-    check_transform(plate.to_world);
-    plates_.add(plate);
-    plate_version_ = new_version();
+std::uint32_t Scene::add_element(const PolarizationElement& element) {
+    const std::uint32_t id = elements_.next();
+    check(element);
+    check_transform(element.to_world);
+    elements_.add(element);
+    element_version_ = new_version();
     return id;
 }
 
-void Scene::remove_plate(std::uint32_t id) {
-    plates_.remove(id);
-    plate_version_ = new_version();
+void Scene::remove_element(std::uint32_t id) {
+    elements_.remove(id);
+    element_version_ = new_version();
 }
 
-void Scene::set_plate(std::uint32_t id, const PolarizingPlate& plate) {
-    PolarizingPlate& changed = plates_[plates_.index_of(id)];
-    check(plate);
-    check_transform(plate.to_world);
-    changed = plate;
-    plate_version_ = new_version();
+void Scene::set_element(std::uint32_t id, const PolarizationElement& element) {
+    PolarizationElement& changed = elements_[elements_.index_of(id)];
+    check(element);
+    check_transform(element.to_world);
+    changed = element;
+    element_version_ = new_version();
 }
 
 void Scene::set_environment(EnvironmentPtr environment, const glm::dmat3& rotation, double scale) {

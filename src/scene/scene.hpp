@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is rendered: instances of meshes under one environment and small lights, seen through plates.
+// What is rendered: instances of meshes under one environment and local lights, seen through elements.
 #pragma once
 
 #include <algorithm>
@@ -16,9 +16,9 @@
 #include "arguments.hpp"
 #include "geometry/mesh.hpp"
 #include "light/environment.hpp"
-#include "light/small_light.hpp"
+#include "light/local_light.hpp"
 #include "material/material.hpp"
-#include "polarization/plate.hpp"
+#include "polarization/element.hpp"
 #include "versioned.hpp"
 
 namespace nicol {
@@ -108,7 +108,7 @@ struct Instance {
     std::shared_ptr<const Mesh> mesh;  ///< validated
     MaterialPtr material;
     glm::dmat4 to_world{1.0};
-    EmissionPtr emission = nullptr;  ///< null: it does not shine
+    EmissionPtr emission = nullptr;  ///< null: it emits no light
 };
 
 /// A version identifies each state, so that a renderer can decide what to compute again. Not for use by two
@@ -124,37 +124,40 @@ public:
     void remove(std::uint32_t id);
     void set_transform(std::uint32_t id, const glm::dmat4& to_world);
     void set_material(std::uint32_t id, MaterialPtr material);
-    /// Null: it does not shine.
+    /// Null: it emits no light.
     void set_emission(std::uint32_t id, EmissionPtr emission);
     [[nodiscard]] const Instance& at(std::uint32_t id) const { return instances_.at(id); }
 
-    /// The same for small lights, whose ids count up for themselves. Throw what check() throws, and for
+    /// The same for local lights, whose ids count up for themselves. Throw what check() throws, and for
     /// channels that do not fit the scene's.
-    std::uint32_t add_light(SmallLight light);
+    std::uint32_t add_light(LocalLight light);
     void remove_light(std::uint32_t id);
-    void set_light(std::uint32_t id, SmallLight light);
-    [[nodiscard]] const SmallLight& light(std::uint32_t id) const { return lights_.at(id); }
-    [[nodiscard]] const std::vector<SmallLight>& lights() const noexcept { return lights_.values(); }
+    void set_light(std::uint32_t id, LocalLight light);
+    [[nodiscard]] const LocalLight& light(std::uint32_t id) const { return lights_.at(id); }
+    [[nodiscard]] const std::vector<LocalLight>& lights() const noexcept { return lights_.values(); }
     /// Of lights(), ascending.
     [[nodiscard]] const std::vector<std::uint32_t>& light_ids() const noexcept { return lights_.ids(); }
-    /// Whether there are lights beside the environment: small ones, or surfaces that shine.
-    [[nodiscard]] bool has_small_lights() const;
+    /// Whether there are lights beside the environment: small ones, or emissive surfaces.
+    [[nodiscard]] bool has_local_lights() const;
 
-    /// The same for plates, through which the camera sees what is behind: they cast no shadow, and light that
-    /// surfaces receive does not pass through them. Throw what check() throws, and for a transform as add().
-    std::uint32_t add_plate(const PolarizingPlate& plate);
-    void remove_plate(std::uint32_t id);
-    void set_plate(std::uint32_t id, const PolarizingPlate& plate);
-    [[nodiscard]] const PolarizingPlate& plate(std::uint32_t id) const { return plates_.at(id); }
-    [[nodiscard]] const std::vector<PolarizingPlate>& plates() const noexcept { return plates_.values(); }
-    /// Of plates(), ascending.
-    [[nodiscard]] const std::vector<std::uint32_t>& plate_ids() const noexcept { return plates_.ids(); }
+    /// The same for elements, through which the camera sees what is behind: they cast no shadow, and light
+    /// that surfaces receive does not pass through them. Throw what check() throws, and for a transform as
+    /// add().
+    std::uint32_t add_element(const PolarizationElement& element);
+    void remove_element(std::uint32_t id);
+    void set_element(std::uint32_t id, const PolarizationElement& element);
+    [[nodiscard]] const PolarizationElement& element(std::uint32_t id) const { return elements_.at(id); }
+    [[nodiscard]] const std::vector<PolarizationElement>& elements() const noexcept {
+        return elements_.values();
+    }
+    /// Of elements(), ascending.
+    [[nodiscard]] const std::vector<std::uint32_t>& element_ids() const noexcept { return elements_.ids(); }
 
     /// Null is darkness. `rotation` takes the light's axes to the world's; it must be a proper rotation.
     /// `scale` multiplies the radiance and must be finite and not negative.
     void set_environment(EnvironmentPtr environment, const glm::dmat3& rotation, double scale);
 
-    /// Where true, no light goes straight from an environment or a surface that shines to the camera.
+    /// Where true, no light goes straight from an environment or an emissive surface to the camera.
     void hide_emitters(bool hide);
     [[nodiscard]] bool emitters_hidden() const noexcept { return emitters_hidden_; }
 
@@ -177,18 +180,18 @@ public:
     [[nodiscard]] Version material_version() const noexcept { return material_version_; }
     /// Of the environment, its rotation and scale.
     [[nodiscard]] Version light_version() const noexcept { return light_version_; }
-    /// Of which instances shine, and how, and whether they are seen.
+    /// Of which instances emit light, and how, and whether they are seen.
     [[nodiscard]] Version emission_version() const noexcept { return emission_version_; }
     /// Of lights().
-    [[nodiscard]] Version small_light_version() const noexcept { return small_light_version_; }
-    /// Of plates().
-    [[nodiscard]] Version plate_version() const noexcept { return plate_version_; }
+    [[nodiscard]] Version local_light_version() const noexcept { return local_light_version_; }
+    /// Of elements().
+    [[nodiscard]] Version element_version() const noexcept { return element_version_; }
 
 private:
     ChannelCounts channels_;
     Numbered<Instance> instances_{"instance"};
-    Numbered<SmallLight> lights_{"light"};
-    Numbered<PolarizingPlate> plates_{"plate"};
+    Numbered<LocalLight> lights_{"light"};
+    Numbered<PolarizationElement> elements_{"element"};
     EnvironmentPtr environment_;
     glm::dmat3 rotation_{1.0};
     double scale_ = 1;
@@ -197,8 +200,8 @@ private:
     Version material_version_ = new_version();
     Version light_version_ = new_version();
     Version emission_version_ = new_version();
-    Version small_light_version_ = new_version();
-    Version plate_version_ = new_version();
+    Version local_light_version_ = new_version();
+    Version element_version_ = new_version();
 };
 
 /// The mesh of an instance in the world. Throws as transformed() and beyond kLargestCoordinate, by instance.

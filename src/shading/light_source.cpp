@@ -15,17 +15,17 @@
 
 namespace nicol {
 
-LightSourcePtr light_source(const SmallLight& light, const glm::dmat4& to_axes) {
+LightSourcePtr light_source(const LocalLight& light, const glm::dmat4& to_axes) {
     const glm::dmat4 axes = to_axes * light.to_world;
-    if (light.kind == SmallLight::Kind::directional)
+    if (light.kind == LocalLight::Kind::directional)
         return std::make_unique<const DirectionalSource>(light, glm::dmat3(axes));
     return std::make_unique<const PointSource>(light, axes);
 }
 
-LightSourcePtr light_source(const ShiningSurface& surface) {
+LightSourcePtr light_source(const EmissiveSurface& surface) {
     if (surface.emission.texture == nullptr && !surface.emission.two_sided) {
-        if (const std::optional<Globe> globe = globe_of(surface.triangles))
-            return std::make_unique<const GlobeSource>(*globe, surface.emission, surface.axis);
+        if (const std::optional<EmissiveSphere> sphere = sphere_of(surface.triangles))
+            return std::make_unique<const SphereSource>(*sphere, surface.emission, surface.axis);
     }
     auto source = std::make_unique<const SurfaceSource>(surface);
     if (!(source->area() > 0)) return nullptr;

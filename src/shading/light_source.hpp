@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Small lights as shading sees them: what reaches points from a place of the light.
+// Local lights as shading sees them: what reaches points from a place of the light.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "light/lane_light.hpp"
-#include "light/small_light.hpp"
+#include "light/local_light.hpp"
 
 namespace nicol {
 
@@ -42,10 +42,10 @@ protected:
 using LightSourcePtr = std::unique_ptr<const LightSource>;
 
 /// A light of a scene. `to_axes`: from the world to the points' axes, a rotation and a shift.
-[[nodiscard]] LightSourcePtr light_source(const SmallLight& light, const glm::dmat4& to_axes);
+[[nodiscard]] LightSourcePtr light_source(const LocalLight& light, const glm::dmat4& to_axes);
 
-/// A surface that shines, in the points' axes.
-struct ShiningSurface {
+/// An emissive surface, in the points' axes.
+struct EmissiveSurface {
     const Emission& emission;
     glm::dvec3 axis;  ///< of its polarization, in these axes
     std::vector<std::array<glm::vec3, 3>> triangles;
@@ -53,7 +53,7 @@ struct ShiningSurface {
     bool mirrored = true;                             ///< someone will call intersect()
 };
 /// Null where it has no area. Its places are uniform over its area, of a sphere over what is seen of it.
-[[nodiscard]] LightSourcePtr light_source(const ShiningSurface& surface);
+[[nodiscard]] LightSourcePtr light_source(const EmissiveSurface& surface);
 
 /// What light sources have in common: one colour, times a texture, of one polarization.
 class SourceColor {

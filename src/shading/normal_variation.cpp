@@ -160,8 +160,8 @@ TextureAxes texture_axes(const std::array<glm::vec3, 3>& positions,
     return {.by_u = (d2.y * along1 - d1.y * along2) / area, .by_v = (d1.x * along2 - d2.x * along1) / area};
 }
 
-glm::vec3 turned_normal(const NormalVariation& variation, const TexturePoint& point, const TextureAxes& axes,
-                        const glm::vec3& normal, bool back) {
+glm::vec3 perturbed_normal(const NormalVariation& variation, const TexturePoint& point,
+                           const TextureAxes& axes, const glm::vec3& normal, bool back) {
     const bool map = variation.kind == NormalVariation::Kind::map;
     const glm::vec3 texture =
         map ? glm::vec3(variation.texture->at(point))

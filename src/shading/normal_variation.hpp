@@ -33,15 +33,15 @@ struct LaneTextureAxes {
 /// y = z cross x; or of mirrored charts -y, see NormalVariation. bump: the normal of the surface moved along
 /// its normal by scale times t (Blinn 1978): the cross product of by_u + (scale dt/du - n by_u) n and the
 /// same for v. Both as in Mitsuba 3.
-[[nodiscard]] glm::vec3 turned_normal(const NormalVariation& variation, const TexturePoint& point,
-                                      const TextureAxes& axes, const glm::vec3& normal, bool back);
+[[nodiscard]] glm::vec3 perturbed_normal(const NormalVariation& variation, const TexturePoint& point,
+                                         const TextureAxes& axes, const glm::vec3& normal, bool back);
 
-/// A turned normal that faces away from the viewer, more than the interpolated one does, is moved to where it
-/// does not, about a degree from edge-on: the other side of the surface cannot be seen. All unit.
+/// A perturbed normal that faces away from the viewer, more than the interpolated one does, is moved to where
+/// it does not, about a degree from edge-on: the other side of the surface cannot be seen. All unit.
 [[nodiscard]] glm::vec3 facing(const glm::vec3& turned, const glm::vec3& normal,
                                const glm::vec3& towards_viewer);
 
-/// Of sixteen points what facing() makes of turned_normal(). towards_viewer: of any length but 0.
+/// Of sixteen points what facing() makes of perturbed_normal(). towards_viewer: of any length but 0.
 void turn_normals(const NormalVariation& variation, const TexturePoints& points, const LaneTextureAxes& axes,
                   bool back, const LaneVectors& towards_viewer, LaneVectors& normals);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What surfaces reflect of small lights, without harmonics.
+// What surfaces reflect of local lights, without harmonics.
 #pragma once
 
 #include <array>

@@ -11,7 +11,7 @@
 #include "material/response_table.hpp"
 #include "polarization/viewpoint.hpp"
 #include "shading/lane_response.hpp"
-#include "specular/layered_rows.hpp"
+#include "specular/mixture_rows.hpp"
 #include "transfer/vertex_light.hpp"
 
 namespace nicol {

@@ -11,10 +11,10 @@ namespace nicol {
 namespace {
 
 // What one layer has at the views of a block.
-LayeredRow row_of(const ResponseTable& response, const LaneView::TablePositions& at, std::size_t numbers,
+MixtureRow row_of(const ResponseTable& response, const LaneView::TablePositions& at, std::size_t numbers,
                   const LayerWeights& weights) {
     const std::size_t channel_step = response.rows(0, 0).size();
-    LayeredRow out{.rows = {},
+    MixtureRow out{.rows = {},
                    .step = channel_step * static_cast<std::size_t>(response.channels()),
                    .channel_step = response.channels() == 1 ? 0 : channel_step,
                    .size = numbers,
@@ -29,7 +29,7 @@ void Shade::run(std::span<const ResponseTable* const> layers, std::span<const La
                 const VertexLight& light, const Viewpoint& view, std::span<const glm::vec3> positions,
                 std::span<const glm::vec3> normals, std::span<const std::span<glm::vec4>> out) const {
     LaneView& seen = LaneView::of_thread(layout_.order());
-    thread_local LayeredRows rows;
+    thread_local MixtureRows rows;
     for (const std::span<glm::vec4> channel : out)
         std::ranges::fill(channel.first(positions.size()), glm::vec4(0));
     std::array<Lanes, 4> stokes{};

@@ -21,8 +21,8 @@ constexpr float kNearest = 1e-30F;  // of squared distances, which are divided b
 
 // Irradiance on a surface that faces the light at the distance 1, over the light's value, in a unit direction
 // of its own axes.
-double pattern(const SmallLight& light, const glm::dvec3& direction) {
-    if (light.kind == SmallLight::Kind::spot) return spot_falloff(light, direction.z);
+double pattern(const LocalLight& light, const glm::dvec3& direction) {
+    if (light.kind == LocalLight::Kind::spot) return spot_falloff(light, direction.z);
     const double half_width = std::tan(light.fov / 2);
     const bool inside = direction.z > 0 && std::abs(direction.x) <= half_width * direction.z &&
                         std::abs(direction.y) * light.aspect <= half_width * direction.z;
@@ -38,7 +38,7 @@ float until_ball(float along, float beside, float radius) {
 
 // A uniform disc of radius r and radiance L sheds L pi sin^2 r onto a surface that faces it, and each place
 // stands for its whole solid angle, 4 pi sin^2 (r / 2).
-DirectionalSource::DirectionalSource(const SmallLight& light, const glm::dmat3& axes)
+DirectionalSource::DirectionalSource(const LocalLight& light, const glm::dmat3& axes)
     : color_(light.value, nullptr, light.state, axes * light.state.axis),
       radius_(static_cast<float>(light.angular_radius)),
       height_(static_cast<float>(2 * half_sine_squared(light.angular_radius))),
@@ -83,7 +83,7 @@ void DirectionalSource::intersect(const LaneVectors&, const LaneVectors& directi
     color_.put(radiance, out);
 }
 
-PointSource::PointSource(const SmallLight& light, const glm::dmat4& to_axes)
+PointSource::PointSource(const LocalLight& light, const glm::dmat4& to_axes)
     : light_(light),
       color_(light.value, light.texture, light.state, glm::dmat3(to_axes) * light.state.axis),
       place_(to_axes[3]),
@@ -109,7 +109,7 @@ void PointSource::sample(const LaneVectors& points, const Lanes&, const Lanes&, 
     }
     out.points = 0xFFFF;
     TexturePoints at{};
-    if (light_.kind != SmallLight::Kind::point) aim(own, factor, at, out);
+    if (light_.kind != LocalLight::Kind::point) aim(own, factor, at, out);
     color_.put(factor, at, out);
 }
 
@@ -130,7 +130,7 @@ void PointSource::aim(const LaneVectors& directions, Lanes& factor, TexturePoint
     }
 }
 
-std::optional<Globe> globe_of(const std::vector<std::array<glm::vec3, 3>>& triangles) {
+std::optional<EmissiveSphere> sphere_of(const std::vector<std::array<glm::vec3, 3>>& triangles) {
     constexpr double pi = std::numbers::pi;
     double area = 0;
     glm::dvec3 centre(0);
@@ -159,20 +159,20 @@ std::optional<Globe> globe_of(const std::vector<std::array<glm::vec3, 3>>& trian
     // Closed, once around, and outwards: or the volume is another.
     const double volume = 4 * pi / 3 * radius * radius * radius;
     if (!(std::abs(cones - volume) <= 2 * tolerance * volume)) return std::nullopt;
-    return Globe{.centre = centre, .radius = radius, .outer_radius = outer_radius};
+    return EmissiveSphere{.centre = centre, .radius = radius, .outer_radius = outer_radius};
 }
 
-GlobeSource::GlobeSource(const Globe& globe, const Emission& emission, const glm::dvec3& axis)
+SphereSource::SphereSource(const EmissiveSphere& sphere, const Emission& emission, const glm::dvec3& axis)
     : color_(emission.radiance, nullptr, emission.state, axis),
-      centre_(globe.centre),
-      radius_(static_cast<float>(globe.radius)),
-      outer_radius_(static_cast<float>(globe.outer_radius)) {}
+      centre_(sphere.centre),
+      radius_(static_cast<float>(sphere.radius)),
+      outer_radius_(static_cast<float>(sphere.outer_radius)) {}
 
-float GlobeSource::angular_radius(const glm::vec3& from) const noexcept {
+float SphereSource::angular_radius(const glm::vec3& from) const noexcept {
     return angular_radius_of_ball(from, centre_, radius_);
 }
 
-void GlobeSource::sample(const LaneVectors& points, const Lanes& u, const Lanes& v, LaneLight& out) const {
+void SphereSource::sample(const LaneVectors& points, const Lanes& u, const Lanes& v, LaneLight& out) const {
     Lanes solid_angle;
     out.points = 0;
     for (std::size_t i = 0; i < kLanes; ++i) {
@@ -205,7 +205,7 @@ void GlobeSource::sample(const LaneVectors& points, const Lanes& u, const Lanes&
     color_.put(solid_angle, out);
 }
 
-void GlobeSource::intersect(const LaneVectors& points, const LaneVectors& directions, LaneLight& out) const {
+void SphereSource::intersect(const LaneVectors& points, const LaneVectors& directions, LaneLight& out) const {
     Lanes one;
     out.towards = directions;
     out.points = 0;

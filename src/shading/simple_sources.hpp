@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "light/lane_light.hpp"
-#include "light/small_light.hpp"
+#include "light/local_light.hpp"
 #include "shading/light_source.hpp"
 
 namespace nicol {
@@ -19,7 +19,7 @@ namespace nicol {
 class DirectionalSource final : public LightSource {
 public:
     /// `axes`: of the light, a rotation into the points' axes.
-    DirectionalSource(const SmallLight& light, const glm::dmat3& axes);
+    DirectionalSource(const LocalLight& light, const glm::dmat3& axes);
 
     [[nodiscard]] float angular_radius(const glm::vec3& /*from*/) const noexcept override { return radius_; }
     void sample(const LaneVectors& points, const Lanes& u, const Lanes& v, LaneLight& out) const override;
@@ -37,7 +37,7 @@ private:
 class PointSource final : public LightSource {
 public:
     /// `to_axes`: from the light's own axes to the points', a rotation and a shift.
-    PointSource(const SmallLight& light, const glm::dmat4& to_axes);
+    PointSource(const LocalLight& light, const glm::dmat4& to_axes);
 
     [[nodiscard]] float angular_radius(const glm::vec3& /*from*/) const noexcept override { return 0; }
     void sample(const LaneVectors& points, const Lanes& u, const Lanes& v, LaneLight& out) const override;
@@ -48,27 +48,27 @@ private:
     // its texture.
     void aim(const LaneVectors& directions, Lanes& factor, TexturePoints& at, LaneLight& out) const;
 
-    SmallLight light_;
+    LocalLight light_;
     SourceColor color_;
     glm::vec3 place_;
     glm::mat3 axes_;  // the light's own
 };
 
 /// A surface that is nearly a sphere.
-struct Globe {
+struct EmissiveSphere {
     glm::dvec3 centre;
     double radius;        ///< of the sphere with the surface's area
     double outer_radius;  ///< of one that holds the surface
 };
-/// The globe of a closed surface that faces outwards and is nearly a sphere, if the triangles are one.
-[[nodiscard]] std::optional<Globe> globe_of(const std::vector<std::array<glm::vec3, 3>>& triangles);
+/// The sphere of a closed surface that faces outwards and is nearly a sphere, if the triangles are one.
+[[nodiscard]] std::optional<EmissiveSphere> sphere_of(const std::vector<std::array<glm::vec3, 3>>& triangles);
 
-/// Light from a sphere that shines. Its places are uniform over the solid angle that a point sees of it, so
+/// Light from an emissive sphere. Its places are uniform over the solid angle that a point sees of it, so
 /// that none is wasted on its far side.
-class GlobeSource final : public LightSource {
+class SphereSource final : public LightSource {
 public:
-    /// `axis`: see ShiningSurface.
-    GlobeSource(const Globe& globe, const Emission& emission, const glm::dvec3& axis);
+    /// `axis`: see EmissiveSurface.
+    SphereSource(const EmissiveSphere& sphere, const Emission& emission, const glm::dvec3& axis);
 
     [[nodiscard]] float angular_radius(const glm::vec3& from) const noexcept override;
     void sample(const LaneVectors& points, const Lanes& u, const Lanes& v, LaneLight& out) const override;

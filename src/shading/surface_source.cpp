@@ -67,7 +67,7 @@ template <class Number>
     }
 }
 
-struct PatchPlaces {
+struct PatchSamples {
     std::span<const Patch> patches;
     const std::uint32_t* indices;  // of each place's; null: to be found
     bool two_sided;
@@ -77,15 +77,15 @@ struct PatchPlaces {
     const Lanes& v;
 };
 
-struct FoundPatchPlaces {
+struct FoundPatchSamples {
     LaneLight& light;
     Lanes& factor;
     std::array<Lanes, 2>& weights;  // of the patches' edges
 };
 
 template <class Number>
-[[gnu::always_inline]] inline void find_on_patches(const PatchPlaces& places, const FoundPatchPlaces& out) {
-    std::array<std::int32_t, kLanes> shines;
+[[gnu::always_inline]] inline void find_on_patches(const PatchSamples& places, const FoundPatchSamples& out) {
+    std::array<std::int32_t, kLanes> emits;
     for (std::size_t first = 0; first < kLanes; first += kPart<Number>) {
         Number u, v;
         load_part(places.u, first, u);
@@ -124,16 +124,16 @@ template <class Number>
         store_part(Vector3<Number>{scale * way.x, scale * way.y, scale * way.z}, first, out.light.towards);
         // Radiance times the solid angle that the place stands for: area cos / distance^2.
         store_part(Number(places.area * scale * scale * (across * scale)), first, out.factor);
-        __builtin_memcpy(shines.data() + first, &lit, sizeof lit);
+        __builtin_memcpy(emits.data() + first, &lit, sizeof lit);
     }
     std::uint32_t bits = 0;
-    for (std::size_t i = 0; i < kLanes; ++i) bits |= static_cast<std::uint32_t>(shines[i]) & (1U << i);
+    for (std::size_t i = 0; i < kLanes; ++i) bits |= static_cast<std::uint32_t>(emits[i]) & (1U << i);
     out.light.points = bits;
 }
 
 /// The corner opposite the edge that triangles t and t + 1 share, if they make a parallelogram, of texture
 /// coordinates too.
-std::optional<std::size_t> parallelogram_corner(const ShiningSurface& surface, std::size_t t) {
+std::optional<std::size_t> parallelogram_corner(const EmissiveSurface& surface, std::size_t t) {
     if (t + 1 >= surface.triangles.size()) return std::nullopt;
     const auto completes = [](const auto& one, const auto& other, std::size_t k) {
         const auto b = one[(k + 1) % 3], c = one[(k + 2) % 3], d = b + c - one[k];
@@ -155,7 +155,7 @@ std::optional<std::size_t> parallelogram_corner(const ShiningSurface& surface, s
 
 }  // namespace
 
-SurfaceSource::SurfaceSource(const ShiningSurface& surface)
+SurfaceSource::SurfaceSource(const EmissiveSurface& surface)
     : two_sided_(surface.emission.two_sided),
       color_(surface.emission.radiance, surface.emission.texture, surface.emission.state, surface.axis) {
     struct Area {
@@ -254,9 +254,9 @@ void SurfaceSource::sample(const LaneVectors& points, const Lanes& u, const Lane
     Lanes factor;
     std::array<Lanes, 2> weights;
     dispatch<find_on_patches<FourLanes>, find_on_patches<EightLanes>, find_on_patches<AllLanes>>(
-        PatchPlaces{patches_, search ? indices.data() : nullptr, two_sided_, static_cast<float>(area_),
+        PatchSamples{patches_, search ? indices.data() : nullptr, two_sided_, static_cast<float>(area_),
                     points, u, v},
-        FoundPatchPlaces{out, factor, weights});
+        FoundPatchSamples{out, factor, weights});
     if (!color_.textured()) return color_.put(factor, out);
     TexturePoints at{};
     for (std::size_t i = 0; i < kLanes && !texcoords_.empty(); ++i) {

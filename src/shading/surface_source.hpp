@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Light from a surface that shines.
+// Light from an emissive surface.
 #pragma once
 
 #include <optional>
@@ -20,7 +20,7 @@ public:
         float parallelogram;              ///< 1 or 0
     };
 
-    explicit SurfaceSource(const ShiningSurface& surface);
+    explicit SurfaceSource(const EmissiveSurface& surface);
 
     [[nodiscard]] float angular_radius(const glm::vec3& from) const noexcept override;
     void sample(const LaneVectors& points, const Lanes& u, const Lanes& v, LaneLight& out) const override;

@@ -70,7 +70,7 @@ void HighOrderLayers::add_group(const Group& group, std::span<const LayerWeights
     constexpr std::size_t elements = HighOrderFactors::kElements;
     const bool polarized = group.maps.central->polarized();
     std::size_t pairings = 1;
-    thread_local LayeredRows rows;
+    thread_local MixtureRows rows;
     rows.begin(2 * elements, out.size());
     for (const Member& member : group.members) {
         const LayerWeights& weight = weights[member.layer];
@@ -78,7 +78,7 @@ void HighOrderLayers::add_group(const Group& group, std::span<const LayerWeights
         const HighOrderFactors& factors = *member.factors;
         pairings = std::max(pairings, factors.pairings());
         const std::size_t size = factors.pairings() * elements;
-        LayeredRow row{.rows = {},
+        MixtureRow row{.rows = {},
                        .step = factors.step(),
                        .channel_step = factors.channels() == 1 ? 0 : size,
                        .size = size,

@@ -12,7 +12,7 @@
 #include "polarization/viewpoint.hpp"
 #include "specular/high_order_factors.hpp"
 #include "specular/lane_taps.hpp"
-#include "specular/layered_rows.hpp"
+#include "specular/mixture_rows.hpp"
 
 namespace nicol {
 

@@ -33,7 +33,7 @@ enum class HighOrders {
 /// Where light becomes a Stokes vector.
 enum class ShadeAt {
     automatic,  ///< pixels where interpolation is predicted to miss the tolerance, pixels cost less, there
-                ///< are small lights, or a material varies over a surface
+                ///< are local lights, or a material varies over a surface
     vertices,   ///< Stokes vectors are interpolated: the fastest, right where triangles cover few pixels; not
                 ///< for materials that vary
     pixels,     ///< incident light and visible fractions of lobes are interpolated; normal, view and material
@@ -44,7 +44,7 @@ enum class ShadeAt {
 enum class Executor {
     automatic,  ///< compute, unless the processor rasterises or the driver cannot
     cpu,        ///< threads
-    compute,    ///< compute shaders; for small lights threads beside them
+    compute,    ///< compute shaders; for local lights threads beside them
 };
 
 /// What a render leaves out where it is not needed; the image stays the same.
@@ -104,14 +104,14 @@ struct RenderOptions {
     /// window that trades the least smoothing for the least curvature (Sloan 2017). 0 and up; 0: off. 1e-4 to
     /// 1e-2 are of use.
     double dering = 0;
-    /// Moves Stokes vectors into the physical range (Eq. 70): s0 >= 0, no more polarized than s0, where
-    /// light is shaded. Where orders are chosen, light that is as weak as what the others are predicted to
-    /// cause becomes less polarized, see make_physical().
+    /// Moves Stokes vectors into the physically realizable range (Eq. 70): s0 >= 0, no more polarized than
+    /// s0, where light is shaded. Where orders are chosen, light that is as weak as what the others are
+    /// predicted to cause becomes less polarized, see make_physical().
     bool physical = false;
-    /// Lamps of the environment that are taken out of it as small lights, at most; kSplitAutomatic: those
-    /// that the orders below would miss. With Method::factored.
+    /// Extracted lights of the environment that are taken out of it as local lights, at most;
+    /// kSplitAutomatic: those that the orders below would miss. With Method::factored.
     int split_lights = kSplitAutomatic;
-    /// Of each small light with a size: places of it that light a point, at most, 1..kMaxLightSamples. All of
+    /// Of each local light with a size: places of it that light a point, at most, 1..kMaxLightSamples. All of
     /// them where it is seen 0.2 radians or more from its middle to its edge; else as many fewer, but 4.
     int light_samples = 16;
     /// Stokes components that the image has: 1 (s0), 3 (s0, s1, s2) or 4; the others are 0.
@@ -126,7 +126,7 @@ struct RenderOptions {
     std::uint32_t disabled_optimisations = 0;
     /// Of the reference method: camera rays a pixel, 1 to 2^20. Powers of two are stratified best.
     int samples = 256;
-    /// Of the reference method, and of the places of small lights: the same seed gives the same image
+    /// Of the reference method, and of the samples of local lights: the same seed gives the same image
     /// whatever the number of threads.
     std::uint64_t seed = 0;
     /// Called about ten times a second on the calling thread with the verb at work and the fraction done;

@@ -31,8 +31,8 @@ std::vector<TriangleBatch> triangle_batches(const WorldGeometry& geometry) {
 }
 
 Presence presence_of(const WorldGeometry& geometry) {
-    const auto cut_out = [](const VertexRange& range) { return opacity_of(*range.material) != nullptr; };
-    if (std::ranges::none_of(geometry.ranges, cut_out)) return {};
+    const auto alpha_mask = [](const VertexRange& range) { return opacity_of(*range.material) != nullptr; };
+    if (std::ranges::none_of(geometry.ranges, alpha_mask)) return {};
     return [&geometry](std::uint32_t triangle, float b1, float b2) {
         const SpatialVariation* const variation =
             geometry.ranges[range_of(geometry, geometry.triangles[triangle].x)].material->variation();

@@ -21,7 +21,7 @@ struct VertexRange {
     std::size_t last;
     MaterialPtr material;
     std::uint32_t instance;          ///< id
-    EmissionPtr emission = nullptr;  ///< null: it does not shine
+    EmissionPtr emission = nullptr;  ///< null: it emits no light
     bool operator==(const VertexRange&) const = default;
 };
 

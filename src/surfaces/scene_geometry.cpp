@@ -207,10 +207,10 @@ void SceneGeometry::set_materials(const Scene& scene) {
     bool changed = false;
     for (VertexRange& range : geometry_->ranges) {
         const Instance& instance = scene.at(range.instance);
-        // The back of a two-sided material shines where its emission has two sides, too.
-        const bool shines = instance.emission != nullptr && !scene.emitters_hidden() &&
-                            (instance.emission->two_sided || !is_back(*geometry_, range));
-        const EmissionPtr emission = shines ? instance.emission : nullptr;
+        // The back of a two-sided material emits where its emission has two sides, too.
+        const bool emits = instance.emission != nullptr && !scene.emitters_hidden() &&
+                           (instance.emission->two_sided || !is_back(*geometry_, range));
+        const EmissionPtr emission = emits ? instance.emission : nullptr;
         if (range.material == instance.material && range.emission == emission) continue;
         range.material = instance.material;
         range.emission = emission;

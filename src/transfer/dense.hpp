@@ -26,7 +26,7 @@ public:
 
     [[nodiscard]] int order() const noexcept { return outgoing_.order(); }
     [[nodiscard]] int channels() const noexcept { return static_cast<int>(entries_.size()); }
-    /// The numbers that come out, in each vertex's own frame.
+    /// The coefficients that come out, in each vertex's own frame.
     [[nodiscard]] const LightLayout& outgoing() const noexcept { return outgoing_; }
     /// Positions 4 * psh_index(l, m) + p of the light's coefficients that go in.
     [[nodiscard]] const std::vector<std::size_t>& columns() const noexcept { return columns_; }

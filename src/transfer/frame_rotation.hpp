@@ -13,7 +13,7 @@
 
 namespace nicol {
 
-/// Rotates the numbers of LightLayout of sixteen lights at once: in the world's axes, or in the frame with z
+/// Rotates the coefficients of LightLayout of sixteen lights at once: in the world's axes, or in the frame with z
 /// along a normal and x and y along theta-hat and phi-hat there (theta_phi_frame). A normal (0, 0, 1) has the
 /// world's axes as its frame. Immutable; threads share it.
 class FrameRotation {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Between the numbers of LightLayout and the fields that LaneRotation rotates.
+// Between the coefficients of LightLayout and the fields that LaneRotation rotates.
 #pragma once
 
 #include <cstddef>

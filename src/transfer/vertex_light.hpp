@@ -29,7 +29,7 @@ public:
 
     [[nodiscard]] int channels() const noexcept { return channels_; }
     [[nodiscard]] std::size_t blocks() const noexcept { return blocks_; }
-    /// The numbers of LightLayout of vertices 16 block to 16 block + 15.
+    /// The coefficients of LightLayout of vertices 16 block to 16 block + 15.
     [[nodiscard]] std::span<const Lanes> block(std::size_t block, int channel) const {
         return {data_.data() + offset(block, channel), size_};
     }
@@ -37,7 +37,7 @@ public:
         return {data_.data() + offset(block, channel), size_};
     }
 
-    /// Leaves the numbers of each vertex of a block one after the other, in the same memory.
+    /// Leaves the coefficients of each vertex of a block one after the other, in the same memory.
     void to_rows(std::size_t block);
     /// [channel][number], after to_rows() of its block.
     [[nodiscard]] const float* row(std::size_t vertex) const {

@@ -209,8 +209,8 @@ struct Everything {
         const nicol_scene scene = make(nicol_scene_load, context, file.c_str(), nullptr, 0U);
         const nicol_light lamp = NICOL_LIGHT_INIT;
         OK(nicol_scene_add_light(scene, &lamp, nullptr));
-        const nicol_plate plate = NICOL_PLATE_INIT;
-        OK(nicol_scene_add_plate(scene, &plate, nullptr));
+        const nicol_polarization_element element = NICOL_POLARIZATION_ELEMENT_INIT;
+        OK(nicol_scene_add_polarization_element(scene, &element, nullptr));
         const nicol_framebuffer framebuffer = framebuffer_of(context, 4, 4, 1);
         const nicol_camera camera = front_camera();
         const nicol_job job = make(nicol_render_async, scene, &camera, nullptr, framebuffer);
@@ -335,7 +335,7 @@ private:
             {"nicol_scene_load.definition_count", 0},
             {"nicol_scene_get_instance_ids.count", 0},
             {"nicol_scene_get_light_ids.count", 0},
-            {"nicol_scene_get_plate_ids.count", 0},
+            {"nicol_scene_get_polarization_element_ids.count", 0},
             {"nicol_environment_create_psh.channels", 2},
             {"nicol_psh_project_image.count", 64},
             {"nicol_psh_project_environment.count", 64},

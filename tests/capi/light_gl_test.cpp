@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lights beside the environment, and instances that shine.
+// Lights beside the environment, and instances that emit light.
 #include <numbers>
 
 #include "capi.hpp"
@@ -137,7 +137,7 @@ STAGE_TEST_CASE("a light keeps its texture, and gives it as a handle") {
     CHECK(untouched == marker<nicol_texture>());
 }
 
-STAGE_TEST_CASE("an instance shines, and stops") {
+STAGE_TEST_CASE("an instance emits light, and stops") {
     nicol_emission told = NICOL_EMISSION_INIT;
     Owned<nicol_texture> texture;
     OK(nicol_scene_get_emission(stage.scene, 0, &told, &texture));

@@ -63,7 +63,7 @@ struct Cleft {
     Owned<nicol_material> material;
     Owned<nicol_mesh> mesh{fine_square(context)};
     Owned<nicol_framebuffer> framebuffer;
-    bool plate = false;  ///< seen through one
+    bool element = false;  ///< seen through one
 
     explicit Cleft(nicol_context owner, std::uint32_t side = 8)
         : context(owner), framebuffer(framebuffer_of(owner, side, side, 3)) {
@@ -78,8 +78,8 @@ struct Cleft {
     [[nodiscard]] nicol_result render(const nicol_render_options& options) const {
         const Owned scene(simple_scene(context, light, mesh, material));
         add(scene, mesh, material, {{1, 0, 0, 0, 0, -1, 0, 0, 0, 0, -1, 0.05, 0, 0, 0, 1}});
-        const nicol_plate polarizer = NICOL_PLATE_INIT;
-        if (plate) OK(nicol_scene_add_plate(scene, &polarizer, nullptr));
+        const nicol_polarization_element polarizer = NICOL_POLARIZATION_ELEMENT_INIT;
+        if (element) OK(nicol_scene_add_polarization_element(scene, &polarizer, nullptr));
         const nicol_camera camera = front_camera(9);
         return nicol_render(scene, &camera, &options, framebuffer);
     }
@@ -121,7 +121,7 @@ TEST_CASE("predictions are never too low, and not far too high") {
     }
 }
 
-TEST_CASE("what samples, AOVs, plates and shading at pixels take of an image is in the prediction") {
+TEST_CASE("what samples, AOVs, elements and shading at pixels take of an image is in the prediction") {
     constexpr std::uint32_t side = 256;
     constexpr std::uint64_t own = std::uint64_t{side} * side * (3 * 16 + 4);
     for (const nicol_backend backend : every_backend) {
@@ -137,10 +137,10 @@ TEST_CASE("what samples, AOVs, plates and shading at pixels take of an image is 
         // Of the light's image, which is drawn behind vertices.
         const std::uint64_t light = statistics_of(rendered.framebuffer).texture_bytes - own;
         for_all({false, true}, {NICOL_SHADE_AT_PIXELS, NICOL_SHADE_AT_VERTICES}, {8U, 1U, 4U},
-                [&](bool plate, nicol_shade_at where, std::uint32_t samples) {
-                    refused.plate = rendered.plate = plate;
+                [&](bool element, nicol_shade_at where, std::uint32_t samples) {
+                    refused.element = rendered.element = element;
                     for (const std::uint32_t aovs : {0U, NICOL_AOV_INSTANCE, NICOL_AOV_ALL}) {
-                        CAPTURES(backend, plate, where, samples, aovs);
+                        CAPTURES(backend, element, where, samples, aovs);
                         options.shade_at = where;
                         options.pixel_samples = samples;
                         options.aovs = aovs;

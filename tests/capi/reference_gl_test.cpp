@@ -40,7 +40,7 @@ STAGE_TEST_CASE("the reference method shows what the factored one shows, and wha
     OK(nicol_mesh_get_size(stage.mesh, &vertices, &triangles));
     CHECK(statistics.vertices == vertices);
     CHECK(statistics.triangles == triangles);
-    // 256 samples are the default, and what was drawn before does not shine through.
+    // 256 samples are the default, and what was drawn before emits no light through.
     nicol_render_options defaults = NICOL_RENDER_OPTIONS_INIT;
     defaults.method = NICOL_METHOD_REFERENCE;
     CHECK(stage.image(defaults) == image);

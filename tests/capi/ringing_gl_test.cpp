@@ -34,7 +34,8 @@ TEST_CASE("de-ringing removes the negative light of the demonstration") {
     options.dering = 0.003;
     CHECK(least() > 0);
 
-    // Shadows are products of truncated light, too: a little is left, for the physical range to take.
+    // Shadows are products of truncated light, too: a little is left, for the physically realizable range to
+    // take.
     options.shadows = 1;
     const double windowed = least();
     CHECK(windowed > -0.02);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "harmonics/light_layout.hpp"
 
-#include "harmonics/light_numbers.hpp"
+#include "harmonics/light_coefficients.hpp"
 #include "harmonics/rotation.hpp"
 #include "test.hpp"
 
@@ -27,7 +27,7 @@ TEST_CASE("the numbers of a light are its coefficients over another orthonormal 
             [&](LightKind kind, int order) {
                 const LightLayout layout(order, kind);
                 const PshVector light = random_light(order, kind);
-                const std::vector<double> numbers = test::light_numbers(layout, light.channel(0));
+                const std::vector<double> numbers = test::light_coefficients(layout, light.channel(0));
                 CHECK(numbers.size() == layout.size());
                 std::vector<double> back(light.channel(0).size());
                 for (std::size_t j = 0; j < numbers.size(); ++j)

@@ -2,8 +2,8 @@
 // Plastic, glass and nothing: what comes out, and what is refused.
 #include "import/load_scene.hpp"
 #include "import/scene_file.hpp"
-#include "material/layered.hpp"
 #include "material/material.hpp"
+#include "material/mixture.hpp"
 
 using namespace nicol;
 
@@ -131,7 +131,7 @@ TEST_CASE("materials of boundaries are made as they are described") {
     CHECK_FALSE(smooth);
 }
 
-TEST_CASE("a null bsdf is a surface that is not there, but it may shine") {
+TEST_CASE("a null bsdf is a surface that is not there, but it may emit light") {
     const MaterialDescription nothing = material("<bsdf type='null'/>");
     CHECK(nothing.kind == Kind::mask);
     CHECK(nothing.texture->color0.rgb == glm::dvec3(0));

@@ -30,14 +30,14 @@ TEST_CASE("lights of glTF: their numbers as they are, along the node's -z") {
         node("0", at) + "," + node("1", at + ",\"name\":\"lamp\"") + "," + node("2", at) + "," + node("1"),
         "{\"type\":\"directional\",\"intensity\":3,\"color\":[1,0.5,0]},{\"type\":\"point\"},"
         "{\"type\":\"spot\",\"intensity\":2,\"spot\":{\"innerConeAngle\":0.2,\"outerConeAngle\":0.5}}"));
-    const std::vector<SmallLight>& lights = loaded.scene.lights();
+    const std::vector<LocalLight>& lights = loaded.scene.lights();
     REQUIRE(lights.size() == 4);
     CHECK(loaded.notices.empty());
-    CHECK(lights[0].kind == SmallLight::Kind::directional);
+    CHECK(lights[0].kind == LocalLight::Kind::directional);
     CHECK(lights[0].value == std::vector<double>{3, 1.5, 0});
-    CHECK(lights[1].kind == SmallLight::Kind::point);
+    CHECK(lights[1].kind == LocalLight::Kind::point);
     CHECK(lights[1].value == std::vector<double>{1, 1, 1});
-    CHECK(lights[2].kind == SmallLight::Kind::spot);
+    CHECK(lights[2].kind == LocalLight::Kind::spot);
     CHECK(lights[2].value == std::vector<double>{2, 2, 2});
     CHECK(lights[2].beam_width == 0.2);
     CHECK(lights[2].cutoff_angle == 0.5);

@@ -69,7 +69,7 @@ TEST_CASE("many shapes and lights are added in linear time") {
     const auto mesh = std::make_shared<const Mesh>(make_rectangle());
     const MaterialPtr material = diffuse({0.1, 0.2, 0.3});
     for (std::size_t i = 0; i < 1000000; ++i) {
-        all.add_light({.kind = SmallLight::Kind::point, .value = {1, 1, 1}});
+        all.add_light({.kind = LocalLight::Kind::point, .value = {1, 1, 1}});
         all.add({.mesh = mesh, .material = material});
     }
     CHECK(all.channels() == 3);
@@ -88,12 +88,12 @@ TEST_CASE("the channels of a scene are those of the parts that it has at the tim
     parts.set_material(a, two);
     CHECK(parts.channels() == 2);
     parts.set_material(b, two);
-    const std::uint32_t light = parts.add_light({.kind = SmallLight::Kind::point, .value = {1, 1}});
+    const std::uint32_t light = parts.add_light({.kind = LocalLight::Kind::point, .value = {1, 1}});
     CHECK_INVALID(parts.set_material(a, three));
     parts.remove(a);
     parts.remove(b);
     CHECK(parts.channels() == 2);
-    parts.set_light(light, {.kind = SmallLight::Kind::point, .value = {1, 1, 1}});
+    parts.set_light(light, {.kind = LocalLight::Kind::point, .value = {1, 1, 1}});
     CHECK(parts.channels() == 3);
     parts.remove_light(light);
     CHECK(parts.channels() == 1);

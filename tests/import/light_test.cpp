@@ -12,13 +12,13 @@ namespace {
 
 constexpr auto invalid = ErrorCode::invalid_file;
 constexpr auto unsupported = ErrorCode::unsupported;
-using Kind = SmallLight::Kind;
+using Kind = LocalLight::Kind;
 
 LoadedScene load(const std::string& content) {
     return load_scene(SceneFile(scene(a_sensor + content)).scene(), {});
 }
 
-SmallLight light(const std::string& type, const std::string& inside = "") {
+LocalLight light(const std::string& type, const std::string& inside = "") {
     const LoadedScene loaded = load(a_shape + "<emitter type='" + type + "'>" + inside + "</emitter>");
     REQUIRE(loaded.scene.lights().size() == 1);
     CHECK(loaded.notices.empty());
@@ -31,11 +31,11 @@ Instance shining(const std::string& inside, const std::string& rest = "") {
         .scene.at(0);
 }
 
-/// The unit vector along which a light shines, and its polarization axis, in the world.
-glm::dvec3 along(const SmallLight& light) {
+/// The unit vector along which a light emits light, and its polarization axis, in the world.
+glm::dvec3 along(const LocalLight& light) {
     return glm::dvec3(light.to_world[2]);
 }
-glm::dvec3 axis(const SmallLight& light) {
+glm::dvec3 axis(const LocalLight& light) {
     return glm::dmat3(light.to_world) * light.state.axis;
 }
 
@@ -64,23 +64,23 @@ const std::string moved =
 }  // namespace
 
 TEST_CASE("lights without parameters are Mitsuba's") {
-    const SmallLight point = light("point");
+    const LocalLight point = light("point");
     CHECK(point.kind == Kind::point);
     CHECK(point.value == std::vector<double>{1, 1, 1});
     CHECK(point.to_world == glm::dmat4(1.0));
     CHECK_FALSE(point.state.polarized());
-    const SmallLight sun = light("directional");
+    const LocalLight sun = light("directional");
     CHECK(sun.kind == Kind::directional);
     CHECK(sun.value == std::vector<double>{1, 1, 1});
     CHECK(sun.angular_radius == 0);
     check_near(along(sun), {0, 0, 1});
-    const SmallLight spot = light("spot");
+    const LocalLight spot = light("spot");
     CHECK(spot.kind == Kind::spot);
     CHECK(glm::degrees(spot.cutoff_angle) == doctest::Approx(20));
     CHECK(glm::degrees(spot.beam_width) == doctest::Approx(15));
     CHECK(spot.texture == nullptr);
     // Of 50 mm in front of 35 mm film, whose diagonal counts.
-    const SmallLight projector = light("projector");
+    const LocalLight projector = light("projector");
     CHECK(projector.kind == Kind::projector);
     CHECK(glm::degrees(projector.fov) == doctest::Approx(34.0221));
     CHECK(projector.aspect == 1);
@@ -93,7 +93,7 @@ TEST_CASE("lights without parameters are Mitsuba's") {
 
 TEST_CASE("lights are where their parameters place them, a scale without effect") {
     for (const char* type : {"point", "spot", "directional"}) {
-        const SmallLight placed = light(type, moved);
+        const LocalLight placed = light(type, moved);
         check_near(along(placed), {1, 0, 0});
         check_near(glm::dvec3(placed.to_world[3]), {1, 2, 3});
     }
@@ -134,7 +134,7 @@ TEST_CASE("values of lights are those of Mitsuba without spectra") {
 TEST_CASE("angles are given in degrees") {
     CHECK(light("directional", "<float name='angular_radius' value='90'/>").angular_radius ==
           doctest::Approx(pi / 2));
-    const SmallLight spot =
+    const LocalLight spot =
         light("spot", "<float name='cutoff_angle' value='60'/><float name='beam_width' value='60'/>");
     CHECK(spot.cutoff_angle == doctest::Approx(pi / 3));
     CHECK(spot.beam_width == spot.cutoff_angle);
@@ -165,7 +165,7 @@ TEST_CASE("textures of lights, whose image says what a projector's rectangle is"
     const std::string image = "type='bitmap'><string name='filename' value='" + (file / "a.png").string() +
                               "'/><boolean name='raw' value='true'/></texture>";
     const std::string irradiance = "<texture name='irradiance' " + image;
-    const SmallLight wide = light("projector", irradiance + "<float name='fov' value='40'/>");
+    const LocalLight wide = light("projector", irradiance + "<float name='fov' value='40'/>");
     REQUIRE(wide.texture);
     CHECK(wide.aspect == 2);
     CHECK(glm::degrees(wide.fov) == doctest::Approx(40));
@@ -196,7 +196,7 @@ TEST_CASE("any number of lights beside one environment, by reference and in incl
             {"a second emitter that surrounds the scene"});
 }
 
-TEST_CASE("a shape that shines is black where it names no bsdf") {
+TEST_CASE("an emissive shape is black where it names no bsdf") {
     const SceneDescription s =
         read(a_sensor + "<shape type='cube'><emitter type='area'/></shape>" + a_shape +
              "<shape type='disk'><emitter type='area'/></shape>"
@@ -222,12 +222,12 @@ TEST_CASE("an area with an id serves the shapes that refer to it, before and aft
         CHECK(instance.emission->radiance.front() == 3);
         CHECK(instance.emission->state.dolp == 1);
     }
-    CHECK_FALSE(load(glow + "<shape type='cube'/>").scene.has_small_lights());
+    CHECK_FALSE(load(glow + "<shape type='cube'/>").scene.has_local_lights());
     refused("<emitter type='area' id='glow'>\n<rgb name='radiance' value='-3'/></emitter>", invalid, 5,
             {"radiance"});
 }
 
-TEST_CASE("each instance of a group shines as its member") {
+TEST_CASE("each instance of a group emits light as its member") {
     const LoadedScene loaded = load(
         "<shape type='shapegroup' id='g'><shape type='rectangle'><emitter type='area'>"
         "<float name='radiance' value='7'/></emitter></shape><shape type='cube'/></shape>"
@@ -309,7 +309,7 @@ TEST_CASE("emitters in the wrong place, and those that do not exist") {
     inside_shape("<emitter type='area'/><emitter type='area'/>", invalid, {"a second <emitter>"});
     refused("<shape type='shapegroup'>\n<emitter type='area'/></shape>", unsupported, 5,
             {"<emitter> inside shape \"shapegroup\"", "of type area, inside a <shape>"});
-    // No area is left to shine.
+    // No area is left to emit light.
     inside_shape("<emitter type='area'/><transform name='to_world'><scale x='0'/></transform>", invalid,
                  {"<transform> cannot be inverted"});
 }

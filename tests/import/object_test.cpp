@@ -387,7 +387,7 @@ TEST_CASE("a roughness that differs by direction is read as it is, with one noti
         checkerboard("alpha_v", "<float name='color0' value='0.25'/><float name='color1' value='0.5'/>");
     const SceneDescription numbers = shape("roughconductor", differ);
     REQUIRE(numbers.notices.size() == 1);
-    CHECK(numbers.notices[0].find("xml:3: alpha_u and alpha_v differ: small lights") != std::string::npos);
+    CHECK(numbers.notices[0].find("xml:3: alpha_u and alpha_v differ: local lights") != std::string::npos);
     const MaterialDescription& metal = numbers.materials[0].parts[0];
     CHECK(metal.alpha == 0.25);
     CHECK(metal.alpha_v == 0.04);

@@ -11,7 +11,7 @@
 
 #include "harmonics/evaluate.hpp"
 #include "harmonics/grid.hpp"
-#include "harmonics/light_numbers.hpp"
+#include "harmonics/light_coefficients.hpp"
 #include "harmonics/psh.hpp"
 #include "material/material.hpp"
 #include "material/response_table.hpp"

@@ -2,8 +2,8 @@
 // Material::evaluate_lanes() against evaluate_terms().
 #include "directions.hpp"
 #include "material/conductor.hpp"
-#include "material/layered.hpp"
 #include "material/material.hpp"
+#include "material/mixture.hpp"
 #include "material/plastic.hpp"
 #include "material/principled.hpp"
 #include "test.hpp"

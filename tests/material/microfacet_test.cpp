@@ -4,7 +4,7 @@
 
 #include "directions.hpp"
 #include "material/conductor.hpp"
-#include "material/layered.hpp"
+#include "material/mixture.hpp"
 #include "material/response_table.hpp"
 #include "test.hpp"
 

@@ -4,7 +4,7 @@
 #include "directions.hpp"
 #include "files/npz.hpp"
 #include "harmonics/evaluate.hpp"
-#include "harmonics/light_numbers.hpp"
+#include "harmonics/light_coefficients.hpp"
 #include "harmonics/mirror_symmetry.hpp"
 #include "harmonics/random_operators.hpp"
 #include "material/conductor.hpp"

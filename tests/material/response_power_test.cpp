@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Energies of responses against what rotated light really gives.
 #include "material/response_power.hpp"
-#include "harmonics/light_numbers.hpp"
+#include "harmonics/light_coefficients.hpp"
 
 #include <glm/gtc/quaternion.hpp>
 

@@ -3,7 +3,7 @@
 
 #include "brute_force.hpp"
 #include "chiral_material.hpp"
-#include "harmonics/light_numbers.hpp"
+#include "harmonics/light_coefficients.hpp"
 #include "material/lobe_quadrature.hpp"
 #include "test.hpp"
 

@@ -2,13 +2,13 @@
 // Lights with a size: closed forms, strategies against each other, and what the camera sees of them.
 #include "directions.hpp"
 #include "function_texture.hpp"
-#include "material/layered.hpp"
+#include "material/mixture.hpp"
 #include "scenes.hpp"
 #include "test.hpp"
 
 using namespace nicol;
 using namespace nicol::test;
-using Kind = SmallLight::Kind;
+using Kind = LocalLight::Kind;
 
 namespace {
 
@@ -94,7 +94,7 @@ TEST_CASE("a square lamp lights the floor as Lambert's polygon") {
     }
 }
 
-TEST_CASE("a sphere that shines lights the floor by the square of its apparent radius") {
+TEST_CASE("an emissive sphere lights the floor by the square of its apparent radius") {
     const glm::dvec3 center(1, 0.5, 2);
     Scene scene = floor();
     glm::dmat4 to_world(glm::dmat3(0.4));
@@ -155,7 +155,7 @@ TEST_CASE("sampling lamps, the surface or both gives the same light on every mat
     }
 }
 
-TEST_CASE("a surface shines from its front, or from both sides") {
+TEST_CASE("a surface emits light from its front, or from both sides") {
     for_all({false, true}, {false, true}, [](bool two_sided, bool away) {
         Scene scene = floor();
         scene.add(lamp(emission({.two_sided = two_sided}), away ? Frame(1.0) : facing_down, {0, 0, 1}, 0.5));
@@ -191,7 +191,7 @@ TEST_CASE("what stands before a lamp hides it, unless there are no shadows") {
     }
 }
 
-TEST_CASE("the camera sees a surface shine, with its polarization, added to what it reflects") {
+TEST_CASE("the camera sees a surface emit light, with its polarization, added to what it reflects") {
     const PolarizationState state{.dolp = 0.6, .aolp = 0.5, .docp = -0.4, .axis = {0.3, 1, 0}};
     // Stretched and turned: the axis is a direction of the mesh.
     glm::dmat4 to_world = glm::rotate(glm::dmat4(1.0), 0.4, glm::dvec3(1, 2, 0.5)) *
@@ -269,7 +269,7 @@ TEST_CASE("a texture of emission lies on its surface, as the camera sees it and 
     }
 }
 
-TEST_CASE("where a lamp is cut out it does not shine, and hides nothing") {
+TEST_CASE("where a lamp is cut out it emits no light, and hides nothing") {
     const TexturePtr left =
         texture_of([](const TexturePoint& p) { return glm::vec4(p.uv.x < 0.5F ? 1 : 0); }, 1);
     const glm::dvec3 center(0.1, 0.2, 1.5);

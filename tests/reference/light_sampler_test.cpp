@@ -9,7 +9,7 @@ using namespace nicol::test;
 
 namespace {
 
-// Noise with black pixels, a lamp, and a colour that only one channel has.
+// Noise with black pixels, an area light, and a colour that only one channel has.
 EquirectImage image() {
     EquirectImage image(24, 13, 2);
     std::mt19937 random(3);
@@ -79,7 +79,7 @@ TEST_CASE("samples weighted by 1 / density integrate the light, with little nois
         square += value * value / count;
     }
     CHECK(mean == doctest::Approx(exact).epsilon(2e-3));
-    // The density is all but proportional: without the lamp's share it would be several times the mean.
+    // The density is all but proportional: without the area light's share it would be several times the mean.
     CHECK(std::sqrt(square - mean * mean) < 0.15 * mean);
 }
 

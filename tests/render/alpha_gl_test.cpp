@@ -68,7 +68,7 @@ IMAGE_TEST_CASE("hidden emitters light the scene, and leave the camera what surf
         scene.set_environment(test::falling_light(0, false, 1), glm::dmat3(1), 1);
         Framebuffer seen(context, kSide, kSide, 1);
         renderer.render(scene, test::camera_at({0, 0, 5}), options, seen);
-        // The plate is black and shines.
+        // The plate is black and emits light.
         scene.set_emission(1,
                            std::make_shared<const Emission>(Emission{.radiance = {3.0}, .two_sided = true}));
         scene.hide_emitters(true);

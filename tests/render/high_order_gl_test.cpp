@@ -128,7 +128,7 @@ TEST_CASE("light without high orders costs none") {
     CHECK(high.response_bytes == low.response_bytes);
 }
 
-TEST_CASE("ringing can be windowed away, and what is left of it moved into the physical range") {
+TEST_CASE("ringing can be windowed away, and what is left of it moved into the physically realizable range") {
     const auto context = gl::make_context(gl::Backend::osmesa);
     const Scene scene = lone_sphere(test::lamp(), pplastic({.alpha = 0.1}));
     const auto lowest = [](const StokesImage& image) {

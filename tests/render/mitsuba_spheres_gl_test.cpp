@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Spheres under a surface that shines, a point light and an environment, against Mitsuba's references of its
+// Spheres under an emissive surface, a point light and an environment, against Mitsuba's references of its
 // own render tests.
 #include "gl/contexts.hpp"
 #include "image/exr_colors.hpp"

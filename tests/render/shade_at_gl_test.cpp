@@ -190,7 +190,7 @@ IMAGE_TEST_CASE("shadows dim high orders at pixels as they dim them at vertices"
     }
 }
 
-IMAGE_TEST_CASE("the physical range is that of the sum of all orders, at pixels") {
+IMAGE_TEST_CASE("the physically realizable range is that of the sum of all orders, at pixels") {
     Studio render(context);
     const Scene scene = sphere_on_plate(test::lamp(), test::coarse_sphere(14), 4);
     const auto unphysical = [](const StokesImage& image) {

@@ -6,7 +6,7 @@
 
 #include "function_texture.hpp"
 #include "geometry/mesh.hpp"
-#include "material/layered.hpp"
+#include "material/mixture.hpp"
 #include "test.hpp"
 
 namespace nicol::test {

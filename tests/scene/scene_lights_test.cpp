@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A scene's small lights and surfaces that shine: ids, versions and what is refused.
+// A scene's local lights and emissive surfaces: ids, versions and what is refused.
 #include "function_texture.hpp"
 #include "scene/scene.hpp"
 #include "test.hpp"
@@ -23,7 +23,7 @@ EmissionPtr emission(const std::vector<double>& radiance) {
 
 TEST_CASE("ids of lights count up by themselves, and are not given twice") {
     Scene scene;
-    CHECK_FALSE(scene.has_small_lights());
+    CHECK_FALSE(scene.has_local_lights());
     scene.add(square());
     CHECK(scene.add_light({.value = {1}}) == 0);
     CHECK(scene.add_light({.value = {2}}) == 1);
@@ -34,13 +34,13 @@ TEST_CASE("ids of lights count up by themselves, and are not given twice") {
     CHECK(scene.add_light({.value = {4}}) == 3);
     scene.set_light(2, {.value = {5}});
     CHECK(scene.lights()[1].value[0] == 5);
-    CHECK(scene.has_small_lights());
+    CHECK(scene.has_local_lights());
     for (const std::uint32_t id : {0U, 2U, 3U}) scene.remove_light(id);
-    CHECK_FALSE(scene.has_small_lights());
+    CHECK_FALSE(scene.has_local_lights());
     scene.set_emission(0, emission({1}));
-    CHECK(scene.has_small_lights());
+    CHECK(scene.has_local_lights());
     scene.set_emission(0, nullptr);
-    CHECK_FALSE(scene.has_small_lights());
+    CHECK_FALSE(scene.has_local_lights());
 }
 
 TEST_CASE("lights that do not fit the scene, or are not there, are refused by name") {
@@ -73,18 +73,18 @@ TEST_CASE("lights that do not fit the scene, or are not there, are refused by na
         {CALL(scene.add(square(diffuse({0.5}), emission({1, 2})))), {"emission", "2 colour channels"}},
         {CALL(scene.add(square(diffuse({0.5}), emission({})))), {"radiance of a surface"}},
     };
-    const Version before = scene.small_light_version();
+    const Version before = scene.local_light_version();
     for (const auto& c : cases) {
         const std::string message = error_of(c.call);
         for (const std::string& part : c.named)
             CHECK_MESSAGE(message.find(part) != std::string::npos, message, " lacks ", part);
     }
-    CHECK(scene.small_light_version() == before);
+    CHECK(scene.local_light_version() == before);
     CHECK(scene.instances().size() == 2);
     CHECK(scene.lights().size() == 1);
 }
 
-TEST_CASE("every change of a light, or of what shines, is a new version of those alone") {
+TEST_CASE("every change of a light, or of what emits light, is a new version of those alone") {
     Scene scene;
     const std::uint32_t id = scene.add(square());
     const std::uint32_t light = scene.add_light({});
@@ -97,10 +97,10 @@ TEST_CASE("every change of a light, or of what shines, is a new version of those
         CALL(scene.remove_light(light)),
     };
     for (const auto& change : changes) {
-        const std::pair lights(scene.small_light_version(), scene.emission_version());
+        const std::pair lights(scene.local_light_version(), scene.emission_version());
         const Version others[] = {scene.geometry_version(), scene.material_version(), scene.light_version()};
         change();
-        const bool of_lights = scene.small_light_version() != lights.first;
+        const bool of_lights = scene.local_light_version() != lights.first;
         CHECK(of_lights != (scene.emission_version() != lights.second));
         CHECK(scene.geometry_version() == others[0]);
         CHECK(scene.material_version() == others[1]);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Small lights: what their places add up to.
+// Local lights: what their places add up to.
 #include "shading/light_source.hpp"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -11,8 +11,8 @@
 #include "geometry/mesh.hpp"
 #include "geometry/ray_scene.hpp"
 #include "light/environment.hpp"
-#include "shading/lamp_source.hpp"
-#include "shading/light_places.hpp"
+#include "shading/extracted_source.hpp"
+#include "shading/light_samples.hpp"
 #include "test.hpp"
 
 using namespace nicol;
@@ -38,7 +38,7 @@ Stokes irradiance(const LightSource& source, const glm::vec3& point, const glm::
     Stokes sum(0.0);
     for (std::uint32_t k = 0; k < samples; ++k) {
         Lanes u, v;
-        light_places(k, seeds, u, v);
+        light_samples(k, seeds, u, v);
         source.sample(lanes(point), u, v, light);
         const double cosine =
             normal.x * light.towards.x[3] + normal.y * light.towards.y[3] + normal.z * light.towards.z[3];
@@ -96,14 +96,14 @@ Stokes irradiance_of_rays(const LightSource& source, const glm::vec3& point, con
 
 }  // namespace
 
-TEST_CASE("places of a light are stratified") {
+TEST_CASE("samples of a light are stratified") {
     for (const std::uint32_t seed : {0U, 1U, 0xDEADBEEFU}) {
         const std::uint32_t seeds[] = {seed};
         for (const int across : {16, 4, 1}) {
             std::set<int> boxes;
             for (std::uint32_t k = 0; k < 16; ++k) {
                 Lanes u, v;
-                light_places(k, seeds, u, v);
+                light_samples(k, seeds, u, v);
                 CHECK(u[0] < 1);
                 CHECK(v[0] < 1);
                 boxes.insert(static_cast<int>(u[0] * static_cast<float>(across)) * 16 +
@@ -112,14 +112,14 @@ TEST_CASE("places of a light are stratified") {
             CHECK(boxes.size() == 16);
         }
     }
-    CHECK(place_seed(1, 2) != place_seed(2, 1));
+    CHECK(sample_seed(1, 2) != sample_seed(2, 1));
 }
 
 TEST_CASE("a disc of the sky sheds its irradiance on a surface that faces it") {
     for (const double radius : {0.0, 0.0047, 0.3, 1.5}) {
         CAPTURE(radius);
         const LightSourcePtr sun =
-            light_source(SmallLight{.kind = SmallLight::Kind::directional,
+            light_source(LocalLight{.kind = LocalLight::Kind::directional,
                                     .value = {3, 2},
                                     .to_world = glm::rotate(glm::dmat4(1), 0.7, {1, 2, 3}),
                                     .angular_radius = radius},
@@ -133,13 +133,13 @@ TEST_CASE("a disc of the sky sheds its irradiance on a surface that faces it") {
 
 TEST_CASE("points, spots and projectors fall off with distance and angle") {
     const double cutoff = 0.5, width = 0.3;
-    const SmallLight point{.value = {8}};
-    const SmallLight spot{
-        .kind = SmallLight::Kind::spot, .value = {8}, .cutoff_angle = cutoff, .beam_width = width};
-    const SmallLight projector{.kind = SmallLight::Kind::projector, .value = {8}, .fov = 1, .aspect = 2};
+    const LocalLight point{.value = {8}};
+    const LocalLight spot{
+        .kind = LocalLight::Kind::spot, .value = {8}, .cutoff_angle = cutoff, .beam_width = width};
+    const LocalLight projector{.kind = LocalLight::Kind::projector, .value = {8}, .fov = 1, .aspect = 2};
     const auto at = [](double angle) { return 2.0 * glm::dvec3(std::sin(angle), 0, std::cos(angle)); };
     struct {
-        const SmallLight& light;
+        const LocalLight& light;
         glm::dvec3 place;
         double expected;
     } const table[] = {
@@ -159,7 +159,7 @@ TEST_CASE("points, spots and projectors fall off with distance and angle") {
     }
 }
 
-TEST_CASE("surfaces that shine are Lambert's polygons") {
+TEST_CASE("emissive surfaces are Lambert's polygons") {
     const glm::vec3 a(-1, -1, 2), b(1, -1, 2.5), c(1, 1, 2.5), d(-1, 1, 2);
     const Triangles quad{{a, c, b}, {a, d, c}};  // which faces the origin
     const Triangles away{{a, b, c}, {a, c, d}};
@@ -202,7 +202,7 @@ TEST_CASE("two triangles that make a parallelogram are one, by few places") {
         double square = 0;
         for (std::uint32_t seed = 0; seed < 64; ++seed)
             square += std::pow(
-                irradiance(*source, {0, 0, 0}, normal, 16, 0, place_seed(seed, 0))[0] / expected - 1, 2);
+                irradiance(*source, {0, 0, 0}, normal, 16, 0, sample_seed(seed, 0))[0] / expected - 1, 2);
         CHECK(std::sqrt(square / 64) < (given.few ? 0.01 : 0.05));
         CHECK(irradiance(*source, {0, 0, 0}, normal)[0] == doctest::Approx(expected).epsilon(2e-3));
     }
@@ -222,7 +222,7 @@ TEST_CASE("a texture of one value needs no texture coordinates") {
     CHECK(light.irradiance[0][0][5] == doctest::Approx(1.5));
 }
 
-TEST_CASE("spheres that shine shed the light of the cone that they fill, by few places") {
+TEST_CASE("emissive spheres shed the light of the cone that they fill, by few places") {
     const Mesh ball = make_sphere({1, 2, 5}, 0.5);
     Triangles triangles, inwards, half;
     for (const glm::uvec3& t : ball.triangles) {
@@ -258,7 +258,7 @@ TEST_CASE("spheres that shine shed the light of the cone that they fill, by few 
 }
 
 TEST_CASE("frames of polarized light have the axis across the light") {
-    const SmallLight lamp{.value = {1}, .state = {.dolp = 1, .axis = {1, 2, 0.5}}};
+    const LocalLight lamp{.value = {1}, .state = {.dolp = 1, .axis = {1, 2, 0.5}}};
     const LightSourcePtr source = light_source(lamp, glm::dmat4(1));
     for (const glm::vec3& at : {glm::vec3(1, 0, 0), glm::vec3(0.3F, -2, 1), glm::vec3(1, 2, 0.5F)}) {
         LaneLight light;
@@ -275,7 +275,7 @@ TEST_CASE("however bright and near a light is, what reaches a point is finite") 
     const Triangles large{{glm::vec3(0), glm::vec3(1e15F, 0, 0), glm::vec3(0, 1e15F, 0)}};
     std::vector<LightSourcePtr> sources;
     for (const double value : {1e-20, 1.0, kBrightestLight})
-        sources.push_back(light_source(SmallLight{.value = {value, 0}}, glm::dmat4(1)));
+        sources.push_back(light_source(LocalLight{.value = {value, 0}}, glm::dmat4(1)));
     for (const Triangles& triangles : {small, large})
         sources.push_back(light_source({.emission = bright, .axis = {1, 0, 0}, .triangles = triangles}));
     for (const LightSourcePtr& source : sources) {
@@ -293,7 +293,7 @@ TEST_CASE("however bright and near a light is, what reaches a point is finite") 
     }
 }
 
-TEST_CASE("a globe of few triangles does not hide its own light") {
+TEST_CASE("a sphere of few triangles does not hide its own light") {
     Mesh ball = make_cube(8);
     for (glm::vec3& p : ball.positions) p = glm::vec3(0.1F, 0, 2) + 0.8F * glm::normalize(p);
     const RaySurface surface{.positions = ball.positions, .triangles = ball.triangles};
@@ -302,13 +302,13 @@ TEST_CASE("a globe of few triangles does not hide its own light") {
     for (const glm::uvec3& t : ball.triangles)
         triangles.push_back({ball.positions[t.x], ball.positions[t.y], ball.positions[t.z]});
     const Emission emission{};
-    const LightSourcePtr globe = light_source({emission, {1, 0, 0}, triangles, {}});
+    const LightSourcePtr sphere = light_source({emission, {1, 0, 0}, triangles, {}});
     const std::uint32_t seeds[] = {5};
     LaneLight light;
     for (std::uint32_t k = 0; k < 1024; ++k) {
         Lanes u, v;
-        light_places(k, seeds, u, v);
-        globe->sample(lanes({0, 0, 0}), u, v, light);
+        light_samples(k, seeds, u, v);
+        sphere->sample(lanes({0, 0, 0}), u, v, light);
         const glm::dvec3 towards(light.towards.x[0], light.towards.y[0], light.towards.z[0]);
         const double distance = light.distance[0];
         CHECK_FALSE(rays.occluded({0, 0, 0}, {0, 0, 1}, glm::normalize(towards), distance));
@@ -328,17 +328,17 @@ TEST_CASE("what rays meet of a light adds up to what its places shed") {
     const Emission two_sided{.radiance = {2}, .two_sided = true, .state = state};
     const std::vector<std::array<glm::vec2, 3>> texcoords{{{{0, 0}, {1, 1}, {1, 0}}},
                                                           {{{0, 0}, {0, 1}, {1, 1}}}};
-    Triangles globe;
+    Triangles sphere;
     const Mesh sphere = make_sphere({0.2, 0.1, 3}, 0.8);
     for (const glm::uvec3& t : sphere.triangles)
-        globe.push_back({sphere.positions[t.x], sphere.positions[t.y], sphere.positions[t.z]});
+        sphere.push_back({sphere.positions[t.x], sphere.positions[t.y], sphere.positions[t.z]});
     std::vector<float> pixels;
     for (int i = 0; i < 15; ++i) {
         const float s0 = i % 4 == 0 ? 0.0F : static_cast<float>(i);
         pixels.insert(pixels.end(), {s0, 0.5F * s0, -0.3F * s0, 0.2F * s0});
     }
     // Across the seam of the image.
-    const auto lamp = std::make_shared<const Lamp>(
+    const auto lamp = std::make_shared<const ExtractedLight>(
         EquirectWindow{.width = 64, .height = 33, .top = 9, .left = 62, .rows = 2, .columns = 4}, 1, pixels);
     const glm::dmat3 axes(glm::rotate(glm::dmat4(1), 0.7, {1, 2, 3}));
     struct Row {
@@ -351,9 +351,9 @@ TEST_CASE("what rays meet of a light adds up to what its places shed") {
     rows.push_back({"quad", light_source({plain, {1, 0, 0}, quad, {}}), {0, 0, 1}, 0.9});
     rows.push_back({"textured", light_source({textured, {1, 0, 0}, quad, texcoords}), {0, 0, 1}, 0.9});
     rows.push_back({"two-sided", light_source({two_sided, {1, 0, 0}, away, {}}), {0, 0, 1}, 0.9});
-    rows.push_back({"globe", light_source({plain, {1, 0, 0}, globe, {}}), {0.2, 0.1, 3}, 0.35});
+    rows.push_back({"sphere", light_source({plain, {1, 0, 0}, sphere, {}}), {0.2, 0.1, 3}, 0.35});
     rows.push_back({"disc",
-                    light_source(SmallLight{.kind = SmallLight::Kind::directional,
+                    light_source(LocalLight{.kind = LocalLight::Kind::directional,
                                             .value = {3},
                                             .to_world = glm::rotate(glm::dmat4(1), kPi - 0.3, {0, 1, 0}),
                                             .angular_radius = 0.2,
@@ -361,7 +361,8 @@ TEST_CASE("what rays meet of a light adds up to what its places shed") {
                                  glm::dmat4(1)),
                     {0, 0, 1},
                     0.6});
-    rows.push_back({"lamp", std::make_unique<const LampSource>(lamp, axes, 3), axes * lamp->centre(), 0.4});
+    rows.push_back(
+        {"lamp", std::make_unique<const ExtractedSource>(lamp, axes, 3), axes * lamp->centre(), 0.4});
     for (const Row& row : rows) {
         CAPTURE(row.name);
         const glm::dvec3 normal = glm::normalize(row.axis + glm::dvec3(0.2, 0.1, 0));
@@ -375,7 +376,7 @@ TEST_CASE("what rays meet of a light adds up to what its places shed") {
     LaneLight light;
     light_source({plain, {1, 0, 0}, away, {}})->intersect(lanes({0, 0, 0}), lanes({0, 0, 1}), light);
     CHECK(light.points == 0);
-    light_source(SmallLight{}, glm::dmat4(1))->intersect(lanes({0, 0, -1}), lanes({0, 0, 1}), light);
+    light_source(LocalLight{}, glm::dmat4(1))->intersect(lanes({0, 0, -1}), lanes({0, 0, 1}), light);
     CHECK(light.points == 0);
     // Where they meet it.
     rows[0].source->intersect(lanes({0, 0, 0}), lanes({0, 0, 1}), light);

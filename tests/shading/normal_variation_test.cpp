@@ -52,8 +52,8 @@ TEST_CASE("sixteen normals are turned as each of them is, and face the viewer") 
             for (std::size_t i = 0; i < kLanes; ++i) {
                 const glm::vec3 normal = lane(normals, i), viewer = glm::normalize(lane(towards_viewer, i));
                 const glm::vec3 one =
-                    turned_normal(variation, {.uv = {points.uv[0][i], points.uv[1][i]}},
-                                  {.by_u = lane(axes.by_u, i), .by_v = lane(axes.by_v, i)}, normal, back);
+                    perturbed_normal(variation, {.uv = {points.uv[0][i], points.uv[1][i]}},
+                                     {.by_u = lane(axes.by_u, i), .by_v = lane(axes.by_v, i)}, normal, back);
                 CHECK(glm::length(lane(turned, i) - facing(one, normal, viewer)) < 1e-5F);
                 CHECK(glm::dot(lane(turned, i), viewer) >
                       std::min(0.0199F, glm::dot(normal, viewer) - 1e-4F));

@@ -6,7 +6,7 @@
 #include "material/conductor.hpp"
 #include "material/plastic.hpp"
 #include "polarization/fresnel.hpp"
-#include "shading/small_lighting.hpp"
+#include "shading/local_lighting.hpp"
 #include "test.hpp"
 
 using namespace nicol;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "shading/shade.hpp"
 #include "directions.hpp"
-#include "harmonics/light_numbers.hpp"
+#include "harmonics/light_coefficients.hpp"
 #include "harmonics/rotation.hpp"
 #include "material/brute_force.hpp"
 #include "material/chiral_material.hpp"
@@ -37,7 +37,8 @@ TEST_CASE("relight rotates the light into each vertex's frame, poles and odd blo
                     const Frame frame = theta_phi_frame(glm::dvec3(normals[v]));
                     const PshVector local = rotated(light, glm::transpose(frame));
                     for (int c = 0; c < 2; ++c) {
-                        const std::vector<double> expected = test::light_numbers(layout, local.channel(c));
+                        const std::vector<double> expected =
+                            test::light_coefficients(layout, local.channel(c));
                         const auto have = out.block(v / kLanes, c);
                         for (std::size_t j = 0; j < expected.size(); ++j)
                             error = std::max(error, std::abs(have[j][v % kLanes] - expected[j]));

@@ -12,7 +12,7 @@
 #include <span>
 #include <vector>
 
-#include "harmonics/light_numbers.hpp"
+#include "harmonics/light_coefficients.hpp"
 #include "harmonics/rotation.hpp"
 #include "material/conductor.hpp"
 #include "material/material.hpp"

@@ -13,7 +13,7 @@
 
 #include "directions.hpp"
 #include "harmonics/evaluate.hpp"
-#include "harmonics/light_numbers.hpp"
+#include "harmonics/light_coefficients.hpp"
 #include "harmonics/product.hpp"
 #include "harmonics/rotation.hpp"
 #include "visibility/visibility_in_double.hpp"

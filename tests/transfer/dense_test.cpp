@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "transfer/dense.hpp"
 #include "harmonics/evaluate.hpp"
-#include "harmonics/light_numbers.hpp"
+#include "harmonics/light_coefficients.hpp"
 #include "harmonics/rotation.hpp"
 #include "material/brute_force.hpp"
 #include "material/chiral_material.hpp"
@@ -77,7 +77,7 @@ TEST_CASE("a dense matrix is rotation, shadow and material one after another") {
                     const LightLayout& outgoing = shared->outgoing();
                     const auto components = static_cast<std::size_t>(outgoing.kind());
                     for (int c = 0; c < 2; ++c) {
-                        const auto numbers = test::light_numbers(outgoing, expected.channel(c));
+                        const auto numbers = test::light_coefficients(outgoing, expected.channel(c));
                         const auto got = out.block((v + 1) / kLanes, c);
                         for (std::size_t j = 0; j < numbers.size(); ++j)
                             error = std::max(error, std::abs(got[j][(v + 1) % kLanes] - numbers[j]));
@@ -113,7 +113,7 @@ TEST_CASE("outgoing coefficients are evaluated at the view direction, in the cam
         VertexLight light(layout, 2, normals.size());
         for (std::size_t v = 0; v < normals.size(); ++v) {
             for (int c = 0; c < 2; ++c) {
-                const auto numbers = test::light_numbers(layout, field.channel(c));
+                const auto numbers = test::light_coefficients(layout, field.channel(c));
                 for (std::size_t j = 0; j < numbers.size(); ++j)
                     light.block(v / kLanes, c)[j][v % kLanes] = static_cast<float>(numbers[j]);
             }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Lights of their own at every vertex, into its frame and back.
 #include "transfer/frame_rotation.hpp"
-#include "harmonics/light_numbers.hpp"
+#include "harmonics/light_coefficients.hpp"
 #include "material/brute_force.hpp"
 #include "test.hpp"
 #include "transfer/vertex_light.hpp"
@@ -29,7 +29,8 @@ TEST_CASE("each lane's light goes into its own frame as one light alone would, a
                     VertexLight alone(layout, channels, 1);
                     Relight(layout, light).run(std::span(normals).subspan(i, 1), 0, 1, alone);
                     for (int c = 0; c < channels; ++c) {
-                        const std::vector<double> numbers = test::light_numbers(layout, light.channel(c));
+                        const std::vector<double> numbers =
+                            test::light_coefficients(layout, light.channel(c));
                         for (std::size_t k = 0; k < numbers.size(); ++k) {
                             lights.block(0, c)[k][i] = static_cast<float>(numbers[k]);
                             expected.block(0, c)[k][i] = alone.block(0, c)[k][0];

@@ -3,7 +3,7 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
-#include "harmonics/light_numbers.hpp"
+#include "harmonics/light_coefficients.hpp"
 #include "harmonics/product.hpp"
 #include "material/brute_force.hpp"
 #include "test.hpp"
@@ -59,7 +59,7 @@ VertexLight vertex_lights(const LightLayout& layout, int channels, std::size_t v
     for (std::size_t v = 0; v < vertices; ++v) {
         const PshVector light = light_at(v, layout.order(), channels, layout.kind());
         for (int c = 0; c < channels; ++c) {
-            const std::vector<double> numbers = test::light_numbers(layout, light.channel(c));
+            const std::vector<double> numbers = test::light_coefficients(layout, light.channel(c));
             for (std::size_t k = 0; k < numbers.size(); ++k)
                 out.block(v / kLanes, c)[k][v % kLanes] = static_cast<float>(numbers[k]);
         }
@@ -87,7 +87,7 @@ double error_of(const Scene& scene, const LightLayout& layout, int channels, con
         const PshVector light = light_at(vertex, order, channels, layout.kind());
         for (int c = 0; c < channels; ++c) {
             reference.multiply(std::vector<double>(v.begin(), v.end()), light.channel(c), want.channel(0));
-            const std::vector<double> numbers = test::light_numbers(layout, want.channel(0));
+            const std::vector<double> numbers = test::light_coefficients(layout, want.channel(0));
             const auto got = have.block(vertex / kLanes, c);
             for (std::size_t k = 0; k < numbers.size(); ++k) {
                 error = std::max(error, std::abs(got[k][vertex % kLanes] - numbers[k]));

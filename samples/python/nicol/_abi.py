@@ -57,12 +57,12 @@ LIGHT_DIRECTIONAL = 0
 LIGHT_POINT = 1
 LIGHT_SPOT = 2
 LIGHT_PROJECTOR = 3
-PLATE_POLARIZER = 0
-PLATE_RETARDER = 1
-PLATE_RIGHT_CIRCULAR = 2
-PLATE_LEFT_CIRCULAR = 3
-PLATE_RECTANGLE = 0
-PLATE_DISK = 1
+POLARIZATION_ELEMENT_POLARIZER = 0
+POLARIZATION_ELEMENT_RETARDER = 1
+POLARIZATION_ELEMENT_RIGHT_CIRCULAR = 2
+POLARIZATION_ELEMENT_LEFT_CIRCULAR = 3
+POLARIZATION_ELEMENT_RECTANGLE = 0
+POLARIZATION_ELEMENT_DISK = 1
 METHOD_FACTORED = 0
 METHOD_DENSE = 1
 METHOD_REFERENCE = 2
@@ -495,15 +495,15 @@ class Camera(Struct):
 
 
 class Polarization(Struct):
-    """How the light of a lamp is polarized, the same for all of it. Its frame, seen by who looks into the lamp:
+    """How what a light emits is polarized, all of it the same. Its frame, seen by who looks into the light:
 
      y|  / E-vector
       | /    z  comes towards the viewer, along the light
-      |/     x  is the part of axis across z (of an axis along z, the direction of growing angle from the lamp's own +z)
+      |/     x  is the part of axis across z (of an axis along z, the direction of growing angle from the light's own +z)
       +---x  y  = z cross x; the AoLP counts from x to y, counter-clockwise
 
-    A sheet polarizer that absorbs along `axis`, across which the lamp shines, is dolp 1 and aolp pi / 2, seen from
-    anywhere; a quarter-wave plate behind it docp 1 or -1."""
+    A sheet polarizer before the light that absorbs along `axis` is dolp 1 and aolp pi / 2, seen from anywhere; a
+    quarter-wave plate behind it docp 1 or -1."""
     _fields_ = [
         ("dolp", c_double),
         ("aolp", c_double),
@@ -516,7 +516,7 @@ class Polarization(Struct):
 
 
 class Light(Struct):
-    """A light without a surface, beside the environment. In its own axes it shines along +z, from the origin
+    """A light without a surface, beside the environment. In its own axes it emits light along +z, from the origin
     where it has a place; +y is up and +x to the left of who looks along +z, as of cameras. Fields of other
     kinds have no effect."""
     _fields_ = [
@@ -559,13 +559,13 @@ class Emission(Struct):
     }
 
 
-class Plate(Struct):
+class PolarizationElement(Struct):
     """An ideal, infinitely thin sheet. The camera sees what is behind it through its Mueller matrix; several along a ray
     act in their order. It casts no shadow, and light passes it unchanged on its way to surfaces.
     In its own axes it lies in the plane z = 0 about the origin; light passes both ways alike.
 
       y
-      |  / axis   x  is where to_world takes the plate's x, z its normal, and y = z cross x
+      |  / axis   x  is where to_world takes the element's x, z its normal, and y = z cross x
       | /) angle
       +------x
 
@@ -706,7 +706,7 @@ class Statistics(Struct):
         ("vertices_shaded", c_uint64),
         ("pixels_shaded", c_uint64),
         ("vertices_added", c_uint64),
-        ("small_lights", c_uint64),
+        ("local_lights", c_uint64),
         ("lights_split", c_uint64),
         ("light_rays", c_uint64),
         ("light_ms", c_double),
@@ -1184,7 +1184,7 @@ class Mesh(Handle):
 
 
 class Scene(Handle):
-    """instances, lights, plates, environment"""
+    """what is rendered, and by which light"""
 
     @classmethod
     def create(cls, context):
@@ -1197,8 +1197,8 @@ class Scene(Handle):
     def load(cls, context, path, definitions=()):
         """A Mitsuba 3 XML file, or glTF 2.0 where the name ends in .gltf or .glb (the subsets that
         samples/render/README.md lists); definitions are "name=value" strings that override <default>s of the XML.
-        glTF has no environment, and may have lights. Lights of a file that polarizing plates of it cover have the
-        state and the brightness of their light behind these."""
+        glTF has no environment, and may have lights. Lights of a file that polarization elements of it cover have
+        the state and the brightness of their light behind these."""
         definitions = texts(definitions)
         scene = cls()
         check(_scene_load(context, text(path), definitions, len(definitions), byref(scene)))
@@ -1302,48 +1302,48 @@ class Scene(Handle):
         check(_scene_get_light_ids(self, ids.pointer, ids.count))
 
     def set_emission(self, id, emission):
-        """Makes an instance shine, emission NULL: not shine. id is the instance's. A texture needs texture
+        """Makes an instance emit light, emission NULL: stop it. id is the instance's. A texture needs texture
         coordinates of the mesh."""
         check(_scene_set_emission(self, id, byref(emission) if emission is not None else None))
 
     def get_emission(self, id):
-        """What an instance emits, its texture as of nicol_scene_get_light. Of one that does not shine the radiance
+        """What an instance emits, its texture as of nicol_scene_get_light. Of one that emits no light the radiance
         is 0."""
         emission = Emission()
         texture = Texture()
         check(_scene_get_emission(self, id, byref(emission), byref(texture)))
         return emission, texture if texture.value else None
 
-    def add_plate(self, plate):
-        """Adds a plate, with an id of its own: plates are counted from 0, apart from instances and lights. id may be
-        NULL. NICOL_ERROR_INVALID_ARGUMENT names the field that is out of range."""
+    def add_polarization_element(self, element):
+        """Adds an element, with an id of its own: elements are counted from 0, apart from instances and lights. id
+        may be NULL. NICOL_ERROR_INVALID_ARGUMENT names the field that is out of range."""
         id = c_uint32()
-        check(_scene_add_plate(self, byref(plate) if plate is not None else None, byref(id)))
+        check(_scene_add_polarization_element(self, byref(element) if element is not None else None, byref(id)))
         return id.value
 
-    def set_plate(self, id, plate):
-        """All of the plate of this id."""
-        check(_scene_set_plate(self, id, byref(plate) if plate is not None else None))
+    def set_polarization_element(self, id, element):
+        """All of the element of this id."""
+        check(_scene_set_polarization_element(self, id, byref(element) if element is not None else None))
 
-    def remove_plate(self, id):
+    def remove_polarization_element(self, id):
         """Its id is not used again; the others keep theirs."""
-        check(_scene_remove_plate(self, id))
+        check(_scene_remove_polarization_element(self, id))
 
-    def get_plate(self, id):
-        """The plate as it was given."""
-        plate = Plate()
-        check(_scene_get_plate(self, id, byref(plate)))
-        return plate
+    def get_polarization_element(self, id):
+        """The element as it was given."""
+        element = PolarizationElement()
+        check(_scene_get_polarization_element(self, id, byref(element)))
+        return element
 
-    def get_plate_count(self):
-        plates = c_uint32()
-        check(_scene_get_plate_count(self, byref(plates)))
-        return plates.value
+    def get_polarization_element_count(self):
+        elements = c_uint32()
+        check(_scene_get_polarization_element_count(self, byref(elements)))
+        return elements.value
 
-    def get_plate_ids(self, ids):
-        """The ids of all plates, ascending; count: of the plates."""
+    def get_polarization_element_ids(self, ids):
+        """The ids of all elements, ascending; count: of the elements."""
         ids = Buffer(ids, c_uint32, writable=True)
-        check(_scene_get_plate_ids(self, ids.pointer, ids.count))
+        check(_scene_get_polarization_element_ids(self, ids.pointer, ids.count))
 
     def get_camera(self):
         """The camera and film size of a loaded file, and the AOVs that its integrators ask for, a sum of
@@ -1817,12 +1817,12 @@ _scene_get_light_count = declare("nicol_scene_get_light_count", c_int32, Scene, 
 _scene_get_light_ids = declare("nicol_scene_get_light_ids", c_int32, Scene, POINTER(c_uint32), c_uint64)
 _scene_set_emission = declare("nicol_scene_set_emission", c_int32, Scene, c_uint32, POINTER(Emission))
 _scene_get_emission = declare("nicol_scene_get_emission", c_int32, Scene, c_uint32, POINTER(Emission), POINTER(Texture))
-_scene_add_plate = declare("nicol_scene_add_plate", c_int32, Scene, POINTER(Plate), POINTER(c_uint32))
-_scene_set_plate = declare("nicol_scene_set_plate", c_int32, Scene, c_uint32, POINTER(Plate))
-_scene_remove_plate = declare("nicol_scene_remove_plate", c_int32, Scene, c_uint32)
-_scene_get_plate = declare("nicol_scene_get_plate", c_int32, Scene, c_uint32, POINTER(Plate))
-_scene_get_plate_count = declare("nicol_scene_get_plate_count", c_int32, Scene, POINTER(c_uint32))
-_scene_get_plate_ids = declare("nicol_scene_get_plate_ids", c_int32, Scene, POINTER(c_uint32), c_uint64)
+_scene_add_polarization_element = declare("nicol_scene_add_polarization_element", c_int32, Scene, POINTER(PolarizationElement), POINTER(c_uint32))
+_scene_set_polarization_element = declare("nicol_scene_set_polarization_element", c_int32, Scene, c_uint32, POINTER(PolarizationElement))
+_scene_remove_polarization_element = declare("nicol_scene_remove_polarization_element", c_int32, Scene, c_uint32)
+_scene_get_polarization_element = declare("nicol_scene_get_polarization_element", c_int32, Scene, c_uint32, POINTER(PolarizationElement))
+_scene_get_polarization_element_count = declare("nicol_scene_get_polarization_element_count", c_int32, Scene, POINTER(c_uint32))
+_scene_get_polarization_element_ids = declare("nicol_scene_get_polarization_element_ids", c_int32, Scene, POINTER(c_uint32), c_uint64)
 _scene_get_camera = declare("nicol_scene_get_camera", c_int32, Scene, POINTER(Camera))
 _scene_get_film_size = declare("nicol_scene_get_film_size", c_int32, Scene, POINTER(c_uint32), POINTER(c_uint32))
 _scene_get_aovs = declare("nicol_scene_get_aovs", c_int32, Scene, POINTER(c_uint32))
@@ -2009,12 +2009,12 @@ __all__ = [
     "PLANE_S3",
     "PLANE_STOKES",
     "PLANE_VARIANCE",
-    "PLATE_DISK",
-    "PLATE_LEFT_CIRCULAR",
-    "PLATE_POLARIZER",
-    "PLATE_RECTANGLE",
-    "PLATE_RETARDER",
-    "PLATE_RIGHT_CIRCULAR",
+    "POLARIZATION_ELEMENT_DISK",
+    "POLARIZATION_ELEMENT_LEFT_CIRCULAR",
+    "POLARIZATION_ELEMENT_POLARIZER",
+    "POLARIZATION_ELEMENT_RECTANGLE",
+    "POLARIZATION_ELEMENT_RETARDER",
+    "POLARIZATION_ELEMENT_RIGHT_CIRCULAR",
     "PROJECTION_ORTHOGRAPHIC",
     "PROJECTION_PERSPECTIVE",
     "PSH_BAND_SIZE",
@@ -2025,8 +2025,8 @@ __all__ = [
     "PSH_MAX_ORDER",
     "PlaneBuffer",
     "Plastic",
-    "Plate",
     "Polarization",
+    "PolarizationElement",
     "Pplastic",
     "Principled",
     "PshMatrix",

@@ -54,12 +54,12 @@ pub const NICOL_LIGHT_DIRECTIONAL: u32 = 0;
 pub const NICOL_LIGHT_POINT: u32 = 1;
 pub const NICOL_LIGHT_SPOT: u32 = 2;
 pub const NICOL_LIGHT_PROJECTOR: u32 = 3;
-pub const NICOL_PLATE_POLARIZER: u32 = 0;
-pub const NICOL_PLATE_RETARDER: u32 = 1;
-pub const NICOL_PLATE_RIGHT_CIRCULAR: u32 = 2;
-pub const NICOL_PLATE_LEFT_CIRCULAR: u32 = 3;
-pub const NICOL_PLATE_RECTANGLE: u32 = 0;
-pub const NICOL_PLATE_DISK: u32 = 1;
+pub const NICOL_POLARIZATION_ELEMENT_POLARIZER: u32 = 0;
+pub const NICOL_POLARIZATION_ELEMENT_RETARDER: u32 = 1;
+pub const NICOL_POLARIZATION_ELEMENT_RIGHT_CIRCULAR: u32 = 2;
+pub const NICOL_POLARIZATION_ELEMENT_LEFT_CIRCULAR: u32 = 3;
+pub const NICOL_POLARIZATION_ELEMENT_RECTANGLE: u32 = 0;
+pub const NICOL_POLARIZATION_ELEMENT_DISK: u32 = 1;
 pub const NICOL_METHOD_FACTORED: u32 = 0;
 pub const NICOL_METHOD_DENSE: u32 = 1;
 pub const NICOL_METHOD_REFERENCE: u32 = 2;
@@ -192,7 +192,7 @@ pub type nicol_mesh = *mut nicol_mesh_impl;
 pub struct nicol_scene_impl {
     _private: [u8; 0],
 }
-/// instances, lights, plates, environment
+/// what is rendered, and by which light
 pub type nicol_scene = *mut nicol_scene_impl;
 
 #[repr(C)]
@@ -910,15 +910,15 @@ const _: () = {
     assert!(offset_of!(nicol_camera, shift) == 176);
 };
 
-/// How the light of a lamp is polarized, the same for all of it. Its frame, seen by who looks into the lamp:
+/// How what a light emits is polarized, all of it the same. Its frame, seen by who looks into the light:
 ///
 ///  y|  / E-vector
 ///   | /    z  comes towards the viewer, along the light
-///   |/     x  is the part of axis across z (of an axis along z, the direction of growing angle from the lamp's own +z)
+///   |/     x  is the part of axis across z (of an axis along z, the direction of growing angle from the light's own +z)
 ///   +---x  y  = z cross x; the AoLP counts from x to y, counter-clockwise
 ///
-/// A sheet polarizer that absorbs along `axis`, across which the lamp shines, is dolp 1 and aolp pi / 2, seen from
-/// anywhere; a quarter-wave plate behind it docp 1 or -1.
+/// A sheet polarizer before the light that absorbs along `axis` is dolp 1 and aolp pi / 2, seen from anywhere; a
+/// quarter-wave plate behind it docp 1 or -1.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct nicol_polarization {
@@ -944,7 +944,7 @@ const _: () = {
 };
 pub type nicol_light_kind = u32;
 
-/// A light without a surface, beside the environment. In its own axes it shines along +z, from the origin
+/// A light without a surface, beside the environment. In its own axes it emits light along +z, from the origin
 /// where it has a place; +y is up and +x to the left of who looks along +z, as of cameras. Fields of other
 /// kinds have no effect.
 #[repr(C)]
@@ -1023,15 +1023,15 @@ const _: () = {
     assert!(offset_of!(nicol_emission, texture) == 80);
     assert!(offset_of!(nicol_emission, polarization) == 88);
 };
-pub type nicol_plate_kind = u32;
-pub type nicol_plate_outline = u32;
+pub type nicol_polarization_element_kind = u32;
+pub type nicol_polarization_element_outline = u32;
 
 /// An ideal, infinitely thin sheet. The camera sees what is behind it through its Mueller matrix; several along a ray
 /// act in their order. It casts no shadow, and light passes it unchanged on its way to surfaces.
 /// In its own axes it lies in the plane z = 0 about the origin; light passes both ways alike.
 ///
 ///   y
-///   |  / axis   x  is where to_world takes the plate's x, z its normal, and y = z cross x
+///   |  / axis   x  is where to_world takes the element's x, z its normal, and y = z cross x
 ///   | /) angle
 ///   +------x
 ///
@@ -1040,17 +1040,17 @@ pub type nicol_plate_outline = u32;
 /// where Mitsuba 3.9 rotates it with the tilt.
 #[repr(C)]
 #[derive(Clone, Copy)]
-pub struct nicol_plate {
+pub struct nicol_polarization_element {
     pub struct_size: u32,
-    pub kind: nicol_plate_kind,
-    pub outline: nicol_plate_outline,
+    pub kind: nicol_polarization_element_kind,
+    pub outline: nicol_polarization_element_outline,
     pub reserved: u32,
     pub to_world: [f64; 16],
     pub angle: f64,
     pub retardance: f64,
     pub transmittance: f64,
 }
-impl Default for nicol_plate {
+impl Default for nicol_polarization_element {
     fn default() -> Self {
         // Zeros and null pointers are values of every field.
         let mut made: Self = unsafe { std::mem::zeroed() };
@@ -1062,15 +1062,15 @@ impl Default for nicol_plate {
     }
 }
 const _: () = {
-    assert!(size_of::<nicol_plate>() == 168);
-    assert!(offset_of!(nicol_plate, struct_size) == 0);
-    assert!(offset_of!(nicol_plate, kind) == 4);
-    assert!(offset_of!(nicol_plate, outline) == 8);
-    assert!(offset_of!(nicol_plate, reserved) == 12);
-    assert!(offset_of!(nicol_plate, to_world) == 16);
-    assert!(offset_of!(nicol_plate, angle) == 144);
-    assert!(offset_of!(nicol_plate, retardance) == 152);
-    assert!(offset_of!(nicol_plate, transmittance) == 160);
+    assert!(size_of::<nicol_polarization_element>() == 168);
+    assert!(offset_of!(nicol_polarization_element, struct_size) == 0);
+    assert!(offset_of!(nicol_polarization_element, kind) == 4);
+    assert!(offset_of!(nicol_polarization_element, outline) == 8);
+    assert!(offset_of!(nicol_polarization_element, reserved) == 12);
+    assert!(offset_of!(nicol_polarization_element, to_world) == 16);
+    assert!(offset_of!(nicol_polarization_element, angle) == 144);
+    assert!(offset_of!(nicol_polarization_element, retardance) == 152);
+    assert!(offset_of!(nicol_polarization_element, transmittance) == 160);
 };
 
 #[repr(C)]
@@ -1288,7 +1288,7 @@ pub struct nicol_statistics {
     pub vertices_shaded: u64,
     pub pixels_shaded: u64,
     pub vertices_added: u64,
-    pub small_lights: u64,
+    pub local_lights: u64,
     pub lights_split: u64,
     pub light_rays: u64,
     pub light_ms: f64,
@@ -1340,7 +1340,7 @@ const _: () = {
     assert!(offset_of!(nicol_statistics, vertices_shaded) == 256);
     assert!(offset_of!(nicol_statistics, pixels_shaded) == 264);
     assert!(offset_of!(nicol_statistics, vertices_added) == 272);
-    assert!(offset_of!(nicol_statistics, small_lights) == 280);
+    assert!(offset_of!(nicol_statistics, local_lights) == 280);
     assert!(offset_of!(nicol_statistics, lights_split) == 288);
     assert!(offset_of!(nicol_statistics, light_rays) == 296);
     assert!(offset_of!(nicol_statistics, light_ms) == 304);
@@ -1855,8 +1855,8 @@ extern "C" {
     pub fn nicol_scene_create(context: nicol_context, scene: *mut nicol_scene) -> nicol_result;
     /// A Mitsuba 3 XML file, or glTF 2.0 where the name ends in .gltf or .glb (the subsets that
     /// samples/render/README.md lists); definitions are "name=value" strings that override <default>s of the XML.
-    /// glTF has no environment, and may have lights. Lights of a file that polarizing plates of it cover have the
-    /// state and the brightness of their light behind these.
+    /// glTF has no environment, and may have lights. Lights of a file that polarization elements of it cover have
+    /// the state and the brightness of their light behind these.
     pub fn nicol_scene_load(context: nicol_context, path: *const c_char, definitions: *const *const c_char, definition_count: u32, scene: *mut nicol_scene) -> nicol_result;
     /// id may be NULL; ids count up from 0, past those of removed instances too. A mesh must have the texture
     /// coordinates and colours that its material needs, here and in nicol_scene_set_material. Materials and
@@ -1902,24 +1902,24 @@ extern "C" {
     pub fn nicol_scene_get_light_count(scene: nicol_scene, lights: *mut u32) -> nicol_result;
     /// The ids of all lights, ascending; count: of the lights.
     pub fn nicol_scene_get_light_ids(scene: nicol_scene, ids: *mut u32, count: u64) -> nicol_result;
-    /// Makes an instance shine, emission NULL: not shine. id is the instance's. A texture needs texture
+    /// Makes an instance emit light, emission NULL: stop it. id is the instance's. A texture needs texture
     /// coordinates of the mesh.
     pub fn nicol_scene_set_emission(scene: nicol_scene, id: u32, emission: *const nicol_emission) -> nicol_result;
-    /// What an instance emits, its texture as of nicol_scene_get_light. Of one that does not shine the radiance
+    /// What an instance emits, its texture as of nicol_scene_get_light. Of one that emits no light the radiance
     /// is 0.
     pub fn nicol_scene_get_emission(scene: nicol_scene, id: u32, emission: *mut nicol_emission, texture: *mut nicol_texture) -> nicol_result;
-    /// Adds a plate, with an id of its own: plates are counted from 0, apart from instances and lights. id may be
-    /// NULL. NICOL_ERROR_INVALID_ARGUMENT names the field that is out of range.
-    pub fn nicol_scene_add_plate(scene: nicol_scene, plate: *const nicol_plate, id: *mut u32) -> nicol_result;
-    /// All of the plate of this id.
-    pub fn nicol_scene_set_plate(scene: nicol_scene, id: u32, plate: *const nicol_plate) -> nicol_result;
+    /// Adds an element, with an id of its own: elements are counted from 0, apart from instances and lights. id
+    /// may be NULL. NICOL_ERROR_INVALID_ARGUMENT names the field that is out of range.
+    pub fn nicol_scene_add_polarization_element(scene: nicol_scene, element: *const nicol_polarization_element, id: *mut u32) -> nicol_result;
+    /// All of the element of this id.
+    pub fn nicol_scene_set_polarization_element(scene: nicol_scene, id: u32, element: *const nicol_polarization_element) -> nicol_result;
     /// Its id is not used again; the others keep theirs.
-    pub fn nicol_scene_remove_plate(scene: nicol_scene, id: u32) -> nicol_result;
-    /// The plate as it was given.
-    pub fn nicol_scene_get_plate(scene: nicol_scene, id: u32, plate: *mut nicol_plate) -> nicol_result;
-    pub fn nicol_scene_get_plate_count(scene: nicol_scene, plates: *mut u32) -> nicol_result;
-    /// The ids of all plates, ascending; count: of the plates.
-    pub fn nicol_scene_get_plate_ids(scene: nicol_scene, ids: *mut u32, count: u64) -> nicol_result;
+    pub fn nicol_scene_remove_polarization_element(scene: nicol_scene, id: u32) -> nicol_result;
+    /// The element as it was given.
+    pub fn nicol_scene_get_polarization_element(scene: nicol_scene, id: u32, element: *mut nicol_polarization_element) -> nicol_result;
+    pub fn nicol_scene_get_polarization_element_count(scene: nicol_scene, elements: *mut u32) -> nicol_result;
+    /// The ids of all elements, ascending; count: of the elements.
+    pub fn nicol_scene_get_polarization_element_ids(scene: nicol_scene, ids: *mut u32, count: u64) -> nicol_result;
     /// The camera and film size of a loaded file, and the AOVs that its integrators ask for, a sum of
     /// NICOL_AOV_... for nicol_render_options; NICOL_ERROR_UNSUPPORTED for a scene that was not loaded.
     pub fn nicol_scene_get_camera(scene: nicol_scene, camera: *mut nicol_camera) -> nicol_result;

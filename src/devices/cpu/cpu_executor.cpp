@@ -6,14 +6,14 @@
 #include <deque>
 
 #include "devices/vertex_lights.hpp"
-#include "draw/hit_image.hpp"
 #include "draw/pixel_image.hpp"
 #include "draw/vertex_buffers.hpp"
+#include "draw/visibility_buffer.hpp"
 #include "material/spatial_variation.hpp"
 #include "methods/dense_method.hpp"
 #include "methods/factored_method.hpp"
 #include "methods/high_orders.hpp"
-#include "shading/physical_range.hpp"
+#include "shading/realizable_range.hpp"
 #include "shading/shade.hpp"
 
 namespace nicol {
@@ -293,7 +293,7 @@ std::uint64_t CpuExecutor::make_physical(const ShadeInput& input) {
     return moved;
 }
 
-void CpuExecutor::illuminate(const SmallLights& lights, const ShadeInput& input, RenderRun& run) {
+void CpuExecutor::illuminate(const LocalLights& lights, const ShadeInput& input, RenderRun& run) {
     const std::vector<std::span<glm::vec4>> channels(stokes_.begin(), stokes_.end());
     VertexLights(lights, input).add(run, channels);
 }

@@ -30,7 +30,7 @@ public:
     void shade_pixels(const FactoredMethod& method, const PixelInput& input, RenderRun& run) override;
     void shade_pixels(const DenseMethod& method, const PixelInput& input, RenderRun& run) override;
     std::uint64_t make_physical(const ShadeInput& input) override;
-    void illuminate(const SmallLights& lights, const ShadeInput& input, RenderRun& run) override;
+    void illuminate(const LocalLights& lights, const ShadeInput& input, RenderRun& run) override;
     void finish() override {}
     void store(VertexBuffers& buffers) const override;
     void store(PixelImage& image) const override;

@@ -7,8 +7,8 @@
 #include <glm/matrix.hpp>
 
 #include "devices/pixel_batch.hpp"
-#include "draw/hit_image.hpp"
-#include "shading/physical_range.hpp"
+#include "draw/visibility_buffer.hpp"
+#include "shading/realizable_range.hpp"
 #include "simd/lane_transpose.hpp"
 
 namespace nicol {
@@ -36,7 +36,7 @@ struct PixelShading::Work {
 PixelShading::PixelShading(const PixelInput& input, std::span<const PixelSurface> surfaces,
                            std::span<const glm::vec2> fractions)
     : input_(input), surfaces_(surfaces), fractions_(fractions) {
-    if (input.small_lights != nullptr) small_lights_.emplace(*input.small_lights, input);
+    if (input.local_lights != nullptr) local_lights_.emplace(*input.local_lights, input);
 }
 
 PixelCounts PixelShading::run(std::size_t first, std::size_t last,
@@ -102,14 +102,14 @@ void PixelShading::shade(const PixelBatch& batch, Work& work, std::span<const st
     if (input_.physical) {
         for (const std::span<glm::vec4> channel : stokes) make_physical(channel, input_.noise);
     }
-    if (small_lights_) add_small_lights(batch, stokes, counts);
+    if (local_lights_) add_local_lights(batch, stokes, counts);
     batch.gather(stokes, input_.most_components, 0, out);
 }
 
-void PixelShading::add_small_lights(const PixelBatch& batch, std::span<const std::span<glm::vec4>> stokes,
+void PixelShading::add_local_lights(const PixelBatch& batch, std::span<const std::span<glm::vec4>> stokes,
                                     PixelCounts& counts) const {
     const Stopwatch watch;
-    counts.rays += small_lights_->add(batch, stokes);
+    counts.rays += local_lights_->add(batch, stokes);
     counts.light_seconds += 1e-3 * watch.milliseconds();
 }
 

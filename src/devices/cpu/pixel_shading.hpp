@@ -42,8 +42,8 @@ struct PixelSurface {
 /// What it took to shade pixels.
 struct PixelCounts {
     std::size_t shaded = 0;    ///< Stokes vectors, times channels
-    std::uint64_t rays = 0;    ///< to small lights
-    double light_seconds = 0;  ///< of one thread, for small lights
+    std::uint64_t rays = 0;    ///< to local lights
+    double light_seconds = 0;  ///< of one thread, for local lights
 };
 
 /// Shades the pixels of an image that show a surface. Calls for different pixels may run side by side.
@@ -62,7 +62,7 @@ private:
 
     void shade(const PixelBatch& batch, Work& work, std::span<const std::span<glm::vec4>> out,
                PixelCounts& counts) const;
-    void add_small_lights(const PixelBatch& batch, std::span<const std::span<glm::vec4>> stokes,
+    void add_local_lights(const PixelBatch& batch, std::span<const std::span<glm::vec4>> stokes,
                           PixelCounts& counts) const;
     void find_light(const PixelSurface& surface, const PixelBatch& batch, Work& work) const;
     void find_fractions(const PixelBatch& batch, Work& work) const;
@@ -71,7 +71,7 @@ private:
     const PixelInput& input_;
     std::span<const PixelSurface> surfaces_;
     std::span<const glm::vec2> fractions_;
-    std::optional<PixelLights> small_lights_;
+    std::optional<PixelLights> local_lights_;
 };
 
 }  // namespace nicol

@@ -30,11 +30,11 @@ void DeviceDense::copy(const DenseMethod& method, int light_channels) {
         const DenseTransfer& transfer = run.matrices;
         const LightLayout& outgoing = transfer.material().outgoing();
         const auto table = tables_.try_emplace(run.response, context_, outgoing, *run.response).first;
-        const std::size_t numbers = outgoing.size();
+        const std::size_t coefficients = outgoing.size();
         const gl::Limits& limits = context_->limits();
         const std::size_t step = std::max<std::size_t>(
             1, std::min({DeviceLight::most_vertices(*context_,
-                                                    std::max(numbers, DeviceRotation::work_space(outgoing))),
+                                                    std::max(coefficients, DeviceRotation::work_space(outgoing))),
                          limits.storage_bytes / (transfer.vertex_stride() * sizeof(float)),
                          limits.groups[0] * gl::kGroupOfVertices / transfer.row_stride()}));
         for (std::size_t first = 0; first < transfer.vertices(); first += step) {
@@ -45,7 +45,7 @@ void DeviceDense::copy(const DenseMethod& method, int light_channels) {
                  .rows = static_cast<int>(transfer.row_stride()),
                  .matrices = gl::Buffer(context_, gl::BufferUse::storage,
                                         std::as_bytes(transfer.between(first, last))),
-                 .light = DeviceLight(context_, run.first + first, last - first, numbers,
+                 .light = DeviceLight(context_, run.first + first, last - first, coefficients,
                                       std::max(light_channels, transfer.material().channels()))});
         }
     }
@@ -57,7 +57,7 @@ void DeviceDense::multiply(const TransferInput& input, Piece& piece) {
     program_->set("count", static_cast<int>(piece.light.count()));
     program_->set("stride", static_cast<int>(piece.light.stride()));
     program_->set("rows", piece.rows);
-    program_->set("used_rows", static_cast<int>(piece.light.numbers()));
+    program_->set("used_rows", static_cast<int>(piece.light.coefficients()));
     program_->set("columns", static_cast<int>(columns.size()));
     program_->set("channels", channels);
     std::vector<float> world;
@@ -92,7 +92,7 @@ const DeviceDense::Piece& DeviceDense::first_piece(const PixelRun& run) const {
 
 void DeviceDense::light_pixels(const PixelInput& /*input*/, const PixelRun& run, DevicePixels& pixels) {
     const Piece& first = first_piece(run);
-    DeviceLight& light = pixels.light(run, first.light.numbers(), first.light.channels());
+    DeviceLight& light = pixels.light(run, first.light.coefficients(), first.light.channels());
     for (const Piece& piece : pieces_) {
         if (piece.light.first() >= first.light.first()) pixels.interpolate(piece.light, run, light);
     }
@@ -104,7 +104,7 @@ void DeviceDense::shade_pixels(const MaterialPtr& /*material*/, const PixelInput
                                const PixelRun& run, DevicePixels& pixels, DeviceShade& shade,
                                const DevicePoints& points) {
     const Piece& piece = first_piece(run);
-    const DeviceLight& light = pixels.light(run, piece.light.numbers(), piece.light.channels());
+    const DeviceLight& light = pixels.light(run, piece.light.coefficients(), piece.light.channels());
     shade.run(*piece.table, light, run.first, run.last, points);
 }
 

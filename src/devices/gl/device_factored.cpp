@@ -44,7 +44,7 @@ DeviceShadowMatrices::DeviceShadowMatrices(const std::shared_ptr<gl::Context>& c
 }
 
 void DeviceShadowMatrices::run(DeviceLight& light) {
-    const std::size_t bytes = light.numbers() * light.stride() * sizeof(float);
+    const std::size_t bytes = light.coefficients() * light.stride() * sizeof(float);
     if (!product_ || product_->size() < bytes) {
         product_.reset();
         product_.emplace(context_, gl::BufferUse::storage, bytes, gl::BufferUpdate::fixed);
@@ -65,9 +65,9 @@ void DeviceShadowMatrices::run(DeviceLight& light) {
             light.bind(2, c);
             rows_.bind_storage(3);
             product_->bind_storage(4, 0, bytes);
-            gl::dispatch(multiply_, gl::groups_for(last - first), static_cast<unsigned>(light.numbers()));
+            gl::dispatch(multiply_, gl::groups_for(last - first), static_cast<unsigned>(light.coefficients()));
             product_->bind_storage(1, 0, bytes);
-            gl::dispatch(store_, gl::groups_for(last - first), static_cast<unsigned>(light.numbers()));
+            gl::dispatch(store_, gl::groups_for(last - first), static_cast<unsigned>(light.coefficients()));
         }
     };
     numbers_.for_chunks(light, light.count(), multiply);
@@ -122,16 +122,16 @@ void DeviceFactored::copy_shadows(const FactoredMethod& method) {
 
 void DeviceFactored::allocate_light(const TransferInput& input) {
     const std::size_t vertices = input.geometry.positions.size();
-    const std::size_t numbers = input.layout.size();
+    const std::size_t coefficients = input.layout.size();
     const std::size_t step = most_points(input);
     const bool same = !light_.empty() && light_.back().last() == vertices &&
                       light_.front().count() == std::min(step, vertices) &&
-                      light_.front().numbers() == numbers &&
+                      light_.front().coefficients() == coefficients &&
                       light_.front().channels() == input.light.channels();
     if (same) return;
     light_.clear();
     for (std::size_t first = 0; first < vertices; first += step) {
-        light_.emplace_back(context_, first, std::min(step, vertices - first), numbers,
+        light_.emplace_back(context_, first, std::min(step, vertices - first), coefficients,
                             input.light.channels());
     }
 }

@@ -11,8 +11,8 @@
 #include "devices/gl/device_pixels.hpp"
 #include "devices/gl/device_rotation.hpp"
 #include "devices/gl/device_shade.hpp"
+#include "devices/gl/device_shadow_coefficients.hpp"
 #include "devices/gl/device_shadow_grid.hpp"
-#include "devices/gl/device_shadow_numbers.hpp"
 #include "gl/program.hpp"
 #include "methods/factored_method.hpp"
 #include "transfer/visibility_product.hpp"
@@ -32,7 +32,7 @@ private:
     std::shared_ptr<gl::Context> context_;
     gl::Program multiply_;
     gl::Program store_;
-    DeviceShadowNumbers numbers_;
+    DeviceShadowCoefficients numbers_;
     gl::Buffer rows_;
     std::optional<gl::Buffer> product_;
 };

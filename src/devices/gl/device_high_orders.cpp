@@ -167,12 +167,12 @@ void DeviceHighOrders::copy_visibility(const HighOrderTransfer& transfer) {
         lobes_.clear();
         if (transfer.visibility()->empty()) return;
         const VisibilityBlocks& all = *transfer.visibility();
-        const std::size_t numbers = psh_count(all.order());
+        const std::size_t coefficients = psh_count(all.order());
         const std::size_t vertices = all.vertices();
-        std::vector<float> one(numbers);
-        const std::size_t step = DeviceLight::most_vertices(*context_, numbers);
+        std::vector<float> one(coefficients);
+        const std::size_t step = DeviceLight::most_vertices(*context_, coefficients);
         for (std::size_t first = 0; first < vertices; first += step) {
-            visibility_.emplace_back(context_, first, std::min(step, vertices - first), numbers, 1);
+            visibility_.emplace_back(context_, first, std::min(step, vertices - first), coefficients, 1);
             visibility_.back().upload([&](std::size_t v, int /*channel*/) {
                 all.expand(v, one);
                 return std::span<const float>(one);

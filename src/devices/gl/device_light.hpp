@@ -14,37 +14,37 @@
 
 namespace nicol {
 
-/// Light of the vertices, or points, first .. first + count - 1 of all: [channel][number][vertex].
+/// Light of the vertices, or points, first .. first + count - 1 of all: [channel][coefficient][vertex].
 class DeviceLight {
 public:
     /// The most vertices that one holds: what the context lets a shader reach, and no more than keeps its
     /// work space small.
-    [[nodiscard]] static std::size_t most_vertices(const gl::Context& context, std::size_t numbers) {
-        const std::size_t fit = context.limits().storage_bytes / (numbers * sizeof(float));
+    [[nodiscard]] static std::size_t most_vertices(const gl::Context& context, std::size_t coefficients) {
+        const std::size_t fit = context.limits().storage_bytes / (coefficients * sizeof(float));
         return std::clamp(fit / gl::kGroupOfVertices * gl::kGroupOfVertices, gl::kGroupOfVertices,
                           std::size_t{65536});
     }
 
-    /// numbers: of a vertex in a channel.
+    /// coefficients: of a vertex in a channel.
     DeviceLight(const std::shared_ptr<gl::Context>& context, std::size_t first, std::size_t count,
-                std::size_t numbers, int channels)
+                std::size_t coefficients, int channels)
         : first_(first),
           count_(count),
           stride_((count + gl::kGroupOfVertices - 1) / gl::kGroupOfVertices * gl::kGroupOfVertices),
-          numbers_(numbers),
+          coefficients_(coefficients),
           channels_(channels),
           buffer_(context, gl::BufferUse::storage, static_cast<std::size_t>(channels) * channel_bytes(),
                   gl::BufferUpdate::dynamic) {}
 
-    /// Copies from the host: numbers_of(vertex, channel) is a span of numbers().
-    template <class NumbersOf>
-    void upload(const NumbersOf& numbers_of) {
-        std::vector<float> data(static_cast<std::size_t>(channels_) * numbers_ * stride_);
+    /// Copies from the host: coefficients_of(vertex, channel) is a span of coefficients().
+    template <class CoefficientsOf>
+    void upload(const CoefficientsOf& coefficients_of) {
+        std::vector<float> data(static_cast<std::size_t>(channels_) * coefficients_ * stride_);
         for (int c = 0; c < channels_; ++c) {
-            float* channel = data.data() + static_cast<std::size_t>(c) * numbers_ * stride_;
+            float* channel = data.data() + static_cast<std::size_t>(c) * coefficients_ * stride_;
             for (std::size_t v = 0; v < count_; ++v) {
-                const std::span<const float> from = numbers_of(first_ + v, c);
-                for (std::size_t j = 0; j < numbers_; ++j) channel[j * stride_ + v] = from[j];
+                const std::span<const float> from = coefficients_of(first_ + v, c);
+                for (std::size_t j = 0; j < coefficients_; ++j) channel[j * stride_ + v] = from[j];
             }
         }
         buffer_.update(0, std::as_bytes(std::span(data)));
@@ -63,18 +63,18 @@ public:
     [[nodiscard]] std::size_t first() const noexcept { return first_; }
     [[nodiscard]] std::size_t count() const noexcept { return count_; }
     [[nodiscard]] std::size_t last() const noexcept { return first_ + count_; }
-    /// Vertices from number to number.
+    /// Vertices from coefficient to coefficient.
     [[nodiscard]] std::size_t stride() const noexcept { return stride_; }
-    [[nodiscard]] std::size_t numbers() const noexcept { return numbers_; }
+    [[nodiscard]] std::size_t coefficients() const noexcept { return coefficients_; }
     [[nodiscard]] int channels() const noexcept { return channels_; }
 
 private:
-    [[nodiscard]] std::size_t channel_bytes() const noexcept { return numbers_ * stride_ * sizeof(float); }
+    [[nodiscard]] std::size_t channel_bytes() const noexcept { return coefficients_ * stride_ * sizeof(float); }
 
     std::size_t first_;
     std::size_t count_;
     std::size_t stride_;
-    std::size_t numbers_;
+    std::size_t coefficients_;
     int channels_;
     gl::Buffer buffer_;
 };

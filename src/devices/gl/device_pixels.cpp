@@ -6,7 +6,7 @@
 #include <string>
 
 #include "devices/light_image.hpp"
-#include "draw/hit_image.hpp"
+#include "draw/visibility_buffer.hpp"
 #include "error.hpp"
 #include "gl/context.hpp"
 #include "gl/draw.hpp"
@@ -70,7 +70,7 @@ std::vector<DevicePixelList::Chunk> DevicePixelList::find(const PixelInput& inpu
     input_ = &input;
     buffers_ = &buffers;
     image_ = &image;
-    compile(input.hits.offsets(), input.small_lights != nullptr);
+    compile(input.hits.offsets(), input.local_lights != nullptr);
     find_groups();
     const std::size_t pixels =
         static_cast<std::size_t>(input.hits.width()) * static_cast<std::size_t>(input.hits.height());
@@ -154,7 +154,7 @@ void DevicePixelList::list(const Chunk& chunk) {
 }
 
 void DevicePixelList::gather(const Chunk& chunk, std::span<const gl::Buffer* const> stokes,
-                             std::span<const std::vector<glm::vec4>> small_lights) {
+                             std::span<const std::vector<glm::vec4>> local_lights) {
     gather_->set("first", static_cast<int>(chunk.first));
     gather_->set("count", static_cast<int>(chunk.last - chunk.first));
     gather_->set("width", input_->hits.width());
@@ -165,8 +165,8 @@ void DevicePixelList::gather(const Chunk& chunk, std::span<const gl::Buffer* con
     for (std::size_t c = 0; c < stokes.size(); ++c) {
         stokes[c]->bind_storage(1);
         std::optional<gl::Buffer> lights;
-        if (input_->small_lights != nullptr) {
-            lights = gl::storage(context_, small_lights[c]);
+        if (input_->local_lights != nullptr) {
+            lights = gl::storage(context_, local_lights[c]);
             lights->bind_storage(2);
         }
         image_->channel(static_cast<int>(c)).bind_image();
@@ -195,7 +195,7 @@ std::uint64_t DevicePixels::run(const PixelInput& input, VertexBuffers& buffers,
     const auto height = static_cast<std::size_t>(input.hits.height());
     sizing_.run(width, height, input.channels, [&] { release(); });
     std::uint64_t shaded = 0;
-    std::vector<std::vector<glm::vec4>> small_lights;  // of the pixels of a chunk, by channel
+    std::vector<std::vector<glm::vec4>> local_lights;  // of the pixels of a chunk, by channel
     for (const DevicePixelList::Chunk& chunk : list_.find(input, buffers, image_)) {
         render.progress.report("shade",
                                static_cast<double>(chunk.first) / static_cast<double>(width * height));
@@ -215,11 +215,11 @@ std::uint64_t DevicePixels::run(const PixelInput& input, VertexBuffers& buffers,
             shaded += chunk.counts[g];
         }
         // Threads work beside the device, which has what it needs of this chunk.
-        if (input.small_lights != nullptr) {
+        if (input.local_lights != nullptr) {
             gl::flush(*context_);
-            find_light_image(input, chunk.first, chunk.last, render, small_lights);
+            find_light_image(input, chunk.first, chunk.last, render, local_lights);
         }
-        list_.gather(chunk, points_.stokes, small_lights);
+        list_.gather(chunk, points_.stokes, local_lights);
     }
     return shaded;
 }
@@ -271,12 +271,12 @@ void DevicePixels::find_surface(const PixelRun& run) {
     gl::dispatch(surface_, gl::groups_for(run.last - run.first));
 }
 
-DeviceLight& DevicePixels::light(const PixelRun& run, std::size_t numbers, int channels) {
+DeviceLight& DevicePixels::light(const PixelRun& run, std::size_t coefficients, int channels) {
     const std::size_t count = run.last - run.first;
-    if (!light_ || light_->numbers() != numbers || light_->channels() != channels ||
+    if (!light_ || light_->coefficients() != coefficients || light_->channels() != channels ||
         light_->stride() < count) {
         light_.reset();
-        light_.emplace(context_, run.first, count, numbers, channels);
+        light_.emplace(context_, run.first, count, coefficients, channels);
     }
     light_->place(run.first, count);
     return *light_;
@@ -294,7 +294,7 @@ void DevicePixels::interpolate(const DeviceLight& vertices, const PixelRun& run,
     for (int c = 0; c < light.channels(); ++c) {
         vertices.bind(3, c);
         light.bind(4, c);
-        interpolate(run, light.numbers());
+        interpolate(run, light.coefficients());
     }
 }
 
@@ -312,12 +312,12 @@ void DevicePixels::interpolate_fractions(const PixelRun& run) {
     interpolate(run, 2);
 }
 
-void DevicePixels::interpolate(const PixelRun& run, std::size_t numbers) {
+void DevicePixels::interpolate(const PixelRun& run, std::size_t coefficients) {
     interpolate_.set("count", static_cast<int>(run.last - run.first));
     std::ignore = gl::bind_vertices(list_.points(), 0, 4, run.first, run.last);
     buffers_->indices()->buffer().bind_storage(1);
     std::ignore = gl::bind_vertices(*weights_, 2, 2, run.first, run.last);
-    gl::dispatch(interpolate_, gl::groups_for(run.last - run.first), static_cast<unsigned>(numbers));
+    gl::dispatch(interpolate_, gl::groups_for(run.last - run.first), static_cast<unsigned>(coefficients));
 }
 
 }  // namespace nicol

@@ -45,10 +45,10 @@ public:
     void list(const Chunk& chunk);
     /// The listed points, as glsl/pixel_points.glsl has them.
     [[nodiscard]] const gl::Buffer& points() const { return points_.value(); }
-    /// Makes the chunk's pixels: `stokes` are its points', by channel. `small_lights`, where the input has
+    /// Makes the chunk's pixels: `stokes` are its points', by channel. `local_lights`, where the input has
     /// any: what they add to each pixel, by channel.
     void gather(const Chunk& chunk, std::span<const gl::Buffer* const> stokes,
-                std::span<const std::vector<glm::vec4>> small_lights);
+                std::span<const std::vector<glm::vec4>> local_lights);
     /// Gives the memory of the last list back.
     void release();
 
@@ -63,7 +63,7 @@ private:
     VertexBuffers* buffers_ = nullptr;
     DevicePixelImage* image_ = nullptr;
 
-    Stage<std::size_t, bool> compiling_;  // samples, small lights
+    Stage<std::size_t, bool> compiling_;  // samples, local lights
     std::optional<gl::Program> count_;
     std::optional<gl::Program> list_;
     std::optional<gl::Program> gather_;
@@ -90,7 +90,7 @@ public:
 
     using Shade = std::function<void(const PixelRun&)>;
     /// Calls shade(run) until it was called for all points, at most `most` at once; it fills points().stokes,
-    /// from which the image is made; small lights are added to it. Returns the number of points. Throws
+    /// from which the image is made; local lights are added to it. Returns the number of points. Throws
     /// Error(unsupported) for more triangles or vertices than the driver lets a shader reach.
     std::uint64_t run(const PixelInput& input, VertexBuffers& buffers, std::size_t most, RenderRun& render,
                       const Shade& shade);
@@ -101,8 +101,8 @@ public:
     [[nodiscard]] const gl::Buffer& listed() const { return list_.points(); }
     /// A vec2 a point: the weights of its triangle's second and third corner.
     [[nodiscard]] const gl::Buffer& barycentric() const { return weights_.value(); }
-    /// Memory for the light of its points, until the next call. Numbers: of a point in a channel.
-    [[nodiscard]] DeviceLight& light(const PixelRun& run, std::size_t numbers, int channels);
+    /// Memory for the light of its points, until the next call. Coefficients: of a point in a channel.
+    [[nodiscard]] DeviceLight& light(const PixelRun& run, std::size_t coefficients, int channels);
     /// light = that of the vertices between which its points are, for all vertices of the surface after calls
     /// for all lights that have some of them, in ascending order. Others change nothing.
     void interpolate(const DeviceLight& vertices, const PixelRun& run, DeviceLight& light);
@@ -113,7 +113,7 @@ private:
     void find_surface(const PixelRun& run);
     void interpolate_fractions(const PixelRun& run);
     // Expects source and result to be bound.
-    void interpolate(const PixelRun& run, std::size_t numbers);
+    void interpolate(const PixelRun& run, std::size_t coefficients);
 
     std::shared_ptr<gl::Context> context_;
     DevicePixelImage& image_;

@@ -14,7 +14,7 @@
 
 namespace nicol {
 
-/// Rotates the numbers of LightLayout as Relight and FrameRotation do. `normals`: of all points, three floats
+/// Rotates the coefficients of LightLayout as Relight and FrameRotation do. `normals`: of all points, three floats
 /// each. The lights of points have the layout.
 class DeviceRotation {
 public:

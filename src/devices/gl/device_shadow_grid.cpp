@@ -186,7 +186,7 @@ void DeviceShadowGrid::run(DeviceLight& light) {
                 samples_.vertices().bind_storage(0);
                 on_columns_.bind_storage(1);
                 light.bind(2, channel);
-                gl::dispatch(program, groups, static_cast<unsigned>(light.numbers()));
+                gl::dispatch(program, groups, static_cast<unsigned>(light.coefficients()));
             };
             for (gl::Program* program : {&gather_, &sums_, &multiply_, &store_}) {
                 program->set("count", static_cast<int>(last - first));

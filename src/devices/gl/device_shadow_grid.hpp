@@ -7,7 +7,7 @@
 #include <span>
 
 #include "devices/gl/device_light.hpp"
-#include "devices/gl/device_shadow_numbers.hpp"
+#include "devices/gl/device_shadow_coefficients.hpp"
 #include "gl/program.hpp"
 #include "transfer/visibility_product.hpp"
 
@@ -47,7 +47,7 @@ private:
     gl::Program sums_;
     gl::Program multiply_;
     gl::Program store_;
-    DeviceShadowNumbers samples_;
+    DeviceShadowCoefficients samples_;
     unsigned points_;    // rows times columns times Stokes components
     std::size_t chunk_;  // vertices
     Sums orders_;

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <string>
 
-#include "draw/hit_image.hpp"
+#include "draw/visibility_buffer.hpp"
 #include "gl/draw.hpp"
 #include "scene/projection.hpp"
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "devices/vertex_lights.hpp"
-#include "draw/hit_image.hpp"
+#include "draw/visibility_buffer.hpp"
 #include "gl/draw.hpp"
 #include "surfaces/plain_materials.hpp"
 
@@ -179,7 +179,7 @@ void GlExecutor::make_physical(const DevicePoints& points, std::size_t first, st
     }
 }
 
-void GlExecutor::illuminate(const SmallLights& lights, const ShadeInput& input, RenderRun& run) {
+void GlExecutor::illuminate(const LocalLights& lights, const ShadeInput& input, RenderRun& run) {
     // Threads work beside the device, which still shades.
     context_->run([&] { gl::flush(*context_); });
     const std::size_t vertices = input.geometry.positions.size();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // relight, shade and specular as compute shaders: what the methods make is copied to the device, where the
-// results stay. What small lights add is found on threads.
+// results stay. What local lights add is found on threads.
 #pragma once
 
 #include <memory>
@@ -38,7 +38,7 @@ public:
     void shade_pixels(const FactoredMethod& method, const PixelInput& input, RenderRun& run) override;
     void shade_pixels(const DenseMethod& method, const PixelInput& input, RenderRun& run) override;
     std::uint64_t make_physical(const ShadeInput& input) override;
-    void illuminate(const SmallLights& lights, const ShadeInput& input, RenderRun& run) override;
+    void illuminate(const LocalLights& lights, const ShadeInput& input, RenderRun& run) override;
     void finish() override;
     void store(VertexBuffers& /*buffers*/) const override {}
     void store(PixelImage& image) const override { image_.copy_to(image); }

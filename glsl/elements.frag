@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+// Polarization elements (polarization/element.hpp) before an image, which is also what this is drawn into: each pixel becomes the
+// mean over its samples of what the elements before the surface that a sample shows make of the pixel's light.
+#version 450 core
+
+#include "hits.glsl"
+#include "vertex_view.glsl"
+
+layout(location = 0) in vec2 uv;  // (0, 0) upper left
+layout(location = 0) out vec4 pixel[CHANNELS];
+
+layout(binding = 0) uniform sampler2D behind[CHANNELS];
+layout(binding = 4) uniform usampler2D hits[SAMPLES];
+
+// Places and directions are in the axes of the vertices.
+struct Element {
+    vec4 x;     // of a direction along the element's x and, in w, of the eye from its center: 1 is the edge
+    vec4 y;
+    vec4 z;     // the normal, which is a unit vector
+    vec4 axis;  // unit: of a polarizer that which absorbs, of a retarder the fast one; w: the kind
+    float retardance;  // radians
+    float transmittance;
+    float round;  // 1: a disk, 0: a rectangle
+    float unused;
+};
+const int POLARIZER = 0;
+const int RETARDER = 1;
+const int RIGHT_CIRCULAR = 2;
+
+layout(std430, binding = 0) readonly buffer Elements { Element elements[]; };
+layout(std430, binding = 1) readonly buffer Corners { uint corners[]; };
+layout(std430, binding = 2) readonly buffer Positions { float positions[]; };
+
+uniform vec2 half_size;   // of the image at unit distance, or in the world
+uniform vec2 shift;       // of the image on that plane, in these
+uniform vec2 pixel_size;  // in uv
+uniform float near;
+uniform float far;
+uniform int components;  // of a Stokes vector that the image has; the others become 0
+uniform vec2 offsets[SAMPLES];  // of the samples from the pixel's centre, in pixels
+
+struct Ray {
+    vec3 aside;      // its origin from the eye
+    vec3 direction;  // of length 1 along the view, so that depths are distances
+};
+
+Ray ray_through(vec2 at) {
+    vec2 place = (vec2(2.0 * at.x - 1.0, 1.0 - 2.0 * at.y) + shift) * half_size;
+    vec3 across = place.x * right + place.y * up;
+    return orthographic ? Ray(across, forward) : Ray(vec3(0.0), forward + across);
+}
+
+vec3 position_of(uint corner) {
+    uint at = 3u * corners[corner];
+    return vec3(positions[at], positions[at + 1u], positions[at + 2u]);
+}
+
+float distance_to(Hit hit, Ray ray) {
+    vec3 a = position_of(3u * hit.triangle);
+    vec3 normal = cross(position_of(3u * hit.triangle + 1u) - a, position_of(3u * hit.triangle + 2u) - a);
+    precise vec3 from_eye = (a - eye) - eye_rest;
+    return dot(normal, from_eye - ray.aside) / dot(normal, ray.direction);
+}
+
+// Negative where the ray does not meet the element.
+float distance_to(Element element, Ray ray) {
+    float t = -(element.z.w + dot(element.z.xyz, ray.aside)) / dot(element.z.xyz, ray.direction);
+    vec3 way = ray.aside + t * ray.direction;
+    vec2 at = vec2(dot(element.x.xyz, way) + element.x.w, dot(element.y.xyz, way) + element.y.w);
+    float edge = element.round != 0.0 ? length(at) : max(abs(at.x), abs(at.y));
+    return edge <= 1.0 ? t : -1.0;
+}
+
+// Of light in the camera's frame field, whose x is `x`.
+void pass(Element element, vec3 propagation, vec3 x, inout vec4 light[CHANNELS]) {
+    vec2 axis = vec2(dot(element.axis.xyz, x), dot(element.axis.xyz, cross(propagation, x)));
+    float squared = dot(axis, axis);
+    vec2 twice = squared > 0.0 ? double_angle(axis) / squared : vec2(1.0, 0.0);
+    float delta = element.retardance * abs(dot(element.z.xyz, propagation));
+    float c = cos(delta);
+    float s = sin(delta);
+    int kind = int(element.axis.w);
+    for (int i = 0; i < CHANNELS; ++i) {
+        vec4 along = in_rotated_frame(light[i], twice);
+        vec4 passed;
+        if (kind == POLARIZER) {
+            float h = 0.5 * (along.x - along.y);
+            passed = vec4(h, -h, 0.0, 0.0);
+        } else if (kind == RETARDER) {
+            passed = vec4(along.xy, c * along.z + s * along.w, c * along.w - s * along.z);
+        } else {
+            float sign = kind == RIGHT_CIRCULAR ? 1.0 : -1.0;
+            float h = 0.5 * (along.x + sign * along.w);
+            passed = vec4(h, 0.0, 0.0, sign * h);
+        }
+        light[i] = element.transmittance * in_rotated_frame(passed, vec2(twice.x, -twice.y));
+    }
+}
+
+void main() {
+    ivec2 texel = ivec2(gl_FragCoord.xy);
+    vec4 light[CHANNELS];
+    vec4 sum[CHANNELS];
+    for (int i = 0; i < CHANNELS; ++i) {
+        light[i] = texelFetch(behind[i], texel, 0);
+        sum[i] = vec4(0.0);
+    }
+    bool met = false;
+    for (int k = 0; k < SAMPLES; ++k) {
+        Ray ray = ray_through(uv + offsets[k] * pixel_size);
+        vec3 propagation = -normalize(ray.direction);
+        vec3 x = camera_x(propagation);
+        Hit hit = hit_of(texelFetch(hits[k], texel, 0).x);
+        float last = hit.exists ? min(distance_to(hit, ray), far) : far;
+        int last_element = elements.length();
+        vec4 passed[CHANNELS] = light;
+        // From the farthest to the nearest; of two at one place the later first.
+        while (true) {
+            float farthest = near;
+            int next = -1;
+            for (int p = 0; p < elements.length(); ++p) {
+                float t = distance_to(elements[p], ray);
+                if (t >= farthest && (t < last || (t == last && p < last_element))) {
+                    farthest = t;
+                    next = p;
+                }
+            }
+            if (next < 0) break;
+            pass(elements[next], propagation, x, passed);
+            last = farthest;
+            last_element = next;
+            met = true;
+        }
+        for (int i = 0; i < CHANNELS; ++i) sum[i] += passed[i];
+    }
+    if (!met && components == 4) discard;
+    for (int i = 0; i < CHANNELS; ++i) {
+        pixel[i] = sum[i] / float(SAMPLES);
+        for (int p = components; p < 4; ++p) pixel[i][p] = 0.0;
+    }
+}

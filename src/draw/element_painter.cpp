@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+#include "draw/element_painter.hpp"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <string>
+#include <vector>
+
+#include "error.hpp"
+#include "gl/context.hpp"
+#include "gl/draw.hpp"
+#include "gl/storage.hpp"
+#include "reference/camera_rays.hpp"
+#include "surfaces/rigid_motion.hpp"
+
+namespace nicol {
+namespace {
+
+// As glsl/elements.frag has it.
+struct DeviceElement {
+    glm::vec4 x, y, z;
+    glm::vec4 axis;
+    float retardance;
+    float transmittance;
+    float round;
+    float unused;
+};
+static_assert(sizeof(DeviceElement) == ElementPainter::kBytesPerElement);
+static_assert(static_cast<int>(PolarizationElement::Kind::polarizer) == 0 &&
+              static_cast<int>(PolarizationElement::Kind::retarder) == 1 &&
+              static_cast<int>(PolarizationElement::Kind::right_circular) == 2);
+
+DeviceElement on_device(const PlacedElement& placed, const glm::dvec3& eye) {
+    const glm::dmat3 rows = glm::transpose(placed.to_local());
+    const glm::dvec3 from = placed.to_local() * (eye - placed.center());
+    const PolarizationElement& element = placed.element();
+    return {.x = glm::vec4(rows[0], from.x),
+            .y = glm::vec4(rows[1], from.y),
+            .z = glm::vec4(rows[2], from.z),
+            .axis = glm::vec4(placed.axis(), static_cast<float>(element.kind)),
+            .retardance = static_cast<float>(element.retardance),
+            .transmittance = static_cast<float>(element.transmittance),
+            .round = element.outline == PolarizationElement::Outline::disk ? 1.0F : 0.0F,
+            .unused = 0};
+}
+
+void check_storage(const gl::Context& context, const WorldGeometry& geometry) {
+    const std::size_t most = context.limits().storage_bytes / sizeof(glm::vec3);
+    if (std::max(geometry.triangles.size(), geometry.positions.size()) <= most) return;
+    throw Error(ErrorCode::unsupported,
+                context.info().renderer + " shows polarization elements before at most " +
+                    std::to_string(most) + " triangles and vertices, and the scene has " +
+                    std::to_string(geometry.triangles.size()) + " and " +
+                    std::to_string(geometry.positions.size()) + "; use the reference method");
+}
+
+}  // namespace
+
+void ElementPainter::prepare(const Scene& scene, const RefinedSurfaces& surfaces,
+                             const Projection& projection, int samples, const Framebuffer& target) {
+    check_storage(*context_, surfaces.geometry());
+    projection_ = in_axes(projection, surfaces.to_world());
+    const glm::dmat4 from_world = inverse_motion(surfaces.to_world());
+    std::vector<DeviceElement> elements;
+    for (const PolarizationElement& element : scene.elements())
+        elements.push_back(on_device(PlacedElement(element, from_world), projection_.view.eye));
+    elements_.reset();
+    elements_.emplace(gl::storage(context_, elements));
+    for (int first = 0; first < target.channels(); first += Framebuffer::kGroup)
+        static_cast<void>(program(std::min(Framebuffer::kGroup, target.channels() - first), samples));
+}
+
+gl::Program& ElementPainter::program(int channels, int samples) {
+    const std::pair key(channels, samples);
+    auto found = programs_.find(key);
+    if (found == programs_.end()) {
+        const gl::Define defines[] = {{.name = "CHANNELS", .value = std::to_string(channels)},
+                                      {.name = "SAMPLES", .value = std::to_string(samples)}};
+        found =
+            programs_
+                .emplace(key, gl::Program::graphics(context_, "fullscreen.vert", "elements.frag", defines))
+                .first;
+    }
+    return found->second;
+}
+
+void ElementPainter::draw(const VertexBuffers& buffers, const VisibilityBuffer& hits, int components,
+                          Framebuffer& target) {
+    const glm::dvec2 size(target.width(), target.height());
+    // Of one ray, whose distances become depths.
+    const Ray ray = CameraRays(projection_, target.width(), target.height()).through(size.x / 2, size.y / 2);
+    const double depth = glm::dot(ray.direction, projection_.view.forward);
+    const std::span offsets = hits.offsets();
+    elements_->bind_storage(0);
+    if (!buffers.empty()) {
+        buffers.indices()->buffer().bind_storage(1);
+        buffers.positions()->bind_storage(2);
+    }
+    for (std::size_t s = 0; s < offsets.size(); ++s)
+        hits.texture(s).bind(static_cast<unsigned>(Framebuffer::kGroup + s));
+    for (gl::RenderTarget& image : target.groups()) {
+        gl::Program& elements = program(image.colours(), static_cast<int>(offsets.size()));
+        set_view_uniforms(elements, projection_.view);
+        elements.set("half_size", glm::vec2(projection_.half_width, projection_.half_height));
+        elements.set("shift", glm::vec2(projection_.shift));
+        elements.set("pixel_size", glm::vec2(1.0 / size));
+        elements.set("near", static_cast<float>(ray.nearest * depth));
+        elements.set("far", static_cast<float>(ray.farthest * depth));
+        elements.set("components", components);
+        for (std::size_t s = 0; s < offsets.size(); ++s)
+            elements.set("offsets[" + std::to_string(s) + "]", glm::vec2(offsets[s]));
+        for (int c = 0; c < image.colours(); ++c) image.colour(c).bind(static_cast<unsigned>(c));
+        gl::texture_barrier(*context_);
+        gl::draw_fullscreen(image, elements);
+    }
+}
+
+}  // namespace nicol

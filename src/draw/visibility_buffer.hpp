@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+// draw, where pixels are shaded: which triangle is at each sample of a pixel.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "draw/alpha_masks.hpp"
+#include "draw/sample_pattern.hpp"
+#include "draw/vertex_buffers.hpp"
+#include "gl/draw.hpp"
+#include "gl/program.hpp"
+#include "gl/render_target.hpp"
+#include "scene/projection.hpp"
+#include "versioned.hpp"
+
+namespace nicol {
+
+/// A triangle of a WorldGeometry, and whether the camera sees its front.
+struct Hit {
+    std::uint32_t triangle;
+    bool front;
+};
+
+class VisibilityBuffer {
+public:
+    explicit VisibilityBuffer(std::shared_ptr<gl::Context> context) : context_(std::move(context)) {}
+
+    /// Where hits are wanted.
+    enum class Kept {
+        on_host,    ///< at() has them
+        on_device,  ///< texture() has them
+        on_both,
+    };
+
+    /// `buffers` and `alpha_masks` are of `geometry`, and the projection of its axes. `offsets`: of the
+    /// samples, as sample_pattern() has them. Inside run() of the context.
+    void draw(const WorldGeometry& geometry, VertexBuffers& buffers, const AlphaMasks& alpha_masks,
+              const Projection& projection, int width, int height, std::span<const glm::dvec2> offsets,
+              Kept kept);
+
+    /// Of the last draw().
+    [[nodiscard]] std::span<const glm::dvec2> offsets() const { return offsets_; }
+    /// Nothing where no surface is. `pixel`: row by row.
+    [[nodiscard]] std::optional<Hit> at(std::size_t sample, std::size_t pixel) const {
+        const std::uint32_t texel = texels_[sample][pixel];
+        if (texel == 0) return std::nullopt;
+        return Hit{.triangle = (texel & ~kFront) - 1, .front = (texel & kFront) != 0};
+    }
+
+    /// Gives all memory back.
+    void clear();
+    /// What is kept outside the context.
+    [[nodiscard]] std::uint64_t bytes() const;
+    /// All that draw() takes, the context's included.
+    [[nodiscard]] static std::uint64_t bytes_per_pixel(std::size_t samples, Kept kept) {
+        const std::size_t targets = kept == Kept::on_host ? 1 : samples;
+        const std::size_t read = kept == Kept::on_device ? 0 : samples;
+        return read * sizeof(std::uint32_t) + targets * (sizeof(std::uint32_t) + sizeof(float));
+    }
+
+    /// What glsl/hits.glsl reads.
+    [[nodiscard]] const gl::Texture2D& texture(std::size_t sample) const {
+        return targets_[sample].colour(0);
+    }
+
+    [[nodiscard]] int width() const { return targets_.front().width(); }
+    [[nodiscard]] int height() const { return targets_.front().height(); }
+
+private:
+    static constexpr std::uint32_t kFront = 0x80000000;  // as hits.frag
+
+    void find_batches(const WorldGeometry& geometry, const AlphaMasks& alpha_masks);
+    gl::Program& program(int textures);
+    void draw_sample(const AlphaMasks& alpha_masks, const glm::dmat4& to_clip, gl::RenderTarget& target);
+
+    std::shared_ptr<gl::Context> context_;
+    std::map<int, gl::Program> programs_;    // by textures of an opacity
+    std::vector<TriangleBatch> batches_;     // those of whole surfaces together
+    std::vector<gl::RenderTarget> targets_;  // of every sample, or one for all that are read back
+    Stage<int, int, std::size_t> sizing_;    // width, height, targets
+    std::optional<gl::VertexArray> vertices_;
+    Stage<Version> binding_;
+    Stage<Version, Version> batching_;  // buffers, alpha masks
+    std::span<const glm::dvec2> offsets_;
+    std::array<std::vector<std::uint32_t>, kMostPixelSamples> texels_;  // by sample
+};
+
+}  // namespace nicol

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#include "polarization/element.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <string>
+
+#include "arguments.hpp"
+
+namespace nicol {
+namespace {
+
+/// In a frame whose x is the axis that absorbs, or is fast.
+Mueller along_axis(const PolarizationElement& element, double cosine) {
+    using Kind = PolarizationElement::Kind;
+    const double t = element.transmittance;
+    const double h = 0.5 * t;
+    switch (element.kind) {
+        case Kind::polarizer:
+            return Mueller({h, -h, 0, 0, -h, h, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0});
+        case Kind::retarder: {
+            const double c = t * std::cos(element.retardance * cosine);
+            const double s = t * std::sin(element.retardance * cosine);
+            return Mueller({t, 0, 0, 0, 0, t, 0, 0, 0, 0, c, s, 0, 0, -s, c});
+        }
+        case Kind::right_circular:
+            return Mueller({h, 0, 0, h, 0, 0, 0, 0, 0, 0, 0, 0, h, 0, 0, h});
+        case Kind::left_circular:
+            break;
+    }
+    return Mueller({h, 0, 0, -h, 0, 0, 0, 0, 0, 0, 0, 0, -h, 0, 0, h});
+}
+
+}  // namespace
+
+void check(const PolarizationElement& element) {
+    if (!std::isfinite(element.angle)) refuse("angle of an element is not finite");
+    if (!std::isfinite(element.retardance)) refuse("retardance of an element is not finite");
+    if (!(element.transmittance >= 0 && element.transmittance <= 1))
+        refuse("transmittance of an element is " + std::to_string(element.transmittance) +
+               "; it must lie in 0 to 1");
+}
+
+PlacedElement::PlacedElement(const PolarizationElement& element, const glm::dmat4& from_world)
+    : element_(element) {
+    const glm::dmat4 placed = from_world * element.to_world;
+    const glm::dmat3 axes(placed);
+    center_ = placed[3];
+    normal_ = glm::normalize(glm::transpose(glm::inverse(axes))[2]);
+    const Frame frame = frame_with_x(normal_, axes[0]);
+    const bool absorbs = element.kind == PolarizationElement::Kind::polarizer;
+    const double angle = element.angle + (absorbs ? std::numbers::pi / 2 : 0);
+    axis_ = std::cos(angle) * frame[0] + std::sin(angle) * frame[1];
+    to_local_ = glm::inverse(glm::dmat3(axes[0], axes[1], normal_));
+}
+
+std::optional<double> PlacedElement::distance(const glm::dvec3& origin, const glm::dvec3& direction) const {
+    const glm::dvec3 from = to_local_ * (origin - center_);
+    const glm::dvec3 step = to_local_ * direction;
+    if (step.z == 0) return std::nullopt;
+    const double distance = -from.z / step.z;
+    const double x = from.x + distance * step.x;
+    const double y = from.y + distance * step.y;
+    const bool round = element_.outline == PolarizationElement::Outline::disk;
+    const double out = round ? std::hypot(x, y) : std::max(std::abs(x), std::abs(y));
+    if (!(out <= 1)) return std::nullopt;
+    return distance;
+}
+
+Mueller PlacedElement::mueller(const Frame& received) const {
+    const double along_x = glm::dot(axis_, received[0]);
+    const double along_y = glm::dot(axis_, received[1]);
+    const double angle = std::atan2(along_y, along_x);
+    const double cosine = std::abs(glm::dot(normal_, received[2]));
+    return in_rotated_frames(along_axis(element_, cosine), -angle, -angle);
+}
+
+}  // namespace nicol

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// Emissive surfaces, as a viewpoint sees them.
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <span>
+
+#include "light/local_light.hpp"
+#include "polarization/viewpoint.hpp"
+
+namespace nicol {
+
+/// Adds to out[c][i] channel c's Stokes vector of the light that the surface emits from position i towards
+/// the viewpoint, in the camera's frame field; nothing where the viewer is behind the normal. `axis`: of its
+/// polarization, in the positions' axes. `texcoords`: of as many points, where the emission has a texture.
+/// Light of one channel serves all.
+void add_emission(const Emission& emission, const glm::dvec3& axis, const Viewpoint& view,
+                  std::span<const glm::vec3> positions, std::span<const glm::vec3> normals,
+                  std::span<const glm::vec2> texcoords, std::span<const std::span<glm::vec4>> out);
+
+}  // namespace nicol

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#include "shading/light_samples.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+
+#include "simd/dispatch.hpp"
+
+namespace nicol {
+namespace {
+
+// Steele and Vigna's mixer of 32 bits.
+template <class Bits>
+[[gnu::always_inline]] inline void mix(Bits& x) {
+    x = (x ^ (x >> 16)) * 0x21F0AAADU;
+    x = (x ^ (x >> 15)) * 0x735A2D97U;
+    x = x ^ (x >> 15);
+}
+
+std::uint32_t mixed(std::uint32_t x) {
+    mix(x);
+    return x;
+}
+
+// Sobol's second dimension, a binary fraction whose first bit is the lowest. The first dimension is the
+// index.
+std::uint32_t sobol(std::uint32_t index) {
+    std::uint32_t out = 0;
+    for (std::uint32_t direction = 1; index != 0; index >>= 1, direction ^= direction << 1)
+        if ((index & 1) != 0) out ^= direction;
+    return out;
+}
+
+using LaneBits [[gnu::vector_size(64)]] = std::uint32_t;
+
+// The first 24 bits, below 1.
+[[gnu::always_inline]] inline void put_fractions(const LaneBits& bits, Lanes& out) {
+    using Signed [[gnu::vector_size(64)]] = std::int32_t;
+    using Number [[gnu::vector_size(64)]] = float;
+    const auto whole = reinterpret_cast<Signed>(bits >> 8);
+    const Number fractions = __builtin_convertvector(whole, Number) * 0x1p-24F;
+    std::memcpy(&out, &fractions, sizeof fractions);
+}
+
+[[gnu::always_inline]] inline void reverse(LaneBits& x) {
+    x = (x >> 1 & 0x55555555U) | (x & 0x55555555U) << 1;
+    x = (x >> 2 & 0x33333333U) | (x & 0x33333333U) << 2;
+    x = (x >> 4 & 0x0F0F0F0FU) | (x & 0x0F0F0F0FU) << 4;
+    x = (x >> 8 & 0x00FF00FFU) | (x & 0x00FF00FFU) << 8;
+    x = x >> 16 | x << 16;
+}
+
+// Owen's scrambling of a binary fraction whose first bit is the lowest, by Laine and Karras' hash (2011):
+// each bit is flipped or not as the seed and the bits before it say. The fraction's first bit is then the
+// highest.
+[[gnu::always_inline]] inline void scramble(std::uint32_t fraction, const LaneBits& seeds, LaneBits& out) {
+    out = fraction + seeds;
+    out ^= out * 0x6C50B47CU;
+    out ^= out * 0xB82F1E52U;
+    out ^= out * 0xC7AFE638U;
+    out ^= out * 0x8D22F6E6U;
+    reverse(out);
+}
+
+// `second`: the first bit is the lowest.
+[[gnu::always_inline]] inline void scramble_all(std::uint32_t index, std::uint32_t second,
+                                                const std::array<std::uint32_t, kLanes>& seeds, Lanes& u,
+                                                Lanes& v) {
+    LaneBits seed, bits;
+    std::memcpy(&seed, seeds.data(), sizeof seed);
+    scramble(index, seed, bits);
+    put_fractions(bits, u);
+    mix(seed);
+    scramble(second, seed, bits);
+    put_fractions(bits, v);
+}
+
+}  // namespace
+
+std::uint32_t sample_seed(std::uint32_t point, std::uint32_t light) {
+    return mixed(mixed(point) + 0x9E3779B9U * light);
+}
+
+void light_samples(std::uint32_t index, std::span<const std::uint32_t> seeds, Lanes& u, Lanes& v) {
+    std::array<std::uint32_t, kLanes> all;
+    for (std::size_t i = 0; i < kLanes; ++i) all[i] = seeds[std::min(i, seeds.size() - 1)];
+    dispatch<scramble_all>(index, sobol(index), all, u, v);
+}
+
+}  // namespace nicol

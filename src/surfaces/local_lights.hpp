@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+// A scene's local lights, for shading.
+#pragma once
+
+#include <cstdint>
+#include <glm/mat3x3.hpp>
+#include <glm/vec3.hpp>
+#include <map>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "light/extracted_light.hpp"
+#include "scene/scene.hpp"
+#include "shading/local_lighting.hpp"
+#include "stage/options.hpp"
+#include "stage/statistics.hpp"
+#include "surfaces/refined_surfaces.hpp"
+#include "versioned.hpp"
+
+namespace nicol {
+
+/// Its local lights and the emissive surfaces, in the axes of the surfaces as they are drawn, with the
+/// hierarchy of boxes that their shadow rays need.
+class LocalLights {
+public:
+    /// Extracted lights that were split off the scene's environment, and the rotation of its axes to the
+    /// surfaces'.
+    struct ExtractedLights {
+        const std::vector<std::shared_ptr<const ExtractedLight>>& extracted_lights;
+        const glm::dmat3& rotation;
+    };
+    /// As far as changes make it necessary.
+    void update(const Scene& scene, const ExtractedLights& split, const RefinedSurfaces& surfaces,
+                const RenderOptions& options, Statistics& statistics);
+
+    /// Another whenever vertices get other light.
+    [[nodiscard]] Version version() const noexcept { return lighting_.version(); }
+    [[nodiscard]] bool any() const { return lighting_->has_value(); }
+    /// Where there are any.
+    [[nodiscard]] const LocalLighting& lighting() const { return **lighting_; }
+
+    /// Where shadow rays start: so far from a triangle, in the direction of its normal, ...
+    [[nodiscard]] float offset() const { return offset_; }
+    /// ... and beside each vertex.
+    [[nodiscard]] std::span<const glm::vec3> vertex_origins() const { return vertex_origins_; }
+    /// Where texture coordinate u grows, by vertex; empty: no material is anisotropic.
+    [[nodiscard]] std::span<const glm::vec3> vertex_tangents() const { return vertex_tangents_; }
+
+    /// Of the polarization of what an instance emits.
+    [[nodiscard]] const glm::dvec3& axis_of(std::uint32_t instance) const { return axes_.at(instance); }
+
+private:
+    void make_rays(const WorldGeometry& geometry);
+    [[nodiscard]] std::vector<LightSourcePtr> make_sources(const Scene& scene, const ExtractedLights& split,
+                                                           const glm::dmat4& to_world);
+
+    Stage<Version, Version, bool>
+        tracing_;  // vertices and triangles, materials, whether anything casts shadows
+    std::optional<RayScene> rays_;
+    Version rays_version_ = 0;
+    float offset_ = 0;
+    std::vector<glm::vec3> vertex_origins_;
+    Stage<Version, Version> materials_;  // vertices and triangles, materials
+    std::vector<glm::vec3> vertex_tangents_;
+    bool mirrors_ = false;  // a material has smooth terms
+    // Lights, emission, where instances are, the axes, rays, mirrors, samples of a light; extracted lights,
+    // their axes and scale.
+    Stage<Version, Version, Version, glm::dmat4, Version, bool, int,
+          std::vector<std::shared_ptr<const ExtractedLight>>, glm::dmat3, double>
+        making_;
+    Versioned<std::optional<LocalLighting>> lighting_;
+    std::map<std::uint32_t, glm::dvec3> axes_;  // by instance that emits light
+    std::uint64_t lights_ = 0;
+};
+
+}  // namespace nicol
