@@ -1114,11 +1114,12 @@ typedef struct nicol_render_options {
                                 most this part of all of it; 0: none is split. 0 to 1, default 0.02 */
     uint64_t max_vertices;   /* that splitting may lead to; 0, the default: 65536, or four times as many as
                                 there were where that is more. A memory_limit lowers it */
-    int32_t split_lights;    /* factored: bright parts of the environment, such as a sun, that are taken out of
-                                it and rendered as local lights, at most: 0 to NICOL_MAX_SPLIT_LIGHTS.
-                                NICOL_SPLIT_AUTOMATIC, the default: those that the orders would miss */
-    /* Real-time methods: samples of each light with a size that light a point or a pixel, 1 to 1024, default 16.
-     * Fewer are faster, and leave steps in soft shadows. */
+    /* factored: bright parts of the environment, such as a sun, that are taken out of it and rendered as
+     * local lights, at most: 0 to NICOL_MAX_SPLIT_LIGHTS. NICOL_SPLIT_AUTOMATIC, the default: those that the
+     * orders would miss. */
+    int32_t split_lights;
+    /* Real-time methods: samples of each light with a size that light a point or a pixel, 1 to 1024, default
+     * 16. Fewer are faster, and leave steps in soft shadows. */
     uint32_t light_samples;
 } nicol_render_options;
 /* clang-format off */
