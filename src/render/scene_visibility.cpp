@@ -10,12 +10,13 @@
 namespace nicol {
 namespace {
 
-BakeGeometry bake_geometry(const SceneGeometry& surfaces) {
+BakeGeometry bake_geometry(const SceneGeometry& surfaces, SurfaceRays& rays) {
     const WorldGeometry& world = surfaces.geometry();
     return {.positions = world.positions,
             .normals = world.normals,
             .triangles = world.triangles,
-            .present = presence_of(world)};
+            .present = presence_of(world),
+            .rays = [&] { return rays.of(surfaces); }};
 }
 
 void count_bake(const BakeStatistics& baked, const Stopwatch& watch, Statistics& statistics) {
@@ -32,14 +33,16 @@ void SceneVisibility::set_cache(std::filesystem::path folder, CacheNotice notice
     notice_ = std::move(notice);
 }
 
-void SceneVisibility::update(const SceneGeometry& surfaces, bool lit, const RenderOptions& options,
-                             Workers& workers, Progress& progress, Statistics& statistics) {
+void SceneVisibility::update(const SceneGeometry& surfaces, SurfaceRays& rays, bool lit,
+                             const RenderOptions& options, Workers& workers, Progress& progress,
+                             Statistics& statistics) {
     const SurfaceVersions former = versions_;
     const std::shared_ptr<const Visibility> visible_before = *visible_;
     const bool had_bake = former.visibility == visible_.version();
-    const bool carried = options.shadows && lit && bake(surfaces, options, workers, progress, statistics);
+    const bool carried =
+        options.shadows && lit && bake(surfaces, rays, options, workers, progress, statistics);
     const bool baked = options.shadows && baked_geometry_ == surfaces.version();
-    if (baked) refine(surfaces, options, workers, progress, statistics);
+    if (baked) refine(surfaces, rays, options, workers, progress, statistics);
     surfaces_.update(surfaces, baked ? refined_ : nullptr, parts_);
 
     const std::size_t vertices = surfaces_.geometry().positions.size();
@@ -81,8 +84,8 @@ SurfaceState SceneVisibility::state() const {
             .change = change};
 }
 
-bool SceneVisibility::bake(const SceneGeometry& surfaces, const RenderOptions& options, Workers& workers,
-                           Progress& progress, Statistics& statistics) {
+bool SceneVisibility::bake(const SceneGeometry& surfaces, SurfaceRays& rays, const RenderOptions& options,
+                           Workers& workers, Progress& progress, Statistics& statistics) {
     const int count = options.bake_directions;
     const glm::dmat3& axes = surfaces.own_axes();
     const SceneGeometry::Change& change = surfaces.change();
@@ -95,7 +98,7 @@ bool SceneVisibility::bake(const SceneGeometry& surfaces, const RenderOptions& o
         const auto report = [&progress](double fraction) { progress.report("bake", fraction); };
         BakeStatistics baked;
         workers.run([&] {
-            const BakeGeometry geometry = bake_geometry(surfaces);
+            const BakeGeometry geometry = bake_geometry(surfaces, rays);
             Visibility visibility;
             if (carry) {
                 const FormerBake former{
@@ -112,8 +115,8 @@ bool SceneVisibility::bake(const SceneGeometry& surfaces, const RenderOptions& o
     return ran && carry;
 }
 
-void SceneVisibility::refine(const SceneGeometry& surfaces, const RenderOptions& options, Workers& workers,
-                             Progress& progress, Statistics& statistics) {
+void SceneVisibility::refine(const SceneGeometry& surfaces, SurfaceRays& rays, const RenderOptions& options,
+                             Workers& workers, Progress& progress, Statistics& statistics) {
     const bool shadow_all = (options.disabled_optimisations & skip_unoccluded) != 0;
     refining_.run(baked_.version(), options.refine_tolerance, options.max_vertices, shadow_all, [&] {
         const Stopwatch watch;
@@ -124,7 +127,7 @@ void SceneVisibility::refine(const SceneGeometry& surfaces, const RenderOptions&
         workers.run([&] {
             if (!(options.refine_tolerance > 0)) return;
             const Refinement refinement =
-                load_or_refine(bake_geometry(surfaces), *directions_, *visible,
+                load_or_refine(bake_geometry(surfaces, rays), *directions_, *visible,
                                {.tolerance = options.refine_tolerance, .max_vertices = options.max_vertices},
                                folder_, notice_, report, baked);
             if (refinement.parents.empty()) return;

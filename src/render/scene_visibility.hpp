@@ -15,6 +15,7 @@
 #include "stage/workers.hpp"
 #include "surfaces/refined_surfaces.hpp"
 #include "surfaces/scene_geometry.hpp"
+#include "surfaces/surface_rays.hpp"
 #include "surfaces/surface_state.hpp"
 #include "versioned.hpp"
 #include "visibility/visibility.hpp"
@@ -27,9 +28,9 @@ public:
     void set_cache(std::filesystem::path folder, CacheNotice notice);
 
     /// Bakes and refines the surfaces, unless nothing casts shadows or `lit` is false, as far as changes make
-    /// it necessary. Adds its times and counts to `statistics`.
-    void update(const SceneGeometry& surfaces, bool lit, const RenderOptions& options, Workers& workers,
-                Progress& progress, Statistics& statistics);
+    /// it necessary. `rays` are the surfaces'. Adds its times and counts to `statistics`.
+    void update(const SceneGeometry& surfaces, SurfaceRays& rays, bool lit, const RenderOptions& options,
+                Workers& workers, Progress& progress, Statistics& statistics);
 
     /// Of the last update().
     [[nodiscard]] SurfaceState state() const;
@@ -37,10 +38,10 @@ public:
 
 private:
     /// Of the surfaces as they are. Returns whether the former bake was carried over.
-    bool bake(const SceneGeometry& surfaces, const RenderOptions& options, Workers& workers,
-              Progress& progress, Statistics& statistics);
-    void refine(const SceneGeometry& surfaces, const RenderOptions& options, Workers& workers,
-                Progress& progress, Statistics& statistics);
+    bool bake(const SceneGeometry& surfaces, SurfaceRays& rays, const RenderOptions& options,
+              Workers& workers, Progress& progress, Statistics& statistics);
+    void refine(const SceneGeometry& surfaces, SurfaceRays& rays, const RenderOptions& options,
+                Workers& workers, Progress& progress, Statistics& statistics);
 
     std::filesystem::path folder_;
     CacheNotice notice_;

@@ -31,16 +31,22 @@ EmissiveSurface emissive_surface(const Instance& instance, std::uint32_t id, con
 
 }  // namespace
 
-void LocalLights::update(const Scene& scene, const ExtractedLights& split, const RefinedSurfaces& surfaces,
-                         const RenderOptions& options, Statistics& statistics) {
+void LocalLights::update(const Scene& scene, const ExtractedLights& split, const SceneGeometry& unrefined,
+                         const RefinedSurfaces& surfaces, SurfaceRays& rays, const RenderOptions& options,
+                         Statistics& statistics) {
     const bool lit = scene.has_local_lights() || !split.extracted_lights.empty();
     const bool shadows = options.shadows && lit;
-    tracing_.run(surfaces.version(), surfaces.material_version(), shadows, [&] {
-        rays_.reset();
+    tracing_.run(unrefined.version(), surfaces.version(), shadows, [&] {
+        rays_.change() = shadows ? rays.of(unrefined) : nullptr;
         vertex_origins_.clear();
-        rays_version_ = new_version();
-        if (shadows) make_rays(surfaces.geometry());
+        if (!shadows) return;
+        const WorldGeometry& geometry = surfaces.geometry();
+        offset_ = static_cast<float>((*rays_)->offset());
+        vertex_origins_ = bake_origins(
+            {.positions = geometry.positions, .normals = geometry.normals, .triangles = geometry.triangles},
+            geometry.normals);
     });
+    if (!shadows) rays.clear();
     materials_.run(surfaces.version(), surfaces.material_version(), [&] {
         vertex_tangents_ = nicol::vertex_tangents(surfaces.geometry());
         mirrors_ = std::ranges::any_of(surfaces.geometry().ranges, [](const VertexRange& range) {
@@ -48,7 +54,7 @@ void LocalLights::update(const Scene& scene, const ExtractedLights& split, const
         });
     });
     making_.run(scene.local_light_version(), scene.emission_version(), scene.geometry_version(),
-                surfaces.to_world(), rays_version_, mirrors_, options.light_samples, split.extracted_lights,
+                surfaces.to_world(), rays_.version(), mirrors_, options.light_samples, split.extracted_lights,
                 split.rotation, scene.light_scale(), [&] {
                     if (!lit && !any()) return;  // vertices keep what they have
                     std::vector<LightSourcePtr> sources = make_sources(scene, split, surfaces.to_world());
@@ -56,19 +62,9 @@ void LocalLights::update(const Scene& scene, const ExtractedLights& split, const
                     std::optional<LocalLighting>& lighting = lighting_.change();
                     lighting.reset();
                     if (!lit) return;
-                    lighting.emplace(std::move(sources), rays_ ? &*rays_ : nullptr, options.light_samples);
+                    lighting.emplace(std::move(sources), rays_->get(), options.light_samples);
                 });
     statistics.local_lights = lights_;
-}
-
-void LocalLights::make_rays(const WorldGeometry& geometry) {
-    const RaySurface surface{
-        .positions = geometry.positions, .triangles = geometry.triangles, .present = presence_of(geometry)};
-    rays_.emplace(std::span(&surface, 1));
-    offset_ = static_cast<float>(rays_->offset());
-    vertex_origins_ = bake_origins(
-        {.positions = geometry.positions, .normals = geometry.normals, .triangles = geometry.triangles},
-        geometry.normals);
 }
 
 std::vector<LightSourcePtr> LocalLights::make_sources(const Scene& scene, const ExtractedLights& split,

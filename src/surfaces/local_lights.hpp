@@ -16,12 +16,13 @@
 #include "stage/options.hpp"
 #include "stage/statistics.hpp"
 #include "surfaces/refined_surfaces.hpp"
+#include "surfaces/surface_rays.hpp"
 #include "versioned.hpp"
 
 namespace nicol {
 
-/// Its local lights and the emissive surfaces, in the axes of the surfaces as they are drawn, with the
-/// hierarchy of boxes that their shadow rays need.
+/// Local lights and emissive surfaces in the axes of the surfaces as they are drawn, and the hierarchy that
+/// their shadow rays need.
 class LocalLights {
 public:
     /// Extracted lights that were split off the scene's environment, and the rotation of its axes to the
@@ -30,9 +31,11 @@ public:
         const std::vector<std::shared_ptr<const ExtractedLight>>& extracted_lights;
         const glm::dmat3& rotation;
     };
-    /// As far as changes make it necessary.
-    void update(const Scene& scene, const ExtractedLights& split, const RefinedSurfaces& surfaces,
-                const RenderOptions& options, Statistics& statistics);
+    /// Takes over changes. `unrefined` are the surfaces of which `surfaces` are the refinement; `rays` are
+    /// theirs, and cleared where no local light casts a shadow.
+    void update(const Scene& scene, const ExtractedLights& split, const SceneGeometry& unrefined,
+                const RefinedSurfaces& surfaces, SurfaceRays& rays, const RenderOptions& options,
+                Statistics& statistics);
 
     /// Another whenever vertices get other light.
     [[nodiscard]] Version version() const noexcept { return lighting_.version(); }
@@ -51,14 +54,11 @@ public:
     [[nodiscard]] const glm::dvec3& axis_of(std::uint32_t instance) const { return axes_.at(instance); }
 
 private:
-    void make_rays(const WorldGeometry& geometry);
     [[nodiscard]] std::vector<LightSourcePtr> make_sources(const Scene& scene, const ExtractedLights& split,
                                                            const glm::dmat4& to_world);
 
-    Stage<Version, Version, bool>
-        tracing_;  // vertices and triangles, materials, whether anything casts shadows
-    std::optional<RayScene> rays_;
-    Version rays_version_ = 0;
+    Stage<Version, Version, bool> tracing_;  // surfaces, their refinement, whether anything casts shadows
+    Versioned<std::shared_ptr<const RayScene>> rays_;
     float offset_ = 0;
     std::vector<glm::vec3> vertex_origins_;
     Stage<Version, Version> materials_;  // vertices and triangles, materials

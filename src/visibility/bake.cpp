@@ -127,6 +127,13 @@ private:
 
 }  // namespace
 
+std::shared_ptr<const RayScene> rays_of(const BakeGeometry& geometry) {
+    if (geometry.rays) return geometry.rays();
+    const RaySurface surface{
+        .positions = geometry.positions, .triangles = geometry.triangles, .present = geometry.present};
+    return std::make_shared<const RayScene>(std::span(&surface, 1));
+}
+
 Visibility bake(const BakeGeometry& geometry, const DirectionSet& directions, const BakeProgress& progress,
                 BakeStatistics* statistics, const FormerBake* former) {
     const std::size_t vertices = geometry.positions.size();
@@ -146,9 +153,7 @@ Visibility bake(const BakeGeometry& geometry, const DirectionSet& directions, co
 
     report(0);
     const Stopwatch building;
-    const RaySurface surface{
-        .positions = geometry.positions, .triangles = geometry.triangles, .present = geometry.present};
-    const RayScene scene({&surface, 1});
+    const std::shared_ptr<const RayScene> scene = rays_of(geometry);
     const std::vector<glm::vec3> origins = bake_origins(geometry, normals);
     std::vector<std::size_t> before;
     std::optional<BundleCones> cones;
@@ -179,7 +184,7 @@ Visibility bake(const BakeGeometry& geometry, const DirectionSet& directions, co
                     known = {.bits = former->visibility.at(before[v]), .disturbed = disturbed};
                 }
                 const std::uint64_t count =
-                    trace_vertex(scene, directions, origins[v], normals[v], v, known, visibility);
+                    trace_vertex(*scene, directions, origins[v], normals[v], v, known, visibility);
                 traced += count;
                 tracing_vertices += count > 0 ? 1 : 0;
             }

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <glm/vec3.hpp>
+#include <memory>
 #include <span>
 
 #include "geometry/ray_scene.hpp"
@@ -19,7 +20,13 @@ struct BakeGeometry {
     std::span<const glm::vec3> normals;  ///< of vertices; any length but zero
     std::span<const glm::uvec3> triangles;
     Presence present = {};  ///< empty: triangles are whole
+    /// The triangles' ray hierarchy, asked for where rays are traced; empty: bake() and refine() build their
+    /// own.
+    std::function<std::shared_ptr<const RayScene>()> rays = {};
 };
+
+/// Returns geometry.rays(), or a new hierarchy where that is empty.
+[[nodiscard]] std::shared_ptr<const RayScene> rays_of(const BakeGeometry& geometry);
 
 struct BakeStatistics {
     std::uint64_t rays = 0;

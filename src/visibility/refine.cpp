@@ -46,9 +46,7 @@ public:
           baked_(baked),
           options_(options),
           progress_(progress),
-          surface_{
-              .positions = geometry.positions, .triangles = geometry.triangles, .present = geometry.present},
-          scene_({&surface_, 1}),
+          scene_(rays_of(geometry)),
           mesh_(geometry.positions, geometry.triangles),
           normals_(geometry.normals.begin(), geometry.normals.end()) {
         std::vector<glm::vec3> units;
@@ -60,7 +58,7 @@ public:
                           [&](std::size_t v) { hidden_[v] = hidden(baked_, v, units[v]); });
         rows_.resize(normals_.size());
         for (std::size_t v = 0; v < rows_.size(); ++v) rows_[v] = v;
-        shortest_ = kOffsets * scene_.offset();
+        shortest_ = kOffsets * scene_->offset();
     }
 
     void run() {
@@ -172,7 +170,7 @@ private:
             const auto [a, b] = std::pair(fresh[i].x, fresh[i].y);
             const glm::vec3 normal = unit(middle_normal(a, b));
             const glm::vec3 place = 0.5F * mesh_.positions()[a] + 0.5F * mesh_.positions()[b];
-            rays += trace_vertex(scene_, directions_, place + middle_shift(a, b), normal, i, {}, seen);
+            rays += trace_vertex(*scene_, directions_, place + middle_shift(a, b), normal, i, {}, seen);
             hides[i] = hidden(seen, i, normal);
         });
         rays_ += rays;
@@ -287,7 +285,7 @@ private:
             const std::size_t rays = std::min(blocked.size(), kFollowedRays);
             for (std::size_t r = 0; r < rays; ++r) {
                 const std::size_t d = blocked[r * blocked.size() / rays];
-                const auto hit = scene_.intersect(
+                const auto hit = scene_->intersect(
                     {.origin = origin, .direction = glm::dvec3(directions_.directions()[d])});
                 if (!hit) continue;
                 found[i * kFollowedRays + r] = {
@@ -306,8 +304,7 @@ private:
     const Visibility& baked_;
     const RefineOptions& options_;
     const BakeProgress& progress_;
-    const RaySurface surface_;
-    const RayScene scene_;
+    const std::shared_ptr<const RayScene> scene_;
     EdgeBisection mesh_;
     std::vector<WantedLength> wanted_;
     // Of vertices.
