@@ -92,9 +92,9 @@ void PixelLights::add_emission(const VertexRange& range, const PixelBatch& batch
             for (std::size_t k = 0; k < 3; ++k) texcoords[i] += surface.weights[k][i] * corners[k];
         }
     }
-    add_emission(*range.emission, lights_.axis_of(range.instance), input_.view,
-                 std::span(surface.positions).first(count), std::span(surface.normals).first(count),
-                 std::span(texcoords).first(count), out);
+    add_emitted(*range.emission, lights_.axis_of(range.instance), input_.view,
+                std::span(surface.positions).first(count), std::span(surface.normals).first(count),
+                std::span(texcoords).first(count), out);
 }
 
 }  // namespace nicol

@@ -68,8 +68,8 @@ std::uint64_t VertexLights::add(const VertexRange& range, std::span<const std::u
                                 .shadowed = shadowed},
                                {.layers = {&material, 1}, .weights = {}}, channels);
     if (range.emission != nullptr) {
-        add_emission(*range.emission, lights_.axis_of(range.instance), input_.view,
-                     std::span(positions).first(count), std::span(normals).first(count), {}, channels);
+        add_emitted(*range.emission, lights_.axis_of(range.instance), input_.view,
+                    std::span(positions).first(count), std::span(normals).first(count), {}, channels);
     }
     for (std::size_t c = 0; c < out.size(); ++c)
         for (std::size_t i = 0; i < count; ++i) {

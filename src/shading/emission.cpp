@@ -5,9 +5,9 @@
 
 namespace nicol {
 
-void add_emission(const Emission& emission, const glm::dvec3& axis, const Viewpoint& view,
-                  std::span<const glm::vec3> positions, std::span<const glm::vec3> normals,
-                  std::span<const glm::vec2> texcoords, std::span<const std::span<glm::vec4>> out) {
+void add_emitted(const Emission& emission, const glm::dvec3& axis, const Viewpoint& view,
+                 std::span<const glm::vec3> positions, std::span<const glm::vec3> normals,
+                 std::span<const glm::vec2> texcoords, std::span<const std::span<glm::vec4>> out) {
     for (std::size_t i = 0; i < positions.size(); ++i) {
         const glm::dvec3 propagation = view.towards(glm::dvec3(positions[i]));
         if (!(glm::dot(propagation, glm::dvec3(normals[i])) > 0)) continue;

@@ -16,8 +16,8 @@ namespace nicol {
 /// the viewpoint, in the camera's frame field; nothing where the viewer is behind the normal. `axis`: of its
 /// polarization, in the positions' axes. `texcoords`: of as many points, where the emission has a texture.
 /// Light of one channel serves all.
-void add_emission(const Emission& emission, const glm::dvec3& axis, const Viewpoint& view,
-                  std::span<const glm::vec3> positions, std::span<const glm::vec3> normals,
-                  std::span<const glm::vec2> texcoords, std::span<const std::span<glm::vec4>> out);
+void add_emitted(const Emission& emission, const glm::dvec3& axis, const Viewpoint& view,
+                 std::span<const glm::vec3> positions, std::span<const glm::vec3> normals,
+                 std::span<const glm::vec2> texcoords, std::span<const std::span<glm::vec4>> out);
 
 }  // namespace nicol
