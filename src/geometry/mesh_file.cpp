@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Loading of mesh files.
+// Reader of mesh files.
 #include <algorithm>
 #include <array>
 #include <limits>
@@ -14,13 +14,16 @@
 namespace nicol {
 namespace {
 
+/// A format of mesh files: one row of kFormats, which is all that the library knows of it beside its parser.
 struct Format {
-    std::string_view suffix;
+    std::string_view name;  ///< the suffix without its dot
     geometry::PolygonMesh (*parse)(std::string_view name, std::string_view bytes, std::size_t shape,
                                    geometry::LeftOut& left_out, const LoadBudget& budget);
+    bool several_meshes = false;    ///< a file holds several
+    bool upward_texcoords = false;  ///< programs that write it count v from the image's bottom
 };
 
-/// Of a format that holds one mesh.
+/// Parses a format that holds one mesh per file.
 template <geometry::PolygonMesh (*Parse)(std::string_view, std::string_view, geometry::LeftOut&,
                                          const LoadBudget&)>
 geometry::PolygonMesh single(std::string_view name, std::string_view bytes, std::size_t /*shape*/,
@@ -28,19 +31,25 @@ geometry::PolygonMesh single(std::string_view name, std::string_view bytes, std:
     return Parse(name, bytes, left_out, budget);
 }
 
-constexpr std::array<Format, 5> kFormats = {{{".obj", single<geometry::parse_obj>},
-                                             {".ply", single<geometry::parse_ply>},
-                                             {".off", single<geometry::parse_off>},
-                                             {".stl", single<geometry::parse_stl>},
-                                             {".serialized", geometry::parse_serialized}}};
+constexpr std::array kFormats = {
+    Format{.name = "obj", .parse = single<geometry::parse_obj>, .upward_texcoords = true},
+    Format{.name = "ply", .parse = single<geometry::parse_ply>},
+    Format{.name = "off", .parse = single<geometry::parse_off>},
+    Format{.name = "stl", .parse = single<geometry::parse_stl>},
+    Format{.name = "serialized", .parse = geometry::parse_serialized, .several_meshes = true}};
+
+/// Returns null for a file of another kind.
+const Format* find_format(const std::filesystem::path& file) {
+    const std::string suffix = suffix_of(file);
+    const auto* const format =
+        std::ranges::find_if(kFormats, [&](const Format& f) { return suffix == "." + std::string(f.name); });
+    return format == kFormats.end() ? nullptr : &*format;
+}
 
 const Format& format_of(const std::filesystem::path& file) {
-    const std::string suffix = suffix_of(file);
-    const auto format = std::ranges::find(kFormats, std::string_view(suffix), &Format::suffix);
-    if (format == kFormats.end())
-        throw Error(ErrorCode::unsupported, file.string() + ": unknown kind of mesh \"" + suffix +
-                                                "\"; expected .obj, .ply, .off, .stl or .serialized");
-    return *format;
+    if (const Format* const format = find_format(file)) return *format;
+    throw Error(ErrorCode::unsupported, file.string() + ": unknown kind of mesh \"" + suffix_of(file) +
+                                            "\"; expected one of " + mesh_format_names());
 }
 
 }  // namespace
@@ -51,7 +60,7 @@ Mesh geometry::mesh_of(const std::filesystem::path& file, std::string_view bytes
     const std::string name = file.string();
     LeftOut left_out;
     PolygonMesh polygons = format_of(file).parse(name, bytes, shape, left_out, budget);
-    // Corners may be as many vertices.
+    // In the worst case every corner becomes a vertex.
     if (polygons.corners.size() >= std::numeric_limits<std::uint32_t>::max())
         throw Error(ErrorCode::unsupported, name + ": more than 2^32 - 2 corners of faces");
     if (polygons.face_ends.empty())
@@ -61,13 +70,29 @@ Mesh geometry::mesh_of(const std::filesystem::path& file, std::string_view bytes
     return mesh;
 }
 
+std::string mesh_format_names() {
+    std::string names;
+    for (const Format& format : kFormats) names += (names.empty() ? "" : ", ") + std::string(format.name);
+    return names;
+}
+
+bool is_mesh_format(std::string_view name) {
+    return std::ranges::find(kFormats, name, &Format::name) != kFormats.end();
+}
+
+bool holds_several_meshes(const std::filesystem::path& file) {
+    const Format* const format = find_format(file);
+    return format != nullptr && format->several_meshes;
+}
+
 bool has_upward_texcoords(const std::filesystem::path& file) {
-    return suffix_of(file) == ".obj";
+    const Format* const format = find_format(file);
+    return format != nullptr && format->upward_texcoords;
 }
 
 Mesh load_mesh(const std::filesystem::path& file, const std::function<void(const std::string&)>& notice,
                std::size_t shape, const LoadBudget& budget) {
-    static_cast<void>(format_of(file));  // of an unknown kind nothing is read
+    static_cast<void>(format_of(file));  // throws before reading if the kind is unknown
     return geometry::mesh_of(file, read_bytes(file, budget), notice, shape, budget);
 }
 

@@ -135,19 +135,19 @@ struct EmissionDescription {
 };
 
 struct ShapeDescription {
-    enum class Kind { obj, ply, off, stl, serialized, sphere, rectangle, cube, disk, cylinder, mesh };
-    Kind kind = Kind::obj;
+    enum class Kind { file, sphere, rectangle, cube, disk, cylinder, mesh };
+    Kind kind = Kind::file;
     std::string id;                  ///< of an instance, its own; empty when the file gives none
-    std::filesystem::path filename;  ///< of those before sphere
-    std::size_t index = 0;           ///< serialized: of the file's meshes
+    std::filesystem::path filename;  ///< file: of any format that load_mesh() reads
+    std::size_t index = 0;           ///< file: of its meshes, where the format holds several
     glm::dvec3 center{0.0};          ///< sphere
     double radius = 1.0;             ///< sphere, cylinder
     glm::dvec3 p0{0.0};              ///< cylinder: the ends of its axis
     glm::dvec3 p1{0.0, 0.0, 1.0};
     std::shared_ptr<const Mesh> mesh;  ///< mesh: itself, the scene file holds it; validated
     bool flip_normals = false;
-    bool face_normals = false;                    ///< of those with a file: hard edges everywhere
-    bool flip_tex_coords = false;                 ///< of those with a file: v becomes 1 - v
+    bool face_normals = false;                    ///< file: hard edges everywhere
+    bool flip_tex_coords = false;                 ///< file: v becomes 1 - v
     glm::dmat4 to_world{1.0};                     ///< affine and invertible
     std::size_t material = 0;                     ///< index into SceneDescription::materials
     std::optional<EmissionDescription> emission;  ///< none: it emits no light

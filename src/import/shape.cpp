@@ -11,8 +11,24 @@
 namespace nicol::scene {
 namespace {
 
-constexpr std::array<std::string_view, 10> kKindNames = {"obj",    "ply",       "off",  "stl",  "serialized",
-                                                         "sphere", "rectangle", "cube", "disk", "cylinder"};
+using Kind = ShapeDescription::Kind;
+
+struct KindName {
+    std::string_view name;
+    Kind kind;
+};
+constexpr std::array kKindNames = {KindName{"sphere", Kind::sphere}, KindName{"rectangle", Kind::rectangle},
+                                   KindName{"cube", Kind::cube}, KindName{"disk", Kind::disk},
+                                   KindName{"cylinder", Kind::cylinder}};
+
+Kind kind_of(const Plugin& plugin) {
+    if (is_mesh_format(plugin.type())) return Kind::file;
+    const auto* const kind = std::ranges::find(kKindNames, std::string_view(plugin.type()), &KindName::name);
+    if (kind != kKindNames.end()) return kind->kind;
+    std::string names = mesh_format_names();
+    for (const KindName& known : kKindNames) names += ", " + std::string(known.name);
+    plugin.fail_type(names + ", shapegroup, instance, merge");
+}
 
 void read_mesh(Plugin& plugin, ShapeDescription& shape) {
     shape.filename = plugin.filename("filename");
@@ -20,7 +36,7 @@ void read_mesh(Plugin& plugin, ShapeDescription& shape) {
         plugin.fail("filename", "is " + in_quotes(shape.filename.filename().string()) +
                                     "; expected a name in ." + plugin.type() +
                                     " as the type of the shape says");
-    if (shape.kind == ShapeDescription::Kind::serialized)
+    if (holds_several_meshes(shape.filename))
         shape.index =
             static_cast<std::size_t>(plugin.integer("shape_index", 0, 0, std::numeric_limits<int>::max()));
     shape.face_normals = plugin.boolean("face_normals", false);
@@ -32,20 +48,15 @@ void read_mesh(Plugin& plugin, ShapeDescription& shape) {
 ShapeDescription read_shape(const XmlDocument& document, pugi::xml_node node, Notices& notices,
                             pugi::xml_node& bsdf) {
     Plugin plugin(document, node);
-    const auto kind = std::ranges::find(kKindNames, std::string_view(plugin.type()));
-    if (kind == kKindNames.end())
-        plugin.fail_type(
-            "obj, ply, off, stl, serialized, sphere, rectangle, cube, disk, cylinder, shapegroup, instance, "
-            "merge");
     ShapeDescription shape;
-    shape.kind = static_cast<ShapeDescription::Kind>(kind - kKindNames.begin());
+    shape.kind = kind_of(plugin);
     shape.id = plugin.id();
-    if (shape.kind <= ShapeDescription::Kind::serialized) {
+    if (shape.kind == Kind::file) {
         read_mesh(plugin, shape);
-    } else if (shape.kind == ShapeDescription::Kind::sphere) {
+    } else if (shape.kind == Kind::sphere) {
         shape.center = plugin.vector("center", shape.center);
         shape.radius = plugin.number("radius", shape.radius, 0.0, kNoLimit, true);
-    } else if (shape.kind == ShapeDescription::Kind::cylinder) {
+    } else if (shape.kind == Kind::cylinder) {
         shape.p0 = plugin.vector("p0", shape.p0);
         shape.p1 = plugin.vector("p1", shape.p1);
         if (shape.p0 == shape.p1) plugin.fail("p1", "is p0; expected two points that differ");

@@ -25,7 +25,7 @@ TEST_CASE("an included scene stands where it is included") {
     const SceneDescription s = read_mitsuba_scene(file.scene());
     REQUIRE(s.shapes.size() == 5);
     using Kind = ShapeDescription::Kind;
-    const Kind kinds[] = {Kind::cube, Kind::sphere, Kind::obj, Kind::sphere, Kind::rectangle};
+    const Kind kinds[] = {Kind::cube, Kind::sphere, Kind::file, Kind::sphere, Kind::rectangle};
     for (std::size_t i = 0; i < 5; ++i) CHECK(s.shapes[i].kind == kinds[i]);
     CHECK(s.shapes[4].material == s.shapes[1].material);
     CHECK(s.materials.at(s.shapes[4].material).kind == MaterialDescription::Kind::pplastic);

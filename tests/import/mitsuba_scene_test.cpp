@@ -96,9 +96,13 @@ TEST_CASE("everything that a scene can hold is read") {
     CHECK(s.shapes[1].radius == 0.25);
     CHECK(s.shapes[1].flip_normals);
     using Kind = ShapeDescription::Kind;
-    const Kind kinds[] = {Kind::ply, Kind::sphere, Kind::rectangle, Kind::cube,
-                          Kind::off, Kind::stl,    Kind::obj};
-    for (std::size_t i = 0; i < 7; ++i) CHECK(s.shapes[i].kind == kinds[i]);
+    const std::pair<Kind, const char*> kinds[] = {
+        {Kind::file, ".PLY"}, {Kind::sphere, ""},   {Kind::rectangle, ""}, {Kind::cube, ""},
+        {Kind::file, ".off"}, {Kind::file, ".stl"}, {Kind::file, ".obj"}};
+    for (std::size_t i = 0; i < 7; ++i) {
+        CHECK(s.shapes[i].kind == kinds[i].first);
+        CHECK(s.shapes[i].filename.extension() == kinds[i].second);
+    }
     // Shared by reference, made once.
     REQUIRE(s.materials.size() == 3);
     CHECK(s.shapes[0].material == s.shapes[2].material);
