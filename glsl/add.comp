@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Adds Stokes vectors to others. One invocation a vector.
+// Adds Stokes vectors to others. One invocation per vector.
 #version 450 core
 
 layout(local_size_x = 64) in;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Where a surface is not there everywhere.
+// Alpha mask of a surface.
 
-// TEXTURES: see texture.glsl; the last of them is the opacity.
+// TEXTURES: see texture.glsl; the last texture is the opacity.
 #define TABLE 3
 #define TEXELS 4
 #define CORNERS 0
@@ -18,7 +18,7 @@ vec3 opacity_position(uint index) {
     return vec3(opacity_positions[at], opacity_positions[at + 1u], opacity_positions[at + 2u]);
 }
 
-// Whether the surface is there, at a position on a triangle, in the axes of the vertices.
+// Returns whether the surface is present at a position on a triangle, in the axes of the vertices.
 bool present(uint triangle, vec3 position) {
     vec3 first = opacity_position(3u * triangle);
     vec3 second = opacity_position(3u * triangle + 1u) - first;

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
-// The angle of a vector in the plane.
+// Angle of a vector in the plane.
 
 const float PI = 3.14159265358979;
 
-// The angle of (x, y), 0 where both are 0. Drivers' own atan() may err by 1e-5, a visible part of a texel.
+// Returns the angle of (x, y), 0 if both are 0. Drivers' own atan() may err by 1e-5, a visible part of a
+// texel.
 float angle_of(float y, float x) {
     vec2 size = abs(vec2(x, y));
     float large = max(size.x, size.y);
     float ratio = large > 0.0 ? min(size.x, size.y) / large : 0.0;
-    // At most tan(pi/8): the fit of atan(t) / t in t^2 is then good to 2e-8.
+    // The ratio is reduced to at most tan(pi/8), where the fit of atan(t) / t in t^2 errs by at most 2e-8.
     bool beyond = ratio > 0.41421356;
     float t = beyond ? (ratio - 1.0) / (ratio + 1.0) : ratio;
     float z = t * t;

@@ -2,16 +2,17 @@
 // AOVs: depth, normal, position, instance and coverage, of one sample of a pixel.
 #version 450 core
 
-// ATTACHMENTS: their number. NORMALS, DEPTH, POSITIONS, INSTANCES, ALPHA: the position of its first float, if it is requested.
+// ATTACHMENTS: their number. NORMALS, DEPTH, POSITIONS, INSTANCES, ALPHA: the position of the AOV's first
+// float, if it is requested.
 layout(location = 0) in vec3 vertex_position;
 layout(location = 1) in vec3 vertex_normal;
 layout(location = 0) out vec4 pixel[ATTACHMENTS];
 
-// ALPHA_MASK: the surface is not there everywhere.
+// ALPHA_MASK: the surface has an alpha mask.
 #ifdef ALPHA_MASK
 #include "alpha_mask.glsl"
 layout(location = 2) in vec3 surface_position;
-uniform uint first;  // of the triangles that are drawn
+uniform uint first;  // first triangle of the draw call
 #endif
 
 #ifdef DEPTH
@@ -30,7 +31,7 @@ void main() {
     float value[4 * ATTACHMENTS];
     for (int i = 0; i < 4 * ATTACHMENTS; ++i) value[i] = 0.0;
 #ifdef NORMALS
-    // Interpolated normals may cancel.
+    // Interpolated normals may cancel; the result is 0 then.
     vec3 normal = dot(vertex_normal, vertex_normal) > 1e-12 ? normalize(vertex_normal) : vec3(0.0);
     for (int i = 0; i < 3; ++i) value[NORMALS + i] = normal[i];
 #endif

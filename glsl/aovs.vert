@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Passes vertices on to the AOVs.
+// Transforms vertices for the AOVs.
 #version 450 core
 
 layout(location = 0) in vec3 position;
@@ -12,7 +12,7 @@ layout(location = 2) out vec3 surface_position;
 #endif
 
 uniform mat4 to_clip;   // from the axes of the vertices
-uniform mat4 to_world;  // likewise; a rotation and a translation
+uniform mat4 to_world;  // from the axes of the vertices; a rotation and a translation
 
 void main() {
 #ifdef ALPHA_MASK

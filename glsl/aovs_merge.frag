@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Adds the AOVs of one sample of every pixel to those of the samples before, which is what this is drawn into: the sum of
-// the normals, after the last sample normalised; the mean of the coverage; all else of the nearest surface.
+// Adds the AOVs of one sample of every pixel to the AOVs of the samples before, which are also the target.
+// The result is the sum of the normals, normalised after the last sample; the mean of the coverage; and all
+// other AOVs of the nearest surface.
 #version 450 core
 
 // ATTACHMENTS, NORMALS, DEPTH, ALPHA: as in aovs.frag.
@@ -13,7 +14,7 @@ layout(binding = 4) uniform sampler2D before[ATTACHMENTS];
 uniform bool last;
 #endif
 #ifdef ALPHA
-uniform float weight;  // one over the samples
+uniform float weight;  // 1 / number of samples
 #endif
 
 void main() {

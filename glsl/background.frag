@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The environment behind the surfaces.
+// Environment behind the surfaces.
 #version 450 core
 
-layout(location = 0) in vec2 uv;  // (0, 0) upper left
+layout(location = 0) in vec2 uv;  // (0, 0) is the upper left corner
 layout(location = 0) out vec4 pixel[CHANNELS];
 
-// POLARIZED: one Stokes texture a channel; otherwise a single one whose components are the channels' s0.
+// POLARIZED: one Stokes texture per channel; otherwise a single texture whose components are the channels'
+// s0.
 #ifdef POLARIZED
 layout(binding = 0) uniform sampler2D environment[CHANNELS];
 #else
@@ -13,13 +14,14 @@ layout(binding = 0) uniform sampler2D environment;
 #endif
 
 uniform mat3 camera;        // columns: right, up, forward in the world
-uniform vec2 half_size;     // of the image at unit distance
-uniform vec2 shift;         // of the image on that plane, in these
+uniform vec2 half_size;     // half size of the image at unit distance
+uniform vec2 shift;         // shift of the image on that plane, in half sizes
 uniform bool orthographic;  // all pixels share the direction `forward`
 uniform mat3 to_light;      // world directions to the environment's axes, y up
 uniform float scale;
 
-// SHADED: the image already has surfaces, times the fraction of the pixel that they cover, which is `coverage`.
+// SHADED: the image already has surfaces, times the fraction of the pixel that they cover, which is
+// `coverage`.
 #ifdef SHADED
 layout(binding = 4) uniform sampler2D shaded[CHANNELS];
 layout(binding = 8) uniform sampler2D coverage;
@@ -51,7 +53,8 @@ void main() {
     vec2 texcoord = vec2(u, (atan(across, d.y) / PI * (rows - 1.0) + 0.5) / rows);
 
 #ifdef POLARIZED
-    // From the image's frame, x along growing u, to the camera's, x = ray x up; both have z = -ray.
+    // Rotates from the image's frame, x along growing u, to the camera's, x = ray x up; both frames have z =
+    // -ray.
     vec3 from = across > 0.0 ? vec3(-d.z, 0.0, d.x) / across : vec3(1.0, 0.0, 0.0);
     vec3 to = normalize(to_light * cross(ray, camera[1]));
     float c = dot(to, from);

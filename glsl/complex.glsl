@@ -9,7 +9,7 @@ vec2 complex_conjugate(vec2 a) {
     return vec2(a.x, -a.y);
 }
 
-// For |a| = 1.
+// Returns a^exponent for |a| = 1.
 vec2 complex_power(vec2 a, int exponent) {
     vec2 factor = exponent < 0 ? complex_conjugate(a) : a;
     vec2 power = vec2(1.0, 0.0);

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Texture coordinates and colours of triangles' corners, as DeviceCorners lays them out. After texture.glsl.
+// Texture coordinates and colours of triangles' corners, in the layout of DeviceCorners. Include after
+// texture.glsl.
 
 // CORNERS: binding.
-layout(std430, binding = CORNERS) readonly buffer Corners { float corners[]; };  // by triangle, corner_numbers
+layout(std430, binding = CORNERS) readonly buffer Corners { float corners[]; };  // [triangle][corner_numbers]
 
 uniform int corner_numbers;
-uniform bool colored;  // triangles have colours
+uniform bool colored;  // whether triangles have colours
 
-// Of a point with these barycentric weights, without footprint.
+// Returns the texture point with these barycentric weights, without footprint.
 TexturePoint texture_point(int triangle, vec3 weight) {
     int first = corner_numbers * triangle;
     TexturePoint point = TexturePoint(vec2(0.0), vec2(0.0), vec2(0.0), colored ? vec3(0.0) : vec3(1.0));
@@ -20,13 +21,13 @@ TexturePoint texture_point(int triangle, vec3 weight) {
     return point;
 }
 
-// How a point moves as u grows.
+// Returns the derivative of a point's position by u.
 vec3 moved_by_u(int triangle) {
     int at = corner_numbers * triangle + 6;
     return vec3(corners[at], corners[at + 1], corners[at + 2]);
 }
 
-// As v grows.
+// Returns the derivative of a point's position by v.
 vec3 moved_by_v(int triangle) {
     int at = corner_numbers * triangle + 9;
     return vec3(corners[at], corners[at + 1], corners[at + 2]);

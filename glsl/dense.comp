@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// relight of the dense method: a matrix a vertex times the world's light. One invocation a vertex and row.
+// The relight step of the dense method: one matrix per vertex times the world's light. One invocation per
+// vertex and row.
 #version 450 core
 
 layout(local_size_x = 64) in;
@@ -8,16 +9,16 @@ layout(std430, binding = 0) readonly buffer Matrices { float matrices[]; };  // 
 layout(std430, binding = 1) readonly buffer World { float world[]; };        // [column]
 layout(std430, binding = 2) writeonly buffer Light { float light[]; };       // [row][vertex]
 
-uniform int count;           // vertices
-uniform int stride;          // of vertices in the light
-uniform int rows;            // a column, with padding
+uniform int count;           // number of vertices
+uniform int stride;          // number of vertices in the light
+uniform int rows;            // numbers per column, with padding
 uniform int used_rows;
 uniform int columns;
-uniform int channel;         // of the matrices
-uniform int channels;        // of the matrices
+uniform int channel;         // channel of the matrices
+uniform int channels;        // number of channels of the matrices
 
 void main() {
-    // Neighbours take neighbouring rows, as the matrices lie.
+    // Neighbouring invocations take neighbouring rows, which is the memory order of the matrices.
     int i = int(gl_GlobalInvocationID.x);
     int v = i / rows;
     int row = i - v * rows;

@@ -1,23 +1,24 @@
 // SPDX-License-Identifier: MIT
-// Polarization elements (polarization/element.hpp) before an image, which is also what this is drawn into: each pixel becomes the
-// mean over its samples of what the elements before the surface that a sample shows make of the pixel's light.
+// Polarization elements (polarization/element.hpp) before an image, which is also the target. Each sample of
+// a pixel passes the pixel's light through the elements before the surface that the sample shows; the pixel
+// becomes the mean over its samples.
 #version 450 core
 
 #include "hits.glsl"
 #include "vertex_view.glsl"
 
-layout(location = 0) in vec2 uv;  // (0, 0) upper left
+layout(location = 0) in vec2 uv;  // (0, 0) is the upper left corner
 layout(location = 0) out vec4 pixel[CHANNELS];
 
 layout(binding = 0) uniform sampler2D behind[CHANNELS];
 layout(binding = 4) uniform usampler2D hits[SAMPLES];
 
-// Places and directions are in the axes of the vertices.
+// A polarization element. Places and directions are in the axes of the vertices.
 struct Element {
-    vec4 x;     // of a direction along the element's x and, in w, of the eye from its center: 1 is the edge
+    vec4 x;     // xyz: the element's x direction; w: x of the eye from the center; the edge is at 1
     vec4 y;
-    vec4 z;     // the normal, which is a unit vector
-    vec4 axis;  // unit: of a polarizer that which absorbs, of a retarder the fast one; w: the kind
+    vec4 z;     // xyz: unit normal; w: coordinate of the eye along the normal
+    vec4 axis;  // unit: absorbing axis of a polarizer, fast axis of a retarder; w: the kind
     float retardance;  // radians
     float transmittance;
     float round;  // 1: a disk, 0: a rectangle
@@ -31,17 +32,17 @@ layout(std430, binding = 0) readonly buffer Elements { Element elements[]; };
 layout(std430, binding = 1) readonly buffer Corners { uint corners[]; };
 layout(std430, binding = 2) readonly buffer Positions { float positions[]; };
 
-uniform vec2 half_size;   // of the image at unit distance, or in the world
-uniform vec2 shift;       // of the image on that plane, in these
-uniform vec2 pixel_size;  // in uv
+uniform vec2 half_size;   // half size of the image at unit distance, or in the world
+uniform vec2 shift;       // shift of the image on that plane, in half sizes
+uniform vec2 pixel_size;  // size of a pixel in uv
 uniform float near;
 uniform float far;
-uniform int components;  // of a Stokes vector that the image has; the others become 0
-uniform vec2 offsets[SAMPLES];  // of the samples from the pixel's centre, in pixels
+uniform int components;  // number of Stokes components of the image; the others become 0
+uniform vec2 offsets[SAMPLES];  // samples from the pixel's centre, in pixels
 
 struct Ray {
-    vec3 aside;      // its origin from the eye
-    vec3 direction;  // of length 1 along the view, so that depths are distances
+    vec3 aside;      // origin relative to the eye
+    vec3 direction;  // length 1 along the view, so that ray parameters are depths
 };
 
 Ray ray_through(vec2 at) {
@@ -62,7 +63,7 @@ float distance_to(Hit hit, Ray ray) {
     return dot(normal, from_eye - ray.aside) / dot(normal, ray.direction);
 }
 
-// Negative where the ray does not meet the element.
+// Returns the distance, or a negative number if the ray does not meet the element.
 float distance_to(Element element, Ray ray) {
     float t = -(element.z.w + dot(element.z.xyz, ray.aside)) / dot(element.z.xyz, ray.direction);
     vec3 way = ray.aside + t * ray.direction;
@@ -71,7 +72,7 @@ float distance_to(Element element, Ray ray) {
     return edge <= 1.0 ? t : -1.0;
 }
 
-// Of light in the camera's frame field, whose x is `x`.
+// Passes light in the camera's frame field, whose x axis is `x`, through an element.
 void pass(Element element, vec3 propagation, vec3 x, inout vec4 light[CHANNELS]) {
     vec2 axis = vec2(dot(element.axis.xyz, x), dot(element.axis.xyz, cross(propagation, x)));
     float squared = dot(axis, axis);
@@ -114,7 +115,8 @@ void main() {
         float last = hit.exists ? min(distance_to(hit, ray), far) : far;
         int last_element = elements.length();
         vec4 passed[CHANNELS] = light;
-        // From the farthest to the nearest; of two at one place the later first.
+        // Elements are applied from the farthest to the nearest; at equal distances the later one comes
+        // first.
         while (true) {
             float farthest = near;
             int next = -1;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Where a mipmap is looked up to show what a pixel covers; see src/texture/footprint.hpp.
+// Mipmap taps that cover the footprint of a pixel; see src/texture/footprint.hpp.
 
-// In each of one or two rows at `count` places: first, first + step, ..., and again from first + side.
+// Taps in one or two rows of `count` places each: first, first + step, ..., and again from first + side.
 struct FootprintTaps {
     vec2 first;
     vec2 step;
@@ -9,16 +9,16 @@ struct FootprintTaps {
     int count;
     int rows;
     uint level;
-    float fraction;  // of the next level
+    float fraction;  // weight of the next level
 };
 
-// In texels, of which squares of squares are finite; not a number becomes the lower end.
+// Limits a vector in texels, so that squares of squares are finite. A NaN becomes the lower limit.
 vec2 limited(vec2 texels) {
     const vec2 most = vec2(1e9);
     return mix(-most, min(texels, most), greaterThan(texels, -most));
 }
 
-// across, down: the change of uv to the next pixel. size: of the finest level, texels.
+// Returns the taps. across, down: change of uv to the next pixel. size: size of the finest level, texels.
 FootprintTaps footprint_taps(vec2 uv, vec2 across, vec2 down, vec2 size, uint last_level) {
     across = limited(size * across);
     down = limited(size * down);
@@ -44,8 +44,8 @@ FootprintTaps footprint_taps(vec2 uv, vec2 across, vec2 down, vec2 size, uint la
     taps.step = vec2(0.0);
     taps.side = vec2(0.0);
     if (taps.count > 1) {
-        // The longer axis has the direction (radius + half, xy), and (xy, radius - half), of which one may vanish;
-        // where both do, any.
+        // Both (radius + half, xy) and (xy, radius - half) are along the longer axis. One of them may vanish;
+        // if both vanish, any direction is valid.
         float count = float(taps.count);
         float sum = radius + abs(half_difference);
         vec2 along = half_difference > 0.0 ? vec2(sum, xy) : vec2(xy, sum);

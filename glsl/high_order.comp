@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// shade: adds what vertices reflect of light of high orders. One invocation a vertex.
+// The shade step: adds the reflection of high orders of light at vertices. One invocation per vertex.
 #version 450 core
 
-// CHANNELS: colour channels at once. SHADOWED: where surfaces hide the light from each other.
+// CHANNELS: number of colour channels at once. SHADOWED: surfaces cast shadows.
 #include "vertex_view.glsl"
 #include "high_order.glsl"
 
@@ -16,7 +16,7 @@ layout(binding = 1) uniform sampler2D central;
 layout(binding = 2) uniform sampler2D outer;
 layout(binding = 3) uniform sampler2D base;
 
-uniform int first;  // vertex, in the bound part of the scene
+uniform int first;  // first vertex, in the bound part of the scene
 uniform int count;
 uniform mat3 to_light;
 uniform float spread;

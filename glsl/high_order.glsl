@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Light of high orders, from filtered maps at the mirrored view direction and beside it.
+// Reflection of high orders of light, from filtered maps near the mirrored view direction.
 
-// A stage that includes this defines CHANNELS, 1 to 4, and HIGH_ORDER_POLARIZED where the maps are of polarized light.
-// Maps are textures of these channels' layers of a LobeMap, one below the other; the factors, of
-// HighOrderFactors::texels(). All are fetched and interpolated here, as samplers have few bits for it.
+// A stage that includes this file defines CHANNELS, 1 to 4, and HIGH_ORDER_POLARIZED if the maps are of
+// polarized light. Maps are textures with these channels' layers of a LobeMap, one below the other. The
+// factors are a texture of HighOrderFactors::texels(). This file interpolates all textures itself, because
+// samplers have few bits for it.
 
 #ifdef HIGH_ORDER_POLARIZED
 const int HIGH_ORDER_LAYERS = 2 * CHANNELS;
-const int HIGH_ORDER_ELEMENTS = 42;  // of a pairing
+const int HIGH_ORDER_ELEMENTS = 42;  // elements of a pairing
 #else
 const int HIGH_ORDER_LAYERS = 1;
 const int HIGH_ORDER_ELEMENTS = 12;
@@ -47,7 +48,7 @@ vec4 high_order_texel(sampler2D map, HighOrderSpot at, int layer) {
     return mix(top, bottom, at.part.y);
 }
 
-// Where an angle falls in the factors.
+// Position of an angle in the factors.
 struct HighOrderAngle {
     int index;
     float part;
@@ -60,13 +61,13 @@ HighOrderAngle high_order_angle(sampler2D factors, float cosine) {
     return HighOrderAngle(index, x - float(index));
 }
 
-// An element of all channels.
+// Returns an element of all channels.
 vec4 high_order_factor(sampler2D factors, HighOrderAngle at, int element) {
     return mix(texelFetch(factors, ivec2(at.index, element), 0), texelFetch(factors, ivec2(at.index + 1, element), 0),
                at.part);
 }
 
-// The directions of the outer taps: up, down, right, left.
+// Returns the directions of the outer taps: up, down, right, left.
 vec3[4] high_order_outer(vec3 d, vec3 x, float spread) {
     vec3 y = cross(d, x);
     float c = cos(spread);
@@ -75,7 +76,7 @@ vec3[4] high_order_outer(vec3 d, vec3 x, float spread) {
 }
 
 #ifdef HIGH_ORDER_POLARIZED
-// The Stokes vector of a channel in the frame with these x and y.
+// Returns the Stokes vector of a channel in the frame with these x and y.
 vec4 high_order_stokes(sampler2D map, HighOrderSpot at, int channel, vec3 x, vec3 y) {
     vec4 p = high_order_texel(map, at, 2 * channel);
     vec4 q = high_order_texel(map, at, 2 * channel + 1);
@@ -84,8 +85,8 @@ vec4 high_order_stokes(sampler2D map, HighOrderSpot at, int channel, vec3 x, vec
     return vec4(p.x, 0.5 * (dot(x, tensor * x) - dot(y, ty)), dot(x, ty), p.y);
 }
 
-// Of the pairing whose elements are `first` and those after it. d, x and normal in the light's axes; the result in the
-// frame with x along the s-axis.
+// Computes the reflection of one pairing, whose elements begin at `first`. d, x and normal are in the light's
+// axes; the result is in the frame with x along the s-axis.
 void high_order_of_pairing(int first, vec3 d, vec3 x, vec3 normal, float cosine, float spread, vec2 visible,
                            sampler2D factors, sampler2D central, sampler2D outer, sampler2D base,
                            out vec4 stokes[CHANNELS]) {
@@ -138,7 +139,7 @@ void high_order_of_pairing(int first, vec3 d, vec3 x, vec3 normal, float cosine,
     }
 }
 #else
-// The components of the vectors of light and factors are channels.
+// Computes the reflection of one pairing. The components of light and factors are channels.
 void high_order_of_pairing(int first, vec3 d, vec3 x, vec3 normal, float cosine, float spread, vec2 visible,
                            sampler2D factors, sampler2D central, sampler2D outer, sampler2D base,
                            out vec4 stokes[CHANNELS]) {
@@ -171,7 +172,7 @@ void high_order_of_pairing(int first, vec3 d, vec3 x, vec3 normal, float cosine,
 }
 #endif
 
-// All pairings: the second one's (s0, s1) and (s2, s3) change places.
+// Computes the reflection of all pairings; (s0, s1) and (s2, s3) of the second pairing change places.
 void high_order_in_s_frame(vec3 d, vec3 x, vec3 normal, float cosine, float spread, vec2 visible, sampler2D factors,
                            sampler2D central, sampler2D outer, sampler2D base, out vec4 stokes[CHANNELS]) {
     high_order_of_pairing(0, d, x, normal, cosine, spread, visible, factors, central, outer, base, stokes);
@@ -182,14 +183,15 @@ void high_order_in_s_frame(vec3 d, vec3 x, vec3 normal, float cosine, float spre
     for (int i = 0; i < CHANNELS; ++i) stokes[i] += second[i].zwxy;
 }
 
-// What a surface reflects of the light's high orders, in the frame with x along `camera_x`, a unit vector across
-// `view`. normal and view (the propagation direction of the reflected light) are unit vectors in the world. to_light
-// rotates the world's axes into the maps'. spread: HighOrderFactors::spread(); where it is 0, `outer` is not used.
-// visible: the visible fraction of the lobe about the mirror direction, and of the hemisphere about the normal; where that is 0,
-// `base` is not used.
+// Computes a surface's reflection of the light's high orders, in the frame with x along `camera_x`, a unit
+// vector orthogonal to `view`. normal and view (the propagation direction of the reflected light) are unit
+// vectors in the world. to_light rotates the world's axes into the maps'. spread: HighOrderFactors::spread();
+// `outer` is not used if it is 0. visible: visible fractions of the lobe about the mirror direction, and of
+// the hemisphere about the normal; `base` is not used if the latter is 0.
 void high_order(vec3 normal, vec3 view, vec3 camera_x, mat3 to_light, float spread, vec2 visible, sampler2D factors,
                 sampler2D central, sampler2D outer, sampler2D base, out vec4 stokes[CHANNELS]) {
-    // A normal that faces away is treated as viewed at 90 degrees. Viewed head-on, every plane is one of incidence.
+    // A normal that faces away is treated as viewed at 90 degrees. The plane of incidence is arbitrary if the
+    // view is along the normal.
     vec3 facing = facing_view(normal, view, camera_x);
     vec3 x = cross(normal, facing);
     x = dot(x, x) > 1e-10 ? normalize(x) : camera_x;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// shade: the visible fractions of what vertices reflect of light of high orders. One invocation a vertex.
+// The shade step: visible fractions for the reflection of high orders of light. One invocation per vertex.
 #version 450 core
 
 #include "vertex_view.glsl"
@@ -9,10 +9,11 @@ layout(local_size_x = 64) in;
 layout(std430, binding = 0) readonly buffer Positions { float positions[]; };
 layout(std430, binding = 1) readonly buffer Normals { float normals[]; };
 layout(std430, binding = 2) readonly buffer Visibility { float visibility[]; };  // [l l + l + m][vertex]
-layout(std430, binding = 3) readonly buffer Lobe { float lobe[]; };             // HighOrderVisibility::constants()
-layout(std430, binding = 4) writeonly buffer Fractions { vec2 fractions[]; };    // of the lobe, of the base
+// HighOrderVisibility::constants()
+layout(std430, binding = 3) readonly buffer Lobe { float lobe[]; };
+layout(std430, binding = 4) writeonly buffer Fractions { vec2 fractions[]; };    // (lobe, base)
 
-uniform int first;  // vertex, in the bound part of the scene
+uniform int first;  // first vertex, in the bound part of the scene
 uniform int count;
 uniform int visibility_first;
 uniform int stride;
@@ -22,7 +23,8 @@ float coefficient(int l, int m, int vertex) {
     return visibility[(l * l + l + m) * stride + vertex];
 }
 
-// Of a lobe about d, a unit direction in the vertex's frame, and of the cosine about -z.
+// Returns the visible fractions of a lobe about d, a unit direction in the vertex's frame, and of the cosine
+// about -z.
 vec2 visible_fractions(vec3 d, int vertex) {
     int orders = visibility_order + 1;
     int factor = 2 * orders;
@@ -40,7 +42,7 @@ vec2 visible_fractions(vec3 d, int vertex) {
                 value = next;
                 factor += 2;
             }
-            if ((l + m) % 2 != 0) continue;  // mirrored at the horizon
+            if ((l + m) % 2 != 0) continue;  // 0 because visibility is mirrored at the horizon
             float scaled = lobe[l] * value;
             if (m == 0) {
                 seen += scaled * coefficient(l, 0, vertex);

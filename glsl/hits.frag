@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Which triangle is at a pixel: 1 + its number, and in the topmost bit whether its front is seen.
+// Visibility buffer: 1 + the number of the triangle at a pixel; the topmost bit is set if its front is
+// visible.
 #version 450 core
 
-// ALPHA_MASK: the surface is not there everywhere.
+// ALPHA_MASK: the surface has an alpha mask.
 #ifdef ALPHA_MASK
 #include "alpha_mask.glsl"
 layout(location = 0) in vec3 surface_position;
@@ -10,7 +11,7 @@ layout(location = 0) in vec3 surface_position;
 
 layout(location = 0) out uint hit;
 
-uniform uint first;  // of the triangles that are drawn
+uniform uint first;  // first triangle of the draw call
 
 void main() {
 #ifdef ALPHA_MASK

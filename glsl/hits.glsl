@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reads what hits.frag writes.
+// Reader of the visibility buffer of hits.frag.
 
 struct Hit {
     bool exists;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Adds one drawing of an image to the sum of those before, which is what this is drawn into.
+// Adds one drawing of an image, times its weight, to the sum of the drawings before, which is also the
+// target.
 #version 450 core
 
 layout(location = 0) out vec4 pixel[CHANNELS];

@@ -9,7 +9,7 @@ layout(binding = 0) uniform sampler2D stokes[CHANNELS];
 uniform int kind;        // 0 the Stokes vector itself, 1 radiance, 2 signed component, 3 DoLP, 4 AoLP
 uniform vec4 analyzer;   // radiance and signed component: the value is dot(analyzer, s)
 uniform bool encode;     // radiance: sRGB-encoded
-uniform bool bottom_up;  // the image's last row goes into row 0
+uniform bool bottom_up;  // whether the image's last row goes into row 0
 
 const float PI = 3.14159265358979;
 

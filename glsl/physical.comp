@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Stokes vectors moved into the physically realizable range (Eq. 70). One invocation a vector.
+// Moves Stokes vectors into the physically realizable range (Eq. 70). One invocation per vector.
 #version 450 core
 
 #include "physical.glsl"

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The physically realizable range of Stokes vectors (Eq. 70), as make_physical() has it.
+// Physically realizable range of Stokes vectors (Eq. 70), as in make_physical().
 
 bool is_physical(vec4 stokes) {
     return stokes.x >= 0.0 && dot(stokes.yzw, stokes.yzw) <= stokes.x * stokes.x;
 }
 
-// Clamps s0 to 0 and the polarized part to s0, and shortens the latter where s0 is as small as the noise.
+// Clamps s0 to 0 and the polarized part to s0. Shortens the polarized part if s0 is as small as the noise.
 vec4 made_physical(vec4 stokes, float noise) {
     float polarized2 = dot(stokes.yzw, stokes.yzw);
     float s0 = max(stokes.x, 0.0);

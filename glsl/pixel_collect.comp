@@ -1,32 +1,33 @@
 // SPDX-License-Identifier: MIT
-// shade at pixels: counts, or with LISTING lists, the points that pixels show. Samples of triangles that share a corner
-// are of one smooth surface, which has one point, at their mean. One invocation a pixel.
+// The shade step at pixels: counts (or with LISTING lists) the points that pixels show. Samples of triangles
+// that share a corner belong to one smooth surface; a surface has one point, at the mean of its samples. One
+// invocation per pixel.
 #version 450 core
 
-// SAMPLES: of a pixel.
+// SAMPLES: samples per pixel.
 #include "hits.glsl"
 #include "pixel_points.glsl"
 
 layout(local_size_x = 64) in;
 
-layout(std430, binding = 0) readonly buffer Corners { uint corners[]; };  // three a triangle
-layout(std430, binding = 1) readonly buffer Groups { uint groups[]; };    // of triangles whose points are shaded alike
-layout(std430, binding = 2) readonly buffer Offsets { vec2 offsets[]; };  // of samples from the pixel's centre
+layout(std430, binding = 0) readonly buffer Corners { uint corners[]; };  // three per triangle
+layout(std430, binding = 1) readonly buffer Groups { uint groups[]; };    // shading group of each triangle
+layout(std430, binding = 2) readonly buffer Offsets { vec2 offsets[]; };  // samples from the pixel's centre
 layout(binding = 0) uniform usampler2D hits[SAMPLES];
 
-uniform int first;  // pixel
+uniform int first;  // first pixel
 uniform int count;
 uniform int width;
 
 #ifdef LISTING
-layout(std430, binding = 3) buffer Places { uint places[]; };  // for a group's next point
+layout(std430, binding = 3) buffer Places { uint places[]; };  // by group, place of its next point
 layout(std430, binding = 4) writeonly buffer Points { PixelPoint points[]; };
-layout(std430, binding = 5) writeonly buffer Shares { uint shares[]; };  // as pixel_gather.comp reads them
+layout(std430, binding = 5) writeonly buffer Shares { uint shares[]; };  // in the layout of pixel_gather.comp
 #else
 layout(std430, binding = 3) buffer Counts { uint counts[]; };  // [block of pixels][group]
 layout(binding = 0, r32f) writeonly uniform image2D coverage;
 
-uniform int block;        // pixels
+uniform int block;        // pixels per block
 uniform int group_count;
 #endif
 
@@ -44,8 +45,8 @@ void main() {
     ivec2 texel = ivec2(pixel % width, pixel / width);
 
     uint triangles[SAMPLES];
-    int surface_of[SAMPLES];   // of each sample, or -1
-    uint latest[SAMPLES];      // triangle of each surface
+    int surface_of[SAMPLES];   // surface of each sample, or -1
+    uint latest[SAMPLES];      // latest triangle of each surface
     int surfaces = 0;
     int covered = 0;
     for (int s = 0; s < SAMPLES; ++s) {
@@ -72,7 +73,7 @@ void main() {
             sum += offsets[s];
             ++of_surface;
         }
-        // The mean may lie between triangles; the nearest sample's then stands for all.
+        // The mean may lie between triangles, so the nearest sample's triangle represents the surface.
         int nearest = -1;
         float least = 0.0;
         for (int s = 0; s < SAMPLES; ++s) {

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: MIT
-// shade at pixels: Stokes vectors of points, each times the fraction of the samples that it is of, into the image. One
-// invocation a pixel.
+// The shade step at pixels: sums the Stokes vectors of points, each times its fraction of the pixel's
+// samples, and writes them to the image. One invocation per pixel.
 #version 450 core
 
-// SAMPLES: of a pixel. LIT: there are local lights.
+// SAMPLES: samples per pixel. LIT: there are local lights.
 layout(local_size_x = 64) in;
 
-// [pixel][SAMPLES]: place of a point times 16, plus its samples; the first 0 ends a pixel's.
+// [pixel][SAMPLES]: place of a point times 16, plus its number of samples; the first 0 ends a pixel's list.
 layout(std430, binding = 0) readonly buffer Shares { uint shares[]; };
 layout(std430, binding = 1) readonly buffer StokesVectors { vec4 stokes[]; };
 #ifdef LIT
-layout(std430, binding = 2) readonly buffer LocalLights { vec4 local_lights[]; };  // by pixel, what they add
+layout(std430, binding = 2) readonly buffer LocalLights { vec4 local_lights[]; };  // light to add, by pixel
 #endif
 layout(binding = 0, rgba32f) writeonly uniform image2D image;
 
-uniform int first;  // pixel
+uniform int first;  // first pixel
 uniform int count;
 uniform int width;
 uniform vec4 wanted;  // 1 for each component that the image has

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// shade at pixels: numbers of vertices interpolated to points of triangles. One invocation a point and number.
+// The shade step at pixels: interpolates numbers of vertices at points of triangles. One invocation per point
+// and number.
 #version 450 core
 
 #include "pixel_points.glsl"
@@ -8,15 +9,15 @@ layout(local_size_x = 64) in;
 
 layout(std430, binding = 0) readonly buffer Points { PixelPoint points[]; };
 layout(std430, binding = 1) readonly buffer Corners { uint corners[]; };
-layout(std430, binding = 2) readonly buffer Weights { vec2 weights[]; };  // of second and third corner
+layout(std430, binding = 2) readonly buffer Weights { vec2 weights[]; };  // second, third corner
 layout(std430, binding = 3) readonly buffer From { float from[]; };
 layout(std430, binding = 4) buffer To { float to[]; };
 
 uniform int count;
-uniform int first_vertex;  // that is bound
-uniform int last_vertex;   // beyond them; others add nothing
-uniform bool add;          // to what is there
-// From a number to the next, from a vertex or point to the next.
+uniform int first_vertex;  // first bound vertex
+uniform int last_vertex;   // end of the bound vertices; other vertices add nothing
+uniform bool add;          // whether to add to the existing values
+// Steps from a number to the next, and from a vertex or point to the next.
 uniform int from_number;
 uniform int from_vertex;
 uniform int to_number;

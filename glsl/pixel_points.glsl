@@ -3,6 +3,6 @@
 
 struct PixelPoint {
     uint triangle;
-    uint pixel;  // row by row
-    vec2 at;     // from the pixel's centre, in pixels
+    uint pixel;  // number of the pixel, row by row
+    vec2 at;     // position from the pixel's centre, in pixels
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// shade at pixels: where the rays of points meet the planes of their triangles, moved into the triangle where they lie
-// outside, and the normal there. One invocation a point.
+// The shade step at pixels: finds the points where rays meet the planes of their triangles, and the normals
+// there. A point outside its triangle is moved inside. One invocation per point.
 #version 450 core
 
 #include "pixel_points.glsl"
@@ -14,14 +14,14 @@ layout(std430, binding = 2) readonly buffer VertexPositions { float vertex_posit
 layout(std430, binding = 3) readonly buffer VertexNormals { float vertex_normals[]; };
 layout(std430, binding = 4) writeonly buffer Positions { float positions[]; };
 layout(std430, binding = 5) writeonly buffer Normals { float normals[]; };
-layout(std430, binding = 6) writeonly buffer Weights { vec2 weights[]; };  // barycentric: of second and third corner
+layout(std430, binding = 6) writeonly buffer Weights { vec2 weights[]; };  // second, third corner
 
 uniform int count;
-uniform int first_vertex;  // of what is bound
+uniform int first_vertex;  // first bound vertex
 uniform int width;
-uniform vec2 size;       // of the image, in pixels
-uniform vec2 half_size;  // of the image at unit distance, or in the world
-uniform vec2 shift;      // of the image on that plane, in these
+uniform vec2 size;       // size of the image, in pixels
+uniform vec2 half_size;  // half size of the image at unit distance, or in the world
+uniform vec2 shift;      // shift of the image on that plane, in half sizes
 
 vec3 position_of(int v) {
     return vec3(vertex_positions[3 * v], vertex_positions[3 * v + 1], vertex_positions[3 * v + 2]);
@@ -47,7 +47,7 @@ void main() {
     vec3 second = position_of(corner.y) - a;
     vec3 third = position_of(corner.z) - a;
 
-    // By Cramer's rule.
+    // The ray and the plane are intersected by Cramer's rule.
     vec3 direction = orthographic ? forward : forward + aside;
     vec3 begin = orthographic ? aside - from_eye : -from_eye;
     vec3 across = cross(direction, third);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// shade at pixels: what textures are at points. Weights of the material's layers, and normals that a texture turns. One
-// invocation a point.
+// The shade step at pixels: evaluates textures at points. Results are the weights of the material's layers
+// and the perturbed normals. One invocation per point.
 #version 450 core
 
 // TEXTURES: see texture.glsl.
@@ -15,35 +15,37 @@
 layout(local_size_x = 64) in;
 
 layout(std430, binding = 0) readonly buffer Points { PixelPoint points[]; };
-layout(std430, binding = 2) readonly buffer Barycentric { vec2 barycentric[]; };  // of second and third corner
+layout(std430, binding = 2) readonly buffer Barycentric { vec2 barycentric[]; };  // second, third corner
 layout(std430, binding = 3) readonly buffer Positions { float positions[]; };
 layout(std430, binding = 4) buffer Normals { float normals[]; };
 layout(std430, binding = 7) writeonly buffer Weights { vec4 weights[]; };  // [layer][point]
 
-// Words before the textures' in the table.
-const uint LAYERS = 0u;          // how many
-const uint FIRST_LAYER = 1u;     // its word
-const uint NORMAL_KIND = 2u;     // 0: none
-const uint NORMAL_TEXTURE = 3u;  // number
+// Words of the table before the textures' words.
+const uint LAYERS = 0u;          // number of layers
+const uint FIRST_LAYER = 1u;     // word of the first layer
+const uint NORMAL_KIND = 2u;     // 0: no texture perturbs normals
+const uint NORMAL_TEXTURE = 3u;  // number of the texture
 const uint NORMAL_SCALE = 4u;
 const uint MIRRORED_Y = 5u;
 const uint FIRST_TEXTURE = 8u;
 const uint NORMAL_MAP = 1u;
-// Words of a layer: three of its scale, first factor's word, factors. Of a factor: kind, texture, three numbers.
+// Words of a layer: three of its scale, word of the first factor, number of factors. Words of a factor: kind,
+// texture, three numbers.
 const uint LAYER_WORDS = 5u;
 const uint FACTOR_WORDS = 5u;
 
 uniform int count;
-uniform int stride;          // of weights, from layer to layer
-uniform bool back;           // of a two-sided surface
-uniform vec2 pixel_size;     // at unit distance, or in the world
+uniform int stride;          // step of the weights from layer to layer
+uniform bool back;           // whether this is the back of a two-sided surface
+uniform vec2 pixel_size;     // size of a pixel at unit distance, or in the world
 
 TexturePoint point_of(int triangle, vec3 weight, vec3 position, out vec3 by_u, out vec3 by_v) {
     by_u = moved_by_u(triangle);
     by_v = moved_by_v(triangle);
     TexturePoint point = texture_point(triangle, weight);
 
-    // The change to the neighbours of a pixel. Edge on, a pixel is as long as the surface.
+    // Change to the pixel's neighbours. The angle is limited in edge-on views, where a pixel covers the whole
+    // surface.
     vec3 normal = cross(by_u, by_v);
     float squared = dot(normal, normal);
     vec3 ray = orthographic ? forward : (position - eye) - eye_rest;
@@ -83,7 +85,7 @@ vec3 bumped(uint texture, TexturePoint point, vec3 by_u, vec3 by_v, vec3 n) {
     return dot(turned, n) < 0.0 ? -turned : turned;
 }
 
-// See perturbed_normal() and facing().
+// Returns the perturbed normal; see perturbed_normal() and facing().
 vec3 perturbed_normal(TexturePoint point, vec4 values[TEXTURES], vec3 by_u, vec3 by_v, vec3 position, vec3 normal) {
     if (by_u == vec3(0.0) && by_v == vec3(0.0)) return normal;
     vec3 front = back ? -normal : normal;

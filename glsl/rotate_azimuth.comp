@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// First pass of a rotation: z^k sum_n D_nk a^n f_n of each field, one invocation a point, l and k.
+// First pass of a rotation: computes z^k sum_n D_nk a^n f_n of each field. One invocation per point, l and k.
 #version 450 core
 
 #include "rotation.glsl"
@@ -7,8 +7,8 @@
 layout(std430, binding = 3) readonly buffer Light { float light[]; };
 layout(std430, binding = 4) writeonly buffer Result { vec2 result[]; };  // [field][l l + l + k][point]
 
-uniform int number_step;  // from a number of the light to the next
-uniform int point_step;   // from a point to the next; 0: all have the same light
+uniform int number_step;  // step from a number of the light to the next
+uniform int point_step;   // step from a point to the next; 0: all points have one light
 
 void main() {
     int v = int(gl_GlobalInvocationID.x);
@@ -18,7 +18,7 @@ void main() {
     int index = int(gl_GlobalInvocationID.y) - field * size;
     int l = int(sqrt(float(index) + 0.5));
     int k = index - l * l - l;
-    if (l < 2 * field) return;  // spin 2 begins there
+    if (l < 2 * field) return;  // spin 2 begins at l = 2
 
     Rotation rotation = rotation_of(v);
     int entry = l * (l + 1) / 2 + (field == 0 ? 0 : (order + 1) * (order + 2) / 2 - 3);

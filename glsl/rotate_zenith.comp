@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Second pass of a rotation: b^m D of each field, as numbers of LightLayout; one invocation a point, field, l and m >= 0.
+// Second pass of a rotation: computes b^m D of each field, as numbers of LightLayout. One invocation per
+// point, field, l and m >= 0.
 #version 450 core
 
 #include "rotation.glsl"

@@ -1,23 +1,24 @@
 // SPDX-License-Identifier: MIT
-// Rotating light into the frames of points by Ry(-theta) Rz(-phi), and back. d(theta) = i^m D exp(-i k theta) D^T i^-n
-// with D = d(-pi/2), so that the coefficients of a complex field become
+// Rotation of light into the frames of points by Ry(-theta) Rz(-phi), and back. d(theta) = i^m D exp(-i k
+// theta) D^T i^-n with D = d(-pi/2), so that the coefficients of a complex field become
 //     f'_m = b^m sum_k D_mk z^k sum_n D_nk a^n f_n,    a = i exp(i phi), z = exp(-i theta), b = -i.
-// As D is orthogonal, the way back has the same sums with a = i, z = exp(i theta), b = -i exp(-i phi).
-// Stokes vectors are two complex fields, s0 + i s3 and s1 + i s2, which rotate alike.
+// The reverse has equal sums with a = i, z = exp(i theta), b = -i exp(-i phi), because D is orthogonal.
+// Stokes vectors are two complex fields, s0 + i s3 and s1 + i s2, which are rotated in the same way.
 
 #include "complex.glsl"
 
 layout(local_size_x = 64) in;
 
-layout(std430, binding = 0) readonly buffer QuarterRotation { float quarter_rotation[]; };  // D: [l][m + l][k + l]
+// D: [l][m + l][k + l]
+layout(std430, binding = 0) readonly buffer QuarterRotation { float quarter_rotation[]; };
 layout(std430, binding = 1) readonly buffer Normals { float normals[]; };
-// By twos: field, l, m; then the numbers of LightLayout that belong to m and -m, or -1. Field 0 is s0 + i s3 and has
-// cosine and sine of either, field 1 is s1 + i s2 and has cosine and sine of the parts e and o.
+// Pairs: field, l, m; then the numbers of LightLayout that belong to m and -m, or -1. Field 0 is s0 + i s3
+// with cosine and sine of s0 and of s3. Field 1 is s1 + i s2 with cosine and sine of the parts e and o.
 layout(std430, binding = 2) readonly buffer Entries { ivec4 entries[]; };
 
-uniform int first;   // point, in the bound normals
+uniform int first;   // first point, in the bound normals
 uniform int count;
-uniform int stride;  // of points in what is written
+uniform int stride;  // number of points in the output
 uniform int order;
 uniform bool back;
 
@@ -41,12 +42,13 @@ Rotation rotation_of(int v) {
     return Rotation(azimuth, zenith, vec2(0.0, -1.0));
 }
 
-// The coefficients of a real field at -m are (-1)^m times the conjugates at m, which tells s0 and i s3 apart.
+// Returns the coefficient at -m of a real field: (-1)^m times the conjugate at m. This relation separates s0
+// and i s3.
 vec2 image_of(int m, vec2 coefficient) {
     return (m & 1) == 0 ? complex_conjugate(coefficient) : -complex_conjugate(coefficient);
 }
 
-// The numbers of a field's coefficients at m and -m.
+// Returns the numbers of a field's coefficients at m and -m.
 vec4 numbers_of(int field, int l, int m, vec2 plus, vec2 minus) {
     float scale = m == 0 ? 0.5 : sqrt(0.5);
     plus *= scale;
@@ -61,7 +63,7 @@ vec4 numbers_of(int field, int l, int m, vec2 plus, vec2 minus) {
     return vec4(plus.x + minus.x, minus.y - plus.y, plus.y + minus.y, plus.x - minus.x);
 }
 
-// The reverse.
+// Computes the coefficients of a field at m and -m from its numbers: the inverse of numbers_of().
 void coefficients_of(int field, int l, int m, vec4 numbers, out vec2 plus, out vec2 minus) {
     numbers *= m == 0 ? 1.0 : sqrt(0.5);
     if (field == 0) {

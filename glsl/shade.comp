@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// shade: light of vertices dotted with the rows of a table at the view direction. One invocation a vertex.
+// The shade step: dot product of the light of vertices and the rows of a table at the view direction. One
+// invocation per vertex.
 #version 450 core
 
 #include "complex.glsl"
@@ -10,19 +11,20 @@ layout(local_size_x = 64) in;
 layout(std430, binding = 0) readonly buffer Positions { float positions[]; };
 layout(std430, binding = 1) readonly buffer Normals { float normals[]; };
 layout(std430, binding = 2) readonly buffer Light { float light[]; };  // [number][vertex]
-layout(std430, binding = 3) readonly buffer Table { float table[]; };  // [angle][s0, s1, s2, s3][pairing][pair]
+// [angle][s0, s1, s2, s3][pairing][pair]
+layout(std430, binding = 3) readonly buffer Table { float table[]; };
 layout(std430, binding = 4) writeonly buffer Result { vec4 result[]; };
-// LightLayout::Run, by |m|: first even and odd number of the light, count, sign * m
+// Runs (LightLayout::Run) by |m|: first even and odd number of the light, count, sign * m.
 layout(std430, binding = 5) readonly buffer Runs { ivec4 runs[]; };
 
-uniform int first;        // vertex, in the bound part of the scene
-uniform int light_first;  // in the bound light
+uniform int first;        // first vertex, in the bound part of the scene
+uniform int light_first;  // first vertex in the bound light
 uniform int count;
-uniform int stride;       // of the light's vertices
-uniform int row_size;     // of all pairings
-uniform int pairs;        // of one pairing
+uniform int stride;       // number of vertices in the light
+uniform int row_size;     // numbers of all pairings
+uniform int pairs;        // numbers of one pairing
 uniform int runs_of_row;
-uniform int angles;       // of the table, from 0 to pi/2
+uniform int angles;       // angles of the table, from 0 to pi/2
 uniform bool makes_linear;
 uniform bool makes_circular;
 
@@ -46,9 +48,9 @@ void main() {
         vec2 rotation = run.w < 0 ? complex_conjugate(phase) : phase;
         for (int k = 0; k < run.z; ++k, ++low, ++high) {
             vec2 z = vec2(light[(run.x + k) * stride + vertex], light[(run.y + k) * stride + vertex]);
-            // (even, odd) as the viewer has them
+            // (even, odd) relative to the viewer's azimuth.
             z = vec2(rotation.x * z.x + rotation.y * z.y, rotation.x * z.y - rotation.y * z.x);
-            // In the second pairing they change places.
+            // Even and odd change places in the second pairing.
             for (int at_row = 0; at_row < row_size; at_row += pairs, z = z.yx) {
                 int a = low + at_row;
                 int b = high + at_row;

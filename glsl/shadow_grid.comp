@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// relight: the light of shadowed vertices times their visibility at a row and column and its three images. One
-// invocation a shadowed vertex, Stokes component and point.
+// The relight step: multiplies the light of shadowed vertices by their visibility, at a row and column and
+// its three images. One invocation per shadowed vertex, Stokes component and point.
 #version 450 core
 
 layout(local_size_x = 64) in;
@@ -10,12 +10,12 @@ layout(std430, binding = 0) readonly buffer Samples { uint samples[]; };
 // [Stokes component][even, odd part][cosines of even, odd m, sines of even, odd m][point][shadowed vertex]
 layout(std430, binding = 1) buffer Light { float light[]; };
 
-uniform int first;              // shadowed vertex
-uniform int count;              // of them
-uniform int first_block;        // of the bound samples
+uniform int first;              // first shadowed vertex
+uniform int count;              // number of shadowed vertices
+uniform int first_block;        // first block of the bound samples
 uniform int samples_of_vertex;
 uniform int points;
-uniform int stride;             // of vertices in the light
+uniform int stride;             // number of vertices in the light
 uniform float scale;
 
 float visibility(int number, int lane) {

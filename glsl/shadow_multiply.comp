@@ -1,26 +1,27 @@
 // SPDX-License-Identifier: MIT
-// relight: the light of shadowed vertices times their symmetric shadow matrices. One invocation a shadowed vertex and
-// row.
+// The relight step: multiplies the light of shadowed vertices by their symmetric shadow matrices. One
+// invocation per shadowed vertex and row.
 #version 450 core
 
 layout(local_size_x = 64) in;
 
 layout(std430, binding = 0) readonly buffer Vertices { uint vertices[]; };
-// [block][two elements][16 vertices], 16 bits each: the elements of shadow_elements()
+// [block][pair of elements][16 vertices], 16 bits each: the elements of shadow_elements().
 layout(std430, binding = 1) readonly buffer Numbers { uint numbers[]; };
 layout(std430, binding = 2) readonly buffer Light { float light[]; };       // [number][vertex]
-layout(std430, binding = 3) readonly buffer Rows { ivec4 rows[]; };         // first element, row, size, first column
+// First element, row, size, first column
+layout(std430, binding = 3) readonly buffer Rows { ivec4 rows[]; };
 layout(std430, binding = 4) writeonly buffer Product { float product[]; };  // [row][shadowed vertex]
 
-uniform int first;             // shadowed vertex
-uniform int count;             // of them
-uniform int first_block;       // of the bound numbers
-uniform int numbers_of_block;  // of one vertex
-uniform int first_vertex;      // of the bound light
-uniform int stride;            // of vertices in light and product
+uniform int first;             // first shadowed vertex
+uniform int count;             // number of shadowed vertices
+uniform int first_block;       // first block of the bound numbers
+uniform int numbers_of_block;  // numbers of one vertex
+uniform int first_vertex;      // first vertex of the bound light
+uniform int stride;            // number of vertices in light and product
 uniform float scale;
 
-// Of row <= column: tiles of four rows, in them by columns, then rows.
+// Returns the place of an element, row <= column: by tiles of four rows, within a tile by columns, then rows.
 int element(int row, int column, int size) {
     int tile = row >> 2;
     int before = tile * (4 * size + 2 - 8 * tile);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// relight: the inverse of shadow_gather.comp.
+// The relight step: the inverse of shadow_gather.comp.
 #version 450 core
 
 layout(local_size_x = 64) in;
@@ -8,11 +8,11 @@ layout(std430, binding = 0) readonly buffer Vertices { uint vertices[]; };
 layout(std430, binding = 1) readonly buffer Gathered { float gathered[]; };  // [number][shadowed vertex]
 layout(std430, binding = 2) writeonly buffer Light { float light[]; };       // [number][vertex]
 
-uniform int first;  // shadowed vertex
-uniform int count;  // of them
+uniform int first;  // first shadowed vertex
+uniform int count;  // number of shadowed vertices
 uniform int gathered_stride;
-uniform int first_vertex;  // of the bound light
-uniform int stride;        // of vertices in the light
+uniform int first_vertex;  // first vertex of the bound light
+uniform int stride;        // number of vertices in the light
 
 void main() {
     int i = int(gl_GlobalInvocationID.x);

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Sums of products of a vertex's numbers with fixed factors. One invocation a vertex and sum.
+// Sums of products of a vertex's numbers and fixed factors. One invocation per vertex and sum.
 #version 450 core
 
 layout(local_size_x = 64) in;
 
 struct Sum {
-    int first;   // number
-    int second;  // where as many more begin, or -1
+    int first;   // first number
+    int second;  // first number of a second run of equal length, or -1
     int terms;
-    int factor;  // the first; those of the second numbers follow
+    int factor;  // first factor; factors of the second run follow
 };
 
 layout(std430, binding = 0) readonly buffer Sums { Sum sums[]; };
@@ -16,8 +16,8 @@ layout(std430, binding = 1) readonly buffer Factors { float factors[]; };
 layout(std430, binding = 2) readonly buffer Numbers { float numbers[]; };   // [number][vertex]
 layout(std430, binding = 3) writeonly buffer Results { float results[]; };  // [sum][vertex]
 
-uniform int count;   // vertices
-uniform int stride;  // of vertices
+uniform int count;   // number of vertices
+uniform int stride;  // number of vertices in the buffers
 
 void main() {
     int i = int(gl_GlobalInvocationID.x);

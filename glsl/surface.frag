@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Interpolates the vertices' Stokes vectors. They are all in the camera's frame field, which is smooth over the image.
+// Interpolates the vertices' Stokes vectors, all in the camera's frame field, which is smooth over the image.
 #version 450 core
 
 layout(location = 0) in vec4 vertex_stokes[CHANNELS];

@@ -2,7 +2,7 @@
 // Passes shaded vertices on.
 #version 450 core
 
-// CHANNELS: colour channels drawn at once.
+// CHANNELS: number of colour channels drawn at once.
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec4 stokes[CHANNELS];
 

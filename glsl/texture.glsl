@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Textures and the layers of a material, in words and texels as DeviceVariation lays them out; as src/material evaluates
-// them.
+// Textures, evaluated as in src/material, from words and texels in the layout of DeviceVariation.
 #include "footprint.glsl"
 
-// TABLE, TEXELS: bindings. TEXTURES: how many textures there are.
+// TABLE, TEXELS: bindings. TEXTURES: number of textures.
 layout(std430, binding = TABLE) readonly buffer Table { uint table[]; };
 layout(std430, binding = TEXELS) readonly buffer Texels { float texels[]; };
 
-// Words of a texture: kind, channels, filter, wrap, levels, the first level's word, to_uv by columns, two colours, of a
-// product two textures before it. Of a level: first texel, width, height.
+// Words of a texture: kind, channels, filter, wrap, levels, word of the first level, to_uv by columns, two
+// colours or (for a product) the numbers of two earlier textures. Words of a level: first texel, width,
+// height.
 const uint TEXTURE_WORDS = 24u;
 const uint LEVEL_WORDS = 3u;
 const uint KIND_CONSTANT = 0u;
@@ -20,7 +20,7 @@ const uint FILTER_MIPMAP = 2u;
 const uint WRAP_REPEAT = 0u;
 const uint WRAP_MIRROR = 1u;
 
-// What textures are looked up at; see TexturePoint.
+// Point at which textures are evaluated; see TexturePoint.
 struct TexturePoint {
     vec2 uv;
     vec2 du;
@@ -42,7 +42,7 @@ vec2 transformed(uint texture, vec2 uv) {
     return linear_of(texture) * uv + vec2(number_at(texture + 10u), number_at(texture + 11u));
 }
 
-// Not a number becomes the lower end.
+// Limits x to a range that int can represent. A NaN becomes the lower limit.
 float within_int(float x) {
     const float most = 1073741824.0;
     return x > -most ? min(x, most) : -most;
@@ -67,7 +67,7 @@ vec4 texel_at(uint first, uint channels, int index) {
     return vec4(texels[at], texels[at + 1u], texels[at + 2u], channels == 4u ? texels[at + 3u] : 1.0);
 }
 
-// The four texels around a point and where it lies between them; centres are at (i + 0.5) / size.
+// The four texels around a point and the position between them; centres are at (i + 0.5) / size.
 struct Cell {
     vec2 size;
     vec2 at;
@@ -90,7 +90,7 @@ Cell cell_of(uint texture, uint level, vec2 uv) {
 
 vec4 value_of(Cell cell) { return mix(mix(cell.a, cell.b, cell.at.x), mix(cell.c, cell.d, cell.at.x), cell.at.y); }
 
-// Of the first channel by u and v.
+// Returns the gradient of the first channel by u and v.
 vec2 gradient_of(Cell cell) {
     return cell.size * vec2(mix(cell.b.x - cell.a.x, cell.d.x - cell.c.x, cell.at.y),
                             mix(cell.c.x - cell.a.x, cell.d.x - cell.b.x, cell.at.x));
@@ -129,7 +129,7 @@ vec4 image_at(uint texture, TexturePoint point) {
     return sum / float(taps.rows * taps.count);
 }
 
-// The change of the first channel with u and v, after the transform.
+// Returns the gradient of the first channel by u and v, after the transform.
 vec2 slope_of(uint texture, uint level, vec2 at) {
     vec2 slope = gradient_of(cell_of(texture, level, within_image(texture, at)));
     if (table[texture + 3u] != WRAP_MIRROR) return slope;
@@ -137,7 +137,7 @@ vec2 slope_of(uint texture, uint level, vec2 at) {
     return slope * (1.0 - 2.0 * (even - 2.0 * floor(0.5 * even)));
 }
 
-// The change of the first channel with u and v, of an image; of others 0.
+// Returns the gradient of the first channel by u and v for an image; 0 for other textures.
 vec2 texture_gradient(uint texture, TexturePoint point) {
     if (table[texture] != KIND_IMAGE) return vec2(0.0);
     mat2 linear = linear_of(texture);
@@ -154,7 +154,7 @@ vec2 texture_gradient(uint texture, TexturePoint point) {
     return sum / float(taps.rows * taps.count) * linear;
 }
 
-// values[t] of the textures whose words begin at `first`.
+// Computes values[t] of the textures whose words begin at `first`.
 void evaluate_textures(uint first, TexturePoint point, out vec4 values[TEXTURES]) {
     for (int t = 0; t < TEXTURES; ++t) {
         uint texture = first + TEXTURE_WORDS * uint(t);

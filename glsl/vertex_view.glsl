@@ -1,24 +1,25 @@
 // SPDX-License-Identifier: MIT
-// The view direction of a vertex: what interpolation in a table over view directions needs.
+// View direction of a vertex, for interpolation in a table over view directions.
 
 #include "angle.glsl"
 #include "frames.glsl"
 
-uniform vec3 eye;         // of a perspective camera, in the world
-uniform vec3 eye_rest;    // what single precision leaves of it
+uniform vec3 eye;         // position of a perspective camera in the world
+uniform vec3 eye_rest;    // its rounding error in single precision
 uniform vec3 forward;
 uniform vec3 up;
 uniform vec3 right;
 uniform bool orthographic;
 
-// The unit vector from a point to the camera; a point at the camera itself counts as one straight ahead.
+// Returns the unit vector from a point to the camera; the camera counts as straight ahead of a point at its
+// position.
 vec3 towards_camera(vec3 position) {
     if (orthographic) return -forward;
     precise vec3 way = (eye - position) + eye_rest;
     return way == vec3(0.0) ? -forward : normalize(way);
 }
 
-// The x axis of the camera's frame field for light of that propagation.
+// Returns the x axis of the camera's frame field for light of that propagation direction.
 vec3 camera_x(vec3 propagation) {
     vec3 x = cross(up, propagation);
     if (dot(x, x) <= 1e-12) x = right - dot(right, propagation) * propagation;
@@ -26,10 +27,10 @@ vec3 camera_x(vec3 propagation) {
 }
 
 struct VertexView {
-    float zenith;   // of the viewer about the normal, or pi/2 minus it, whichever is less and so has more digits
-    bool grazing;   // the latter
+    float zenith;   // zenith angle of the viewer, or pi/2 minus it: the smaller one, which has more digits
+    bool grazing;   // whether `zenith` is pi/2 minus the zenith angle
     vec2 azimuth;   // cosine and sine
-    vec2 rotation;  // of twice the angle from the theta-phi frame about the normal to the camera's frame field
+    vec2 rotation;  // cosine and sine of twice the angle from the theta-phi frame to the camera's frame field
 };
 
 VertexView view_from_camera(vec3 position, vec3 normal) {
@@ -46,8 +47,8 @@ VertexView view_from_camera(vec3 position, vec3 normal) {
     return view;
 }
 
-// Zenith angle as a position in a table of `angles` from 0 to pi/2: the element below, and the weight of the one above.
-// A normal that faces away is treated as viewed at 90 degrees.
+// Position of a zenith angle in a table of `angles` angles from 0 to pi/2: the element below, and the weight
+// of the element above. A normal that faces away is treated as viewed at 90 degrees.
 struct TablePosition {
     int angle;
     float part;
@@ -60,7 +61,7 @@ TablePosition position_in(VertexView view, int angles) {
     return view.grazing ? TablePosition(angles - 2 - whole, 1.0 - part) : TablePosition(whole, part);
 }
 
-// Linear polarization in the camera's frame field.
+// Rotates the linear polarization into the camera's frame field.
 vec4 in_camera_frame(VertexView view, vec4 stokes) {
     return in_rotated_frame(stokes, view.rotation);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Checks of arguments.
+// Checks of arguments that throw Error(invalid_argument).
 #pragma once
 
 #include <cmath>

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
-// The floating-point environment that everything here computes in.
+// The floating-point environment of all computations in Nicol.
 #pragma once
 
 #include <cfenv>
 
 namespace nicol {
 
-/// While an object lives, its thread has the environment in which C programs begin: numbers are rounded to
-/// nearest, subnormal numbers are kept, and nothing traps. Then the thread's environment is as before, with
-/// its flags. Made and destroyed by one thread; threads that it starts inherit the environment.
+/// Guard that gives its thread the environment in which C programs begin: numbers are rounded to nearest,
+/// subnormal numbers are kept, and no operation traps. The destructor restores the thread's previous
+/// environment and its flags. One thread constructs and destroys the object; threads that this thread starts
+/// inherit the environment.
 class FloatingEnvironment {
 public:
     FloatingEnvironment() noexcept {

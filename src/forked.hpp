@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Children of fork(): they have the memory of their parent's threads, and not the threads.
+// Handling of processes made by fork(), which have the memory of their parent's threads but not the threads.
 #pragma once
 
 #include <pthread.h>
@@ -8,7 +8,7 @@
 
 namespace nicol {
 
-/// Whether this process is a child that fork() made after this function's first call.
+/// Returns whether fork() made this process after the first call of this function.
 [[nodiscard]] inline bool forked() noexcept {
     static std::atomic<bool> child = false;
     static const int watched = pthread_atfork(nullptr, nullptr, [] { child = true; });
@@ -16,8 +16,9 @@ namespace nicol {
     return child;
 }
 
-/// A static object that calls a function at the end of the process that made it. A child that ends by exit()
-/// skips the call: locks may be held and containers half changed by threads that the child does not have.
+/// Static object that calls a function at the end of the process that constructed the object. A forked child
+/// that ends by exit() skips the call, because threads that the child does not have may hold locks and may
+/// have left containers half changed.
 class AtProcessEnd {
 public:
     explicit AtProcessEnd(void (*call)()) noexcept : call_(call) { static_cast<void>(forked()); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Time taken, progress and cancellation of long work.
+// Elapsed time, progress and cancellation of long computations.
 #pragma once
 
 #include <chrono>
@@ -9,7 +9,7 @@
 
 namespace nicol {
 
-/// Time since construction.
+/// Timer that measures the time since its construction.
 class Stopwatch {
 public:
     [[nodiscard]] double milliseconds() const {
@@ -20,14 +20,14 @@ private:
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// Passes progress on at most ten times a second.
+/// Progress reports to a callback, at most ten per second.
 class Progress {
 public:
     using Callback = std::function<bool(const char* verb, double fraction)>;
 
     explicit Progress(const Callback& callback) : callback_(callback) {}
 
-    /// Throws Error(cancelled) where the callback returns false.
+    /// Calls the callback. Throws Error(cancelled) if the callback returns false.
     void report(const char* verb, double fraction) {
         if (!callback_ || (asked_ && since_.milliseconds() < 100)) return;
         asked_ = true;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which results still belong to their inputs.
+// Versions of values, and the steps of a computation that depend on them.
 #pragma once
 
 #include <atomic>
@@ -10,16 +10,16 @@
 
 namespace nicol {
 
-/// Names one state of one value: no two states in a process share a version. 0 names none.
+/// Identifier of one state of one value. No two states in a process share a version; 0 identifies no state.
 using Version = std::uint64_t;
 
-/// Greater than all before it. May be called from any thread.
+/// Returns a version greater than every earlier one. Safe to call from any thread.
 [[nodiscard]] inline Version new_version() noexcept {
     static std::atomic<Version> last{0};
     return ++last;
 }
 
-/// A value with a version, which identifies its state without a comparison of values.
+/// Value with a version, which identifies the value's state without a comparison of values.
 template <class T>
 class Versioned {
 public:
@@ -27,7 +27,7 @@ public:
     [[nodiscard]] const T* operator->() const noexcept { return &value_; }
     [[nodiscard]] Version version() const noexcept { return version_; }
 
-    /// For changes in place; the version becomes another.
+    /// Returns the value for changes in place and gives it a new version.
     [[nodiscard]] T& change() noexcept {
         version_ = new_version();
         return value_;
@@ -38,18 +38,18 @@ private:
     Version version_ = new_version();
 };
 
-/// A step of a computation. It has to run where its inputs, versions or plain values, differ from those of
-/// its last complete run.
+/// Step of a computation. The step has to run if its inputs (versions or plain values) differ from the inputs
+/// of its last complete run.
 template <class... Inputs>
 class Stage {
 public:
-    /// Whether these were the inputs of the last run, and that was completed.
+    /// Returns whether the last run had these inputs and was completed.
     [[nodiscard]] bool is_current(const Inputs&... inputs) const {
         return inputs_ && *inputs_ == std::tie(inputs...);
     }
 
-    /// Calls body() unless is_current(inputs...); returns whether it did. Where body() throws, the stage is
-    /// current for no inputs.
+    /// Calls body() unless is_current(inputs...). Returns whether it called body(). If body() throws, the
+    /// stage is current for no inputs.
     template <class Body>
     bool run(const Inputs&... inputs, Body&& body) {
         if (is_current(inputs...)) return false;
@@ -59,7 +59,7 @@ public:
         return true;
     }
 
-    /// The next run() calls its body.
+    /// Makes the next run() call its body.
     void reset() noexcept { inputs_.reset(); }
 
 private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How many threads compute.
+// Number of worker threads.
 #pragma once
 
 #include <tbb/info.h>
@@ -8,7 +8,8 @@
 
 namespace nicol {
 
-/// How many work where this many are asked for: never more than one a core, and that for 0.
+/// Returns the number of worker threads for a request of `threads`: at most one per core. 0 requests one per
+/// core.
 inline int worker_count(int threads) {
     const int cores = tbb::info::default_concurrency();
     return threads > 0 ? std::min(threads, cores) : cores;

@@ -17,17 +17,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Of a new file, less the process's mask.
+// Mode of a new file, before the process's mask applies.
 constexpr mode_t kMode = 0666;
-// Names that are taken are tried again with another number.
+// Number of names that are tried if names are taken.
 constexpr int kNameAttempts = 16;
 
-/// Its name below /proc, by which a file without a name gets one.
+/// Returns the file's path below /proc, through which a nameless file gets a name.
 std::string name_of(std::FILE* file) {
     return "/proc/self/fd/" + std::to_string(::fileno(file));
 }
 
-/// Whether the file system of a folder, or the kernel, has no files without a name.
+/// Returns whether an error means that the folder's file system or the kernel does not support nameless
+/// files.
 bool lacks_nameless(int error) {
     return error == EOPNOTSUPP || error == EISDIR || error == EINVAL || error == ENOENT;
 }
@@ -43,7 +44,7 @@ AtomicFile::AtomicFile(fs::path target) : target_(std::move(target)), place_(out
         const fs::path folder = place_.file.has_parent_path() ? place_.file.parent_path() : fs::path(".");
         descriptor = ::open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, kMode);
         if (descriptor < 0 && !lacks_nameless(errno)) fail(errno);
-        // Without /proc it could not be given a name.
+        // Without /proc the file could not be given a name.
         if (descriptor >= 0 && ::access("/proc/self/fd", X_OK) != 0) {
             ::close(descriptor);
             descriptor = -1;
@@ -78,7 +79,7 @@ fs::path AtomicFile::new_name() const {
 void AtomicFile::open_beside() {
     for (int attempt = 0; attempt < kNameAttempts; ++attempt) {
         temporary_ = new_name();
-        // Exclusive creation: never follow a link or overwrite another file.
+        // Exclusive creation never follows a link and never overwrites another file.
         file_ = std::fopen(temporary_.c_str(), "w+bxe");
         if (file_ != nullptr) return;
         const int error = std::exchange(errno, 0);
@@ -115,7 +116,7 @@ void AtomicFile::keep_mode() const {
 }
 
 void AtomicFile::copy_to_stream() const {
-    // An open file of this process keeps its position and whether it is appended to.
+    // A duplicate of an open file of this process keeps the file's position and append mode.
     const int to = place_.descriptor >= 0 ? ::dup(place_.descriptor)
                                           : ::open(place_.file.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY);
     if (to < 0) fail(errno);
@@ -155,14 +156,16 @@ void AtomicFile::commit() {
         const auto link = [&](const fs::path& name) {
             return ::linkat(AT_FDCWD, nameless.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0;
         };
-        // What copies a name may lack memory, and has to come before there is a file to be removed.
+        // Copying the name may fail for lack of memory, so it comes before a file exists that must be
+        // removed.
         if (fs::path name = place_.file; link(name)) {
-            temporary_ = std::move(name);  // is removed if closing fails
+            temporary_ = std::move(name);  // removed if closing fails
             close();
             temporary_.clear();
             return;
         }
-        // A link cannot replace a file: the new one gets a name for a moment, which takes the other's place.
+        // A link cannot replace a file, so the new file first gets a temporary name and is then renamed to
+        // the target.
         for (int attempt = 0; temporary_.empty(); ++attempt) {
             if (errno != EEXIST || attempt == kNameAttempts) fail(errno);
             if (fs::path name = new_name(); link(name)) temporary_ = std::move(name);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// An output file that appears under its name only when it is complete.
+// Output files that appear under their name only when they are complete.
 #pragma once
 
 #include <cstdio>
@@ -10,26 +10,27 @@
 
 namespace nicol {
 
-/// Collects an output in a file without a name (where the file system has none: in a temporary file beside
-/// the target). commit() replaces the target, or the file that a symbolic link points to, and keeps the mode
-/// and the owner that it had; bytes for a device, a pipe or an open file (OutputPlace::stream) are written to
-/// it by commit(). Without commit() nothing is left behind. Used by one thread.
+/// Output file that collects its bytes in a nameless file, or in a temporary file beside the target if the
+/// file system has no nameless files. commit() replaces the target, or the file that a symbolic link points
+/// to, and keeps the mode and the owner of the replaced file. If the target is a device, a pipe or an open
+/// file (OutputPlace::stream), commit() writes the bytes to the target. Without commit() nothing is left
+/// behind. For use by one thread.
 class AtomicFile {
 public:
-    /// Throws Error(write_failed) naming the path and the reason.
+    /// Throws Error(write_failed) that names the path and the reason.
     explicit AtomicFile(std::filesystem::path target);
     ~AtomicFile();
     AtomicFile(const AtomicFile&) = delete;
     AtomicFile& operator=(const AtomicFile&) = delete;
 
-    /// Can be read, written and positioned, whatever the target is.
+    /// Returns the file, which can be read, written and positioned whatever the target is.
     [[nodiscard]] std::FILE* handle() const noexcept { return file_; }
-    /// When it was last written to, by the clock of its file system.
+    /// Returns the time of the last write, by the clock of the file system.
     [[nodiscard]] std::filesystem::file_time_type time() const;
-    /// Has what was written reach the disk, so that after a power failure the file is whole or absent: for
-    /// files that live long. What fails here fails again in commit().
+    /// Flushes the written bytes to the disk, so that after a power failure the file is whole or absent. For
+    /// files that live long. A failure of sync() makes commit() fail.
     void sync() noexcept;
-    /// Throws Error(write_failed) if any byte could not be written.
+    /// Completes the target. Throws Error(write_failed) if any byte could not be written.
     void commit();
 
 private:
@@ -41,7 +42,7 @@ private:
     void close();
 
     HeldSignals signals_;
-    std::filesystem::path target_;  ///< as it was given
+    std::filesystem::path target_;  ///< path as given by the caller
     OutputPlace place_;
     std::filesystem::path temporary_;  ///< empty: the file has no name
     std::FILE* file_ = nullptr;

@@ -31,7 +31,7 @@ CacheFile::CacheFile(const std::filesystem::path& folder, std::string_view magic
 }
 
 CacheFile::Outcome CacheFile::find(std::uint64_t& length) const {
-    // Another process may remove it at any time.
+    // Another process may remove the file at any time.
     std::error_code error;
     const std::filesystem::file_status status = std::filesystem::status(path_, error);
     if (!std::filesystem::exists(status)) return {State::missing, {}};
@@ -53,7 +53,7 @@ CacheFile::Outcome CacheFile::read(std::vector<unsigned char>& part, std::uint64
 }
 
 CacheFile::Outcome CacheFile::read(std::span<const std::span<unsigned char>> parts) const {
-    // Checks the length before reading anything.
+    // The length is checked before anything is read.
     std::uint64_t length = 0;
     if (Outcome outcome = find(length); outcome.state != State::complete) return outcome;
     std::uint64_t expected = 0;
@@ -75,7 +75,7 @@ CacheFile::Outcome CacheFile::read(std::span<const std::span<unsigned char>> par
     std::string stored(kHashSize, '\0');
     in.read(stored.data(), kHashSize);
     if (!in || stored != hash.text()) return {State::unfit, "is damaged"};
-    // It was used now; where the folder may not be written, others decide what it keeps.
+    // Marks the file as used now. If the folder is not writable, other processes decide which files it keeps.
     static_cast<void>(::utimensat(AT_FDCWD, path_.c_str(), nullptr, 0));
     return {State::complete, {}};
 }
@@ -92,11 +92,11 @@ std::string CacheFile::write(std::span<const std::span<const unsigned char>> par
         AtomicFile out(path_);
         ContentHash hash;
         hash.add(header_);
-        // A failed write stays on the FILE, where commit() finds it.
+        // A failed write stays recorded in the FILE, where commit() finds it.
         static_cast<void>(std::fwrite(header_.data(), 1, header_.size(), out.handle()));
         for (const auto& part : parts) {
             hash.add(part);
-            // fwrite() takes no null pointer, which an empty part may have.
+            // fwrite() takes no null pointer, but an empty part may be null.
             if (!part.empty()) static_cast<void>(std::fwrite(part.data(), 1, part.size(), out.handle()));
         }
         const std::string stored = hash.text();

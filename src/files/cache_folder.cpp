@@ -28,7 +28,8 @@ struct File {
     file_time_type used;
 };
 
-/// Errors of single files, which others may remove at any time, leave them out.
+/// Returns the cache files of a folder, without files whose status cannot be read, because other processes
+/// may remove files at any time.
 std::vector<File> files_of(const path& folder) {
     std::vector<File> found;
     std::error_code error;
@@ -36,7 +37,7 @@ std::vector<File> files_of(const path& folder) {
          entry.increment(error)) {
         if (!is_cache_file(entry->path())) continue;
         std::error_code gone;
-        // A link is not followed.
+        // Links are not followed.
         if (entry->symlink_status(gone).type() != std::filesystem::file_type::regular) continue;
         const std::uint64_t bytes = entry->file_size(gone);
         const file_time_type used = entry->last_write_time(gone);
@@ -67,11 +68,12 @@ bool is_cache_file(const path& file) {
 
 void make_room(const path& wanted, std::uint64_t bytes, std::uint64_t limit, file_time_type now) {
     std::vector<File> files = files_of(wanted.parent_path());
-    std::error_code ignored;  // of files that are gone, or another's
+    std::error_code ignored;  // errors about files that are gone or belong to another user
     std::erase_if(files, [&](const File& file) {
         const bool temporary = file.name.extension() == ".tmp";
         if (temporary && now - file.used > kAbandoned) std::filesystem::remove(file.name, ignored);
-        return temporary || file.name == wanted;  // others write now, and this is replaced
+        // Other processes write temporary files now, and `wanted` is replaced.
+        return temporary || file.name == wanted;
     });
     std::ranges::sort(files, {}, &File::used);
     std::uint64_t all = bytes;

@@ -9,7 +9,7 @@
 
 namespace nicol {
 
-/// 128 bits over a sequence of bytes, however it is split into pieces.
+/// Hash of 128 bits over a sequence of bytes, independent of how the sequence is split into pieces.
 class ContentHash {
 public:
     ContentHash& add(std::span<const unsigned char> bytes) {
@@ -28,7 +28,7 @@ public:
         return add({reinterpret_cast<const unsigned char*>(text.data()), text.size()});
     }
 
-    /// 32 hexadecimal digits.
+    /// Returns the hash as 32 hexadecimal digits.
     [[nodiscard]] std::string text() const {
         ContentHash last = *this;
         last.mix(word_);
@@ -48,8 +48,8 @@ private:
         word_ = 0;
         pending_ = 0;
     }
-    // Two lanes with different odd multipliers (of the golden ratio and of sqrt 2); shifts move high bits
-    // down, which multiplication does not.
+    // Mixes a word into two lanes with different odd multipliers (from the golden ratio and from sqrt 2).
+    // Shifts move high bits down, which multiplication does not.
     void mix(std::uint64_t word) {
         a_ = (a_ ^ word) * 0x9e3779b97f4a7c15;
         a_ ^= a_ >> 32;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is wrong with a file, with its name in front.
+// Errors about the content of files, whose messages begin with the file's name.
 #pragma once
 
 #include <filesystem>

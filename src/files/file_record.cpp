@@ -14,7 +14,8 @@ namespace {
 
 constexpr int kReadAttempts = 3;
 
-/// Empty if there is no such file. The time of the last change cannot be set back, unlike that of the last
+/// Returns a text that changes when the file changes; empty if there is no such file. The text contains the
+/// time of the last status change, because that time cannot be set back, unlike the time of the last
 /// modification.
 std::string identity_of(const std::filesystem::path& file) {
     struct stat status = {};
@@ -57,7 +58,7 @@ FileRecorder::State FileRecorder::state_of(std::span<const std::filesystem::path
         std::error_code status;
         Seen& seen = state.emplace_back();
         seen.identity = identity_of(file);
-        // A device or a pipe may never end.
+        // A device or a pipe is not read, because it may never end.
         if (std::filesystem::is_regular_file(file, status)) seen.record = record_of(file, budget_);
     }
     return state;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which files something was made of, and what they held.
+// Records of the files that an object was read from, and of their content.
 #pragma once
 
 #include <cstdint>
@@ -16,17 +16,17 @@ namespace nicol {
 
 struct FileRecord {
     std::filesystem::path path;
-    std::uint64_t bytes = 0;  ///< its size
-    std::string digest;       ///< ContentHash of its bytes
+    std::uint64_t bytes = 0;  ///< size of the file
+    std::string digest;       ///< ContentHash of the file's bytes
 };
 
-/// Of a file as it is now. Throws Error(file_not_found) if it cannot be read.
-/// `budget` is asked while it is read.
+/// Returns the record of a file as it is now. Throws Error(file_not_found) if the file cannot be read.
+/// `budget` is checked during reading.
 [[nodiscard]] FileRecord record_of(const std::filesystem::path& file, const LoadBudget& budget = {});
-/// Of bytes that were read from a file.
+/// Returns the record of bytes that were read from a file.
 [[nodiscard]] FileRecord record_of(const std::filesystem::path& file, const std::string& bytes);
 
-/// Keeps a record of each file that it sees read, once each.
+/// Recorder that keeps one record of each file that is read.
 class FileRecorder {
 public:
     explicit FileRecorder(std::vector<FileRecord> known, LoadBudget budget = {})
@@ -34,9 +34,9 @@ public:
         for (const FileRecord& record : records_) recorded_.insert(record.path);
     }
 
-    /// Calls read(), which reads `files`, and returns its result. If one of them changes meanwhile, so that
-    /// its record would not be of what was read, this starts again; throws Error(invalid_file) if that is of
-    /// no use. A file that is not there is left to read() to report.
+    /// Calls read(), which reads `files`, and returns its result. If a file changes meanwhile, so that its
+    /// record would not match the bytes that were read, the reading starts again; Error(invalid_file) is
+    /// thrown after some attempts. A missing file is left to read() to report.
     template <class Read>
     auto read(std::span<const std::filesystem::path> files, Read read) {
         for (int attempt = 1;; ++attempt) {
@@ -49,7 +49,8 @@ public:
     [[nodiscard]] std::vector<FileRecord> take() { return std::move(records_); }
 
 private:
-    /// For each file what the system says of it, which changes when its content does, and its record.
+    /// State of one file: the system's identity of the file, which changes with its content, and the file's
+    /// record.
     struct Seen {
         std::string identity;
         FileRecord record;

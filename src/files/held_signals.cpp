@@ -16,7 +16,7 @@ HeldSignals::HeldSignals() noexcept {
 }
 
 HeldSignals::~HeldSignals() {
-    // A signal that a write has sent would arrive as soon as the mask is restored.
+    // A signal that a write has sent would arrive as soon as the mask is restored, so it is consumed first.
     const timespec at_once{};
     while (sigtimedwait(&added_, nullptr, &at_once) > 0) {
     }

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Signals that a failed write sends to the thread that wrote.
+// Suppression of the signals that a failed write sends to the writing thread.
 #pragma once
 
 #include <csignal>
 
 namespace nicol {
 
-/// While an object lives, SIGXFSZ and SIGPIPE do not reach the thread that made it, so that a file beyond the
+/// Guard that keeps SIGXFSZ and SIGPIPE from the thread that constructs it, so that a file beyond the
 /// process's limit and a pipe without a reader are errors of write() instead of the process's end. The
-/// thread's mask and the signals that were pending before stay. Made and destroyed by one thread.
+/// destructor restores the thread's mask, and signals that were pending before remain pending. One thread
+/// constructs and destroys the object.
 class HeldSignals {
 public:
     HeldSignals() noexcept;
@@ -17,8 +18,8 @@ public:
     HeldSignals& operator=(const HeldSignals&) = delete;
 
 private:
-    sigset_t mask_{};   ///< of the thread before
-    sigset_t added_{};  ///< signals that are held here and were not pending before
+    sigset_t mask_{};   ///< the thread's previous mask
+    sigset_t added_{};  ///< signals that are held by this object and were not pending before
 };
 
 }  // namespace nicol

@@ -11,7 +11,7 @@
 namespace nicol {
 namespace {
 
-/// Adds `amount` to `used`, which may become `limit`.
+/// Adds `amount` to `used`. Throws Error(unsupported) if `used` would exceed `limit`.
 void take(std::uint64_t& used, std::uint64_t amount, std::uint64_t limit, const std::filesystem::path& file,
           const char* what, const char* option) {
     if (amount > limit - used)
@@ -44,7 +44,7 @@ struct LoadBudget::Account {
     LoadLimits limits;
     Progress progress{limits.progress};
     Stopwatch time;
-    std::filesystem::path file;  // the last
+    std::filesystem::path file;  // last file that was taken
     std::uint64_t steps = 0;
     std::uint64_t bytes = 0;
     Shapes meshes;

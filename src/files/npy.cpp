@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A NumPy header is a Python dictionary in text; only the three keys that NumPy writes are accepted.
+// Reading of NumPy headers, which are Python dictionaries in text. Only the three keys that NumPy writes are
+// accepted.
 #include "files/npy.hpp"
 
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reading arrays from NumPy archives.
+// Reading of arrays from NumPy archives.
 #include "files/npz.hpp"
 
 #include <algorithm>
@@ -24,14 +24,14 @@ ZipEntry find_member(const path& file, std::string_view name) {
     std::string there;
     for (const ZipEntry& entry : read_zip_directory(file)) {
         if (entry.name == std::string(name).append(kSuffix)) return entry;
-        // A few names identify the kind of file.
+        // A few names are enough to identify the kind of file.
         if (there.size() < 200) there += (there.empty() ? "" : ", ") + entry.name;
     }
     throw Error(ErrorCode::invalid_file, file.string() + ": has no member " + std::string(name) +
                                              ".npy; it holds " + (there.empty() ? "none" : there));
 }
 
-/// A member whose size agrees with its header.
+/// Archive member whose size agrees with its header.
 struct Member {
     Member(const path& file, std::string_view member_name)
         : name(file.string() + ": member " + std::string(member_name) + ".npy"),
@@ -57,7 +57,7 @@ struct Member {
 template <class T>
 void read_values(Member& member, std::size_t count, const LoadBudget& budget, std::vector<double>& values) {
     std::array<T, 4096> chunk;
-    // Stored bytes exist; the size of deflated ones is only a claim.
+    // Stored bytes exist, whereas the size of deflated bytes is only a claim.
     values.reserve(member.entry.deflated ? std::min(count, chunk.size()) : count);
     while (values.size() < count) {
         const std::size_t n = std::min(chunk.size(), count - values.size());
@@ -130,7 +130,7 @@ std::string read_npz_text(const path& file, std::string_view name) {
             throw Error(ErrorCode::invalid_file, member.name + " has characters that are not ASCII");
         text += static_cast<char>(c);
     }
-    // NumPy fills up with zeros.
+    // NumPy pads texts with zeros.
     text.erase(text.find_last_not_of('\0') + 1);
     if (text.find('\0') != std::string::npos)
         throw Error(ErrorCode::invalid_file, member.name + " has a zero inside its text");

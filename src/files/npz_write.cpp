@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Writing NumPy archives: every member stored, all sizes known beforehand.
+// Writing of NumPy archives: every member is stored, and all sizes are known beforehand.
 #include <zlib.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace nicol {
 namespace {
 
 constexpr std::uint64_t kMaxBytes = 0xfffffffe;
-/// 1 January 1980 instead of the date, so that equal content makes equal files.
+/// Date of all members, 1 January 1980, so that equal content makes equal files.
 constexpr std::uint32_t kNoDate = 1 << 5 | 1;
 
 [[noreturn]] void refuse(const std::string& name, const std::string& what) {
@@ -26,7 +26,7 @@ void append(std::string& bytes, std::uint32_t value, int size) {
     for (int i = 0; i < size; ++i) bytes += static_cast<char>(value >> (8 * i) & 0xff);
 }
 
-/// Magic, version 1.0 and the dictionary, filled up so that values start at a multiple of 64 bytes.
+/// Returns magic, version 1.0 and the dictionary, padded so that values start at a multiple of 64 bytes.
 std::string npy_header(const std::string& type, const std::vector<std::size_t>& shape) {
     std::string text = "{'descr': '" + type + "', 'fortran_order': False, 'shape': (";
     for (const std::size_t n : shape) text += std::to_string(n) + ", ";
@@ -42,7 +42,7 @@ std::string npy_header(const std::string& type, const std::vector<std::size_t>& 
     return header + text;
 }
 
-/// A member's header and values; the values of numbers are not copied.
+/// Header and values of one member. Numbers are not copied.
 struct Content {
     std::string header;
     std::string text;
@@ -87,7 +87,8 @@ std::uint32_t checksum(const Content& content) {
     return static_cast<std::uint32_t>(crc);
 }
 
-/// Fields that local header and directory share: version, flags, method, date, CRC, sizes, name length.
+/// Returns the fields that local header and directory share: version, flags, method, date, CRC, sizes, name
+/// length.
 std::string common_fields(const std::string& file_name, const Content& content, std::uint32_t crc) {
     std::string bytes;
     append(bytes, 20, 2);
@@ -121,7 +122,7 @@ void write_npz(const std::filesystem::path& path, std::span<const NpzMember> mem
     AtomicFile file(path);
     std::string directory;
     std::uint32_t offset = 0;
-    // A failed write stays on the FILE, where commit() finds it.
+    // A failed write stays recorded in the FILE, where commit() finds it.
     const auto write = [&](const void* bytes, std::size_t size) {
         if (size > 0) static_cast<void>(std::fwrite(bytes, 1, size, file.handle()));
         offset += static_cast<std::uint32_t>(size);

@@ -20,13 +20,14 @@ bool is_number(const std::string& text) {
     return !text.empty() && std::ranges::all_of(text, [](char c) { return c >= '0' && c <= '9'; });
 }
 
-/// The process whose open file `path` is, in a folder such as /proc/1234/fd; 0 where it is none.
+/// Returns the process whose open file `path` is, in a folder such as /proc/1234/fd; 0 if `path` is no open
+/// file.
 long process_of(const fs::path& path) {
     std::error_code error;
     const fs::path folder = fs::canonical(path.parent_path(), error);
     if (error || folder.filename() != "fd" || !is_number(path.filename().string())) return 0;
     fs::path process = folder.parent_path();
-    // A thread has the open files of its process.
+    // A thread shares the open files of its process.
     if (process.parent_path().filename() == "task") process = process.parent_path().parent_path();
     const std::string name = process.filename().string();
     if (process.parent_path() != "/proc" || !is_number(name)) return 0;
@@ -38,7 +39,7 @@ long process_of(const fs::path& path) {
 }  // namespace
 
 OutputPlace output_place(const fs::path& target) {
-    constexpr int most_links = 40;  // as in Linux
+    constexpr int most_links = 40;  // the limit of Linux
     if (!target.has_filename()) cannot_write(target, EISDIR);
     OutputPlace place{.file = target};
     std::error_code error;

@@ -1,27 +1,27 @@
 // SPDX-License-Identifier: MIT
-// Where the bytes of an output go.
+// Resolution of an output's name to the file or stream that receives the bytes.
 #pragma once
 
 #include <filesystem>
 
 namespace nicol {
 
-/// The place that an output's name stands for.
+/// File or stream that an output's name stands for.
 struct OutputPlace {
-    /// The file itself, after all symbolic links: also where the last link points to nothing yet.
+    /// File after all symbolic links, even if the last link points to nothing yet.
     std::filesystem::path file;
-    /// A device, a pipe, or an open file of a process (/proc/self/fd/1, which /dev/stdout points to). Bytes
-    /// are written to it; a regular file is replaced instead.
+    /// Whether the output is a device, a pipe, or an open file of a process (/proc/self/fd/1, which
+    /// /dev/stdout points to). Bytes are written to a stream, whereas a regular file is replaced.
     bool stream = false;
-    /// The number of an open file of this process, which keeps its position; -1: the stream is opened by
-    /// name.
+    /// Number of an open file of this process, which keeps its position; -1: the stream is opened by name.
     int descriptor = -1;
 };
 
-/// Throws Error(write_failed) naming `target` where links form a circle or where it is a folder.
+/// Resolves an output's name. Throws Error(write_failed) that names `target` if links form a circle or if
+/// `target` is a folder.
 [[nodiscard]] OutputPlace output_place(const std::filesystem::path& target);
 
-/// Throws Error(write_failed) with the reason that errno `error` stands for.
+/// Throws Error(write_failed) with the reason for which the errno value `error` stands.
 [[noreturn]] void cannot_write(const std::filesystem::path& target, int error);
 
 }  // namespace nicol

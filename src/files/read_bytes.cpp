@@ -10,7 +10,7 @@ namespace nicol {
 
 std::string read_bytes(const std::filesystem::path& file, const LoadBudget& budget) {
     std::error_code status;
-    // Reading a device or a pipe might never end.
+    // A device or a pipe is not read, because it may never end.
     if (!std::filesystem::is_regular_file(file, status))
         throw Error(ErrorCode::file_not_found, file.string() + ": no such file");
     std::ifstream in(file, std::ios::binary);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// dlopen with the reasons kept.
+// Opening of shared libraries by dlopen(), with the reasons of failures kept.
 #include "files/shared_library.hpp"
 
 #include <dlfcn.h>
@@ -12,8 +12,8 @@
 namespace nicol {
 namespace {
 
-/// The loader has no other sign that it lacked memory than its words. Where it cannot map a library for
-/// another reason, it appends the reason.
+/// Returns whether the loader lacked memory. The text is the loader's only sign of it. If the loader cannot
+/// map a library for another reason, it appends that reason to the text.
 bool tells_of_shortage(std::string_view reason) {
     return reason.ends_with("failed to map segment from shared object") ||
            reason.find(std::generic_category().message(ENOMEM)) != std::string_view::npos;
@@ -25,7 +25,8 @@ SharedLibrary::SharedLibrary(std::initializer_list<const char*> names, ErrorCode
     std::string reasons;
     bool lacks_memory = false;
     for (const char* name : names) {
-        // RTLD_LOCAL: libOSMesa exports every gl* function and would take over a host's libGL.
+        // RTLD_LOCAL is necessary because libOSMesa exports every gl* function and would take over a host's
+        // libGL.
         handle_ = dlopen(name, RTLD_NOW | RTLD_LOCAL);
         if (handle_ != nullptr) {
             name_ = name;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A library opened at run time. It is never closed, because Mesa leaves threads and exit handlers behind.
+// Libraries opened at run time. They are never closed, because Mesa leaves threads and exit handlers behind.
 #pragma once
 
 #include <initializer_list>
@@ -11,8 +11,8 @@ namespace nicol {
 
 class SharedLibrary {
 public:
-    /// Opens the first of the names that can be opened. Its symbols are visible to nobody else. Throws an
-    /// error with the code `absent` and the linker's reason for each name.
+    /// Opens the first of the names that can be opened. Its symbols are not visible to other libraries.
+    /// Throws an error with the code `absent` and the linker's reason for each name.
     SharedLibrary(std::initializer_list<const char*> names, ErrorCode absent);
 
     [[nodiscard]] const std::string& name() const noexcept { return name_; }

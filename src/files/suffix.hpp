@@ -8,14 +8,14 @@
 
 namespace nicol {
 
-/// ASCII letters made small.
+/// Returns the text with its ASCII letters in lower case.
 [[nodiscard]] inline std::string lower_case(std::string text) {
     std::ranges::transform(text, text.begin(),
                            [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     return text;
 }
 
-/// ".obj" of "Cube.OBJ".
+/// Returns the suffix of a file's name in lower case: ".obj" for "Cube.OBJ".
 [[nodiscard]] inline std::string suffix_of(const std::filesystem::path& file) {
     return lower_case(file.extension().string());
 }

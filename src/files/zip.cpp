@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// ZIP archives: the directory at the end, then each member with zlib.
+// Reading of ZIP archives: the directory at the end, then each member with zlib.
 #include "files/zip.hpp"
 
 #include <algorithm>
@@ -21,7 +21,7 @@ constexpr std::size_t kEndSize = 22;
 constexpr std::size_t kDirectorySize = 46;
 constexpr std::size_t kLocalSize = 30;
 constexpr std::uint64_t kMaxDirectoryBytes = 1 << 20;
-/// Deflate's largest compression ratio.
+/// Largest compression ratio of deflate.
 constexpr std::uint64_t kMaxRatio = 1032;
 constexpr std::size_t kBufferBytes = 1 << 16;
 
@@ -42,7 +42,7 @@ std::vector<unsigned char> read_at(std::ifstream& in, const path& file, std::uin
     return bytes;
 }
 
-/// The record that closes the archive; a comment of up to 64 KiB may follow it.
+/// Finds the record that closes the archive. A comment of up to 64 KiB may follow the record.
 std::vector<unsigned char> find_end(std::ifstream& in, const path& file, std::uint64_t file_size) {
     const std::uint64_t tail = std::min<std::uint64_t>(file_size, kEndSize + 0xffff);
     std::vector<unsigned char> bytes = read_at(in, file, file_size - tail, tail);
@@ -104,7 +104,7 @@ std::vector<ZipEntry> read_zip_directory(const path& file) {
         if (directory.size() - at < entry_size)
             invalid_file(file, "has a damaged directory at entry " + std::to_string(i));
         std::string name(p + kDirectorySize, p + kDirectorySize + name_size);
-        // As Python reads it; a message would end there too.
+        // A name ends at its first zero, as in Python's reader and in error messages.
         name.resize(std::min(name.find('\0'), name.size()));
         entries.push_back(parse_entry(file, p, name, offset));
         if (!names.insert(name).second) invalid_file(file, "has member " + name + " twice");
@@ -124,7 +124,8 @@ ZipStream::ZipStream(const path& file, const ZipEntry& entry)
     file_.seekg(static_cast<std::streamoff>(entry.offset));
     file_.read(reinterpret_cast<char*>(head.data()), kLocalSize);
     if (!file_ || u32(head.data()) != kLocalMagic) invalid("has no local header where the directory says");
-    // Sizes may be missing here (they may follow the data), so only those of the directory count.
+    // Sizes may be missing in the local header (they may follow the data), so only the directory's sizes
+    // count.
     file_.seekg(static_cast<std::streamoff>(entry.offset + kLocalSize + u16(&head[26]) + u16(&head[28])));
     if (entry.deflated && inflateInit2(&inflate_, -MAX_WBITS) != Z_OK) throw std::bad_alloc();
 }

@@ -16,20 +16,20 @@ namespace nicol {
 
 struct ZipEntry {
     std::string name;
-    std::uint64_t offset = 0;       ///< of the local header
+    std::uint64_t offset = 0;       ///< offset of the local header
     std::uint64_t stored_size = 0;  ///< bytes in the archive
     std::uint64_t size = 0;         ///< bytes of content
     std::uint32_t crc = 0;
     bool deflated = false;
 };
 
-/// The central directory. Throws Error(file_not_found), Error(unsupported) for archives of several volumes,
-/// of ZIP64 sizes, with encrypted members or compression other than deflate, and Error(invalid_file) if
-/// damaged. Every returned entry lies inside the file, names are unique, and no size exceeds what deflate can
-/// make of the stored bytes.
+/// Reads the central directory. Throws Error(file_not_found), Error(unsupported) for archives of several
+/// volumes, with ZIP64 sizes, with encrypted members or with compression other than deflate, and
+/// Error(invalid_file) if the archive is damaged. Every returned entry lies inside the file, names are
+/// unique, and no size exceeds the size that deflate can make of the stored bytes.
 [[nodiscard]] std::vector<ZipEntry> read_zip_directory(const std::filesystem::path& path);
 
-/// The content of one member from its beginning. Memory: a few tens of KiB.
+/// Stream of one member's content from its beginning. Uses a few tens of KiB of memory.
 class ZipStream {
 public:
     /// Throws Error(invalid_file) if there is no such member at the entry's offset.
@@ -38,10 +38,10 @@ public:
     ZipStream(const ZipStream&) = delete;
     ZipStream& operator=(const ZipStream&) = delete;
 
-    /// Bytes of content not yet read.
+    /// Returns the number of content bytes not yet read.
     [[nodiscard]] std::uint64_t left() const noexcept { return left_; }
     /// Fills `bytes`, which must not be more than left(). The last byte of the member is given only if the
-    /// CRC-32 agrees. Throws Error(invalid_file) naming file and member.
+    /// CRC-32 agrees. Throws Error(invalid_file) that names file and member.
     void read(std::span<unsigned char> bytes);
 
 private:

@@ -15,11 +15,11 @@
 namespace nicol::geometry {
 namespace {
 
-// OpenMesh looks at the triangles about a vertex for each new one: so many meet at one of its vertices at
-// most, further ones at a copy of it.
+// Largest number of triangles at one vertex of the topology. Further triangles go to a copy of the vertex
+// because OpenMesh visits all triangles at a vertex for each new one.
 constexpr std::uint32_t kMostTrianglesAtVertex = 512;
 
-// Positions and normals are the polygons' own.
+// Connectivity only. Positions and normals stay in PolygonMesh.
 struct Traits : OpenMesh::DefaultTraits {
     VertexAttributes(OpenMesh::Attributes::None);
     HalfedgeAttributes(OpenMesh::Attributes::PrevHalfedge);
@@ -31,8 +31,8 @@ using OpenMesh::FaceHandle;
 using OpenMesh::HalfedgeHandle;
 using OpenMesh::VertexHandle;
 
-/// Keeps OpenMesh, which reports faces that it does not take, from writing to std::cerr. Its stream is
-/// everybody's.
+/// Keeps OpenMesh, which reports faces that it rejects, from writing to std::cerr. The lock is needed because
+/// all of OpenMesh shares one stream.
 class QuietOpenMesh {
 public:
     QuietOpenMesh() : lock_(mutex()), before_(stream().rdbuf(text_.rdbuf())) {}
@@ -77,15 +77,15 @@ private:
         return topology_.add_vertex({});
     }
 
-    // The vertex at a position that the next triangle there shares.
+    // Returns the vertex at a position that the next triangle there shares.
     VertexHandle vertex_at(std::uint32_t position) {
         if (count_[position]++ % kMostTrianglesAtVertex == kMostTrianglesAtVertex - 1)
             newest_[position] = add_vertex(position);
         return newest_[position];
     }
 
-    // The face has the number that it has in triangles_. Where it would meet others as no surface does, its
-    // vertices are its own.
+    // Adds face f; its number in the topology equals its number in triangles_. The face gets vertices of its
+    // own if the topology rejects it as non-manifold.
     void add_face(std::size_t f) {
         std::array<VertexHandle, 3> v;
         std::array<glm::dvec3, 3> p;
@@ -103,7 +103,7 @@ private:
         topology_.add_face(v[0], v[1], v[2]);
     }
 
-    // The index of the corner that a halfedge starts at.
+    // Returns the index of the corner that a halfedge starts at.
     [[nodiscard]] std::size_t index_of(HalfedgeHandle corner) const {
         const auto face = static_cast<std::size_t>(topology_.face_handle(corner).idx());
         const auto vertex = static_cast<std::size_t>(topology_.from_vertex_handle(corner).idx());
@@ -116,7 +116,7 @@ private:
         return normals_[static_cast<std::size_t>(topology_.face_handle(corner).idx())];
     }
 
-    // Whether the surface goes on smoothly from one corner of a vertex to another.
+    // Returns whether the surface is smooth between two corners of one vertex.
     [[nodiscard]] bool smooth_between(HalfedgeHandle a, HalfedgeHandle b) const {
         return !topology_.is_boundary(a) && !topology_.is_boundary(b) &&
                glm::dot(normal_of(a), normal_of(b)) >= least_cosine_;
@@ -133,7 +133,7 @@ private:
         return std::atan2(glm::length(glm::cross(u, v)), glm::dot(u, v));
     }
 
-    // One normal for the corners about a vertex from hard edge to hard edge.
+    // Gives one normal to all corners about a vertex from one hard edge to the next.
     void smooth(HalfedgeHandle corner) {
         HalfedgeHandle first = corner;
         for (HalfedgeHandle before = topology_.cw_rotated_halfedge_handle(first);
@@ -160,8 +160,8 @@ private:
     Topology topology_;
     std::vector<std::uint32_t> positions_;  // by vertex of the topology
     std::vector<VertexHandle> newest_;      // by position, the vertex that was added last
-    std::vector<std::uint32_t> count_;      // by position, of triangles
-    std::vector<glm::dvec3> normals_;       // of the faces
+    std::vector<std::uint32_t> count_;      // by position, its number of triangles so far
+    std::vector<glm::dvec3> normals_;       // by face, its unit normal or 0
 };
 
 }  // namespace

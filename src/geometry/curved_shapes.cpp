@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The disc and the cylinder: rows of points around an axis.
+// Disc and cylinder: rows of points around an axis.
 #include <cmath>
 #include <cstdint>
 #include <glm/geometric.hpp>
@@ -13,8 +13,8 @@ namespace nicol {
 namespace {
 
 constexpr std::uint32_t kSectors = 180;
-constexpr std::uint32_t kRings = 16;  // of a disc
-constexpr std::uint32_t kRows = 32;   // of a cylinder
+constexpr std::uint32_t kRings = 16;  // rings of a disc
+constexpr std::uint32_t kRows = 32;   // rows of a cylinder
 
 glm::dvec2 direction_of(std::uint32_t sector) {
     const double angle = 2 * std::numbers::pi * sector / kSectors;
@@ -25,8 +25,8 @@ double turned(std::uint32_t sector) {
     return static_cast<double>(sector) / kSectors;
 }
 
-/// Adds the triangles between `rows` + 1 rows of kSectors vertices and of kSectors + 1 texture coordinates,
-/// with the last of a row where the first is, a turn further.
+/// Adds the triangles between `rows` + 1 rows of kSectors vertices and of kSectors + 1 texture coordinates.
+/// The last texture coordinate of a row lies at the first vertex, one turn further.
 void join_rows(Mesh& mesh, std::uint32_t rows) {
     const auto add = [&](glm::uvec3 row, glm::uvec3 sector) {
         glm::uvec3 vertices, texcoords;
@@ -63,7 +63,7 @@ Mesh make_disk() {
         const std::uint32_t corner = (kRings - 1) * (kSectors + 1) + sector;
         mesh.triangles.emplace_back(innermost + sector, innermost + (sector + 1) % kSectors, center);
         mesh.texcoord_triangles.emplace_back(corner, corner + 1, mesh.texcoords.size());
-        // At the centre v has no value: between those of the other corners it bends the image least.
+        // v is undefined at the centre. The mean of the other corners' v distorts the image least.
         mesh.texcoords.emplace_back(0, turned(sector) + 0.5 / kSectors);
     }
     mesh.normals.assign(mesh.positions.size(), glm::vec3(0, 0, 1));

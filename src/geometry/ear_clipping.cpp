@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Meisters' two ears theorem: a simple polygon has a corner whose triangle lies inside of it and contains no
-// other corner. It is cut off, and what is left is a simple polygon again.
+// Triangulation by Meisters' two ears theorem: a simple polygon has a corner whose triangle lies inside of it
+// and contains no other corner. Cutting off that corner leaves a simple polygon.
 #include "geometry/ear_clipping.hpp"
 
 #include <algorithm>
@@ -13,22 +13,22 @@
 namespace nicol::geometry {
 namespace {
 
-// Clipping takes time with the square of the corners.
+// Largest number of corners that are clipped; the time grows with the square of the corners.
 constexpr std::size_t kMost = 1024;
 
-// Twice the area of a triangle, above 0 where it turns left.
+// Returns twice the signed area of a triangle, positive for a left turn.
 double turn(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-/// Clips one polygon in a time of at most the square of its corners. Cutting an ear changes which corners are
-/// ears for its two neighbours alone, and only reflex corners can lie in the triangle of another corner.
+/// Clips one polygon in a time of at most the square of its corners. Cutting an ear changes only whether its
+/// two neighbours are ears, and only reflex corners can lie in the triangle of another corner.
 class Clipper {
 public:
     Clipper(std::span<const glm::dvec3> corners, const glm::dvec3& normal, const LoadBudget& budget,
             std::vector<glm::uvec3>& out)
         : budget_(budget), out_(out) {
-        // Onto the plane that shows most of it.
+        // The polygon is projected onto the coordinate plane where its area is largest.
         const glm::dvec3 size = glm::abs(normal);
         const glm::length_t drop = size.x > size.y && size.x > size.z ? 0 : size.y > size.z ? 1 : 2;
         const bool mirrored = normal[drop] < 0;
@@ -50,13 +50,13 @@ public:
         // Every other corner comes first: triangles become less thin than around one corner.
         for (const std::uint32_t first : {0U, 1U})
             for (std::uint32_t i = first; i < points_.size(); i += 2) wait(i);
-        // Rounding hides ears, which a few more passes find.
+        // Rounding hides ears; a few more passes find them.
         int passes = 4;
         while (left_ > 3) {
             if (waiting_.empty() && passes-- > 0) {
                 for_each_left([&](std::uint32_t i) { wait(i); });
             } else if (waiting_.empty()) {
-                // No ear is left where the polygon crosses itself: the largest corner is as good as any.
+                // No ear is left if the polygon crosses itself; the largest corner is as good as any.
                 cut(largest());
             } else {
                 const std::uint32_t i = waiting_.front();
@@ -85,7 +85,7 @@ private:
         const glm::dvec2 c = points_[after_[i]];
         return std::ranges::none_of(reflex_, [&](std::uint32_t other) {
             const glm::dvec2& p = points_[other];
-            // Where a bridge leads to a hole, corners lie in the same place.
+            // Corners coincide where a bridge leads to a hole.
             return turn(a, b, p) >= 0 && turn(b, c, p) >= 0 && turn(c, a, p) >= 0 && p != a && p != b &&
                    p != c;
         });
@@ -151,14 +151,14 @@ private:
     std::vector<glm::dvec2> points_;
     std::vector<std::uint32_t> before_, after_;  // the neighbours of a corner among those that are left
     std::vector<std::uint32_t> reflex_;          // corners that turn right or go straight on
-    std::vector<std::size_t> reflex_at_;         // by corner, where it is in reflex_
+    std::vector<std::size_t> reflex_at_;         // by corner, its place in reflex_
     std::deque<std::uint32_t> waiting_;          // corners that may be ears
     std::vector<bool> waits_;                    // by corner
     std::uint32_t left_ = 0;
-    std::uint32_t last_ = 0;  // one of those that are left
+    std::uint32_t last_ = 0;  // any one of the corners that are left
 };
 
-// Whether a fan about the first corner covers it without flat or flipped triangles.
+// Returns whether a fan about the first corner covers the polygon without flat or flipped triangles.
 bool fan_covers(std::span<const glm::dvec3> corners, const glm::dvec3& normal) {
     const double least = 1e-12 * glm::dot(normal, normal);
     for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
@@ -168,7 +168,7 @@ bool fan_covers(std::span<const glm::dvec3> corners, const glm::dvec3& normal) {
     return true;
 }
 
-// The normal of a polygon, planar or not, its length twice the area (Newell).
+// Returns the normal of a polygon, planar or not; its length is twice the area (Newell).
 glm::dvec3 area_normal(std::span<const glm::dvec3> corners) {
     glm::dvec3 sum(0.0);
     for (std::size_t i = 1; i + 1 < corners.size(); ++i)

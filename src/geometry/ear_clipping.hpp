@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Triangles of one polygon.
+// Triangulation of one polygon.
 #pragma once
 
 #include <cstdint>
@@ -12,9 +12,9 @@
 namespace nicol::geometry {
 
 /// Appends the n - 2 triangles of a polygon of three or more corners to `out`, as indices of corners, with
-/// its orientation. Concave polygons, and those with a bridge to a hole, are covered once, as seen along
-/// their normal; of those that cross themselves nothing is promised but the number. Polygons of more than
-/// 1024 corners are taken as convex. Time: at most the square of the corners.
+/// the polygon's orientation. Concave polygons and polygons with a bridge to a hole are covered once, as seen
+/// along their normal. For polygons that cross themselves, only the number of triangles is guaranteed.
+/// Polygons of more than 1024 corners are taken as convex. Time: at most the square of the corners.
 void clip_ears(std::span<const glm::dvec3> corners, const LoadBudget& budget, std::vector<glm::uvec3>& out);
 
 }  // namespace nicol::geometry

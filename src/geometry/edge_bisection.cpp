@@ -43,7 +43,7 @@ EdgeBisection::Edge EdgeBisection::longest(const glm::uvec3& t) const {
 }
 
 void EdgeBisection::close(Edges& edges) const {
-    // Only a triangle with two places that are ends of such edges can have one.
+    // Only a triangle with two places that are ends of edges in the set can have such an edge.
     std::vector<std::uint8_t> ends(place_count_, 0);
     const auto mark = [&](Edge edge) { ends[edge >> 32] = ends[edge & 0xFFFFFFFFU] = 1; };
     for (const Edge edge : edges) mark(edge);
@@ -82,7 +82,7 @@ std::uint32_t EdgeBisection::middle(std::uint32_t a, std::uint32_t b) {
         const auto place = middle_places_.try_emplace(edge(a, b), place_count_);
         if (place.second) ++place_count_;
         places_.push_back(place.first->second);
-        // Halves first, for coordinates whose sum is out of range.
+        // Each term is halved before the sum, which could be out of range.
         positions_.push_back(0.5F * positions_[a] + 0.5F * positions_[b]);
         parents_.emplace_back(a, b);
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Triangles made smaller by splitting edges in the middle.
+// Refinement of triangles by splitting edges in the middle.
 #pragma once
 
 #include <cstddef>
@@ -13,22 +13,22 @@
 
 namespace nicol {
 
-/// A point on a triangle, and how long edges there may be.
+/// Wanted edge length at a point of a triangle.
 struct WantedLength {
     std::uint32_t triangle;
-    glm::vec3 weights;  ///< barycentric, of the three corners
+    glm::vec3 weights;  ///< barycentric weights of the three corners
     float length;
 };
 
-/// Triangles that are bisected at edges without moving the surface. An edge is a pair of places: vertices in
-/// the same place, as at hard edges and on both sides of a sheet, are split together, and so are all
-/// triangles at an edge, however many. No vertex ever lies on an edge that goes on past it.
+/// Triangles that are bisected at edges without moving the surface. An edge is a pair of places. Vertices at
+/// one place (at hard edges, or on both sides of a sheet) are split together, and so are all triangles at an
+/// edge, however many. No vertex ever lies inside an edge.
 ///
-/// A triangle is bisected at its longest edge first (Rivara 1984), so angles stay above half of the smallest
-/// that was given. Works on any triangles, those without area too.
+/// Each triangle is bisected at its longest edge first (Rivara 1984), so angles stay above half of the
+/// smallest given angle. Triangles without area are allowed.
 class EdgeBisection {
 public:
-    /// Of two places, the smaller in the high half.
+    /// Two places; the smaller one is in the high half.
     using Edge = std::uint64_t;
     using Edges = std::unordered_set<Edge>;
 
@@ -36,24 +36,27 @@ public:
 
     [[nodiscard]] const std::vector<glm::vec3>& positions() const noexcept { return positions_; }
     [[nodiscard]] const std::vector<glm::uvec3>& triangles() const noexcept { return triangles_; }
-    /// The given triangle that each is a part of; not decreasing.
+    /// Returns, for each triangle, the given triangle that contains it; not decreasing.
     [[nodiscard]] const std::vector<std::uint32_t>& sources() const noexcept { return sources_; }
-    /// The vertices that each added one is in the middle of; they come before it.
+    /// Returns, for each added vertex, the two vertices that it lies halfway between; both have smaller
+    /// numbers.
     [[nodiscard]] const std::vector<glm::uvec2>& parents() const noexcept { return parents_; }
 
-    /// Between two vertices.
+    /// Returns the edge between two vertices.
     [[nodiscard]] Edge edge(std::uint32_t a, std::uint32_t b) const;
     [[nodiscard]] Edge longest(const glm::uvec3& triangle) const;
 
     /// Adds the edges that have to be split first: the longest of each triangle with an edge of the set.
     void close(Edges& edges) const;
-    /// How many vertices it takes to split these edges.
+    /// Returns the number of vertices that splitting these edges adds.
     [[nodiscard]] std::size_t cost(const Edges& edges) const;
-    /// Splits the edges of a closed set. `points` lie on these triangles, and are moved to their parts.
+    /// Splits the edges of a closed set. Moves `points`, which lie on these triangles, to the triangles'
+    /// parts.
     void split(const Edges& edges, std::vector<WantedLength>& points);
 
 private:
-    // Squared length, then the edge itself, so that all triangles at an edge agree which is longer.
+    // Squared length, then the edge as tie-breaker, so that all triangles at an edge agree which edge is
+    // longer.
     struct Extent {
         double squared;
         Edge edge;
@@ -66,17 +69,17 @@ private:
              std::span<WantedLength> points);
 
     std::vector<glm::vec3> positions_;
-    std::vector<std::uint32_t> places_;  // of vertices: the same number where positions are equal
+    std::vector<std::uint32_t> places_;  // place of each vertex; equal positions have equal places
     std::uint32_t place_count_ = 0;
     std::vector<glm::uvec3> triangles_;
     std::vector<std::uint32_t> sources_;
     std::vector<glm::uvec2> parents_;
-    // During split(): the vertices and places in the middle of pairs of vertices and of edges.
+    // State of split(): middle vertices by pair of vertices, and middle places by edge.
     std::unordered_map<std::uint64_t, std::uint32_t> middles_;
     std::unordered_map<Edge, std::uint32_t> middle_places_;
 };
 
-/// A key of two numbers in either order.
+/// Returns a key of two numbers that does not depend on their order.
 [[nodiscard]] inline std::uint64_t pair_key(std::uint32_t a, std::uint32_t b) {
     return a < b ? std::uint64_t{a} << 32 | b : std::uint64_t{b} << 32 | a;
 }

@@ -15,7 +15,7 @@ namespace {
 constexpr const char* kVersion4 = "libembree4.so.4";
 constexpr const char* kVersion3 = "libembree3.so.3";
 
-/// Options of a query in version 3, RTCIntersectContext, as rtcInitIntersectContext() fills it.
+/// Options of a query in version 3 (RTCIntersectContext), as rtcInitIntersectContext() sets them.
 struct Context3 {
     unsigned flags = 0;
     Filter filter = nullptr;
@@ -23,15 +23,15 @@ struct Context3 {
 };
 constexpr unsigned kCoherent3 = 1;
 
-/// Options of a query in version 4, RTCIntersectArguments and RTCOccludedArguments, as rtcInit...Arguments()
-/// fill them.
+/// Options of a query in version 4 (RTCIntersectArguments and RTCOccludedArguments), as rtcInit...Arguments()
+/// sets them.
 struct Arguments4 {
     unsigned flags = 0;
     unsigned features = ~0U;
     void* context = nullptr;
     Filter filter = nullptr;
-    void* function = nullptr;  // of geometry that the user defines
-    float min_width = 0;       // read by builds with RTC_MIN_WIDTH alone
+    void* function = nullptr;  // callback for user-defined geometry
+    float min_width = 0;       // read only by builds with RTC_MIN_WIDTH
 };
 constexpr unsigned kCoherent4 = 1U << 16;
 
@@ -96,7 +96,7 @@ void Library::occluded(Scene* scene, Ray& ray) const {
 }
 
 void Library::occluded(Scene* scene, const std::array<int, Ray16::kRays>& valid, Ray16& rays) const {
-    // Version 3 asks for a mask that lies on a boundary of 64 bytes.
+    // Version 3 requires a mask that is aligned to 64 bytes.
     alignas(64) const std::array<int, Ray16::kRays> mask = valid;
     if (version_ == 4) {
         Arguments4 arguments{.flags = kCoherent4};
@@ -117,7 +117,7 @@ const Library& library() {
 void open_if_there() noexcept {
     try {
         static_cast<void>(library());
-    } catch (const std::exception&) {  // whoever needs it meets the same error
+    } catch (const std::exception&) {  // the caller that needs Embree meets the same error
     }
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The part of Embree's C interface that Nicol calls. The library is opened at run time and called through a
-// table of functions, because a host may have another version of Embree in its process, which defines the
-// same names.
+// The part of Embree's C interface that Nicol calls. Nicol opens the library at run time and calls it through
+// a table of functions, because a host may have another version of Embree in its process that defines equal
+// names.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@ struct Device;
 struct Scene;
 struct Geometry;
 
-// Constants and structures have the same layout in versions 3 and 4 of Embree.
+// Constants and structures whose layout is equal in versions 3 and 4 of Embree.
 inline constexpr int kErrorNone = 0;
 inline constexpr int kErrorUnknown = 1;
 inline constexpr int kErrorOutOfMemory = 4;
@@ -29,14 +29,14 @@ inline constexpr unsigned kNoGeometry = std::numeric_limits<unsigned>::max();
 struct alignas(16) Ray {
     float org_x, org_y, org_z, tnear;
     float dir_x, dir_y, dir_z, time;
-    float tfar;  ///< negative in the answer: something is in the way
+    float tfar;  ///< length; a negative length in the answer means that the ray is occluded
     unsigned mask, id, flags;
 };
 
 struct alignas(16) Hit {
     float ng_x, ng_y, ng_z, u, v;
     unsigned triangle, geometry, instance;
-    unsigned instance_primitive;  ///< of version 4
+    unsigned instance_primitive;  ///< used by version 4 only
 };
 
 struct RayHit {
@@ -48,11 +48,11 @@ struct alignas(64) Ray16 {
     static constexpr std::size_t kRays = 16;
     std::array<float, kRays> org_x, org_y, org_z, tnear;
     std::array<float, kRays> dir_x, dir_y, dir_z, time;
-    std::array<float, kRays> tfar;  ///< as in Ray
+    std::array<float, kRays> tfar;  ///< length; negative in the answer if the ray is occluded
     std::array<unsigned, kRays> mask, id, flags;
 };
 
-/// Hits for a filter to accept or to refuse, which it does by valid[i] = 0.
+/// Hits that a filter accepts or, by valid[i] = 0, rejects.
 struct FilterArguments {
     int* valid;
     void* user_data;
@@ -69,7 +69,7 @@ struct FilterArguments {
 };
 using Filter = void (*)(const FilterArguments*);
 
-/// Embree's functions under their own names, without the prefix `rtc`.
+/// Table of Embree's functions, under Embree's names without the prefix `rtc`.
 class Library {
 public:
     Library();
@@ -96,7 +96,7 @@ public:
 
     void intersect(Scene* scene, RayHit& query) const;
     void occluded(Scene* scene, Ray& ray) const;
-    /// Traces the rays whose `valid` is -1, not 0. Faster where they are near to each other.
+    /// Traces the rays whose `valid` is -1 (0: not traced). Rays close to each other are traced faster.
     void occluded(Scene* scene, const std::array<int, Ray16::kRays>& valid, Ray16& rays) const;
 
 private:
@@ -105,10 +105,10 @@ private:
     Function intersect1_ = nullptr, occluded1_ = nullptr, occluded16_ = nullptr;
 };
 
-/// Opens Embree 4 where there is one, else Embree 3, in the first call. Throws Error(unsupported) naming the
-/// packages if there is neither.
+/// Opens Embree 4, or else Embree 3, in the first call. Throws Error(unsupported), which names the packages,
+/// if neither is installed.
 [[nodiscard]] const Library& library();
-/// Opens it as library() does; where there is none, library() will say so.
+/// Opens Embree as library() does, without throwing; a later library() reports the failure.
 void open_if_there() noexcept;
 
 }  // namespace nicol::embree

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// How far from the origin of the world surfaces may be.
+// Limit of the world coordinates of surfaces.
 #pragma once
 
 namespace nicol {
 
-/// Embree multiplies coordinates in single precision.
+/// Largest absolute coordinate of a vertex. The limit exists because Embree multiplies coordinates in single
+/// precision.
 inline constexpr float kLargestCoordinate = 1e15F;
 
 }  // namespace nicol

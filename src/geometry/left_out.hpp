@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a reader passes over, for the one notice that says so.
+// Counts of the elements that a mesh reader ignores, reported in one notice.
 #pragma once
 
 #include <cstdint>
@@ -12,9 +12,9 @@ namespace nicol::geometry {
 
 class LeftOut {
 public:
-    /// `what`: in the plural, as it appears in the notice.
+    /// Adds `count` ignored elements; `what` names them in the plural, as in the notice.
     void add(std::string_view what, std::uint64_t count = 1);
-    /// "name: left out: 3 triangles without area, ..."; empty where nothing was.
+    /// Returns "name: left out: 3 triangles without area, ..."; empty if nothing was ignored.
     [[nodiscard]] std::string notice(std::string_view name) const;
 
 private:

@@ -16,7 +16,7 @@
 namespace nicol {
 namespace {
 
-/// The winding of every triangle.
+/// Reverses the winding of every triangle.
 void reverse(Mesh& mesh) {
     for (std::vector<glm::uvec3>* triangles : {&mesh.triangles, &mesh.texcoord_triangles})
         for (glm::uvec3& t : *triangles) std::swap(t.y, t.z);
@@ -26,7 +26,7 @@ void reverse(Mesh& mesh) {
     throw Error(ErrorCode::invalid_file, std::string(name) + ": " + message);
 }
 
-/// One value a vertex or a face, or none at all.
+/// Throws Error(invalid_file) unless there is one value per vertex or face, or no value at all.
 void check_count(std::size_t values, const char* what, std::size_t count, const char* of,
                  std::string_view name) {
     if (values != 0 && values != count)

@@ -20,11 +20,11 @@ namespace nicol {
 /// At a hard edge each face has vertices of its own: equal positions, different normals.
 struct Mesh {
     std::vector<glm::vec3> positions;
-    std::vector<glm::vec3> normals;  ///< as many as positions; unit length after validate()
+    std::vector<glm::vec3> normals;  ///< one per position; unit length after validate()
     std::vector<glm::uvec3> triangles;
     /// Colours as in the file; integers become n / 255.
-    std::vector<glm::vec3> colors;       ///< colours of vertices: as many as positions, or empty
-    std::vector<glm::vec3> face_colors;  ///< colours of faces: as many as triangles, or empty
+    std::vector<glm::vec3> colors;       ///< colours of vertices: one per position, or empty
+    std::vector<glm::vec3> face_colors;  ///< colours of faces: one per triangle, or empty
     /// Texture coordinates u, v as in the file. They have indices of their own because light is stored at
     /// vertices, which a seam of texture coordinates must not split.
     std::vector<glm::vec2> texcoords;

@@ -9,8 +9,8 @@
 namespace nicol {
 namespace {
 
-/// Normal of a triangle, its length twice the area. In double, so that rounding does not hide the area of a
-/// thin triangle.
+/// Returns the normal of a triangle; its length is twice the area. Double precision is needed because
+/// rounding to float hides the area of a thin triangle.
 glm::dvec3 area_normal(const Mesh& mesh, const glm::uvec3& t) {
     const glm::dvec3 a(mesh.positions[t.x]);
     return glm::cross(glm::dvec3(mesh.positions[t.y]) - a, glm::dvec3(mesh.positions[t.z]) - a);
@@ -36,7 +36,7 @@ std::vector<glm::vec3> averaged_normals(const Mesh& mesh) {
             const glm::dvec3 u = glm::dvec3(mesh.positions[t[(i + 1) % 3]]) - here;
             const glm::dvec3 v = glm::dvec3(mesh.positions[t[(i + 2) % 3]]) - here;
             const std::uint32_t at = t[i];
-            // Twice the area is |u x v| at every corner.
+            // |u x v| is twice the area at every corner.
             sums[at] += area / length * std::atan2(length, glm::dot(u, v));
             if (firsts[at] == glm::dvec3(0.0)) firsts[at] = area / length;
         }
@@ -45,7 +45,7 @@ std::vector<glm::vec3> averaged_normals(const Mesh& mesh) {
     for (std::size_t v = 0; v < normals.size(); ++v) {
         const double length = glm::length(sums[v]);
         const bool used = firsts[v] != glm::dvec3(0.0);
-        // Of faces that cancel only rounding errors remain.
+        // Only rounding errors remain if the faces cancel.
         normals[v] = glm::vec3(length > 1e-9 ? sums[v] / length
                                : used        ? firsts[v]
                                              : glm::dvec3(0.0, 0.0, 1.0));
@@ -74,7 +74,8 @@ std::size_t geometry::remove_flat_triangles(Mesh& mesh) {
 void geometry::complete_normals(Mesh& mesh) {
     std::vector<glm::vec3> smooth;
     for (std::size_t v = 0; v < mesh.normals.size(); ++v) {
-        // In double: the squares of small and of large floats leave the range of float.
+        // Double precision is needed because the squares of small and of large floats leave the range of
+        // float.
         const double length = glm::length(glm::dvec3(mesh.normals[v]));
         if (length > 0.0) {
             mesh.normals[v] = glm::vec3(glm::dvec3(mesh.normals[v]) / length);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Normals from triangles.
+// Computation of normals from triangles.
 #pragma once
 
 #include <cstddef>
@@ -9,11 +9,11 @@
 namespace nicol::geometry {
 
 /// Removes triangles without area: two corners that share a vertex or a position, or three on one line.
-/// Returns how many. Positions must be finite.
+/// Returns the number of removed triangles. Positions must be finite.
 std::size_t remove_flat_triangles(Mesh& mesh);
 
-/// Gives every normal unit length; one of zero length is replaced by the smooth one, +z where there is no
-/// face.
+/// Gives every normal unit length. A normal of zero length is replaced by the smooth normal, or by +z if the
+/// vertex has no face.
 void complete_normals(Mesh& mesh);
 
 }  // namespace nicol::geometry

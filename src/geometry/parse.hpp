@@ -11,28 +11,30 @@
 
 namespace nicol::geometry {
 
-// `name` begins every message. All throw Error(invalid_file), or Error(unsupported) for a well-formed file
-// that holds something other than polygons; the message names the line, vertex or face (0-based). Indices of
-// the result are in range, positions finite, normals finite or zero. What has no meaning here is counted in
-// `left_out`. Memory is proportional to the bytes, whatever they claim. `budget` is asked at every
+// `name` begins every message. All parsers throw Error(invalid_file), or Error(unsupported) for a well-formed
+// file that holds something other than polygons; the message names the line, vertex or face (0-based).
+// Indices of the result are in range, positions finite, normals finite or zero. Ignored elements are counted
+// in `left_out`. Memory is proportional to the bytes, whatever they claim. Parsers call `budget` at every
 // line, vertex or face.
 
-/// v, vt, vn and f. Three numbers behind a position are its colour.
+/// Parses Wavefront OBJ: v, vt, vn and f. Three numbers behind a position are its colour.
 [[nodiscard]] PolygonMesh parse_obj(std::string_view name, std::string_view bytes, LeftOut& left_out,
                                     const LoadBudget& budget);
-/// Of the vertices x y z, nx ny nz, u v (or s t, texture_u texture_v) and red green blue (or r g b; integers
-/// are n / 255); of the faces vertex_indices, at their corners texcoord, and colours by the same names.
+/// Parses PLY. Vertices: x y z, nx ny nz, u v (or s t, texture_u texture_v) and red green blue (or r g b;
+/// integers are n / 255). Faces: vertex_indices, texcoord at their corners, and colours by the names that
+/// vertices use.
 [[nodiscard]] PolygonMesh parse_ply(std::string_view name, std::string_view bytes, LeftOut& left_out,
                                     const LoadBudget& budget);
-/// Text, with normals (N), colours (C) and texture coordinates (ST) of vertices, and colours of faces, white
-/// where a face has none and others have.
+/// Parses text OFF with normals (N), colours (C) and texture coordinates (ST) of vertices, and colours of
+/// faces. A face without a colour is white if other faces have one.
 [[nodiscard]] PolygonMesh parse_off(std::string_view name, std::string_view bytes, LeftOut& left_out,
                                     const LoadBudget& budget);
-/// Text or binary. Equal positions are merged; normals follow from the triangles, see crease_normals.hpp.
+/// Parses text or binary STL. Equal positions are merged; normals follow from the triangles, see
+/// crease_normals.hpp.
 [[nodiscard]] PolygonMesh parse_stl(std::string_view name, std::string_view bytes, LeftOut& left_out,
                                     const LoadBudget& budget);
-/// One of the meshes of a file of Mitsuba's, 0-based. Texture coordinates and colours that are not finite
-/// stay.
+/// Parses mesh `shape` (0-based) of a serialized file of Mitsuba's. Texture coordinates and colours that are
+/// not finite stay.
 [[nodiscard]] PolygonMesh parse_serialized(std::string_view name, std::string_view bytes, std::size_t shape,
                                            LeftOut& left_out, const LoadBudget& budget);
 

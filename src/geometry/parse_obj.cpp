@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Wavefront OBJ.
+// Parser of Wavefront OBJ.
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -14,7 +14,7 @@
 namespace nicol::geometry {
 namespace {
 
-// Statements that describe no surface, or that other programs pass over too.
+// Statements that are ignored: they describe no surface, or other programs ignore them too.
 constexpr std::array<std::string_view, 19> kIgnored = {
     "vp",       "o",        "g",          "s",         "mg",  "l",     "p",    "mtllib", "usemap", "maplib",
     "c_interp", "d_interp", "shadow_obj", "trace_obj", "lod", "bevel", "call", "csh",    "off"};
@@ -23,8 +23,8 @@ constexpr std::array<std::string_view, 4> kFreeForm = {"curv", "curv2", "surf", 
 using Corner = PolygonMesh::Corner;
 constexpr std::uint32_t kNone = PolygonMesh::kNone;
 
-/// A 0-based index of the text's 1-based one; a negative one counts back from the last. Empty if it is
-/// neither. `at` is moved past the number.
+/// Returns the 0-based index for the text's 1-based one; a negative one counts back from the last. Returns
+/// nothing if the text is neither. Moves `at` past the number.
 std::optional<std::uint32_t> resolved(const char*& at, const char* end, std::size_t count_so_far) {
     std::int64_t value = 0;
     const auto [stop, error] = std::from_chars(at, end, value);
@@ -113,7 +113,7 @@ private:
         p.z = number(tokens, "vertex z");
         out_.positions.push_back(p);
         if (Tokenizer(tokens).next().empty()) return;
-        // One number more is a weight.
+        // A fourth number alone is a weight.
         std::array<float, 3> rest{};
         std::size_t count = 0;
         bool finite = true;
@@ -180,7 +180,7 @@ private:
         out_.end_face(left_out_);
     }
 
-    /// The largest index of a kind, and the first line with it.
+    /// Largest index of one kind plus 1, and the first line with that index.
     struct Furthest {
         std::uint64_t end = 0;
         std::size_t line = 0;
@@ -199,7 +199,7 @@ private:
         check(furthest_normal_, "normal", out_.normals.size());
     }
 
-    // A surface is one without them, too.
+    // Drops missing texture coordinates, because the surface is valid without them.
     void drop_missing_texcoords() {
         std::uint64_t missing = 0;
         for (Corner& corner : out_.corners) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// OFF, Geomview's text format.
+// Parser of OFF, Geomview's text format.
 #include <vector>
 
 #include "error.hpp"
@@ -9,7 +9,7 @@
 namespace nicol::geometry {
 namespace {
 
-// All numbers up to what is none.
+// Returns the numbers of a line up to the first token that is not a number.
 std::vector<float> numbers(Tokenizer line) {
     std::vector<float> out;
     while (!Tokenizer(line).next().empty()) {
@@ -21,7 +21,7 @@ std::vector<float> numbers(Tokenizer line) {
     return out;
 }
 
-// Geomview's: 0 to 255 where any is above 1.
+// Returns the colour by Geomview's rule: the range is 0 to 255 if any value is above 1.
 glm::vec3 color_of(const std::vector<float>& rgb) {
     const glm::vec3 color(rgb[0], rgb[1], rgb[2]);
     const bool bytes = color.r > 1 || color.g > 1 || color.b > 1;

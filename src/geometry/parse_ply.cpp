@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// PLY, text and binary of either byte order.
+// Parser of PLY, text and binary of either byte order.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,7 +15,7 @@ namespace {
 
 using namespace ply;
 
-/// What a property of a vertex or a face is used for.
+/// Use of a property of a vertex or a face.
 enum Slot : std::size_t { x, y, z, nx, ny, nz, u, v, red, green, blue, slots, none = slots };
 
 Slot slot_of(const Property& property) {
@@ -51,7 +51,7 @@ Slot slot_of(const Property& property) {
     return known == names.end() || property.length ? none : known->slot;
 }
 
-/// Integers of a colour are parts of the largest.
+/// Returns the value that counts as 1 in a colour: the largest of an integer type, or 1.
 double largest(Type type) {
     switch (type) {
         case Type::u8:
@@ -63,13 +63,13 @@ double largest(Type type) {
     }
 }
 
-/// What an element's properties are used for, and their values in one row.
+/// Uses of an element's properties, and their values in one row.
 class Row {
 public:
     explicit Row(const Element& element) {
         for (const Property& property : element.properties) {
             Slot slot = slot_of(property);
-            if (present_[slot]) slot = none;  // the first of two names
+            if (present_[slot]) slot = none;  // only the first of two equal names counts
             present_[slot] = true;
             slots_.push_back(slot);
         }
@@ -86,7 +86,7 @@ public:
         return std::all_of(&values_[first], &values_[last] + 1,
                            [](double value) { return std::abs(value) <= std::numeric_limits<float>::max(); });
     }
-    /// 0 where they are not finite.
+    /// Returns two values of the row; 0 if they are not finite.
     [[nodiscard]] glm::vec2 pair(Slot first) const {
         return finite(first, Slot(first + 1)) ? glm::vec2(values_[first], values_[first + 1]) : glm::vec2(0);
     }
@@ -182,8 +182,8 @@ void read_faces(Values& values, const Element& element, PolygonMesh& out, LeftOu
     }
 }
 
-/// Corners have what their vertices have, but for texture coordinates of their own. Those of the vertices
-/// begin at `first_texcoord`; kNone: there are none.
+/// Gives each corner its vertex's attributes, except texture coordinates if the corner has its own. The
+/// texture coordinates of vertices begin at `first_texcoord` (kNone: vertices have none).
 void complete_corners(const Values& values, PolygonMesh& out, std::uint32_t first_texcoord) {
     for (std::size_t f = 0, i = 0; f < out.face_ends.size(); ++f) {
         for (; i < out.face_ends[f]; ++i) {

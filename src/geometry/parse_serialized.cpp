@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Mitsuba's serialized meshes: several to a file, each deflated, with a directory at the end. All numbers are
-// little-endian:
+// Parser of Mitsuba's serialized meshes: several per file, each deflated, with a directory at the end. All
+// numbers are little-endian:
 //     a mesh: u16 0x041C, u16 version (3 or 4), then a zlib stream of: u32 flags, from version 4 on a name
-//             that ends in a zero, u64 vertices, u64 triangles, positions, normals and texture coordinates
-//             where the flags say so, colours likewise, and three u32 a triangle (u64 where a u32 cannot
-//             count the vertices)
+//             that ends in a zero, u64 vertices, u64 triangles, positions, normals, texture coordinates and
+//             colours if the flags say so, and three u32 per triangle (u64 if a u32 cannot count the
+// vertices)
 //     the directory: the offset of each mesh (u64, in version 3 u32), then u32, their number
 #include <zlib.h>
 
@@ -25,7 +25,8 @@ static_assert(std::endian::native == std::endian::little, "numbers are copied fr
 enum Flag : std::uint32_t { normals = 1, texcoords = 2, colors = 8, double_precision = 0x2000 };
 constexpr std::uint16_t kMagic = 0x041C;
 constexpr std::size_t kHeader = 4;
-// Real meshes become ten times larger at most; a file that claims more is made to fill the memory.
+// Largest ratio of inflated to deflated size. Real meshes grow at most tenfold; a file that claims more is
+// made to fill the memory.
 constexpr std::uint64_t kMostGrowth = 256;
 
 [[noreturn]] void fail(std::string_view name, const std::string& message) {
@@ -39,7 +40,7 @@ Number number_at(std::string_view bytes, std::size_t at) {
     return value;
 }
 
-/// The numbers of one mesh, inflated.
+/// Inflated numbers of one mesh.
 class Stream {
 public:
     Stream(std::string_view name, std::string_view deflated, const LoadBudget& budget)
@@ -78,7 +79,7 @@ public:
         return value;
     }
 
-    /// `count` times so many numbers, which may be claimed and not there: memory grows as they come.
+    /// Reads `count` vectors. Memory grows while they are read, because a file may claim more than it holds.
     template <class Vector, class Number>
     std::vector<Vector> vectors(std::uint64_t count) {
         constexpr std::uint64_t step = 65536;
@@ -113,7 +114,7 @@ private:
     z_stream inflate_{};
 };
 
-/// The deflated bytes of a mesh of the file.
+/// Returns the deflated bytes of one mesh of the file.
 std::string_view mesh_at(std::string_view name, std::string_view bytes, std::size_t shape) {
     if (bytes.size() < kHeader + sizeof(std::uint32_t) || number_at<std::uint16_t>(bytes, 0) != kMagic)
         fail(name, "not a serialized mesh: it does not begin with 1C 04");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// STL, text and binary.
+// Parser of STL, text and binary.
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -22,11 +22,11 @@ static_assert(std::endian::native == std::endian::little, "binary STL is copied 
 
 constexpr std::size_t kHeaderSize = 84;
 constexpr std::size_t kFacetSize = 50;
-constexpr std::size_t kNormalSize = 12;  // of a facet, at its start
+constexpr std::size_t kNormalSize = 12;  // bytes of the normal at the start of a facet
 
 using Corners = std::array<std::array<float, 3>, 3>;
 
-/// Facets one after the other; equal positions become one.
+/// Mesh of consecutive facets; equal positions are merged.
 class StlMesh {
 public:
     StlMesh(LeftOut& left_out, const LoadBudget& budget) : left_out_(left_out), budget_(budget) {}
@@ -87,7 +87,7 @@ void read_text(StlMesh& out, std::string_view name, std::string_view bytes) {
             if (token == "endsolid" || token == "ENDSOLID") break;
             expect(tokens, "facet");
             expect(tokens, "normal");
-            // The normal follows from the corners, and some programs write nan here.
+            // The normal is ignored: it follows from the corners, and some programs write nan here.
             for (int i = 0; i < 3; ++i) tokens.require("the normal");
             expect(tokens, "outer");
             expect(tokens, "loop");
@@ -127,7 +127,7 @@ void read_binary(StlMesh& out, std::string_view name, std::string_view bytes) {
 PolygonMesh parse_stl(std::string_view name, std::string_view bytes, LeftOut& left_out,
                       const LoadBudget& budget) {
     StlMesh out(left_out, budget);
-    // Binary files may begin with "solid" too; only their size tells them apart.
+    // The size identifies binary files, because they may begin with "solid" too.
     const bool sized_as_binary =
         bytes.size() >= kHeaderSize &&
         bytes.size() == kHeaderSize + std::uint64_t{binary_count(bytes)} * kFacetSize;

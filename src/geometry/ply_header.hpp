@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a PLY file says that it holds.
+// Header of a PLY file: its elements and their properties.
 #pragma once
 
 #include <cstddef>
@@ -32,11 +32,12 @@ enum class Format { text, little, big };
 struct Header {
     Format format = Format::text;
     std::vector<Element> elements;
-    std::size_t size = 0;   ///< bytes, end_header and its line end included
-    std::size_t lines = 0;  ///< lines of the same
+    std::size_t size = 0;   ///< size in bytes, end_header and its line end included
+    std::size_t lines = 0;  ///< number of lines, end_header included
 };
 
-/// Of a whole file's bytes. Counts unknown lines in `left_out`; throws Error(invalid_file), naming the line.
+/// Parses the header at the start of a file's bytes. Counts unknown lines in `left_out`. Throws
+/// Error(invalid_file), naming the line.
 [[nodiscard]] Header parsed_header(std::string_view name, std::string_view bytes, LeftOut& left_out);
 
 }  // namespace nicol::geometry::ply

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The values of a PLY file one after the other.
+// Sequential reader of the values of a PLY file.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +17,7 @@
 
 namespace nicol::geometry::ply {
 
-/// The values after the header in order, text or binary.
+/// Reader of the values after the header, in order, text or binary.
 class Values {
 public:
     Values(std::string_view name, std::string_view bytes, const Header& header, const LoadBudget& budget)
@@ -27,7 +27,7 @@ public:
           tokens_(name, bytes_, 0, header.lines + 1),
           budget_(budget) {}
 
-    /// what() names the value in error messages, for example "vertex 5 (0-based)".
+    /// Returns the next value. `what()` names the value in error messages, for example "vertex 5 (0-based)".
     template <class Name>
     double next(Type type, const Name& what) {
         budget_.step(8);
@@ -35,7 +35,7 @@ public:
         return binary(type, what);
     }
 
-    /// The same, not finite where the text is no finite number.
+    /// Returns the next value, which is not finite if the text is no finite number.
     template <class Name>
     double any(Type type, const Name& what) {
         budget_.step(8);
@@ -45,7 +45,7 @@ public:
         return finite ? value : std::numeric_limits<double>::quiet_NaN();
     }
 
-    /// A count or an index: an integer from 0 to 2^32 - 1.
+    /// Returns the next value as a count or an index: an integer from 0 to 2^32 - 1.
     template <class Name>
     std::uint64_t integer(Type type, const Name& what) {
         budget_.step(8);
@@ -104,7 +104,7 @@ private:
     std::size_t at_ = 0;
 };
 
-/// Passes over a property of one row.
+/// Skips a property of one row.
 template <class Name>
 void skip(Values& values, const Property& property, const Name& what) {
     const std::uint64_t count = property.length ? values.integer(*property.length, what) : 1;

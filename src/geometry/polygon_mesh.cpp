@@ -14,10 +14,11 @@
 namespace nicol::geometry {
 namespace {
 
-// Further vertices at the place of one, by their normals.
+// Further vertices at the position of a first one, by their normals.
 class Splits {
 public:
-    // The vertex beside `first` with this normal; `fresh` where it is a new one.
+    // Returns the vertex at the position of `first` with this normal; records and returns `fresh` if there is
+    // none.
     std::uint32_t of(std::uint32_t first, const glm::vec3& normal, std::uint32_t fresh) {
         return known_.try_emplace(Key{first, normal}, fresh).first->second;
     }
@@ -53,7 +54,7 @@ public:
         mesh.texcoords = polygons_.texcoords;
         for (glm::vec2& uv : mesh.texcoords)
             if (!is_finite(uv)) uv = glm::vec2(0);
-        if (!mesh.texcoords.empty()) mesh.texcoords.emplace_back(0);  // of corners that have none
+        if (!mesh.texcoords.empty()) mesh.texcoords.emplace_back(0);  // for corners without texcoord
         std::vector<glm::dvec3> points;
         std::vector<glm::uvec3> triangles;
         std::vector<std::uint32_t> vertices;
@@ -81,7 +82,7 @@ public:
     }
 
     Mesh mesh;
-    std::size_t unused = 0;  // positions
+    std::size_t unused = 0;  // number of positions that no face uses
 
 private:
     std::uint32_t vertex_of(const PolygonMesh::Corner& corner) {
@@ -111,8 +112,8 @@ private:
 
     const PolygonMesh& polygons_;
     const LoadBudget& budget_;
-    std::vector<std::uint32_t> first_of_;  // by position, its vertex that comes first
-    std::vector<bool> taken_;              // of those, whether they have the normal of a corner
+    std::vector<std::uint32_t> first_of_;  // by position, its first vertex
+    std::vector<bool> taken_;              // by first vertex, whether it has the normal of a corner
     Splits split_;
 };
 

@@ -8,7 +8,7 @@
 
 namespace nicol::geometry {
 
-/// Equal for equal vectors, zeros of both signs among them.
+/// Returns a hash that is equal for equal vectors, also if they differ in the sign of a zero.
 [[nodiscard]] inline std::size_t hash_of(const glm::vec3& v) {
     std::uint64_t hash = 0;
     for (glm::length_t i = 0; i < 3; ++i)

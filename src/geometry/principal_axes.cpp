@@ -12,11 +12,11 @@
 namespace nicol {
 namespace {
 
-// Of variances and of third moments, relative.
+// Smallest relative difference of two variances, and smallest relative third moment, that define an axis.
 constexpr double kDistinct = 1e-3;
 
-// The orthonormal eigenvectors of a symmetric matrix as columns, those of the largest eigenvalues first, by
-// Jacobi's rotations: each makes one element off the diagonal vanish.
+// Returns the orthonormal eigenvectors of a symmetric matrix as columns, in the order of decreasing
+// eigenvalues. Jacobi's method: each rotation makes one off-diagonal element vanish.
 glm::dmat3 eigenvectors(glm::dmat3 a) {
     glm::dmat3 vectors(1.0);
     constexpr int sweeps = 20;  // convergence is quadratic
@@ -51,14 +51,14 @@ glm::dmat3 principal_axes(std::span<const glm::vec3> points) {
     const double size = points.empty() ? 0 : glm::length(high - low);
     if (!(size > 0)) return glm::dmat3(1);
 
-    // Relative to the size, so that nothing overflows or underflows.
+    // Points are divided by the size, so that nothing overflows or underflows.
     glm::dmat3 covariance(0.0);
     for (const glm::vec3& point : points) {
         const glm::dvec3 d = (glm::dvec3(point) - centre) / size;
         covariance += glm::outerProduct(d, d) / static_cast<double>(points.size());
     }
     glm::dmat3 axes = eigenvectors(covariance);
-    // Axes of nearly equal variances would depend on rounding.
+    // Rounding would decide the axes of nearly equal variances.
     glm::dvec3 variance;
     for (int i = 0; i < 3; ++i) variance[i] = glm::dot(axes[i], covariance * axes[i]);
     if (variance[0] - variance[1] < kDistinct * variance[0] ||

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A frame that rotates with the points it is made from.
+// Coordinate frame that rotates with the points it is made from.
 #pragma once
 
 #include <glm/mat3x3.hpp>
@@ -8,9 +8,10 @@
 
 namespace nicol {
 
-/// The principal axes of points as the columns of a rotation, the longest first, each towards the side of the
-/// larger third moment. Rotating the points rotates the axes, scaling them keeps the axes. The identity where
-/// two variances are nearly equal or a third moment nearly vanishes, so that the axes would be arbitrary.
+/// Returns the principal axes of points as the columns of a rotation, the longest first, each towards the
+/// side of the larger third moment. Rotating the points rotates the axes; scaling them keeps the axes.
+/// Returns the identity if two variances are nearly equal or a third moment nearly vanishes, because the axes
+/// would be arbitrary.
 [[nodiscard]] glm::dmat3 principal_axes(std::span<const glm::vec3> points);
 
 }  // namespace nicol

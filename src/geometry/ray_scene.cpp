@@ -14,13 +14,13 @@ namespace nicol {
 namespace {
 
 constexpr float kSmallestScene = 1e-6F;
-constexpr double kLeftOut = 1e-4;  // of a ray, at its end
+constexpr double kLeftOut = 1e-4;  // fraction of a ray's length that is not traced, at its end
 
 [[noreturn]] void refuse(std::size_t surface, const std::string& message) {
     throw Error(ErrorCode::invalid_argument, "surface " + std::to_string(surface) + ": " + message);
 }
 
-/// The largest coordinate.
+/// Checks positions and indices; returns the largest absolute coordinate.
 float check(std::size_t index, const RaySurface& surface) {
     float largest = 0;
     for (std::size_t v = 0; v < surface.positions.size(); ++v) {
@@ -42,7 +42,7 @@ float check(std::size_t index, const RaySurface& surface) {
     return largest;
 }
 
-// Leaves out hits where the surface is not there.
+// Rejects hits at points where the alpha mask removes the surface.
 void filter(const embree::FilterArguments* hits) {
     const auto& present = *static_cast<const Presence*>(hits->user_data);
     for (unsigned i = 0; i < hits->count; ++i) {
@@ -71,14 +71,14 @@ struct RayScene::Embree {
     void check() const {
         const int error = library.GetDeviceError(device.get());
         if (error == embree::kErrorNone && scene) return;
-        // Embree's code for TBB's exception where the system has no room for a thread is unknown.
+        // Embree reports TBB's exception as "unknown" if the system cannot create a thread.
         if (error == embree::kErrorOutOfMemory || error == embree::kErrorUnknown) {
             throw Error(ErrorCode::out_of_memory, "not enough memory for the rays' hierarchy of boxes");
         }
         throw Error(ErrorCode::internal, "Embree failed with error " + std::to_string(error));
     }
 
-    /// The bits of `active` whose rays meet something. Faster where these are near to each other.
+    /// Returns the bits of `active` whose rays are occluded. Rays close to each other are traced faster.
     std::uint16_t occluded(embree::Ray16& rays, unsigned active) const {
         constexpr std::size_t count = RayPacket::kRays;
         std::array<int, count> valid{};
@@ -89,7 +89,7 @@ struct RayScene::Embree {
         return static_cast<std::uint16_t>(blocked & active);
     }
 
-    /// `present` must outlive the scene; null: everywhere.
+    /// Adds a surface. `present` must outlive the scene; null: the surface is present everywhere.
     void add(const RaySurface& surface, const Presence* present, unsigned id, float scale) {
         embree::Geometry* geometry = library.NewGeometry(device.get(), embree::kTriangleGeometry);
         const std::size_t vertices = surface.positions.size();
@@ -103,7 +103,7 @@ struct RayScene::Embree {
                                    [scale](const glm::vec3& p) { return scale * p; });
             std::ranges::copy(surface.triangles, static_cast<glm::uvec3*>(indices));
             if (present != nullptr) {
-                // Embree hands the pointer on, and the filter only reads.
+                // The const_cast is safe: Embree only passes the pointer on, and the filter only reads.
                 library.SetGeometryUserData(geometry, const_cast<Presence*>(present));
                 library.SetGeometryIntersectFilterFunction(geometry, filter);
                 library.SetGeometryOccludedFilterFunction(geometry, filter);
@@ -120,8 +120,9 @@ struct RayScene::Embree {
         try {
             check();
         } catch (const Error&) {
-            // A thread that found no memory may stay bound to the scene's allocator: were it freed, the next
-            // one at its address would hand out blocks that are no longer there. What is large goes.
+            // The scene and device are leaked on purpose. A thread that found no memory may stay bound to the
+            // scene's allocator; if that were freed, the next allocator at its address would hand out freed
+            // blocks. The large part, the geometry, is released.
             for (unsigned id = 0; id < surfaces; ++id) library.DetachGeometry(scene.get(), id);
             static_cast<void>(scene.release());
             static_cast<void>(device.release());
@@ -135,7 +136,8 @@ RayScene::RayScene(std::span<const RaySurface> surfaces) {
     for (std::size_t s = 0; s < surfaces.size(); ++s) largest = std::max(largest, check(s, surfaces[s]));
     offset_ = std::ldexp(static_cast<double>(largest), -19);
 
-    // The areas by which boxes are sorted would be 0 in a tiny scene, and every ray would meet every box.
+    // Scaling is needed because the box areas that sort the hierarchy would be 0 in a tiny scene, and every
+    // ray would meet every box.
     if (largest > 0 && largest < kSmallestScene) scale_ = std::ldexp(1.0, -std::ilogb(largest));
     embree_ = std::make_unique<Embree>();
     for (std::size_t s = 0; s < surfaces.size(); ++s) {

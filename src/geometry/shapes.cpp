@@ -14,8 +14,8 @@
 namespace nicol {
 namespace {
 
-/// Even, so that the middle of an icosahedron's edge is a vertex: six of those middles are the points on the
-/// axes.
+/// Number of parts of an icosahedron's edge. It is even, so that the middle of each edge is a vertex; six of
+/// these middles are the points on the axes.
 constexpr std::uint32_t kSphereCuts = 38;
 
 constexpr double kGolden = std::numbers::phi;
@@ -33,12 +33,12 @@ const std::array<glm::dvec3, 12> kIcosahedronCorners = {{{0, 1, kGolden},
                                                          {-kGolden, 0, 1},
                                                          {-kGolden, 0, -1}}};
 
-/// Points on the unit sphere and triangles over them, each point once.
+/// Points on the unit sphere and triangles over them; no point is repeated.
 class Icosphere {
 public:
     Icosphere() {
         for (const glm::dvec3& corner : kIcosahedronCorners) points.push_back(glm::normalize(corner));
-        // Corners of a face are 2 apart, all others further.
+        // Corners of one face are 2 apart, all other corners further.
         const auto adjacent = [](std::uint32_t a, std::uint32_t b) {
             return glm::distance(kIcosahedronCorners[a], kIcosahedronCorners[b]) < 2.1;
         };
@@ -55,7 +55,7 @@ public:
     std::vector<glm::uvec3> triangles;
 
 private:
-    /// The point `i` steps from `a` on the edge to `b`, the same index for both faces at the edge.
+    /// Returns the point `i` steps from `a` on the edge to `b`; both faces at the edge get one index.
     std::uint32_t on_edge(std::uint32_t a, std::uint32_t b, std::uint32_t i) {
         if (a > b) return on_edge(b, a, kSphereCuts - i);
         if (i == 0) return a;
@@ -70,7 +70,7 @@ private:
     }
 
     void cut_face(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-        // Rows parallel to bc: row i has i + 1 points.
+        // Rows are parallel to bc; row i has i + 1 points.
         std::vector<std::vector<std::uint32_t>> rows(kSphereCuts + 1);
         for (std::uint32_t i = 0; i <= kSphereCuts; ++i)
             for (std::uint32_t j = 0; j <= i; ++j) {
@@ -120,7 +120,7 @@ void append_square(Mesh& mesh, const glm::vec3& center, const glm::vec3& s, cons
         }
 }
 
-/// Texture coordinates of Mitsuba's sphere, by the vertices' unit directions.
+/// Adds texture coordinates of Mitsuba's sphere, from the vertices' unit directions.
 void add_spherical_texcoords(Mesh& mesh, const std::vector<glm::dvec3>& directions) {
     const auto is_pole = [](const glm::dvec3& p) { return p.x == 0 && p.y == 0; };
     for (const glm::dvec3& p : directions) {
@@ -137,11 +137,11 @@ void add_spherical_texcoords(Mesh& mesh, const std::vector<glm::dvec3>& directio
         float most = 0;
         for (glm::length_t k = 0; k < 3; ++k)
             if (!is_pole(directions[t[k]])) most = std::max(most, mesh.texcoords[t[k]].x);
-        // No triangle is half a turn wide: what is that far behind lies past the seam.
+        // A corner more than half a turn behind lies past the seam, because no triangle is that wide.
         for (glm::length_t k = 0; k < 3; ++k)
             if (!is_pole(directions[t[k]]) && mesh.texcoords[t[k]].x < most - 0.5F)
                 corners[k] = with_u(t[k], mesh.texcoords[t[k]].x + 1);
-        // At a pole u has no value: between those of the other corners it bends the image least.
+        // u is undefined at a pole. The mean of the other corners' u distorts the image least.
         for (glm::length_t k = 0; k < 3; ++k)
             if (is_pole(directions[t[k]]))
                 corners[k] = with_u(
@@ -192,7 +192,7 @@ Mesh make_cube(int cells) {
                               {{0, 0, 1}, {0, 1, 0}, {1, 0, 0}},  {{-1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
                               {{0, -1, 0}, {0, 0, 1}, {1, 0, 0}}, {{0, 0, -1}, {0, -1, 0}, {1, 0, 0}}};
     for (const auto& [normal, u, v] : sides) {
-        // The axis after that of the normal.
+        // The axis that follows the normal's axis.
         const glm::vec3 s(std::abs(normal.z), std::abs(normal.x), std::abs(normal.y));
         append_square(mesh, normal, s, glm::cross(normal, s), u, v, cells);
     }

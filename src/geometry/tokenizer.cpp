@@ -28,7 +28,7 @@ bool is_blank(char c) {
     return c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == '\v' || c == '\f';
 }
 
-/// For error messages: a token may be megabytes long or binary.
+/// Returns a token in quotes, shortened and printable, because a token may be megabytes long or binary.
 std::string in_quotes(std::string_view token) {
     std::string text = "\"";
     for (const char c : token.substr(0, 40)) text += c >= ' ' && c <= '~' ? c : '?';
@@ -37,7 +37,7 @@ std::string in_quotes(std::string_view token) {
 
 struct Number {
     float value = 0;
-    bool finite = false;  ///< and in the range of float
+    bool finite = false;  ///< the value is finite and in the range of float
     bool whole = false;   ///< nothing follows in the token
     bool broken = false;  ///< digits follow in the token: "0,5" is not 0
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Memory on the device: vertex attributes, indices, shader storage.
+// Device memory: vertex attributes, indices, shader storage.
 #pragma once
 
 #include <cstddef>
@@ -11,28 +11,29 @@
 
 namespace nicol::gl {
 
-/// How a buffer's memory is accounted; any buffer may be used for attributes and storage bindings.
+/// Category in which a buffer's memory is counted. Any buffer may be used for attributes and storage
+/// bindings.
 enum class BufferUse { vertex, index, storage };
 enum class BufferUpdate { fixed, dynamic };  ///< dynamic buffers accept update()
 
-/// All members inside run(). Empty buffers are refused with Error(invalid_argument), too large ones with
-/// Error(out_of_memory).
+/// A buffer in device memory. All members must be called inside run(). An empty buffer throws
+/// Error(invalid_argument), a too large one Error(out_of_memory).
 class Buffer {
 public:
-    /// A copy of `data`.
+    /// Makes a buffer with a copy of `data`.
     Buffer(std::shared_ptr<Context> context, BufferUse use, std::span<const std::byte> data,
            BufferUpdate update = BufferUpdate::fixed);
-    /// `bytes` zero bytes.
+    /// Makes a buffer of `bytes` zero bytes.
     Buffer(std::shared_ptr<Context> context, BufferUse use, std::size_t bytes, BufferUpdate update);
 
-    /// Replaces data.size() bytes from `offset`. Error(invalid_argument) outside the buffer or if it is
-    /// fixed.
+    /// Replaces data.size() bytes from `offset`. Throws Error(invalid_argument) for a range outside the
+    /// buffer or a fixed buffer.
     void update(std::size_t offset, std::span<const std::byte> data);
-    /// Copies out data.size() bytes from `offset`, after everything that writes them is done.
+    /// Copies out data.size() bytes from `offset`, after all commands that write them are done.
     void read(std::size_t offset, std::span<std::byte> data) const;
-    /// Binds `bytes` from `offset` as shader storage buffer `binding`. The offset is a multiple of
-    /// Limits::storage_alignment and the range at most Limits::storage_bytes, which is why large data is
-    /// bound in chunks.
+    /// Binds `bytes` from `offset` as shader storage buffer `binding`. The offset must be a multiple of
+    /// Limits::storage_alignment and the range at most Limits::storage_bytes; therefore large data is bound
+    /// in chunks.
     void bind_storage(unsigned binding, std::size_t offset, std::size_t bytes) const;
     void bind_storage(unsigned binding) const { bind_storage(binding, 0, size_); }
 
@@ -49,10 +50,11 @@ private:
     BufferUpdate update_;
 };
 
-/// Indices of triangles. Keeps the largest index, so that no draw reads beyond its vertices.
+/// Indices of triangles. Stores the largest index, so that no draw reads beyond its vertices.
 class IndexBuffer {
 public:
-    /// Three indices a triangle; Error(invalid_argument) if none or not a multiple of three.
+    /// Takes three indices per triangle. Throws Error(invalid_argument) if there are none or their count is
+    /// not a multiple of three.
     IndexBuffer(std::shared_ptr<Context> context, std::span<const std::uint32_t> indices);
 
     [[nodiscard]] std::size_t count() const noexcept { return count_; }

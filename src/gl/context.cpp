@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Making and destroying contexts.
+// Creation and destruction of contexts.
 #include "gl/context.hpp"
 
 #include <algorithm>
@@ -19,7 +19,7 @@ struct Candidate {
     std::function<std::unique_ptr<Platform>()> make;
 };
 
-/// The request, with NICOL_BACKEND and the device applied.
+/// Returns the request with NICOL_BACKEND and the device applied.
 ContextRequest resolved(ContextRequest request) {
     const char* variable = std::getenv("NICOL_BACKEND");
     if (request.backend == Backend::automatic && variable != nullptr && *variable != '\0') {
@@ -38,7 +38,7 @@ ContextRequest resolved(ContextRequest request) {
     return request;
 }
 
-/// On a thread of its own, because EGL queries leave state in the calling thread.
+/// Finds EGL's choices on a thread of its own, because EGL queries leave state in the calling thread.
 EglChoices find_egl_choices_aside() {
     EglChoices choices;
     std::exception_ptr error;
@@ -83,13 +83,14 @@ std::shared_ptr<Context> Context::create(const ContextRequest& asked) {
     const ContextRequest request = resolved(asked);
     std::vector<FailedAttempt> failed;
     for (const Candidate& candidate : candidates(request, failed)) {
-        // A new thread for each attempt: a thread that used one of Mesa's libraries cannot use the other.
+        // Each attempt gets a new thread, because a thread that used one of Mesa's libraries cannot use the
+        // other.
         auto state = std::make_shared<State>();
         state->thread = start_quiet_thread([state] {
             state->worker.work();
             state->close();
         });
-        // From here on the context's destructor ends the thread.
+        // The context's destructor ends the thread from here on.
         std::shared_ptr<Context> context(new Context(state));
         try {
             context->run([&] { state->open(candidate.make(), candidate.backend, candidate.name); });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// EGL's device list.
+// Reader of EGL's device list.
 #define EGL_NO_X11
 #include "gl/device_list.hpp"
 
@@ -13,7 +13,7 @@
 #include "files/shared_library.hpp"
 #include "gl/egl_extensions.hpp"
 
-// Of EGL_EXT_device_persistent_id and EGL_EXT_device_query_name, which older headers lack.
+// Names of EGL_EXT_device_persistent_id and EGL_EXT_device_query_name, which older headers lack.
 #ifndef EGL_RENDERER_EXT
 #define EGL_RENDERER_EXT 0x335F
 #endif
@@ -26,7 +26,7 @@ namespace {
 
 class DeviceQuery {
 public:
-    /// Throws Error(no_backend) where there is no EGL.
+    /// Loads EGL. Throws Error(no_backend) if there is no EGL.
     DeviceQuery() {
         const auto query_string = library_.function<decltype(&eglQueryString)>("eglQueryString");
         const auto proc_address = library_.function<decltype(&eglGetProcAddress)>("eglGetProcAddress");
@@ -77,7 +77,7 @@ std::vector<Device> list_devices() {
     std::optional<DeviceQuery> query;
     try {
         query.emplace();
-    } catch (const Error&) {  // a machine without EGL has no devices to choose from
+    } catch (const Error&) {  // without EGL there are no devices to choose from
         return {};
     }
     std::vector<Device> found;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The devices on which a context can be made.
+// List of the devices on which a context can be made.
 #pragma once
 
 #include <string>
@@ -7,15 +7,15 @@
 
 namespace nicol::gl {
 
-/// One of EGL's device list, in which ContextRequest::device counts from 0.
+/// One device of EGL's list; ContextRequest::device is its position in the list, counted from 0.
 struct Device {
-    std::string name;    ///< of the renderer if EGL has it, else the device file: "/dev/dri/card0"
-    std::string vendor;  ///< or empty
-    std::string file;    ///< of the kernel's, such as /dev/dri/renderD128; or empty
-    bool software;       ///< the processor rasterises
+    std::string name;    ///< name of the renderer if EGL has it, else the device file: "/dev/dri/card0"
+    std::string vendor;  ///< name of the vendor, or empty
+    std::string file;    ///< device file of the kernel, such as /dev/dri/renderD128; or empty
+    bool software;       ///< whether the processor rasterises
 };
 
-/// Queries EGL, without making a context. Empty if there is no EGL or it lists nothing.
+/// Returns EGL's devices without making a context. Empty if there is no EGL or it lists nothing.
 [[nodiscard]] std::vector<Device> list_devices();
 
 }  // namespace nicol::gl

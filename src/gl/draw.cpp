@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Draw and dispatch calls.
+// Implementation of draw and dispatch calls.
 #include "gl/draw.hpp"
 
 #include <algorithm>
@@ -57,7 +57,7 @@ void draw(RenderTarget& target, const Program& program, const VertexArray& verti
                " are no whole triangles among " + std::to_string(available) + " indices");
     const GladGLContext& gl = prepare("draw", target, program, state);
     gl.BindVertexArray(vertices.id());
-    // OpenGL counts with 31 bits.
+    // The indices are drawn in parts because OpenGL counts with 31 bits.
     constexpr std::size_t most = (std::numeric_limits<GLsizei>::max() / 3) * std::size_t{3};
     for (std::size_t done = 0; done < count; done += most) {
         const std::size_t offset = (first + done) * sizeof(GLuint);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Draw and dispatch calls: each sets all the state it depends on.
+// Draw and dispatch calls. Each call sets all the state that it depends on.
 #pragma once
 
 #include <array>
@@ -15,14 +15,14 @@ enum class DepthTest { off, less, less_equal };
 enum class Cull { none, back, front };  ///< front faces are counter-clockwise in clip space
 
 struct DrawState {
-    DepthTest depth_test = DepthTest::less;  ///< `off` also keeps the depth buffer as it is
+    DepthTest depth_test = DepthTest::less;  ///< `off` also leaves the depth buffer unchanged
     bool depth_write = true;
     Cull cull = Cull::none;
-    int components = 4;  ///< 1..4: the first so many of each texel are written, the others kept
+    int components = 4;  ///< 1..4: number of components of each texel that are written; the others are kept
 };
 
-/// All below inside run(); objects of different contexts, or a program of the wrong kind, are
-/// Error(invalid_argument). Textures and storage are bound beforehand (Texture2D::bind,
+/// All functions below must be called inside run(). Objects of different contexts, or a program of the wrong
+/// kind, throw Error(invalid_argument). Textures and storage are bound beforehand (Texture2D::bind,
 /// Buffer::bind_storage).
 
 /// Draws all triangles into the whole target.
@@ -31,14 +31,14 @@ void draw(RenderTarget& target, const Program& program, const VertexArray& verti
 /// Draws `count` indices from `first`, both multiples of three, inside the index buffer.
 void draw(RenderTarget& target, const Program& program, const VertexArray& vertices, std::size_t first,
           std::size_t count, const DrawState& state = {});
-/// Runs the fragment shader once a pixel. The vertex shader is glsl/fullscreen.vert or one like it: three
+/// Runs the fragment shader once per pixel. The vertex shader must be glsl/fullscreen.vert or similar: three
 /// vertices by gl_VertexID, no attributes.
 void draw_fullscreen(RenderTarget& target, const Program& program,
                      const DrawState& state = {DepthTest::off, false, Cull::none});
-/// What was drawn before can be read by a later fragment shader, even by one that draws into the same target:
-/// each invocation its own texel.
+/// Makes earlier draws visible to later fragment shaders, even to one that draws into the same target if each
+/// invocation reads its own texel only.
 void texture_barrier(Context& context);
-/// Runs x * y * z work groups; what they wrote is visible to everything after.
+/// Runs x * y * z work groups; their writes are visible to all later commands.
 void dispatch(const Program& program, unsigned x, unsigned y = 1, unsigned z = 1);
 
 }  // namespace nicol::gl

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lists of extensions, as EGL gives them.
+// Queries of extension lists in EGL's format.
 #pragma once
 
 #include <sstream>
@@ -8,7 +8,7 @@
 
 namespace nicol::gl {
 
-/// Whether a name is in a list between blanks, which may be null.
+/// Returns whether a name is in a list separated by blanks; the list may be null.
 [[nodiscard]] inline bool has_extension(const char* list, std::string_view name) {
     std::istringstream words(list != nullptr ? list : "");
     for (std::string word; words >> word;)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// EGL without a surface: on a device of its list, or on Mesa's surfaceless platform.
+// EGL platform without a surface: on a device of EGL's list, or on Mesa's surfaceless platform.
 #define EGL_NO_X11
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
@@ -33,7 +33,7 @@ struct Egl {
     NICOL_EGL(release_thread, eglReleaseThread);
     NICOL_EGL(get_error, eglGetError);
 #undef NICOL_EGL
-    std::mutex mutex;  // making and destroying contexts on one display from several threads
+    std::mutex mutex;  // guards making and destroying contexts on one display from several threads
 
     template <class Function>
     Function extension(const char* name) const {
@@ -46,7 +46,7 @@ Egl& egl() {
     return instance;
 }
 
-/// Releases EGL's per-thread memory, also when an attempt fails.
+/// Releases EGL's per-thread memory, also if an attempt fails.
 struct ThreadGuard {
     Egl& loaded = egl();
     ~ThreadGuard() { loaded.release_thread(); }
@@ -58,7 +58,7 @@ std::string error_text(const char* call) {
     return text.str();
 }
 
-/// The folders in which libglvnd searches for drivers, for error messages.
+/// Returns the folders in which libglvnd searches for drivers, for error messages.
 std::string vendor_hint() {
     std::string text = "EGL knows no driver: its vendor list is empty or names libraries that do not load. ";
     const char* files = std::getenv("__EGL_VENDOR_LIBRARY_FILENAMES");
@@ -112,7 +112,7 @@ public:
     explicit EglPlatform(const EglChoice& choice) {
         const std::lock_guard lock(egl().mutex);
         display_ = get_display(choice);
-        // The display is the host's too if it uses EGL: initialised again without harm, never terminated.
+        // The display may also be the host's. Initialising it again does no harm; it is never terminated.
         EGLint major = 0, minor = 0;
         if (!egl().initialize(display_, &major, &minor))
             throw Error(ErrorCode::no_backend, error_text("eglInitialize"));
@@ -153,7 +153,7 @@ public:
     Function function(const char* name) const override { return egl().proc_address(name); }
 
 private:
-    ThreadGuard thread_;  // first, so that it acts last
+    ThreadGuard thread_;  // first member, so that it is destroyed last
     EGLDisplay display_ = EGL_NO_DISPLAY;
     EGLContext context_ = EGL_NO_CONTEXT;
 };

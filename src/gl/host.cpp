@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Calls in a host's context, whose pending errors are taken and whose unsuitable states are refused.
+// Calls in a host's context. Pending errors are taken and put back; unsuitable states throw.
 #include "gl/host.hpp"
 
 #include <algorithm>
@@ -91,7 +91,7 @@ private:
     std::vector<GLenum> pending_;
 };
 
-// State of compatibility contexts, for which the core loader has no names.
+// State queries of compatibility contexts. The core-profile loader does not define their names.
 constexpr GLenum kListIndex = 0x0B33, kRenderMode = 0x0C40;
 constexpr GLint kRender = 0x1C00;
 
@@ -115,8 +115,7 @@ void require_lasting_program(const Context::State& state) {
             "is used; use another or none around calls of Nicol");
 }
 
-/// Throws Error(unsupported), which names the state, where nothing can be drawn or the state cannot be
-/// restored.
+/// Throws Error(unsupported), which names the state, if nothing can be drawn or the state cannot be restored.
 void require_drawable(const Context::State& state) {
     GLboolean active = GL_FALSE, paused = GL_FALSE;
     state.gl.GetBooleanv(GL_TRANSFORM_FEEDBACK_ACTIVE, &active);
@@ -130,9 +129,9 @@ void require_drawable(const Context::State& state) {
     require_lasting_program(state);
 }
 
-/// Throws Error(unsupported) where the host renders conditionally; with no error pending.
+/// Throws Error(unsupported) if the host renders conditionally. Requires that no error is pending.
 void require_unconditional(const Context::State& state) {
-    // No query tells of conditional rendering, but it cannot be begun twice.
+    // Conditional rendering cannot be queried, but beginning it twice is an error.
     state.gl.BeginConditionalRender(state.condition, GL_QUERY_NO_WAIT);
     if (state.gl.GetError() != GL_NO_ERROR)
         refuse_state("the host renders conditionally; end that around calls of Nicol");
@@ -151,8 +150,8 @@ void Host::mark(const Context::State& state) {
 bool Host::is_current(const Context::State& state) const noexcept {
     if (on_thread()) return true;
     if (access_.is_current && !access_.is_current()) return false;
-    // Without a context the query fails; another context has other vertex arrays, since these are never
-    // shared. Functions that an older context lacks are called only once its version is known.
+    // The query fails without a context. Another context has other vertex arrays, because vertex arrays are
+    // never shared. Functions that an older context lacks are called only after the version is checked.
     const GLubyte* version = state.gl.GetString(GL_VERSION);
     if (version == nullptr || state.info.version != reinterpret_cast<const char*>(version)) return false;
     if (state.gl.IsVertexArray(state.empty_vertex_array) != GL_TRUE) return false;
@@ -247,7 +246,7 @@ void Host::run_asked(Context::State& state, std::unique_lock<std::mutex>& lock) 
 void Host::lend(Context::State& state) {
     std::unique_lock lock(lending_);
     if (asked_ == nullptr) return;
-    lock.unlock();  // the host is asked
+    lock.unlock();  // is_current() may call the host, so the lock is released
     if (!is_current(state)) return;
     lock.lock();
     if (asked_ != nullptr) run_asked(state, lock);
@@ -288,7 +287,7 @@ void Host::remove(const Context::State& state, ObjectKind kind, unsigned id) noe
         const std::lock_guard lock(mutex_);
         waiting_.push_back({kind, id});
     } catch (...) {
-        // No memory for the name: the object stays until the host's context is destroyed.
+        // There is no memory for the name, so the object stays until the host's context is destroyed.
     }
 }
 

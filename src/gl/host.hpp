@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A context that belongs to the host: calls run where it is current, and find and leave it as it was.
+// Use of a context that belongs to the host: runs calls while it is current and restores its state.
 #pragma once
 
 #include <atomic>
@@ -17,7 +17,7 @@
 
 namespace nicol::gl {
 
-/// Uses the host's function look-up. Never makes, makes current or destroys its context.
+/// Platform that uses the host's function look-up. Never makes, makes current or destroys its context.
 class HostPlatform final : public Platform {
 public:
     explicit HostPlatform(HostAccess access) : access_(std::move(access)) {}
@@ -28,28 +28,28 @@ private:
     HostAccess access_;
 };
 
-/// The counterpart of Worker for a host's context: runs calls, those of a borrowing thread on one that lends,
-/// and deletes objects that were dropped elsewhere.
+/// Counterpart of Worker for a host's context. Runs calls, including those of a borrowing thread on a thread
+/// that lends, and deletes objects that were dropped elsewhere.
 class Host {
 public:
     explicit Host(const HostAccess& access) : access_(access) {}
 
-    /// Marks the context by an object that contexts do not share. With the context current.
+    /// Marks the context by an object that contexts do not share. The context must be current.
     void mark(const Context::State& state);
-    /// Whether the marked context is current on the calling thread, by the host's is_current() if there is
-    /// one.
+    /// Returns whether the marked context is current on the calling thread, by the host's is_current() if
+    /// there is one.
     [[nodiscard]] bool is_current(const Context::State& state) const noexcept;
-    /// Throws Error(not_current) unless it is.
+    /// Throws Error(not_current) unless the context is current on the calling thread.
     void require_current(const Context::State& state) const;
-    /// Calls call(argument) between saving and restoring the host's state; for a thread that borrows, where
-    /// the context is lent. The host's pending errors are pending again afterwards. Throws
-    /// Error(not_current); Error(opengl) for a pending error that cannot be made pending again:
+    /// Calls call(argument) between saving and restoring the host's state. For a thread that borrows, the
+    /// call runs on a thread that lends the context. The host's pending errors are pending again afterwards.
+    /// Throws Error(not_current); Error(opengl) for a pending error that cannot be made pending again:
     /// GL_STACK_OVERFLOW, GL_STACK_UNDERFLOW or GL_CONTEXT_LOST; and Error(unsupported) for a state of the
     /// host in which nothing can be drawn, or which cannot be restored.
     void execute(Context::State& state, void (*call)(void*), void* argument);
     [[nodiscard]] bool on_thread() const noexcept { return inside_.load() == std::this_thread::get_id(); }
 
-    /// See Context and Borrower.
+    /// Implements Context's and Borrower's functions of these names.
     void begin_borrowing(std::function<void()> meanwhile);
     void end_borrowing() noexcept;
     void lend(Context::State& state);
@@ -57,9 +57,9 @@ public:
                                   std::optional<std::chrono::steady_clock::time_point> until);
     void wake() noexcept;
 
-    /// Deletes an object now if the context is current, else at the next call while it is.
+    /// Deletes an object now if the context is current, or else at the next call while it is current.
     void remove(const Context::State& state, ObjectKind kind, unsigned id) noexcept;
-    /// Deletes the pending objects. With the context current.
+    /// Deletes the pending objects. The context must be current.
     void remove_waiting(const Context::State& state) noexcept;
 
 private:
@@ -67,7 +67,7 @@ private:
         ObjectKind kind;
         unsigned id;
     };
-    // What a borrowing thread waits for.
+    // A call that a borrowing thread waits for.
     struct Call {
         void (*call)(void*);
         void* argument;
@@ -84,7 +84,7 @@ private:
     std::mutex mutex_;
     std::vector<Name> waiting_;
     std::mutex lending_;
-    std::condition_variable changed_;  // of the following, and what lend_until() waits for
+    std::condition_variable changed_;  // signals changes of the members below, and wakes lend_until()
     std::atomic<std::thread::id> borrower_{};
     std::function<void()> meanwhile_;
     Call* asked_ = nullptr;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Saving and restoring a host's program.
+// Save and restore of a host's program.
 #include "gl/host_program.hpp"
 
 namespace nicol::gl {
@@ -14,7 +14,7 @@ HostProgram::HostProgram(const Context::State& state)
         if (program == 0) continue;
         const auto of_stage = static_cast<GLuint>(program);
         GLint uniforms = 0, locations = 0;
-        // Mesa answers glGetProgramStageiv with an error where the program does not have the stage.
+        // Mesa's glGetProgramStageiv fails if the program does not have the stage.
         gl_.GetProgramInterfaceiv(of_stage, subroutine_uniforms, GL_ACTIVE_RESOURCES, &uniforms);
         if (uniforms == 0) continue;
         gl_.GetProgramStageiv(of_stage, shader, GL_ACTIVE_SUBROUTINE_UNIFORM_LOCATIONS, &locations);

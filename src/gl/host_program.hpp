@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The program that a host uses.
+// Saved program of a host.
 #pragma once
 
 #include <array>
@@ -9,8 +9,8 @@
 
 namespace nicol::gl {
 
-/// The current program, and the subroutines that are chosen in the stages of the current program or pipeline,
-/// which glUseProgram resets.
+/// The host's current program, and the subroutines chosen in the stages of the current program or pipeline;
+/// glUseProgram resets these.
 class HostProgram {
 public:
     explicit HostProgram(const Context::State& state);

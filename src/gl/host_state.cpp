@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Saving, setting and restoring a host's state.
+// Save, reset and restore of a host's state.
 #include "gl/host_state.hpp"
 
 #include <algorithm>
@@ -7,12 +7,13 @@
 namespace nicol::gl {
 namespace {
 
-// Of compatibility contexts; the core loader has no names for them.
+// State of compatibility contexts. The core-profile loader does not define these names.
 constexpr GLenum kAlphaTest = 0x0BC0, kPolygonStipple = 0x0B42, kClampFragmentColor = 0x891B,
                  kFixedOnly = 0x891D;
 using PixelTransfer = void(GLAD_API_PTR*)(GLenum, GLfloat);
 
-/// Off in a fresh context, but for dithering, which contexts of our own switch off too.
+/// Capabilities that are off in a fresh context. Dithering is on there, but contexts of our own switch it off
+/// too.
 constexpr std::array kCapabilitiesOff{
     GL_STENCIL_TEST,        GL_COLOR_LOGIC_OP,    GL_DITHER,
     GL_POLYGON_OFFSET_FILL, GL_POLYGON_SMOOTH,    GL_SAMPLE_ALPHA_TO_COVERAGE,
@@ -135,8 +136,8 @@ void HostState::save_units() {
 
 void HostState::set() {
     for (const GLenum capability : capability_names_) gl_.Disable(capability);
-    gl_.Disable(GL_BLEND);  // of every draw buffer, and so on
-    // A second source allows fewer draw buffers, even where blending is off.
+    gl_.Disable(GL_BLEND);  // for all draw buffers, as the calls below
+    // Two-source blending allows fewer draw buffers, even if blending is off.
     gl_.BlendFunc(GL_ONE, GL_ZERO);
     gl_.BlendEquation(GL_FUNC_ADD);
     gl_.Disable(GL_SCISSOR_TEST);
@@ -148,7 +149,7 @@ void HostState::set() {
     gl_.ClipControl(GL_UPPER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
     set_pixels();
     gl_.ActiveTexture(GL_TEXTURE0);
-    // A host's sampler would override our textures' filters.
+    // A host's sampler would override the filters of our textures.
     for (GLuint i = 0; i < texture_units_.size(); ++i) gl_.BindSampler(i, 0);
 }
 
@@ -176,7 +177,7 @@ HostState::~HostState() {
         const auto& [source, destination, source_alpha, destination_alpha] = buffer.functions;
         gl_.BlendFuncSeparatei(i, source, destination, source_alpha, destination_alpha);
         if (buffer.colour_equation == buffer.alpha_equation) {
-            gl_.BlendEquationi(i, buffer.colour_equation);  // those of extensions are only set together
+            gl_.BlendEquationi(i, buffer.colour_equation);  // extensions' equations are only set together
         } else {
             gl_.BlendEquationSeparatei(i, buffer.colour_equation, buffer.alpha_equation);
         }
@@ -226,7 +227,7 @@ void HostState::put_back_units() const {
                          image_.layered != 0 ? GL_TRUE : GL_FALSE, image_.layer,
                          static_cast<GLenum>(image_.access), static_cast<GLenum>(image_.format));
     each(texture_units_, [this](GLuint i, const TextureUnit& unit) {
-        // glBindTextureUnit would take a unit's other textures away with the last 2D one.
+        // glBindTextureUnit with 0 would unbind a unit's other textures as well.
         gl_.ActiveTexture(GL_TEXTURE0 + i);
         gl_.BindTexture(GL_TEXTURE_2D, static_cast<GLuint>(unit.texture));
         gl_.BindSampler(i, static_cast<GLuint>(unit.sampler));

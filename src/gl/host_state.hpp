@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// All of a host's OpenGL state that this library changes or depends on.
+// Save and restore of the host's OpenGL state that this library changes or depends on.
 #pragma once
 
 #include <array>
@@ -10,8 +10,9 @@
 
 namespace nicol::gl {
 
-/// Saves on construction and sets the state of a fresh context of our own; restores on destruction. Saved
-/// are, because draw calls, dispatches, uploads and reads change them or depend on them:
+/// Saves the host's state on construction and sets the state of a fresh context of our own; restores the
+/// host's state on destruction. The saved state is that which draw calls, dispatches, uploads and reads
+/// change or depend on:
 ///   capabilities   depth, stencil and scissor test, culling, blending, logical operation, dithering, polygon
 ///                  offset and smoothing, sample masks, primitive restart, rasterizer discard, clip distances
 ///                  and depth clamp, sRGB writes; of compatibility contexts alpha test and stipple
@@ -19,8 +20,8 @@ namespace nicol::gl {
 ///                  function, culled and front face, polygon mode, clip control, provoking vertex, pixel
 ///                  storage; of compatibility contexts pixel transfer and clamping of colours
 ///   bindings       program with its subroutines, vertex array, draw framebuffer, pixel buffers, active
-///   texture; 2D textures and
-///                  samplers of the first units, storage buffers (kTextureUnits and so on); the first image
+///                  texture; 2D textures and samplers of the first units, storage buffers (kTextureUnits and
+///                  so on); the first image
 /// Everything else is used without binding it.
 class HostState {
 public:
@@ -41,7 +42,7 @@ private:
     struct DrawBuffer {
         std::array<GLboolean, 4> mask;
         GLboolean blend;
-        std::array<GLenum, 4> functions;  ///< source and destination of the colours, then of alpha
+        std::array<GLenum, 4> functions;  ///< source and destination factors of the colours, then of alpha
         GLenum colour_equation, alpha_equation;
     };
     struct TextureUnit {

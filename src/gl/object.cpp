@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Making and deleting OpenGL names.
+// Creation and deletion of OpenGL names.
 #include "gl/object.hpp"
 
 #include <utility>
@@ -114,12 +114,12 @@ void Object::drop() noexcept {
     } else if (state.host) {
         state.host->remove(state, kind_, id_);
     } else {
-        // Asynchronous: the thread runs it before the next job and before it ends. The thread keeps the state
-        // alive.
+        // The worker's thread deletes the object asynchronously, before its next job and before it ends. The
+        // thread keeps the state alive.
         try {
             state.worker.post([&state, kind = kind_, id = id_] { delete_object(state.gl, kind, id); });
         } catch (...) {
-            // No memory for the job: the object stays until its context is destroyed.
+            // There is no memory for the job, so the object stays until its context is destroyed.
         }
     }
     id_ = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The name of one OpenGL object: made in its context, deleted there from wherever it is dropped.
+// Owner of one OpenGL object's name: made in its context, deleted there from any thread.
 #pragma once
 
 #include <cstddef>
@@ -13,13 +13,15 @@ namespace nicol::gl {
 
 enum class ObjectKind { buffer, texture, renderbuffer, framebuffer, vertex_array, program, shader };
 
-/// With the context current.
+/// Deletes an object. Its context must be current.
 void delete_object(const GladGLContext& gl, ObjectKind kind, unsigned id) noexcept;
 
-/// Movable, not copyable. A moved-from object is empty and may only be destroyed or assigned to.
+/// Owner of one OpenGL object. Movable, not copyable. A moved-from object is empty and may only be destroyed
+/// or assigned to.
 class Object {
 public:
-    /// `detail` is the stage of a shader and unused otherwise. Inside run(); throws Error(opengl).
+    /// Makes the object. `detail` is the stage of a shader and otherwise unused. Inside run(); throws
+    /// Error(opengl).
     Object(std::shared_ptr<Context> context, ObjectKind kind, unsigned detail = 0);
     ~Object();
     Object(Object&& other) noexcept;
@@ -27,7 +29,7 @@ public:
 
     [[nodiscard]] unsigned id() const noexcept { return id_; }
     [[nodiscard]] const std::shared_ptr<Context>& context() const noexcept { return context_; }
-    /// Adds the object's bytes to the context's account until it is dropped. At most once.
+    /// Counts the object's bytes in the context's memory use until the object is dropped. Call at most once.
     void account(MemoryKind kind, std::size_t bytes) noexcept;
 
 private:

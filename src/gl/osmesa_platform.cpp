@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Mesa's off-screen library: always llvmpipe or softpipe, needs no device and no driver registry.
-// Mesa dropped it in 25.1, so it is the last resort.
+// Platform of Mesa's off-screen library: always llvmpipe or softpipe; needs no device and no driver registry.
+// It is the last resort because Mesa dropped it in 25.1.
 #include <GL/osmesa.h>
 
 #include <array>
@@ -23,7 +23,7 @@ struct OsMesa {
         library.function<decltype(&OSMesaDestroyContext)>("OSMesaDestroyContext");
     decltype(&OSMesaGetProcAddress) proc_address =
         library.function<decltype(&OSMesaGetProcAddress)>("OSMesaGetProcAddress");
-    std::mutex mutex;  // OSMesa keeps process-wide lists without a lock of its own
+    std::mutex mutex;  // needed because OSMesa keeps process-wide lists without a lock
 };
 
 OsMesa& osmesa() {
@@ -66,7 +66,7 @@ public:
 
 private:
     OSMesaContext context_ = nullptr;
-    std::array<unsigned char, 4> window_{};  // OSMesa insists on a default framebuffer; nothing draws into it
+    std::array<unsigned char, 4> window_{};  // default framebuffer, required by OSMesa; nothing draws into it
 };
 
 }  // namespace

@@ -11,31 +11,33 @@
 
 namespace nicol::gl {
 
-/// Made, used and destroyed on one thread that uses no other kind of platform: Mesa's libraries share their
-/// thread-local dispatch table. Destruction releases the context before destroying it.
+/// OpenGL context of a system library. Must be made, used and destroyed on one thread that uses no other kind
+/// of platform, because Mesa's libraries share their thread-local dispatch table. Destruction releases the
+/// context before destroying it.
 class Platform {
 public:
     virtual ~Platform() = default;
     using Function = void (*)();
-    /// Non-null even for names that do not exist: check version and extensions instead.
+    /// Returns a function. The result is non-null even for unknown names; check version and extensions
+    /// instead.
     [[nodiscard]] virtual Function function(const char* name) const = 0;
 };
 
 /// An EGL display to try.
 struct EglChoice {
-    std::optional<int> device;  ///< position in the device list; none is Mesa's surfaceless platform
-    std::string name;           ///< for messages
+    std::optional<int> device;  ///< position in the device list; empty: Mesa's surfaceless platform
+    std::string name;           ///< name for messages
 };
 
 struct EglChoices {
-    std::vector<EglChoice> choices;  ///< hardware first, then software, then surfaceless
-    std::string no_device;           ///< why there is no device among them, or empty
+    std::vector<EglChoice> choices;  ///< ordered: hardware first, then software, then surfaceless
+    std::string no_device;           ///< reason why there is no device among the choices, or empty
     int devices = 0;                 ///< length of EGL's device list
 };
 
-/// Throws Error(no_backend) if there is no libEGL.
+/// Returns the EGL displays to try. Throws Error(no_backend) if there is no libEGL.
 [[nodiscard]] EglChoices find_egl_choices();
-/// Both throw Error(no_backend) with the reason.
+/// Both functions make a platform and throw Error(no_backend) with the reason if they cannot.
 [[nodiscard]] std::unique_ptr<Platform> make_egl_platform(const EglChoice& choice);
 [[nodiscard]] std::unique_ptr<Platform> make_osmesa_platform();
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Compiling, linking and uniforms.
+// Compilation, linking and uniforms.
 #include "gl/program.hpp"
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 namespace nicol::gl {
 namespace {
 
-/// The info log of a shader or program.
+/// Returns the info log of a shader or program.
 template <class GetInteger, class GetLog>
 std::string log_of(GLuint id, GetInteger get_integer, GetLog get_log) {
     GLint length = 0;
@@ -36,7 +36,7 @@ Object compiled(const std::shared_ptr<Context>& context, GLenum type, const Shad
     GLint done = GL_FALSE;
     gl.GetShaderiv(shader.id(), GL_COMPILE_STATUS, &done);
     if (done != GL_TRUE) {
-        context->state().messages.clear();  // they repeat the log without file names
+        context->state().messages.clear();  // the messages repeat the log without file names
         throw Error(ErrorCode::opengl,
                     "the shader " + std::string(source.file) + " does not compile:\n" +
                         with_file_names(source, log_of(shader.id(), gl.GetShaderiv, gl.GetShaderInfoLog)));
@@ -121,7 +121,7 @@ Program::Program(std::shared_ptr<Context> context, std::span<const Stage> stages
     }
     for (const Stage& stage : stages) {
         const Object shader = compiled(this->context(), stage.type, stage.source, defines);
-        gl.AttachShader(id(), shader.id());  // keeps the shader until the program goes
+        gl.AttachShader(id(), shader.id());  // keeps the shader until the program is deleted
     }
     if (cache.enabled()) gl.ProgramParameteri(id(), GL_PROGRAM_BINARY_RETRIEVABLE_HINT, GL_TRUE);
     gl.LinkProgram(id());
@@ -154,7 +154,7 @@ void Program::find_uniforms() {
         for (GLint element = 0; element < elements; ++element) {
             const std::string full = array ? base + '[' + std::to_string(element) + ']' : base;
             const GLint location = gl.GetUniformLocation(id(), full.c_str());
-            if (location >= 0) uniforms_[full] = {location, type};  // members of blocks have none
+            if (location >= 0) uniforms_[full] = {location, type};  // members of blocks have no location
         }
     }
 }
@@ -178,7 +178,7 @@ int Program::location(std::string_view name, unsigned type) const {
 void Program::set(std::string_view name, int value) {
     const GladGLContext& gl = functions(*context(), "Program::set");
     gl.ProgramUniform1i(id(), location(name, GL_INT), value);
-    context()->state().check("setting " + std::string(name));  // a sampler refuses a unit that is too high
+    context()->state().check("setting " + std::string(name));  // a too high unit of a sampler fails here
 }
 
 void Program::set(std::string_view name, unsigned value) {

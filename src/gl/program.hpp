@@ -19,23 +19,25 @@
 
 namespace nicol::gl {
 
-/// All members inside run(). Compiling throws Error(opengl) whose text names file and line of each message.
+/// A linked program. All members must be called inside run(). Compiling throws Error(opengl), whose text
+/// names file and line of each message.
 class Program {
 public:
-    /// From embedded files, such as ("surface.vert", "surface.frag").
+    /// Compiles embedded files, such as ("surface.vert", "surface.frag").
     [[nodiscard]] static Program graphics(std::shared_ptr<Context> context, std::string_view vertex_file,
                                           std::string_view fragment_file,
                                           std::span<const Define> defines = {});
     [[nodiscard]] static Program compute(std::shared_ptr<Context> context, std::string_view file,
                                          std::span<const Define> defines = {});
-    /// From source texts.
+    /// Compiles source texts.
     [[nodiscard]] static Program graphics(std::shared_ptr<Context> context, const ShaderSource& vertex,
                                           const ShaderSource& fragment, std::span<const Define> defines = {});
     [[nodiscard]] static Program compute(std::shared_ptr<Context> context, const ShaderSource& source,
                                          std::span<const Define> defines = {});
 
-    /// Sets a uniform of exactly that type; int also sets bool and samplers. Throws Error(invalid_argument)
-    /// for a name that the linked program does not use, listing those it does, and for another type.
+    /// Sets a uniform of exactly the value's type; int also sets bool and samplers. Throws
+    /// Error(invalid_argument) for a name that the linked program does not use, listing the names that it
+    /// uses, and for another type.
     void set(std::string_view name, int value);
     void set(std::string_view name, unsigned value);
     void set(std::string_view name, float value);
@@ -44,11 +46,12 @@ public:
     void set(std::string_view name, const glm::vec4& value);
     void set(std::string_view name, const glm::mat3& value);
     void set(std::string_view name, const glm::mat4& value);
-    /// Whether the linked program uses that uniform: the compiler removes those that a define leaves unused.
+    /// Returns whether the linked program uses that uniform. The compiler removes uniforms that a define
+    /// leaves unused.
     [[nodiscard]] bool uses(std::string_view name) const { return uniforms_.find(name) != uniforms_.end(); }
 
     [[nodiscard]] bool is_compute() const noexcept { return compute_; }
-    [[nodiscard]] const std::string& label() const noexcept { return label_; }  ///< its files, for messages
+    [[nodiscard]] const std::string& label() const noexcept { return label_; }  ///< file names, for messages
     [[nodiscard]] unsigned id() const noexcept { return object_.id(); }
     [[nodiscard]] const std::shared_ptr<Context>& context() const noexcept { return object_.context(); }
 

@@ -63,7 +63,7 @@ bool ProgramCache::load(const ProgramKey& key, unsigned program) const {
     if (outcome.state == CacheFile::State::unfit) return refused(outcome.reason);
     if (content.size() < sizeof format) return refused("has the wrong length");
     std::copy_n(content.begin(), sizeof format, reinterpret_cast<unsigned char*>(&format));
-    // Another would be an error of OpenGL's.
+    // Any other format would raise an OpenGL error.
     const std::vector<GLint> formats = formats_of(context_);
     if (std::ranges::find(formats, static_cast<GLint>(format)) == formats.end())
         return refused("has a format that the driver does not know");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Notices about cached programs.
+// Queue of notices about cached programs.
 #pragma once
 
 #include <functional>
@@ -10,7 +10,7 @@
 
 namespace nicol::gl {
 
-/// Keeps notices that arise on a context's thread until the thread that called it can take them: only that
+/// Queue of notices that arise on a context's thread. The calling thread delivers them, because only that
 /// thread may call the log.
 class ProgramNotices {
 public:
@@ -22,7 +22,7 @@ public:
         const std::lock_guard lock(mutex_);
         if (receiver_) waiting_.push_back(std::move(notice));
     }
-    /// Hands all that waits to the receiver.
+    /// Passes all waiting notices to the receiver.
     void deliver() {
         std::vector<std::string> notices;
         std::function<void(const std::string&)> receiver;

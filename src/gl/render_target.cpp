@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Framebuffers and their attachments.
+// Implementation of framebuffers and their attachments.
 #include "gl/render_target.hpp"
 
 #include <algorithm>
@@ -63,8 +63,9 @@ constexpr std::array kTextureTargets{
     TextureTarget{GL_TEXTURE_2D_MULTISAMPLE, GL_TEXTURE_BINDING_2D_MULTISAMPLE},
     TextureTarget{GL_TEXTURE_2D_MULTISAMPLE_ARRAY, GL_TEXTURE_BINDING_2D_MULTISAMPLE_ARRAY}};
 
-/// Target of an existing texture; 0 if it is of an extension's. Binds the texture and looks where it is,
-/// because Mesa's compatibility contexts do not answer glGetTextureParameteriv(GL_TEXTURE_TARGET).
+/// Returns the target of an existing texture; 0 if an extension defines the target. The function binds the
+/// texture and checks the bindings, because Mesa's compatibility contexts do not answer
+/// glGetTextureParameteriv(GL_TEXTURE_TARGET).
 GLenum target_of(const Context::State& state, GLuint texture) {
     const GladGLContext& gl = state.gl;
     const auto bound = [&state](const TextureTarget& target) {
@@ -80,7 +81,7 @@ GLenum target_of(const Context::State& state, GLuint texture) {
     return found->target;
 }
 
-/// Level 0 of a texture that is not ours.
+/// Returns the description of level 0 of a texture that is not ours.
 RenderTargetDescription described(Context& context, unsigned texture) {
     const GladGLContext& gl = functions(context, "RenderTarget");
     const std::string what = "the texture " + std::to_string(texture);
@@ -131,7 +132,8 @@ RenderTarget::RenderTarget(const std::shared_ptr<Context>& context,
         gl.NamedFramebufferRenderbuffer(id(), GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth.id());
     }
     const GLenum status = gl.CheckNamedFramebufferStatus(id(), GL_DRAW_FRAMEBUFFER);
-    // Every driver can draw into these formats. Mesa says in no other way that it has no memory for one.
+    // Every driver can draw into these formats; an incomplete attachment is Mesa's only sign of missing
+    // memory.
     const bool memory = status == GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT;
     if (status != GL_FRAMEBUFFER_COMPLETE)
         throw Error(memory ? ErrorCode::out_of_memory : ErrorCode::opengl,
@@ -159,8 +161,8 @@ void RenderTarget::clear(const glm::vec4& colour) {
 
 void RenderTarget::clear_colour(int attachment, const glm::vec4& colour) {
     const GladGLContext& gl = functions(*context(), "RenderTarget::clear_colour");
-    static_cast<void>(this->colour(attachment));       // refuses an attachment that is not there
-    gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);  // it masks clearing, too
+    static_cast<void>(this->colour(attachment));       // throws for a missing attachment
+    gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);  // the colour mask also applies to clearing
     if (description_.format == Format::r32ui) {
         constexpr std::array<GLuint, 4> zero{};
         gl.ClearNamedFramebufferuiv(id(), GL_COLOR, attachment, zero.data());
@@ -177,7 +179,7 @@ void RenderTarget::clear_depth(float depth) {
     if (!(depth >= 0.0f && depth <= 1.0f))
         throw Error(ErrorCode::invalid_argument,
                     "RenderTarget::clear_depth: " + std::to_string(depth) + " is not between 0 and 1");
-    gl.DepthMask(GL_TRUE);  // it masks clearing, too
+    gl.DepthMask(GL_TRUE);  // the depth mask also applies to clearing
     gl.ClearNamedFramebufferfv(id(), GL_DEPTH, 0, &depth);
     context()->state().check("RenderTarget::clear_depth");
 }
@@ -195,7 +197,7 @@ void RenderTarget::write(int attachment, std::span<const float> pixels) {
 }
 
 Texture2D& RenderTarget::colour(int attachment) {
-    static_cast<void>(std::as_const(*this).colour(attachment));  // refuses an attachment that is not there
+    static_cast<void>(std::as_const(*this).colour(attachment));  // throws for a missing attachment
     return colours_[static_cast<std::size_t>(attachment)];
 }
 

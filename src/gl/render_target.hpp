@@ -14,26 +14,26 @@ namespace nicol::gl {
 struct RenderTargetDescription {
     int width = 0, height = 0;  ///< pixels, 1 .. Limits::target_size
     int colours = 1;            ///< colour attachments, 1 .. Limits::colour_attachments
-    bool depth = true;          ///< a 32-bit float depth buffer
+    bool depth = true;          ///< whether there is a 32-bit float depth buffer
     Format format = Format::rgba32f;
 };
 
-/// Row 0 is the top of the image, in memory, in the textures, and in gl_FragCoord (whose y grows
-/// downwards): the context's clip origin is the upper left, so that clip space keeps y up, counter-clockwise
-/// triangles stay front faces, and nothing is ever flipped. Depth runs from 0 to 1 over clip z from -w to w.
-/// All members inside run(). Construction throws Error(invalid_argument) outside the limits,
-/// Error(out_of_memory) if the driver cannot hold it, Error(opengl) if the framebuffer is incomplete. Content
-/// is zero, depth 1.
+/// A framebuffer with its attachments. Row 0 is the top of the image, in memory, in the textures, and in
+/// gl_FragCoord (whose y grows downwards). The context's clip origin is the upper left, so clip space keeps y
+/// up, counter-clockwise triangles stay front faces, and nothing is ever flipped. Depth runs from 0 to 1 over
+/// clip z from -w to w. All members must be called inside run(). Construction throws Error(invalid_argument)
+/// outside the limits, Error(out_of_memory) if the driver cannot hold it, Error(opengl) if the framebuffer is
+/// incomplete. The initial content is zero, depth 1.
 class RenderTarget {
 public:
     RenderTarget(const std::shared_ptr<Context>& context, const RenderTargetDescription& description);
 
-    /// A texture that is not ours, as the only attachment, without depth: its first level of GL_TEXTURE_2D,
-    /// of RGBA8, SRGB8_ALPHA8, RGBA16F or RGBA32F. It must outlive the target. Error(invalid_argument) for
-    /// any other name.
+    /// Uses a texture that is not ours as the only attachment, without depth: the first level of a
+    /// GL_TEXTURE_2D of RGBA8, SRGB8_ALPHA8, RGBA16F or RGBA32F. The texture must outlive the target. Throws
+    /// Error(invalid_argument) for any other name.
     RenderTarget(const std::shared_ptr<Context>& context, unsigned borrowed_texture);
 
-    /// Every colour attachment, and depth to 1. Integers are cleared to 0 alone.
+    /// Clears every colour attachment, and depth to 1. Integer attachments are always cleared to 0.
     void clear(const glm::vec4& colour = glm::vec4(0.0f));
     void clear_colour(int attachment, const glm::vec4& colour);
     void clear_depth(float depth = 1.0f);
@@ -41,10 +41,11 @@ public:
     /// Copies one attachment, top row first, as Texture2D::read() does.
     void read(int attachment, std::span<float> pixels) const;
     void read(int attachment, std::span<std::uint32_t> pixels) const;
-    /// The reverse.
+    /// Replaces the texels of one attachment, top row first.
     void write(int attachment, std::span<const float> pixels);
 
-    /// For sampling in a later pass, never in a pass that draws into it. Not of a borrowed texture.
+    /// Returns an attachment for sampling in a later pass, never in a pass that draws into it. Not available
+    /// for a borrowed texture.
     [[nodiscard]] const Texture2D& colour(int attachment) const;
     [[nodiscard]] Texture2D& colour(int attachment);
     [[nodiscard]] int width() const noexcept { return description_.width; }
@@ -57,7 +58,7 @@ public:
 private:
     RenderTargetDescription description_;
     std::vector<Texture2D> colours_;
-    std::vector<Object> depth_;  ///< one renderbuffer, or none
+    std::vector<Object> depth_;  ///< one renderbuffer or none
     Object framebuffer_;         ///< declared after its attachments, so that it is destroyed first
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Embedded shader text: look-up, definitions, and file names in compiler messages.
+// Embedded shader texts: look-up, definitions, and file names in compiler messages.
 #include "gl/shader_source.hpp"
 
 #include <algorithm>
@@ -17,8 +17,8 @@ bool is_identifier(std::string_view name) {
            std::all_of(name.begin(), name.end(), [&](char c) { return letter(c) || digit(c); });
 }
 
-/// The file names of the lines "//@ n name" that begin the text, by n; the source's own name if there are
-/// none.
+/// Returns the file names of the lines "//@ n name" that begin the text, by n; the source's own name if there
+/// are no such lines.
 std::vector<std::string> file_table(const ShaderSource& source) {
     constexpr std::string_view mark = "//@ ";
     std::vector<std::string> files;
@@ -47,7 +47,7 @@ ShaderSource embedded_shader(std::string_view file) {
 
 std::string with_defines(const ShaderSource& source, std::span<const Define> defines) {
     const std::string name(source.file);
-    // #version stands at the start of a line, behind comments only.
+    // #version starts a line; only comments may precede it.
     std::size_t version = 0;
     while (!source.text.substr(version).starts_with("#version")) {
         version = source.text.find('\n', version);
@@ -68,7 +68,7 @@ std::string with_defines(const ShaderSource& source, std::span<const Define> def
                         name + ": the value of " + define.name + " has a line break, a backslash or a NUL");
         text += "#define " + define.name + ' ' + define.value + '\n';
     }
-    // Embedded text has a #line here; other text continues its own count.
+    // Embedded text has a #line here; other text needs one to continue its own line count.
     if (!defines.empty() && !source.text.substr(end).starts_with("\n#line ")) {
         const auto lines =
             std::count(source.text.begin(), source.text.begin() + static_cast<std::ptrdiff_t>(end), '\n');
@@ -88,7 +88,7 @@ std::string with_file_names(const ShaderSource& source, std::string_view log) {
         const std::size_t end = std::min(log.find('\n', begin), log.size());
         const std::string line(log.substr(begin, end - begin));
         std::smatch match;
-        // Longer numbers than a file can have are left alone.
+        // Numbers too long for a file index are left unchanged.
         const bool found = std::regex_search(line, match, message) && match.length(2) < 6;
         const std::size_t file = found ? std::stoul(match[2]) : files.size();
         if (file < files.size())

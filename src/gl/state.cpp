@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Initialising OpenGL in a new context, and error reports.
+// Initialisation of OpenGL in a new context, and error reports.
 #include "gl/state.hpp"
 
 #include <algorithm>
@@ -64,7 +64,7 @@ void Context::State::open(std::unique_ptr<Platform> made, Backend backend, const
     load(backend, device);
 
     gl.Enable(GL_DEBUG_OUTPUT);
-    gl.Enable(GL_DEBUG_OUTPUT_SYNCHRONOUS);  // messages arrive on this thread, inside the call they are about
+    gl.Enable(GL_DEBUG_OUTPUT_SYNCHRONOUS);  // messages arrive on this thread, inside their call
     for (const GLenum quiet : {GLenum{GL_DEBUG_SEVERITY_LOW}, GLenum{GL_DEBUG_SEVERITY_NOTIFICATION}})
         gl.DebugMessageControl(GL_DONT_CARE, GL_DONT_CARE, quiet, 0, nullptr, GL_FALSE);
     gl.DebugMessageCallback(collect, this);
@@ -82,7 +82,7 @@ void Context::State::open_in_host(HostAccess access) {
     platform = std::move(made);
     load(Backend::host, "the host's context");
     compatibility = (integer(GL_CONTEXT_PROFILE_MASK) & GL_CONTEXT_COMPATIBILITY_PROFILE_BIT) != 0;
-    // As many as HostState saves.
+    // The limits are those of HostState, which saves only this many bindings.
     limits.texture_units = std::min(limits.texture_units, HostState::kTextureUnits);
     limits.storage_bindings = std::min(limits.storage_bindings, HostState::kStorageBindings);
     gl.CreateQueries(GL_ANY_SAMPLES_PASSED, 1, &condition);
@@ -121,7 +121,8 @@ void Context::State::check(std::string_view what) {
     }
     bool memory = error == GL_OUT_OF_MEMORY;
     std::string text = std::string(what) + ": " + error_name(error);
-    // OpenGL keeps one flag of each kind; a lost context reports errors without end.
+    // OpenGL keeps one flag per kind of error; the loop is bounded because a lost context reports errors
+    // without end.
     for (int i = 0; i < 8; ++i) {
         const GLenum next = gl.GetError();
         if (next == GL_NO_ERROR) break;

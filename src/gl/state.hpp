@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The parts of a context; the only header that includes OpenGL.
+// State of a context; this is the only header that includes OpenGL.
 #pragma once
 
 #include <glad/gl.h>
@@ -21,28 +21,28 @@
 
 namespace nicol::gl {
 
-/// Shared by the Context and its thread, so that either may end first. Only the thread uses it, apart from
-/// the worker, the memory account and what is constant after open().
+/// State shared by the Context and its thread, so that either may end first. Only the thread uses it, apart
+/// from the worker, the memory account and members that are constant after open().
 struct Context::State {
-    Worker worker;  ///< of a context of our own
+    Worker worker;  ///< worker of a context of our own
     std::thread thread;
-    std::unique_ptr<Host> host;  ///< of a host's context, instead of worker and thread
+    std::unique_ptr<Host> host;  ///< set for a host's context, instead of worker and thread
     std::unique_ptr<Platform> platform;
     GladGLContext gl{};
     ContextInfo info;
     Limits limits;
     std::vector<FailedAttempt> failed_attempts;
     std::array<std::atomic<std::size_t>, 5> bytes{};
-    bool compatibility = false;         ///< profile of a host's context
-    GLuint empty_vertex_array = 0;      ///< core profiles draw nothing without one
-    GLuint condition = 0;               ///< a query for attempts to render conditionally, of a host's context
-    std::vector<std::string> messages;  ///< of KHR_debug since the last check()
-    std::filesystem::path programs;     ///< where linked programs are kept; empty: nowhere
+    bool compatibility = false;         ///< whether a host's context has the compatibility profile
+    GLuint empty_vertex_array = 0;      ///< core profiles cannot draw without a vertex array
+    GLuint condition = 0;               ///< a query that tests for conditional rendering in a host's context
+    std::vector<std::string> messages;  ///< messages of KHR_debug since the last check()
+    std::filesystem::path programs;     ///< folder of linked programs; empty: no cache
     ProgramNotices program_notices;
 
     /// Makes the platform current and initialises OpenGL. Throws Error(no_backend).
     void open(std::unique_ptr<Platform> made, Backend backend, const std::string& device);
-    /// The same with the host's context, which is current and stays as it is.
+    /// Initialises OpenGL in the host's context, which must be current and stays unchanged.
     void open_in_host(HostAccess access);
     void close() noexcept;
     /// Throws Error(out_of_memory) or Error(opengl) naming `what`, with the driver's messages, if anything
@@ -55,10 +55,10 @@ private:
     void read_limits();
 };
 
-/// "GL_INVALID_ENUM" and the like.
+/// Returns the name of an error, such as "GL_INVALID_ENUM".
 [[nodiscard]] std::string error_name(GLenum error);
 
-/// The function pointers, for a caller inside run(); throws Error(internal) naming `what` elsewhere.
+/// Returns the function pointers to a caller inside run(); throws Error(internal) naming `what` elsewhere.
 [[nodiscard]] const GladGLContext& functions(Context& context, std::string_view what);
 
 }  // namespace nicol::gl

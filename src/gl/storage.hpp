@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Buffers that compute shaders work on, one invocation a vertex.
+// Buffers of compute shaders with one invocation per vertex.
 #pragma once
 
 #include <algorithm>
@@ -13,12 +13,12 @@
 
 namespace nicol::gl {
 
-/// Work groups and chunks are whole multiples of so many vertices. A chunk then begins where a buffer of any
-/// numbers of vertices can be bound.
+/// Granularity of work groups and chunks, in vertices. A chunk of whole multiples begins at an offset where a
+/// buffer with any number of floats per vertex can be bound.
 inline constexpr std::size_t kGroupOfVertices = 64;
 
-/// Binds two to four floats a vertex from the largest whole group not above `first`; that group's vertex is
-/// returned.
+/// Binds two to four floats per vertex from the largest whole group not above `first`; returns the first
+/// vertex of that group.
 [[nodiscard]] inline std::size_t bind_vertices(const Buffer& buffer, unsigned binding, std::size_t floats,
                                                std::size_t first, std::size_t last) {
     const std::size_t begin = first / kGroupOfVertices * kGroupOfVertices;
@@ -27,18 +27,18 @@ inline constexpr std::size_t kGroupOfVertices = 64;
     return begin;
 }
 
-/// Work groups for so many invocations.
+/// Returns the number of work groups for a number of invocations.
 [[nodiscard]] inline unsigned groups_for(std::size_t invocations) {
     return static_cast<unsigned>((invocations + kGroupOfVertices - 1) / kGroupOfVertices);
 }
 
-/// A copy for shaders.
+/// Makes a storage buffer with a copy of `elements`.
 template <class Element>
 [[nodiscard]] Buffer storage(const std::shared_ptr<Context>& context, const std::vector<Element>& elements) {
     return {context, BufferUse::storage, std::as_bytes(std::span(elements))};
 }
 
-/// Makes a buffer for shaders of at least so many bytes, and at least one; the content is unspecified.
+/// Ensures a storage buffer of at least `bytes` bytes, and at least one byte; the content is unspecified.
 inline void make_room(const std::shared_ptr<Context>& context, std::optional<Buffer>& buffer,
                       std::size_t bytes) {
     if (buffer && buffer->size() >= bytes) return;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Textures of one level.
+// Implementation of textures of one level.
 #include "gl/texture.hpp"
 
 #include <algorithm>
@@ -27,7 +27,7 @@ GLint wrap_mode(Wrap wrap) {
     return GL_MIRRORED_REPEAT;
 }
 
-// How a format's numbers lie in memory.
+// Memory layout of a format's numbers.
 struct Layout {
     GLenum internal, format, type;
     std::size_t components;
@@ -112,7 +112,7 @@ void Texture2D::read(std::span<std::uint32_t> texels) const {
 void Texture2D::read(void* texels) const {
     const GladGLContext& gl = functions(*context(), "Texture2D::read");
     const Layout layout = layout_of(format());
-    // In bands, because OpenGL counts the bytes of one transfer with 31 bits.
+    // Texels are read in bands, because OpenGL counts the bytes of one transfer with 31 bits.
     constexpr std::size_t band_bytes = std::size_t{1} << 30;
     const std::size_t row_bytes = static_cast<std::size_t>(width()) * layout.components * sizeof(float);
     const int band = static_cast<int>(std::max<std::size_t>(1, band_bytes / row_bytes));

@@ -14,7 +14,7 @@ namespace nicol::gl {
 enum class Filter { nearest, linear };
 enum class Wrap { clamp, repeat, mirror };  ///< clamp repeats the edge texel
 
-/// What a texel holds: four floats, one, or an unsigned integer, for a usampler2D.
+/// Texel format: four floats, one float, or one unsigned integer (read through usampler2D).
 enum class Format { rgba32f, r32f, r32ui };
 
 struct TextureDescription {
@@ -24,33 +24,35 @@ struct TextureDescription {
     Format format = Format::rgba32f;
 };
 
-/// Texels row after row; row 0 is at texture coordinate y = 0. All members inside run().
+/// A texture of one level: texels row after row; row 0 is at texture coordinate y = 0. All members must be
+/// called inside run().
 class Texture2D {
 public:
-    /// Without texels the content is zero. Error(invalid_argument) for a size outside the limits or a wrong
-    /// number of floats (numbers()), Error(out_of_memory) if the driver cannot hold it.
+    /// Makes a texture; without texels the content is zero. Throws Error(invalid_argument) for a size outside
+    /// the limits or a wrong number of floats (numbers()), Error(out_of_memory) if the driver cannot hold it.
     Texture2D(std::shared_ptr<Context> context, const TextureDescription& description,
               std::span<const float> texels = {}, MemoryKind kind = MemoryKind::texture);
 
-    /// Replaces everything.
+    /// Replaces all texels.
     void update(std::span<const float> texels);
     /// Replaces a rectangle of width * height texels at (x, y).
     void update(int x, int y, int width, int height, std::span<const float> texels);
-    /// Copies a texture of the same size and format.
+    /// Copies the texels of a texture of equal size and format.
     void copy_from(const Texture2D& other);
-    /// Copies everything out; numbers() of them. Error(invalid_argument) for numbers of another kind than the
-    /// format's.
+    /// Copies out all texels; `texels` must hold numbers() numbers. Throws Error(invalid_argument) for
+    /// numbers of another kind than the format's.
     void read(std::span<float> texels) const;
     void read(std::span<std::uint32_t> texels) const;
 
-    /// For a `layout(binding = unit) uniform sampler2D` or, of integers, usampler2D.
+    /// Binds the texture for a `layout(binding = unit) uniform sampler2D`, or usampler2D for integers.
     void bind(unsigned unit) const;
-    /// For a `layout(binding = 0) writeonly uniform image2D` of the format, the only one of a program.
+    /// Binds the texture for a `layout(binding = 0) writeonly uniform image2D` of the format, the only one of
+    /// a program.
     void bind_image() const;
 
     [[nodiscard]] int width() const noexcept { return description_.width; }
     [[nodiscard]] int height() const noexcept { return description_.height; }
-    /// Of all texels; four bytes each.
+    /// Returns the number of numbers of all texels; each has four bytes.
     [[nodiscard]] std::size_t numbers() const noexcept;
     [[nodiscard]] Format format() const noexcept { return description_.format; }
     [[nodiscard]] unsigned id() const noexcept { return object_.id(); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Attribute bindings, checked against the buffers behind them.
+// Attribute bindings, checked against the sizes of their buffers.
 #include "gl/vertex_array.hpp"
 
 #include <set>
@@ -16,7 +16,7 @@ namespace {
                 "VertexArray: attribute " + std::to_string(location) + ": " + text);
 }
 
-/// How many vertices the buffer holds for this attribute.
+/// Returns the number of vertices that the buffer holds for this attribute.
 std::size_t vertex_count(const Attribute& attribute, std::size_t stride) {
     const std::size_t bytes = static_cast<std::size_t>(attribute.components) * sizeof(float);
     const std::size_t size = attribute.buffer->size();

@@ -17,8 +17,9 @@ namespace {
 
 thread_local bool is_quiet_thread = false;
 
-/// Threads whose context was dropped on a context's thread: it may be their own, or each may be waiting for
-/// the other, so they are not joined there. Never destroyed, as they may come while the process ends.
+/// Threads whose context was dropped on a context's thread. They are not joined there, because such a thread
+/// may be the caller itself or wait for it. The object is never destroyed, because threads may be added while
+/// the process ends.
 class LeftThreads {
 public:
     void add(std::thread thread) {
@@ -26,7 +27,7 @@ public:
         threads_.push_back(std::move(thread));
     }
     void join() {
-        // Those that are joined may leave others.
+        // Joining a thread may add other threads.
         for (std::vector<std::thread> ending = take(); !ending.empty(); ending = take()) {
             for (std::thread& thread : ending) {
                 if (thread.get_id() == std::this_thread::get_id())
@@ -49,7 +50,8 @@ private:
 
 LeftThreads& left_threads() {
     static auto& instance = *new LeftThreads;
-    // Before Mesa's exit handlers, which would break a context that is still being destroyed.
+    // The threads are joined before Mesa's exit handlers run, which would break a context that is still being
+    // destroyed.
     static const AtProcessEnd join([] { instance.join(); });
     return instance;
 }
@@ -89,7 +91,8 @@ void Worker::execute(void (*call)(void*), void* argument) {
         } catch (...) {
             error = std::current_exception();
         }
-        // Notified under the lock: once it is released, the waiting thread may return and destroy `done`.
+        // The notification happens under the lock, because the waiting thread may return and destroy `done`
+        // once the lock is released.
         const std::lock_guard lock(done.mutex);
         done.error = std::move(error);
         done.done = true;
@@ -123,7 +126,7 @@ bool Worker::on_thread() const noexcept {
 std::thread start_quiet_thread(std::function<void()> body) {
     sigset_t quiet, before;
     sigfillset(&quiet);
-    // Faults of the thread itself still reach the host's handlers.
+    // Faults of the thread itself must still reach the host's handlers.
     for (const int fault : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGTRAP, SIGABRT, SIGSYS})
         sigdelset(&quiet, fault);
     pthread_sigmask(SIG_BLOCK, &quiet, &before);  // inherited by the new thread

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread that runs jobs in the order they were given.
+// A queue of jobs that one thread runs in order.
 #pragma once
 
 #include <atomic>
@@ -11,13 +11,13 @@
 
 namespace nicol::gl {
 
-/// Shared between a thread and the givers of its jobs, who keep it alive (see State).
+/// Job queue shared between a thread and the givers of its jobs, which keep the queue alive (see State).
 class Worker {
 public:
-    /// The thread's main function; returns once stop() was called and every earlier job is done.
+    /// Runs jobs; this is the thread's main function. Returns after stop() once every earlier job is done.
     void work();
-    /// Calls call(argument) on the thread, waits, and rethrows what it threw. On the thread itself a plain
-    /// call.
+    /// Calls call(argument) on the thread, waits, and rethrows its exception. On the thread itself it is a
+    /// plain call.
     void execute(void (*call)(void*), void* argument);
     /// Queues `job` after earlier ones, without waiting. `job` must not throw.
     void post(std::function<void()> job);
@@ -33,14 +33,14 @@ private:
 };
 
 /// Starts a thread that blocks the host's signals and has the default FloatingEnvironment. Throws
-/// Error(out_of_memory) where the system has no room for a thread.
+/// Error(out_of_memory) if the system cannot create a thread.
 [[nodiscard]] std::thread start_quiet_thread(std::function<void()> body);
 
-/// Joins `thread` after stop(). If the caller is such a worker thread itself (perhaps this one), it is joined
-/// by a later call from another thread, or at the process's end.
+/// Joins `thread` after stop(). If the caller is a context's thread itself, a later call from another thread
+/// or the end of the process joins `thread`.
 void join_or_leave(std::thread thread);
 
-/// Joins those that were left.
+/// Joins the threads that join_or_leave() did not join.
 void join_left_threads();
 
 }  // namespace nicol::gl

@@ -12,7 +12,7 @@
 namespace nicol {
 namespace {
 
-// Eight complex numbers, in vectors of Width.
+// Eight complex numbers in vectors of Width.
 template <int Width>
 struct Element {
     static constexpr int kParts = 8 / Width;
@@ -45,7 +45,7 @@ template <int Width>
     }
 }
 
-// The sums over `P` inputs for its small transform, P known: x_j = sum_r a_r root^(j r).
+// Computes the small transform of P inputs, with P known at compile time: x_j = sum_r a_r root^(j r).
 template <int P, int Width>
 [[gnu::always_inline]] inline void small_transform(const Element<Width>* a, const double* roots,
                                                    Element<Width>* x) {
@@ -73,7 +73,7 @@ template <int P, int Width>
             x[3].im[v] = dif_im + gap_re;
         }
     } else {
-        // Odd: pairs r and P - r share their products with the cosines and sines.
+        // P is odd: pairs r and P - r share their products with the cosines and sines.
         for (int v = 0; v < Element<Width>::kParts; ++v) {
             Vector sum_re[P / 2 + 1], sum_im[P / 2 + 1], gap_re[P / 2 + 1], gap_im[P / 2 + 1];
             x[0].re[v] = a[0].re[v];
@@ -125,7 +125,7 @@ template <int P, int Width>
 
 constexpr int kLargestOdd = 63;
 
-// The same for any odd factor up to kLargestOdd.
+// Computes one stage for any odd factor up to kLargestOdd, which is not known at compile time.
 template <int Width>
 [[gnu::always_inline]] inline void odd_stage(const double* in, double* out, int factor, int left, int stride,
                                              const double* twiddles, const double* roots) {
@@ -205,9 +205,9 @@ template <int Width>
     }
 }
 
-/// One stage of a Fourier transform of eight sequences (layout of BatchFft): radix `factor`, `left` groups,
-/// `stride` elements in each. Twiddles [group][1..factor-1] and roots of unity as pairs (re, im). Other
-/// factors than 2, 3, 4, 5 and 7 are odd and at most 63.
+/// Computes one stage of a Fourier transform of eight sequences (layout of BatchFft): radix `factor`, `left`
+/// groups, `stride` elements in each. Twiddles [group][1..factor-1] and roots of unity are pairs (re, im).
+/// Factors other than 2, 3, 4, 5 and 7 must be odd and at most 63.
 void fft_stage(const double* in, double* out, int factor, int left, int stride, const double* twiddles,
                const double* roots) {
     dispatch<any_stage<2>, any_stage<4>, any_stage<8>>(in, out, factor, left, stride, twiddles, roots);
@@ -215,10 +215,10 @@ void fft_stage(const double* in, double* out, int factor, int left, int stride, 
 
 using Complex = std::complex<double>;
 
-/// Above this prime factor the chirp is cheaper than the direct sum; at most what fft_stage() takes.
+/// Largest prime factor for which the direct sum is cheaper than the chirp; at most the limit of fft_stage().
 constexpr int kLargestFactor = 61;
 
-/// exp(-2 pi i k / n), with k reduced first.
+/// Returns exp(-2 pi i k / n), with k reduced first.
 Complex root_of_unity(long long k, long long n) {
     return std::polar(1.0, -2 * std::numbers::pi * static_cast<double>(k % n) / static_cast<double>(n));
 }
@@ -233,7 +233,7 @@ std::vector<int> factors_of(int n) {
     return out;
 }
 
-/// The smallest product of 2, 3 and 5 that is not below `least`.
+/// Returns the smallest product of 2, 3 and 5 that is not below `least`.
 int smooth_length(int least) {
     int best = 1;
     while (best < least) best *= 2;
@@ -246,7 +246,7 @@ int smooth_length(int least) {
     return best;
 }
 
-/// The length itself, or the one a chirp needs.
+/// Returns the length itself, or the longer length that a chirp needs.
 int working_length(int length) {
     const std::vector<int> factors = factors_of(length);
     const bool direct = std::ranges::all_of(factors, [](int p) { return p <= kLargestFactor; });
@@ -325,7 +325,7 @@ const double* BatchFft::forward(double* data) {
     std::fill(long_a_.begin() + static_cast<std::ptrdiff_t>(n), long_a_.end(), 0.0);
     double* result = direct_.run(long_a_.data(), long_b_.data());
     multiply_elements(result, chirp_transform_);
-    // The transform back is the transform with real and imaginary parts exchanged, before and after.
+    // The inverse transform is the transform with real and imaginary parts exchanged before and after.
     const auto exchange = [](double* values, std::size_t size) {
         for (std::size_t i = 0; i < size; i += kElement)
             std::swap_ranges(values + i, values + i + kLanes, values + i + kLanes);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Complex Fourier transforms of eight sequences at once, one in each lane.
+// Complex Fourier transforms of eight sequences at once, with one sequence in each lane.
 #pragma once
 
 #include <complex>
@@ -8,8 +8,8 @@
 
 namespace nicol {
 
-/// Any length; large prime factors go through a chirp (Bluestein). Element i of the eight
-/// sequences lies at [16 i .. 16 i + 7] (real) and [16 i + 8 .. 16 i + 15] (imaginary).
+/// Fourier transform of any length. Large prime factors are transformed by a chirp (Bluestein). Element i of
+/// the eight sequences lies at [16 i .. 16 i + 7] (real) and [16 i + 8 .. 16 i + 15] (imaginary).
 class BatchFft {
 public:
     static constexpr std::size_t kLanes = 8;
@@ -17,8 +17,8 @@ public:
 
     explicit BatchFft(int length);
 
-    /// out_k = sum_n in_n exp(-2 pi i n k / length). Uses `data` as work space; the result is where the
-    /// returned pointer says, in data or in the object.
+    /// Computes out_k = sum_n in_n exp(-2 pi i n k / length). Uses `data` as work space and returns a pointer
+    /// to the result, which is in `data` or in the object.
     const double* forward(double* data);
 
 private:
@@ -29,14 +29,14 @@ private:
         std::vector<std::vector<std::complex<double>>> roots;     // by stage, exp(-2 pi i j / factor)
 
         explicit Factorised(int n);
-        /// Result in a or b.
+        /// Returns `a` or `b`, whichever holds the result.
         double* run(double* a, double* b) const;
     };
 
     Factorised direct_;
     std::vector<double> other_;
-    // Bluestein: the chirp exp(-pi i n^2 / length), and the transform of its conjugate over a longer power of
-    // two.
+    // Bluestein's chirp exp(-pi i n^2 / length), and the transform of its conjugate over a longer product of
+    // 2, 3 and 5.
     std::vector<std::complex<double>> chirp_;
     std::vector<std::complex<double>> chirp_transform_;
     std::vector<double> long_a_;

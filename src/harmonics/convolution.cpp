@@ -23,7 +23,7 @@ int order_of(const ConvolutionKernel& kernel) {
     const int order = static_cast<int>(kernel.size()) - 1;
     require_order(order);
     for (const KernelBand& k : kernel) {
-        // Finite as long as the sum of all is.
+        // The numbers are finite if their sum is.
         const Complex sum =
             k.k00 + k.k03 + k.k30 + k.k33 + k.p0 + k.p3 + k.from_p0 + k.from_p3 + k.iso + k.conj;
         require(std::isfinite(sum.real()) && std::isfinite(sum.imag()), "the kernel is not finite");
@@ -31,8 +31,8 @@ int order_of(const ConvolutionKernel& kernel) {
     return order;
 }
 
-/// What a band does to the four lanes of degree m (Eq. 69), without the scale of the band. The real part that
-/// Eq. 235 takes of a complex scalar field is half the sum with its conjugate.
+/// Returns the block of a band for the four lanes of degree m (Eq. 69), without the scale of the band. The
+/// real part that Eq. 235 takes of a complex scalar field is half the sum of the field and its conjugate.
 IsotropicMatrix::Block block_of(const KernelBand& k, int m) {
     const double sign = parity(m);
     return {k.k00,
@@ -53,13 +53,13 @@ IsotropicMatrix::Block block_of(const KernelBand& k, int m) {
             std::conj(k.iso)};
 }
 
-/// The band that block_of gives this block at m = 0.
+/// Returns the band for which block_of() gives this block at m = 0.
 KernelBand band_of(const IsotropicMatrix::Block& b) {
     return {b[0].real(), b[1].real(), b[4].real(), b[5].real(), b[8],
             b[9],        2.0 * b[2],  2.0 * b[6],  b[10],       b[11]};
 }
 
-/// Values of the four harmonics a kernel is expanded in, by l, at one angle.
+/// Values, by l, of the four harmonics in which a kernel is expanded, at one angle.
 struct KernelHarmonics {
     std::vector<double> scalar, spin2;
 
@@ -165,7 +165,7 @@ ConvolutionKernel compose(const ConvolutionKernel& second, const ConvolutionKern
     require(second.size() == first.size(), "the kernels differ in order");
     ConvolutionKernel out(first.size());
     for (std::size_t l = 0; l < out.size(); ++l) {
-        // Degree 0 holds all of a band.
+        // Degree 0 determines the whole band.
         const IsotropicMatrix::Block x = block_of(second[l], 0);
         const IsotropicMatrix::Block y = block_of(first[l], 0);
         IsotropicMatrix::Block z{};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Polarized spherical convolution.
+// Convolution of Stokes vector fields on the sphere with polarized kernels.
 #pragma once
 
 #include <complex>
@@ -23,34 +23,35 @@ struct KernelBand {
     std::complex<double> conj;                  ///< conjugation part, over 2Y_l2
 };
 
-/// A convolution kernel: one band an order, 0..order. Bands below l = 2 have no part with spin 2.
+/// Convolution kernel: one band per order, 0..order. Bands below l = 2 have no part with spin 2.
 using ConvolutionKernel = std::vector<KernelBand>;
 
-/// The kernel at an angle between input and output direction; frames with x along the great circle, pointing
-/// from input to output at both ends (Eq. 62).
+/// Kernel as a function of the angle between input and output direction. Both frames have x along the great
+/// circle, pointing from input to output (Eq. 62).
 using KernelFunction = std::function<Mueller(double theta)>;
 
-/// Coefficients by quadrature on the rows (Eq. 68). Throws Error(invalid_argument) for an order out of range
-/// or a value that is not finite.
+/// Returns the coefficients of a kernel by quadrature on the rows (Eq. 68). Throws Error(invalid_argument)
+/// for an order out of range or a value that is not finite.
 [[nodiscard]] ConvolutionKernel project_kernel(const KernelFunction& kernel, int order,
                                                const LatitudeRows& rows);
 
-/// The kernel function of the coefficients at an angle in [0, pi]: the inverse of project_kernel.
+/// Returns the kernel function of the coefficients at an angle in [0, pi]. The function is the inverse of
+/// project_kernel().
 [[nodiscard]] Mueller kernel_at(const ConvolutionKernel& kernel, double theta);
 
-/// The convolution of one channel (Eq. 69). in and out have the same length 4 * psh_count(order), order not
-/// above that of the kernel; they may be the same memory.
+/// Convolves one channel (Eq. 69). `in` and `out` have equal length 4 * psh_count(order), where order is not
+/// above the kernel's; they may be the same memory.
 void convolve(const ConvolutionKernel& kernel, std::span<const double> in, std::span<double> out);
 [[nodiscard]] PshVector convolved(const ConvolutionKernel& kernel, const PshVector& field);
 
-/// One convolution after another.
+/// Returns the kernel of the convolution by `first` followed by the convolution by `second`.
 [[nodiscard]] ConvolutionKernel compose(const ConvolutionKernel& second, const ConvolutionKernel& first);
 
-/// The convolution as an operator (supplement E.9).
+/// Returns the convolution as an operator (supplement E.9).
 [[nodiscard]] IsotropicMatrix kernel_matrix(const ConvolutionKernel& kernel);
 
-/// The kernel nearest to an operator in the Frobenius norm: the mean over m of the entries that a convolution
-/// has.
+/// Returns the kernel nearest to an operator in the Frobenius norm, which is the mean over m of the entries
+/// that a convolution has.
 [[nodiscard]] ConvolutionKernel nearest_kernel(const CoefficientMatrix& matrix);
 
 }  // namespace nicol

@@ -8,7 +8,7 @@
 
 namespace nicol {
 
-/// [l]: squares of the coefficients of order l summed over the degrees m, for each p = 0..3.
+/// Returns [l]: squares of the coefficients of order l summed over the degrees m, for each p = 0..3.
 [[nodiscard]] std::vector<Stokes> energy_per_order(const PshVector& field, int channel);
 
 }  // namespace nicol

@@ -16,8 +16,8 @@
 namespace nicol {
 namespace {
 
-/// Half-angle functions of theta and exp(i phi) without inverse functions, accurate next to both poles; phi
-/// is 0 on the axis. Throws Error(invalid_argument) for a direction without one.
+/// Half-angle functions of theta and exp(i phi), computed without inverse functions and accurate next to both
+/// poles; phi is 0 on the axis. Throws Error(invalid_argument) for a direction that is zero or not finite.
 struct Polar {
     HalfAngle half;
     std::complex<double> phase;
@@ -33,7 +33,7 @@ struct Polar {
         const double z = direction.z / largest;
         const double rho = std::hypot(x, y);
         const double length = std::hypot(rho, z);
-        // The larger of the two by a square root, the smaller from their product sin(theta) / 2.
+        // The larger of the two comes from a square root, the smaller from their product sin(theta) / 2.
         const double large = std::sqrt((1 + std::abs(z) / length) / 2);
         const double small = rho / length / (2 * large);
         half = z >= 0 ? HalfAngle{small, large} : HalfAngle{large, small};
@@ -41,14 +41,15 @@ struct Polar {
     }
 };
 
-/// z^m by index, each from two of half its degree so that errors grow with log m.
+/// Sets z^m by index. Each power is a product of two powers of half its degree, so that errors grow with log
+/// m.
 void set_powers(std::complex<double> z, std::span<std::complex<double>> powers) {
     powers[0] = 1;
     if (powers.size() > 1) powers[1] = z;
     for (std::size_t m = 2; m < powers.size(); ++m) powers[m] = powers[m / 2] * powers[m - m / 2];
 }
 
-/// The harmonics at one direction.
+/// Values of the harmonics at one direction.
 class Point {
 public:
     explicit Point(int order)
@@ -84,10 +85,10 @@ private:
     std::vector<std::complex<double>> phase_;
 };
 
-/// Directions at a time.
+/// Number of directions in one block.
 constexpr std::size_t kBlock = 256;
 
-/// Directions as rows of latitude of one point each: the Legendre step then runs over them in vectors.
+/// Directions as rows of latitude with one point each, so that the Legendre step runs over them in vectors.
 struct Block {
     LegendreTransform legendre;
     FourierRows fourier;
@@ -114,7 +115,7 @@ struct Block {
         return out;
     }
 
-    /// The Fourier series of row i at its azimuth.
+    /// Returns the Fourier series of row i at its azimuth.
     [[nodiscard]] Stokes sum(std::size_t i) const {
         const int row = static_cast<int>(i);
         const std::complex<double>* e = &phase[fourier.scalar_index(row, 0)];
@@ -133,7 +134,7 @@ struct Block {
         return s;
     }
 
-    /// The Fourier coefficients of a point of unit weight.
+    /// Sets the Fourier coefficients of row i to those of a point of unit weight.
     void spread(std::size_t i, const Stokes& s) {
         const int row = static_cast<int>(i);
         for (int m = 0; m <= fourier.order; ++m) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The Fourier step. s0 + i s3 and s1 + i s2 are one complex sequence each, and eight sequences of several
-// rows are transformed at once.
+// Fourier step of the transform. s0 + i s3 and s1 + i s2 are one complex sequence each, and eight sequences
+// of several rows are transformed at once.
 #include <cmath>
 #include <optional>
 
@@ -41,13 +41,13 @@ struct FourierTransform::Plan {
         if (LowDegrees::suits(order, columns)) low.emplace(order, columns);
     }
 
-    /// Where degree m stands in a transform.
+    /// Returns the index of degree m in a transform.
     [[nodiscard]] std::size_t bin(int m) const {
         return BatchFft::kElement * static_cast<std::size_t>(m >= 0 ? m : m + columns);
     }
     [[nodiscard]] Complex unit(int m) const { return phase[static_cast<std::size_t>(m)]; }
 
-    /// Lanes without a sequence would otherwise transform what earlier ones left, and grow without end.
+    /// Clears lanes without a sequence, which would otherwise transform old results and grow without end.
     void clear_unused() {
         for (std::size_t i = 0; i < data.size(); i += BatchFft::kLanes)
             for (std::size_t lane = lanes.size(); lane < BatchFft::kLanes; ++lane) data[i + lane] = 0;
@@ -74,7 +74,7 @@ struct FourierTransform::Plan {
         }
     }
 
-    /// s0, s3 and s1 + i s2 from sums with cosines and sines.
+    /// Stores s0, s3 and s1 + i s2 from sums with cosines and sines.
     void store_low_degrees(std::span<const double> sums, FourierRows& out, int row) const {
         const double scale = 1.0 / columns;
         for (int m = 0; m <= order; ++m) {
@@ -110,7 +110,7 @@ struct FourierTransform::Plan {
         }
     }
 
-    /// Real and imaginary part exchanged, which turns the transform into its inverse.
+    /// Loads a row with real and imaginary part exchanged, so that the transform is the inverse transform.
     void load_coefficients(const FourierRows& in, const Lane& lane, std::size_t at, int row) {
         double* to = data.data() + at;
         for (std::size_t i = 0; i < data.size(); i += BatchFft::kElement)
@@ -166,7 +166,7 @@ int FourierTransform::columns() const noexcept {
 
 namespace {
 
-/// Number of rows in `samples`.
+/// Returns the number of rows in `samples`.
 int count_rows(std::size_t samples, int columns, const FourierRows& fourier, int order, int first_row) {
     const std::size_t row = 4 * static_cast<std::size_t>(columns);
     require(samples > 0 && samples % row == 0, "samples holds " + std::to_string(samples) +

@@ -11,7 +11,8 @@ namespace {
 
 using std::numbers::pi;
 
-/// Rows with nothing but the south half to be filled in by mirroring.
+/// Returns `count` rows of zeros for set_pair(). Throws Error(invalid_argument) unless count is `least` to
+/// `most`.
 LatitudeRows empty_rows(int count, int least, int most) {
     require(count >= least && count <= most, "row count is " + std::to_string(count) + ", expected " +
                                                  std::to_string(least) + " to " + std::to_string(most));
@@ -36,7 +37,7 @@ void set_pair(LatitudeRows& rows, int north, double theta, double weight) {
     rows.weight[n] = rows.weight[s] = weight;
 }
 
-/// cos(i pi / n), i = 0..2n-1.
+/// Returns cos(i pi / n) for i = 0..2n-1.
 std::vector<double> cosines(int n) {
     std::vector<double> out(2 * static_cast<std::size_t>(n));
     for (int i = 0; i < 2 * n; ++i) out[static_cast<std::size_t>(i)] = std::cos(pi * i / n);
@@ -53,8 +54,8 @@ LatitudeRows gauss_legendre_rows(int count) {
     LatitudeRows rows = empty_rows(count, 1, kMaxGaussRows);
     const long double n = count;
     for (int j = 0; j < (count + 1) / 2; ++j) {
-        // Newton's method in theta: there the roots are almost evenly spaced and those next to the pole keep
-        // their relative accuracy.
+        // Newton's method runs in theta, because the roots are almost evenly spaced there and the roots next
+        // to the pole keep their relative accuracy.
         long double theta = (j + 0.75L) * std::numbers::pi_v<long double> / (n + 0.5L);
         long double slope = 1;
         bool converged = false;
@@ -71,7 +72,7 @@ LatitudeRows gauss_legendre_rows(int count) {
             slope = n * (x * p - previous) / std::sin(theta);
             const long double step = p / slope;
             theta -= step;
-            // One more round after convergence: the weight needs the slope at the root itself.
+            // One more round follows convergence, because the weight needs the slope at the root itself.
             if (converged) break;
             converged = std::abs(step) < 1e-9L / n;
         }

@@ -11,8 +11,8 @@
 
 namespace nicol {
 
-/// s0_lm, s3_lm over complex harmonics, w_lm, conj(w_l-m): a rotation by a about z multiplies all by exp(-i m
-/// a).
+/// Coefficients s0_lm and s3_lm over complex harmonics, w_lm, conj(w_l-m). A rotation by a about z multiplies
+/// all four by exp(-i m a).
 using IsotropicLanes = std::array<std::complex<double>, 4>;
 
 inline IsotropicLanes load_lanes(std::span<const double> f, int l, int m) {
@@ -39,7 +39,7 @@ inline void store_lanes(const IsotropicLanes& lanes, std::span<double> f, int l,
     p[2] = lanes[2].imag();
 }
 
-/// sum += a b without the special cases of infinities that std::complex must honour.
+/// Adds a b to sum, without the special cases of infinities that std::complex must honour.
 inline void multiply_add(std::complex<double>& sum, std::complex<double> a, std::complex<double> b) {
     sum = {sum.real() + (a.real() * b.real() - a.imag() * b.imag()),
            sum.imag() + (a.real() * b.imag() + a.imag() * b.real())};

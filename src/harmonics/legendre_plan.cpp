@@ -10,7 +10,7 @@ namespace {
 
 using std::numbers::pi;
 
-/// Below this many units of -log, a harmonic is taken for zero on a ring.
+/// Decay of a harmonic, in units of -log, beyond which it counts as zero on a ring.
 constexpr double kNegligible = 60;
 
 std::vector<LatitudeRing> pair_rows(const LatitudeRows& rows) {
@@ -77,8 +77,8 @@ void LegendreTransform::Plan::start_degree(int m, bool scalar, bool spin) {
             }
         }
     }
-    // Rings so near the pole that this and every higher degree vanishes on them, by the decay of the
-    // harmonics below their turning point (with two to spare for the spin).
+    // Skips rings so near the pole that this and every higher degree vanish on them, because the harmonics
+    // decay below their turning point (with a margin of two for the spin).
     while (skipped < rings.size() && m > 2) {
         const HalfAngle& half = rings[skipped].half;
         const double x = (order + 1) * 2 * half.sin * half.cos / (m - 2);
@@ -104,7 +104,7 @@ void LegendreTransform::Plan::fill_steps(std::size_t c, int m, int first) {
     }
 }
 
-/// Rings of chain c, from the first whole group that is not skipped.
+/// Returns the rings of chain c, from the first whole group that is not skipped.
 LegendreRings LegendreTransform::Plan::start(std::size_t c, int first) {
     from = skipped / kRingLanes * kRingLanes;
     const double norm = std::sqrt((2 * first + 1) / (4 * pi));

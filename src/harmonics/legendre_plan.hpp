@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Rings of latitude and their recurrences for the Legendre step: for each degree one over l for s0 and s3 and
-// two for s1 + i s2, on all rings at once.
+// Rings of latitude and their recurrences for the Legendre step. Each degree has one recurrence over l for s0
+// and s3 and two for s1 + i s2, on all rings at once.
 #pragma once
 
 #include "harmonics/legendre_recurrence.hpp"
@@ -9,7 +9,7 @@
 
 namespace nicol {
 
-/// Products of square roots that make the steps of every recurrence.
+/// Products of square roots from which the steps of every recurrence are made.
 struct RootTables {
     explicit RootTables(int order)
         : root(2 * static_cast<std::size_t>(order) + 4), inverse_root(root.size()), inverse_ll(root.size()) {
@@ -34,29 +34,31 @@ struct RootTables {
     std::vector<double> up[2], down[2];  // by |spin| / 2, then l
 };
 
-/// A latitude of the northern half and the rows at it and at its mirror image; -1 where there is none.
-/// Both share their recurrences, as d^l_{mn}(pi - theta) = (-1)^(l+m) d^l_{m,-n}(theta).
+/// Latitude of the northern half, and the indices of the rows at the latitude and at its mirror image; -1 if
+/// there is no row. Both rows share their recurrences, because d^l_{mn}(pi - theta) = (-1)^(l+m)
+/// d^l_{m,-n}(theta).
 struct LatitudeRing {
     HalfAngle half;
     int north = -1;
     int south = -1;
-    double north_weight = 0;  ///< 2 pi times the row's weight; 0 where there is no row
+    double north_weight = 0;  ///< 2 pi times the row's weight; 0 if there is no row
     double south_weight = 0;
 };
 
 struct LegendreTransform::Plan {
-    /// Second indices of d that have a chain of first values each.
+    /// Second indices of d. Each has a chain of first values.
     static constexpr int kSecond[3] = {0, -2, 2};
 
     Plan(int order_, LatitudeRows rows_);
 
-    /// First values at degree m of the chains of s0 and s3 (`scalar`) and of s1 + i s2 (`spin`); called for
-    /// m = 0, 1, 2 ... in turn.
+    /// Computes the first values at degree m of the chains of s0 and s3 (`scalar`) and of s1 + i s2 (`spin`).
+    /// Must be called for m = 0, 1, 2 ... in turn.
     void start_degree(int m, bool scalar, bool spin);
-    /// Fills steps with the recurrence of chain c at degree m from l = `first` on, for harmonics with their
-    /// norm.
+    /// Fills steps with the recurrence of chain c at degree m from l = `first` on, for harmonics that include
+    /// their norm.
     void fill_steps(std::size_t c, int m, int first);
-    /// Runs the recurrence over steps from l = `first`: from f of the steps to sums, and back.
+    /// Runs the recurrence over the steps from l = `first`. synthesize() computes sums from f of the steps;
+    /// analyze() computes f from sums.
     void synthesize(std::size_t c, int first, bool split);
     void analyze(std::size_t c, int first, bool split);
 
@@ -71,8 +73,8 @@ private:
     LegendreRings start(std::size_t c, int first);
 
     RootTables tables;
-    std::size_t padded = 0;   // rings, up to whole groups of kRingLanes
-    std::size_t skipped = 0;  // rings too near the pole for this degree
+    std::size_t padded = 0;   // number of rings, rounded up to whole groups of kRingLanes
+    std::size_t skipped = 0;  // number of rings too near the pole for this degree
     std::size_t from = 0;     // first ring of the first group that is not skipped
     std::vector<double> t, value;
     std::vector<int> exponent;

@@ -8,11 +8,11 @@
 namespace nicol {
 namespace {
 
-// Steps between two checks of the range: values grow by less than 2^7 a step.
+// Steps between two checks of the range, because values grow by less than 2^7 per step.
 constexpr int kCheckedSteps = 8;
 constexpr double kLargest = 0x1p100;
 
-// The recurrence on N vectors of Width rings.
+// State of the recurrence on N vectors of Width rings.
 template <int Width, int N>
 struct State {
     using Vector = typename DoubleVectors<Width>::Vector;
@@ -108,7 +108,7 @@ template <int Width, int N, bool Split>
         }
         state.rescale();
     }
-    Vector t[N], y[N], z[N];  // z: the order before y
+    Vector t[N], y[N], z[N];  // z: y of the order before
     for (int v = 0; v < N; ++v) {
         t[v] = state.t[v];
         y[v] = state.y[v];
@@ -130,7 +130,7 @@ template <int Width, int N, bool Split>
         }
 }
 
-// Lane k of `sums` becomes the sum of the lanes of v[k], for Width vectors.
+// Sets lane k of `sums` to the sum of the lanes of v[k], for Width vectors.
 template <int Width, class Vector>
 [[gnu::always_inline]] inline void sum_lanes(const Vector* v, Vector& sums) {
     if constexpr (Width == 2) {
@@ -155,7 +155,7 @@ template <int Width, class Vector>
     }
 }
 
-// Adds the sums of the lanes of dots[0..3] to step[0].f, of dots[4..7] to step[1].f.
+// Adds the sums of the lanes of dots[0..3] to step[0].f, and of dots[4..7] to step[1].f.
 template <int Width, class Vector>
 [[gnu::always_inline]] inline void add_to_steps(const Vector* dots, LegendreStep* step) {
     for (int k = 0; k < 8; k += Width) {
@@ -255,7 +255,8 @@ template <int Width, int Most>
     const int groups = (vectors + Most - 1) / Most;
     int done = 0;
     for (int g = 0; g < groups; ++g) {
-        // Groups of even size: a last one of a single vector would wait for its own recurrence.
+        // Groups are almost equal in size, because a last group of a single vector would wait for its own
+        // recurrence.
         const int size = (vectors - done + groups - g - 1) / (groups - g);
         const int first = done * Width;
         if (size == 1) work.template operator()<1>(first);
@@ -268,7 +269,8 @@ template <int Width, int Most>
     }
 }
 
-// Most: vectors that fit into registers beside the sums. Split sums are twice as many.
+// Runs synthesize_rings() on all rings. Most: vectors that fit into registers beside the sums. Split sums are
+// twice as many.
 template <int Width, int Most, bool Split>
 [[gnu::always_inline]] inline void synthesize_all(const LegendreStep* steps, int count,
                                                   const LegendreRings& rings, double* out, long stride) {

@@ -5,8 +5,8 @@
 
 namespace nicol {
 
-/// One order of y_{l+1} = (p - q t) y_l - c y_{l-1} with t = 2 sin^2(theta/2), and the four real coefficients
-/// that multiply y_l.
+/// Step of one order: y_{l+1} = (p - q t) y_l - c y_{l-1} with t = 2 sin^2(theta/2), and the four real
+/// coefficients that multiply y_l.
 struct LegendreStep {
     double p, q, c, unused;
     double f[4];
@@ -23,12 +23,13 @@ struct LegendreRings {
 
 inline constexpr int kRingLanes = 8;
 
-/// out[set * 4 + k][ring] = sum over steps of f[k] y(ring); `stride` between the rows of out. Sums come in
-/// two sets of four, over even and odd steps; `split` false adds both into the first.
+/// Computes out[set * 4 + k][ring] = sum over steps of f[k] y(ring); `stride` is the distance between the
+/// rows of out. Sums come in two sets of four, over even and odd steps; without `split` both are added into
+/// the first set.
 void synthesize(const LegendreStep* steps, int count, const LegendreRings& rings, bool split, double* out,
                 long stride);
 
-/// steps[i].f[k] = sum over rings of in[set * 4 + k][ring] y_i(ring), sets as in synthesize().
+/// Computes steps[i].f[k] = sum over rings of in[set * 4 + k][ring] y_i(ring), with the sets of synthesize().
 void analyze(LegendreStep* steps, int count, const LegendreRings& rings, bool split, const double* in,
              long stride);
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The Legendre step: coefficients to the steps of the recursions and sums on rings to rows, and back.
+// Legendre step of the transform: from coefficients to the steps of the recurrences, from sums on rings to
+// rows, and back.
 #include <algorithm>
 #include <limits>
 #include <numbers>
@@ -13,7 +14,7 @@ namespace {
 using Complex = std::complex<double>;
 using std::numbers::pi;
 
-/// Whether there are coefficients of s0 or s3, and of s1 + i s2: what is zero is not computed.
+/// Whether there are coefficients of s0 or s3, and of s1 + i s2. Parts that are zero are not computed.
 struct Contents {
     bool scalar = false;
     bool spin = false;
@@ -29,7 +30,7 @@ Contents contents(std::span<const double> f) {
     return out;
 }
 
-// Both without a way out of the loop, which vectorises.
+// Both functions have loops without an early exit, because such loops vectorise.
 bool any(const std::vector<Complex>& values) {
     int found = 0;
     for (const Complex& v : values) found |= (v.real() != 0 ? 1 : 0) | (v.imag() != 0 ? 1 : 0);
@@ -116,7 +117,8 @@ void LegendreTransform::synthesize(std::span<const double> f, FourierRows& fouri
         if (!has_spin) continue;
         const int first = std::max(m, 2);
         for (const int n : {-2, 2}) {
-            // n = -2 makes degree m in the north and -m in the south, n = 2 the other two.
+            // n = -2 gives degree m in the north and -m in the south; n = 2 gives -m in the north and m in
+            // the south.
             if (m == 0 && n == 2) continue;
             p.fill_steps(n < 0 ? 1 : 2, m, first);
             const int north = n < 0 ? m : -m;
@@ -212,7 +214,7 @@ void LegendreTransform::analyze(const FourierRows& fourier, std::span<double> f)
             }
         }
     }
-    // What is not finite in any sample has spread to the coefficients of its row's harmonics.
+    // A sample that is not finite has spread to the coefficients of its row's harmonics.
     require(all_finite(f),
             "the coefficients are not finite: a sample is not a number, infinite or too large");
 }

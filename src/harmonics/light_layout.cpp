@@ -15,7 +15,7 @@ constexpr double kRootHalf = std::numbers::sqrt2 / 2;
 
 using Harmonic = LightLayout::Harmonic;
 
-// Of odd = 0 or 1, the harmonics with (l + m) mod 2 = odd.
+// Returns the harmonics with (l + m) mod 2 = odd, for odd = 0 or 1.
 std::vector<Harmonic> scalar_harmonics(int order, int odd) {
     std::vector<Harmonic> out;
     for (int m = 0; m <= order; ++m) {
@@ -25,7 +25,8 @@ std::vector<Harmonic> scalar_harmonics(int order, int odd) {
     return out;
 }
 
-// For m = 0, even l first: those are cosines, odd l sines.
+// Returns the harmonics of the spin-2 part. For m = 0, even l come first, because they are cosines and odd l
+// are sines.
 std::vector<Harmonic> spin_group(int order) {
     std::vector<Harmonic> out;
     for (int l = 2; l <= order; l += 2) out.push_back({l, 0});
@@ -74,9 +75,9 @@ void LightLayout::add_scalar_terms(std::size_t p) {
     }
 }
 
-// With f_m the coefficients of f = e + i o, and f_-m times (-1)^l: e has (Re f_m + Re f_-m) / sqrt 2 for
-// cosines and (Im f_-m - Im f_m) / sqrt 2 for sines, o has (Im f_m + Im f_-m) / sqrt 2 and (Re f_m - Re f_-m)
-// / sqrt 2.
+// Adds the terms of e, or of o if `times_i`. With f_m the coefficients of f = e + i o, and f_-m multiplied by
+// (-1)^l, e has (Re f_m + Re f_-m) / sqrt 2 for cosines and (Im f_-m - Im f_m) / sqrt 2 for sines, and o has
+// (Im f_m + Im f_-m) / sqrt 2 for cosines and (Re f_m - Re f_-m) / sqrt 2 for sines.
 void LightLayout::add_spin_terms(bool times_i) {
     for (const auto& [l, m] : spin_) {
         const bool sine = m < 0 || (m == 0 && l % 2 != 0);
@@ -107,7 +108,7 @@ void LightLayout::add_runs(int m, std::size_t& even, std::size_t& odd, std::size
     add_scalars(LightKind::unpolarized, m, evens, even);
     add_scalars(LightKind::unpolarized, m + 1, odds, odd);
     if (kind_ != LightKind::unpolarized) {
-        const std::size_t o = spin_.size();  // from a number of e to that of o
+        const std::size_t o = spin_.size();  // offset from a number of e to the number of o
         if (m == 0) {
             const std::size_t cosines = count_of(2, 2, order_);
             const std::size_t sines = count_of(3, 2, order_);

@@ -13,7 +13,7 @@ namespace {
 
 using Four = DoubleVectors<4>::Vector;
 
-// Every second degree, `N` of them, each its cosine and its sine: 2 N chains of additions.
+// Adds `N` degrees, every second one, each with its cosine and its sine: 2 N chains of additions.
 template <int N>
 [[gnu::always_inline]] inline void add_degrees(const double* cosine, const double* sine, long count,
                                                const double* table, double* sums) {
@@ -73,7 +73,8 @@ LowDegrees::LowDegrees(int order, int columns)
       columns_(columns),
       folded_(16 * kBlock),
       sums_(8 * (static_cast<std::size_t>(order) + 1)) {
-    // Columns 0 to columns / 4; the first and the last stand for two points of the row, not four.
+    // Columns 0 to columns / 4. The first and the last column stand for two points of the row, the others for
+    // four.
     const int quarter = columns / 4;
     for (int first = 0; first <= quarter; first += kBlock)
         for (int m = 0; m <= order; ++m)

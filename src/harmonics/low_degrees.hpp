@@ -13,18 +13,19 @@ namespace nicol {
 /// holds cosine_0, cosine_1, sine_0 and sine_1, each of `count` groups of four.
 void add_low_degrees(const double* folded, int count, const double* table, int degrees, double* sums);
 
-/// The four points of a row that mirror each other in the axes share their cosines and sines, so a degree
-/// costs half a multiplication a sample and component.
+/// Fourier sums of a row. The four points of the row that are mirror images of each other in the axes share
+/// their cosines and sines, so a degree costs half a multiplication per sample and component.
 class LowDegrees {
 public:
-    /// Whether this is faster than a transform.
+    /// Returns whether the sums are faster than a transform.
     [[nodiscard]] static bool suits(int order, int columns) {
         return columns % 4 == 0 && columns >= 8 * order && columns >= 64 && order <= 64;
     }
 
     LowDegrees(int order, int columns);
 
-    /// Sums over c of samples[c][p] cos(2 pi m c / columns) at [2 m][p], of sines at [2 m + 1][p].
+    /// Returns the sums over c of samples[c][p] cos(2 pi m c / columns) at [2 m][p], and of the product with
+    /// the sine at [2 m + 1][p].
     std::span<const double> sums(std::span<const double> samples);
 
 private:

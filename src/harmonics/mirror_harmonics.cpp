@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kRoot2 = std::numbers::sqrt2;
 
-// The harmonics sY_lm of each row at phi = 0.
+// Returns the harmonics sY_lm of each row at phi = 0.
 std::vector<std::vector<double>> values(int spin, int order, const UpperRows& rows) {
     std::vector<std::vector<double>> out;
     for (std::size_t j = 0; j < rows.count(); ++j) {
@@ -44,9 +44,10 @@ std::vector<SeparatedHarmonic> separate_scalars(const std::vector<LightLayout::H
     return out;
 }
 
-// s1 + i s2 of the harmonic m > 0 is (2Y_lm e^{i m phi} + (-1)^l 2Y_l,-m e^{-i m phi}) / sqrt 2, so that the
-// sum of the two goes with cos m phi in s1, and the difference with sin m phi in s2. For m < 0 there is -i in
-// front and minus between: the sum goes with sin in s1, the difference with -cos in s2.
+// Separates the spin harmonics. For m > 0, s1 + i s2 is (2Y_lm e^{i m phi} + (-1)^l 2Y_l,-m e^{-i m phi}) /
+// sqrt 2, so that the sum of the two terms goes with cos m phi in s1, and the difference with sin m phi in
+// s2. For m < 0 the factor is -i and the second term is subtracted, so that the sum goes with sin in s1, and
+// the difference with -cos in s2.
 std::vector<SeparatedHarmonic> separate_spins(const std::vector<LightLayout::Harmonic>& harmonics,
                                               const UpperRows& rows) {
     const auto on_rows = values(2, highest_order(harmonics), rows);

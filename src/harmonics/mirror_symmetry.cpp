@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The mirror image in the plane y = 0 takes blocks to their conjugates and changes the sign of the lane of
-// s3: what mixes s3 with the others is imaginary in a symmetric operator, the rest real.
+// Mirror symmetry of isotropic operators. The mirror image in the plane y = 0 takes blocks to their
+// conjugates and changes the sign of the lane of s3. In a symmetric operator, elements that mix s3 with the
+// other lanes are therefore imaginary, and the rest is real.
 #include "harmonics/mirror_symmetry.hpp"
 
 #include <algorithm>
@@ -18,8 +19,8 @@ Complex symmetric_part(std::size_t element, Complex value) {
 
 }  // namespace
 
-// A scalar pair of degrees +-m is one complex number of 1/sqrt2 its length, and at m = 0 the last lane
-// repeats the third.
+// A scalar pair of degrees +-m is one complex number of 1/sqrt2 its length. At m = 0 the last lane repeats
+// the third.
 double block_weight(int m, std::size_t out, std::size_t in) {
     const bool scalar_out = out < 2;
     const bool scalar_in = in < 2;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Operators: storage, product and composition.
+// Linear operators on Stokes vector fields: storage, product and composition.
 #include "harmonics/operator.hpp"
 
 #include <algorithm>

@@ -14,11 +14,12 @@
 
 namespace nicol {
 
-/// Any real-linear operator between coefficient vectors (Eq. 40), dense.
+/// Dense matrix of any real-linear operator between coefficient vectors (Eq. 40).
 class CoefficientMatrix {
 public:
     CoefficientMatrix() = default;
-    /// All zero. Throws Error(invalid_argument) unless both orders are within 0..kMaxDenseOrder.
+    /// Makes a matrix of zeros. Throws Error(invalid_argument) unless both orders are within
+    /// 0..kMaxDenseOrder.
     CoefficientMatrix(int order_out, int order_in);
 
     static constexpr int kMaxDenseOrder = 64;
@@ -28,7 +29,8 @@ public:
     [[nodiscard]] std::size_t rows() const noexcept { return 4 * psh_count(order_out_); }
     [[nodiscard]] std::size_t columns() const noexcept { return 4 * psh_count(order_in_); }
 
-    /// Element between position 4 * psh_index(l, m) + p of the output and of the input; not range-checked.
+    /// Returns the element between position 4 * psh_index(l, m) + p of the output and of the input; not
+    /// range-checked.
     [[nodiscard]] double& operator()(std::size_t row, std::size_t column) {
         return data_[row * columns() + column];
     }
@@ -38,7 +40,7 @@ public:
     [[nodiscard]] std::span<double> data() noexcept { return data_; }
     [[nodiscard]] std::span<const double> data() const noexcept { return data_; }
 
-    /// out = matrix * in, one channel; the spans must not overlap.
+    /// Computes out = matrix * in for one channel; the spans must not overlap.
     void apply(std::span<const double> in, std::span<double> out) const;
 
 private:
@@ -47,35 +49,36 @@ private:
     std::vector<double> data_;
 };
 
-/// `second` after `first`. Throws Error(invalid_argument) unless the orders between them agree.
+/// Returns `second` after `first`. Throws Error(invalid_argument) unless the orders between them agree.
 [[nodiscard]] CoefficientMatrix compose(const CoefficientMatrix& second, const CoefficientMatrix& first);
 
-/// An operator that commutes with rotations about z, such as an isotropic pBRDF in the frame of its surface.
-/// It keeps the degree (Eqs. 52, 53), so all of it is one complex 4 x 4 block for each (m >= 0, l_out, l_in)
-/// that acts on (s0_lm, s3_lm, w_lm, conj w_l-m): complex harmonics coefficients of s0 and s3, and w = s1 + i
-/// s2. The blocks between spin 2 and itself hold the isomorphic part P_lm,lm and the conjugation part
-/// P_lm,l-m.
+/// Operator that commutes with rotations about z, such as an isotropic pBRDF in the frame of its surface. The
+/// operator keeps the degree (Eqs. 52, 53), so it consists of one complex 4 x 4 block for each (m >= 0,
+/// l_out, l_in). A block acts on (s0_lm, s3_lm, w_lm, conj w_l-m): the coefficients of s0 and s3 over complex
+/// harmonics, and w = s1 + i s2. The elements between spin 2 and spin 2 hold the isomorphic part P_lm,lm and
+/// the conjugation part P_lm,l-m.
 class IsotropicMatrix {
 public:
     using Block = std::array<std::complex<double>, 16>;  ///< row-major
 
     IsotropicMatrix() = default;
-    /// All zero. Throws Error(invalid_argument) for an order out of range.
+    /// Makes a matrix of zeros. Throws Error(invalid_argument) for an order out of range.
     IsotropicMatrix(int order_out, int order_in);
 
     [[nodiscard]] int order_out() const noexcept { return order_out_; }
     [[nodiscard]] int order_in() const noexcept { return order_in_; }
-    /// 0 <= m <= min(order_out, order_in), l_out and l_in from m on; not range-checked.
+    /// Returns the block for 0 <= m <= min(order_out, order_in), with l_out and l_in from m on; not
+    /// range-checked.
     [[nodiscard]] Block& block(int m, int l_out, int l_in) { return blocks_[position(m, l_out, l_in)]; }
     [[nodiscard]] const Block& block(int m, int l_out, int l_in) const {
         return blocks_[position(m, l_out, l_in)];
     }
 
-    /// All of one m, [l_out][l_in].
+    /// Returns all blocks of one m, [l_out][l_in].
     [[nodiscard]] std::span<Block> blocks(int m) { return {&block(m, m, m), count(m)}; }
     [[nodiscard]] std::span<const Block> blocks(int m) const { return {&block(m, m, m), count(m)}; }
 
-    /// out = matrix * in, one channel; the spans must not overlap.
+    /// Computes out = matrix * in for one channel; the spans must not overlap.
     void apply(std::span<const double> in, std::span<double> out) const;
     [[nodiscard]] CoefficientMatrix dense() const;
 
@@ -97,34 +100,36 @@ private:
 
 [[nodiscard]] IsotropicMatrix compose(const IsotropicMatrix& second, const IsotropicMatrix& first);
 
-/// A Mueller transform field (Eq. 38): the matrix from the theta-phi frame of the incoming propagation
-/// direction to that of the outgoing one, cosine factors included.
+/// Mueller transform field (Eq. 38): the matrix from the theta-phi frame of the incoming propagation
+/// direction to the theta-phi frame of the outgoing direction, cosine factors included.
 using MuellerField = std::function<Mueller(const glm::dvec3& in, const glm::dvec3& out)>;
 
-/// The directions a Mueller field is sampled at.
+/// Directions at which a Mueller field is sampled.
 struct SphereGrid {
     LatitudeRows rows;
     int columns = 0;
 };
 
-/// Coefficient matrix by quadrature (Eq. 40); exact where the field is band-limited and the grids resolve it.
-/// Throws Error(invalid_argument) for grids too coarse for the orders or a value that is not finite.
+/// Returns the coefficient matrix by quadrature (Eq. 40); exact if the field is band-limited and the grids
+/// resolve it. Throws Error(invalid_argument) for grids too coarse for the orders or a value that is not
+/// finite.
 [[nodiscard]] CoefficientMatrix project(const MuellerField& field, int order_out, const SphereGrid& out,
                                         int order_in, const SphereGrid& in);
 
-/// A Mueller field that depends on the azimuths only by their difference: zenith angles of the incoming and
-/// outgoing propagation directions, and phi = phi_in - phi_out; frames as in MuellerField.
+/// Mueller field that depends on the azimuths only by their difference. Arguments: zenith angles of the
+/// incoming and outgoing propagation directions, and phi = phi_in - phi_out. Frames are those of
+/// MuellerField.
 using IsotropicMuellerField = std::function<Mueller(double theta_in, double theta_out, double phi)>;
 
-/// The same for an isotropic field, which is sampled at out.columns = 1 azimuth only.
+/// Projects an isotropic field, which is sampled at one outgoing azimuth only (out.columns = 1).
 [[nodiscard]] IsotropicMatrix project_isotropic(const IsotropicMuellerField& field, int order_out,
                                                 const LatitudeRows& out, int order_in, const SphereGrid& in);
 
-/// The mirror image in the plane z = 0 (supplement E.6): spin-2 coefficients become (-1)^l conj(f_l,-m) (Eq.
-/// 214 with its conjugation), s0 gains (-1)^(l+m), and s3 -(-1)^(l+m), as a mirror image rotates the other
-/// way round.
+/// Returns the mirror image in the plane z = 0 (supplement E.6): spin-2 coefficients become (-1)^l
+/// conj(f_l,-m) (Eq. 214 with its conjugation), s0 gains (-1)^(l+m), and s3 gains -(-1)^(l+m), because a
+/// mirror image rotates the other way round.
 [[nodiscard]] PshVector reflected(const PshVector& field);
-/// The same as an operator.
+/// Returns reflected() as an operator.
 [[nodiscard]] IsotropicMatrix reflection_matrix(int order);
 
 }  // namespace nicol

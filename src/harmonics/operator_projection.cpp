@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Coefficient matrices of Mueller transform fields.
+// Projection of Mueller transform fields to coefficient matrices.
 #include <cmath>
 #include <numbers>
 
@@ -31,7 +31,7 @@ void require_finite(const Mueller& m) {
             require(std::isfinite(m(i, j)), "the Mueller field is not finite");
 }
 
-/// M in the basis (s0, s3, w, conj w) on both sides, w = s1 + i s2.
+/// Returns M in the basis (s0, s3, w, conj w) on both sides, with w = s1 + i s2.
 std::array<Complex, 16> in_complex_basis(const Mueller& m) {
     constexpr std::array<std::size_t, 2> scalar = {0, 3};
     std::array<Complex, 16> out;
@@ -50,7 +50,7 @@ std::array<Complex, 16> in_complex_basis(const Mueller& m) {
     return out;
 }
 
-/// Values of the harmonics of the four lanes at one latitude.
+/// Values, at one latitude, of the harmonics of the four lanes.
 class LaneHarmonics {
 public:
     LaneHarmonics(int order, double sin_half, double cos_half)
@@ -84,8 +84,8 @@ CoefficientMatrix project(const MuellerField& field, int order_out, const Sphere
     const std::vector<glm::dvec3> from = directions(in);
     const std::vector<glm::dvec3> to = directions(out);
     const std::size_t n = matrix.columns();
-    // First the incoming side: a row of the Mueller matrix, seen as a Stokes vector field over the incoming
-    // directions, has the wanted inner products as its coefficients.
+    // The incoming side comes first. A row of the Mueller matrix is a Stokes vector field over the incoming
+    // directions, and the wanted inner products are its coefficients.
     std::vector<double> partial(to.size() * 4 * n);
     std::vector<double> samples(4 * 4 * from.size());
     for (std::size_t o = 0; o < to.size(); ++o) {
@@ -123,7 +123,7 @@ IsotropicMatrix project_isotropic(const IsotropicMuellerField& field, int order_
     for (std::size_t c = 0; c < columns; ++c)
         turn[c] = std::polar(1.0, 2 * pi * static_cast<double>(c) / in.columns);
     std::vector<IsotropicMatrix::Block> ring(columns);
-    // Over the incoming side at one outgoing zenith angle: [m][l_in].
+    // Integral over the incoming side at one outgoing zenith angle: [m][l_in].
     std::vector<IsotropicMatrix::Block> row(psh_count(order_in));
     for (std::size_t o = 0; o < out.theta.size(); ++o) {
         std::ranges::fill(row, IsotropicMatrix::Block{});

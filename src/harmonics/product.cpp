@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Products with a scalar field, by triple products and by a grid.
+// Products of a scalar field and a Stokes vector field, by triple products and by a grid.
 #include "harmonics/product.hpp"
 
 #include <algorithm>
@@ -14,7 +14,8 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// Rows and columns that integrate the product of all three exactly.
+/// Returns the number of rows that integrates the product of all three fields exactly; grid_columns() returns
+/// the number of columns.
 int grid_rows(int scalar_order, int field_order, int order_out) {
     for (const int order : {scalar_order, field_order, order_out}) require_order(order);
     return (scalar_order + field_order + order_out) / 2 + 1;
@@ -84,7 +85,8 @@ CoefficientMatrix ShadowMatrix::expand(std::span<const double> scalar) const {
                     out(4 * row + 2, 4 * column + 1) = sum2.imag();
                     out(4 * row + 1, 4 * column + 2) = -sum2.imag();
                 }
-    // Both sides of the scalar block to real harmonics: each real input is at most two complex ones.
+    // Both sides of the scalar block are converted to real harmonics: each real input is at most two complex
+    // inputs.
     std::vector<Complex> unit(n_in);
     std::vector<Complex> mixed(n_in);
     std::vector<Complex> result(n_out);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A scalar field, such as visibility, times a Stokes vector field.
+// Products of a scalar field, such as visibility, and a Stokes vector field.
 #pragma once
 
 #include <memory>
@@ -12,23 +12,23 @@
 
 namespace nicol {
 
-/// Expands a scalar field into the matrix that multiplies by it (Eq. 54), from integrals of triple products
-/// that are computed once. Exact for a scalar field of order scalar_order; order_out + order_in is all that
-/// can count.
+/// Expansion of a scalar field into the matrix that multiplies by it (Eq. 54), from integrals of triple
+/// products that are computed once. Exact for a scalar field of order scalar_order; orders above order_out +
+/// order_in have no effect.
 class ShadowMatrix {
 public:
-    /// Throws Error(invalid_argument) for orders outside 0..CoefficientMatrix::kMaxDenseOrder (scalar: twice
-    /// that).
+    /// Throws Error(invalid_argument) for orders outside 0..CoefficientMatrix::kMaxDenseOrder (scalar_order:
+    /// twice that).
     ShadowMatrix(int scalar_order, int order_out, int order_in);
 
-    /// scalar: psh_count(scalar_order) coefficients over real harmonics. The result has only 0-0 and 2-2
-    /// blocks.
+    /// Returns the matrix of a scalar field. scalar: psh_count(scalar_order) coefficients over real
+    /// harmonics. The matrix has only 0-0 and 2-2 blocks.
     [[nodiscard]] CoefficientMatrix expand(std::span<const double> scalar) const;
 
 private:
     struct Run {
         int first = 0;           // lowest order of the scalar field
-        std::size_t offset = 0;  // into spin0_ and spin2_
+        std::size_t offset = 0;  // index in spin0_ and spin2_
         int count = 0;
     };
 
@@ -40,15 +40,16 @@ private:
     std::vector<double> spin2_;
 };
 
-/// The product itself through a grid, exact when the orders are those of the factors: O(L^3), no matrix.
+/// Product of two fields, computed on a grid: exact if the factors have the given orders, O(L^3), no matrix.
 /// Holds its work space; not for use by two threads at once.
 class PshProduct {
 public:
-    /// The product's coefficients up to order_out; what lies above is cut. Throws Error(invalid_argument) for
-    /// an order out of range.
+    /// Makes a product with coefficients up to order_out; higher orders are cut. Throws
+    /// Error(invalid_argument) for an order out of range.
     PshProduct(int scalar_order, int field_order, int order_out);
 
-    /// scalar: psh_count(scalar_order) coefficients over real harmonics; field and out: one channel.
+    /// Multiplies two fields. scalar: psh_count(scalar_order) coefficients over real harmonics; field and
+    /// out: one channel.
     void multiply(std::span<const double> scalar, std::span<const double> field, std::span<double> out);
 
 private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Coefficient vectors.
+// Coefficient vectors of polarized spherical harmonics.
 #include "harmonics/psh.hpp"
 
 #include <algorithm>

@@ -8,32 +8,33 @@
 
 namespace nicol {
 
-/// Highest order any function of the library accepts.
+/// Highest order that any function of the library accepts.
 inline constexpr int kMaxOrder = 4096;
 
-/// Position of (l, m) in a coefficient vector: l*l + l + m.
+/// Returns the position of (l, m) in a coefficient vector: l*l + l + m.
 [[nodiscard]] constexpr std::size_t psh_index(int l, int m) {
     return static_cast<std::size_t>(l * l + l + m);
 }
 
-/// Number of (l, m) pairs for orders 0..order.
+/// Returns the number of (l, m) pairs for orders 0..order.
 [[nodiscard]] constexpr std::size_t psh_count(int order) {
     return static_cast<std::size_t>(order + 1) * static_cast<std::size_t>(order + 1);
 }
 
-/// A Stokes vector field as coefficients [channel][psh_index(l, m)][p], p = 0..3. p = 0, 3 are over real
+/// Stokes vector field as coefficients [channel][psh_index(l, m)][p], p = 0..3. p = 0, 3 are over real
 /// harmonics; p = 1, 2 are the real and imaginary part of the complex spin-2 coefficient and are zero below l
-/// = 2. The field is a function of the PROPAGATION direction of the light, its components measured in the
+/// = 2. The field is a function of the PROPAGATION direction of the light. Its components are in the
 /// theta-phi frame.
 class PshVector {
 public:
     PshVector() = default;
-    /// All zero. Throws Error(invalid_argument) unless 0 <= order <= kMaxOrder and channels >= 1.
+    /// Makes a field of zeros. Throws Error(invalid_argument) unless 0 <= order <= kMaxOrder and channels >=
+    /// 1.
     PshVector(int order, int channels);
 
     [[nodiscard]] int order() const noexcept { return order_; }
     [[nodiscard]] int channels() const noexcept { return channels_; }
-    /// Coefficients of one channel, 4 * psh_count(order()) values.
+    /// Returns the coefficients of one channel, 4 * psh_count(order()) values.
     [[nodiscard]] std::span<double> channel(int c);
     [[nodiscard]] std::span<const double> channel(int c) const;
     [[nodiscard]] double& at(int c, int l, int m, int p);
@@ -47,12 +48,13 @@ private:
     std::vector<double> data_;
 };
 
-/// The field to this order: orders above it are left out, those that the field lacks are zero. Throws
-/// Error(invalid_argument) unless 0 <= order <= kMaxOrder.
+/// Returns the field with orders up to `order`: higher orders are left out, and missing orders are zero.
+/// Throws Error(invalid_argument) unless 0 <= order <= kMaxOrder.
 [[nodiscard]] PshVector with_order(const PshVector& field, int order);
 
-/// Multiplies the coefficients of order l, of all components alike so that degrees of polarization survive,
-/// by gains[l]. Throws Error(invalid_argument) unless there is a gain for each of the field's orders.
+/// Multiplies the coefficients of order l by gains[l], equally for all components so that degrees of
+/// polarization survive. Throws Error(invalid_argument) unless there is a gain for each of the field's
+/// orders.
 void scale_orders(PshVector& field, std::span<const double> gains);
 
 }  // namespace nicol

@@ -14,7 +14,7 @@ inline void require_order(int order) {
         refuse("order is " + std::to_string(order) + ", expected 0 to " + std::to_string(kMaxOrder));
 }
 
-/// (-1)^k for any integer k.
+/// Returns (-1)^k for any integer k.
 constexpr double parity(int k) {
     return (k & 1) != 0 ? -1.0 : 1.0;
 }

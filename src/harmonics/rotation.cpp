@@ -15,7 +15,8 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// Unit quaternion (w, x, y, z) of a rotation, from the largest of its four components (Shepperd).
+/// Returns the unit quaternion (w, x, y, z) of a rotation, from the largest of its four components
+/// (Shepperd).
 std::array<double, 4> quaternion(const glm::dmat3& r) {
     const double xx = r[0][0];
     const double yy = r[1][1];
@@ -53,7 +54,8 @@ Complex unit(double re, double im) {
     return length > 0 ? Complex(re / length, im / length) : Complex(1, 0);
 }
 
-/// conj(z)^m for m = 0..order, each from two of half its degree so that errors grow with log m.
+/// Returns conj(z)^m for m = 0..order. Each power is a product of two powers of half its degree, so that
+/// errors grow with log m.
 std::vector<Complex> conjugate_powers(Complex z, int order) {
     std::vector<Complex> powers(static_cast<std::size_t>(order) + 1);
     powers[0] = 1;
@@ -62,8 +64,8 @@ std::vector<Complex> conjugate_powers(Complex z, int order) {
     return powers;
 }
 
-// Four lanes a degree: the complex harmonics coefficient of s0 + i s3 and that of s1 + i s2. As s0 and s3 are
-// real fields, the complex sum loses nothing, and both lanes rotate by the same D (Eqs. 9 and 36).
+// Four lanes per degree: the complex-harmonics coefficients of s0 + i s3 and of s1 + i s2. Because s0 and s3
+// are real fields, the complex sum loses nothing, and both coefficients rotate by one D (Eqs. 9 and 36).
 struct Lanes {
     double v[4];
 };
@@ -119,7 +121,8 @@ void store(int l, const Lanes* in, const std::vector<Complex>& phase, double* ou
     }
 }
 
-// out[row] = sum over columns of d[row * width + column] in[column], in and out in groups of four.
+// Computes out[row] = sum over columns of d[row * width + column] in[column], with in and out in groups of
+// four.
 [[gnu::always_inline]] inline void multiply_fours(int width, const double* d, const double* in, double* out) {
     using Four = DoubleVectors<4>::Vector;
     for (int row = 0; row < width; ++row, d += width) {
@@ -156,7 +159,7 @@ EulerZyz euler_zyz(const glm::dmat3& r) {
                                    "), expected at most 1e-5");
     require(determinant > 0, "rotation is a reflection (determinant -1), expected a right-handed matrix");
     const auto [w, x, y, z] = quaternion(r);
-    // Half the sum and half the difference of alpha and gamma stand in the quaternion as they are.
+    // The quaternion directly contains half the sum and half the difference of alpha and gamma.
     const Complex sum = unit(w, z);
     const Complex difference = unit(y, x);
     return {sum * std::conj(difference), sum * difference, std::hypot(x, y), std::hypot(w, z)};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Rotation of Stokes vector fields in coefficients.
+// Rotation of Stokes vector fields that are given by coefficients.
 #pragma once
 
 #include <complex>
@@ -12,8 +12,8 @@
 
 namespace nicol {
 
-/// ZYZ Euler angles by the quantities a rotation of harmonics needs; no angle is ever formed, so beta = 0 and
-/// beta = pi lose nothing. R = Rz(alpha) Ry(beta) Rz(gamma).
+/// ZYZ Euler angles by the quantities that a rotation of harmonics needs. No angle is ever formed, so beta =
+/// 0 and beta = pi lose nothing. R = Rz(alpha) Ry(beta) Rz(gamma).
 struct EulerZyz {
     std::complex<double> alpha;  ///< exp(i alpha)
     std::complex<double> gamma;  ///< exp(i gamma)
@@ -21,15 +21,15 @@ struct EulerZyz {
     double cos_half_beta;
 };
 
-/// Throws Error(invalid_argument) unless `rotation` is orthonormal to 1e-5 and right-handed; what remains of
-/// the deviation is removed.
+/// Returns the Euler angles of a rotation. Throws Error(invalid_argument) unless `rotation` is orthonormal to
+/// 1e-5 and right-handed. The remaining deviation is removed.
 [[nodiscard]] EulerZyz euler_zyz(const glm::dmat3& rotation);
 
-/// A rotation ready to be applied to many coefficient vectors: (R f)(w) = R_S f(R^-1 w) (Eqs. 25, 36).
+/// Rotation ready to be applied to many coefficient vectors: (R f)(w) = R_S f(R^-1 w) (Eqs. 25, 36).
 class PshRotation {
 public:
-    /// Orders up to kStoredOrder keep their matrices; above, each apply() computes them again, so pass all
-    /// vectors in one call.
+    /// Highest order whose matrices are stored. For higher orders each apply() computes the matrices again,
+    /// so pass all vectors in one call.
     static constexpr int kStoredOrder = 64;
 
     /// Throws Error(invalid_argument) for an order out of range or a matrix that is no rotation.
@@ -50,7 +50,7 @@ private:
     std::vector<double> d_;
 };
 
-/// All channels rotated. Throws as PshRotation.
+/// Returns the field with all channels rotated. Throws what PshRotation throws.
 [[nodiscard]] PshVector rotated(const PshVector& field, const glm::dmat3& rotation);
 
 }  // namespace nicol

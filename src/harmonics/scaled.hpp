@@ -12,8 +12,8 @@ namespace nicol {
 inline constexpr double kScaleUp = 0x1p256;
 inline constexpr double kScaleDown = 0x1p-256;
 
-/// v * 2^(256 e), e <= 0, 2^-256 <= |v| unless v is zero, |v| < 1 where e < 0: harmonics near a pole start
-/// far below the smallest double and still grow to order one, so their recursions run on this.
+/// Number v * 2^(256 e) with e <= 0, 2^-256 <= |v| unless v is zero, and |v| < 1 if e < 0. Harmonics near a
+/// pole start far below the smallest double and still grow to order one, so their recursions use Scaled.
 struct Scaled {
     double v = 0;
     int e = 0;
@@ -33,14 +33,14 @@ struct Scaled {
         return *this;
     }
 
-    /// *this *= o * factor in one go, for a factor of moderate size.
+    /// Multiplies by o * factor in one step, for a factor of moderate size.
     void multiply(const Scaled& o, double factor) {
         v *= o.v * factor;
         e += o.e;
         settle();
     }
 
-    /// Factor that turns v into the value, 0 where that would underflow.
+    /// Returns the factor that converts v to the value; 0 if the factor would underflow.
     [[nodiscard]] double factor() const { return e == 0 ? 1.0 : e < -4 ? 0.0 : std::ldexp(1.0, 256 * e); }
 
 private:
@@ -56,20 +56,21 @@ private:
     }
 };
 
-/// sin and cos of half the colatitude.
+/// Sine and cosine of half the colatitude.
 struct HalfAngle {
     double sin;
     double cos;
 };
 
-/// d^l_{mn} at l = max(|m|, |n|): (-1)^(m-n) if m > n, times sqrt(binomial(2l, |m+n|)) cos^|m+n| sin^|m-n|.
+/// Returns d^l_{mn} at l = max(|m|, |n|): (-1)^(m-n) if m > n, times sqrt(binomial(2l, |m+n|)) cos^|m+n|
+/// sin^|m-n|.
 inline Scaled first_value(int m, int n, const HalfAngle& half) {
     const int a = std::abs(m + n);
     const int b = std::abs(m - n);
     const Scaled cos(half.cos);
     const Scaled sin(half.sin);
     Scaled value(m > n ? parity(b) : 1.0);
-    // Binomials and powers interleaved, so that neither leaves the range of double.
+    // Binomials and powers are interleaved, so that neither leaves the range of double.
     for (int k = 1; k <= a; ++k) {
         value *= cos;
         value *= std::sqrt(static_cast<double>(b + k) / k);
@@ -78,7 +79,7 @@ inline Scaled first_value(int m, int n, const HalfAngle& half) {
     return value;
 }
 
-/// What turns d^m_{mn} into d^{m+1}_{m+1,n} for m >= |n|, but for the factor -sin cos.
+/// Returns the ratio of d^{m+1}_{m+1,n} to d^m_{mn} for m >= |n|, without the factor -sin cos.
 inline double next_first_ratio(int m, int n) {
     const double k = m + 1;
     return std::sqrt((2 * k) * (2 * k - 1) / ((k + n) * (k - n)));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Three-term recursion in l for each degree, after the first value of Scaled range.
+// Spin-weighted harmonics by a three-term recursion in l for each degree, after a first value in Scaled
+// range.
 #include "harmonics/spin_harmonics.hpp"
 
 #include <algorithm>
@@ -14,7 +15,7 @@ double norm(int l) {
     return std::sqrt((2 * l + 1) / (4 * std::numbers::pi));
 }
 
-/// l (l+1) cos(theta) - m n without cancellation next to the poles.
+/// Factor l (l+1) cos(theta) - m n, computed without cancellation next to the poles.
 class Factor {
 public:
     Factor(const HalfAngle& half, int m, int n)
@@ -33,9 +34,9 @@ private:
     double small_;
 };
 
-/// The degree that does not vanish at the nearer pole, m = n at the north and m = -n at the south: there the
-/// plain recursion adds its rounding errors up, so this one runs on the differences of d from one l to the
-/// next.
+/// Runs the degree that does not vanish at the nearer pole, m = n in the north and m = -n in the south. There
+/// the plain recursion accumulates its rounding errors, so this recursion runs on the differences of d from
+/// one l to the next.
 void run_pole_degree(int m, int order, const HalfAngle& half, double first, std::span<double> out) {
     const bool north = half.sin <= half.cos;
     const double small = north ? half.sin * half.sin : half.cos * half.cos;
@@ -120,7 +121,7 @@ void spin_harmonics(int spin, int order, double sin_half, double cos_half, std::
         west *= ratio;
         run_degree(-m - 1, n, order, half, west, out);
     }
-    // (-1)^s of Eq. 176.
+    // Factor (-1)^s of Eq. 176.
     if (spin % 2 != 0)
         for (double& value : out) value = -value;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Both steps of the transform.
+// Transform by a Fourier step and a Legendre step.
 #include "harmonics/transform.hpp"
 
 #include <utility>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Fields on grids to coefficients and back, separably: Fourier along phi, then Legendre along theta.
+// Transforms between fields on grids and coefficients, separably: Fourier along phi, Legendre along theta.
 #pragma once
 
 #include <complex>
@@ -12,9 +12,9 @@
 
 namespace nicol {
 
-/// Fourier coefficients along phi of a Stokes vector field on rows of latitude, up to degree order:
-/// s0(theta, phi) = sum_m g_m exp(i m phi), and s1 + i s2 = sum_m w_m exp(i m phi). As s0 and s3 are real,
-/// only m >= 0 is kept of them.
+/// Fourier coefficients along phi of a Stokes vector field on rows of latitude, up to degree order: s0(theta,
+/// phi) = sum_m g_m exp(i m phi), and s1 + i s2 = sum_m w_m exp(i m phi). Because s0 and s3 are real, only
+/// their m >= 0 is kept.
 struct FourierRows {
     FourierRows(int order, int rows);
 
@@ -34,7 +34,7 @@ struct FourierRows {
     }
 };
 
-/// The step along theta. Not for use by two threads at once.
+/// Step of the transform along theta. Not for use by two threads at once.
 class LegendreTransform {
 public:
     /// Throws Error(invalid_argument) for an order out of range or rows whose members differ in length.
@@ -46,13 +46,13 @@ public:
     [[nodiscard]] int order() const noexcept;
     [[nodiscard]] const LatitudeRows& rows() const noexcept;
 
-    /// Coefficients [psh_index(l, m)][p] of one channel: the inner products with the basis (Eq. 32), the
-    /// integral over theta by the rows' weights. `fourier` must have this order and row count. Throws
-    /// Error(invalid_argument) where it does not, and where a value is not finite.
+    /// Computes the coefficients [psh_index(l, m)][p] of one channel: the inner products with the basis (Eq.
+    /// 32), with the rows' weights for the integral over theta. `fourier` must have this order and row count.
+    /// Throws Error(invalid_argument) if it does not, and if a value is not finite.
     void analyze(const FourierRows& fourier, std::span<double> coefficients);
 
-    /// The field of the coefficients on the rows, as Fourier coefficients. p = 1, 2 below l = 2 count for
-    /// nothing. Throws as analyze.
+    /// Computes the field of the coefficients on the rows, as Fourier coefficients. p = 1, 2 below l = 2 are
+    /// ignored. Throws what analyze() throws.
     void synthesize(std::span<const double> coefficients, FourierRows& fourier);
 
 private:
@@ -60,14 +60,14 @@ private:
     std::unique_ptr<Plan> plan_;
 };
 
-/// Most samples in a row.
+/// Largest number of samples in a row.
 inline constexpr int kMaxColumns = 1 << 17;
 
-/// The step along phi for rows of `columns` samples at phi_c = phi0 + 2 pi c / columns.
-/// Not for use by two threads at once.
+/// Step of the transform along phi, for rows of `columns` samples at phi_c = phi0 + 2 pi c / columns. Not for
+/// use by two threads at once.
 class FourierTransform {
 public:
-    /// Throws Error(invalid_argument) unless columns >= 2 order + 1 (less cannot tell the degrees apart).
+    /// Throws Error(invalid_argument) unless columns >= 2 order + 1 (fewer cannot tell the degrees apart).
     FourierTransform(int order, int columns, double phi0 = 0);
     ~FourierTransform();
     FourierTransform(FourierTransform&&) noexcept;
@@ -76,10 +76,10 @@ public:
     [[nodiscard]] int order() const noexcept;
     [[nodiscard]] int columns() const noexcept;
 
-    /// Samples [row][column][4] of one or more rows into `fourier` from row `first_row` on; several rows in
-    /// one call are faster. What is zero throughout a row is not transformed.
+    /// Transforms samples [row][column][4] of one or more rows into `fourier` from row `first_row` on;
+    /// several rows in one call are faster. Components that are zero throughout a row are not transformed.
     void analyze(std::span<const double> samples, FourierRows& fourier, int first_row);
-    /// The inverse: as many rows of `fourier` as `samples` holds.
+    /// Computes the inverse for as many rows of `fourier` as `samples` holds.
     void synthesize(const FourierRows& fourier, int first_row, std::span<double> samples);
 
 private:
@@ -87,8 +87,9 @@ private:
     std::unique_ptr<Plan> plan_;
 };
 
-/// Both steps for one channel on a grid [row][column][4], Stokes components in the theta-phi frame of each
-/// point. Holds its work space: no allocation after construction, not for use by two threads at once.
+/// Transform by both steps for one channel on a grid [row][column][4], with Stokes components in the
+/// theta-phi frame of each point. Holds its work space: no allocation after construction, not for use by two
+/// threads at once.
 class PshTransform {
 public:
     PshTransform(int order, LatitudeRows rows, int columns, double phi0 = 0);
@@ -97,7 +98,8 @@ public:
     [[nodiscard]] const LatitudeRows& rows() const noexcept { return legendre_.rows(); }
     [[nodiscard]] int columns() const noexcept { return fourier_.columns(); }
 
-    /// samples: rows * columns * 4 values; coefficients: 4 * psh_count(order), overwritten.
+    /// Transforms between samples, rows * columns * 4 values, and coefficients, 4 * psh_count(order) values.
+    /// Overwrites the output.
     void analyze(std::span<const double> samples, std::span<double> coefficients);
     void synthesize(std::span<const double> coefficients, std::span<double> samples);
 

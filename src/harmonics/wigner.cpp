@@ -6,16 +6,16 @@
 namespace nicol {
 namespace {
 
-/// d at a negative angle or one beyond pi differs from that in [0, pi] by signs only; Scaled values need both
-/// half-angle functions non-negative.
+/// Half angle folded to non-negative functions, which Scaled values need. d at a negative angle or an angle
+/// beyond pi differs from d in [0, pi] by signs only.
 struct Folded {
     HalfAngle half;
-    bool alternate;  ///< times (-1)^(m - n): d(-beta)
+    bool alternate;  ///< whether the factor (-1)^(m - n) applies: d(-beta)
 };
 
 Folded folded(double beta) {
     require(std::isfinite(beta), "beta is not finite");
-    // The period is 2 pi for integer orders: (s, c) and (-s, -c) are the same rotation.
+    // The period is 2 pi for integer orders, because (s, c) and (-s, -c) are one rotation.
     const double s = std::sin(beta / 2);
     const double c = std::cos(beta / 2);
     return {{std::abs(s), std::abs(c)}, (s < 0) != (c < 0)};

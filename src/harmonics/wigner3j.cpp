@@ -9,7 +9,7 @@
 namespace nicol {
 namespace {
 
-/// The recursion l1 A(l1+1) f(l1+1) + B(l1) f(l1) + (l1+1) A(l1) f(l1-1) = 0 (Schulten and Gordon).
+/// Recursion l1 A(l1+1) f(l1+1) + B(l1) f(l1) + (l1+1) A(l1) f(l1-1) = 0 (Schulten and Gordon).
 class Recursion {
 public:
     Recursion(int l2, int l3, int m2, int m3)
@@ -38,8 +38,8 @@ private:
 
 constexpr double kLarge = 0x1p400;
 
-/// Fills f[0..n) towards higher l until the values stop growing; the number filled. They keep their ratios,
-/// whatever the scale; ratios too large for double have become zero.
+/// Fills f[0..n) towards higher l until the values stop growing. Returns how many were filled. The values
+/// keep their ratios, whatever the scale; ratios too large for double become zero.
 std::size_t run(std::vector<double>& f, const auto& next) {
     f[0] = 1;
     std::size_t i = 1;
@@ -74,7 +74,7 @@ Wigner3jRun wigner_3j_run(int l2, int l3, int m2, int m3) {
     const auto order = [&](std::size_t i) { return out.first_l1 + static_cast<int>(i); };
     const std::size_t filled = run(up, [&](std::size_t i) {
         const int l = order(i) - 1;
-        // At l = 0 the recursion is 0/0; there l2 = l3 and m2 = -m3, and f(1)/f(0) is known.
+        // At l = 0 the recursion is 0/0. There l2 = l3 and m2 = -m3, and f(1)/f(0) is known.
         if (l == 0) return m2 / std::sqrt(static_cast<double>(l2) * (l2 + 1));
         const double before = i >= 2 ? (l + 1) * r.a(l) * up[i - 2] : 0;
         return -(r.b(l) * up[i - 1] + before) / (l * r.a(l + 1));
@@ -86,7 +86,7 @@ Wigner3jRun wigner_3j_run(int l2, int l3, int m2, int m3) {
         return -(r.b(l) * backward[i - 1] + before) / ((l + 1) * r.a(l));
     });
     std::ranges::reverse_copy(backward, down.begin());
-    // Between the two ends both directions are stable: carry the upward one on until they meet.
+    // Between the two ends both directions are stable, so the upward recursion continues until the two meet.
     std::size_t meet = filled;
     const std::size_t low = count - filled_down;
     if (filled < count) {
@@ -94,7 +94,7 @@ Wigner3jRun wigner_3j_run(int l2, int l3, int m2, int m3) {
             const int l = order(meet) - 1;
             up[meet] = -(r.b(l) * up[meet - 1] + (l + 1) * r.a(l) * up[meet - 2]) / (l * r.a(l + 1));
         }
-        // Where both are known, the ratio that fits best.
+        // Best-fitting ratio where both are known.
         double top = 0;
         double bottom = 0;
         for (std::size_t i = std::max(low, meet >= 3 ? meet - 3 : 0); i < meet; ++i) {
@@ -108,7 +108,7 @@ Wigner3jRun wigner_3j_run(int l2, int l3, int m2, int m3) {
     }
     double square = 0;
     for (std::size_t i = 0; i < count; ++i) square += (2.0 * order(i) + 1) * down[i] * down[i];
-    // The sign convention fixes the last one.
+    // The sign convention fixes the last value.
     const double sign = (l2 - l3 + m2 + m3) % 2 != 0 ? -1 : 1;
     const double scale = (down[count - 1] < 0 ? -sign : sign) / std::sqrt(square);
     for (double& value : down) value *= scale;

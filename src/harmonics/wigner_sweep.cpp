@@ -19,7 +19,7 @@ WignerSweep::WignerSweep(int order, HalfAngle half)
     current_[0] = 1;
 }
 
-/// d^m_{mn} for n = -m..m, outwards from the larger of d_{mm} = cos^2m and |d_{m,-m}| = sin^2m.
+/// Computes d^m_{mn} for n = -m..m, outwards from the larger of d_{mm} = cos^2m and |d_{m,-m}| = sin^2m.
 void WignerSweep::start_row(int m) {
     const double large = north() ? half_.cos : half_.sin;
     edge_ *= Scaled(large);
@@ -29,7 +29,7 @@ void WignerSweep::start_row(int m) {
     const Scaled step(ratio);
     unsettled_[static_cast<std::size_t>(m)] = 0;
     change_[static_cast<std::size_t>(m)] = 0;
-    // South: d_{m,-m} = (-1)^(2m) sin^2m, and the sign alternates with n as it does from the north.
+    // South: d_{m,-m} = (-1)^(2m) sin^2m, and the sign alternates with n as in the north.
     for (int k = 0; k <= 2 * m; ++k) {
         const std::size_t i = psh_index(m, north() ? m - k : k - m);
         current_[i] = value.v;
@@ -88,8 +88,8 @@ void WignerSweep::step() {
             for (int n = 1; n <= m; ++n)
                 before[-n] =
                     (a * ((ll + shift * n) - ll * small) * now[-n] - b * root[n] * before[-n]) * inverse[n];
-            // This entry stays near one beside the pole and would collect rounding errors (see
-            // run_pole_degree).
+            // The entry at the pole stays near one beside the pole and would accumulate rounding errors (see
+            // run_pole_degree()).
             const std::size_t pole = psh_index(m, north() ? m : -m);
             if (exponent_[pole] == 0) {
                 const double inward = root_[row] * next_root_[row];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// All d^l_{mn}(beta) of one order after another.
+// All d^l_{mn}(beta), one order after another.
 #pragma once
 
 #include <cstdint>
@@ -9,17 +9,18 @@
 
 namespace nicol {
 
-/// Holds d^l for m >= |n| (the rest follows by symmetry) and steps l by the three-term recursion; O(l^2)
-/// memory and work a step. The product with the scale keeps entries that start below the range of double.
+/// Sweep over orders that holds d^l for m >= |n| (the rest follows by symmetry) and steps l by the three-term
+/// recursion; O(l^2) memory and work per step. The product with the scale keeps entries that start below the
+/// range of double.
 class WignerSweep {
 public:
-    /// At l = 0. Any order above `order` must not be stepped to.
+    /// Starts at l = 0. Must not be stepped beyond `order`.
     WignerSweep(int order, HalfAngle half);
 
     [[nodiscard]] int l() const { return l_; }
-    /// To the next order.
+    /// Moves to the next order.
     void step();
-    /// The whole block, (2l+1)^2 values, row m + l, column n + l.
+    /// Writes the whole block, (2l+1)^2 values, row m + l, column n + l.
     void block(double* out) const;
 
 private:
@@ -31,11 +32,11 @@ private:
     int l_ = 0;
     std::vector<double> current_;  // [psh_index(m, n)]
     std::vector<double> previous_;
-    std::vector<std::int16_t> exponent_;  // of 2^256, 0 where settled
-    std::vector<int> unsettled_;          // entries of a row whose exponent is not 0
+    std::vector<std::int16_t> exponent_;  // exponent of 2^256; 0 if settled
+    std::vector<int> unsettled_;          // number of entries of a row whose exponent is not 0
     std::vector<double> root_;            // sqrt(l^2 - n^2), by n
     std::vector<double> next_root_;
-    std::vector<double> change_;  // since the last step, of the entry that does not vanish at the nearer pole
+    std::vector<double> change_;  // last change of the entry that does not vanish at the nearer pole
     Scaled edge_;                 // max(sin, cos)^(2m)
 };
 

@@ -22,11 +22,12 @@
 
 namespace {
 
-/// Thrown where stb_image would allocate more than its image needs: compressed data go on behind the pixels.
+/// Exception for an allocation beyond the needs of stb_image's image: compressed data continue behind the
+/// pixels.
 struct MoreThanPixels {};
 
-/// What stb_image allocates while one of these exists on its thread; freed with it, whatever way it is left.
-/// No block may be larger than `most_bytes`.
+/// Owner of the memory that stb_image allocates on this thread while the object exists. The destructor frees
+/// the memory. No block may be larger than `most_bytes`.
 class StbMemory {
 public:
     explicit StbMemory(std::size_t most_bytes) : most_bytes_(most_bytes) { current() = this; }
@@ -45,7 +46,7 @@ public:
         void* const block = std::realloc(old, size);
         if (block != nullptr) entry.value() = block;
         blocks.insert(std::move(entry));
-        // stb_image would call the file damaged.
+        // stb_image would report a damaged file instead.
         if (block == nullptr) throw std::bad_alloc();
         return block;
     }
@@ -93,7 +94,8 @@ bool has_known_mark(std::string_view bytes) {
     return std::ranges::any_of(marks, [&](std::string_view mark) { return bytes.starts_with(mark); });
 }
 
-/// stb_image goes on with zeros where a file ends, in some files for ever: this ends it.
+/// Exception that ends reading at the end of a file, because stb_image would continue with zeros, in some
+/// files forever.
 struct Overrun {};
 
 struct Source {
@@ -122,7 +124,7 @@ struct Source {
     }
 };
 
-// Pixels of one bit, deflated as far as that goes: no format makes more of a byte.
+// Largest number of pixels that one byte can encode: pixels of one bit, deflated at the largest ratio.
 constexpr std::size_t kMostPixelsOfByte = std::size_t{8} * 1032;
 
 void check_size(const path& file, std::size_t bytes, int width, int height) {
@@ -137,7 +139,7 @@ void check_size(const path& file, std::size_t bytes, int width, int height) {
                                std::to_string(width) + " x " + std::to_string(height) + " pixels");
 }
 
-/// Decodes with one of stb_image's functions; numbers are divided by `one`.
+/// Decodes with one of stb_image's functions and divides numbers by `one`.
 template <class Number>
 void decode(const path& file, std::string_view bytes, float one, const LoadBudget& budget, Bitmap& out,
             Number* (*load)(const stbi_io_callbacks*, void*, int*, int*, int*, int)) {
@@ -153,21 +155,22 @@ void decode(const path& file, std::string_view bytes, float one, const LoadBudge
     for (std::size_t i = 0; i < count; ++i) out.values[i] = static_cast<float>(pixels[i]) / one;
 }
 
-/// The largest block that stb_image needs for an image: its pixels as floats, or those of 16 bits with the
-/// bytes that PNG puts before each row, of which it may reserve twice as many; or the bytes of the file.
+/// Returns the largest block that stb_image needs for an image: its pixels as floats; or its pixels of 16
+/// bits with the bytes that PNG puts before each row, for which stb_image may reserve twice as many; or the
+/// bytes of the file.
 std::size_t largest_block(std::size_t bytes, int width, int height) {
-    constexpr std::size_t slack = std::size_t{1} << 18;  // the largest palette of TGA, too
+    constexpr std::size_t slack = std::size_t{1} << 18;  // includes the largest palette of TGA
     return 2 * bytes + static_cast<std::size_t>(height) * (16 * static_cast<std::size_t>(width) + 64) + slack;
 }
 
-/// Takes what the values of an image need.
+/// Takes the memory of an image's values from `budget`.
 void take_values(const Bitmap& image, const LoadBudget& budget) {
     budget.take_memory(sizeof(float) * static_cast<std::uint64_t>(image.width) *
                        static_cast<std::uint64_t>(image.height) * static_cast<std::uint64_t>(image.channels));
     budget.check();
 }
 
-/// Takes the next number off a line; 0 if it is not a number above 0.
+/// Removes the next number from a line and returns it; returns 0 if it is not a number above 0.
 double take_factor(std::string_view& text) {
     text.remove_prefix(std::min(text.find_first_not_of(" \t"), text.size()));
     double value = 0;
@@ -177,9 +180,9 @@ double take_factor(std::string_view& text) {
     return text.empty() || text.front() == ' ' || text.front() == '\t' || text.front() == '\r' ? value : 0;
 }
 
-/// Factors of R, G and B that programs have multiplied the pixels by: the product of all lines EXPOSURE= and
-/// COLORCORR=, which stand before the first empty line. Radiance is the pixel divided by them. Throws
-/// Error(invalid_file) naming the line if one is not a finite number above 0.
+/// Returns the factors by which programs have multiplied R, G and B: the product of all lines EXPOSURE= and
+/// COLORCORR= before the first empty line. Radiance is the pixel divided by the factors. Throws
+/// Error(invalid_file) that names the line if one is not a finite number above 0.
 std::array<double, 3> radiance_factors(const path& file, std::string_view bytes) {
     std::array<double, 3> factors{1, 1, 1};
     for (int number = 1; !bytes.empty(); ++number) {
@@ -209,7 +212,7 @@ std::array<double, 3> radiance_factors(const path& file, std::string_view bytes)
     return factors;
 }
 
-/// Divides by the factors in the header.
+/// Divides the values by the factors in the header.
 void undo_exposure(const path& file, std::string_view bytes, Bitmap& out) {
     const std::array<double, 3> factors = radiance_factors(file, bytes);
     const auto channels = static_cast<std::size_t>(out.channels);

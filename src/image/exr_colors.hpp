@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Colour images from OpenEXR.
+// Reading of colour images from OpenEXR files.
 #pragma once
 
 #include <filesystem>
@@ -8,7 +8,8 @@
 
 namespace nicol {
 
-/// R G B or Y, with A if there is one, of the first part; other channels are ignored. Throws as read_exr().
+/// Reads R G B or Y, with A if present, of the first part. Other channels are ignored. Throws what read_exr()
+/// throws.
 [[nodiscard]] Bitmap read_exr_colors(const std::filesystem::path& file, const LoadBudget& budget = {});
 
 }  // namespace nicol

@@ -30,7 +30,8 @@ void read_exr_input(const std::filesystem::path& file, const LoadBudget& budget,
     }
     try {
         check_exr_structure(file, size, budget);
-        // No OpenEXR threads (0): its pool is one per process and belongs to the host.
+        // No OpenEXR threads (0), because OpenEXR's thread pool exists once per process and belongs to the
+        // host.
         Imf::MultiPartInputFile input(file.c_str(), 0);
         read(input);
     } catch (const Error&) {
@@ -38,7 +39,7 @@ void read_exr_input(const std::filesystem::path& file, const LoadBudget& budget,
     } catch (const std::bad_alloc&) {
         throw;
     } catch (const std::exception& e) {
-        // OpenEXR has no exception of its own for it.
+        // OpenEXR reports a lack of memory only in this text.
         if (std::string_view(e.what()).find("Failed to allocate memory") != std::string_view::npos)
             throw std::bad_alloc();
         invalid_file(file, std::string("is damaged or truncated (") + e.what() + ")");
@@ -47,7 +48,7 @@ void read_exr_input(const std::filesystem::path& file, const LoadBudget& budget,
 
 void read_exr_rows(Imf::InputPart& part, const LoadBudget& budget) {
     const Imath::Box2i window = part.header().dataWindow();
-    // Chunks that two pieces share stay in the reader's memory.
+    // Chunks that two blocks of rows share stay in the reader's memory.
     constexpr int rows = 64;
     for (int y = window.min.y; y <= window.max.y; y += rows) {
         budget.check();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// OpenEXR files opened with care.
+// Checked opening and reading of OpenEXR files.
 #pragma once
 
 #include <ImfInputPart.h>
@@ -14,16 +14,16 @@
 
 namespace nicol {
 
-/// Calls read() with the file, whose structure has been checked. Throws Error(file_not_found), as
-/// check_exr_structure(), and Error(invalid_file) where OpenEXR finds the file damaged.
+/// Calls read() with the opened file after checking the file's structure. Throws Error(file_not_found), what
+/// check_exr_structure() throws, and Error(invalid_file) if OpenEXR finds the file damaged.
 void read_exr_input(const std::filesystem::path& file, const LoadBudget& budget,
                     const std::function<void(Imf::MultiPartInputFile& input)>& read);
 
-/// Reads all rows of a part into its frame buffer, and asks `budget` in between.
+/// Reads all rows of a part into its frame buffer and checks `budget` in between.
 void read_exr_rows(Imf::InputPart& part, const LoadBudget& budget);
 
-/// Throws Error(invalid_file) naming channel and pixel, which is counted from the top left, unless the value
-/// is finite.
+/// Throws Error(invalid_file) that names channel and pixel, counted from the top left, unless the value is
+/// finite.
 void require_finite_pixel(const std::filesystem::path& file, const std::string& channel, std::size_t pixel,
                           int width, float value);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which channels of an OpenEXR file are which Stokes component of which colour or wavelength.
+// Assignment of an OpenEXR file's channels to Stokes components of colours or wavelengths.
 #include "image/exr_layout.hpp"
 
 #include <ImfChannelList.h>
@@ -21,10 +21,11 @@ namespace {
 
 using std::filesystem::path;
 
-/// Nanometres of "550,000000nm", "5,5E2nm" or "545,077196THz"; none for other texts.
+/// Returns the nanometres of "550,000000nm", "5,5E2nm" or "545,077196THz"; nothing for other texts.
 std::optional<double> parse_wavelength(std::string_view text) {
     std::string number(text.substr(0, text.find_first_not_of("0123456789,Ee+-")));
-    // Yotta- to exa- begin with letters of their own, but E may end a number: 1Em is an exametre.
+    // A trailing E belongs to the unit (1Em is an exametre). The letters of other prefixes do not occur in
+    // numbers.
     if (!number.empty() && (number.back() == 'E' || number.back() == 'e')) number.pop_back();
     const std::string_view unit = text.substr(number.size());
     std::ranges::replace(number, ',', '.');
@@ -33,7 +34,7 @@ std::optional<double> parse_wavelength(std::string_view text) {
     if (number.empty() || parsed.ec != std::errc() || parsed.ptr != number.data() + number.size())
         return std::nullopt;
 
-    // Powers of ten.
+    // Powers of ten of the prefixes.
     static const std::map<std::string_view, int> prefixes = {
         {"Y", 24}, {"Z", 21}, {"E", 18}, {"P", 15}, {"T", 12}, {"G", 9},  {"M", 6},  {"k", 3},  {"h", 2},
         {"da", 1}, {"", 0},   {"d", -1}, {"c", -2}, {"m", -3}, {"u", -6}, {"n", -9}, {"p", -12}};
@@ -62,7 +63,7 @@ std::optional<SpectralName> parse_spectral(std::string_view name) {
     return SpectralName{static_cast<std::size_t>(name[1] - '0'), *nanometres, std::string(name.substr(3))};
 }
 
-/// The channel names of the requested wavelengths.
+/// Returns the wavelengths and channel names that were requested.
 std::vector<std::pair<double, std::string>> choose(const path& file,
                                                    const std::map<double, std::string>& there,
                                                    std::span<const double> requested) {
@@ -76,7 +77,7 @@ std::vector<std::pair<double, std::string>> choose(const path& file,
     }
     std::vector<std::pair<double, std::string>> chosen;
     for (const double nm : requested) {
-        // Names are written with rounded decimals.
+        // Names are written with rounded decimals, so the limits have a tolerance.
         constexpr double rounding = 1e-3;
         if (!(nm >= there.begin()->first - rounding && nm <= there.rbegin()->first + rounding))
             throw Error(ErrorCode::invalid_argument,
@@ -98,14 +99,14 @@ bool is_left_handed(const path& file, const Imf::Header& header) {
     return true;
 }
 
-/// Names of all components of these colours. s0 comes from its plain name where S0 is absent.
+/// Sets the names of all components of these colours. s0 comes from its plain name if S0 is absent.
 void name_channels(const path& file, const Imf::ChannelList& list, const std::vector<std::string>& colours,
                    ExrLayout& layout) {
     const auto has = [&](const std::string& name) { return list.findChannel(name) != nullptr; };
     std::array<bool, 4> present{};
     for (std::size_t p = 0; p < 4; ++p)
         for (const std::string& colour : colours) present[p] = present[p] || has(exr_channel(p, colour));
-    // s1 and s2 mix when the frame rotates: one is meaningless without the other.
+    // s1 and s2 mix when the frame rotates, so one is meaningless without the other.
     if (present[1] || present[2] || present[3]) present[1] = present[2] = true;
     if (!layout.wavelengths.empty()) present[0] = true;
 

@@ -13,21 +13,21 @@
 
 namespace nicol {
 
-/// `S<component>.<colour>`, as Mitsuba 3 writes it.
+/// Returns `S<component>.<colour>`, as Mitsuba 3 writes it.
 [[nodiscard]] std::string exr_channel(std::size_t component, const std::string& colour);
 
-/// The colour name of a wavelength by Fichet et al. (2021): "550,000000nm".
+/// Returns the colour name of a wavelength by Fichet et al. (2021): "550,000000nm".
 [[nodiscard]] std::string exr_wavelength(double nanometres);
 
-/// What to read from a file.
+/// Channels to read from a file.
 struct ExrLayout {
-    std::vector<std::array<std::string, 4>> names;  ///< [channel][p], empty where there is none
-    std::vector<double> wavelengths;                ///< nm, [channel], or empty for colours
-    bool left_handed = false;                       ///< s3 has the opposite sign
+    std::vector<std::array<std::string, 4>> names;  ///< [channel][p]; empty if the file has none
+    std::vector<double> wavelengths;                ///< nm, [channel]; empty for colours
+    bool left_handed = false;                       ///< whether s3 has the opposite sign
 };
 
-/// The layout by the names in the header; `wavelengths` chooses among spectral channels. Throws as
-/// read_exr().
+/// Returns the layout according to the names in the header. `wavelengths` selects among spectral channels.
+/// Throws what read_exr() throws.
 [[nodiscard]] ExrLayout find_exr_layout(const std::filesystem::path& file, const Imf::Header& header,
                                         std::span<const double> wavelengths);
 

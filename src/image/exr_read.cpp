@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Stokes images from OpenEXR.
+// Reading of Stokes images from OpenEXR files.
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
 #include <ImfInputPart.h>

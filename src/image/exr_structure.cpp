@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The structure of OpenEXR files, by OpenEXR's C library, which allocates nothing by the sizes in a header;
-// the C++ library allocates tables of any claimed size when it opens the file.
+// Checks of the structure of OpenEXR files by OpenEXR's C library, which allocates nothing by the sizes in a
+// header. The C++ library allocates tables of any claimed size when it opens a file.
 #include "image/exr_structure.hpp"
 
 #include <openexr.h>
@@ -30,7 +30,7 @@ struct CloseContext {
     void operator()(exr_context_t context) const { exr_finish(&context); }
 };
 
-/// A name or type in a header; empty at the end of a header, and where the file ends.
+/// Reads a name or type in a header. Returns an empty text at the end of a header and at the end of the file.
 std::string header_text(std::istream& in) {
     constexpr std::size_t longest = 255;
     std::string text;
@@ -38,7 +38,7 @@ std::string header_text(std::istream& in) {
     return text;
 }
 
-/// Little endian.
+/// Returns the little-endian number at index `at`.
 std::uint32_t number_at(std::string_view bytes, std::size_t at) {
     std::uint32_t number = 0;
     for (std::size_t i = 0; i < 4; ++i)
@@ -46,14 +46,14 @@ std::uint32_t number_at(std::string_view bytes, std::size_t at) {
     return number;
 }
 
-/// 0 where the file ends.
+/// Reads a number; returns 0 at the end of the file.
 std::uint32_t header_number(std::istream& in) {
     std::array<char, 4> bytes{};
     in.read(bytes.data(), bytes.size());
     return in ? number_at({bytes.data(), bytes.size()}, 0) : 0;
 }
 
-/// The C++ library reads values of these types without regard to the size that stands before them.
+/// Sizes of the types whose values the C++ library reads without regard to the size stated before them.
 constexpr std::array<std::pair<std::string_view, std::uint32_t>, 24> kSizes = {{{"box2f", 16},
                                                                                 {"box2i", 16},
                                                                                 {"chromaticities", 32},
@@ -79,8 +79,8 @@ constexpr std::array<std::pair<std::string_view, std::uint32_t>, 24> kSizes = {{
                                                                                 {"v3f", 12},
                                                                                 {"v3i", 12}}};
 
-/// Whether a list of channels ends where its size says: each is a name, a zero and 16 bytes, and a zero is
-/// the end.
+/// Returns whether a list of channels ends where its size says. Each channel is a name, a zero and 16 bytes,
+/// and a zero ends the list.
 bool is_whole_list(std::string_view bytes) {
     constexpr std::size_t of_channel = 17;
     for (;;) {
@@ -91,7 +91,7 @@ bool is_whole_list(std::string_view bytes) {
     }
 }
 
-/// Each text follows its length.
+/// Returns whether the bytes are whole texts, each after its length.
 bool are_whole_texts(std::string_view bytes) {
     while (!bytes.empty()) {
         if (bytes.size() < 4 || number_at(bytes, 0) > bytes.size() - 4) return false;
@@ -100,14 +100,14 @@ bool are_whole_texts(std::string_view bytes) {
     return true;
 }
 
-/// Width and height, then four bytes a pixel.
+/// Returns whether the bytes are width, height and then four bytes per pixel.
 bool is_whole_preview(std::string_view bytes) {
     return bytes.size() >= 8 && (bytes.size() - 8) % 4 == 0 &&
            std::uint64_t{number_at(bytes, 0)} * number_at(bytes, 4) == (bytes.size() - 8) / 4;
 }
 
-/// Whether a value of this type ends where its size says, so that what follows is the next attribute. Of
-/// types that the library does not know, it does.
+/// Returns whether a value of this type ends where its size says, so that the next attribute follows it.
+/// Returns true for types that the library does not know.
 bool is_whole(std::string_view type, std::string_view bytes) {
     const auto* const fixed =
         std::ranges::find(kSizes, type, &std::pair<std::string_view, std::uint32_t>::first);
@@ -117,16 +117,17 @@ bool is_whole(std::string_view type, std::string_view bytes) {
     return type != "preview" || is_whole_preview(bytes);
 }
 
-/// No attribute may be larger than the rest of the file: the C library leaves out those that are, and the C++
-/// library allocates what they claim. No value may end elsewhere than its size says, or the C++ library takes
-/// other bytes for the next attribute and its size. No attribute may come twice in a header: of two values
-/// each library takes another one. What else is wrong with the header is left to the libraries.
+/// Checks the attributes of all headers. No attribute may be larger than the rest of the file, because the C
+/// library leaves out such attributes and the C++ library allocates the sizes that they claim. No value may
+/// end elsewhere than its size says, because the C++ library would take other bytes for the next attribute
+/// and its size. No attribute may occur twice in a header, because the two libraries take different values.
+/// Other errors in the header are left to the libraries.
 void check_attributes(const path& file, std::uintmax_t file_size) {
     constexpr std::uint32_t magic = 20000630, several_parts_flag = 0x1000;
     std::ifstream in(file, std::ios::binary);
     if (header_number(in) != magic) return;
     const bool several_parts = (header_number(in) & several_parts_flag) != 0;
-    // An empty name ends a header; that of a further part may follow, or one more empty name.
+    // An empty name ends a header. The header of a further part may follow, or one more empty name.
     std::set<std::string> names;
     for (bool inside = true;;) {
         const std::string name = header_text(in);
@@ -153,8 +154,8 @@ void check_attributes(const path& file, std::uintmax_t file_size) {
     }
 }
 
-/// Every chunk of part 0 must lie inside the file, where the table says. Returns the bytes of the largest,
-/// decompressed: of all channels, those that are not read among them.
+/// Checks that every chunk of part 0 lies inside the file, at the offset in the table. Returns the bytes of
+/// the largest chunk, decompressed, with all channels, including channels that are not read.
 std::uint64_t check_chunks(const path& file, exr_const_context_t context, const exr_attr_box2i_t& window,
                            bool tiled, const LoadBudget& budget) {
     const auto require = [&](exr_result_t result) {
@@ -188,7 +189,7 @@ std::uint64_t check_chunks(const path& file, exr_const_context_t context, const 
     return largest;
 }
 
-/// Whether an allocation of the C library has failed on this thread, which it does not always pass on.
+/// Flag for a failed allocation of the C library on this thread, which the library does not always report.
 thread_local bool lacked_memory = false;
 
 void check_structure(const path& file, std::uintmax_t file_size, const LoadBudget& budget) {
@@ -230,7 +231,7 @@ void check_structure(const path& file, std::uintmax_t file_size, const LoadBudge
                                " pixels; sides may be at most " + std::to_string(kMaxImageSide) +
                                " and pixels at most " + std::to_string(kMaxImagePixels));
 
-    // Every part counts, for opening the file makes the chunk tables of all of them. A chunk takes eight
+    // All parts count, because opening the file makes the chunk tables of all of them. A chunk takes eight
     // bytes in the table and eight more at its head.
     std::uintmax_t chunks = 0;
     for (int part = 0; part < parts; ++part) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The image of an OpenEXR file, which is its display window.
+// Pixels of an OpenEXR file's display window.
 #pragma once
 
 #include <ImathBox.h>
@@ -34,8 +34,7 @@ inline void check_display_window(const std::filesystem::path& file, const Imath:
                                                 std::to_string(kMaxImagePixels));
 }
 
-/// Returns the pixels of the display window, of `floats` numbers each: those of the data window where it has
-/// them, else 0.
+/// Returns the pixels of the display window, of `floats` numbers each. Pixels outside the data window are 0.
 [[nodiscard]] inline std::vector<float> displayed(std::span<const float> pixels, std::size_t floats,
                                                   const Imath::Box2i& data, const Imath::Box2i& display) {
     std::vector<float> image(columns_of(display) * rows_of(display) * floats, 0.0F);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Stokes images to OpenEXR.
+// Writing of Stokes images to OpenEXR files.
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
@@ -29,8 +29,8 @@
 namespace nicol {
 namespace {
 
-/// OpenEXR writes its line table from a destructor that swallows exceptions, so a failure is not only thrown:
-/// it also stays on the FILE, where AtomicFile::commit() finds it.
+/// Output stream of OpenEXR. OpenEXR writes its line table from a destructor that swallows exceptions, so a
+/// failure is not only thrown but also stays recorded in the FILE, where AtomicFile::commit() finds it.
 class FileStream : public Imf::OStream {
 public:
     FileStream(std::FILE* file, const char* name) : OStream(name), file_(file) {}
@@ -54,13 +54,13 @@ private:
     bool failed_ = false;
 };
 
-/// OpenEXR's frame buffers are also for reading, hence the mutable pointer.
+/// Returns a mutable pointer, because OpenEXR's frame buffers also serve for reading.
 template <class Number>
 char* writable(const Number* values) {
     return reinterpret_cast<char*>(const_cast<Number*>(values));
 }
 
-/// The part after "S<p>." of each channel's name.
+/// Returns the part after "S<p>." of each channel's name.
 std::vector<std::string> exr_colours(const StokesImage& image) {
     std::vector<std::string> colours;
     for (const double nm : image.wavelengths) colours.push_back(exr_wavelength(nm));
@@ -73,7 +73,7 @@ std::vector<std::string> exr_colours(const StokesImage& image) {
 
 void insert_aovs(const Aovs& aovs, const std::vector<std::string>& colours, Imf::Header& header,
                  Imf::FrameBuffer& buffer) {
-    // Every so many numbers from the plane's `first`.
+    // Inserts every `components`-th number of a plane, from index `first` on.
     const auto insert = [&]<class Number>(const std::string& name, const std::vector<Number>& plane,
                                           std::size_t first, std::size_t components) {
         if (plane.empty()) return;
@@ -155,10 +155,12 @@ void write_exr(const std::filesystem::path& path, const StokesImage& image, cons
     AtomicFile file(path);
     FileStream stream(file.handle(), path.c_str());
     try {
-        // No OpenEXR threads (0): its pool is one per process and belongs to the host.
+        // No OpenEXR threads (0), because OpenEXR's thread pool exists once per process and belongs to the
+        // host.
         Imf::OutputFile output(stream, header, 0);
         output.setFrameBuffer(buffer);
-        // Rows that zlib has no memory for are left out without an error: each of its blocks is looked at.
+        // OpenEXR leaves out rows without an error if zlib lacks memory, so each block of zlib is checked for
+        // output.
         constexpr int block = 16;
         for (int row = 0; row < image.height; row += block) {
             const std::uint64_t before = stream.tellp();
@@ -166,7 +168,7 @@ void write_exr(const std::filesystem::path& path, const StokesImage& image, cons
             if (stream.tellp() == before) throw std::bad_alloc();
         }
     } catch (const std::exception& e) {
-        // OpenEXR calls it "output failed" when it found no memory.
+        // OpenEXR reports a lack of memory as "output failed".
         if (!stream.failed()) throw std::bad_alloc();
         throw Error(ErrorCode::write_failed, path.string() + ": cannot be written (" + e.what() +
                                                  "); the disk may be full or the folder not writable");

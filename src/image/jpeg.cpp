@@ -26,16 +26,16 @@ Decoder make_decoder() {
 
 [[noreturn]] void fail(const std::filesystem::path& file, const Decoder& decoder) {
     const std::string reason = tjGetErrorStr2(decoder.get());
-    // TurboJPEG has no other sign of it.
+    // TurboJPEG reports a lack of memory only in this text.
     for (const char* shortage : {"Insufficient memory", "Memory allocation failure"})
         if (reason.find(shortage) != std::string::npos) throw std::bad_alloc();
     invalid_file(file, "is damaged or truncated (" + reason + ")");
 }
 
-/// Each scan passes over all pixels, and decoding cannot be interrupted.
+/// Limit of scans times pixels, because each scan passes over all pixels and decoding cannot be interrupted.
 constexpr std::uint64_t kMaxScannedPixels = std::uint64_t{1} << 32;
 
-/// The marker appears nowhere else in coded pixels.
+/// Counts the scans by their marker, which appears nowhere else in coded pixels.
 std::uint64_t count_scans(std::string_view bytes) {
     constexpr std::string_view marker = "\xff\xda";
     std::uint64_t scans = 0;

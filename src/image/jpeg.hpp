@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// JPEG, by libjpeg-turbo.
+// Decoding of JPEG by libjpeg-turbo.
 #pragma once
 
 #include <filesystem>
@@ -11,10 +11,10 @@ namespace nicol {
 
 [[nodiscard]] bool is_jpeg(std::string_view bytes);
 
-/// Width, height and channels (1 or 3). Throws Error(invalid_file) with the file's name, as below.
+/// Reads width, height and channels (1 or 3). Throws Error(invalid_file) that names the file.
 void read_jpeg_header(const std::filesystem::path& file, std::string_view bytes, Bitmap& out);
-/// The pixels of an image with this header. Progressive ones of more than 500 scans are refused, and large
-/// ones of fewer.
+/// Reads the pixels of an image with this header. Throws Error(invalid_file) that names the file, also for
+/// progressive images of more than 500 scans; Error(unsupported) for large images of fewer scans.
 void read_jpeg_pixels(const std::filesystem::path& file, std::string_view bytes, Bitmap& out);
 
 }  // namespace nicol

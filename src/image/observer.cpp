@@ -31,7 +31,7 @@ void check_channel(const StokesImage& image, int channel, const char* what) {
                                                      ", and -1 is their mean");
 }
 
-/// The Stokes vectors of an image row by row, of one channel or the mean of all.
+/// Stokes vectors of an image row by row, of one channel or the mean of all channels.
 class PixelReader {
 public:
     PixelReader(const StokesImage& image, int channel)
@@ -60,7 +60,7 @@ double dolp_of(const Stokes& s) {
 
 double aolp_of(const Stokes& s) {
     if (s[0] <= 0 || (s[1] == 0 && s[2] == 0)) return 0.0;
-    // For s2 = -0, atan2 would make vertical -pi/2.
+    // The sum with 0.0 turns s2 = -0 into 0, because atan2 would give -pi/2 for vertical polarization.
     const double angle = 0.5 * std::atan2(s[2] + 0.0, s[1]);
     return angle <= -std::numbers::pi / 2 ? std::numbers::pi / 2 : angle;
 }
@@ -96,7 +96,8 @@ Observation blank(const StokesImage& image, const std::string& title, const std:
     return observation;
 }
 
-/// Hue as a fraction of the circle (0 red, 1/3 green, 2/3 blue) at this saturation and value, all in 0..1.
+/// Returns the colour with this hue, as a fraction of the circle (0 red, 1/3 green, 2/3 blue), saturation and
+/// value, all in 0 to 1.
 std::array<double, 3> hsv(double hue, double saturation, double value) {
     std::array<double, 3> rgb{};
     for (std::size_t i = 0; i < 3; ++i) {

@@ -12,71 +12,72 @@
 
 namespace nicol {
 
-/// Angles are radians, counter-clockwise as displayed from image right (the x of the Stokes frame).
-/// Functions of a single value a pixel take `channel`: a colour channel, or kMeanChannel for the plain mean
-/// of the Stokes vectors of all channels (Stokes vectors of incoherent light add). All throw
-/// Error(invalid_argument) for an image that is empty or inconsistent and for arguments out of range.
-/// Values that are not finite count as 0.
+/// Value of `channel` for the plain mean of the Stokes vectors of all channels (Stokes vectors of incoherent
+/// light add). Functions of a single value per pixel take `channel`: a colour channel, or kMeanChannel.
+/// Angles are in radians, counter-clockwise as displayed from image right (the x of the Stokes frame). All
+/// functions throw Error(invalid_argument) for an image that is empty or inconsistent and for arguments out
+/// of range. Values that are not finite count as 0.
 inline constexpr int kMeanChannel = -1;
 
-/// 8-bit RGB, rgb[y][x][3], row 0 at the top, with its description.
+/// Image of 8-bit RGB, rgb[y][x][3], row 0 at the top, with its description.
 struct Observation {
     int width = 0;
     int height = 0;
     std::vector<std::uint8_t> rgb;
     /// Keyword and text of PNG tEXt chunks: Title, Nicol:Observer, Nicol:Scale, Nicol:Frame ...
     std::vector<std::pair<std::string, std::string>> text;
-    /// The values are sRGB-encoded (tone-mapped radiance); otherwise they encode data linearly.
+    /// Whether the values are sRGB-encoded (tone-mapped radiance); else they encode data linearly.
     bool srgb = false;
 };
 
-/// One float a pixel, values[y][x], row 0 at the top.
+/// Image of one float per pixel, values[y][x], row 0 at the top.
 struct Plane {
     int width = 0;
     int height = 0;
     std::vector<float> values;
 };
 
-/// s0 times 2^exposure, clipped to 0..1, through the sRGB curve. One channel is grey, three are R G B; other
-/// numbers of channels are refused.
+/// Returns s0 times 2^exposure, clipped to 0..1, through the sRGB curve. One channel is grey, three are R G
+/// B; other numbers of channels are refused.
 [[nodiscard]] Observation tone_mapped(const StokesImage& image, double exposure = 0);
 
-/// s_p (component p = 0..3) as red for negative and green for positive values, linear, without any gamma:
-/// code = round(255 min(|s_p| / scale, 1)). scale = 0 takes the largest |s_p| of the image (1 if all is
-/// zero); the scale used is in the text.
+/// Returns s_p (component p = 0..3) as red for negative and green for positive values, linear, without any
+/// gamma: code = round(255 min(|s_p| / scale, 1)). scale = 0 selects the largest |s_p| of the image (1 if all
+/// are zero). The text of the observation records the scale.
 [[nodiscard]] Observation signed_component(const StokesImage& image, int component, double scale = 0,
                                            int channel = kMeanChannel);
 
-/// Degree of linear polarization sqrt(s1^2 + s2^2) / s0, clipped to 0..1; 0 where s0 <= 0.
+/// Returns the degree of linear polarization sqrt(s1^2 + s2^2) / s0, clipped to 0..1; 0 where s0 <= 0.
 [[nodiscard]] Plane dolp(const StokesImage& image, int channel = kMeanChannel);
-/// The same as linear grey, 255 = 1.
+/// Returns dolp() as linear grey, 255 = 1.
 [[nodiscard]] Observation dolp_image(const StokesImage& image, int channel = kMeanChannel);
 
-/// Angle of linear polarization atan2(s2, s1) / 2 in (-pi/2, pi/2]; 0 where s1 = s2 = 0 or s0 <= 0.
+/// Returns the angle of linear polarization atan2(s2, s1) / 2 in (-pi/2, pi/2]; 0 where s1 = s2 = 0 or s0 <=
+/// 0.
 [[nodiscard]] Plane aolp(const StokesImage& image, int channel = kMeanChannel);
 
-/// What encodes the DoLP in an AoLP image. Hue is AoLP / pi: horizontal red, +45 degrees yellow-green,
+/// Encoding of the DoLP in an AoLP image. Hue is AoLP / pi: horizontal red, +45 degrees yellow-green,
 /// vertical cyan, -45 degrees violet.
 enum class AolpStyle : std::int32_t {
     light = 0,  ///< saturation: unpolarized is white
     dark = 1,   ///< value: unpolarized is black
-    full = 2,   ///< nothing: full colour wherever DoLP >= 1e-6, black elsewhere
+    full = 2,   ///< no encoding: full colour wherever DoLP >= 1e-6, black elsewhere
 };
 [[nodiscard]] Observation aolp_image(const StokesImage& image, AolpStyle style = AolpStyle::light,
                                      int channel = kMeanChannel);
 
-/// The light behind an ideal linear polarizer whose transmission axis stands at `angle`:
+/// Returns the light behind an ideal linear polarizer whose transmission axis is at `angle`:
 /// s0' = (s0 + s1 cos 2a + s2 sin 2a) / 2, fully polarized along the axis.
 [[nodiscard]] StokesImage through_polarizer(const StokesImage& image, double angle);
 
-/// Red, green and blue of BT.709 to their luminance, of each Stokes component: Stokes vectors of incoherent
-/// light add, so this is the light that a grey sensor with the eye's sensitivity measures. The image must
-/// have three channels.
+/// Returns the luminance of BT.709's red, green and blue for each Stokes component. Because Stokes vectors of
+/// incoherent light add, the result is the light that a grey sensor with the eye's sensitivity measures. The
+/// image must have three channels.
 [[nodiscard]] StokesImage luminance(const StokesImage& rgb);
 
 /// Writes a PNG with the observation's text as tEXt chunks, and an sRGB chunk if `srgb`. The file appears
-/// under its name only when complete. Throws Error(invalid_argument) if the sizes do not fit, or a keyword or
-/// text is not fit for tEXt (keyword 1 to 79 bytes); Error(write_failed) naming the path.
+/// under its name only when it is complete. Throws Error(invalid_argument) if the sizes do not fit, or if a
+/// keyword or text is not fit for tEXt (keyword 1 to 79 bytes); Error(write_failed) that names the path.
 void write_png(const std::filesystem::path& path, const Observation& observation);
 
 }  // namespace nicol

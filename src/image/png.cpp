@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Images to PNG.
+// Writing of images to PNG files.
 #include <png.h>
 
 #include <algorithm>
@@ -34,8 +34,8 @@ void check(const Observation& image) {
     }
 }
 
-/// libpng leaves by longjmp, which must not skip destructors: this function has only plain values. Returns
-/// false on failure.
+/// Writes all rows. libpng leaves by longjmp, which must not skip destructors, so this function has only
+/// plain values. Returns false on failure.
 bool write_rows(png_structp png, png_infop info, std::FILE* file, const Observation& image, png_text* text,
                 int text_count) {
     if (setjmp(png_jmpbuf(png)) != 0) return false;  // NOLINT(cert-err52-cpp): libpng has nothing else
@@ -69,7 +69,7 @@ void write_png(const std::filesystem::path& path, const Observation& image) {
 
     AtomicFile file(path);
     const auto quiet = [](png_structp, png_const_charp) {};
-    // With a null error function libpng prints. An error function must not return, but may longjmp.
+    // libpng prints errors if the error function is null. An error function must not return, but may longjmp.
     const auto leave = [](png_structp png, png_const_charp) { png_longjmp(png, 1); };
     bool memory_short = false;
     const auto allocate = [](png_structp png, png_alloc_size_t size) {

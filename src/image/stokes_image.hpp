@@ -14,91 +14,90 @@
 
 namespace nicol {
 
-/// Limits of an image's pixels (width times height), of its sides, and of pixels times channels, which are 8
-/// GiB. A file that claims more is refused before memory is allocated.
-inline constexpr std::size_t kMaxImagePixels = std::size_t{3} << 26;  // 16384 x 8192, and half as much again
+/// Limits of an image: pixels (width times height), sides, and pixels times channels (8 GiB). A file that
+/// claims more is refused before memory is allocated.
+inline constexpr std::size_t kMaxImagePixels = std::size_t{3} << 26;  // 1.5 times 16384 x 8192
 inline constexpr int kMaxImageSide = 32768;
 inline constexpr std::size_t kMaxImageVectors = std::size_t{1} << 29;
 
-/// Limit of the colour channels of a file.
+/// Largest number of colour channels of a file.
 inline constexpr int kMaxFileChannels = 16;
 
-/// Stokes vectors as 32-bit floats, data[channel][y][x][p] with p = 0..3 for s0..s3. Row 0 is the top. The
-/// frame depends on the image's origin; for a rendered image x points right, y up and z from the scene to the
-/// camera, so s2 > 0 at +45 degrees counter-clockwise as displayed.
+/// Image of Stokes vectors as 32-bit floats, data[channel][y][x][p] with p = 0..3 for s0..s3. Row 0 is the
+/// top. The frame depends on the image's origin; for a rendered image x points right, y up and z from the
+/// scene to the camera, so s2 > 0 at +45 degrees counter-clockwise as displayed.
 struct StokesImage {
     int width = 0;
     int height = 0;
     int channels = 0;
     std::vector<float> data;
-    /// Of spectral images: nanometres, one per channel. Empty for colours.
+    /// Wavelengths of a spectral image in nanometres, one per channel. Empty for colours.
     std::vector<double> wavelengths;
 
     StokesImage() = default;
-    /// All zero. Throws Error(invalid_argument) unless channels >= 1, 1 <= width, height <= kMaxImageSide,
-    /// width * height <= kMaxImagePixels and width * height * channels <= kMaxImageVectors.
+    /// Makes an image of zeros. Throws Error(invalid_argument) unless channels >= 1, 1 <= width, height <=
+    /// kMaxImageSide, width * height <= kMaxImagePixels and width * height * channels <= kMaxImageVectors.
     StokesImage(int width, int height, int channels);
 
-    /// The four components of one pixel. Throws Error(invalid_argument) outside the image.
+    /// Returns the four components of one pixel. Throws Error(invalid_argument) outside the image.
     [[nodiscard]] std::span<float, 4> at(int channel, int y, int x);
     [[nodiscard]] std::span<const float, 4> at(int channel, int y, int x) const;
-    /// The same as doubles. Throws as at().
+    /// Returns the four components of one pixel as doubles. Throws Error(invalid_argument) outside the image.
     [[nodiscard]] Stokes stokes(int channel, int y, int x) const;
 
-    /// Throws Error(invalid_argument) naming `what` unless the sizes are in range, `data` has channels *
-    /// height
-    /// * width * 4 elements, and `wavelengths` is empty or has one finite value > 0 a channel. Every function
-    /// of the library that takes an image calls it.
+    /// Throws Error(invalid_argument) that names `what` unless the sizes are in range, `data` has channels *
+    /// height * width * 4 elements, and `wavelengths` is empty or has one finite value > 0 per channel. Every
+    /// function of the library that takes an image calls check().
     void check(const char* what) const;
 };
 
-/// Which Stokes components, as bits: 1 << p for s_p.
+/// Set of all Stokes components, as bits: 1 << p for s_p.
 inline constexpr unsigned kStokesAll = 0b1111;
 
-/// How write_exr() writes.
+/// Options of write_exr().
 struct ExrOptions {
     /// Components that get channels `S<p>.<colour>`, bits 1 << p. s0 is written in any case.
     unsigned components = kStokesAll;
-    /// String attribute `stokesFrame`: the frame the components are measured in. The default is right for
-    /// rendered images.
+    /// String attribute `stokesFrame`: the frame of the components. The default is right for rendered images.
     std::string frame =
         "x image right, y image up, z from the scene to the camera; s2 > 0 at +45 degrees "
         "counter-clockwise from x; s3 > 0 right circular";
     /// String attribute `comments`; none if empty.
     std::string comment{};
-    /// AOVs of the image's size to write too; null: none. Depth as Z, normals as N.X N.Y N.Z, positions as
-    /// P.X P.Y P.Z, instances as the uint channel id, coverage as A, the variance of each S<p>.<colour> as
-    /// variance.S<p>.<colour>.
+    /// AOVs of the image's size that are written as well; null: none. Depth is written as Z, normals as N.X
+    /// N.Y N.Z, positions as P.X P.Y P.Z, instances as the uint channel id, coverage as A, the variance of
+    /// each S<p>.<colour> as variance.S<p>.<colour>.
     const Aovs* aovs = nullptr;
 };
 
 /// Writes float32 channels, p = 0..3:
-/// - three colour channels as Mitsuba 3 does, R G B (= s0) and S<p>.R S<p>.G S<p>.B; one as Y and S<p>.Y;
-/// - channels with wavelengths, each larger than the one before, in the layout of Fichet et al. (2021):
-///   S<p>.550,000000nm with the attributes spectralLayoutVersion "1.0", emissiveUnits and
-///   polarisationHandedness "right";
-/// - any other number up to kMaxFileChannels as S<p>.0 S<p>.1 ...
-/// The file appears under its name only when complete; a failure leaves what was there before. Throws
-/// Error(invalid_argument) for more channels, unordered wavelengths or no image, Error(write_failed) naming
-/// the path.
+/// - three colour channels as Mitsuba 3 does, R G B (= s0) and S<p>.R S<p>.G S<p>.B; one channel as Y and
+///   S<p>.Y;
+/// - channels with increasing wavelengths in the layout of Fichet et al. (2021): S<p>.550,000000nm with the
+///   attributes spectralLayoutVersion "1.0", emissiveUnits and polarisationHandedness "right";
+/// - any other number of channels up to kMaxFileChannels as S<p>.0 S<p>.1 ...
+/// The file appears under its name only when it is complete; a failure leaves the previous file. Throws
+/// Error(invalid_argument) for more channels, unordered wavelengths or an empty image, and
+/// Error(write_failed) that names the path.
 void write_exr(const std::filesystem::path& path, const StokesImage& image, const ExrOptions& options = {});
 
 /// Reads the channels that write_exr() writes, as float, half or uint, in scan lines or tiles, in any
-/// compression; of a multi-part file the first part. The image is the display window; what the data window
-/// does not have of it is 0. s0 comes from
-/// S0.<colour>, or from R G B / Y where that is absent; components without channels are zero, but a file with
-/// any of S1..S3 must have S1 and S2 in every colour. Other channels, such as A, are ignored.
+/// compression; from a multi-part file the first part. The image is the display window; its pixels outside
+/// the data window are 0. s0 comes from S0.<colour>, or from R G B / Y if S0.<colour> is absent. Components
+/// without channels are zero, but a file with any of S1..S3 must have S1 and S2 in every colour. Other
+/// channels, such as A, are ignored.
 ///
-/// A file with spectral channels is read as such, by increasing wavelength (names in m or Hz with any
-/// prefix); its R G B are a preview. polarisationHandedness "left" means that s3 > 0 is left circular there;
-/// its sign is reversed. `wavelengths` (nm) chooses, in this order, the nearest channels of a spectral file
-/// and must lie within its range; without it a file may have at most kMaxFileChannels.
+/// A file with spectral channels is read as a spectral image, by increasing wavelength (names in m or Hz with
+/// any prefix); its R G B are a preview. polarisationHandedness "left" means that s3 > 0 is left circular in
+/// the file, so the sign of s3 is reversed. `wavelengths` (nm) selects, in this order, the nearest channels
+/// of a spectral file and must lie within the file's range. Without `wavelengths` a file may have at most
+/// kMaxFileChannels.
 ///
 /// Throws Error(file_not_found); Error(unsupported) for deep or subsampled data, reflectances (T channels)
-/// and too many wavelengths; Error(invalid_argument) for `wavelengths` out of range or of a file that has
-/// none; Error(invalid_file) naming what is missing, truncated or too large, or the first channel and pixel
-/// (x, y from the top left) that is not finite. Takes the memory of the image from `budget` before it is
-/// allocated.
+/// and too many wavelengths; Error(invalid_argument) for `wavelengths` that are out of range or given for a
+/// file without wavelengths; Error(invalid_file) that names the missing, truncated or too large part, or the
+/// first channel and pixel (x, y from the top left) that is not finite. Takes the memory of the image from
+/// `budget` before it is allocated.
 [[nodiscard]] StokesImage read_exr(const std::filesystem::path& path,
                                    std::span<const double> wavelengths = {}, const LoadBudget& budget = {});
 

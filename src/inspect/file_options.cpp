@@ -12,7 +12,7 @@ namespace {
 
 using std::filesystem::path;
 
-// Light and materials share the suffix; the shape of the coefficients distinguishes them.
+// Light and materials share the suffix .npz. The shape of the coefficients distinguishes them.
 FileKind kind_of_archive(const path& file) {
     for (const ZipEntry& entry : read_zip_directory(file)) {
         if (entry.name != "coeff.npy") continue;

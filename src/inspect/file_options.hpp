@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Kinds of files, and how files are converted.
+// Kinds of files, and the options of conversions between them.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace nicol {
 
-/// The values are those of nicol_file_kind in the C ABI.
+/// Kinds of files. The values are those of nicol_file_kind in the C ABI.
 enum class FileKind : std::uint32_t {
     light_image = 1,        ///< an equirectangular image (.exr)
     light_cross = 2,        ///< a cube map as four crosses (_s0.exr to _s3.exr)
@@ -25,24 +25,24 @@ enum class FileKind : std::uint32_t {
     return kind <= FileKind::light_psh;
 }
 
-/// By suffix and, of archives, the shape of the coefficients. Throws Error(file_not_found),
-/// Error(unsupported) and, of archives, what read_npy_header() throws.
+/// Returns the kind of a file by its suffix; for archives (.npz), by the shape of the coefficients. Throws
+/// Error(file_not_found), Error(unsupported), and for archives what read_npy_header() throws.
 [[nodiscard]] FileKind identify(const std::filesystem::path& file);
 
 struct FileOptions {
-    std::optional<int>
-        order;       ///< of coefficients and tables; none: the file's own, or 32 (light), 16 (materials)
-    int width = 0;   ///< of an image to write, columns; 0: not given
-    int height = 0;  ///< rows; both are given or none
-    int edge = 0;    ///< of a face of a cube map to write, pixels; 0: not given
-    bool band_limited = false;           ///< an image holds samples of light without orders above `order`
-    bool physical = false;               ///< images to write are made physical (Eq. 70)
-    double scale = 1;                    ///< of radiance or reflectance
-    std::optional<glm::dmat3> rotation;  ///< of light, with everything in it
-    std::vector<double> wavelengths;     ///< nm, a channel each, of spectral files; empty: all
+    std::optional<int> order;   ///< highest order of coefficients and tables; none: the file's own, or 32
+                                ///< (light), 16 (materials)
+    int width = 0;              ///< columns of the image to write; 0: not given
+    int height = 0;             ///< rows of the image to write; given together with width or not at all
+    int edge = 0;               ///< edge of a face of the cube map to write, in pixels; 0: not given
+    bool band_limited = false;  ///< whether the image holds samples of light without orders above `order`
+    bool physical = false;      ///< whether images to write are made physically realizable (Eq. 70)
+    double scale = 1;           ///< factor on radiance or reflectance
+    std::optional<glm::dmat3> rotation;  ///< rotation of the light, with its Stokes frames
+    std::vector<double> wavelengths;     ///< channels to read from spectral files, in nm; empty: all
 };
 
-/// Throws Error(invalid_argument) where options are given that matter only when images are written.
+/// Throws Error(invalid_argument) if options are given that matter only when images are written.
 void require_no_image_options(const FileOptions& options, const std::string& output);
 
 }  // namespace nicol

@@ -33,8 +33,8 @@ std::shared_ptr<const ImageLight> scaled(EquirectImage image, double scale) {
     return std::make_shared<const ImageLight>(std::move(image));
 }
 
-/// A rotated light as an image: bilinear look-ups, or their mean over each pixel where the pixels are larger
-/// than those of `source_width` columns.
+/// Returns a rotated light as an image. Each pixel is a bilinear look-up, or the mean of several look-ups if
+/// the pixels are larger than those of an image of `source_width` columns.
 EquirectImage resample_image(const Environment& light, const glm::dmat3& rotation, int source_width,
                              int width, int height) {
     EquirectImage image(width, height, light.channels());
@@ -47,7 +47,7 @@ EquirectImage resample_image(const Environment& light, const glm::dmat3& rotatio
             double area = 0;
             for (int j = 0; j < steps; ++j) {
                 const double v = (y + (j + 0.5) / steps - 0.5) / (height - 1);
-                // Beyond a pole lies the opposite meridian; its frame is the one continued across the pole.
+                // Beyond a pole lies the opposite meridian, whose frame is continued across the pole.
                 const double weight = steps == 1 ? 1 : std::abs(std::sin(std::numbers::pi * v));
                 for (int i = 0; i < steps; ++i) {
                     const double u = (x + (i + 0.5) / steps) / width;
@@ -148,7 +148,7 @@ void write_light_file(const LightFile& light, const FileOptions& options, const 
         if (options.width != 0)
             refuse("width and height are those of an equirectangular image; a cube map has an edge");
         const int edge = options.edge != 0 ? options.edge : 256;
-        // Its pixels are looked up bilinearly, in an image that is finer.
+        // The pixels of the cube map are bilinear look-ups in a finer equirectangular image.
         write_cube_cross(*stem, ImageLight(light.draw(options, std::clamp(8 * edge, 512, 4096))), edge);
     } else if (file.extension() == ".exr") {
         if (options.edge != 0) refuse("edge is that of a cube map, whose name ends in _s0.exr");
@@ -163,7 +163,7 @@ void write_light_file(const LightFile& light, const FileOptions& options, const 
 
 LightReport describe(const LightFile& light, const FileOptions& options, bool energies) {
     FileOptions drawing = options;
-    if (light.image) drawing.order.reset();  // which limits the energies of an image alone
+    if (light.image) drawing.order.reset();  // `order` limits only the energies of an image
     return describe(ImageLight(light.draw(drawing)), energies ? light.project(options) : PshVector());
 }
 

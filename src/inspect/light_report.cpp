@@ -21,7 +21,7 @@ void describe_pixels(const EquirectImage& image, int channel, LightChannelReport
     report.smallest = std::numeric_limits<double>::infinity();
     report.largest = -report.smallest;
     for (int y = 0; y < image.height; ++y) {
-        // Rows are vertex-centred: the first and the last are caps of half a step about the poles.
+        // Rows are vertex-centred, so the first and the last row are caps of half a step about the poles.
         const double step = std::numbers::pi / (image.height - 1);
         const bool pole = y == 0 || y == image.height - 1;
         const double weight =

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Statistics of a light.
+// Statistics of the radiance and polarization of a light.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -9,23 +9,25 @@
 
 namespace nicol {
 
-/// One colour channel. Means and fractions are over the sphere by solid angle, of image().
+/// Report of one colour channel. Means and fractions are taken over the pixels of image(), weighted by solid
+/// angle.
 struct LightChannelReport {
     std::vector<Stokes> energy;  ///< energy_per_order() of the coefficients
-    double smallest = 0;         ///< of s0
-    double largest = 0;          ///< of s0
-    double mean = 0;             ///< of s0
-    double mean_dolp = 0;        ///< of sqrt(s1^2 + s2^2) / s0 where s0 > 0; each pixel weighted by its s0
-    double largest_dolp = 0;     ///< of the same
-    double circular = 0;         ///< largest |s3| / s0
-    double negative = 0;         ///< fraction with s0 < 0
-    double unphysical = 0;       ///< fraction that violates Eq. 70: sqrt(s1^2 + s2^2 + s3^2) > s0, or s0 < 0
-    glm::dvec3 direction{0};     ///< mean of the directions light comes from, weighted by s0 > 0
-    double largest_excess = 0;   ///< of sqrt(s1^2 + s2^2 + s3^2) - s0, over the mean of s0; 0 if none is > 0
+    double smallest = 0;         ///< smallest s0
+    double largest = 0;          ///< largest s0
+    double mean = 0;             ///< mean s0
+    double mean_dolp = 0;     ///< mean of sqrt(s1^2 + s2^2) / s0 where s0 > 0, each pixel weighted by its s0
+    double largest_dolp = 0;  ///< largest sqrt(s1^2 + s2^2) / s0
+    double circular = 0;      ///< largest |s3| / s0
+    double negative = 0;      ///< fraction with s0 < 0
+    double unphysical = 0;    ///< fraction that violates Eq. 70: sqrt(s1^2 + s2^2 + s3^2) > s0, or s0 < 0
+    glm::dvec3 direction{0};  ///< mean direction towards the light, weighted by s0 where s0 > 0
+    /// Largest sqrt(s1^2 + s2^2 + s3^2) - s0, divided by the mean s0; 0 if none is > 0.
+    double largest_excess = 0;
 };
 
 struct LightReport {
-    int width = 0;  ///< of image()
+    int width = 0;  ///< columns of image()
     int height = 0;
     bool polarized = false;
     bool circular = false;
@@ -33,8 +35,8 @@ struct LightReport {
     std::vector<LightChannelReport> channels;
 };
 
-/// Of a light and its coefficients, up to any order; without coefficients, without energies. Rounding of
-/// 32-bit floats is not counted as a violation: differences up to 1e-5 s0 are none.
+/// Returns the report of a light and its coefficients, which may have any order. Empty coefficients give no
+/// energies. Differences up to 1e-5 s0 are not violations, because they come from rounding to 32-bit floats.
 [[nodiscard]] LightReport describe(const Environment& light, const PshVector& coefficients);
 
 }  // namespace nicol

@@ -55,7 +55,8 @@ void write_table(const MaterialFile& file, const FileOptions& options, const pat
                          file.material->channels(), folder);
 }
 
-// For each pair of a row, where the same pair stands in a row of the full layout of its order.
+// Returns, for each pair of a row of `layout`, the index of the equal pair in a row of `full`, the full
+// layout of the order.
 std::vector<std::size_t> pairs_in_full(const LightLayout& layout, const LightLayout& full) {
     std::vector<std::size_t> out;
     std::size_t pair = 0;
@@ -70,8 +71,8 @@ std::vector<std::size_t> pairs_in_full(const LightLayout& layout, const LightLay
     return out;
 }
 
-// The matrices of a table's channels: the light that leaves upwards (Eq. 40). Columns that the table does not
-// have are zero.
+// Returns the matrices of a table's channels, restricted to light that leaves upwards (Eq. 40). Columns that
+// the table does not have are zero.
 std::vector<IsotropicMatrix> matrices_of(const StoredResponse& stored) {
     const int order = stored.layout.order();
     const LightLayout all(order, LightKind::full);
@@ -83,7 +84,7 @@ std::vector<IsotropicMatrix> matrices_of(const StoredResponse& stored) {
     constexpr int last = ResponseTable::kAngles - 1;
     constexpr double step = std::numbers::pi / 2 / last;
     for (int angle = 0; angle <= last; ++angle) {
-        // Simpson's rule over the zenith angle.
+        // Weights of Simpson's rule over the zenith angle.
         const double simpson = step / 3 * (angle == 0 || angle == last ? 1 : angle % 2 == 1 ? 4 : 2);
         const double theta = angle * step;
         for (int c = 0; c < channels; ++c) {

@@ -14,12 +14,12 @@ namespace {
 
 using std::numbers::pi;
 
-// Integrals of max(cos theta, 0) Y_l0 over the sphere.
+// Returns the integrals of max(cos theta, 0) Y_l0 over the sphere.
 std::vector<double> cosine_lobe(int order) {
     std::vector<double> at_zero{1, 0};  // P_l(0)
     for (int l = 2; l <= order + 2; ++l)
         at_zero.push_back(-(l - 1.0) / l * at_zero[static_cast<std::size_t>(l) - 2]);
-    const auto upper = [&at_zero](int l) {  // integral of P_l over 0..1
+    const auto upper = [&at_zero](int l) {  // integral of P_l over 0 to 1
         const auto i = static_cast<std::size_t>(l);
         return l == 0 ? 1.0 : (at_zero[i - 1] - at_zero[i + 1]) / (2 * l + 1);
     };
@@ -33,7 +33,7 @@ std::vector<double> cosine_lobe(int order) {
 
 double largest_albedo_of(const IsotropicMatrix& matrix, const std::vector<double>& lobe) {
     const int order = matrix.order_in();
-    // The light that leaves, as a row over incoming lanes: only m = 0 leaves any.
+    // Total outgoing light as a row over incoming lanes. Only m = 0 contributes to the total.
     std::vector<std::array<std::complex<double>, 3>> row(static_cast<std::size_t>(order) + 1);
     for (int k = 0; k <= order; ++k)
         for (int l = 0; l <= matrix.order_out(); ++l)
@@ -61,7 +61,7 @@ double largest_albedo_of(const IsotropicMatrix& matrix, const std::vector<double
     return largest;
 }
 
-// Fully polarized light of 26 kinds, evenly over Poincare's sphere.
+// Returns 26 fully polarized Stokes vectors, evenly distributed over the Poincare sphere.
 std::vector<Stokes> polarizations() {
     std::vector<Stokes> out;
     for (int x = -1; x <= 1; ++x)
@@ -77,7 +77,7 @@ std::vector<Stokes> polarizations() {
 }  // namespace
 
 MatrixReport describe(const IsotropicMatrix& matrix) {
-    constexpr std::array<std::size_t, 4> group{0, 2, 1, 1};  // of a lane
+    constexpr std::array<std::size_t, 4> group{0, 2, 1, 1};  // group of each lane
     MatrixReport out;
     out.energy.assign(static_cast<std::size_t>(std::max(matrix.order_out(), matrix.order_in())) + 1, 0.0);
     out.asymmetry = asymmetry(matrix);
@@ -109,7 +109,7 @@ MuellerReport describe(const Material& material, int channel) {
     std::vector<double> excess;
     double mean = 0;
     for (int i = 0; i < pairs; ++i) {
-        // Additive recurrence by powers of the root of x^4 = x + 1: evenly over three dimensions.
+        // Additive recurrence with powers of the root of x^4 = x + 1 covers three dimensions evenly.
         const auto part = [i](double step) { return std::fmod(0.5 + i * step, 1.0); };
         const auto direction = [](double u, double phi) {
             const double sine = std::sqrt(u);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Light that is the same from all directions.
+// Environment light of one radiance in all directions.
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -25,7 +25,7 @@ public:
     PshVector project(int order) const override {
         check_projection_order(order);
         PshVector result(order, channels());
-        // Y_00 = 1 / sqrt(4 pi), integrated over 4 pi.
+        // Y_00 = 1 / sqrt(4 pi), integrated over the solid angle 4 pi.
         for (int c = 0; c < channels(); ++c)
             result.at(c, 0, 0, 0) = radiance_[static_cast<std::size_t>(c)] * std::sqrt(4 * std::numbers::pi);
         return result;

@@ -17,7 +17,7 @@
 namespace nicol {
 namespace {
 
-/// A face by its axes, its image's right and up, and its cell in the cross.
+/// Face of the cube: its forward axis, its image's right and up, and its cell in the cross.
 struct Face {
     glm::dvec3 forward, right, up;
     int column, row;
@@ -30,13 +30,13 @@ const std::array<Face, 6> kFaces = {{{{0, 0, 1}, {1, 0, 0}, {0, -1, 0}, 1, 0},
                                      {{0, -1, 0}, {-1, 0, 0}, {0, 0, 1}, 3, 1},
                                      {{0, 0, -1}, {1, 0, 0}, {0, 1, 0}, 1, 2}}};
 
-/// The face that a direction meets: its largest component.
+/// Returns the face that a direction meets, which is the face of the direction's largest component.
 const Face& face_of(const glm::dvec3& direction) {
     return *std::ranges::max_element(kFaces, {},
                                      [&](const Face& f) { return glm::dot(direction, f.forward); });
 }
 
-/// Position on the plane of a face in pixels, 0 at its left and top edge.
+/// Returns the position on the plane of a face in pixels, with 0 at the face's left and top edge.
 glm::dvec2 on_face(const Face& face, const glm::dvec3& direction, int edge) {
     const double depth = glm::dot(direction, face.forward);
     const double a = glm::dot(direction, face.right) / depth;
@@ -47,7 +47,7 @@ glm::dvec2 on_face(const Face& face, const glm::dvec3& direction, int edge) {
 CubePoint point_on(const Face& face, int edge, double x, double y) {
     const glm::dvec3 direction =
         glm::normalize(face.forward + (2 * x / edge - 1) * face.right + (1 - 2 * y / edge) * face.up);
-    // x = up cross propagation is image right, as a camera's perspective frame (Eq. 83).
+    // x = up cross propagation is image right, as in a camera's perspective frame (Eq. 83).
     const glm::dvec3 right = glm::normalize(glm::cross(direction, face.up));
     return {direction, {right, glm::cross(-direction, right), -direction}};
 }
@@ -56,7 +56,7 @@ class CrossSampler {
 public:
     explicit CrossSampler(const CubeCross& cross) : cross_(cross), edge_(cross.width / 4) {}
 
-    /// Bilinear, in `frame`; adds the four pixels' shares of every channel to `out`.
+    /// Interpolates bilinearly and returns the Stokes vectors of all channels in `out`, in the frame `frame`.
     void sample(const glm::dvec3& direction, const Frame& frame, std::span<Stokes> out) const {
         std::ranges::fill(out, Stokes(0));
         const Face& face = face_of(direction);
@@ -76,7 +76,7 @@ private:
         if (weight == 0) return;
         const Face* home = &face;
         if (x < 0 || y < 0 || x >= edge_ || y >= edge_) {
-            // Beyond the edge: the nearest pixel of the neighbouring face.
+            // The pixel lies beyond the edge, so the nearest pixel of the neighbouring face replaces it.
             const glm::dvec3 beyond = point_on(face, edge_, x + 0.5, y + 0.5).towards_light;
             home = &face_of(beyond);
             const glm::dvec2 at = on_face(*home, beyond, edge_);
@@ -127,7 +127,7 @@ CubePoint cube_point(int edge, double x, double y) {
 EquirectImage equirect_from_cross(const CubeCross& cross, const LoadBudget& budget) {
     cross.check("equirect_from_cross: cross");
     const CrossSampler sampler(cross);
-    // Bilinear resampling blurs; small images get twice the columns, which halves the loss.
+    // Bilinear resampling blurs. Small images get twice the columns, which halves the loss.
     const int width = cross.width <= 1024 ? 2 * cross.width : cross.width;
     const int height = width / 2 + 1;
     budget.take_memory(4 * sizeof(float) * static_cast<std::uint64_t>(width) *

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The four files of a cube map.
+// Reading and writing of a cube map's four files.
 #include <array>
 #include <string>
 
@@ -12,7 +12,7 @@ using std::filesystem::path;
 
 std::optional<path> cube_cross_stem(const path& file) {
     std::string name = file.filename().string();
-    constexpr std::size_t ending = 7;  // _s0.exr
+    constexpr std::size_t ending = 7;  // length of "_s0.exr"
     if (name.size() <= ending) return std::nullopt;
     std::string end = name.substr(name.size() - ending);
     if (end[2] < '0' || end[2] > '3') return std::nullopt;

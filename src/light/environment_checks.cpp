@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Checks of arguments.
+// Checks of arguments of environments.
 #include "light/environment_checks.hpp"
 
 #include <algorithm>
@@ -18,7 +18,7 @@ void check_look_up(const Environment& environment, int channel, const glm::dvec3
         throw Error(ErrorCode::invalid_argument, "radiance: channel " + std::to_string(channel) +
                                                      "; the environment has channels 0 to " +
                                                      std::to_string(environment.channels() - 1));
-    // Written so that NaN fails too.
+    // The condition is written so that NaN fails too.
     if (!(std::abs(glm::dot(direction, direction) - 1) <= 2e-6))
         throw Error(ErrorCode::invalid_argument, "radiance: towards_light must have unit length");
 }

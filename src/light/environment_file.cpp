@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Light from and to files.
+// Reading and writing of light files.
 #include <algorithm>
 #include <cstdio>
 #include <string>
@@ -22,12 +22,12 @@ const std::vector<double>& Environment::wavelengths() const noexcept {
 namespace {
 
 bool is_cube(const path& file) {
-    std::error_code ignored;  // of a name that is too long
+    std::error_code ignored;  // errors about a name that is too long
     return cube_cross_stem(file) || (!file.empty() && !std::filesystem::exists(file, ignored) &&
                                      std::filesystem::exists(cube_cross_file(file, 0), ignored));
 }
 
-/// Light of the bitmap's colours. Takes its memory.
+/// Returns the light of a bitmap's colours. Takes the memory of the image from `budget`.
 StokesImage light_of(const Bitmap& bitmap, const LoadBudget& budget) {
     budget.take_memory(4 * sizeof(float) * static_cast<std::uint64_t>(bitmap.width) *
                        static_cast<std::uint64_t>(bitmap.height) * (bitmap.channels < 3 ? 1 : 3));

@@ -17,7 +17,7 @@ glm::dvec3 equirect_direction(double u, double v) {
 }
 
 glm::dvec2 equirect_coordinates(const glm::dvec3& w) {
-    // atan2 of the radius rather than acos(y), which loses half of the digits near the poles.
+    // atan2 of the radius is used because acos(y) loses half of the digits near the poles.
     const double v = std::atan2(std::hypot(w.x, w.z), w.y) / pi;
     if (w.x == 0 && w.z == 0) return {0, v};
     const double u = std::atan2(w.x, -w.z) / (2 * pi);
@@ -34,7 +34,7 @@ Frame equirect_frame(double u, double v) {
 double pixel_solid_angle(int width, int height, int row) {
     const double step = pi / (height - 1);
     const bool pole = row == 0 || row == height - 1;
-    // Of a tent function of the zenith angle, or half of one, times its sine.
+    // Integral of a tent function of the zenith angle, or half of one, times the sine of the angle.
     const double depth =
         pole ? 1 - std::sin(step) / step : std::sin(row * step) * 2 * (1 - std::cos(step)) / step;
     return 2 * pi / width * depth;

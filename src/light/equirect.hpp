@@ -8,21 +8,24 @@
 
 namespace nicol {
 
-/// The unit direction towards the light at (u, v).
+/// Returns the unit direction towards the light at (u, v).
 [[nodiscard]] glm::dvec3 equirect_direction(double u, double v);
 
-/// (u, v) of a unit direction towards the light: 0 <= u < 1, 0 <= v <= 1. At the zenith and nadir u is 0.
+/// Returns (u, v) of a unit direction towards the light: 0 <= u < 1, 0 <= v <= 1. At the zenith and nadir u
+/// is 0.
 [[nodiscard]] glm::dvec2 equirect_coordinates(const glm::dvec3& towards_light);
 
-/// The Stokes frame of the image at (u, v): z = propagation, x = the horizontal direction of increasing u.
+/// Returns the Stokes frame of the image at (u, v): z = propagation, x = the horizontal direction of
+/// increasing u.
 [[nodiscard]] Frame equirect_frame(double u, double v);
 
-/// Integral over the sphere of what a pixel of 1 in this row is, with others of 0, in an image of so many.
+/// Returns the integral over the sphere of an image of width x height pixels in which one pixel of this row
+/// is 1 and all other pixels are 0.
 [[nodiscard]] double pixel_solid_angle(int width, int height, int row);
 
-/// Axes (as columns) about which the image's rows are circles of latitude: z = world y, x = world -z,
-/// y = world -x. A propagation direction has theta = pi (1 - v) and phi = pi - 2 pi u about them, and its
-/// image frame is its theta-phi frame rotated by +90 degrees: x = phi-hat, y = -theta-hat.
+/// Returns the axes (as columns) about which the image's rows are circles of latitude: z = world y, x = world
+/// -z, y = world -x. About these axes, a propagation direction has theta = pi (1 - v) and phi = pi - 2 pi u,
+/// and its image frame is its theta-phi frame rotated by +90 degrees: x = phi-hat, y = -theta-hat.
 [[nodiscard]] glm::dmat3 equirect_axes();
 
 }  // namespace nicol

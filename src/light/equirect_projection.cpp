@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Exact integration of a bilinear image against the harmonics.
+// Projection of a bilinear image onto the harmonics by exact integration.
 #include "light/equirect_projection.hpp"
 
 #include <tbb/blocked_range.h>
@@ -28,20 +28,21 @@ namespace {
 using std::numbers::pi;
 using Complex = std::complex<double>;
 
-/// Upper limit of the Fourier coefficients (in doubles) of channels that are read together.
+/// Upper limit of the Fourier coefficients (in doubles) of the channels that are read together.
 constexpr double kRowDoubles = 1 << 24;
 
-/// Fourier coefficients of rows: a few degrees directly, many by FFT.
+/// Fourier coefficients of rows: computed directly for few degrees, by FFT for many.
 class RowAnalysis {
 public:
     RowAnalysis(const EquirectView& view, int first, int count, int order)
         : view_(view), first_(first), count_(count), order_(order) {
-        // A row linear between its pixels is their comb convolved with a hat, whose transform is sinc^2.
+        // A row that is linear between its pixels is the pixels' comb convolved with a hat, whose transform
+        // is sinc^2.
         for (int m = 0; m <= order; ++m) {
             const double x = pi * m / view.width;
             const double sinc = m == 0 ? 1 : std::sin(x) / x;
             factor_.push_back(sinc * sinc / view.width);
-            // The columns start half a step from phi = -pi.
+            // The columns start half a step after phi = -pi.
             rotation_.push_back(std::polar(factor_.back(), m * (pi - pi / view.width)));
         }
     }
@@ -56,7 +57,7 @@ public:
     }
 
 private:
-    /// Row i of the result's order in memory.
+    /// Returns the image row that is row i of the result.
     [[nodiscard]] const float* row(int channel, int i) const {
         return view_.values + static_cast<std::size_t>(first_ + channel) * view_.channel_stride +
                static_cast<std::size_t>(view_.height - 1 - i) * view_.row_stride;
@@ -94,7 +95,8 @@ private:
         });
     }
 
-    /// phi = pi - a, so exp(-i m phi) = (-1)^m exp(i m a).
+    /// Returns the factor of degree m for folded sums. Because phi = pi - a, exp(-i m phi) = (-1)^m exp(i m
+    /// a).
     [[nodiscard]] double folded_factor(std::size_t m) const { return m % 2 == 0 ? factor_[m] : -factor_[m]; }
 
     void store_folded(std::span<const double> sums, std::size_t k, std::vector<Complex>& to, int i) const {
@@ -104,7 +106,8 @@ private:
                 folded_factor(m) * Complex(sums[8 * m + k], sums[8 * m + 4 + k]);
     }
 
-    /// From the image's frame to the theta-phi frame: rotated by 90 degrees, which negates s1 + i s2.
+    /// Stores spin coefficients, rotated from the image's frame to the theta-phi frame by 90 degrees, which
+    /// negates s1 + i s2.
     void store_folded_spin(std::span<const double> sums, FourierRows& result, int i) const {
         for (int m = 0; m <= order_; ++m) {
             const double* s = &sums[8 * static_cast<std::size_t>(m)];
@@ -114,7 +117,7 @@ private:
         }
     }
 
-    /// A complex sequence of a batch: components p and q of two rows, which may be the same.
+    /// Complex sequence of a batch: components p and q of two rows, which may be the same row.
     struct Lane {
         int row_p, row_q;
         std::size_t p, q;
@@ -129,7 +132,7 @@ private:
         tbb::enumerable_thread_specific<Worker> workers([&] {
             return Worker{BatchFft(view_.width), std::vector<double>(BatchFft::kElement * width)};
         });
-        // s0 + i s3 and s1 + i s2 of four rows, or s0 of sixteen in pairs.
+        // A batch holds s0 + i s3 and s1 + i s2 of four rows, or s0 of sixteen rows in pairs.
         const bool polarized = view_.components == 4;
         const int rows = polarized ? 4 : 16;
         tbb::parallel_for(0, (view_.height + rows - 1) / rows, [&](int group) {
@@ -160,7 +163,7 @@ private:
         });
     }
 
-    /// phi = pi - 2 pi u falls with the column, so the pixels are read from right to left.
+    /// Loads a lane from right to left, because phi = pi - 2 pi u falls with the column.
     void load(const Lane& lane, int channel, double* to) const {
         const float* p = row(channel, lane.row_p) + lane.p;
         const float* q = row(channel, lane.row_q) + lane.q;
@@ -172,7 +175,7 @@ private:
         }
     }
 
-    /// Degree m of a transformed lane, also above width / 2, where the sums are periodic.
+    /// Returns degree m of a transformed lane. The sums are periodic, so m may be above width / 2.
     [[nodiscard]] Complex degree(const double* out, int m) const {
         const int bin = (m % view_.width + view_.width) % view_.width;
         const double* z = out + BatchFft::kElement * static_cast<std::size_t>(bin);
@@ -202,14 +205,14 @@ private:
     int first_;
     int count_;
     int order_;
-    std::vector<double> factor_;     // of degree |m|
-    std::vector<Complex> rotation_;  // the factor of m >= 0, rotated to where the columns start
+    std::vector<double> factor_;     // by degree |m|
+    std::vector<Complex> rotation_;  // the factor of m >= 0, rotated to the start of the columns
 };
 
-/// Fourier coefficients, over the azimuth of the propagation direction about the image's axes, of the rows
-/// of `count` channels from `first` on, which are linear between pixels. Row i of a result lies at theta =
-/// i pi / (height - 1), where i = 0 is the nadir of the image (its last row), for theta belongs to where
-/// the light goes.
+/// Returns Fourier coefficients over the azimuth of the propagation direction about the image's axes, for the
+/// rows of `count` channels from `first` on. The rows are linear between pixels. Row i of a result is at
+/// theta = i pi / (height - 1), and i = 0 is the nadir of the image (its last row), because theta belongs to
+/// the direction of propagation.
 std::vector<FourierRows> analyze_rows(const EquirectView& view, int first, int count, int order) {
     return RowAnalysis(view, first, count, order).run();
 }
@@ -220,12 +223,12 @@ struct IntervalRule {
     std::vector<double> weight;
 };
 
-/// Between two rows the integrand is a linear function times a trigonometric polynomial of degree order + 1,
-/// for which few Gauss points are practically exact; a rule over the whole meridian would suffer from the
-/// kinks at the rows.
+/// Returns the Gauss rule of an interval. Between two rows the integrand is a linear function times a
+/// trigonometric polynomial of degree order + 1, for which few Gauss points are practically exact. A rule
+/// over the whole meridian would suffer from the kinks at the rows.
 IntervalRule interval_rule(int order, int intervals) {
     const double log_phase = std::log((order + 1) * pi / intervals);
-    // Error of n points for exp(i x t) on 0..1: x^2n (n!)^4 / ((2n + 1) ((2n)!)^3), built up factor by
+    // The error of n points for exp(i x t) on 0..1 is x^2n (n!)^4 / ((2n + 1) ((2n)!)^3), built up factor by
     // factor.
     double log_error = 0;
     int points = 0;
@@ -244,21 +247,21 @@ IntervalRule interval_rule(int order, int intervals) {
     return rule;
 }
 
-/// Sums the coefficients of ranges of intervals between rows.
+/// Sum of the coefficients of ranges of intervals between rows.
 class MeridianSum {
 public:
     MeridianSum(const FourierRows& rows, const IntervalRule& rule)
         : rows_(rows), rule_(rule), sum_(4 * psh_count(rows.order), 0.0) {}
     MeridianSum(const MeridianSum& other, tbb::split) : MeridianSum(other.rows_, other.rule_) {}
 
-    /// Intervals first..last counted from each end of the meridian: the harmonics are mirrored between north
-    /// and south, which the Legendre step uses when it gets both.
+    /// Adds the intervals first..last, counted from each end of the meridian. The harmonics are mirrored
+    /// between north and south, which the Legendre step uses if it gets both.
     void operator()(const tbb::blocked_range<int>& range) {
         const int intervals = rows_.rows - 1;
         LatitudeRows latitudes;
         std::vector<Point> points;
         for (int i = range.begin(); i < range.end(); ++i) {
-            // The middle one of an odd number of intervals is its own mirror image.
+            // The middle interval of an odd number is its own mirror image.
             const bool middle = 2 * i + 1 == intervals;
             const std::size_t count = middle ? (rule_.position.size() + 1) / 2 : rule_.position.size();
             for (std::size_t k = 0; k < count; ++k) add(latitudes, points, i, k);
@@ -327,7 +330,7 @@ private:
 
 PshVector project_equirect(const EquirectView& view, int order) {
     const IntervalRule rule = interval_rule(order, view.height - 1);
-    // Enough latitudes at once to amortize the Legendre step's set-up, few enough to bound the memory.
+    // A grain has enough latitudes to amortize the Legendre step's set-up and few enough to bound the memory.
     const int grain = std::max(1, 256 / static_cast<int>(rule.position.size()));
     // Neighbouring channels are read together, as many as fit.
     const double doubles = 8.0 * (order + 1) * view.height;
@@ -339,7 +342,7 @@ PshVector project_equirect(const EquirectView& view, int order) {
         const std::vector<FourierRows> rows = analyze_rows(view, first, count, order);
         for (int c = 0; c < count; ++c) {
             MeridianSum sum(rows[static_cast<std::size_t>(c)], rule);
-            // Deterministic: the same image gives the same bits whatever the number of threads.
+            // The reduction is deterministic, so that an image gives equal bits for any number of threads.
             tbb::parallel_deterministic_reduce(
                 tbb::blocked_range<int>(0, view.height / 2, static_cast<std::size_t>(grain)), sum);
             std::ranges::copy(sum.result(), result.channel(first + c).begin());

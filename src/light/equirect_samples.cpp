@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pixels as samples of a band-limited field.
+// Conversion between coefficients and an image's pixels as samples of a band-limited field.
 #include "light/equirect_projection.hpp"
 
 #include <algorithm>
@@ -21,8 +21,9 @@ using std::numbers::pi;
 // Image frames are the theta-phi frames about the image's axes, rotated by a quarter circle.
 constexpr std::array<double, 4> kQuarterRotation{1, -1, -1, 1};
 
-// About the image's axes its rows, from the last to the first, are circles of latitude, and its columns run
-// against phi: from the last to the first they are at phi = -pi + pi / width and on.
+// Grid of an image's pixels on the sphere. About the image's axes, the rows from the last to the first are
+// circles of latitude. The columns run against phi: from the last to the first they are at phi = -pi + pi /
+// width and on.
 class ImageGrid {
 public:
     ImageGrid(int order, int width, int height)
@@ -94,7 +95,7 @@ EquirectImage synthesize_image(const PshVector& field, int width, int height) {
     const PshVector part = with_order(field, order);
     EquirectImage image(width, height, field.channels());
     ImageGrid(order, width, height).synthesize(rotated(part, glm::transpose(equirect_axes())), image);
-    // Transforms share work between components, which leaves rounding errors in those that are zero.
+    // Transforms share work between components, which leaves rounding errors in components that are zero.
     const std::array<bool, 4> present = components_of(part);
     for (std::size_t i = 0; i < image.data.size(); ++i)
         if (!present[i % 4]) image.data[i] = 0;

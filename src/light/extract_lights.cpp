@@ -20,37 +20,38 @@ namespace {
 
 using std::numbers::pi;
 
-// Least brightness of an extracted light's pixels over the mean of the light.
+// Smallest brightness of an extracted light's pixels, divided by the mean of the light.
 constexpr double kContrast = 4;
-// Largest solid angle (sr) and radius (rad) of an extracted light. Harmonics miss less of a larger part, and
+// Largest solid angle (sr) and radius (rad) of an extracted light. Harmonics miss less of a larger light, and
 // samples on it are far apart.
 constexpr double kMostSolidAngle = 0.2;
 constexpr double kMostRadius = 0.5;
-// Highest order that harmonics hold of an extracted light, and the highest that matters in the light that it
-// gives.
+// Highest order of an extracted light that harmonics hold, and the highest order that matters for the light
+// it gives.
 constexpr double kHeldOrder = 9;
 constexpr double kLastOrder = 32;
-// Extracted lights are not worth their time if the RMS of all their light between these orders is less, over
-// the mean of the light. A point has this with 6 % of the light.
+// Limit of the light of omitted extracted lights: the RMS of the sum of their light between these orders,
+// divided by the mean of the light. Below the limit extracted lights are not worth their time. A point with 6
+// % of the light reaches the limit.
 constexpr double kOmitted = 2;
-// Extracted lights this near to each other (radians) are one.
+// Distance (radians) up to which extracted lights are merged.
 constexpr double kReach = 0.05;
-// Number of regions, the brightest ones, that extracted lights are made of at most.
+// Largest number of regions, the brightest, from which extracted lights are made.
 constexpr std::size_t kMostRegions = 1024;
 
 struct Pixel {
     int row, column;
 };
 
-// A small bright part of an image: neighbouring pixels, or those of parts that are close.
+// Small bright part of an image: neighbouring pixels, or the pixels of several parts that are close.
 struct Region {
     std::vector<Pixel> pixels;
-    /// Light that is taken out of the pixels: Stokes vectors, [pixel][channel][p], physical where the image
-    /// is. Unpolarized light is left, as bright as the light around the extracted light or all that a pixel
-    /// has.
+    /// Light that is taken out of the pixels: Stokes vectors, [pixel][channel][p], physically realizable if
+    /// the image is. The unpolarized light that is left has the brightness of the light around the extracted
+    /// light, or all the brightness that a pixel has.
     std::vector<float> values;
-    double flux = 0;    // integral of the brightness that is taken
-    double energy = 0;  // and of its square
+    double flux = 0;    // integral of the removed brightness
+    double energy = 0;  // integral of the squared removed brightness
     glm::dvec3 centre{};
     double radius = 0;
 };
@@ -66,7 +67,7 @@ public:
         }
     }
 
-    // At most `most` extracted lights, those first of which harmonics miss most.
+    // Returns at most `most` extracted lights, sorted by the energy that harmonics miss, largest first.
     [[nodiscard]] std::vector<Region> extracted_lights(int most) {
         std::vector<Region> found = regions();
         std::ranges::stable_sort(found, std::greater{}, &Region::flux);
@@ -116,8 +117,8 @@ private:
                 visit(Pixel{row, (at.column + step + view_.width) % view_.width});
     }
 
-    // Regions of neighbouring pixels above a level; of pixels above higher levels where a region is too
-    // large.
+    // Returns regions of neighbouring pixels above a level. A region that is too large is divided into
+    // regions of pixels above higher levels.
     [[nodiscard]] std::vector<Region> regions() {
         struct Part {
             std::vector<Pixel> pixels;
@@ -149,7 +150,7 @@ private:
         return found;
     }
 
-    // The open pixels that are connected with `first`. Closes them.
+    // Returns the open pixels that are connected with `first`, and closes them.
     [[nodiscard]] std::vector<Pixel> connected(Pixel first) {
         std::vector<Pixel> pixels{first};
         open(first) = 0;
@@ -163,7 +164,7 @@ private:
         return pixels;
     }
 
-    // Finds centre and radius; returns whether it is small enough.
+    // Finds centre and radius. Returns whether the region is small enough.
     [[nodiscard]] bool describe(Region& region) const {
         double total = 0;
         for (const Pixel at : region.pixels) {
@@ -180,7 +181,8 @@ private:
         return region.radius <= kMostRadius;
     }
 
-    // Leaves as much unpolarized light as there is around the region, or as its pixels have.
+    // Sets the light that is taken out. Unpolarized light is left, as much as the light around the region or
+    // as its pixels have.
     void take(Region& region) {
         for (const Pixel at : region.pixels) open(at) = 1;
         std::vector<double> around(static_cast<std::size_t>(view_.channels));
@@ -211,7 +213,8 @@ private:
         }
     }
 
-    // Energy of orders above kHeldOrder up to kLastOrder, as if the region's light fell off as a Gaussian.
+    // Returns the energy of orders above kHeldOrder up to kLastOrder, as if the region's light fell off as a
+    // Gaussian.
     [[nodiscard]] static double missed(const Region& region) {
         if (!(region.energy > 0)) return 0;
         const double solid_angle = region.flux * region.flux / region.energy;
@@ -221,7 +224,7 @@ private:
         return region.energy * (above(kHeldOrder) - above(kLastOrder));
     }
 
-    // Adds the region to the extracted light that it is near to, or makes it an extracted light.
+    // Adds the region to a near extracted light, or makes it a new extracted light.
     static void add(std::vector<Region>& extracted_lights, Region region) {
         const auto near = std::ranges::find_if(extracted_lights, [&](const Region& extracted_light) {
             const double cosine = std::clamp(glm::dot(extracted_light.centre, region.centre), -1.0, 1.0);
@@ -239,11 +242,11 @@ private:
 
     EquirectView view_;
     std::vector<std::uint8_t> open_;
-    std::vector<double> solid_angles_;  // of a row's pixels
-    double flux_ = 0;                   // of all light
+    std::vector<double> solid_angles_;  // by row: solid angle of one pixel
+    double flux_ = 0;                   // flux of all light
 };
 
-// The pixels and those around them. Columns begin after the widest gap.
+// Returns the window of the pixels and the pixels around them. Columns begin after the widest gap.
 EquirectWindow window_around(const std::vector<Pixel>& pixels, const EquirectView& view) {
     const auto [first, last] = std::ranges::minmax(pixels, {}, &Pixel::row);
     std::vector<int> columns;
@@ -266,7 +269,7 @@ EquirectWindow window_around(const std::vector<Pixel>& pixels, const EquirectVie
             .columns = std::min(view.width - gap + 2, view.width)};
 }
 
-// Takes the extracted light out of the image.
+// Takes the extracted light out of the image `rest`.
 std::shared_ptr<const ExtractedLight> extract(const Region& extracted_light, const EquirectView& view,
                                               EquirectImage& rest) {
     const EquirectWindow window = window_around(extracted_light.pixels, view);
@@ -279,7 +282,7 @@ std::shared_ptr<const ExtractedLight> extract(const Region& extracted_light, con
             const auto from = rest.at(c, at.row, at.column);
             for (std::size_t p = 0; p < 4; ++p) from[p] -= taken[4 * static_cast<std::size_t>(c) + p];
         }
-        // Where the window goes all around, its first column is its last as well.
+        // If the window spans all columns, its first column is also its last column.
         for (int x = (at.column - window.left + view.width) % view.width; x < across; x += view.width) {
             const auto to = static_cast<std::size_t>((at.row - window.top) * across + x) * channels * 4;
             std::copy_n(taken, channels * 4, values.begin() + static_cast<std::ptrdiff_t>(to));

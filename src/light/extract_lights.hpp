@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// An environment as extracted lights and what is left of it.
+// Division of an environment into extracted lights and the rest.
 #pragma once
 
 #include <memory>
@@ -13,13 +13,13 @@ namespace nicol {
 struct SplitLight {
     EnvironmentPtr rest;
     std::vector<std::shared_ptr<const ExtractedLight>>
-        extracted_lights;  ///< those of which harmonics would miss most first
+        extracted_lights;  ///< sorted by the energy that harmonics would miss, largest first
 };
 
-/// Takes at most `most` extracted lights (0 and up) out of an image: parts within 0.5 rad and 0.2 sr that are
-/// brighter than four times the mean, unless all that orders 10 to 32 have of them is little. rest +
-/// extracted lights is the light that was, up to rounding. Light that is no image has no extracted lights,
-/// null has none; without extracted lights the rest is `light` itself.
+/// Takes at most `most` extracted lights (0 and up) out of an image. Extracted lights are parts within 0.5
+/// rad and 0.2 sr that are brighter than four times the mean, unless their total in orders 10 to 32 is small.
+/// The sum of rest and extracted lights equals `light`, up to rounding. Light that is not an image, or null,
+/// has no extracted lights. Without extracted lights the rest is `light` itself.
 [[nodiscard]] SplitLight extract_lights(const EnvironmentPtr& light, int most);
 
 }  // namespace nicol

@@ -21,8 +21,7 @@ struct Choice {
     double rest;  // position inside the chosen share, above 0 and below 1
 };
 
-// Within: off the edges of an extracted light, where there is no light, and nothing that it could be divided
-// by.
+// Moves x away from the edges of an extracted light, where the density may be 0 and cannot be a divisor.
 double within(double x) {
     return std::clamp(x, 1e-6, 1 - 1e-6);
 }
@@ -36,7 +35,8 @@ Choice choose(std::span<const double> cumulative, double u) {
             within(share > 0 ? (wanted - before) / share : 0.5)};
 }
 
-// x in [0, 1] with density proportional to (1 - x) a + x b; a + b > 0. Squares of floats fit into a double.
+// Returns x in [0, 1] with density proportional to (1 - x) a + x b; a + b > 0. Squares of floats fit into a
+// double.
 float linear_sample(double u, double a, double b) {
     return static_cast<float>(u * (a + b) / (a + std::sqrt((1 - u) * a * a + u * b * b)));
 }
@@ -103,7 +103,8 @@ void ExtractedLight::find_cone() {
             for (const int x : {column, column + 1})
                 least = std::min(least, glm::dot(centre_, direction(y, x)));
     });
-    // Between two pixels of a row, which is no great circle, a place may be farther by half their distance.
+    // Rows are no great circles, so a point between two pixels of a row may be farther away by half their
+    // distance.
     angular_radius_ = std::min(pi, std::acos(least) + pi / window_.width);
 }
 
@@ -171,7 +172,8 @@ void ExtractedLight::sample(const Lanes& u, const Lanes& v, LaneLight& out) cons
         const float right = linear_sample(column.rest, at_left, at_right);
         const double density = (at_left + double{right} * (at_right - at_left)) / rows_.back();
 
-        // From the nearer pole, or rounding would give places at the nadir a negative solid angle.
+        // Angles are measured from the nearer pole, because rounding would give points at the nadir a
+        // negative solid angle.
         const float zenith_rows = static_cast<float>(window_.top) + static_cast<float>(row.index) + down;
         const float nadir_rows =
             static_cast<float>(window_.height - 1 - window_.top) - static_cast<float>(row.index) - down;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Rows are folded twice about their mirror axes and then summed degree by degree.
+// Discrete Fourier sums of rows that are folded twice about their mirror axes and then summed degree by
+// degree.
 #include "light/folded_sums.hpp"
 
 #include <algorithm>
@@ -14,7 +15,7 @@ namespace {
 
 constexpr std::size_t kBlock = 64;
 
-/// Two halves, because that is what every processor has.
+/// Vector of four doubles in two halves, because every processor has vectors of two.
 struct Four {
     using Half = double __attribute__((vector_size(16)));
     Half low, high;
@@ -45,7 +46,7 @@ FoldedSums::FoldedSums(int order, int columns)
     for (std::size_t first = 0; first < quarter; first += kBlock)
         for (int m = 0; m <= order; ++m)
             for (std::size_t c = first; c < std::min(first + kBlock, quarter); ++c) {
-                // In half columns, so that the angle is reduced exactly.
+                // The angle is counted in half columns, so that it is reduced exactly.
                 const long long step = m * (2 * static_cast<long long>(c) + 1) % (2LL * columns);
                 const double angle = std::numbers::pi * static_cast<double>(step) / columns;
                 table_.push_back(std::cos(angle));
@@ -59,7 +60,7 @@ void FoldedSums::fold(const FourRows& rows, std::size_t first, std::size_t count
     double* even_sine = odd_cosine + 4 * count;
     double* odd_sine = even_sine + 4 * count;
     for (std::size_t i = 0; i < count; ++i) {
-        // The pixels at the angles a, pi - a, pi + a and 2 pi - a.
+        // Pixels at the angles a, pi - a, pi + a and 2 pi - a.
         const std::size_t at = first + i;
         const Four a = pixel(rows, at);
         const Four b = pixel(rows, columns_ / 2 - 1 - at);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Discrete Fourier sums of a few degrees of four periodic rows at once.
+// Discrete Fourier sums of a few degrees for four periodic rows at once.
 #pragma once
 
 #include <array>
@@ -16,19 +16,20 @@ struct FourRows {
     std::size_t stride;
 };
 
-/// The four pixels of a row that are mirror images of each other in the axes share their cosines and sines,
-/// so a degree costs half a multiplication per value. Not thread-safe; copies are independent.
+/// Fourier sums of folded rows. The four pixels of a row that are mirror images of each other in the axes
+/// share their cosines and sines, so a degree costs half a multiplication per value. Not thread-safe; copies
+/// are independent.
 class FoldedSums {
 public:
-    /// Whether rows of so many columns are supported and faster than an FFT.
+    /// Returns whether rows of `columns` columns are supported and the sums faster than an FFT.
     [[nodiscard]] static bool suits(int order, int columns) {
         return columns % 4 == 0 && order <= 128 && columns >= 16;
     }
 
     FoldedSums(int order, int columns);
 
-    /// With a_c = 2 pi (c + 1/2) / columns and m = 0..order: sums over c of value cos(m a_c) of sequence k at
-    /// [8 m + k], of value sin(m a_c) at [8 m + 4 + k]. Valid until the next call.
+    /// Returns, with a_c = 2 pi (c + 1/2) / columns and m = 0..order, the sums over c of value cos(m a_c) of
+    /// sequence k at [8 m + k], and of value sin(m a_c) at [8 m + 4 + k]. Valid until the next call.
     [[nodiscard]] std::span<const double> operator()(const FourRows& rows);
 
 private:

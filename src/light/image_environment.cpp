@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Light from an equirectangular image.
+// Light of equirectangular images.
 #include <tbb/parallel_for.h>
 
 #include <algorithm>

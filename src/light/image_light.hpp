@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
-// Equirectangular images as light.
+// Light of equirectangular images whose values are not checked.
 #pragma once
 
 #include "light/environment.hpp"
 
 namespace nicol {
 
-/// Radiance from a unit direction as Environment::radiance() has it, bilinear between pixels. Neighbours'
-/// frames differ by no more than the angle between their columns, at the poles too, so that components can be
-/// interpolated before they are rotated into the frame of the direction.
+/// Returns the radiance from a unit direction in the frame of Environment::radiance(), bilinear between
+/// pixels. The frames of neighbouring pixels differ by no more than the angle between their columns, at the
+/// poles too, so that components can be interpolated before they are rotated into the frame of the direction.
 [[nodiscard]] Stokes look_up(const EquirectView& view, int channel, const glm::dvec3& towards_light);
 
-/// An image as light. Its values are not checked and need not be physical.
+/// Light of an image. Its values are not checked and may be physically unrealizable.
 class ImageLight final : public Environment {
 public:
     explicit ImageLight(EquirectImage image);
@@ -27,7 +27,7 @@ public:
     [[nodiscard]] EquirectImage image() const override { return image_; }
 
 private:
-    /// With one component if the light is unpolarized.
+    /// Returns a view with one component if the light is unpolarized.
     [[nodiscard]] EquirectView view() const;
 
     EquirectImage image_;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Whether an image is physical light (Eq. 70): a fast check that most images pass, and an exact one for the
-// others.
+// Checks that an image is physically realizable (Eq. 70): a fast check that most images pass, and an exact
+// check for the others.
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_reduce.h>
 
@@ -15,7 +15,7 @@
 namespace nicol {
 namespace {
 
-/// Largest sum of negative pixels, relative to the positive ones.
+/// Largest sum of negative pixels, relative to the sum of positive pixels.
 constexpr double kLargestNegative = 0.25;
 
 using Floats = float __attribute__((vector_size(16)));
@@ -25,7 +25,8 @@ bool any(Ints mask) {
     return (mask[0] | mask[1] | mask[2] | mask[3]) != 0;
 }
 
-/// Checks four pixels at a time against limits stricter than the exact ones, which depend on the largest s0.
+/// Check of four pixels at a time against limits stricter than the exact limits, which depend on the largest
+/// s0.
 class FastCheck {
 public:
     explicit FastCheck(const EquirectView& view) : view_(view) {}
@@ -50,7 +51,7 @@ public:
         largest_ = larger(largest_, other.largest_);
     }
 
-    /// No pixel is negative, infinite, NaN or polarized too much, and no square overflowed.
+    /// Returns whether no pixel is negative, infinite, NaN or polarized too much, and no square overflowed.
     [[nodiscard]] bool passed() const {
         float largest = 0;
         for (int i = 0; i < 4; ++i) largest = std::max(largest, largest_[i]);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Light from coefficients.
+// Light of coefficients.
 #include <algorithm>
 #include <cmath>
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Coefficients of light from and to .npz.
+// Reading and writing of coefficients of light in .npz files.
 #include "light/psh_file.hpp"
 
 #include <algorithm>
@@ -41,7 +41,7 @@ PshVector read_psh_vector(const path& file, const LoadBudget& budget) {
     constexpr std::size_t most_values = std::size_t{4} * kMaxFileChannels * psh_count(kMaxOrder);
     const NpyArray array = read_npz_member(file, "coeff", most_values, budget);
     std::vector<std::size_t> shape = array.shape;
-    const std::size_t inner = polar ? 2 : 1;  // axes after the channel's
+    const std::size_t inner = polar ? 2 : 1;  // axes after the channel's axis
     if (shape.size() == inner) shape.insert(shape.begin(), 1);
     if (shape.size() != inner + 1 || (polar && shape[2] != 4))
         invalid(file, "has shape " + shape_text(array.shape) + "; it must be [channel, (order + 1)^2" +

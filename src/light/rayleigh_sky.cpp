@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The sky in closed form: sunlight scattered once by small particles.
+// Clear sky in closed form: sunlight scattered once by small particles.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -35,7 +35,7 @@ public:
 
     PshVector project(int order) const override {
         check_projection_order(order);
-        // s0 is a polynomial of degree 2 and the spin part of order 2, so this small grid is exact.
+        // s0 is a polynomial of degree 2 and the spin part has order 2, so this small grid is exact.
         constexpr int sky_order = 2;
         constexpr int size = 2 * sky_order + 2;
         const LatitudeRows rows = fejer_rows(size);
@@ -79,9 +79,9 @@ public:
     }
 
 private:
-    /// The sky of radiance 1 in a frame whose z is the propagation direction. With e = sun x view, whose
-    /// length is sin g, s0 DoLP = 3/4 dop_max |e|^2, so the linear part is a product of e with itself: no
-    /// angle and no division, smooth at the sun.
+    /// Returns the sky of radiance 1 in a frame whose z is the propagation direction. With e = sun x view,
+    /// whose length is sin g, s0 DoLP = 3/4 dop_max |e|^2. The linear part is therefore a product of e with
+    /// itself, without an angle or a division, and smooth at the sun.
     Stokes unit_sky(const Frame& frame) const {
         const glm::dvec3 view = -frame[2];
         const double cosine = glm::dot(sun_, view);
@@ -100,7 +100,7 @@ private:
 }  // namespace
 
 EnvironmentPtr rayleigh_sky(const RayleighSky& sky) {
-    // Scaled first, so that the squared length neither overflows nor underflows.
+    // The direction is scaled first, so that the squared length neither overflows nor underflows.
     const glm::dvec3 a = glm::abs(sky.sun_direction);
     const double largest = std::max({a.x, a.y, a.z});
     const glm::dvec3 scaled = sky.sun_direction / largest;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A sky with haze, as an image: Perez's radiance, Rayleigh's polarization, and a ground below.
+// Hazy sky as an image: Perez's radiance, Rayleigh's polarization, and a ground below.
 #include "light/turbid_sky.hpp"
 
 #include <algorithm>
@@ -22,20 +22,20 @@ constexpr int kWidth = 1024;
 constexpr int kHeight = kWidth / 2 + 1;
 constexpr int kHorizonRow = kHeight / 2;
 
-/// Solid angle of a pixel of row y above the horizon; the horizon's row counts half.
+/// Returns the solid angle of a pixel of row y above the horizon. The horizon's row counts half.
 double solid_angle(int y) {
     const double step = pi / (kHeight - 1);
     return 2 * pi / kWidth * step * std::sin(y * step) * (y == kHorizonRow ? 0.5 : 1.0);
 }
 
-/// (1 + A exp(B / cos z)) (1 + C exp(D g) + E cos^2 g)
+/// Returns (1 + A exp(B / cos z)) (1 + C exp(D g) + E cos^2 g).
 double perez(const std::array<double, 5>& k, double cos_zenith, double gamma) {
     const double cosine = std::cos(gamma);
     return (1 + k[0] * std::exp(k[1] / cos_zenith)) *
            (1 + k[2] * std::exp(k[3] * gamma) + k[4] * cosine * cosine);
 }
 
-/// Rows T^2, T, 1; columns z^3, z^2, z, 1.
+/// Coefficients of the zenith's chromaticity: rows T^2, T, 1; columns z^3, z^2, z, 1.
 using ZenithTable = std::array<std::array<double, 4>, 3>;
 constexpr ZenithTable kZenithX = {{{0.00166, -0.00375, 0.00209, 0},
                                    {-0.02903, 0.06377, -0.03202, 0.00394},
@@ -90,14 +90,14 @@ EquirectImage turbid_sky_image(const RayleighSky& sky, const glm::dvec3& sun) {
             const glm::dvec3 view = -frame[2];
             const glm::dvec3 e = glm::cross(sun, view);
             const double cosine = glm::dot(sun, view);
-            // At the horizon itself the limit of Perez's formula, which divides by this cosine.
+            // Perez's formula divides by this cosine, so the limit stands for the horizon itself.
             const double height = std::max(view.y, 1e-4);
             const std::array<double, 3> color = perez.at(height, std::atan2(glm::length(e), cosine));
             const std::array<double, 3> rgb = linear_srgb(color);
             luminance += color[0] * solid_angle(y);
 
-            // DoLP = dop_max sin^2 / (1 + cos^2) along sun x view, computed without angles: smooth at the
-            // sun.
+            // DoLP = dop_max sin^2 / (1 + cos^2) along sun x view is computed without angles, so that it is
+            // smooth at the sun.
             const double degree = sky.dop_max / (1 + cosine * cosine);
             const double ex = glm::dot(e, frame[0]);
             const double ey = glm::dot(e, frame[1]);
@@ -111,7 +111,7 @@ EquirectImage turbid_sky_image(const RayleighSky& sky, const glm::dvec3& sun) {
         }
     }
     for (int c = 0; c < channels; ++c) {
-        // To a mean luminance of 1 over the upper half, times this channel's radiance.
+        // The scale gives a mean luminance of 1 over the upper half, times this channel's radiance.
         const double scale = sky.radiance[static_cast<std::size_t>(c)] * 2 * pi / luminance;
         double irradiance = 0;
         for (int y = 0; y <= kHorizonRow; ++y) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A clear sky with haze: Perez's formula with the coefficients of Preetham et al. (1999).
+// Clear sky with haze by Perez's formula with the coefficients of Preetham et al. (1999).
 #pragma once
 
 #include <array>
@@ -8,27 +8,27 @@
 
 namespace nicol {
 
-/// The sky of a turbidity (1.7 clear to 10 hazy) and an angle of the sun from the zenith (0..pi/2).
+/// Sky of a turbidity (1.7 clear to 10 hazy) and an angle of the sun from the zenith (0..pi/2).
 class PerezSky {
 public:
     PerezSky(double turbidity, double sun_zenith);
 
-    /// Luminance (in kcd/m^2) and CIE chromaticity {Y, x, y} at a cosine > 0 of the zenith angle and an angle
-    /// `gamma` from the sun.
+    /// Returns luminance (in kcd/m^2) and CIE chromaticity {Y, x, y} at a cosine > 0 of the zenith angle and
+    /// an angle `gamma` from the sun.
     [[nodiscard]] std::array<double, 3> at(double cos_zenith, double gamma) const;
 
 private:
     using Coefficients = std::array<double, 5>;
 
-    std::array<Coefficients, 3> shape_;  // of Y, x, y
-    std::array<double, 3> factor_;       // zenith value over its shape there
+    std::array<Coefficients, 3> shape_;  // coefficients of Y, x, y
+    std::array<double, 3> factor_;       // value at the zenith over the shape's value there
 };
 
-/// Linear sRGB of a luminance and chromaticity; may be negative outside the gamut.
+/// Returns the linear sRGB of a luminance and chromaticity, which may be negative outside the gamut.
 [[nodiscard]] std::array<double, 3> linear_srgb(const std::array<double, 3>& luminance_x_y);
 
-/// The image for a unit vector `sun` that is not below the horizon and members of `sky` that are in range,
-/// turbidity > 0.
+/// Returns the image for a unit vector `sun` that is not below the horizon and members of `sky` that are in
+/// range, turbidity > 0.
 [[nodiscard]] EquirectImage turbid_sky_image(const RayleighSky& sky, const glm::dvec3& sun);
 
 }  // namespace nicol

@@ -12,7 +12,7 @@
 namespace nicol {
 namespace {
 
-/// In a frame whose x is the axis that absorbs, or is fast.
+/// Returns the Mueller matrix in the frame whose x is a polarizer's absorbing axis or a retarder's fast axis.
 Mueller along_axis(const PolarizationElement& element, double cosine) {
     using Kind = PolarizationElement::Kind;
     const double t = element.transmittance;

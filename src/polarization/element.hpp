@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Ideal, infinitely thin sheets that change the polarization of the light that passes through them.
+// Ideal, infinitely thin polarization elements.
 #pragma once
 
 #include <glm/mat4x4.hpp>
@@ -10,50 +10,52 @@
 
 namespace nicol {
 
-/// Light passes both ways alike, without a change of direction. In its own axes an element lies in the plane
-/// z = 0 about the origin.
+/// Polarization element. Light passes through it in both directions with equal effect and without a change of
+/// direction. In its local coordinates the element lies in the plane z = 0 about the origin.
 struct PolarizationElement {
     enum class Kind { polarizer, retarder, right_circular, left_circular };
     enum class Outline {
         rectangle,  ///< |x| <= 1, |y| <= 1
-        disk,       ///< of radius 1
+        disk,       ///< radius 1
     };
     Kind kind = Kind::polarizer;
     Outline outline = Outline::rectangle;
-    glm::dmat4 to_world{1.0};  ///< affine and invertible
-    /// Of the axis that a polarizer transmits, or of a retarder's fast axis: radians, from x towards y of
-    /// PlacedElement. Circular ones have none.
+    glm::dmat4 to_world{1.0};  ///< transform from local to world coordinates; affine and invertible
+    /// Angle of a polarizer's transmission axis or a retarder's fast axis, in radians, from x towards y of
+    /// PlacedElement. Circular polarizers ignore the angle.
     double angle = 0;
-    /// Of a retarder, radians, where light passes at right angles; pi/2 is a quarter-wave plate.
+    /// Retardance of a retarder at normal incidence, in radians; pi/2 is a quarter-wave plate.
     double retardance = std::numbers::pi / 2;
-    double transmittance = 1;  ///< times what is ideal, 0 to 1
+    double transmittance = 1;  ///< factor on the transmittance of the ideal element, 0 to 1
 };
 
-/// Throws Error(invalid_argument) naming the member that is out of range; not of to_world.
+/// Throws Error(invalid_argument) that names the member that is out of range. Does not check to_world.
 void check(const PolarizationElement& element);
 
-/// An element in other axes, such as the world's. Its frame: z is the normal, x the image of the element's x,
-/// and y = z cross x.
+/// Polarization element in other coordinates, such as the world's. The frame of the element: z is the normal,
+/// x the image of the element's local x, and y = z cross x.
 class PlacedElement {
 public:
-    /// `from_world` takes the world to these axes.
+    /// Places the element in the coordinates to which `from_world` transforms the world.
     explicit PlacedElement(const PolarizationElement& element,
                            const glm::dmat4& from_world = glm::dmat4(1.0));
 
-    /// How many `direction`s from `origin` a line meets the element; nothing where it does not.
+    /// Returns the distance along a line from `origin` to the element, in multiples of `direction`; nothing
+    /// if the line misses the element.
     [[nodiscard]] std::optional<double> distance(const glm::dvec3& origin, const glm::dvec3& direction) const;
 
-    /// Of light in a frame whose z is its unit propagation. At oblique incidence as Mitsuba 3: a polarizer
-    /// absorbs along what is across the ray of the axis that it absorbs, and the retardance is
-    /// proportional to the cosine. A retarder's fast axis is what is across the ray of it.
+    /// Returns the Mueller matrix for light in a frame whose z is the light's unit propagation. Oblique
+    /// incidence follows Mitsuba 3: the effective axis is the component of axis() perpendicular to the ray,
+    /// and the retardance is proportional to the cosine of incidence.
     [[nodiscard]] Mueller mueller(const Frame& received) const;
 
     [[nodiscard]] const PolarizationElement& element() const noexcept { return element_; }
     [[nodiscard]] const glm::dvec3& center() const noexcept { return center_; }
-    [[nodiscard]] const glm::dvec3& normal() const noexcept { return normal_; }  ///< unit
-    /// To coordinates in which the outline is that of the element's own axes, and z is the height above it.
+    [[nodiscard]] const glm::dvec3& normal() const noexcept { return normal_; }  ///< unit vector
+    /// Returns the transform to coordinates in which the outline is the one of the element's local
+    /// coordinates and z is the height above the element.
     [[nodiscard]] const glm::dmat3& to_local() const noexcept { return to_local_; }
-    /// Unit, in the plane: that which absorbs, of polarizers, or is fast.
+    /// Returns a unit vector in the element's plane: a polarizer's absorbing axis or a retarder's fast axis.
     [[nodiscard]] const glm::dvec3& axis() const noexcept { return axis_; }
 
 private:

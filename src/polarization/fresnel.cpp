@@ -19,8 +19,7 @@ Mueller fresnel_reflection(double cos_incident, std::complex<double> eta) {
     const FresnelAmplitudes r = fresnel_amplitudes(cos_incident, eta);
     const double sum = (std::norm(r.s) + std::norm(r.p)) / 2;
     const double difference = (std::norm(r.s) - std::norm(r.p)) / 2;
-    // |r_s r_p| e^{id} with d = arg r_p - arg r_s: the product carries the sign change at Brewster's angle by
-    // itself.
+    // |r_s r_p| e^{id} with d = arg r_p - arg r_s. The product carries the sign change at Brewster's angle.
     const std::complex<double> c = r.p * std::conj(r.s);
     return Mueller(
         {sum, difference, 0, 0, difference, sum, 0, 0, 0, 0, c.real(), -c.imag(), 0, 0, c.imag(), c.real()});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Sixteen points or directions side by side.
+// Points and directions of sixteen vertices side by side.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -12,7 +12,7 @@
 
 namespace nicol {
 
-/// Three numbers of each of sixteen vertices.
+/// Single-precision vectors of sixteen vertices.
 struct LaneVectors {
     Lanes x, y, z;
 };
@@ -27,7 +27,7 @@ inline void put(LaneVectors& lanes, std::size_t i, const glm::vec3& v) {
     return {v.x, v.y, v.z};
 }
 
-/// The part from lane `first` on.
+/// Loads the part that begins at lane `first`.
 template <class Number>
 [[gnu::always_inline]] inline void load_part(const LaneVectors& from, std::size_t first,
                                              Vector3<Number>& to) {
@@ -43,12 +43,13 @@ template <class Number>
     store_part(from.z, first, to.z);
 }
 
-/// Three numbers of each where single precision loses too much.
+/// Double-precision vectors of sixteen vertices, for steps in which single precision loses too many digits.
 struct LanePoints {
     DoubleLanes x, y, z;
 };
 
-/// `from`: up to sixteen; lanes beyond them repeat the first.
+/// Returns the points side by side. `from` has at most sixteen points; lanes beyond them repeat the first
+/// point.
 [[nodiscard]] LanePoints lane_points(std::span<const glm::vec3> from);
 
 }  // namespace nicol

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Mueller matrices: what a surface does to a Stokes vector.
+// Mueller matrices, which map incident to outgoing Stokes vectors.
 #pragma once
 
 #include <array>
@@ -9,9 +9,8 @@
 
 namespace nicol {
 
-/// A 4 x 4 Mueller matrix, row-major: out[row] = sum over column of m(row, column) in[column].
-/// Not a glm matrix on purpose, since those are column-major and a silent transposition still looks
-/// plausible.
+/// A 4 x 4 Mueller matrix, row-major: out[row] = sum over column of m(row, column) in[column]. Not a glm
+/// matrix on purpose, because glm matrices are column-major and a silent transposition still looks plausible.
 class Mueller {
 public:
     Mueller() = default;
@@ -33,11 +32,11 @@ private:
 [[nodiscard]] Mueller operator*(double scale, const Mueller& m);
 [[nodiscard]] Mueller operator+(const Mueller& a, const Mueller& b);
 
-/// The matrix of rotated(): components in the frame rotated by `angle` about z (Eq. 14).
+/// Returns the matrix of rotated(), which gives components in the frame rotated by `angle` about z (Eq. 14).
 [[nodiscard]] Mueller frame_rotation(double angle);
 
-/// The same optical element measured in other frames: `in` and `out` are the angles that rotate the matrix's
-/// incident and outgoing frame into the wanted ones.
+/// Returns the Mueller matrix of one optical element in other frames: `in` and `out` are the angles that
+/// rotate the matrix's incident and outgoing frames into the wanted frames.
 [[nodiscard]] Mueller in_rotated_frames(const Mueller& m, double in, double out);
 
 }  // namespace nicol

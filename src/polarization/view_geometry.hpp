@@ -9,20 +9,20 @@
 
 namespace nicol {
 
-/// Number: float, double or a vector of them (without attributes but its size). Functions on it are inlined
-/// into loops of every instruction set, and return no bare vectors.
+/// Vector of three Numbers. Number is float, double or a vector of them (with no attribute but its size).
+/// Functions on Vector3 are inlined into loops of every instruction set and return no bare vectors.
 template <class Number>
 struct Vector3 {
     Number x, y, z;
 };
 
-/// The axes and the place of a Viewpoint.
+/// Axes and position of a Viewpoint.
 struct CameraAxes {
     double perspective;  ///< 1, or 0 for an orthographic camera
     Vector3<double> eye, backward, up, right;
 };
 
-/// `number` in each lane.
+/// Sets each lane to `number`.
 template <class Number, class Real>
 [[gnu::always_inline]] inline void fill(Number& lanes, const Real& number) {
     if constexpr (std::is_floating_point_v<Number>) {
@@ -56,14 +56,14 @@ template <class A, class B>
     return Vector3<decltype(A{} * B{})>{a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-/// a - factor b.
+/// Returns a - factor b.
 template <class Number>
 [[gnu::always_inline]] inline Vector3<Number> minus_scaled(const Vector3<Number>& a, const Number& factor,
                                                            const Vector3<Number>& b) {
     return {a.x - factor * b.x, a.y - factor * b.y, a.z - factor * b.z};
 }
 
-/// v over its length, or `fallback` where the square of that is at most `least`.
+/// Returns v divided by its length, or `fallback` where the squared length is at most `least`.
 template <class Number, class Fallback>
 [[gnu::always_inline]] inline Vector3<Number> normalized_or(const Vector3<Number>& v, float least,
                                                             const Vector3<Fallback>& fallback) {
@@ -81,8 +81,8 @@ template <class Number, class Fallback>
             defined ? v.z * inverse : other.z};
 }
 
-/// Unit vector from a point of the scene to the camera: the propagation of the light that makes its pixel. A
-/// point at the camera itself counts as one straight ahead.
+/// Returns the unit vector from a point of the scene to the camera, which is the propagation of the light
+/// that the pixel receives. A point at the camera itself counts as a point straight ahead.
 template <class Number>
 [[gnu::always_inline]] inline Vector3<Number> towards_camera(const CameraAxes& camera,
                                                              const Vector3<Number>& point) {
@@ -92,8 +92,8 @@ template <class Number>
     return normalized_or(way, 0.0F, camera.backward);
 }
 
-/// x of the camera's frame field at a unit propagation z (Eq. 83), of any length: the camera's `up` x z, as
-/// in Mitsuba 3, or its `right` straight above and below it, where that is undefined.
+/// Returns the x axis of the camera's frame field at a unit propagation z (Eq. 83), not normalized. The axis
+/// is up x z, as in Mitsuba 3, or `right` straight above and below the camera, where up x z is undefined.
 template <class Real, class Number>
 [[gnu::always_inline]] inline Vector3<Number> camera_x(const Vector3<Real>& up, const Vector3<Real>& right,
                                                        const Vector3<Number>& z) {
@@ -127,7 +127,7 @@ template <class Number>
     return {tilted ? direction.x * inverse : Number{} + 1.0F, direction.y * inverse, rho, direction};
 }
 
-/// Components along the axes of the frame.
+/// Returns the components of v along the axes of the frame.
 template <class Number>
 [[gnu::always_inline]] inline Vector3<Number> in_frame(const ThetaPhiFrame<Number>& f,
                                                        const Vector3<Number>& v) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where the light of an image is received, and the frames it is measured in.
+// Position and frames of the camera that receives the light of an image.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -11,10 +11,10 @@ namespace nicol {
 
 struct Viewpoint {
     bool orthographic = false;
-    glm::dvec3 eye{0.0};          ///< world; a perspective camera's centre of projection
-    glm::dvec3 forward{0, 0, 1};  ///< unit
-    glm::dvec3 up{0, 1, 0};       ///< unit, orthogonal to forward
-    glm::dvec3 right{-1, 0, 0};   ///< unit, to the image's right
+    glm::dvec3 eye{0.0};          ///< position in the world; a perspective camera's centre of projection
+    glm::dvec3 forward{0, 0, 1};  ///< unit vector
+    glm::dvec3 up{0, 1, 0};       ///< unit vector, orthogonal to forward
+    glm::dvec3 right{-1, 0, 0};   ///< unit vector, to the image's right
     bool operator==(const Viewpoint&) const = default;
 
     [[nodiscard]] CameraAxes axes() const {
@@ -25,13 +25,14 @@ struct Viewpoint {
                 .right = {right.x, right.y, right.z}};
     }
 
-    /// towards_camera().
+    /// Returns towards_camera() of a point.
     [[nodiscard]] glm::dvec3 towards(const glm::dvec3& point) const {
         const Vector3<double> v = towards_camera(axes(), Vector3<double>{point.x, point.y, point.z});
         return {v.x, v.y, v.z};
     }
 
-    /// The camera's frame field (Eq. 83): z = propagation, x = camera_x(), which is the image's right.
+    /// Returns the camera's frame field (Eq. 83): z = propagation, x = camera_x(), which is the image's
+    /// right.
     [[nodiscard]] Frame frame(const glm::dvec3& propagation) const {
         const CameraAxes camera = axes();
         const Vector3<double> x =

@@ -90,7 +90,7 @@ Projection project(const Camera& camera, int width, int height) {
     p.view.up = glm::normalize(axes[1]);
     p.view.right = -glm::normalize(axes[0]);
 
-    // Rows: right, up, backward, as OpenGL's eye space.
+    // Rows of the matrix: right, up, backward, the axes of OpenGL's eye space.
     const glm::dmat3 rotation = glm::transpose(glm::dmat3(p.view.right, p.view.up, -p.view.forward));
     glm::dmat4 world_to_eye(rotation);
     world_to_eye[3] = glm::dvec4(-(rotation * p.view.eye), 1);

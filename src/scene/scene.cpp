@@ -33,7 +33,8 @@ void check_channels(const char* part, int channels, int others) {
            " colour channels and the scene " + std::to_string(others) + "; it must have 1 or as many");
 }
 
-// Of instance `id`, which has or would have them.
+// Throws Error(invalid_argument) if the mesh lacks attributes that the material needs. `id` is the instance
+// that has or would have both.
 void check_attributes(const Mesh& mesh, const Material& material, std::uint32_t id) {
     const SpatialVariation* variation = material.variation();
     if (variation == nullptr) return;
@@ -51,7 +52,8 @@ void check_attributes(const Mesh& mesh, const Material& material, std::uint32_t 
         refuse(instance + "has the colours of faces, and the mesh has none; give it a colour a triangle");
 }
 
-// Of instance `id` and its light.
+// Throws Error(invalid_argument) if an instance's emission is invalid or needs attributes that the mesh
+// lacks.
 void check_emission(const Mesh& mesh, const Emission& emission, std::uint32_t id) {
     check(emission);
     if (emission.texture != nullptr && emission.texture->needs_texcoords() && mesh.texcoords.empty())

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is rendered: instances of meshes under one environment and local lights, seen through elements.
+// Scenes: instances of meshes, an environment, local lights and polarization elements.
 #pragma once
 
 #include <algorithm>
@@ -23,25 +23,25 @@
 
 namespace nicol {
 
-/// How many parts of a scene have each number of colour channels.
+/// Number of parts of a scene for each number of colour channels.
 class ChannelCounts {
 public:
-    /// Allocates what add() needs, so that a change to a scene happens as a whole or not at all.
+    /// Allocates the memory that add() needs, so that a change to a scene happens as a whole or not at all.
     void make_room(int channels) { parts_.reserve(static_cast<std::size_t>(channels) + 1); }
     void add(int channels) {
         const auto at = static_cast<std::size_t>(channels);
         if (at >= parts_.size()) parts_.resize(at + 1);
         ++parts_[at];
     }
-    /// Removes a part that was added.
+    /// Removes a part that was added with this number of channels.
     void remove(int channels) {
         --parts_[static_cast<std::size_t>(channels)];
         while (!parts_.empty() && parts_.back() == 0) parts_.pop_back();
     }
 
-    /// The largest number; 1 where there are no parts.
+    /// Returns the largest number of channels; 1 if there are no parts.
     [[nodiscard]] int largest() const { return parts_.empty() ? 1 : static_cast<int>(parts_.size()) - 1; }
-    /// The same without one part that has so many.
+    /// Returns the largest number of channels without one part that has `channels` of them.
     [[nodiscard]] int largest_without(int channels) const {
         int most = largest();
         if (most != channels || parts_.back() > 1) return most;
@@ -50,28 +50,28 @@ public:
     }
 
 private:
-    std::vector<std::size_t> parts_;  // by number of channels; the last is not 0
+    std::vector<std::size_t> parts_;  // indexed by number of channels; the last is not 0
 };
 
-/// Parts of a scene that are known by their ids. Ids count up from 0 and are never given twice.
+/// Parts of a scene that are identified by ids. Ids count up from 0 and are never given twice.
 template <class T>
 class Numbered {
 public:
-    /// `what`: one of them, for messages; it must live as long.
+    /// `what`: singular noun for messages; the text must outlive the object.
     explicit Numbered(const char* what) : what_(what) {}
 
     [[nodiscard]] const std::vector<T>& values() const noexcept { return values_; }
-    /// The ids of values(), ascending.
+    /// Returns the ids of values(), ascending.
     [[nodiscard]] const std::vector<std::uint32_t>& ids() const noexcept { return ids_; }
 
-    /// The id of the next add(). Throws Error(invalid_argument) where there are no more.
+    /// Returns the id of the next add(). Throws Error(invalid_argument) if no ids are left.
     [[nodiscard]] std::uint32_t next() const {
         if (next_ == std::numeric_limits<std::uint32_t>::max())
             refuse("the scene has had too many " + std::string(what_) + "s");
         return next_;
     }
 
-    /// The index in values(). Throws Error(invalid_argument) for ids of none.
+    /// Returns the index in values(). Throws Error(invalid_argument) if no part has this id.
     [[nodiscard]] std::size_t index_of(std::uint32_t id) const {
         const auto found = std::ranges::lower_bound(ids_, id);
         if (found == ids_.end() || *found != id)
@@ -108,41 +108,43 @@ struct Instance {
     std::shared_ptr<const Mesh> mesh;  ///< validated
     MaterialPtr material;
     glm::dmat4 to_world{1.0};
-    EmissionPtr emission = nullptr;  ///< null: it emits no light
+    EmissionPtr emission = nullptr;  ///< null: no emission
 };
 
-/// A version identifies each state, so that a renderer can decide what to compute again. Not for use by two
-/// threads at once.
+/// Scene with a version of each state, so that a renderer can decide what to compute again. Not for
+/// concurrent use by several threads.
 class Scene {
 public:
-    /// Returns the new instance's id. They count up from 0 and are never given twice. Throws
+    /// Returns the new instance's id. Ids count up from 0 and are never given twice. Throws
     /// Error(invalid_argument) for null pointers, a transform that is not affine and invertible, channels
     /// that do not fit the scene's, or a mesh without the texture coordinates or colours that its material
     /// needs.
     std::uint32_t add(Instance instance);
-    /// These throw Error(invalid_argument) for ids of no instance, and as add().
+    /// Functions that change an instance. They throw Error(invalid_argument) for ids of no instance, and what
+    /// add() throws.
     void remove(std::uint32_t id);
     void set_transform(std::uint32_t id, const glm::dmat4& to_world);
     void set_material(std::uint32_t id, MaterialPtr material);
-    /// Null: it emits no light.
+    /// Sets the emission of an instance. Null: no emission.
     void set_emission(std::uint32_t id, EmissionPtr emission);
     [[nodiscard]] const Instance& at(std::uint32_t id) const { return instances_.at(id); }
 
-    /// The same for local lights, whose ids count up for themselves. Throw what check() throws, and for
-    /// channels that do not fit the scene's.
+    /// Local lights, whose ids count up from 0 independently of instances. The functions throw what check()
+    /// throws, and Error(invalid_argument) for unknown ids and for channels that do not fit the scene's.
     std::uint32_t add_light(LocalLight light);
     void remove_light(std::uint32_t id);
     void set_light(std::uint32_t id, LocalLight light);
     [[nodiscard]] const LocalLight& light(std::uint32_t id) const { return lights_.at(id); }
     [[nodiscard]] const std::vector<LocalLight>& lights() const noexcept { return lights_.values(); }
-    /// Of lights(), ascending.
+    /// Returns the ids of lights(), ascending.
     [[nodiscard]] const std::vector<std::uint32_t>& light_ids() const noexcept { return lights_.ids(); }
-    /// Whether there are lights beside the environment: small ones, or emissive surfaces.
+    /// Returns whether there are local lights or instances with emission.
     [[nodiscard]] bool has_local_lights() const;
 
-    /// The same for elements, through which the camera sees what is behind: they cast no shadow, and light
-    /// that surfaces receive does not pass through them. Throw what check() throws, and for a transform as
-    /// add().
+    /// Polarization elements, through which the camera sees the surfaces behind them. Elements cast no
+    /// shadow, and light that surfaces receive does not pass through them. The functions throw what check()
+    /// throws, and Error(invalid_argument) for unknown ids and for a transform that is not affine and
+    /// invertible.
     std::uint32_t add_element(const PolarizationElement& element);
     void remove_element(std::uint32_t id);
     void set_element(std::uint32_t id, const PolarizationElement& element);
@@ -150,41 +152,43 @@ public:
     [[nodiscard]] const std::vector<PolarizationElement>& elements() const noexcept {
         return elements_.values();
     }
-    /// Of elements(), ascending.
+    /// Returns the ids of elements(), ascending.
     [[nodiscard]] const std::vector<std::uint32_t>& element_ids() const noexcept { return elements_.ids(); }
 
-    /// Null is darkness. `rotation` takes the light's axes to the world's; it must be a proper rotation.
-    /// `scale` multiplies the radiance and must be finite and not negative.
+    /// Sets the environment. Null is darkness. `rotation` transforms from the light's axes to the world's and
+    /// must be a proper rotation. `scale` multiplies the radiance and must be finite and not negative.
     void set_environment(EnvironmentPtr environment, const glm::dmat3& rotation, double scale);
 
-    /// Where true, no light goes straight from an environment or an emissive surface to the camera.
+    /// Sets whether light that goes straight from the environment or an emissive surface to the camera is
+    /// hidden.
     void hide_emitters(bool hide);
     [[nodiscard]] bool emitters_hidden() const noexcept { return emitters_hidden_; }
 
     [[nodiscard]] const std::vector<Instance>& instances() const noexcept { return instances_.values(); }
-    /// Of instances(), ascending.
+    /// Returns the ids of instances(), ascending.
     [[nodiscard]] const std::vector<std::uint32_t>& ids() const noexcept { return instances_.ids(); }
     [[nodiscard]] const EnvironmentPtr& environment() const noexcept { return environment_; }
-    /// What is seen behind the instances: the environment, or null where emitters are hidden.
+    /// Returns the environment behind the instances, or null if emitters are hidden.
     [[nodiscard]] EnvironmentPtr background() const { return emitters_hidden_ ? nullptr : environment_; }
     [[nodiscard]] const glm::dmat3& light_rotation() const noexcept { return rotation_; }
     [[nodiscard]] double light_scale() const noexcept { return scale_; }
-    /// Colour channels: the largest number of any part; parts of one channel serve all.
+    /// Returns the number of colour channels: the largest number of any part. Parts of one channel apply to
+    /// all channels.
     [[nodiscard]] int channels() const { return channels_.largest(); }
-    /// Whether a material, or what an instance emits, varies over its surface.
+    /// Returns whether a material or an emission varies over its surface.
     [[nodiscard]] bool varies() const;
 
-    /// Of where triangles are, which of their sides reflect, and what is cut out of them.
+    /// Returns the version of the triangles' positions, of the sides that reflect, and of alpha masks.
     [[nodiscard]] Version geometry_version() const noexcept { return geometry_version_; }
-    /// Of which materials there are, and where.
+    /// Returns the version of the materials and their assignment to instances.
     [[nodiscard]] Version material_version() const noexcept { return material_version_; }
-    /// Of the environment, its rotation and scale.
+    /// Returns the version of the environment, its rotation and scale.
     [[nodiscard]] Version light_version() const noexcept { return light_version_; }
-    /// Of which instances emit light, and how, and whether they are seen.
+    /// Returns the version of the instances' emission and of its visibility to the camera.
     [[nodiscard]] Version emission_version() const noexcept { return emission_version_; }
-    /// Of lights().
+    /// Returns the version of lights().
     [[nodiscard]] Version local_light_version() const noexcept { return local_light_version_; }
-    /// Of elements().
+    /// Returns the version of elements().
     [[nodiscard]] Version element_version() const noexcept { return element_version_; }
 
 private:
@@ -204,7 +208,8 @@ private:
     Version element_version_ = new_version();
 };
 
-/// The mesh of an instance in the world. Throws as transformed() and beyond kLargestCoordinate, by instance.
+/// Returns the mesh of an instance in world coordinates. Throws what transformed() throws, and
+/// Error(invalid_argument) for coordinates beyond kLargestCoordinate. The message names the instance.
 [[nodiscard]] Mesh placed(const Mesh& mesh, const glm::dmat4& to_world, std::uint32_t instance);
 
 }  // namespace nicol

@@ -11,9 +11,9 @@
 #include "simd/lane_angle.hpp"
 
 namespace nicol {
-// Where rays meet the image, as turns about the vertical and half turns from the zenith; and the rotation of
-// (s1, s2) from the image's frame, x along growing u, to the camera's, as cos s1 + sin s2 and cos s2 - sin
-// s1.
+// Image positions of rays: turns about the vertical, and half turns from the zenith. cosine and sine rotate
+// (s1, s2) from the image's frame, with x along growing u, to the camera's frame: cos s1 + sin s2 and cos s2
+// - sin s1.
 struct BackgroundPlaces {
     Lanes turn, half_turn;
     Lanes cosine, sine;
@@ -36,7 +36,8 @@ namespace {
         const float height = 0.5F * quarter_turns(across, std::abs(y));
         out.half_turn.value[i] = y < 0 ? 1 - height : height;
 
-        // Both frames' x are at right angles to the ray: ray x up, and (-z, 0, x) or at the poles (1, 0, 0).
+        // The x axes of both frames are orthogonal to the ray: ray x up, and (-z, 0, x) or, at the poles, (1,
+        // 0, 0).
         const Vector3<float> ray{x, y, z};
         const Vector3<float> to = cross(ray, Vector3<float>{up.x, up.y, up.z});
         const Vector3<float> from{across > 0 ? -z : 1.0F, 0, across > 0 ? x : 0.0F};
@@ -54,7 +55,7 @@ namespace {
 
 }  // namespace
 
-// Up to kLanes that show the environment.
+// Up to kLanes pixels that show the environment.
 struct Background::Pixels {
     std::size_t count = 0;
     std::array<std::size_t, kLanes> index;
@@ -145,11 +146,11 @@ void Background::add(const Pixels& pixels, std::size_t components,
     }
 }
 
-// Columns are pixel-centred and periodic, rows vertex-centred.
+// Returns the interpolated texel. Columns are pixel-centred and periodic, rows vertex-centred.
 glm::vec4 Background::at(std::size_t plane, const Pixels& pixels, std::size_t lane) const {
     const float x = pixels.places.turn[lane] * static_cast<float>(width_) + 0.5F;
     const float y = pixels.places.half_turn[lane] * static_cast<float>(height_ - 1);
-    const int above = std::min(static_cast<int>(x), width_);  // the column to the right, plus one
+    const int above = std::min(static_cast<int>(x), width_);  // index of the column to the right, plus one
     const int left = above == 0 ? width_ - 1 : above - 1;
     const int right = above == width_ ? 0 : above;
     const int upper = std::min(static_cast<int>(y), height_ - 1);

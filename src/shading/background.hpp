@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The environment behind an image's surfaces.
+// The environment as the background of an image.
 #pragma once
 
 #include <cstddef>
@@ -16,18 +16,18 @@ namespace nicol {
 /// any length. `up` is the camera's.
 struct PixelRays {
     glm::vec3 first, right, down, up;
-    std::size_t width;  ///< of the image, in pixels
+    std::size_t width;  ///< width of the image, in pixels
 };
 
-/// An environment's image, bilinear as EquirectImage says. Immutable; threads share it.
+/// Image of an environment, interpolated bilinearly as EquirectImage defines. Immutable; threads share it.
 class Background {
 public:
-    /// channels: of the images it is added to; an environment of one serves all.
+    /// channels: those of the images that it is added to; an environment of one channel serves all.
     Background(const Environment& environment, int channels);
 
-    /// For first <= pixel < last, row by row, adds to out[c][pixel] what channel c's light is in the camera's
-    /// frame field, times the scale and 1 - coverage[pixel - first]: the first `components` of its Stokes
-    /// components.
+    /// Adds the environment's Stokes vectors to out[c][pixel], row by row for first <= pixel < last: channel
+    /// c's light in the camera's frame field, times the scale and 1 - coverage[pixel - first]. Only the first
+    /// `components` Stokes components are added.
     void add(const PixelRays& rays, float scale, std::size_t components, std::size_t first, std::size_t last,
              std::span<const float> coverage, std::span<const std::span<glm::vec4>> out) const;
 
@@ -40,7 +40,7 @@ private:
     bool polarized_;
     int width_;
     int height_;
-    std::vector<glm::vec4> texels_;  // Stokes vectors of one channel after the other, or s0 of four and four
+    std::vector<glm::vec4> texels_;  // Stokes vectors of channel after channel, or s0 of four channels
 };
 
 }  // namespace nicol

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Emissive surfaces, as a viewpoint sees them.
+// Emission of surfaces towards a viewpoint.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -13,9 +13,9 @@
 namespace nicol {
 
 /// Adds to out[c][i] channel c's Stokes vector of the light that the surface emits from position i towards
-/// the viewpoint, in the camera's frame field; nothing where the viewer is behind the normal. `axis`: of its
-/// polarization, in the positions' axes. `texcoords`: of as many points, where the emission has a texture.
-/// Light of one channel serves all.
+/// the viewpoint, in the camera's frame field. Adds nothing if the viewer is behind the normal. `axis`: axis
+/// of the polarization, in the positions' axes. `texcoords`: one for each position if the emission has a
+/// texture. Light of one channel serves all.
 void add_emitted(const Emission& emission, const glm::dvec3& axis, const Viewpoint& view,
                  std::span<const glm::vec3> positions, std::span<const glm::vec3> normals,
                  std::span<const glm::vec2> texcoords, std::span<const std::span<glm::vec4>> out);

@@ -13,8 +13,8 @@ glm::vec3 of_lane(const LaneVectors& v, std::size_t lane) {
     return {v.x[lane], v.y[lane], v.z[lane]};
 }
 
-// Calls visit(light, lane) for places in the middles of across x across cells of u and v, row by row; across
-// is a multiple of kLanes.
+// Calls visit(light, lane) for light samples at the centres of across x across cells of u and v, row by row;
+// across is a multiple of kLanes.
 template <class Visit>
 void for_samples(const ExtractedLight& extracted_light, std::size_t across, const Visit& visit) {
     const float cell = 1 / static_cast<float>(across);
@@ -32,7 +32,7 @@ void for_samples(const ExtractedLight& extracted_light, std::size_t across, cons
     }
 }
 
-// Mean s0 of a channel.
+// Returns the mean s0 of each channel.
 std::vector<double> mean_irradiance(const ExtractedLight& extracted_light, std::size_t across) {
     std::vector<double> means(static_cast<std::size_t>(extracted_light.channels()));
     for_samples(extracted_light, across, [&](const LaneLight& light, std::size_t lane) {
@@ -55,7 +55,8 @@ ExtractedSource::ExtractedSource(std::shared_ptr<const ExtractedLight> extracted
                   : extracted_light_->polarized() ? 3
                                                   : 1),
       channels_(static_cast<std::size_t>(extracted_light_->channels())) {
-    // Few places have nearly the mean of many; that no light is lost, they get all of it.
+    // The mean over few samples differs slightly from that over many. The samples are scaled so that no light
+    // is lost.
     const std::vector<double> few = mean_irradiance(*extracted_light_, kAcross);
     const std::vector<double> many = mean_irradiance(*extracted_light_, 4 * kAcross);
     std::vector<float> scales;
@@ -92,7 +93,7 @@ void ExtractedSource::sample(const LaneVectors& /*points*/, const Lanes& u, cons
 
 void ExtractedSource::intersect(const LaneVectors& /*points*/, const LaneVectors& directions,
                                 LaneLight& out) const {
-    LaneVectors own;  // in the extracted light's axes
+    LaneVectors own;  // directions in the extracted light's axes
     for (std::size_t i = 0; i < kLanes; ++i) put(own, i, of_lane(directions, i) * axes_);
     extracted_light_->intersect(own, out);
     out.towards = directions;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Light from an extracted light of an environment.
+// Light source for an extracted light of an environment.
 #pragma once
 
 #include <glm/mat3x3.hpp>
@@ -11,10 +11,12 @@
 
 namespace nicol {
 
-/// Its places are those of a grid of u and v, found once, since finding one takes longer than reflecting it.
+/// Extracted light with a fixed grid of light samples over u and v. The samples are computed once, because
+/// computing a sample takes longer than reflecting it.
 class ExtractedSource final : public LightSource {
 public:
-    /// `axes`: from the environment's to the points', a rotation; `scale`: times the light.
+    /// Takes `axes`, a rotation from the environment's axes to the points', and `scale`, a factor of the
+    /// light.
     ExtractedSource(std::shared_ptr<const ExtractedLight> extracted_light, const glm::dmat3& axes,
                     double scale);
 
@@ -23,7 +25,7 @@ public:
     void intersect(const LaneVectors& points, const LaneVectors& directions, LaneLight& out) const override;
 
 private:
-    static constexpr std::size_t kAcross = 16;  // places of a row, and rows
+    static constexpr std::size_t kAcross = 16;  // samples per row, and number of rows
 
     struct Sample {
         glm::vec3 towards;
@@ -36,7 +38,7 @@ private:
     float radius_;
     std::size_t components_;
     std::size_t channels_;
-    std::vector<Sample> samples_;      // [row][column]
+    std::vector<Sample> samples_;    // [row][column]
     std::vector<float> irradiance_;  // [row][column][channel][component]
 };
 

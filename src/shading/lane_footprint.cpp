@@ -10,7 +10,7 @@
 namespace nicol {
 namespace {
 
-// The compiler's own vectors.
+// The compiler's own vector type.
 using Number [[gnu::vector_size(64)]] = float;
 
 [[gnu::always_inline]] inline void find_all(const PixelSteps& steps, const LaneTextureAxes& axes,
@@ -40,7 +40,7 @@ using Number [[gnu::vector_size(64)]] = float;
     distance = least > 0 ? distance / squared : zero;
     facing = least > 0 ? 1.0F / facing : zero;
 
-    // Texture coordinates grow along the plane by u_slope and v_slope, times `squared`.
+    // Texture coordinates grow along the plane by the slopes times `squared`; [0] is for u, [1] for v.
     const Vector3<Number> slopes[2] = {cross(by_v, normal), cross(normal, by_u)};
     const Vector3<float> moves[2] = {components(steps.right), components(steps.down)};
     std::array<Lanes, 2>* const out[2] = {&points.du, &points.dv};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How far texture coordinates change from a pixel to its neighbours.
+// Change of texture coordinates from a pixel to its neighbours.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -9,17 +9,18 @@
 
 namespace nicol {
 
-/// The rays of an image's pixels.
+/// Steps between the rays of an image's pixels.
 struct PixelSteps {
-    glm::vec3 forward;  ///< the view direction, unit
+    glm::vec3 forward;  ///< view direction, unit
     glm::vec3 right,
-        down;  ///< to the next pixels at unit distance along `forward`; orthographic: in the world
+        down;  ///< steps to the next pixels at unit distance along `forward`; orthographic: in the world
     bool orthographic;
 };
 
-/// Sets du and dv of points of triangles with these axes: to where the neighbours' rays meet the triangle's
-/// plane, to first order. towards_viewer: minus the ray to the point, of a perspective camera from its eye
-/// on. Edge on, cosines below 1e-4 count as that; without axes du and dv are 0.
+/// Sets du and dv of points of triangles with these axes: the change of texture coordinates to the points
+/// where the neighbours' rays meet the triangle's plane, to first order. towards_viewer: minus the ray to the
+/// point; for a perspective camera, the ray starts at the eye. Cosines below 1e-4 (edge-on views) are
+/// clamped. du and dv are 0 without axes.
 void find_footprints(const PixelSteps& steps, const LaneTextureAxes& axes, const LaneVectors& towards_viewer,
                      TexturePoints& points);
 

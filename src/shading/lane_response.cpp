@@ -15,14 +15,14 @@ using Run = LightLayout::Run;
     return *reinterpret_cast<const LaneVector*>(from);
 }
 
-// Sums of rows times light that go with cos m phi and with sin m phi, for each Stokes component.
+// Sums of rows times light that are multiplied by cos m phi and by sin m phi, for each Stokes component.
 template <int Rows>
 struct Sums {
     LaneVector cosine[Rows] = {};
     LaneVector sine[Rows] = {};
 };
 
-// Sign of the sines: that of the run, or 0 where m = 0 and they vanish.
+// Adds one run. Sign: the run's sign of the sines, or 0 for m = 0, because sines vanish there.
 template <int Rows, int Pairings, int Sign>
 [[gnu::always_inline]] inline void add_run(const Run& run, std::size_t row_size, const Lanes* table,
                                            const Lanes* light, Sums<Rows>& sums) {

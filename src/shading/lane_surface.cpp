@@ -10,7 +10,7 @@
 namespace nicol {
 namespace {
 
-// A ray from the eye, or beside it where all rays are parallel.
+// Rays from the eye, or from beside it for an orthographic camera.
 struct Rays {
     Vector3<float> backward, up, right;
     float perspective;  // 1, or 0 for an orthographic camera
@@ -18,18 +18,18 @@ struct Rays {
 };
 
 struct Triangles {
-    LaneVectors first;          // corner, from the eye
-    LaneVectors second, third;  // edges to the others
+    LaneVectors first;          // first corner, relative to the eye
+    LaneVectors second, third;  // edges from the first corner to the others
     std::array<LaneVectors, 3> normals;
 };
 
 struct Points {
     std::array<Lanes, 3> weights;
-    LaneVectors offset;  // from the first corner
+    LaneVectors offset;  // offset from the first corner
     LaneVectors normal;
 };
 
-// The compiler's own vectors: loops over lanes with so many choices stay loops over single numbers.
+// The compiler's own vector type. GCC does not vectorise plain loops over lanes with so many conditions.
 using Number [[gnu::vector_size(64)]] = float;
 
 [[gnu::always_inline]] inline void load(const Lanes& from, Number& to) {
@@ -50,13 +50,13 @@ using Number [[gnu::vector_size(64)]] = float;
     store(&to.z, from.z);
 }
 
-// 0 for what is not a number.
+// Clamps x to 0..most; a NaN becomes 0.
 [[gnu::always_inline]] inline void move_between_zero_and(const Number& most, Number& x) {
     x = x > 0 ? x : Number{};
     x = x < most ? x : most;
 }
 
-// Where ray and plane meet, by Cramer's rule.
+// Intersects rays and planes by Cramer's rule.
 [[gnu::always_inline]] inline void meet(const Rays& rays, const Triangles& triangles, Points& out) {
     Number x;
     Number y;

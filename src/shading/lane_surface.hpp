@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The points of triangles that sixteen pixels show.
+// Points of triangles that sixteen pixels show.
 #pragma once
 
 #include <array>
@@ -13,20 +13,20 @@
 
 namespace nicol {
 
-/// What interpolation across triangles yields.
+/// Interpolated values at sixteen points of triangles.
 struct LaneSurface {
-    std::array<Lanes, 3> weights;  ///< barycentric: of the corners, 0 to 1, with sum 1
+    std::array<Lanes, 3> weights;  ///< barycentric weights of the corners, 0 to 1; their sum is 1
     std::array<glm::vec3, kLanes> positions;
-    std::array<glm::vec3, kLanes> normals;  ///< unit
+    std::array<glm::vec3, kLanes> normals;  ///< unit normals
 };
 
-/// The corners of a triangle: indices of vertices.
+/// Corners of a triangle: indices of vertices.
 using Corners = glm::uvec3;
 
-/// The points where the rays through `at` meet the planes of triangles, moved into the triangle where they
-/// lie outside. `at`: on the image plane, in units of right and up, at unit distance (perspective), or in the
-/// world's (orthographic). Where the normals of corners cancel, the normal points to the camera. At most
-/// kLanes triangles, and as many points.
+/// Finds the points where the rays through `at` meet the planes of triangles; a point outside its triangle is
+/// moved inside. `at`: points on the image plane, in units of right and up, at unit distance (perspective) or
+/// in world units (orthographic). If the normals of the corners cancel, the normal points to the camera. At
+/// most kLanes triangles, and as many points.
 void find_surface(const Viewpoint& view, std::span<const glm::vec3> positions,
                   std::span<const glm::vec3> normals, std::span<const Corners> triangles,
                   std::span<const glm::vec2> at, LaneSurface& out);

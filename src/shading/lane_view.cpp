@@ -12,7 +12,7 @@
 namespace nicol {
 namespace {
 
-// What find_view() makes, before multiples of the azimuth.
+// Results of find_view(), before the multiples of the azimuth.
 struct ViewAngles {
     DoubleLanes azimuth_cosine, azimuth_sine;
     Lanes zenith, frame_cosine, frame_sine;
@@ -22,8 +22,8 @@ struct ViewAngles {
     return {from.x.value[i], from.y.value[i], from.z.value[i]};
 }
 
-// Double precision where a difference or the direction of something tiny is at stake, in loops of their own,
-// which vectorise.
+// Finds the view angles. Differences and the directions of tiny vectors are computed in double precision, in
+// loops of their own, which GCC vectorises.
 [[gnu::always_inline]] inline void find_view(const CameraAxes& camera, const LanePoints& position,
                                              const LanePoints& normal, ViewAngles& out) {
     LaneVectors towards;
@@ -47,8 +47,8 @@ struct ViewAngles {
                                                 in_floats(point(normal, i))};
         const Vector3<float> w{towards.x.value[i], towards.y.value[i], towards.z.value[i]};
         const Vector3<float> local = in_frame(about_normal, w);
-        // What a table has at the zenith rotates with the frame there, so that any azimuth will do.
-        // Not const, or GCC 12 does not vectorise the loop.
+        // Any azimuth is valid at the zenith, because the table's values there rotate with the frame.
+        // This variable is not const, because GCC 12 then does not vectorise the loop.
         ThetaPhiFrame<float> about_view = theta_phi_axes(local);
         out.azimuth_cosine.value[i] = static_cast<double>(about_view.cos_phi);
         out.azimuth_sine.value[i] = static_cast<double>(about_view.sin_phi);

@@ -10,7 +10,7 @@
 namespace nicol {
 namespace {
 
-// Steele and Vigna's mixer of 32 bits.
+// Mixes 32 bits by the function of Steele and Vigna.
 template <class Bits>
 [[gnu::always_inline]] inline void mix(Bits& x) {
     x = (x ^ (x >> 16)) * 0x21F0AAADU;
@@ -23,8 +23,8 @@ std::uint32_t mixed(std::uint32_t x) {
     return x;
 }
 
-// Sobol's second dimension, a binary fraction whose first bit is the lowest. The first dimension is the
-// index.
+// Returns Sobol's second dimension, a binary fraction whose first bit is the lowest. The first dimension is
+// the index itself.
 std::uint32_t sobol(std::uint32_t index) {
     std::uint32_t out = 0;
     for (std::uint32_t direction = 1; index != 0; index >>= 1, direction ^= direction << 1)
@@ -34,7 +34,7 @@ std::uint32_t sobol(std::uint32_t index) {
 
 using LaneBits [[gnu::vector_size(64)]] = std::uint32_t;
 
-// The first 24 bits, below 1.
+// Converts the first 24 bits to fractions below 1.
 [[gnu::always_inline]] inline void put_fractions(const LaneBits& bits, Lanes& out) {
     using Signed [[gnu::vector_size(64)]] = std::int32_t;
     using Number [[gnu::vector_size(64)]] = float;
@@ -51,9 +51,9 @@ using LaneBits [[gnu::vector_size(64)]] = std::uint32_t;
     x = x >> 16 | x << 16;
 }
 
-// Owen's scrambling of a binary fraction whose first bit is the lowest, by Laine and Karras' hash (2011):
-// each bit is flipped or not as the seed and the bits before it say. The fraction's first bit is then the
-// highest.
+// Applies Owen's scrambling to a binary fraction whose first bit is the lowest, by Laine and Karras' hash
+// (2011). The seed and the preceding bits determine whether a bit is flipped. In the result, the fraction's
+// first bit is the highest.
 [[gnu::always_inline]] inline void scramble(std::uint32_t fraction, const LaneBits& seeds, LaneBits& out) {
     out = fraction + seeds;
     out ^= out * 0x6C50B47CU;
@@ -63,7 +63,7 @@ using LaneBits [[gnu::vector_size(64)]] = std::uint32_t;
     reverse(out);
 }
 
-// `second`: the first bit is the lowest.
+// Scrambles both dimensions. `second`: fraction whose first bit is the lowest.
 [[gnu::always_inline]] inline void scramble_all(std::uint32_t index, std::uint32_t second,
                                                 const std::array<std::uint32_t, kLanes>& seeds, Lanes& u,
                                                 Lanes& v) {

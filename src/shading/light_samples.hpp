@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which samples of a light with a size light a point.
+// Light samples: choice of points on a light that has a size.
 #pragma once
 
 #include <cstdint>
@@ -9,12 +9,12 @@
 
 namespace nicol {
 
-/// For each of up to sixteen points, given by its seed, a point of [0, 1)^2: the `index`-th of Sobol's first
-/// two dimensions, with digits scrambled by the seed. Of the first 2^k points of a seed one lies in every box
-/// of area 2^-k whose sides are powers of 1/2.
+/// Computes a point of [0, 1)^2 for each of up to sixteen seeds: the `index`-th point of Sobol's first two
+/// dimensions, with digits scrambled by the seed. Every box of area 2^-k whose sides are powers of 1/2
+/// contains one of the first 2^k points of a seed.
 void light_samples(std::uint32_t index, std::span<const std::uint32_t> seeds, Lanes& u, Lanes& v);
 
-/// A seed of a point for a light; equal arguments give equal seeds.
+/// Returns the seed of a point for a light; equal arguments give equal seeds.
 [[nodiscard]] std::uint32_t sample_seed(std::uint32_t point, std::uint32_t light);
 
 }  // namespace nicol

@@ -39,7 +39,7 @@ SourceColor::SourceColor(const std::vector<double>& value, TexturePtr texture, c
       components_(state.circular()    ? 4
                   : state.polarized() ? 3
                                       : 1) {
-    constexpr double least = 1e-8;  // so that the quotient is a float
+    constexpr double least = 1e-8;  // keeps the quotient in the range of float
     largest_factor_ = static_cast<float>(kBrightestLight / std::max(std::ranges::max(value), least));
     const int of_texture = texture_ != nullptr ? texture_->channels() : 1;
     for (int c = 0; c < std::max(static_cast<int>(value.size()), of_texture); ++c) {
@@ -77,7 +77,8 @@ void SourceColor::put_factors(std::span<const Lanes> factors, LaneLight& out) co
 }
 
 void SourceColor::put_axes(LaneLight& out) const {
-    // Where the axis lies along the light, any direction across it will do; so near is that for floats.
+    // Any direction orthogonal to the light is valid if the axis lies along the light, within float
+    // precision.
     constexpr float parallel = 1e-10F;
     for (std::size_t i = 0; i < kLanes; ++i) {
         const glm::vec3 towards(out.towards.x[i], out.towards.y[i], out.towards.z[i]);

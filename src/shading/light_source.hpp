@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Local lights as shading sees them: what reaches points from a place of the light.
+// Interface of local lights for shading: the light that reaches points from samples of a light.
 #pragma once
 
 #include <array>
@@ -16,23 +16,25 @@
 
 namespace nicol {
 
-/// In the axes of the points that it lights. Immutable; threads share it.
+/// A local light in the axes of the points that it lights. Immutable; threads share it.
 class LightSource {
 public:
     virtual ~LightSource() = default;
     LightSource(const LightSource&) = delete;
     LightSource& operator=(const LightSource&) = delete;
 
-    /// How large the light is, seen from a point: the angular radius in radians, up to pi / 2, of a cone that
-    /// it is in. 0: it has one place alone; else shadows are soft, and the mean over many is needed.
+    /// Returns the angular size of the light seen from a point: the angular radius, in radians up to pi / 2,
+    /// of a cone that contains the light. 0: the light is one point or direction. Otherwise shadows are soft,
+    /// and shading needs the mean over many light samples.
     [[nodiscard]] virtual float angular_radius(const glm::vec3& from) const noexcept = 0;
 
-    /// What reaches sixteen points from the place that u and v, each in [0, 1), choose. The mean over u and v
-    /// is all of the light. Of one place u and v do not matter.
+    /// Computes the light at sixteen points from the light sample that u and v, each in [0, 1), choose. The
+    /// mean over u and v is the light's full irradiance. u and v have no effect if angular_radius() is 0.
     virtual void sample(const LaneVectors& points, const Lanes& u, const Lanes& v, LaneLight& out) const = 0;
 
-    /// What a mirror shows of the light: where rays from sixteen points, in unit directions, meet it. `out`
-    /// has these points alone, and radiance in place of irradiance. A light of one place has none.
+    /// Intersects rays from sixteen points, in unit directions, with the light, for mirror reflection. `out`
+    /// contains the points whose rays meet the light, and radiance in place of irradiance. A light with
+    /// angular_radius() 0 is never met.
     virtual void intersect(const LaneVectors& points, const LaneVectors& directions,
                            LaneLight& out) const = 0;
 
@@ -41,36 +43,39 @@ protected:
 };
 using LightSourcePtr = std::unique_ptr<const LightSource>;
 
-/// A light of a scene. `to_axes`: from the world to the points' axes, a rotation and a shift.
+/// Returns the light source of a scene's light. `to_axes`: rotation and shift from the world to the points'
+/// axes.
 [[nodiscard]] LightSourcePtr light_source(const LocalLight& light, const glm::dmat4& to_axes);
 
-/// An emissive surface, in the points' axes.
+/// Emissive surface, in the points' axes.
 struct EmissiveSurface {
     const Emission& emission;
-    glm::dvec3 axis;  ///< of its polarization, in these axes
+    glm::dvec3 axis;  ///< axis of the emission's polarization, in the points' axes
     std::vector<std::array<glm::vec3, 3>> triangles;
-    std::vector<std::array<glm::vec2, 3>> texcoords;  ///< where its emission has a texture that needs them
-    bool mirrored = true;                             ///< someone will call intersect()
+    std::vector<std::array<glm::vec2, 3>> texcoords;  ///< empty unless the emission's texture needs them
+    bool mirrored = true;                             ///< whether intersect() will be called
 };
-/// Null where it has no area. Its places are uniform over its area, of a sphere over what is seen of it.
+/// Returns the light source of a surface, or null if its area is 0. Light samples are uniform over the
+/// surface's area; for a sphere, they are uniform over the visible solid angle.
 [[nodiscard]] LightSourcePtr light_source(const EmissiveSurface& surface);
 
-/// What light sources have in common: one colour, times a texture, of one polarization.
+/// Colour of a light source: one value, times a texture, with one polarization state.
 class SourceColor {
 public:
-    /// `axis`: of the polarization, in the points' axes. Texture null: 1.
+    /// Takes `axis`, the axis of the polarization, in the points' axes. A null texture counts as 1.
     SourceColor(const std::vector<double>& value, TexturePtr texture, const PolarizationState& state,
                 const glm::dvec3& axis);
 
-    /// Sets irradiance and components, and the x axes of polarized light from its directions: the colour
-    /// times a factor, at most kBrightestLight, as that of a light that a point touches would be infinite.
+    /// Sets irradiance and components of `out`, and the x axes of polarized light from its directions. The
+    /// irradiance is the colour times a factor; it is at most kBrightestLight, because the irradiance of a
+    /// light that touches a point would be infinite.
     void put(const Lanes& factor, LaneLight& out) const;
-    /// The same times the texture, where there is one.
+    /// Sets the values of put() times the texture, if there is one.
     void put(const Lanes& factor, const TexturePoints& at, LaneLight& out) const;
     [[nodiscard]] bool textured() const noexcept { return texture_ != nullptr; }
 
 private:
-    // Factors of each channel of three, or one of all.
+    // Sets the irradiance from the factors of three channels, or from one factor for all channels.
     void put_factors(std::span<const Lanes> factors, LaneLight& out) const;
     void put_axes(LaneLight& out) const;
 
@@ -81,7 +86,7 @@ private:
     float largest_factor_;
 };
 
-/// The angular radius of a ball, and pi / 2 within it.
+/// Returns the angular radius of a ball seen from a point; pi / 2 within the ball.
 [[nodiscard]] float angular_radius_of_ball(const glm::vec3& from, const glm::vec3& centre, float radius);
 
 }  // namespace nicol

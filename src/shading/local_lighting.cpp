@@ -31,7 +31,7 @@ std::uint32_t above(const LaneVectors& facets, const LaneLight& light) {
     return out;
 }
 
-// Of points to a place of a light.
+// Shadow rays from points to light samples.
 class ShadowRays {
 public:
     ShadowRays(const RayScene& scene, const LaneVectors& origins) : scene_(scene) {
@@ -40,7 +40,7 @@ public:
         packet_.origin_z = origins.z.value;
     }
 
-    // The bits of `points` that nothing hides the light from.
+    // Returns the bits of `points` whose light sample is not occluded.
     std::uint32_t visible(const LaneLight& light, std::uint32_t points) {
         packet_.direction_x = light.towards.x.value;
         packet_.direction_y = light.towards.y.value;
@@ -58,23 +58,23 @@ private:
     std::uint64_t count_ = 0;
 };
 
-// How many samples of a light seen under an angle light a point: all of them from here on, and of smaller
-// ones, whose soft shadows are as much narrower, fewer.
+// Returns the number of light samples for a light of this angular radius: `most` from 0.2 radians on, fewer
+// for smaller lights, because their soft shadows are narrower.
 std::uint32_t places_of(float angular_radius, std::uint32_t most) {
     constexpr float wide = 0.2F;
-    constexpr std::uint32_t fewest = 4;  // stratified, as the first places are
+    constexpr std::uint32_t fewest = 4;  // a number at which the first samples are stratified
     if (angular_radius <= 0) return 1;
     const float share = std::min(1.0F, angular_radius / wide) * static_cast<float>(most) / fewest;
     return std::min(most, fewest * static_cast<std::uint32_t>(std::ceil(share)));
 }
 
-// Which of a light's places reach points, by as few rays as may be: where nothing hides the first few from
-// any point, or something all of them from all, the others are taken to be the same.
+// Shadows of one light with few rays: if the first few samples are visible from all points, or hidden from
+// all points, the other samples are assumed to be so too.
 class LightShadows {
 public:
     explicit LightShadows(ShadowRays* rays) : rays_(rays) {}
 
-    // The bits of `points` that the k-th place reaches.
+    // Returns the bits of `points` that the k-th light sample reaches.
     std::uint32_t reached(std::uint32_t k, const LaneLight& light, std::uint32_t points) {
         if (rays_ == nullptr || points == 0) return points;
         constexpr std::uint32_t probes = 4;
@@ -87,8 +87,8 @@ public:
 
 private:
     ShadowRays* rays_;
-    bool seen_ = false;    // some place, from some point
-    bool hidden_ = false;  // likewise
+    bool seen_ = false;    // whether any sample is visible from any point
+    bool hidden_ = false;  // whether any sample is hidden from any point
 };
 
 }  // namespace
@@ -121,7 +121,7 @@ std::uint64_t LocalLighting::add(const Viewpoint& view, const LitPoints& points,
     std::optional<ShadowRays> shadows;
     if (rays_ != nullptr && points.shadowed) shadows.emplace(*rays_, origins);
 
-    // Calls reflect(layer, weights, points) for those that light reaches.
+    // Calls reflect(layer, weights, points) for those lit points that the layer covers.
     const auto for_layers = [&](std::uint32_t lit, const auto& reflect) {
         for (std::size_t l = 0; l < material.layers.size(); ++l) {
             const LayerWeights* const weights = material.weights.empty() ? nullptr : &material.weights[l];
@@ -139,7 +139,7 @@ std::uint64_t LocalLighting::add(const Viewpoint& view, const LitPoints& points,
     };
 
     std::array<std::uint32_t, kLanes> seeds{};
-    const bool all_smooth = !any_layer_has(false);  // samples of lights are of no use then
+    const bool all_smooth = !any_layer_has(false);  // light samples have no effect then
     for (std::size_t s = 0; !all_smooth && s < sources_.size(); ++s) {
         const LightSource& source = *sources_[s];
         const float radius = source.angular_radius(points.positions.front());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What surfaces reflect of local lights: the material's own pBRDF, light by light, with shadows by rays.
+// Reflection of local lights: evaluates the pBRDF for each light and casts shadow rays.
 #pragma once
 
 #include <cstddef>
@@ -20,35 +20,37 @@ namespace nicol {
 /// Points of surfaces, in the axes of lights and rays; at most kLanes.
 struct LitPoints {
     std::span<const glm::vec3> positions;
-    std::span<const glm::vec3> normals;  ///< unit, of shading
-    /// Where texture coordinate u grows, unit or 0, for anisotropic materials. Empty: the material is none.
+    std::span<const glm::vec3> normals;  ///< unit shading normals
+    /// Directions of growing texture coordinate u, unit or 0, for anisotropic materials. Empty: no material
+    /// is anisotropic.
     std::span<const glm::vec3> tangents;
-    /// Unit: light from below these is hidden by the surface itself, though a texture turns the normal
-    /// towards it. Empty: no texture does.
+    /// Unit geometric normals. Light from below them is hidden by the surface itself, even if a perturbed
+    /// normal faces the light. Empty: no texture perturbs normals.
     std::span<const glm::vec3> facets;
-    std::span<const glm::vec3> origins;  ///< where shadow rays start
+    std::span<const glm::vec3> origins;  ///< start points of shadow rays
     std::span<const std::uint32_t> seeds;
-    bool shadowed;  ///< something may be in the way; else no ray is traced
+    bool shadowed;  ///< whether light may be occluded; false: no ray is traced
 };
 
-/// What they are made of: layers and, of a material that varies, as many weights.
+/// The material's layers, and one weight per layer if the material is textured.
 struct LitMaterial {
     std::span<const Material* const> layers;
-    std::span<const LayerWeights> weights;  ///< empty: 1
+    std::span<const LayerWeights> weights;  ///< empty: the weight is 1
 };
 
-/// Whether a material, or a layer of its variation(), has smooth terms, or others.
+/// Returns whether a material, or a layer of its variation(), has smooth terms (or rough ones, if `smooth` is
+/// false).
 [[nodiscard]] bool has_terms(const Material& material, bool smooth);
 
-/// Immutable; threads share it.
+/// Local lights and shadows. Immutable; threads share it.
 class LocalLighting {
 public:
-    /// rays: what casts shadows, null: nothing; must outlive this. samples: places of a
-    /// light that is seen wide; of narrower ones fewer.
+    /// rays: surfaces that cast shadows, null for none; must outlive this object. samples: number of light
+    /// samples for wide lights; narrower lights get fewer.
     LocalLighting(std::vector<LightSourcePtr> sources, const RayScene* rays, int samples);
 
-    /// Adds to out[c][i] channel c's Stokes vector towards the viewpoint, in the camera's frame field, of
-    /// point i. Returns the number of rays.
+    /// Adds to out[c][i] channel c's Stokes vector of point i towards the viewpoint, in the camera's frame
+    /// field. Returns the number of rays.
     std::uint64_t add(const Viewpoint& view, const LitPoints& points, const LitMaterial& material,
                       std::span<const std::span<glm::vec4>> out) const;
 

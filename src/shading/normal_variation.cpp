@@ -11,13 +11,13 @@
 namespace nicol {
 namespace {
 
-// Unit, or `otherwise` where there is no direction.
+// Returns v with unit length, or `otherwise` if v has no direction.
 template <class Number>
 [[gnu::always_inline]] inline Vector3<Number> direction(const Vector3<Number>& v,
                                                         const Vector3<Number>& otherwise) {
     Number square;
     dot(v, v, square);
-    // Of two conditions at once GCC 12 makes no vector instructions, nor of some that branches lie before.
+    // GCC 12 does not vectorise two combined conditions, nor a condition that follows a branch.
     square = square < std::numeric_limits<float>::infinity() ? square : Number{};
     const auto defined = square > 0;
     square = defined ? square : Number{} + 1.0F;
@@ -27,7 +27,7 @@ template <class Number>
             defined ? v.z * inverse : otherwise.z};
 }
 
-// a x + b y + c z
+// Returns of.x x + of.y y + of.z z.
 template <class Number>
 [[gnu::always_inline]] inline Vector3<Number> combination(const Vector3<Number>& of, const Vector3<Number>& x,
                                                           const Vector3<Number>& y,
@@ -41,7 +41,7 @@ template <class Number>
     return {factor * v.x, factor * v.y, factor * v.z};
 }
 
-// texel: the normal in the surface's frame, as a colour.
+// Returns the normal of a normal map. texel: the normal in the surface's frame, as a colour.
 template <class Number>
 [[gnu::always_inline]] inline Vector3<Number> mapped(const Vector3<Number>& texel,
                                                      const Vector3<Number>& by_u, const Vector3<Number>& by_v,
@@ -56,20 +56,20 @@ template <class Number>
         const Number sign = number > 0 ? -one : one;
         y = times(sign, y);
     }
-    // Where x is 0, the normal stays.
+    // The normal is unchanged if x is 0.
     dot(x, x, number);
     const Vector3<Number> local{2.0F * texel.x - 1.0F, 2.0F * texel.y - 1.0F,
                                 number * (2.0F * texel.z - 2.0F) + 1.0F};
     return direction(combination(local, x, y, n), n);
 }
 
-// across, down: the slope by u and by v.
+// Returns the normal of a bump map. across, down: slopes by u and by v.
 template <class Number>
 [[gnu::always_inline]] inline Vector3<Number> bumped(const Number& across, const Number& down,
                                                      const Vector3<Number>& by_u, const Vector3<Number>& by_v,
                                                      const Vector3<Number>& n) {
     const Number one = Number{} + 1.0F;
-    // Where there are no axes there is no slope, and the normal stays.
+    // The slope counts as 0 without axes, so that the normal is unchanged.
     Number square, number;
     dot(by_u, by_u, square);
     dot(by_v, by_v, number);
@@ -86,7 +86,7 @@ template <class Number>
     return times(sign, turned);
 }
 
-// Of the texture: kind map: its value. bump: its gradient, times the scale.
+// Returns the perturbed normal. texture: value of a normal map, or gradient of a bump map times the scale.
 template <class Number>
 [[gnu::always_inline]] inline Vector3<Number> turned(const NormalVariation& variation,
                                                      const Vector3<Number>& texture,
@@ -108,7 +108,7 @@ template <class Number>
 [[gnu::always_inline]] inline Vector3<Number> facing(const Vector3<Number>& turned,
                                                      const Vector3<Number>& normal,
                                                      const Vector3<Number>& towards_viewer) {
-    // Microfacets have no limit at the horizon itself.
+    // The limit is above 0 because microfacet models have no limit at the horizon itself.
     const Number edge_on = Number{} + 0.02F;
     Number least;
     dot(normal, towards_viewer, least);
@@ -124,7 +124,7 @@ glm::vec3 vector(const Vector3<float>& v) {
     return {v.x, v.y, v.z};
 }
 
-// The compiler's own vectors.
+// The compiler's own vector type.
 using Number [[gnu::vector_size(64)]] = float;
 
 [[gnu::always_inline]] inline Vector3<Number> load_all(const LaneVectors& from) {

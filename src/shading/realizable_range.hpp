@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Stokes vectors that light can have.
+// Physically realizable range of Stokes vectors.
 #pragma once
 
 #include <glm/vec4.hpp>
@@ -8,13 +8,13 @@
 namespace nicol {
 
 /// Moves each vector into the physically realizable range (Eq. 70), sqrt(s1^2 + s2^2 + s3^2) <= s0: a
-/// negative s0 becomes 0, a polarized part that is too long keeps its direction. Truncated light leaves that
-/// range; true light never does, and the range is convex, so this brings no vector further from the truth
-/// than the shortening of s1..s3 does. Returns how many vectors were moved.
+/// negative s0 becomes 0, and a polarized part that is too long keeps its direction. Truncated light can
+/// leave the range; true light never does. The range is convex; therefore the distance to the truth grows at
+/// most by the shortening of s1..s3. Returns the number of moved vectors.
 ///
-/// noise: what s0 errs by, 0 and up. Where light is as weak as its error its polarization is that of the
-/// error; s1..s3 then become shorter by s0^2 / (s0^2 + noise^2), the factor of the least squared error for
-/// light of that strength (Wiener's).
+/// noise: error of s0, at least 0. The polarization of light that is as weak as its error is mostly error.
+/// Therefore s1..s3 are multiplied by s0^2 / (s0^2 + noise^2), the factor of least squared error for light of
+/// this strength (Wiener's).
 std::size_t make_physical(std::span<glm::vec4> stokes, float noise = 0);
 
 }  // namespace nicol

@@ -12,7 +12,7 @@
 namespace nicol {
 namespace {
 
-// Cos and sin of twice the angle of a vector from x, of any length but 0.
+// Computes the cosine and sine of twice the angle between (x, y), of any length but 0, and the x axis.
 template <class Number>
 [[gnu::always_inline]] inline void twice_the_angle(const Number& x, const Number& y, Number& cosine,
                                                    Number& sine) {
@@ -36,7 +36,7 @@ template <class Number>
     return out;
 }
 
-// Of a surface's frame, by Duff et al. 2017, which takes neither root nor branch.
+// Computes axes of a surface's frame by Duff et al. 2017, which needs neither a root nor a branch.
 template <class Number>
 [[gnu::always_inline]] inline void some_axes(const Vector3<Number>& n, Vector3<Number>& x,
                                              Vector3<Number>& y) {
@@ -47,7 +47,7 @@ template <class Number>
     y = {b, sign + n.y * n.y * a, -n.y};
 }
 
-// x nearest to the unit `along`, where that is not n itself.
+// Computes the axes with x nearest to the unit `along`; leaves x unchanged if `along` is parallel to n.
 template <class Number>
 [[gnu::always_inline]] inline void axes_along(const Vector3<Number>& along, const Vector3<Number>& n,
                                               Vector3<Number>& x, Vector3<Number>& y) {
@@ -61,7 +61,7 @@ struct LitFrames {
     LaneVectors& tangent;
     LaneVectors& bitangent;
     const LaneVectors& normal;
-    const LaneVectors* along;  // of tangents; null: any will do
+    const LaneVectors* along;  // tangents; null: any axes are valid
     LaneVectors& towards_viewer;
     Lanes& frame_cosine;
     Lanes& frame_sine;
@@ -70,7 +70,7 @@ struct LitFrames {
 template <class Number>
 [[gnu::always_inline]] inline void find_frames(const CameraAxes& camera, const LanePoints& positions,
                                                const LitFrames& points) {
-    // Double precision, as the difference of two positions loses digits.
+    // Double precision is needed because the difference of two positions loses digits.
     LaneVectors towards;
     for (std::size_t i = 0; i < kLanes; ++i) {
         const Vector3<float> w = in_floats(towards_camera(
@@ -108,7 +108,8 @@ template <class Number>
     }
 }
 
-// From a light's directions and frames to the surfaces'.
+// Directions towards the light in the surfaces' frames, and rotation from the light's frames to the theta-phi
+// frames.
 struct Incidence {
     LaneVectors towards_light;
     Lanes frame_cosine, frame_sine;
@@ -141,12 +142,12 @@ struct Reflection {
     const LaneLight& light;
     const Incidence& incidence;
     const LayerWeights* layer;
-    const Lanes& scale;  // 0 where nothing is added
+    const Lanes& scale;  // 0 for points without contribution
     const Lanes& frame_cosine;
     const Lanes& frame_sine;
 };
 
-// (s1, s2) in a frame rotated by half of the angle given.
+// Rotates (s1, s2) into a frame that is rotated by half of the given angle.
 template <class Number>
 [[gnu::always_inline]] inline void rotate(const Lanes& cosine, const Lanes& sine, std::size_t first,
                                           Number& s1, Number& s2) {
@@ -194,7 +195,7 @@ template <class Number>
                 load_part(r.layer->of(channel), first, weight);
                 factor *= weight;
             }
-            // Lanes that see no light may hold anything, infinities included.
+            // Lanes that no light reaches may hold anything, infinities included.
             const auto lit = scale > 0.0F;
             for (std::size_t p = 0; p < 4; ++p) {
                 Number total;
@@ -251,8 +252,8 @@ LaneVectors ReflectedLight::mirrored_directions() const {
 void ReflectedLight::add_mirrored(const Material& material, const LayerWeights* weights,
                                   const LaneLight& light, std::uint32_t points,
                                   std::span<std::array<Lanes, 4>> out) const {
-    // In the mirror direction the facets' pBRDF is Fresnel's matrix D / (4 cos^2) with D = 1 / (pi alpha^2),
-    // and none of them hides another.
+    // In the mirror direction the facets' pBRDF is Fresnel's matrix times D / (4 cos^2) with D = 1 / (pi
+    // alpha^2), without shadowing or masking.
     constexpr auto scale = static_cast<float>(4 * std::numbers::pi * kSmoothAlpha * kSmoothAlpha);
     add_terms(
         Terms::smooth, material, weights, light, points, [](float cosine) { return scale * cosine * cosine; },

@@ -23,12 +23,13 @@ void Shade::run(const ResponseTable& response, const VertexLight& light, const V
                 std::span<const glm::vec3> positions, std::span<const glm::vec3> normals,
                 std::span<const std::uint8_t> visible, std::size_t first, std::size_t last,
                 std::span<const std::span<glm::vec4>> out) const {
-    // Channels that equal the first are not computed.
+    // Channels that equal the first channel are not computed.
     const std::size_t rows = rows_of(response);
     const bool alike = response.channels() == 1 && light.channels() == 1;
     const std::size_t step = response.rows(0, 0).size() * static_cast<std::size_t>(response.channels());
 
-    // Whole squares are faster to transpose, and the rows of a few orders together have as many numbers.
+    // The count is rounded up because whole squares are faster to transpose; even the rows of a few orders
+    // together have as many numbers.
     const std::size_t row_size = response.row_size();
     const std::size_t numbers = std::max(rows * row_size, std::min(kLanes, 4 * row_size));
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// shade: light in the vertices' frames times the material's response, at the view direction.
+// The shade step: light in the vertices' frames times the material's response, at the view direction.
 #pragma once
 
 #include <cstdint>
@@ -16,23 +16,24 @@
 
 namespace nicol {
 
-/// Stokes vectors towards a viewpoint, in the camera's frame field.
+/// Evaluator of Stokes vectors towards a viewpoint, in the camera's frame field.
 class Shade {
 public:
-    /// Of the four components, those are computed that the material makes: but at least the first `least`
-    /// and at most the first `most` of them (1, 3 or 4); the others are 0.
+    /// Computes the Stokes components that the material produces, but at least the first `least` and at most
+    /// the first `most` components (1, 3 or 4). The other components are 0.
     explicit Shade(LightLayout layout, std::size_t least = 1, std::size_t most = 4);
 
-    /// For every vertex `first` <= v < `last` with visible[v] != 0, writes channel c's Stokes vector to
-    /// out[c][v]; others are left alone. A light of one channel serves all. Sixteen vertices that share a
+    /// Writes channel c's Stokes vector to out[c][v] for every vertex `first` <= v < `last` with visible[v]
+    /// != 0; leaves other vectors unchanged. A light of one channel serves all. Sixteen vertices that share a
     /// block of `light` take about as long as one. Calls for different vertices may run side by side.
     void run(const ResponseTable& response, const VertexLight& light, const Viewpoint& view,
              std::span<const glm::vec3> positions, std::span<const glm::vec3> normals,
              std::span<const std::uint8_t> visible, std::size_t first, std::size_t last,
              std::span<const std::span<glm::vec4>> out) const;
 
-    /// The same of a material's layers, each times weights, for all positions: [layer] and [block of
-    /// sixteen][layer]. Their rows are added up before light is dotted with them, so that layers cost little.
+    /// Writes the Stokes vectors of a material's layers, each times weights, for all positions. layers:
+    /// [layer]; weights: [block of sixteen][layer]. The rows are summed before the dot product with light, so
+    /// that layers cost little.
     void run(std::span<const ResponseTable* const> layers, std::span<const LayerWeights> weights,
              const VertexLight& light, const Viewpoint& view, std::span<const glm::vec3> positions,
              std::span<const glm::vec3> normals, std::span<const std::span<glm::vec4>> out) const;
@@ -40,7 +41,7 @@ public:
     [[nodiscard]] const LightLayout& layout() const noexcept { return layout_; }
 
 private:
-    // How many components of what a table makes are computed.
+    // Returns the number of components that are computed for a table.
     [[nodiscard]] std::size_t rows_of(const ResponseTable& response) const;
 
     std::size_t least_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Shade of several layers at once.
+// Shading of several layers at once.
 #include <algorithm>
 #include <array>
 
@@ -10,7 +10,7 @@
 namespace nicol {
 namespace {
 
-// What one layer has at the views of a block.
+// Returns the rows of one layer at the views of a block.
 MixtureRow row_of(const ResponseTable& response, const LaneView::TablePositions& at, std::size_t numbers,
                   const LayerWeights& weights) {
     const std::size_t channel_step = response.rows(0, 0).size();
@@ -39,7 +39,7 @@ void Shade::run(std::span<const ResponseTable* const> layers, std::span<const La
         const std::size_t count = std::min(kLanes, positions.size() - begin);
         seen.set(view, positions.subspan(begin, count), normals.subspan(begin, count));
         const LaneView::TablePositions at = seen.positions_in(ResponseTable::kAngles);
-        // Tables of one and of two pairings have rows of their own.
+        // Tables of one pairing and of two pairings are summed separately because their rows differ.
         for (const std::size_t pairings : {std::size_t{1}, std::size_t{2}}) {
             std::size_t made = 1;
             const std::size_t row_size = layout_.row_size() * pairings;
@@ -51,7 +51,7 @@ void Shade::run(std::span<const ResponseTable* const> layers, std::span<const La
                 rows.add(row_of(*layers[l], at, own * row_size, weights[l]));
             }
             if (rows.empty()) continue;
-            // Whole squares are faster to transpose.
+            // The count is rounded up because whole squares are faster to transpose.
             rows.sum(at.fraction, 0, std::max(made * row_size, std::min(kLanes, 4 * row_size)));
             const bool alike = rows.alike() && light.channels() == 1;
             for (std::size_t c = 0; c < out.size(); ++c) {

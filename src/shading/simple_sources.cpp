@@ -17,10 +17,10 @@ double half_sine_squared(double angle) {
     return sine * sine;
 }
 
-constexpr float kNearest = 1e-30F;  // of squared distances, which are divided by
+constexpr float kNearest = 1e-30F;  // smallest squared distance, which is a divisor
 
-// Irradiance on a surface that faces the light at the distance 1, over the light's value, in a unit direction
-// of its own axes.
+// Returns the irradiance at distance 1 on a surface that faces the light, over the light's value, for a unit
+// direction in the light's own axes.
 double pattern(const LocalLight& light, const glm::dvec3& direction) {
     if (light.kind == LocalLight::Kind::spot) return spot_falloff(light, direction.z);
     const double half_width = std::tan(light.fov / 2);
@@ -29,15 +29,16 @@ double pattern(const LocalLight& light, const glm::dvec3& direction) {
     return inside ? 1 / (direction.z * direction.z * direction.z) : 0;
 }
 
-/// How far a ray is outside a ball whose centre it passes so far along and beside it.
+/// Returns the distance along a ray to a ball; the ray passes the centre at the distance `beside`, after
+/// `along`.
 float until_ball(float along, float beside, float radius) {
     return std::max(0.0F, along - std::sqrt(std::max(0.0F, radius * radius - beside * beside)));
 }
 
 }  // namespace
 
-// A uniform disc of radius r and radiance L sheds L pi sin^2 r onto a surface that faces it, and each place
-// stands for its whole solid angle, 4 pi sin^2 (r / 2).
+// A uniform disc of radius r and radiance L gives the irradiance L pi sin^2 r on a surface that faces it.
+// Each light sample represents the whole solid angle, 4 pi sin^2 (r / 2).
 DirectionalSource::DirectionalSource(const LocalLight& light, const glm::dmat3& axes)
     : color_(light.value, nullptr, light.state, axes * light.state.axis),
       radius_(static_cast<float>(light.angular_radius)),
@@ -74,7 +75,7 @@ void DirectionalSource::intersect(const LaneVectors&, const LaneVectors& directi
         const float x = directions.x[i] - towards_.x;
         const float y = directions.y[i] - towards_.y;
         const float z = directions.z[i] - towards_.z;
-        // The square of a chord, which is exact for small angles, where cosines are not.
+        // The square of a chord is accurate for small angles, unlike cosines.
         const bool meets = height_ > 0 && x * x + y * y + z * z <= 2 * height_;
         if (meets) out.points |= 1U << i;
         out.distance[i] = std::numeric_limits<float>::infinity();
@@ -91,7 +92,7 @@ PointSource::PointSource(const LocalLight& light, const glm::dmat4& to_axes)
 
 void PointSource::sample(const LaneVectors& points, const Lanes&, const Lanes&, LaneLight& out) const {
     Lanes factor;
-    LaneVectors own;  // the light's direction, in its own axes
+    LaneVectors own;  // direction from the light in its own axes
     for (std::size_t i = 0; i < kLanes; ++i) {
         const float x = place_.x - points.x[i];
         const float y = place_.y - points.y[i];
@@ -143,10 +144,10 @@ std::optional<EmissiveSphere> sphere_of(const std::vector<std::array<glm::vec3, 
     if (!(area > 0)) return std::nullopt;
     centre /= area;
     const double radius = std::sqrt(area / (4 * pi));
-    // A sphere of 12 by 24 parts has 2 % less area.
+    // The tolerance admits a sphere of 12 by 24 parts, whose area is 2 % smaller.
     constexpr double tolerance = 0.03;
     double outer_radius = radius;
-    double cones = 0;  // volume, by cones over the triangles
+    double cones = 0;  // volume: the sum of the cones over the triangles
     for (const std::array<glm::vec3, 3>& t : triangles) {
         const glm::dvec3 a = glm::dvec3(t[0]) - centre, b = glm::dvec3(t[1]) - centre,
                          c = glm::dvec3(t[2]) - centre;
@@ -156,7 +157,7 @@ std::optional<EmissiveSphere> sphere_of(const std::vector<std::array<glm::vec3, 
         }
         cones += glm::dot(a, glm::cross(b, c)) / 6;
     }
-    // Closed, once around, and outwards: or the volume is another.
+    // The volume differs unless the surface is closed, covers the sphere once and faces outwards.
     const double volume = 4 * pi / 3 * radius * radius * radius;
     if (!(std::abs(cones - volume) <= 2 * tolerance * volume)) return std::nullopt;
     return EmissiveSphere{.centre = centre, .radius = radius, .outer_radius = outer_radius};
@@ -188,7 +189,7 @@ void SphereSource::sample(const LaneVectors& points, const Lanes& u, const Lanes
         float x = 0, y = 0;
         turn(v[i], x, y);
 
-        // A frame about the way to the centre (Duff et al. 2017).
+        // Frame about the direction to the centre (Duff et al. 2017).
         const glm::vec3 z = outside ? way / to_centre : glm::vec3(0, 0, 1);
         const float sign = std::copysign(1.0F, z.z);
         const float a = -1 / (sign + z.z);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Light sources of a simple shape: a direction or disc of the sky, a place without a size, and a sphere.
+// Light sources of simple shapes: a direction or distant disc, a point without a size, and a sphere.
 #pragma once
 
 #include <array>
@@ -15,10 +15,10 @@
 
 namespace nicol {
 
-/// Light from a direction, or a disc of the sky.
+/// Distant light from one direction or from a disc.
 class DirectionalSource final : public LightSource {
 public:
-    /// `axes`: of the light, a rotation into the points' axes.
+    /// Takes `axes`, a rotation from the light's axes to the points' axes.
     DirectionalSource(const LocalLight& light, const glm::dmat3& axes);
 
     [[nodiscard]] float angular_radius(const glm::vec3& /*from*/) const noexcept override { return radius_; }
@@ -29,14 +29,14 @@ private:
     SourceColor color_;
     float radius_;
     float height_;   // 1 - cos(radius)
-    float density_;  // irradiance of a place times the solid angle, over that of the whole disc
+    float density_;  // irradiance of a sample times the solid angle, over that of the whole disc
     glm::vec3 towards_, right_, up_;
 };
 
-/// Light from a place without a size: a point, a spot or a projector.
+/// Light from a point without a size: a point light, a spot or a projector.
 class PointSource final : public LightSource {
 public:
-    /// `to_axes`: from the light's own axes to the points', a rotation and a shift.
+    /// Takes `to_axes`, a rotation and shift from the light's own axes to the points'.
     PointSource(const LocalLight& light, const glm::dmat4& to_axes);
 
     [[nodiscard]] float angular_radius(const glm::vec3& /*from*/) const noexcept override { return 0; }
@@ -44,30 +44,30 @@ public:
     void intersect(const LaneVectors& points, const LaneVectors& directions, LaneLight& out) const override;
 
 private:
-    // Multiplies `factor` by how bright the light is in directions in its own axes, and finds where they meet
-    // its texture.
+    // Multiplies `factor` by the light's directional pattern in directions in its own axes, and finds their
+    // texture coordinates.
     void aim(const LaneVectors& directions, Lanes& factor, TexturePoints& at, LaneLight& out) const;
 
     LocalLight light_;
     SourceColor color_;
     glm::vec3 place_;
-    glm::mat3 axes_;  // the light's own
+    glm::mat3 axes_;  // the light's own axes
 };
 
-/// A surface that is nearly a sphere.
+/// Surface that is nearly a sphere.
 struct EmissiveSphere {
     glm::dvec3 centre;
-    double radius;        ///< of the sphere with the surface's area
-    double outer_radius;  ///< of one that holds the surface
+    double radius;        ///< radius of the sphere with the surface's area
+    double outer_radius;  ///< radius of a sphere that contains the surface
 };
-/// The sphere of a closed surface that faces outwards and is nearly a sphere, if the triangles are one.
+/// Returns the sphere of a surface if the triangles are closed, face outwards and are nearly a sphere.
 [[nodiscard]] std::optional<EmissiveSphere> sphere_of(const std::vector<std::array<glm::vec3, 3>>& triangles);
 
-/// Light from an emissive sphere. Its places are uniform over the solid angle that a point sees of it, so
-/// that none is wasted on its far side.
+/// Light from an emissive sphere. Its light samples are uniform over the solid angle that is visible from a
+/// point, so that no sample is wasted on the far side.
 class SphereSource final : public LightSource {
 public:
-    /// `axis`: see EmissiveSurface.
+    /// Takes `axis`, the axis of the polarization, as in EmissiveSurface.
     SphereSource(const EmissiveSphere& sphere, const Emission& emission, const glm::dvec3& axis);
 
     [[nodiscard]] float angular_radius(const glm::vec3& from) const noexcept override;
@@ -78,7 +78,7 @@ private:
     SourceColor color_;
     glm::vec3 centre_;
     float radius_;
-    float outer_radius_;  // where rays to the light end, so that its own triangles do not hide it
+    float outer_radius_;  // end of rays to the light, so that its own triangles do not hide it
 };
 
 }  // namespace nicol

@@ -17,7 +17,7 @@ namespace {
 
 using Patch = SurfaceSource::Patch;
 
-/// The patch that holds each place.
+/// The patches of the light samples.
 template <class Number>
 struct Chosen {
     Vector3<Number> corner, first, second, normal;
@@ -29,8 +29,8 @@ template <class Number, class Mask>
     v = {where ? Number{} + by.x : v.x, where ? Number{} + by.y : v.y, where ? Number{} + by.z : v.z};
 }
 
-/// u chooses the patch, and what is left of it a place: neighbours in u are neighbours there. For few
-/// patches, which are all looked at.
+/// Finds the patches of samples by comparing u with all patches, which suits few patches. u chooses the
+/// patch, and its remainder a point on the patch, so neighbours in u are neighbours on the surface.
 template <class Number>
 [[gnu::always_inline]] inline void choose(std::span<const Patch> patches, const Number& u,
                                           Chosen<Number>& out) {
@@ -46,7 +46,7 @@ template <class Number>
     }
 }
 
-/// The same of patches of which each place's is known.
+/// Loads the patches of samples whose patch indices are known.
 template <class Number>
 [[gnu::always_inline]] inline void choose(std::span<const Patch> patches, const std::uint32_t* indices,
                                           Chosen<Number>& out) {
@@ -69,7 +69,7 @@ template <class Number>
 
 struct PatchSamples {
     std::span<const Patch> patches;
-    const std::uint32_t* indices;  // of each place's; null: to be found
+    const std::uint32_t* indices;  // patch of each sample; null: to be found
     bool two_sided;
     float area;
     const LaneVectors& points;
@@ -80,7 +80,7 @@ struct PatchSamples {
 struct FoundPatchSamples {
     LaneLight& light;
     Lanes& factor;
-    std::array<Lanes, 2>& weights;  // of the patches' edges
+    std::array<Lanes, 2>& weights;  // weights of the patches' edges
 };
 
 template <class Number>
@@ -122,7 +122,7 @@ template <class Number>
         const Number scale = lit ? 1.0F / distance : Number{};
         store_part(distance, first, out.light.distance);
         store_part(Vector3<Number>{scale * way.x, scale * way.y, scale * way.z}, first, out.light.towards);
-        // Radiance times the solid angle that the place stands for: area cos / distance^2.
+        // The factor of the radiance is the solid angle that the sample represents: area cos / distance^2.
         store_part(Number(places.area * scale * scale * (across * scale)), first, out.factor);
         __builtin_memcpy(emits.data() + first, &lit, sizeof lit);
     }
@@ -131,13 +131,13 @@ template <class Number>
     out.light.points = bits;
 }
 
-/// The corner opposite the edge that triangles t and t + 1 share, if they make a parallelogram, of texture
-/// coordinates too.
+/// Returns the corner opposite the edge that triangles t and t + 1 share if the two triangles make a
+/// parallelogram, in texture coordinates too.
 std::optional<std::size_t> parallelogram_corner(const EmissiveSurface& surface, std::size_t t) {
     if (t + 1 >= surface.triangles.size()) return std::nullopt;
     const auto completes = [](const auto& one, const auto& other, std::size_t k) {
         const auto b = one[(k + 1) % 3], c = one[(k + 2) % 3], d = b + c - one[k];
-        // The other is d and the shared edge, the other way around.
+        // The other triangle has the corner d and the shared edge in opposite direction.
         constexpr float rounding = 1e-6F;
         const float most =
             std::min(rounding * (glm::length(b) + glm::length(c)), 1e-3F * glm::distance(b, c));
@@ -159,7 +159,7 @@ SurfaceSource::SurfaceSource(const EmissiveSurface& surface)
     : two_sided_(surface.emission.two_sided),
       color_(surface.emission.radiance, surface.emission.texture, surface.emission.state, surface.axis) {
     struct Area {
-        glm::dvec3 normal;  // squares of very small or large edges are no floats
+        glm::dvec3 normal;  // squares of very small or large edges exceed the range of float
         double own;
     };
     std::vector<Area> areas;
@@ -194,7 +194,7 @@ SurfaceSource::SurfaceSource(const EmissiveSurface& surface)
         }
         if (corner) ++t;
     }
-    // A power of two, so that a part's first u is exact.
+    // The size is a power of two, so that the first u of each part is exact.
     guide_.resize(std::bit_ceil(2 * patches_.size()));
     for (std::size_t part = 0; part < guide_.size() && !patches_.empty(); ++part) {
         const float first = static_cast<float>(part) / static_cast<float>(guide_.size());
@@ -216,7 +216,7 @@ void SurfaceSource::make_rays() {
     for (const Patch& patch : patches_) {
         const glm::vec3 b = patch.corner + patch.first, c = patch.corner + patch.second;
         add(patch.corner, b, c);
-        // The rest of a parallelogram; of a triangle something without area.
+        // The second triangle is the rest of a parallelogram, or has no area if the patch is a triangle.
         if (patch.parallelogram > 0)
             add(b + patch.second, c, b);
         else
@@ -255,7 +255,7 @@ void SurfaceSource::sample(const LaneVectors& points, const Lanes& u, const Lane
     std::array<Lanes, 2> weights;
     dispatch<find_on_patches<FourLanes>, find_on_patches<EightLanes>, find_on_patches<AllLanes>>(
         PatchSamples{patches_, search ? indices.data() : nullptr, two_sided_, static_cast<float>(area_),
-                    points, u, v},
+                     points, u, v},
         FoundPatchSamples{out, factor, weights});
     if (!color_.textured()) return color_.put(factor, out);
     TexturePoints at{};
@@ -287,7 +287,7 @@ void SurfaceSource::intersect(const LaneVectors& points, const LaneVectors& dire
         out.points |= 1U << i;
         out.distance[i] = static_cast<float>(hit->distance);
         if (texcoords_.empty()) continue;
-        const bool rest = hit->triangle % 2 != 0;  // from the far corner
+        const bool rest = hit->triangle % 2 != 0;  // whether the hit is measured from the far corner
         const auto b1 = static_cast<float>(rest ? 1 - hit->b1 : hit->b1);
         const auto b2 = static_cast<float>(rest ? 1 - hit->b2 : hit->b2);
         put_texcoords(patch, b1, b2, i, at);

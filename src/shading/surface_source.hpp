@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Light from an emissive surface.
+// Light source for an emissive surface.
 #pragma once
 
 #include <optional>
@@ -11,13 +11,13 @@ namespace nicol {
 
 class SurfaceSource final : public LightSource {
 public:
-    /// A triangle, or two that make a parallelogram.
+    /// A triangle, or two triangles that make a parallelogram.
     struct Patch {
-        glm::vec3 corner, first, second;  ///< edges
-        glm::vec3 normal;                 ///< unit
-        float before;                     ///< part of the area in the patches before it
-        float scale;                      ///< 1 over its part
-        float parallelogram;              ///< 1 or 0
+        glm::vec3 corner, first, second;  ///< one corner and the two edges from it
+        glm::vec3 normal;                 ///< unit normal
+        float before;                     ///< fraction of the total area in the patches before this one
+        float scale;                      ///< 1 over the patch's fraction of the area
+        float parallelogram;              ///< 1 for a parallelogram, 0 for a triangle
     };
 
     explicit SurfaceSource(const EmissiveSurface& surface);
@@ -31,7 +31,7 @@ public:
 private:
     void make_rays();
     [[nodiscard]] std::size_t patch_at(float u) const;
-    // b1, b2: along the patch's edges.
+    // Sets the texture coordinates of one lane. b1, b2: coordinates along the patch's edges.
     void put_texcoords(std::size_t patch, float b1, float b2, std::size_t lane, TexturePoints& out) const;
 
     bool two_sided_;
@@ -39,10 +39,10 @@ private:
     std::vector<Patch> patches_;
     std::vector<std::array<glm::vec2, 3>> texcoords_;
     double area_ = 0;
-    std::vector<std::uint32_t> guide_;  // of parts of u, in equal steps: the last patch before each
-    glm::vec3 centre_{0};               // of a sphere that all of it is in
+    std::vector<std::uint32_t> guide_;  // by equal parts of u: last patch that begins by their start
+    glm::vec3 centre_{0};               // centre of a sphere that contains the surface
     float radius_ = 0;
-    std::optional<RayScene> rays_;  // of two triangles a patch; none: nothing mirrors it
+    std::optional<RayScene> rays_;  // two triangles per patch; none if no mirror needs them
 };
 
 }  // namespace nicol

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: MIT
-// One binary for several generations of processors: which instruction set runs is decided once, at run time.
+// Choice of the instruction set at run time, so that one binary serves several generations of processors.
 #pragma once
 
 #include <utility>
 
 namespace nicol {
 
-/// Each contains the one before. baseline: what every processor of the architecture has (SSE2 on x86-64).
+/// Instruction sets, each of which contains the one before. baseline: the instructions that every processor
+/// of the architecture has (SSE2 on x86-64).
 enum class InstructionSet { baseline, avx2, avx512 };
 
-/// The best one that this processor runs, but not above NICOL_INSTRUCTION_SET (baseline, avx2 or avx512)
-/// where the environment has that variable at the first call.
+/// Returns the best instruction set of this processor, limited by the environment variable
+/// NICOL_INSTRUCTION_SET (baseline, avx2 or avx512) if the variable is set at the first call.
 [[nodiscard]] InstructionSet instruction_set();
 
 namespace detail {
@@ -18,7 +19,7 @@ namespace detail {
 template <auto Loop, class Signature = decltype(Loop)>
 struct Compiled;
 
-// What a function is compiled for reaches what is inlined into it, and `Loop` always is.
+// The target attribute of a function also applies to functions inlined into it, and `Loop` is always inlined.
 template <auto Loop, class Result, class... Parameters>
 struct Compiled<Loop, Result (*)(Parameters...)> {
     static Result baseline(Parameters... parameters) { return Loop(std::forward<Parameters>(parameters)...); }
@@ -27,7 +28,7 @@ struct Compiled<Loop, Result (*)(Parameters...)> {
         return Loop(std::forward<Parameters>(parameters)...);
     }
 #ifdef __clang__
-    // Without this, vectors of 512 bits become pairs of 256.
+    // Without this attribute Clang splits vectors of 512 bits into pairs of 256.
     [[clang::min_vector_width(512)]]
 #endif
     [[gnu::target("avx2,fma,bmi,bmi2,avx512f,avx512bw,avx512cd,avx512dq,avx512vl")]] static Result
@@ -39,10 +40,10 @@ struct Compiled<Loop, Result (*)(Parameters...)> {
 
 }  // namespace detail
 
-/// Calls a function that is compiled for each instruction set. It must be [[gnu::always_inline]], and so must
-/// what it calls that matters for speed: the rest, lambdas included, is compiled for the baseline unless the
-/// compiler happens to inline it. Vectors wider than 16 bytes are passed and returned by reference. Three
-/// functions where an instruction set needs source of its own.
+/// Calls a function that is compiled for each instruction set. The function must be [[gnu::always_inline]],
+/// and so must the functions it calls that matter for speed: other functions, lambdas included, are compiled
+/// for the baseline unless the compiler happens to inline them. Vectors wider than 16 bytes are passed and
+/// returned by reference. Give three functions if an instruction set needs source of its own.
 template <auto Baseline, auto Avx2 = Baseline, auto Avx512 = Avx2, class... Arguments>
 decltype(auto) dispatch(Arguments&&... arguments) {
 #ifdef __x86_64__

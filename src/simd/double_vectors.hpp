@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Doubles side by side as the compiler's own vectors, as many as an instruction set has in a register.
+// Vectors of doubles in the compiler's own types, as wide as the registers of an instruction set.
 #pragma once
 
 namespace nicol {
@@ -10,7 +10,7 @@ struct DoubleVectors {
     using Mask [[gnu::vector_size(8 * Width)]] = long long;
 };
 
-/// Between a vector and memory without any alignment. (Clang takes a vector's own alignment for granted in a
+/// Copies between a vector and memory of any alignment. (Clang assumes a vector's own alignment for a
 /// reference that a function returns, whatever its type says.)
 template <class Vector>
 [[gnu::always_inline]] inline void load_vector(const double* from, Vector& to) {

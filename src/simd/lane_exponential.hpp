@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: MIT
-// The exponential function within a few roundings, for vectors of lanes.
+// The exponential function, accurate to a few roundings, for vectors of lanes.
 #pragma once
 
 #include <cstdint>
 
 namespace nicol {
 
-/// x becomes e^x; x from -87 to 0. Number: a vector of floats.
+/// Replaces x by e^x for x from -87 to 0. Number: a vector of floats.
 template <class Number>
 [[gnu::always_inline]] inline void exponential(Number& x) {
     using Integer [[gnu::vector_size(sizeof(Number))]] = std::int32_t;
-    // Adding it leaves no digits behind the point, and the whole number in the last bits.
+    // Adding the constant leaves no digits behind the point and puts the whole number into the last bits.
     constexpr float rounder = 12582912.0F;
     const Number shifted = x * 1.44269504F + rounder;
     const Number whole = shifted - rounder;
-    // ln 2 in two parts, the first short enough for exact products.
+    // ln 2 is split in two parts. The first part is short enough for exact products.
     const Number r = (x - whole * 0.693359375F) + whole * 2.12194440e-4F;
     const Number rest =
         1.0F + r * (1.0F + r * (0.5F + r * (0.16666667F +

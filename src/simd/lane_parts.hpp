@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Lanes in parts as wide as the registers of an instruction set, for functions that choose between numbers:
-// GCC does that one number at a time in vectors that are wider.
+// Parts of lanes as wide as the registers of an instruction set. Functions that select between numbers use
+// parts because GCC selects one number at a time in wider vectors.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 namespace nicol {
 
-/// The parts of the baseline, of AVX2 and of AVX-512.
+/// Parts for the baseline, for AVX2 and for AVX-512.
 using FourLanes [[gnu::vector_size(16)]] = float;
 using EightLanes [[gnu::vector_size(32)]] = float;
 using AllLanes [[gnu::vector_size(64)]] = float;
@@ -17,7 +17,7 @@ using AllLanes [[gnu::vector_size(64)]] = float;
 template <class Number>
 inline constexpr std::size_t kPart = sizeof(Number) / sizeof(float);
 
-/// The part from lane `first` on.
+/// Loads the part that begins at lane `first`.
 template <class Number>
 [[gnu::always_inline]] inline void load_part(const Lanes& from, std::size_t first, Number& to) {
     __builtin_memcpy(&to, from.value.data() + first, sizeof to);

@@ -7,7 +7,7 @@
 namespace nicol {
 namespace {
 
-// DoubleLanes promise less alignment than a vector of their size would.
+// DoubleLanes promises less alignment than a vector of its size does.
 using DoubleVector
     [[gnu::vector_size(sizeof(DoubleLanes)), gnu::may_alias, gnu::aligned(alignof(DoubleLanes))]] = double;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Multiples of an angle in each of sixteen lanes.
+// Cosines and sines of multiples of an angle in each of sixteen lanes.
 #pragma once
 
 #include <array>
@@ -9,13 +9,13 @@
 
 namespace nicol {
 
-/// One number of each of sixteen vertices, where single precision loses too much.
+/// Double-precision numbers of sixteen vertices, for steps in which single precision loses too many digits.
 struct alignas(64) DoubleLanes {
     std::array<double, kLanes> value;
 };
 
-/// cosines[m] and sines[m] of m times the angles with these cosines and sines, for m < count. High multiples
-/// keep their digits.
+/// Computes cosines[m] and sines[m] of m times the angles with these cosines and sines, for m < count. High
+/// multiples keep their digits.
 void raise_phases(const DoubleLanes& cosine, const DoubleLanes& sine, std::size_t count, Lanes* cosines,
                   Lanes* sines);
 

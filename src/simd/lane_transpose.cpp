@@ -33,7 +33,8 @@ template <int Step, int... K>
     exchange<1>(rows, all);
 }
 
-// The last square overlaps the one before where the count is no multiple of its side.
+// Transposes squares of kLanes columns. The last square overlaps the one before if the count is no multiple
+// of its side.
 [[gnu::always_inline]] inline void gather(const float* const* rows, std::size_t count, Lanes* lanes) {
     for (std::size_t at = 0; at < count; at += kLanes) {
         const std::size_t j = std::min(at, count - kLanes);
@@ -61,7 +62,8 @@ template <int Step, int... K>
     }
 }
 
-// rows and weights: those of the first summand, of the second and of the third, kLanes each.
+// Adds three weighted rows. `rows` and `weights` hold kLanes entries of the first summand, then of the
+// second, then of the third.
 [[gnu::always_inline]] inline void gather_weighted(const float* const* rows, const float* weights,
                                                    std::size_t count, Lanes* lanes) {
     for (std::size_t at = 0; at < count; at += kLanes) {

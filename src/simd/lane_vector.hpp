@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lanes as the compiler's own vectors, which stay in registers where arrays go through memory.
+// Lanes as the compiler's own vectors, which stay in registers, whereas arrays go through memory.
 #pragma once
 
 #include <cstdint>
@@ -12,10 +12,11 @@ using LaneVector [[gnu::vector_size(64), gnu::may_alias]] = float;
 using FixedVector [[gnu::vector_size(32), gnu::may_alias]] = std::int16_t;
 using IntVector [[gnu::vector_size(64), gnu::may_alias]] = std::int32_t;
 
-/// 16-bit numbers are multiples of 1 / kFixedOne: -2 to 2 in steps of 6.1e-5.
+/// Scale of 16-bit numbers: multiples of 1 / kFixedOne, -2 to 2 in steps of 6.1e-5.
 inline constexpr float kFixedOne = 16384.0F;
 
-// Inlined into functions of every instruction set. Numbers of 16 bits come as they are, kFixedOne too large.
+// Functions inlined into functions of every instruction set. Loaded 16-bit numbers are not scaled: they are
+// kFixedOne times too large.
 [[gnu::always_inline]] inline void load(const Lanes* from, LaneVector& to) {
     to = *reinterpret_cast<const LaneVector*>(from);
 }
@@ -25,7 +26,7 @@ inline constexpr float kFixedOne = 16384.0F;
 [[gnu::always_inline]] inline void load(const std::int16_t* from, LaneVector& to) {
     to = __builtin_convertvector(*reinterpret_cast<const FixedVector*>(from), LaneVector);
 }
-// Two numbers of 16 bits side by side in each lane; they come kPairedOne too large.
+// Factor of the numbers of load_pair(), which loads two 16-bit numbers side by side in each lane.
 inline constexpr float kPairedOne = kFixedOne * 65536;
 [[gnu::always_inline]] inline void load_pair(const std::int16_t* from, LaneVector& first,
                                              LaneVector& second) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Sixteen vertices side by side, for vector instructions.
+// Numbers of sixteen vertices side by side, for vector instructions.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@ namespace nicol {
 
 inline constexpr std::size_t kLanes = 16;
 
-/// One number of each of sixteen vertices.
+/// Single-precision numbers of sixteen vertices.
 struct alignas(64) Lanes {
     std::array<float, kLanes> value;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Memory that a thread keeps, so that frames allocate none.
+// Memory that a thread keeps, so that frames allocate no memory.
 #pragma once
 
 #include <cstddef>
@@ -8,8 +8,8 @@
 
 namespace nicol {
 
-/// Elements of unspecified value: the same ones for every call with this tag on a thread, so a call ends the
-/// use of those before.
+/// Returns elements of unspecified value. All calls with one tag on one thread return the same elements, so a
+/// call ends the use of the elements of earlier calls.
 template <class Tag, class Element>
 [[nodiscard]] std::span<Element> work_space(std::size_t count) {
     thread_local std::vector<Element> kept;

@@ -14,8 +14,8 @@ namespace nicol {
 ConvolutionKernel mirrored_kernel(const IsotropicMatrix& matrix) {
     if (matrix.order_in() != matrix.order_out())
         throw Error(ErrorCode::invalid_argument, "a kernel needs a matrix of the same order on both sides");
-    // Mirroring the outgoing light keeps l and m and changes rows only: s0 by (-1)^(l+m), s3 by minus that,
-    // and (w_lm, conj w_l-m) by (-1)^l with the two rows exchanged.
+    // Mirroring the outgoing light keeps l and m and changes rows only. It multiplies s0 by (-1)^(l+m) and s3
+    // by -(-1)^(l+m). It multiplies (w_lm, conj w_l-m) by (-1)^l and exchanges these two rows.
     ConvolutionKernel kernel(static_cast<std::size_t>(matrix.order_out()) + 1);
     for (int l = 0; l <= matrix.order_out(); ++l) {
         KernelBand& k = kernel[static_cast<std::size_t>(l)];
@@ -23,7 +23,8 @@ ConvolutionKernel mirrored_kernel(const IsotropicMatrix& matrix) {
         for (int m = 0; m <= l; ++m) {
             const IsotropicMatrix::Block& b = matrix.block(m, l, l);
             const double even_m = m % 2 == 0 ? 1 : -1;
-            // The mean over m and -m, whose block is the conjugate with the last two lanes exchanged.
+            // The kernel takes the mean over m and -m. The block of -m is the conjugate with the last two
+            // lanes exchanged.
             const double weight =
                 (m == 0 ? 1 : 2) / ((2 * l + 1) * std::sqrt(4 * std::numbers::pi / (2 * l + 1)));
             const double s0 = weight * even_l * even_m;

@@ -19,7 +19,7 @@ namespace {
 
 constexpr int kMostChannels = 16;
 
-// Of the lobe and of the hemisphere, for `count` vertices from `begin` on.
+// Returns the visible fractions of the lobe and of the hemisphere for `count` vertices from `begin` on.
 std::array<Lanes, 2> fractions(const HighOrderShadows& shadows, const LaneMirror& mirror, std::size_t begin,
                                std::size_t count) {
     std::array<Lanes, 2> out;
@@ -67,7 +67,7 @@ void HighOrder::run(const Viewpoint& view, std::span<const glm::vec3> positions,
             "high orders of " + std::to_string(out.size()) + " channels");
     const bool polarized = maps_.central->polarized();
     const bool alike = factors_.channels() == 1 && maps_.central->channels() == 1;
-    // Whole squares are faster to transpose.
+    // The count is rounded up because whole squares are faster to transpose.
     constexpr std::size_t few = std::max<std::size_t>(kLanes, HighOrderFactors::kUnpolarized);
     const std::size_t used = polarized ? HighOrderFactors::kElements : few;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// High orders of light, looked up in filtered maps at the mirrored view direction.
+// Reflection of high orders of light: evaluates filtered maps at the mirrored view direction.
 #pragma once
 
 #include <cstdint>
@@ -19,24 +19,24 @@
 
 namespace nicol {
 
-/// The visibility that high orders are multiplied by.
+/// Visibility by which high orders are multiplied.
 struct HighOrderShadows {
-    /// Of the lobe about the mirror direction and of the hemisphere, 0..1, by vertex; empty: 1 or as found by
-    /// the others.
+    /// Visible fractions of the lobe about the mirror direction and of the hemisphere, 0..1, by vertex.
+    /// Empty: `visibility` and `seen` determine the fractions; they are 1 if `visibility` is null.
     std::span<const glm::vec2> fractions;
-    const HighOrderVisibility* visibility = nullptr;  ///< null: `fractions` alone count
-    const VisibilityBlocks* seen = nullptr;           ///< by `visibility`
+    const HighOrderVisibility* visibility = nullptr;  ///< null: only `fractions` count
+    const VisibilityBlocks* seen = nullptr;           ///< coefficients for `visibility`
 };
 
-/// The part of reflected light that comes from orders above l_low.
+/// Reflection of the light's orders above l_low.
 class HighOrder {
 public:
     /// Keeps references. light_to_world rotates the maps' axes into the world's. Throws
-    /// Error(invalid_argument) where a map is missing, or maps or channels do not fit each other.
+    /// Error(invalid_argument) if a map is missing, or maps or channels do not fit each other.
     HighOrder(const HighOrderFactors& factors, const HighOrderMaps& maps, const glm::dmat3& light_to_world);
 
-    /// Adds to out[c][v], in the camera's frame field, for every vertex first <= v < last with visible[v] !=
-    /// 0. Calls for different vertices may run side by side.
+    /// Adds Stokes vectors, in the camera's frame field, to out[c][v] for every vertex first <= v < last with
+    /// visible[v] != 0. Calls for different vertices may run side by side.
     void run(const Viewpoint& view, std::span<const glm::vec3> positions, std::span<const glm::vec3> normals,
              std::span<const std::uint8_t> visible, const HighOrderShadows& shadows, std::size_t first,
              std::size_t last, std::span<const std::span<glm::vec4>> out) const;

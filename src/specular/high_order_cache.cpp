@@ -14,7 +14,7 @@ namespace nicol {
 namespace {
 
 constexpr std::string_view kMagic("NICOLHO\0", 8);
-// Raise it whenever the numbers of any fit change.
+// Version of the files; raise it whenever the numbers of any fit change.
 constexpr std::uint32_t kVersion = 2;
 
 std::string key_of(const std::string& content, int l_low, int l_high, int channels) {

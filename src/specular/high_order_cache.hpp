@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Fitted factors kept on disk between runs.
+// Disk cache of fitted factors.
 #pragma once
 
 #include <filesystem>
@@ -9,9 +9,9 @@
 
 namespace nicol {
 
-/// The factors of a material for orders l_low + 1 .. l_high, from `folder` if they are there, else fitted and
-/// kept there: for files, notices and materials without a content key what load_or_build() says of tables
-/// holds. Throws what HighOrderFactors' constructor throws.
+/// Returns the factors of a material for orders l_low + 1 .. l_high, from `folder` or, if they are not there,
+/// fitted and stored there. Files, notices and materials without a content key are treated as by
+/// load_or_build() for tables. Throws what HighOrderFactors' constructor throws.
 [[nodiscard]] HighOrderFactors load_or_fit(const Material& material, int l_low, int l_high, int channels,
                                            const std::filesystem::path& folder = {},
                                            const CacheNotice& notice = {});

@@ -18,16 +18,16 @@ namespace nicol {
 namespace {
 
 using std::numbers::pi;
-// Of the energy that is caught in s0: two percent of it in amplitude.
+// Fraction of the s0 energy that is negligible: two percent in amplitude.
 constexpr double kNegligible = 4e-4;
 constexpr auto kAngleCount = static_cast<std::size_t>(HighOrderFactors::kAngles);
 
 double zenith(std::size_t angle) {
-    // At 90 degrees the factors have a limit but the formulas of most materials are 0/0.
+    // The factors have a limit at 90 degrees, but the formulas of most materials are 0/0 there.
     return std::min(std::acos(static_cast<double>(angle) / (kAngleCount - 1)), pi / 2 - 1e-3);
 }
 
-// The elements of a pairing in their stored order, from the factors of each tap.
+// Returns the elements of a pairing in their stored order, from the factors of each tap.
 std::array<double, HighOrderFactors::kElements> elements_of(const SplitFactors& factors,
                                                             std::size_t pairing) {
     const auto f = [&](std::size_t tap, std::size_t row, std::size_t column) {
@@ -57,11 +57,11 @@ std::array<double, HighOrderFactors::kElements> elements_of(const SplitFactors& 
     return out;
 }
 
-// Energy of the response to unpolarized light that the taps catch, by channel, of s0, s1 and s2.
+// Energy of the response to unpolarized light that the taps represent, by channel, for s0, s1 and s2.
 using Energy = std::vector<std::array<double, 3>>;
 
 Energy caught(const SplitFit& fit, const SplitStencil& stencil) {
-    // Angles by the projected area they have on a sphere.
+    // Angles are weighted by their projected area on a sphere.
     constexpr std::size_t samples = 6;
     Energy sum;
     for (std::size_t k = 0; k < samples; ++k) {
@@ -75,8 +75,8 @@ Energy caught(const SplitFit& fit, const SplitStencil& stencil) {
     return sum;
 }
 
-// The lobes and their spread that catch most, each Stokes component counted by the part of it that the best
-// of them catches.
+// Returns the lobes and spread that represent the most energy. Each Stokes component counts relative to the
+// largest energy of that component among all candidates.
 SplitStencil best_stencil(const SplitFit& fit) {
     std::vector<SplitStencil> candidates;
     for (int outer = 1; outer < static_cast<int>(kLobeWidths.size()); ++outer)
@@ -100,7 +100,7 @@ SplitStencil best_stencil(const SplitFit& fit) {
     };
     const auto best = static_cast<std::size_t>(std::ranges::max_element(energy, {}, score) - energy.begin());
 
-    // A metal has nothing to gain from the tap at -n, which is for diffuse bases.
+    // A metal does not need the tap at -n, which represents diffuse bases.
     SplitStencil stencil = candidates[best];
     stencil.base = false;
     const Energy without = caught(fit, stencil);

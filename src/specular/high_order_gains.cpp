@@ -37,7 +37,8 @@ OrderGains cosine_gains(int first, int last) {
     OrderGains gains(static_cast<std::size_t>(last) + 1);
     if (first == 0) gains[0] = 1;
     if (first <= 1 && last >= 1) gains[1] = 2.0 / 3;
-    // 2 (-1)^(l/2 - 1) l! / ((l + 2) (l - 1) 2^l (l/2)!^2) for even l (Ramamoorthi and Hanrahan 2001).
+    // The gain of even l is 2 (-1)^(l/2 - 1) l! / ((l + 2) (l - 1) 2^l (l/2)!^2) (Ramamoorthi and Hanrahan
+    // 2001).
     double central = -1;
     for (int l = 2; l <= last; l += 2) {
         central *= -(l - 1.0) / l;

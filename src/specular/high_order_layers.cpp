@@ -14,10 +14,10 @@
 namespace nicol {
 struct HighOrderLayers::Block {
     std::size_t index;
-    std::size_t count;  // of vertices
+    std::size_t count;  // number of vertices in the block
     LaneMirror mirror;
     std::array<std::size_t, kLanes> angle;
-    Lanes fraction;  // towards the next angle
+    Lanes fraction;  // weight of the next angle
     std::array<Lanes, 2> visible;
 };
 
@@ -87,7 +87,7 @@ void HighOrderLayers::add_group(const Group& group, std::span<const LayerWeights
         rows.add(row);
     }
     if (rows.empty()) return;
-    // Whole squares are faster to transpose.
+    // The count is rounded up because whole squares are faster to transpose.
     const std::size_t used = polarized ? elements : kLanes;
     for (std::size_t pairing = 0; pairing < pairings; ++pairing)
         rows.sum(block.fraction, pairing * elements, used);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// High orders of light that several materials reflect together.
+// Reflection of high orders of light by several weighted materials.
 #pragma once
 
 #include <glm/mat3x3.hpp>
@@ -16,20 +16,21 @@
 
 namespace nicol {
 
-/// The layers of a material, each times weights: the sum of what HighOrder makes of them. Light is looked up
-/// once for all layers with the same maps and spread.
+/// Layers of a material, each times weights: the weighted sum of the layers' HighOrder results. Light is
+/// evaluated once for all layers with equal maps and spread.
 class HighOrderLayers {
 public:
     struct Layer {
         const HighOrderFactors* factors;
         HighOrderMaps maps;
     };
-    /// Keeps references; layers as HighOrder takes them. light_to_world rotates the maps' axes into the
-    /// world's.
+    /// Keeps references. The layers must satisfy the constraints of HighOrder. light_to_world rotates the
+    /// maps' axes into the world's.
     HighOrderLayers(const std::vector<Layer>& layers, const glm::dmat3& light_to_world);
 
-    /// Adds to out[c][v], in the camera's frame field, for all positions. weights: [block of sixteen][layer].
-    /// fractions: visible ones, of the lobe about the mirror direction and of the hemisphere, or empty.
+    /// Adds Stokes vectors, in the camera's frame field, to out[c][v] for all positions. weights: [block of
+    /// sixteen][layer]. fractions: visible fractions of the lobe about the mirror direction and of the
+    /// hemisphere, or empty.
     void run(const Viewpoint& view, std::span<const glm::vec3> positions, std::span<const glm::vec3> normals,
              std::span<const LayerWeights> weights, std::span<const glm::vec2> fractions,
              std::span<const std::span<glm::vec4>> out) const;
@@ -39,13 +40,13 @@ private:
         std::size_t layer;
         const HighOrderFactors* factors;
     };
-    // Layers with the same taps.
+    // Layers with equal taps.
     struct Group {
         HighOrderMaps maps;
         double spread;
         std::vector<Member> members;
     };
-    // What all groups of a block share.
+    // Values that all groups of a block share.
     struct Block;
 
     void add_group(const Group& group, std::span<const LayerWeights> weights, const Block& block,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A light's filtered maps, shared by all materials.
+// Filtered maps of one light, shared by all materials.
 #pragma once
 
 #include <array>
@@ -16,11 +16,11 @@ namespace nicol {
 /// Orders l_low + 1 .. l_high of a light, filtered once by each lobe that a material uses.
 class HighOrderLight {
 public:
-    /// `light`: coefficients in the light's own axes; orders it does not have count as zero. Throws
+    /// Takes `light`, coefficients in the light's own axes; orders above its own count as zero. Throws
     /// Error(invalid_argument) for orders out of 0 <= l_low < l_high <= kMaxOrder.
     HighOrderLight(PshVector light, int l_low, int l_high, bool polarized);
 
-    /// What HighOrder and a shader need for a material. The maps live as long as this object.
+    /// Returns the maps that HighOrder and shaders need for a material. The maps live as long as this object.
     [[nodiscard]] HighOrderMaps maps(const HighOrderFactors& factors);
 
     [[nodiscard]] std::size_t bytes() const noexcept;
@@ -32,13 +32,13 @@ private:
     int l_low_;
     int l_high_;
     bool polarized_;
-    std::array<std::unique_ptr<LobeMap>, kLobeWidths.size() + 1> lobes_;  // the last: cosine_gains()
+    std::array<std::unique_ptr<LobeMap>, kLobeWidths.size() + 1> lobes_;  // by lobe; last: cosine_gains()
 };
 
-/// The published form: orders l_low + 1 .. l_high of a light convolved with a material's kernels
-/// (mirrored_kernels(), one for all channels or one each), to be the central map of
-/// HighOrderFactors::mirror(). It has the kernels' channels where the light has one. Always polarized. Throws
-/// Error(invalid_argument) where channels do not fit or a kernel is shorter than l_high.
+/// Returns orders l_low + 1 .. l_high of a light convolved with a material's kernels, as published; the map
+/// is the central map of HighOrderFactors::mirror(). `kernels`: mirrored_kernels(), one for all channels or
+/// one for each. The map has the kernels' channels if the light has one channel. It is always polarized.
+/// Throws Error(invalid_argument) if channels do not fit or a kernel is shorter than l_high.
 [[nodiscard]] LobeMap convolved_map(const PshVector& light, std::span<const ConvolutionKernel> kernels,
                                     int l_low, int l_high, double tolerance = LobeMap::kTolerance);
 

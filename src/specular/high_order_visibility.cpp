@@ -29,8 +29,9 @@ struct Tables {
     store(out, part < 1.0F ? part : LaneVector{} + 1.0F);
 }
 
-// Y_lm = P_lm(z) times the real or imaginary part of (x + i y)^m, with the sine powers in the latter.
-// Visibility has no odd l + m.
+// Computes both fractions of sixteen vertices. Y_lm = P_lm(z) times the real or imaginary part of (x + i
+// y)^m, which includes the powers of the sine. Odd l + m are skipped because visibility has no such
+// coefficients.
 [[gnu::always_inline]] inline void filter(const Tables& tables, const std::int16_t* visibility,
                                           const LaneVectors& d, Lanes* fractions) {
     LaneVector x;
@@ -93,7 +94,7 @@ HighOrderVisibility::HighOrderVisibility(int order, double width) : order_(order
         throw Error(ErrorCode::invalid_argument,
                     "the width of a lobe is " + std::to_string(width) + "; it must lie in 0 to 4 radians");
     }
-    // A gain of about 1/4 is left at the last order, so that the lobe hardly rings.
+    // The minimum width leaves a gain of about 1/4 at the last order, so that the lobe hardly rings.
     const OrderGains lobe = gaussian_gains(std::max(width, 1.7 / (order + 1)), 0, order);
     lobe_.assign(lobe.begin(), lobe.end());
     const OrderGains cosine = cosine_gains(0, order);

@@ -15,7 +15,7 @@ namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;
 
-// Where the bilinear interpolation of sixteen directions starts, and the weights of its four texels.
+// Bilinear interpolation at sixteen directions: the first texel and the weights of the four texels.
 struct Positions {
     alignas(64) std::array<std::int32_t, kLanes> first;
     Lanes weight[4];
@@ -28,7 +28,7 @@ struct Grid {
     std::int32_t layers;
 };
 
-// The angle of (x, y) within a few roundings, 0 where both are 0.
+// Returns the angle of (x, y) within a few roundings, 0 if both are 0.
 [[gnu::always_inline]] inline float angle_of(float y, float x) {
     const float across = std::abs(x);
     const float along = std::abs(y);
@@ -53,7 +53,7 @@ struct Grid {
         const float azimuth = angle_of(y, x);
         const float u = (azimuth < 0 ? azimuth + 2 * kPi : azimuth) * across;
         const float v = angle_of(std::sqrt(x * x + y * y), d.z.value[i]) * down;
-        // Comparisons fail for what is not a number.
+        // The comparisons replace a NaN by 0, because they are false for it.
         auto left = static_cast<std::int32_t>(u > 0 ? u : 0.0F);
         auto top = static_cast<std::int32_t>(v > 0 ? v : 0.0F);
         left = left < grid.columns - 1 ? left : grid.columns - 1;
@@ -70,7 +70,7 @@ struct Grid {
 
 using FourFloats [[gnu::vector_size(16), gnu::may_alias, gnu::aligned(4)]] = float;
 
-// Four numbers of each lane, one lane after the other, to four of sixteen lanes.
+// Transposes four numbers of each lane, stored one lane after the other, to four vectors of sixteen lanes.
 [[gnu::always_inline]] inline void spread_fours(const LaneVector* fours, LaneVector* out) {
     const LaneVector a =
         __builtin_shufflevector(fours[0], fours[1], 0, 4, 8, 12, 16, 20, 24, 28, 1, 5, 9, 13, 17, 21, 25, 29);
@@ -86,7 +86,7 @@ using FourFloats [[gnu::vector_size(16), gnu::may_alias, gnu::aligned(4)]] = flo
     out[3] = __builtin_shufflevector(b, d, 8, 9, 10, 11, 12, 13, 14, 15, 24, 25, 26, 27, 28, 29, 30, 31);
 }
 
-// The interpolated numbers of Layers layers from `texels` on.
+// Interpolates the numbers of Layers layers from `texels` on.
 template <int Layers>
 [[gnu::always_inline]] inline void fetch(const Grid& grid, const float* texels, const Positions& at,
                                          LaneVector (*out)[4]) {
@@ -118,7 +118,7 @@ template <int Layers>
     }
 }
 
-// s1 = (x T x - y T y) / 2 and s2 = x T y by the five elements of T.
+// Computes s1 = (x T x - y T y) / 2 and s2 = x T y from the five elements of T.
 [[gnu::always_inline]] inline void sample_polarized(const Grid& grid, const LaneVectors& d,
                                                     const LaneVectors& x, Lanes* out) {
     Positions at;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Look-ups of filtered light, sixteen directions at once.
+// Evaluation of filtered light at sixteen directions at once.
 #pragma once
 
 #include "simd/lanes.hpp"
@@ -8,9 +8,10 @@
 
 namespace nicol {
 
-/// The light at directions in its own axes, with x (unit, across them) for the frame's x. out: of an
-/// unpolarized map s0 of each channel and up to three numbers to spare, of a polarized one the Stokes
-/// vectors, [channel][component]. Directions that are no unit vectors give unspecified values of the map.
+/// Evaluates the light at directions in its own axes, in frames with the x axis `x` (unit, orthogonal to the
+/// direction). out: s0 of each channel and up to three unused numbers for an unpolarized map; the Stokes
+/// vectors, [channel][component], for a polarized map. The result is an unspecified value of the map for a
+/// direction that is not a unit vector.
 void sample_lobe(const LobeMap& map, const LaneVectors& direction, const LaneVectors& x, Lanes* out);
 
 }  // namespace nicol

@@ -9,7 +9,7 @@
 namespace nicol {
 namespace {
 
-// Half of the lanes at once: as many doubles as the widest registers hold.
+// Half of the lanes; this many doubles fill the widest registers.
 constexpr std::size_t kHalf = kLanes / 2;
 using HalfLanes [[gnu::vector_size(kHalf * sizeof(double))]] = double;
 using HalfLanesInMemory [[gnu::vector_size(kHalf * sizeof(double)), gnu::may_alias]] = double;
@@ -34,7 +34,7 @@ using Direction = Vector3<HalfLanes>;
 
 using Rotation = std::array<double, 9>;  // by rows
 
-// In the axes of the light.
+// Stores a direction in the axes of the light.
 [[gnu::always_inline]] inline void store_rotated(const Rotation& r, const Direction& from, std::size_t first,
                                                  LaneVectors& to) {
     store_half(r[0] * from.x + r[1] * from.y + r[2] * from.z, first, to.x);
@@ -42,7 +42,8 @@ using Rotation = std::array<double, 9>;  // by rows
     store_half(r[6] * from.x + r[7] * from.y + r[8] * from.z, first, to.z);
 }
 
-// Double precision: a direction is off by what a float misses once, so that large maps keep their detail.
+// Mirrors half of the lanes. Double precision keeps the error of a direction to one rounding to float, so
+// that large maps keep their detail.
 [[gnu::always_inline]] inline void mirror_half(const CameraAxes& camera, const Rotation& to_light,
                                                const Direction& position, const Direction& n,
                                                std::size_t first, LaneMirror& out) {

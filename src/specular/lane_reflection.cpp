@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kRest = HighOrderFactors::kUnpolarized;
 
-// The blocks (0,0) (1,0) (0,1) (1,1) and (2,2) (3,2) (2,3) (3,3) of a mirror-symmetric factor.
+// Adds the blocks (0,0) (1,0) (0,1) (1,1) and (2,2) (3,2) (2,3) (3,3) of a mirror-symmetric factor.
 template <bool Polarized>
 [[gnu::always_inline]] inline void add_even(const Lanes* first, const Lanes* others, const LaneVector* s,
                                             LaneVector* sum) {
@@ -28,7 +28,7 @@ template <bool Polarized>
     }
 }
 
-// The blocks that change sign with the side.
+// Adds the blocks that change sign between right and left.
 template <bool Polarized>
 [[gnu::always_inline]] inline void add_odd(const Lanes* first, const Lanes* others, const LaneVector* s,
                                            LaneVector* sum) {
@@ -42,7 +42,7 @@ template <bool Polarized>
     }
 }
 
-// What a mirror-symmetric factor makes of the light at the taps, in the s-frame.
+// Adds the reflection of the light at the taps by mirror-symmetric factors, in the s-frame.
 template <bool Polarized>
 [[gnu::always_inline]] inline void add_taps(const ChannelTaps& taps, const Lanes* f, const Lanes& lobe,
                                             const Lanes& hemisphere, LaneVector* sum) {

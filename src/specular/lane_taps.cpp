@@ -10,7 +10,7 @@
 namespace nicol {
 namespace {
 
-// A direction rotated by an angle towards another, orthogonal one.
+// Returns a direction rotated by an angle towards another, orthogonal one.
 LaneVectors rotated(const LaneVectors& from, const LaneVectors& towards, float cosine, float sine) {
     LaneVectors out;
     for (std::size_t i = 0; i < kLanes; ++i) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Filtered light at the taps of the stencil of HighOrderFactors, sixteen vertices at once.
+// Filtered light at the taps of the stencil of HighOrderFactors, for sixteen vertices at once.
 #pragma once
 
 #include <cstddef>
@@ -12,22 +12,22 @@
 
 namespace nicol {
 
-/// The maps a material's factors are multiplied with; null where the factors do not use one. All have the
-/// same channels and kind.
+/// Maps that a material's factors multiply; null if the factors do not use a map. All maps have equal
+/// channels and kind.
 struct HighOrderMaps {
     const LobeMap* central = nullptr;
-    const LobeMap* outer = nullptr;  ///< where factors.spread() > 0
-    const LobeMap* base = nullptr;   ///< where factors.has_base()
+    const LobeMap* outer = nullptr;  ///< null unless factors.spread() > 0
+    const LobeMap* base = nullptr;   ///< null unless factors.has_base()
 };
 
-/// Memory of the calling thread; one object at a time.
+/// Light at the taps, in memory of the calling thread; only one object per thread may exist at a time.
 class LaneTaps {
 public:
-    /// spread: of the factors; base: whether they have one.
+    /// Takes the spread of the factors; base: whether the factors have a base tap.
     LaneTaps(const HighOrderMaps& maps, double spread, bool base);
 
     void sample(const LaneMirror& mirror);
-    /// Of a channel of the image.
+    /// Returns the taps of a channel of the image.
     [[nodiscard]] ChannelTaps channel(std::size_t channel) const;
 
 private:

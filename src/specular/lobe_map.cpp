@@ -18,7 +18,7 @@ namespace {
 
 using std::numbers::pi;
 
-// The filtered light up to its last order that matters.
+// Returns the filtered light up to its last significant order.
 PshVector filtered(const PshVector& light, std::span<const double> gains) {
     double largest = 0;
     for (const double gain : gains) {
@@ -32,8 +32,8 @@ PshVector filtered(const PshVector& light, std::span<const double> gains) {
     return out;
 }
 
-// Rows at which bilinear interpolation of sharpened texels misses the tolerance times the RMS: a wave of
-// degree l on texels h apart is missed by 0.04 (l h)^2.
+// Returns the number of rows at which bilinear interpolation of sharpened texels errs by the tolerance times
+// the RMS: the error for a wave of degree l on texels h apart is 0.04 (l h)^2.
 int rows_for(const PshVector& field, double tolerance) {
     double power = 0;
     double bent = 0;
@@ -50,7 +50,7 @@ int rows_for(const PshVector& field, double tolerance) {
     int steps = LobeMap::kLeastRows - 1;
     if (power == 0) return steps + 1;
     const double spacing = std::sqrt(tolerance / (0.04 * std::sqrt(bent / power)));
-    // As many columns as transform fast: powers of two, or three times these.
+    // Column counts are powers of two, or three times these, because their transforms are fast.
     for (int base = steps; base < LobeMap::kMostRows - 1 && steps * spacing < pi; base *= 2) {
         steps = base + base / 2;
         if (steps * spacing < pi) steps = 2 * base;
@@ -58,7 +58,7 @@ int rows_for(const PshVector& field, double tolerance) {
     return steps + 1;
 }
 
-// Interpolation blurs a wave of degree l by about (l h)^2 / 12.
+// Sharpens the field, because interpolation attenuates a wave of degree l by about (l h)^2 / 12.
 void sharpen(PshVector& field, double spacing) {
     std::vector<double> gains;
     for (int l = 0; l <= field.order(); ++l) gains.push_back(1 + l * (l + 1) * spacing * spacing / 12);

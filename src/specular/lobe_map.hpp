@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Distant light blurred by an isotropic lobe, as a map to look up.
+// Distant light filtered by an isotropic lobe, stored as a map.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -11,17 +11,17 @@
 namespace nicol {
 
 /// A Stokes vector field over propagation directions on an equirectangular grid about the light's own z axis,
-/// to be interpolated bilinearly: column c lies at phi = 2 pi c / columns() and repeats, row r at theta = pi
-/// r / (rows() - 1), so both poles are rows and no filter ever crosses a seam. Linear polarization is stored
-/// without a frame, as T = s1 (xx - yy) + s2 (xy + yx), which is smooth over the whole sphere.
+/// for bilinear interpolation. Column c lies at phi = 2 pi c / columns() and repeats; row r lies at theta =
+/// pi r / (rows() - 1), so both poles are rows and no filter ever crosses a seam. Linear polarization is
+/// stored without a frame, as T = s1 (xx - yy) + s2 (xy + yx), which is smooth over the whole sphere.
 ///
 /// A texel has layers() times four floats. Unpolarized: layer i holds s0 of the channels 4 i .. 4 i + 3.
 /// Polarized: layer 2 c holds (s0, s3, Txx, Tyy) of channel c and layer 2 c + 1 (Txy, Txz, Tyz, 0); Tzz =
 /// -Txx - Tyy.
 ///
-/// The grid is chosen from the filtered light's spectrum, so that the interpolation misses less than
-/// a tolerance times its RMS (up to kMostRows rows). Texels are sharpened by as much as the interpolation
-/// blurs, so they are not quite the field at their centres.
+/// The grid is chosen from the filtered light's spectrum, so that the interpolation error is below a
+/// tolerance times the RMS (up to kMostRows rows). Texels are sharpened to compensate the blur of the
+/// interpolation, so they differ slightly from the field at their centres.
 class LobeMap {
 public:
     static constexpr double kTolerance = 1e-3;
@@ -29,7 +29,7 @@ public:
     static constexpr int kMostRows = 1025;
 
     LobeMap() = default;
-    /// The light times the gains; orders beyond either are left out. Throws Error(invalid_argument) where a
+    /// Filters the light by the gains; orders beyond either are left out. Throws Error(invalid_argument) if a
     /// value is not finite, `gains` is empty or the tolerance is not positive.
     LobeMap(const PshVector& light, std::span<const double> gains, bool polarized,
             double tolerance = kTolerance);
@@ -39,9 +39,10 @@ public:
     [[nodiscard]] int channels() const noexcept { return channels_; }
     [[nodiscard]] bool polarized() const noexcept { return polarized_; }
     [[nodiscard]] int layers() const noexcept { return polarized_ ? 2 * channels_ : (channels_ + 3) / 4; }
-    /// [row][column][layer][4]; the first column is there again after the last.
+    /// Returns the texels, [row][column][layer][4]; the first column is repeated after the last.
     [[nodiscard]] std::span<const float> texels() const noexcept { return texels_; }
-    /// For textures, some layers one after another: [layer][row][column][4], each column once.
+    /// Returns `count` layers for textures, one after another: [layer][row][column][4], without a repeated
+    /// column.
     [[nodiscard]] std::vector<float> layers_apart(int first, int count) const;
     [[nodiscard]] std::size_t bytes() const noexcept { return texels_.size() * sizeof(float); }
 

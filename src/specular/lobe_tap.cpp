@@ -11,13 +11,13 @@ namespace {
 
 using std::numbers::pi;
 
-// exp(2 i c) for the angle c between `to` and `from` transported to it along their great circle.
+// Returns exp(2 i c) for the angle c between `to` and `from` transported to it along their great circle.
 std::complex<double> transport(const Frame& from, const Frame& to) {
     const glm::dvec3 along = to[2] - from[2] * glm::dot(to[2], from[2]);
     const glm::dvec3 arrived = to[2] * glm::dot(to[2], from[2]) - from[2];
     std::complex<double> start(glm::dot(along, from[0]), glm::dot(along, from[1]));
     std::complex<double> end(glm::dot(arrived, to[0]), glm::dot(arrived, to[1]));
-    if (std::norm(start) < 1e-16) {  // no great circle: nearly the same direction
+    if (std::norm(start) < 1e-16) {  // the great circle is undefined: the directions are nearly equal
         start = {glm::dot(to[0], from[0]), glm::dot(to[0], from[1])};
         end = 1;
     }

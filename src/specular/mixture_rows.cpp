@@ -12,7 +12,7 @@
 namespace nicol {
 namespace {
 
-// A layer's row at one point, between two of a table.
+// Row of a layer at one point, interpolated between two rows of a table.
 struct Term {
     const float* low;
     const float* high;
@@ -20,13 +20,13 @@ struct Term {
     std::array<float, 3> weights;
 };
 
-// Which channels, one or three with the same rows, and which numbers of them.
+// Selected channels (one, or three that share rows) and selected numbers of each.
 struct Part {
-    std::size_t channel;  // the first
+    std::size_t channel;  // the first channel
     std::size_t first_number, numbers;
 };
 
-// The numbers from j on.
+// Adds the terms' numbers from j on.
 template <std::size_t Count>
 [[gnu::always_inline]] inline void add_terms(std::span<const Term> terms, float fraction, std::size_t j,
                                              LaneVector* sums) {
@@ -41,8 +41,8 @@ template <std::size_t Count>
     }
 }
 
-// common: terms with one weight for all channels. The last vector overlaps the one before where the numbers
-// are no multiple of its own.
+// Adds all terms of one point. common: terms with one weight for all channels. The last vector overlaps the
+// one before if the count of numbers is no multiple of the vector's size.
 template <std::size_t Count>
 [[gnu::always_inline]] inline void add_point(std::span<const Term> common, std::span<const Term> own,
                                              float fraction, const Part& of, float* out) {
@@ -58,7 +58,7 @@ template <std::size_t Count>
     }
 }
 
-// out: [point][channel][number]. terms: room for twice as many as layers.
+// Adds all layers. out: [point][channel][number]. terms: space for two terms per layer.
 template <std::size_t Count>
 [[gnu::always_inline]] inline void add_layers(std::span<const MixtureRow> layers, const Lanes& fraction,
                                               const Part& of, std::span<Term> terms, float* out) {
@@ -82,7 +82,7 @@ template <std::size_t Count>
     }
 }
 
-// The same of one channel, of rows that are shorter than a vector.
+// Adds all layers of one channel, for rows that are shorter than a vector.
 void add_short(std::span<const MixtureRow> layers, const Lanes& fraction, const Part& of, float* out) {
     for (std::size_t i = 0; i < kLanes; ++i) {
         for (std::size_t j = of.first_number; j < of.first_number + of.numbers; ++j, ++out) {

@@ -20,10 +20,10 @@ namespace {
 
 using std::numbers::pi;
 constexpr std::size_t kLobes = kLobeWidths.size() + 1;
-// Keeps factors of nearly equal taps small, relative to the diagonal.
+// Regularization relative to the diagonal; it keeps the factors of nearly equal taps small.
 constexpr double kRidge = 1e-4;
 
-// a x = b for symmetric positive definite a (row-major, destroyed) and four right-hand sides.
+// Solves a x = b for symmetric positive definite a (row-major, destroyed) and four right-hand sides.
 void solve(std::vector<double>& a, std::array<SplitVector, 4>& b) {
     constexpr std::size_t n = kSplitUnknowns;
     for (std::size_t j = 0; j < n; ++j) {
@@ -46,8 +46,8 @@ void solve(std::vector<double>& a, std::array<SplitVector, 4>& b) {
     }
 }
 
-// Moments over half the circle of azimuths to those over all of it: mirrored in the plane of incidence, right
-// and left change places, and elements between (s0, s1) and (s2, s3) their sign.
+// Extends moments over half the circle of azimuths to the whole circle. Mirroring in the plane of incidence
+// exchanges right and left and changes the sign of elements between (s0, s1) and (s2, s3).
 void add_other_side(std::array<SplitVector, 4>& moments) {
     for (std::size_t p = 0; p < 4; ++p) {
         const SplitVector half = moments[p];
@@ -59,10 +59,11 @@ void add_other_side(std::array<SplitVector, 4>& moments) {
     }
 }
 
-// The s-frame x of outgoing light is phi-hat: theta-hat rotated by 90 degrees.
+// Signs of the rotation by 90 degrees from theta-hat to phi-hat, which is the x axis of outgoing light's
+// s-frame.
 constexpr std::array<double, 4> kQuarterRotation{1, -1, -1, 1};
 
-// Of incident components: s0, (s1, s2), s3. Taps of one part get no light of the others.
+// Part of each incident component: s0, (s1, s2), s3. Taps of one part get no light of the other parts.
 constexpr std::array<std::size_t, 4> kParts{0, 1, 1, 2};
 
 }  // namespace
@@ -124,7 +125,8 @@ std::vector<SplitFactors> SplitFit::at(double theta_out, const SplitStencil& ste
         }
     }
     for (std::size_t i = 0; i < n; ++i) {
-        // A tap may get nothing of these orders: a cosine of odd ones, spin 2 of those below the second.
+        // The diagonal may be 0 for two reasons: a cosine has no odd orders, and spin 2 has no orders below
+        // the second.
         double& diagonal = normal[i * n + i];
         diagonal = diagonal > 0 ? diagonal * (1 + kRidge) : 1;
     }

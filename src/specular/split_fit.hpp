@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Least squares behind HighOrderFactors.
+// Least-squares fit of HighOrderFactors.
 #pragma once
 
 #include <array>
@@ -10,40 +10,41 @@
 
 namespace nicol {
 
-/// The stencil of HighOrderFactors.
+/// Stencil of HighOrderFactors.
 struct SplitStencil {
-    int central;  ///< lobes, positions in kLobeWidths
+    int central;  ///< lobe of the central tap, index in kLobeWidths; so is `outer` of the outer taps
     int outer;
-    double spread;     ///< radians
-    bool base = true;  ///< whether the last tap counts
+    double spread;     ///< angle between the central and the outer taps, radians
+    bool base = true;  ///< whether there is a base tap
 
     static constexpr std::size_t kCount = 6;
-    /// Central, up, down, right, left, base in the surface's frame, for outgoing light at azimuth 0.
+    /// Returns central, up, down, right, left and base in the surface's frame, for outgoing light at azimuth
+    /// 0.
     [[nodiscard]] std::array<Tap, kCount> taps(double theta_out) const;
 };
 
-/// Unknowns: (tap, component) of the first five taps, then s0 of the last.
+/// Number of unknowns: (tap, component) of the first five taps, then s0 of the last.
 inline constexpr std::size_t kSplitUnknowns = 21;
 using SplitVector = std::array<double, kSplitUnknowns>;
 
-/// Factors for the four components of outgoing light, in the s-frame (x = n x v), and how much of the
-/// response's energy they catch: [outgoing component][incident s0, (s1, s2), s3].
+/// Factors for the four components of outgoing light, in the s-frame (x = n x v), and the energy of the
+/// response that they represent: [outgoing component][incident s0, (s1, s2), s3].
 struct SplitFactors {
     std::array<SplitVector, 4> of{};
     std::array<std::array<double, 3>, 4> energy{};
 };
 
-/// The fit for materials at outgoing angles. The response is weighted by 1 / (l (l + 1)), as the power of
-/// natural light is.
+/// Fit for materials at outgoing angles. The response is weighted by 1 / (l (l + 1)), like the power of
+/// natural light.
 class SplitFit {
 public:
-    /// The weight of an order's energy.
+    /// Returns the weight of an order's energy.
     [[nodiscard]] static double prior(int l) { return l == 0 ? 0 : 1 / (l * (l + 1.0)); }
 
-    /// `material` must outlive the object.
+    /// Keeps a reference to `material`, which must outlive the object.
     SplitFit(const Material& material, int l_low, int l_high, int channels);
 
-    /// Factors [channel] at theta_out in [0, pi/2). Calls may run side by side.
+    /// Returns the factors [channel] at theta_out in [0, pi/2). Calls may run side by side.
     [[nodiscard]] std::vector<SplitFactors> at(double theta_out, const SplitStencil& stencil) const;
 
 private:
@@ -60,9 +61,9 @@ private:
     int l_low_;
     int l_high_;
     int channels_;
-    std::vector<std::vector<double>> gains_;     // [lobe][l], times light's prior
-    std::vector<std::vector<double>> products_;  // [lobe][lobe][l], of two lobes and the prior
-    std::vector<ZonalKernel> kernels_;           // of gains_
+    std::vector<std::vector<double>> gains_;     // gains times the prior, [lobe][l]
+    std::vector<std::vector<double>> products_;  // [lobe][lobe][l], gains of two lobes and prior
+    std::vector<ZonalKernel> kernels_;           // kernels of gains_
 };
 
 }  // namespace nicol

@@ -11,7 +11,7 @@
 namespace nicol {
 namespace {
 
-// Single numbers, or the compiler's own vectors.
+// Look-ups of one point (single numbers) or of several (the compiler's own vectors).
 template <class Number, class Integer>
 struct FoundTaps {
     Number first[2], step[2], side[2], fraction;
@@ -26,7 +26,7 @@ template <class From, class To>
         to = __builtin_convertvector(from, To);
 }
 
-// In texels, of which squares of squares are finite; not a number becomes the lower end.
+// Limits coordinates in texels so that their fourth powers are finite. Not-a-number becomes the lower end.
 template <class Number>
 [[gnu::always_inline]] inline void limit(Number& texels) {
     const Number most = Number{} + 1e9F;
@@ -77,8 +77,8 @@ template <class Number, class Integer>
     convert(count, out.count);
     convert(out.count, count);
 
-    // The longer axis has the direction (radius + half, xy), and (xy, radius - half), of which one may
-    // vanish; where both do, any.
+    // The longer axis has the direction (radius + half, xy), and also (xy, radius - half). One of the two may
+    // vanish. If both vanish, any direction will do.
     const Number sum = radius + (half > 0 ? half : -half);
     const Number along[2] = {half > 0 ? sum : xy, half > 0 ? xy : sum};
     Number inverse = along[0] * along[0] + along[1] * along[1];
@@ -97,8 +97,8 @@ template <class Number, class Integer>
         out.first[k] -= 0.5F * (count - 1.0F) * out.step[k] + 0.5F * out.side[k];
     }
 
-    // Powers of four are taken from the exponent of the squared width, the rest from the mantissa: with m of
-    // 1 to 4, log2(m) / 2 is 2 (m - 1) / (m + 2) within 0.008.
+    // The squared width's logarithm to base four: powers of four come from the exponent, the rest from the
+    // mantissa. For a mantissa m of 1 to 4, log2(m) / 2 is 2 (m - 1) / (m + 2) within 0.008.
     Number squared = 0.875F + 0.5F * (count > rows ? width : part * middle);
     squared = squared > one ? squared : one;
     const Number last = zero + static_cast<float>(std::int64_t{1} << (2 * shape.last_level));

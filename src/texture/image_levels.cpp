@@ -10,7 +10,8 @@
 namespace nicol {
 namespace {
 
-/// What a texel of the next level covers along one axis: two texels of this one, or parts of three.
+/// Weights of the texels that a texel of the next level covers along one axis: two texels of this level, or
+/// parts of three.
 struct Taps {
     int first = 0;
     std::array<float, 3> weights{};
@@ -27,7 +28,7 @@ std::vector<Taps> halving_taps(int size) {
         for (int k = 0; k < 3; ++k) {
             const int texel = of_texel.first + k;
             const double covered = std::min(begin + step, texel + 1.0) - std::max(begin, double(texel));
-            // Rounding must not reach for a texel beyond the end.
+            // Rounding must not select a texel beyond the end.
             if (texel < size && covered > 1e-9)
                 of_texel.weights[static_cast<std::size_t>(k)] = static_cast<float>(covered / step);
         }

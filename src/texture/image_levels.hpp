@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// An image in ever smaller sizes (mipmap).
+// Mipmap levels of an image.
 #pragma once
 
 #include <vector>
@@ -8,8 +8,8 @@
 
 namespace nicol {
 
-/// The image, and then each level half the size of the one before, rounded down, to 1 x 1. A texel is the
-/// mean of what it covers, so that every level has the mean of the image.
+/// Returns the image and then each level half the size of the level before, rounded down, to 1 x 1. A texel
+/// is the mean of the area it covers, so that every level has the mean of the image.
 [[nodiscard]] std::vector<TextureImage> image_levels(TextureImage image);
 
 }  // namespace nicol

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Images as textures.
+// Textures of images.
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -22,8 +22,8 @@ namespace {
 
 using Float4 [[gnu::vector_size(16)]] = float;
 
-/// Values of one channel are alone; three, and four, lie side by side and are loaded at once, of three with
-/// one value too many.
+/// Loads the values of one pixel: a number for one channel, a vector for three or four channels. A vector of
+/// three channels has one value too many.
 template <int channels>
 auto load(const float* from) {
     if constexpr (channels == 1) {
@@ -56,7 +56,7 @@ Values mix(const Values& a, const Values& b, float t) {
 template <int kChannels>
 class ImageTexture final : public Texture {
 public:
-    /// The image is valid.
+    /// Takes a valid image.
     ImageTexture(TextureImage image, const TextureSampling& sampling)
         : filter_(sampling.filter),
           wrap_(sampling.wrap),
@@ -142,9 +142,10 @@ private:
         return level.values.data() + static_cast<std::ptrdiff_t>(y) * level.width * kChannels;
     }
 
-    /// The four texels around a point and where it lies between them. Texel centres are at (i + 0.5) / size.
+    /// Four texels around a point and the point's position between them.
+    /// Texel centres are at (i + 0.5) / size.
     struct Cell {
-        /// uv within 0 and 1.
+        /// `uv` must lie within 0 and 1.
         Cell(const ImageTexture& texture, const TextureImage& image, const glm::vec2& uv)
             : size(image.width, image.height) {
             const glm::vec2 texel = uv * size - 0.5F;
@@ -159,7 +160,7 @@ private:
             d = load<kChannels>(lower + kChannels * right);
         }
         [[nodiscard]] Values value() const { return mix(mix(a, b, at.x), mix(c, d, at.x), at.y); }
-        /// Of the first channel by u and v.
+        /// Returns the derivatives of the first channel by u and v.
         [[nodiscard]] glm::vec2 gradient() const {
             const Values by_x = mix(b - a, d - c, at.y), by_y = mix(c - a, d - b, at.x);
             return size * glm::vec2(first_of(by_x), first_of(by_y));
@@ -169,13 +170,13 @@ private:
         Values a, b, c, d;
     };
 
-    /// Of texel i and the next one, -1 <= i < size.
+    /// Returns the wrapped indices of texel i and the next texel, for -1 <= i < size.
     [[nodiscard]] std::pair<int, int> neighbours(int i, int size) const {
         if (wrap_ == TextureSampling::Wrap::repeat) return {i < 0 ? size - 1 : i, i + 1 == size ? 0 : i + 1};
         return {std::max(i, 0), std::min(i + 1, size - 1)};
     }
 
-    /// Within 0 and 1.
+    /// Returns `uv` wrapped to 0 to 1.
     [[nodiscard]] glm::vec2 wrapped(const glm::vec2& uv) const { return {wrapped(uv.x), wrapped(uv.y)}; }
     [[nodiscard]] float wrapped(float t) const {
         if (wrap_ == TextureSampling::Wrap::clamp) return t > 0 ? std::min(t, 1.0F) : 0.0F;
@@ -185,13 +186,13 @@ private:
         return std::min(of_two, 2 - of_two);
     }
 
-    /// Whether u and v run with the image, 1, or against it, -1.
+    /// Returns, for u and for v, 1 if the coordinate runs with the image and -1 if it runs against the image.
     [[nodiscard]] static glm::vec2 mirroring(const glm::vec2& uv) {
         return {floor_to_int(within_int(uv.x)) % 2 == 0 ? 1 : -1,
                 floor_to_int(within_int(uv.y)) % 2 == 0 ? 1 : -1};
     }
 
-    /// Of of_cell(cell, uv), over the places of a footprint, between levels.
+    /// Returns the mean of of_cell(cell, uv) over the points of a footprint, interpolated between levels.
     template <class Result, class OfCell>
     [[nodiscard]] Result mean_of_taps(const TexturePoint& point, const OfCell& of_cell) const {
         const FootprintTaps taps = footprint_taps(point, shape_);
@@ -251,7 +252,7 @@ private:
         for (glm::length_t c = 0; c < 4; ++c) out[static_cast<std::size_t>(c)][i] = color[c];
     }
 
-    /// What is asked of the whole image.
+    /// Computes mean, range and, if there are few, the distinct values of the whole image.
     void gather(const TextureImage& image) {
         const std::vector<float>& values = image.values;
         glm::dvec4 sum(0);

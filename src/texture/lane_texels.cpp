@@ -8,7 +8,8 @@ namespace nicol {
 namespace {
 
 using Wrap = TextureSampling::Wrap;
-// The compiler's own vectors: loops over lanes with choices stay loops over single numbers.
+// Vectors in the compiler's own types, because the compiler does not vectorise loops over lanes that contain
+// selections.
 using Number [[gnu::vector_size(64)]] = float;
 using Integer [[gnu::vector_size(64)]] = std::int32_t;
 
@@ -19,7 +20,7 @@ using Integer [[gnu::vector_size(64)]] = std::int32_t;
     *reinterpret_cast<IntVector*>(&to) = from;
 }
 
-// floor_to_int() of each.
+// Computes floor_to_int() of each lane.
 [[gnu::always_inline]] inline void floor_lanes(const Number& x, Integer& out) {
     out = __builtin_convertvector(x, Integer);
     out += x < __builtin_convertvector(out, Number);  // true is -1
@@ -31,7 +32,7 @@ using Integer [[gnu::vector_size(64)]] = std::int32_t;
         t = t < 1 ? t : Number{} + 1.0F;
         return;
     }
-    constexpr float most = 1 << 30;  // as within_int()
+    constexpr float most = 1 << 30;  // the limit of within_int()
     t = t > -most ? t : Number{} - most;
     t = t < most ? t : Number{} + most;
     Integer whole;
@@ -72,7 +73,7 @@ using Integer [[gnu::vector_size(64)]] = std::int32_t;
     }
 }
 
-// Of texel i and the next one, -1 <= i < size.
+// Finds the wrapped indices of texel i and the next texel, for -1 <= i < size.
 [[gnu::always_inline]] inline void find_neighbours(const Integer& i, const Integer& size, Wrap wrap,
                                                    Integer& first, Integer& second) {
     const Integer before = wrap == Wrap::repeat ? size - 1 : Integer{};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Images of textures from files.
+// Reading of texture images from files.
 #include <array>
 #include <cmath>
 #include <utility>
@@ -12,7 +12,7 @@
 namespace nicol {
 namespace {
 
-/// Of all numbers of 16 bits, those of 8 bits among them: n / 255 is 257 n / 65535.
+/// Number of 16-bit codes. The table also serves 8-bit codes, because n / 255 is 257 n / 65535.
 constexpr int kCodes = 65536;
 
 const std::array<float, kCodes>& decoded_codes() {
@@ -25,7 +25,7 @@ const std::array<float, kCodes>& decoded_codes() {
     return table;
 }
 
-/// Grey with coverage as red, green, blue and coverage.
+/// Returns grey with coverage as red, green, blue and coverage.
 std::vector<float> four_channels(const std::vector<float>& two) {
     std::vector<float> out;
     out.reserve(2 * two.size());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Texture coordinates of a surface to those of a texture.
+// Transform from a surface's texture coordinates to a texture's.
 #pragma once
 
 #include <cmath>
@@ -11,9 +11,10 @@
 
 namespace nicol {
 
-/// An affine map: linear * uv + offset.
+/// Affine map: linear * uv + offset.
 struct UvTransform {
-    /// Of a matrix for (u, v, 1). Throws Error(invalid_argument) unless it is finite with last row 0 0 1.
+    /// Takes the map from a matrix for (u, v, 1). Throws Error(invalid_argument) unless the matrix is finite
+    /// with last row 0 0 1.
     explicit UvTransform(const glm::dmat3& to_uv) : linear(to_uv), offset(to_uv[2]) {
         for (glm::length_t column = 0; column < 3; ++column) {
             for (glm::length_t row = 0; row < 3; ++row)
@@ -33,14 +34,14 @@ struct UvTransform {
     glm::vec2 offset;
 };
 
-/// The largest integer that is not above x, which must lie within +-2^30: three instructions, where
-/// std::floor is a call.
+/// Returns the largest integer that is not above x, which must lie within +-2^30. The function takes three
+/// instructions, whereas std::floor is a call.
 [[nodiscard]] inline int floor_to_int(float x) {
     const int towards_zero = static_cast<int>(x);
     return towards_zero - static_cast<int>(x < static_cast<float>(towards_zero));
 }
 
-/// Keeps coordinates within what floor_to_int() takes; not a number becomes the lower end.
+/// Limits coordinates to the range that floor_to_int() accepts. Not-a-number becomes the lower end.
 [[nodiscard]] inline float within_int(float x) {
     constexpr float most = 1 << 30;
     const float above = x > -most ? x : -most;

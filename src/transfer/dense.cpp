@@ -13,7 +13,7 @@
 namespace nicol {
 namespace {
 
-// Rows are padded to whole vectors of eight.
+// Returns the number of rows rounded up to whole vectors of eight.
 std::size_t padded(std::size_t rows) {
     return (rows + 7) / 8 * 8;
 }
@@ -28,7 +28,7 @@ std::vector<std::size_t> columns_of(int order, LightKind kind) {
     return columns;
 }
 
-// The Stokes components that come out of these.
+// Returns the smallest kind that contains the outgoing Stokes components of these channels.
 LightKind kind_out(std::span<const IsotropicMatrix> channels, LightKind kind_in) {
     LightKind kind = LightKind::unpolarized;
     for (const IsotropicMatrix& matrix : channels) {
@@ -36,7 +36,7 @@ LightKind kind_out(std::span<const IsotropicMatrix> channels, LightKind kind_in)
             for (int out = m; out <= matrix.order_out(); ++out) {
                 for (int in = m; in <= matrix.order_in(); ++in) {
                     const IsotropicMatrix::Block& block = matrix.block(m, out, in);
-                    // Rows and columns of a block: s0, s3, w, conj w.
+                    // Rows and columns of a block are s0, s3, w, conj w.
                     const auto any = [&block, kind_in](std::size_t row) {
                         const std::complex<double> zero = 0;
                         return block[4 * row] != zero ||
@@ -53,7 +53,7 @@ LightKind kind_out(std::span<const IsotropicMatrix> channels, LightKind kind_in)
     return kind;
 }
 
-// out += a matrix of `columns` columns of `rows` numbers each, times x.
+// Adds to `out`: a matrix of `columns` columns of `rows` numbers each, times x.
 [[gnu::always_inline]] inline void multiply(std::size_t rows, std::size_t columns, const float* matrix,
                                             const float* x, float* out) {
     std::size_t j = 0;
@@ -146,8 +146,8 @@ DenseBuilder::DenseBuilder(std::shared_ptr<const DenseMaterial> material,
 }
 
 void DenseBuilder::build(const glm::vec3& normal, std::span<const double> visibility, std::span<float> out) {
-    // shadow x rotation: since rotations are orthogonal, the rows of the shadow matrix rotated as if they
-    // were fields.
+    // Computes shadow x rotation by rotating the rows of the shadow matrix as if they were fields. The two
+    // are equal because rotations are orthogonal.
     const PshRotation to_world(material_->order(), theta_phi_frame(glm::dvec3(normal)));
     if (visibility.empty()) {
         to_world.apply(identity_.data(), rotated_.data());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The transfer matrices of the paper: one a vertex, from the world's light to outgoing coefficients.
+// Dense transfer matrices of the paper: one per vertex, from the world's light to outgoing coefficients.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -15,26 +15,26 @@
 
 namespace nicol {
 
-/// What the matrices of one material share: which coefficients go in, which come out, and the material's own
-/// matrix. Rows and columns that are zero for every vertex are not stored.
+/// Part that the matrices of one material share: the incident and outgoing coefficients, and the material's
+/// own matrix. Rows and columns that are zero for every vertex are not stored.
 class DenseMaterial {
 public:
-    /// One matrix a channel in the surface's frame (project_material()), all of the same orders; `kind`: of
-    /// the light. Throws Error(invalid_argument) for none or for orders above
+    /// Takes one matrix per channel in the surface's frame (project_material()), all of equal orders; `kind`
+    /// is that of the light. Throws Error(invalid_argument) if there is no matrix or an order exceeds
     /// CoefficientMatrix::kMaxDenseOrder.
     DenseMaterial(std::span<const IsotropicMatrix> channels, LightKind kind);
 
     [[nodiscard]] int order() const noexcept { return outgoing_.order(); }
     [[nodiscard]] int channels() const noexcept { return static_cast<int>(entries_.size()); }
-    /// The coefficients that come out, in each vertex's own frame.
+    /// Returns the layout of the outgoing coefficients, in each vertex's own frame.
     [[nodiscard]] const LightLayout& outgoing() const noexcept { return outgoing_; }
-    /// Positions 4 * psh_index(l, m) + p of the light's coefficients that go in.
+    /// Returns the positions 4 * psh_index(l, m) + p of the light's coefficients that the matrices use.
     [[nodiscard]] const std::vector<std::size_t>& columns() const noexcept { return columns_; }
 
 private:
     friend class DenseBuilder;
     struct Entry {
-        std::size_t row;     // number of the outgoing layout
+        std::size_t row;     // index in the outgoing layout
         std::size_t column;  // 4 * psh_index(l, m) + p in the surface's frame
         float value;
     };
@@ -44,7 +44,7 @@ private:
     std::vector<std::vector<Entry>> entries_;  // by channel
 };
 
-/// The matrices of a run of vertices of one material, [vertex][channel][column][row].
+/// Matrices of consecutive vertices of one material, [vertex][channel][column][row].
 class DenseTransfer {
 public:
     DenseTransfer(std::shared_ptr<const DenseMaterial> material, std::size_t vertices);
@@ -55,17 +55,17 @@ public:
     [[nodiscard]] std::span<float> at(std::size_t vertex) {
         return {data_.get() + vertex * vertex_stride_, vertex_stride_};
     }
-    /// Of vertices first <= v < last.
+    /// Returns the matrices of vertices first <= v < last.
     [[nodiscard]] std::span<const float> between(std::size_t first, std::size_t last) const {
         return {data_.get() + first * vertex_stride_, (last - first) * vertex_stride_};
     }
-    /// Floats a vertex.
+    /// Returns the number of floats per vertex.
     [[nodiscard]] std::size_t vertex_stride() const noexcept { return vertex_stride_; }
     [[nodiscard]] std::size_t bytes() const noexcept { return vertices_ * vertex_stride_ * sizeof(float); }
 
-    /// relight: the outgoing coefficients of vertices first <= v < last, written to out's vertices
-    /// out_first + v. `light` is in the world's axes; a light or material of one channel serves all channels
-    /// of out. Runs on the calling thread; calls for different vertices may run side by side.
+    /// Relights vertices first <= v < last: computes their outgoing coefficients and writes them to out's
+    /// vertices out_first + v. `light` is in the world's axes; a light or material of one channel serves all
+    /// channels of out. Runs on the calling thread; calls for different vertices may run side by side.
     void apply(const PshVector& light, std::size_t first, std::size_t last, std::size_t out_first,
                VertexLight& out) const;
 
@@ -77,16 +77,16 @@ private:
     std::unique_ptr<float[]> data_;
 };
 
-/// Makes the matrices: reflected = material x shadow (Eq. 54, by triple products) x rotation into the
-/// vertex's frame. Holds work space: one object a thread.
+/// Builder of the matrices: reflected = material x shadow (Eq. 54, by triple products) x rotation into the
+/// vertex's frame. It holds work space, so each thread needs its own object.
 class DenseBuilder {
 public:
-    /// `shadows` may be shared; its orders are those of the material, its scalar order that of the
-    /// visibility.
+    /// Takes `shadows`, which may be shared. Its orders must equal the material's, its scalar order that of
+    /// the visibility.
     DenseBuilder(std::shared_ptr<const DenseMaterial> material, std::shared_ptr<const ShadowMatrix> shadows);
 
-    /// visibility: coefficients over real harmonics in the vertex's frame, of the directions the light
-    /// travels in; empty where nothing is in the way.
+    /// Computes the matrices of one vertex. visibility: coefficients over real harmonics of the propagation
+    /// direction, in the vertex's frame; empty if the vertex is unoccluded.
     void build(const glm::vec3& normal, std::span<const double> visibility, std::span<float> out);
 
 private:
@@ -94,7 +94,7 @@ private:
     std::shared_ptr<const ShadowMatrix> shadows_;
     CoefficientMatrix identity_;
     CoefficientMatrix rotated_;
-    std::vector<float> rows_;      // of rotated_, the columns that go in
+    std::vector<float> rows_;      // columns of rotated_ that the matrices use
     std::vector<float> products_;  // [row][column]
 };
 

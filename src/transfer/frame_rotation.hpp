@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lights that differ from place to place, between the world's axes and surfaces' frames.
+// Rotation of lights that differ from place to place, between the world's axes and surface frames.
 #pragma once
 
 #include <cstddef>
@@ -13,14 +13,14 @@
 
 namespace nicol {
 
-/// Rotates the coefficients of LightLayout of sixteen lights at once: in the world's axes, or in the frame with z
-/// along a normal and x and y along theta-hat and phi-hat there (theta_phi_frame). A normal (0, 0, 1) has the
-/// world's axes as its frame. Immutable; threads share it.
+/// Rotation of the LightLayout coefficients of sixteen lights at once, between the world's axes and a frame
+/// with z along a normal and x and y along theta-hat and phi-hat there (theta_phi_frame). The frame of the
+/// normal (0, 0, 1) is the world's axes. Immutable; threads share it.
 class FrameRotation {
 public:
     explicit FrameRotation(const LightLayout& layout);
 
-    /// Rotates a block of `light` where it is. `normals`: at most kLanes unit vectors, one a lane.
+    /// Rotates a block of `light` in place. `normals`: at most kLanes unit vectors, one per lane.
     void into_frames(std::span<const glm::vec3> normals, VertexLight& light, std::size_t block) const;
     void into_world(std::span<const glm::vec3> normals, VertexLight& light, std::size_t block) const;
 

@@ -13,13 +13,13 @@
 namespace nicol {
 namespace {
 
-// cos and sin of m phi, or m theta, for m = 0, 1, ...
+// Cosine and sine of m phi, or of m theta, for m = 0, 1, ...
 struct Angles {
     const Lanes* cosine;
     const Lanes* sine;
 };
 
-// Rows a, a + 2, ... of a quarter times every other number of Fields fields x.
+// Multiplies rows a, a + 2, ... of a quarter by every other number of Fields fields x.
 template <int Fields, int Rows>
 [[gnu::always_inline]] inline void multiply_rows(const float* matrix, int l, int a, int n0, const Lanes* x,
                                                  Lanes* out) {
@@ -38,7 +38,8 @@ template <int Fields, int Rows>
     }
 }
 
-// out[a] = sum of matrix[a][n] x[n] over a = a0, a0 + 2, ... and n = n0, n0 + 2, ..., both at most l.
+// Computes out[a] = sum of matrix[a][n] x[n] over a = a0, a0 + 2, ... and n = n0, n0 + 2, ..., both at most
+// l.
 template <int Fields>
 [[gnu::always_inline]] inline void multiply(const float* matrix, int l, int a0, int n0, const Lanes* x,
                                             Lanes* out) {
@@ -51,9 +52,9 @@ template <int Fields>
     if (a <= l) multiply_rows<Fields, 1>(matrix, l, a, n0, x, out);
 }
 
-// A real field has h_-m = (-1)^m conj(h_m), also between the two products, so each column contributes either
-// its real or its imaginary part: the columns with n = l + a mod 2 make the real part of row a, the others
-// the imaginary one.
+// Multiplies a real field. Because h_-m = (-1)^m conj(h_m), also between the two products, each column
+// contributes either its real or its imaginary part: columns with n = l + a mod 2 contribute to the real part
+// of row a, the others to its imaginary part.
 template <int Fields>
 [[gnu::always_inline]] inline void multiply_real(const float* matrix, int l, const Lanes* re, const Lanes* im,
                                                  Lanes* re_out, Lanes* im_out) {
@@ -63,7 +64,7 @@ template <int Fields>
     }
 }
 
-// z (c + i s), or with its conjugate: one number z for all lanes.
+// Computes z (c + i s), or z (c - i s) for sign -1; z is one number for all lanes.
 template <int Fields>
 [[gnu::always_inline]] inline void spread(const std::complex<float>* const* in, int at, const Angles& by,
                                           int m, float sign, Lanes* re, Lanes* im) {
@@ -80,7 +81,7 @@ template <int Fields>
     }
 }
 
-// The same of a number in each lane.
+// Multiplies the number in each lane by c + i s, or by c - i s for sign -1.
 template <int Fields>
 [[gnu::always_inline]] inline void multiply_phase(Lanes* re, Lanes* im, const Angles& by, int m, float sign) {
     LaneVector c;
@@ -98,7 +99,8 @@ template <int Fields>
     }
 }
 
-// What a rotation of fields needs. Where `in` is null, `re` and `im` hold them, one in each lane.
+// Arguments of a rotation. The fields are `in` (one for all lanes) or, if that is null, `re` and `im` (one in
+// each lane).
 struct Rotation {
     int order;
     bool back;
@@ -112,7 +114,7 @@ struct Rotation {
     Lanes* scratch;
 };
 
-// The phase that a rotation begins with, or the rotation back ends with.
+// Multiplies by the azimuth's phase, which is the first step of a rotation and the last step of the reverse.
 template <int Fields>
 [[gnu::always_inline]] inline void multiply_azimuth(const Rotation& t, int at, int m, Lanes* re, Lanes* im) {
     const float sign = (m < 0) != t.back ? -1.0F : 1.0F;
@@ -151,8 +153,8 @@ template <int Fields>
     }
 }
 
-// out_{+-a} = E +- O: sums over columns with n = l mod 2 and over the others, of h_n + h_-n where l + a is
-// even and of h_n - h_-n where it is odd.
+// Computes out_{+-a} = E +- O. E is a sum over columns with n = l mod 2, O over the other columns. The terms
+// are h_n + h_-n if l + a is even, and h_n - h_-n if it is odd.
 template <int Fields>
 [[gnu::always_inline]] inline void multiply_complex(const float* matrix, int l, Lanes* centre,
                                                     Lanes* scratch) {
@@ -227,7 +229,7 @@ template <int Fields>
     if (fields == 3) rotate_complex_fields<3>(t);
 }
 
-// Of the rotations by phi + pi / 2 and by -theta.
+// Cosines and sines of the rotation angles phi + pi / 2 and -theta.
 struct Rotations {
     DoubleLanes azimuth_cosine;
     DoubleLanes azimuth_sine;
@@ -239,7 +241,8 @@ struct Rotations {
                                                   const DoubleLanes& z, Rotations& out) {
     for (std::size_t i = 0; i < kLanes; ++i) {
         const double rho = std::sqrt(x.value[i] * x.value[i] + y.value[i] * y.value[i]);
-        // At a pole theta_phi_frame takes phi as 0, and so must this. The right angle is i exp(i phi).
+        // theta_phi_frame takes phi as 0 at a pole, and this function must agree. The added pi / 2 is the
+        // factor i in i exp(i phi).
         const double inverse = 1 / (rho > 0 ? rho : 1);
         out.azimuth_cosine.value[i] = -y.value[i] * inverse;
         out.azimuth_sine.value[i] = rho > 0 ? x.value[i] * inverse : 1;

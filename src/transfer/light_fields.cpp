@@ -20,7 +20,7 @@ struct PartOfField {
     double factor;
 };
 
-// Of f_m, whose complex number is at `position`.
+// Returns the real or imaginary part of f_m; the stored complex number is at `position`.
 PartOfField part_of(std::size_t position, int m, bool imaginary, std::size_t imaginary_begin,
                     LightFields::Form form) {
     if (form == LightFields::Form::coefficients) return {position + (imaginary ? imaginary_begin : 0), 1.0};
@@ -30,7 +30,7 @@ PartOfField part_of(std::size_t position, int m, bool imaginary, std::size_t ima
     return {position + (imaginary != exchanged ? imaginary_begin : 0), negative ? -1.0 : 1.0};
 }
 
-// Where the light's coefficient 4 psh_index(l, m) + p is in a field.
+// Returns the part of a field that holds the light's coefficient 4 psh_index(l, m) + p.
 PartOfField part_of(std::size_t coefficient, std::size_t imaginary_begin, LightFields::Form form) {
     const std::size_t p = coefficient % 4;
     const std::size_t index = coefficient / 4;
@@ -45,8 +45,8 @@ PartOfField part_of(std::size_t coefficient, std::size_t imaginary_begin, LightF
     return out;
 }
 
-// Numbers that are sums over parts of a field have factors that are orthogonal, so that the reverse has the
-// same ones over their squares.
+// Returns the inverse of `terms`. Numbers that are sums over parts of a field have orthogonal factors, so the
+// inverse has these factors divided by the sum of their squares.
 std::vector<Term> reversed(const std::vector<Term>& terms, std::size_t parts) {
     std::vector<Term> out(parts, Term{0, 0, 0, 0});
     std::vector<float> squares(parts, 0);

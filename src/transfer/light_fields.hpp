@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Between the coefficients of LightLayout and the fields that LaneRotation rotates.
+// Conversion between the coefficients of LightLayout and the fields that LaneRotation rotates.
 #pragma once
 
 #include <cstddef>
@@ -11,33 +11,33 @@
 
 namespace nicol {
 
-/// The fields of one light: s0, s1 + i s2 and s3, as far as the layout has them.
+/// Fields of one light: s0, s1 + i s2 and s3, as far as the layout has them.
 class LightFields {
 public:
-    /// What the fields hold.
+    /// Content of the fields.
     enum class Form {
         coefficients,  ///< f_lm
-        rotated,       ///< v_lm with f_lm = (-i)^m v_lm, as a rotation leaves them
+        rotated,       ///< v_lm with f_lm = (-i)^m v_lm, as after a rotation
     };
     LightFields(const LightLayout& layout, Form form);
 
-    /// A sum of two factors times numbers.
+    /// Sum of two numbers, each times a factor.
     struct Term {
         std::size_t first;
         std::size_t second;
         float first_factor;
-        float second_factor;  ///< 0: there is no second
+        float second_factor;  ///< 0 if there is no second number
     };
     struct Part {
         LightKind component;  ///< unpolarized: s0, linear: s1 + i s2, full: s3
         LaneRotation::Field kind;
-        std::size_t begin;             ///< the first of the light's numbers that it has
-        std::vector<Term> to_light;    ///< its numbers, from real and imaginary parts of the field
-        std::vector<Term> from_light;  ///< the reverse
+        std::size_t begin;             ///< index of the part's first number in the light
+        std::vector<Term> to_light;    ///< the light's numbers from real and imaginary parts of the field
+        std::vector<Term> from_light;  ///< real and imaginary parts of the field from the light's numbers
     };
     [[nodiscard]] const std::vector<Part>& parts() const noexcept { return parts_; }
 
-    /// light = the numbers of field `field` of `fields` ones that stand side by side.
+    /// Computes the light's numbers from field `field` of `fields` fields that stand side by side.
     static void to_light(const Part& part, const Lanes* all, std::size_t fields, std::size_t field,
                          Lanes* light);
     static void from_light(const Part& part, const Lanes* light, std::size_t fields, std::size_t field,

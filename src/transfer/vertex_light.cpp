@@ -10,7 +10,8 @@
 namespace nicol {
 namespace {
 
-// Coefficients over complex harmonics of a real field, m >= 0, from those over real ones.
+// Returns the coefficients of a real field over complex harmonics, m >= 0, from its coefficients over real
+// ones.
 std::vector<std::complex<float>> complex_half(std::span<const double> channel, int order, std::size_t p) {
     std::vector<std::complex<float>> half;
     for (int l = 0; l <= order; ++l) {

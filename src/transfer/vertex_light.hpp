@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// relight: the environment's light in the frame of each vertex.
+// The relight step: rotation of the environment's light into the frame of each vertex.
 #pragma once
 
 #include <complex>
@@ -16,20 +16,20 @@ namespace nicol {
 
 /// Coefficients of the light arriving at vertices, in each vertex's own frame: z along the normal, x and y
 /// along theta-hat and phi-hat at the normal (theta_phi_frame). 32-bit floats, sixteen consecutive vertices
-/// side by side; the last block may have lanes to spare.
+/// side by side; the last block may have unused lanes.
 class VertexLight {
 public:
     VertexLight() = default;
     VertexLight(const LightLayout& layout, int channels, std::size_t vertices) {
         resize(layout, channels, vertices);
     }
-    /// Where layout and channels stay the same, vertices below both sizes keep their light; otherwise the
-    /// content is unspecified. Does not allocate where the size is the same.
+    /// Changes the size. If layout and channels do not change, vertices below both sizes keep their light;
+    /// otherwise the content is unspecified. Does not allocate if the size does not change.
     void resize(const LightLayout& layout, int channels, std::size_t vertices);
 
     [[nodiscard]] int channels() const noexcept { return channels_; }
     [[nodiscard]] std::size_t blocks() const noexcept { return blocks_; }
-    /// The coefficients of LightLayout of vertices 16 block to 16 block + 15.
+    /// Returns the coefficients of LightLayout of vertices 16 block to 16 block + 15.
     [[nodiscard]] std::span<const Lanes> block(std::size_t block, int channel) const {
         return {data_.data() + offset(block, channel), size_};
     }
@@ -37,9 +37,9 @@ public:
         return {data_.data() + offset(block, channel), size_};
     }
 
-    /// Leaves the coefficients of each vertex of a block one after the other, in the same memory.
+    /// Reorders a block in place: the coefficients of each vertex follow one another.
     void to_rows(std::size_t block);
-    /// [channel][number], after to_rows() of its block.
+    /// Returns the coefficients of one vertex, [channel][number], after to_rows() of its block.
     [[nodiscard]] const float* row(std::size_t vertex) const {
         return data_[offset(vertex / kLanes, 0)].value.data() + vertex % kLanes * row_size();
     }
@@ -60,10 +60,10 @@ private:
     std::vector<Lanes> data_;
 };
 
-/// A distant light, prepared for rotation into many vertices' frames.
+/// Distant light, prepared for rotation into many vertices' frames.
 class Relight {
 public:
-    /// `light`: coefficients in the world's axes, of at least the layout's order.
+    /// Takes `light`, coefficients in the world's axes, of at least the layout's order.
     Relight(const LightLayout& layout, const PshVector& light);
 
     /// Writes blocks first <= b < last of `out`, which has the layout's kind and order. `normals`: unit
@@ -72,7 +72,7 @@ public:
     void run(std::span<const glm::vec3> normals, std::size_t first, std::size_t last, VertexLight& out) const;
 
 private:
-    // Complex fields: s0 and s3 over complex harmonics, m >= 0, s1 + i s2 for all m.
+    // Complex fields: s0 and s3 over complex harmonics for m >= 0, s1 + i s2 for all m.
     using Field = std::vector<std::complex<float>>;
 
     void run_part(std::size_t part, LaneRotation::Work& work, std::size_t block, VertexLight& out) const;
@@ -80,7 +80,7 @@ private:
     int order_;
     LaneRotation rotation_;
     LightFields fields_;
-    std::vector<std::vector<Field>> channels_;  // of each part
+    std::vector<std::vector<Field>> channels_;  // [part][channel]
 };
 
 }  // namespace nicol

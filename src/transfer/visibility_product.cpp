@@ -23,7 +23,7 @@ constexpr std::uint32_t kUnoccluded = ~std::uint32_t{0};
 constexpr float kLargestFixed = 32767.0F / kFixedOne;
 
 std::int16_t to_fixed(float number) {
-    // Added to a float of this size, a number is rounded to a whole one, faster than by std::lround.
+    // Added to a float of this size, a number is rounded to an integer, faster than by std::lround.
     constexpr float whole = 12582912.0F;
     const float scaled = std::clamp(number * kFixedOne, -32767.0F, 32767.0F);
     return static_cast<std::int16_t>((scaled + whole) - whole);
@@ -128,7 +128,8 @@ void VisibilityProduct::find_vertices(const Visibility& visibility) {
     }
 }
 
-// With fewer directions than coefficients, their sums may leave the range of visibility.
+// Finds the unit of the stored numbers. With fewer directions than coefficients, the numbers may leave the
+// range of visibility.
 void VisibilityProduct::find_unit(const Input& input) {
     const float largest = tbb::parallel_reduce(
         tbb::blocked_range<std::size_t>(0, blocks()), 0.0F,
@@ -160,8 +161,8 @@ void VisibilityProduct::compute_block(std::size_t block, const Input& input, std
 }
 
 void VisibilityProduct::store_block(std::size_t block, std::span<const Lanes> numbers) {
-    const std::size_t step = matrices_ ? 2 : 1;         // from lane to lane
-    const std::size_t second = matrices_ ? 1 : kLanes;  // from the first number of a pair to the second
+    const std::size_t step = matrices_ ? 2 : 1;         // step from lane to lane
+    const std::size_t second = matrices_ ? 1 : kLanes;  // step from the first number of a pair to the second
     NumberPair* pair = &numbers_[block * size_ / 2];
     for (std::size_t k = 0; k < size_; k += 2, ++pair) {
         for (std::size_t i = 0; i < kLanes; ++i) {

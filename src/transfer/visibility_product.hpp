@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// relight, second half: the light at each vertex times its visibility.
+// The relight step, second half: product of the light and the visibility at each vertex.
 #pragma once
 
 #include <array>
@@ -18,52 +18,53 @@
 
 namespace nicol {
 
-/// The product V f (Eq. 54) of visibility and Stokes vector field at every vertex, in the vertices' frames,
-/// cut at the order of f and exact for the coefficients of V (VisibilityHarmonics) up to twice that order.
-/// Numbers have 16 bits; each is off by at most 3.1e-5, or where the directions do not resolve twice the
-/// order, 3.1e-5 times the power of two that its largest number requires. Blocks of sixteen consecutive
-/// unoccluded vertices cost nothing. Immutable once made.
+/// The product V f (Eq. 54) of visibility and Stokes vector field at every vertex, in the vertices' frames.
+/// It is truncated at the order of f and exact for the coefficients of V (VisibilityHarmonics) up to twice
+/// that order. Numbers have 16 bits; each is off by at most 3.1e-5. If the directions do not resolve twice
+/// the order, the bound is 3.1e-5 times the power of two that the largest number requires. Blocks of sixteen
+/// consecutive unoccluded vertices cost nothing. Immutable once made.
 class VisibilityProduct {
 public:
-    /// Up to this order a vertex has a symmetric matrix, O(order^4), above it samples on a grid, O(order^3).
-    /// Matrices are two to four times as fast, but take four times the memory of the grid at order 6 and
-    /// eleven times at 12.
+    /// Highest order for which a vertex has a symmetric matrix, O(order^4); above it, a vertex has samples on
+    /// a grid, O(order^3). Matrices are two to four times as fast, but take four times the memory of the grid
+    /// at order 6 and eleven times at 12.
     static constexpr int kHighestMatrixOrder = 9;
 
-    /// For light of this layout. `normals`: one for each vertex of `visibility`. `keep`, of the same vertices
-    /// and twice the layout's order, receives the coefficients of visibility that this computes on the way.
-    /// Runs on the calling thread's TBB arena. Throws Error(invalid_argument) for sizes that do not fit or an
-    /// order beyond half of VisibilityHarmonics::kHighestOrder.
+    /// Makes the product for light of this layout. `normals`: one for each vertex of `visibility`. `keep`, of
+    /// equally many vertices and twice the layout's order, receives the coefficients of visibility, which are
+    /// computed on the way. Runs on the calling thread's TBB arena. Throws Error(invalid_argument) for sizes
+    /// that do not fit or an order beyond half of VisibilityHarmonics::kHighestOrder.
     VisibilityProduct(const Visibility& visibility, const DirectionSet& directions,
                       std::span<const glm::vec3> normals, const LightLayout& layout,
                       VisibilityBlocks* keep = nullptr);
-    /// The same from the product of an earlier state, of the same directions and layout, whose numbers are
-    /// taken over for blocks of vertices that are all `unchanged`: 1 for each vertex that had the same
-    /// visibility and normal under the same number.
+    /// Makes the product from that of an earlier state with equal directions and layout. Numbers are taken
+    /// over for blocks of vertices that are all `unchanged`: 1 for each vertex that had equal visibility and
+    /// normal under the same number.
     VisibilityProduct(VisibilityProduct&& before, std::span<const std::uint8_t> unchanged,
                       const Visibility& visibility, const DirectionSet& directions,
                       std::span<const glm::vec3> normals);
 
-    /// How many blocks of sixteen consecutive vertices, as VertexLight has them, have an occluded vertex.
+    /// Returns the number of blocks of sixteen consecutive vertices, as in VertexLight, with an occluded
+    /// vertex.
     [[nodiscard]] std::size_t blocks() const noexcept { return (vertices_.size() + kLanes - 1) / kLanes; }
 
-    /// light = V light for the vertices of VertexLight's blocks `first` <= b < `last`; unoccluded blocks are
-    /// left alone. Calls for different blocks may run side by side.
+    /// Computes light = V light for the vertices of VertexLight's blocks `first` <= b < `last`; unoccluded
+    /// blocks are left unchanged. Calls for different blocks may run side by side.
     void run(VertexLight& light, std::size_t first, std::size_t last) const;
 
-    /// For other processors: views of the object.
+    /// Views of the object for implementations on other processors.
     [[nodiscard]] std::span<const std::uint32_t> vertices() const noexcept {
         return vertices_;
-    }  ///< of all blocks
-    /// What a number counts; a number is stored as a multiple of unit() / kFixedOne.
+    }  ///< vertices of all blocks
+    /// Returns the unit of the numbers: a number is stored as a multiple of unit() / kFixedOne.
     [[nodiscard]] float unit() const noexcept { return unit_; }
     [[nodiscard]] std::size_t numbers_of_vertex() const noexcept { return size_; }
-    /// Up to kHighestMatrixOrder [block][two elements of the matrices][lane][either], above it
-    /// [block][sample of the grid][lane].
+    /// Returns the numbers: up to kHighestMatrixOrder [block][pair of matrix elements][lane][element of the
+    /// pair], above it [block][sample of the grid][lane].
     [[nodiscard]] std::span<const std::int16_t> numbers() const noexcept {
         return {numbers_.empty() ? nullptr : numbers_.front().value.data(), numbers_.size() * 2 * kLanes};
     }
-    /// One of the two is null.
+    /// Returns the matrices or null. Exactly one of matrices() and grid() is null.
     [[nodiscard]] const ShadowMatrices* matrices() const noexcept {
         return matrices_ ? &*matrices_ : nullptr;
     }
@@ -72,12 +73,12 @@ public:
     [[nodiscard]] std::size_t bytes() const noexcept;
 
 private:
-    // Two numbers of sixteen vertices: of a matrix side by side in each lane, of the grid one after the
-    // other.
+    // Two numbers of sixteen vertices: side by side in each lane for matrices, one after the other for the
+    // grid.
     struct alignas(64) NumberPair {
         std::array<std::int16_t, 2 * kLanes> value;
     };
-    // What the numbers are computed from.
+    // Input of the computation of the numbers.
     struct Input {
         const Visibility& visibility;
         const VisibilityHarmonics& harmonics;
@@ -91,11 +92,11 @@ private:
     void store_block(std::size_t block, std::span<const Lanes> numbers);
 
     LightLayout layout_;
-    std::optional<ShadowMatrices> matrices_;  // one of the two
+    std::optional<ShadowMatrices> matrices_;  // set up to kHighestMatrixOrder; otherwise grid_ is set
     std::optional<ShadowGrid> grid_;
-    std::vector<std::uint32_t> vertices_;  // of all blocks, ascending
-    std::vector<std::uint32_t> block_of_;  // of each sixteen vertices, their block of numbers or kUnoccluded
-    std::size_t size_ = 0;                 // numbers of a vertex, even
+    std::vector<std::uint32_t> vertices_;  // vertices of all blocks, ascending
+    std::vector<std::uint32_t> block_of_;  // by sixteen vertices, their block of numbers or kUnoccluded
+    std::size_t size_ = 0;                 // numbers per vertex, even
     float unit_ = 1;
     std::vector<NumberPair> numbers_;  // [block][pair]
 };

@@ -25,14 +25,14 @@
 namespace nicol {
 namespace {
 
-// Rays between two calls of the progress callback.
+// Number of rays between two calls of the progress callback.
 constexpr std::size_t kRaysAtATime = std::size_t{1} << 21;
 
 std::vector<glm::vec3> unit_normals(std::span<const glm::vec3> normals) {
     std::vector<glm::vec3> out;
     out.reserve(normals.size());
     for (std::size_t v = 0; v < normals.size(); ++v) {
-        // In double, where squares of floats neither vanish nor overflow.
+        // Double precision is needed because squares of floats may vanish or overflow.
         const glm::dvec3 normal(normals[v]);
         const double length = glm::length(normal);
         if (!(length > 0) || !std::isfinite(length)) {
@@ -45,7 +45,7 @@ std::vector<glm::vec3> unit_normals(std::span<const glm::vec3> normals) {
     return out;
 }
 
-// Where each vertex was in the list of a former bake, or none.
+// Place in the list of a former bake for vertices that were not in it.
 constexpr std::size_t kNone = ~std::size_t{0};
 
 std::vector<std::size_t> places_before(const FormerBake& former, std::size_t vertices) {
@@ -61,11 +61,12 @@ std::vector<std::size_t> places_before(const FormerBake& former, std::size_t ver
     return places;
 }
 
-// Margin against rounding: of radii, relative to the distance, and of cosines.
+// Margin against rounding: of radii relative to the distance, and of cosines.
 constexpr float kSlack = 1e-4F;
 
-// disturbed[b] = 1 where the angle between an axis and the unit vector is at most the sum of half the opening
-// angle and an angle of this cosine and sine, which is below a right angle.
+// Sets disturbed[b] = 1 if the angle between axis b and the unit vector `to` is at most the sum of two
+// angles: the cone's half opening angle (cosine, sine) and the ball's angle (ball_cosine, ball_sine), which
+// is below a right angle.
 [[gnu::always_inline]] inline void mark_near(std::size_t count, const float* x, const float* y,
                                              const float* z, const float* cosine, const float* sine,
                                              const glm::vec3& to, float ball_cosine, float ball_sine,
@@ -77,7 +78,7 @@ constexpr float kSlack = 1e-4F;
     }
 }
 
-/// A cone around each of a set's bundles of directions.
+/// Cone around each bundle of a direction set.
 class BundleCones {
 public:
     explicit BundleCones(const DirectionSet& directions) {
@@ -92,7 +93,7 @@ public:
             double cosine = 1;
             for (std::size_t i = 0; i < RayBundle::kRays; ++i)
                 cosine = std::min(cosine, glm::dot(axis, ray(i)));
-            // A cone wider than a half sphere is the whole sphere.
+            // A cone wider than a half sphere is replaced by the whole sphere.
             const bool wide = cosine <= 0;
             x_.push_back(static_cast<float>(axis.x));
             y_.push_back(static_cast<float>(axis.y));
@@ -102,15 +103,15 @@ public:
         }
     }
 
-    /// Sets disturbed[b] where a ray from `origin` in a direction of bundle b may meet the ball; others are
-    /// left alone. For directions above the plane of the unit normal it is conservative: it may set too many,
-    /// never too few.
+    /// Sets disturbed[b] to 1 if a ray from `origin` in a direction of bundle b may meet the ball; leaves
+    /// other values unchanged. For directions above the plane of the unit normal it is conservative: it may
+    /// mark too many bundles, never too few.
     void mark(const glm::vec3& origin, const glm::vec3& normal, const Ball& ball,
               std::span<std::uint8_t> disturbed) const {
         const glm::vec3 to = ball.centre - origin;
         const float distance = glm::length(to);
         const float radius = ball.radius + kSlack * (distance + ball.radius);
-        if (glm::dot(normal, to) < -radius) return;  // wholly below the horizon
+        if (glm::dot(normal, to) < -radius) return;  // the whole ball is below the horizon
         if (!(radius < distance)) {
             std::ranges::fill(disturbed, std::uint8_t{1});
             return;
@@ -121,7 +122,7 @@ public:
     }
 
 private:
-    // Unit axes, and cosines and sines of half the opening angle.
+    // Unit axes of the cones; cosines and sines of half their opening angles.
     std::vector<float> x_, y_, z_, cosine_, sine_;
 };
 

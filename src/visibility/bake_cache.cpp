@@ -17,9 +17,9 @@ namespace nicol {
 namespace {
 
 constexpr std::string_view kMagic("NICOLVIS", 8);
-// Raise it whenever the same geometry and directions give other bits.
+// Version of visibility files; raise it whenever equal geometry and directions give different bits.
 constexpr std::uint32_t kVersion = 1;
-// Likewise for refinements.
+// Magic and version of refinement files; raise the version whenever equal input gives a different refinement.
 constexpr std::string_view kRefinementMagic("NICOLREF", 8);
 constexpr std::uint32_t kRefinementVersion = 1;
 
@@ -38,7 +38,7 @@ Key key_of(const char* what, const BakeGeometry& geometry, const DirectionSet& d
         .add("directions", hash_of(directions.directions()));
 }
 
-// What the file holds, if it can be used.
+// Returns the visibility that the file holds, or nothing if the file cannot be used.
 std::optional<Visibility> read(const CacheFile& file, std::size_t directions, std::size_t vertices,
                                const CacheNotice& notice) {
     std::vector<std::uint64_t> bits((directions + 63) / 64 * vertices);
@@ -54,11 +54,10 @@ std::optional<Visibility> read(const CacheFile& file, std::size_t directions, st
     return std::nullopt;
 }
 
-// The content of a file: how many vertices were added and triangles there are, then the arrays one after the
-// other.
+// Counts at the start of a refinement file: added vertices, triangles. The arrays follow one after the other.
 using Counts = std::array<std::uint64_t, 2>;
 
-// Calls part(array) for each array of a refinement but those of the visibility.
+// Calls part(array) for each array of a refinement except the arrays of its visibility.
 template <class Part>
 void for_each_array(auto& refinement, Part&& part) {
     part(std::span(refinement.parents));
@@ -115,7 +114,7 @@ std::string write(const CacheFile& file, const Refinement& refinement, const Vis
 Visibility load_or_bake(const BakeGeometry& geometry, const DirectionSet& directions,
                         const std::filesystem::path& folder, const CacheNotice& notice,
                         const BakeProgress& progress, BakeStatistics* statistics) {
-    // What a surface lacks has no name that a file could be found by.
+    // Visibility with an alpha mask is not cached, because the key of the file does not cover the mask.
     if (folder.empty() || geometry.present) return bake(geometry, directions, progress, statistics);
     const CacheFile file(folder, kMagic, kVersion, key_of("visibility", geometry, directions).text(),
                          ".visibility");

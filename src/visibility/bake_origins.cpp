@@ -15,7 +15,7 @@ float largest_coordinate(const glm::vec3& p) {
     return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
 }
 
-// The largest coordinate of any triangle at each vertex, or at a vertex in the same place.
+// Returns, for each vertex, the largest coordinate of any triangle at its position.
 std::vector<float> reaches(const BakeGeometry& geometry) {
     const std::span<const glm::vec3> positions = geometry.positions;
     std::vector<float> reach(positions.size());
@@ -48,7 +48,8 @@ glm::vec3 unit_or_zero(const glm::dvec3& v) {
     return length > 0 ? glm::vec3(v / length) : glm::vec3(0);
 }
 
-// The sum of the unit vectors along the edges of each vertex's triangles: inside a surface they cancel.
+// Returns the sum of the unit vectors along the edges of each vertex's triangles; they cancel inside a
+// surface.
 std::vector<glm::vec3> inward(const BakeGeometry& geometry) {
     std::vector<glm::vec3> out(geometry.positions.size(), glm::vec3(0));
     for (const glm::uvec3& t : geometry.triangles) {
@@ -73,7 +74,7 @@ std::vector<glm::vec3> bake_origins(const BakeGeometry& geometry, std::span<cons
         const glm::vec3& normal = unit_normals[v];
         glm::vec3 tangent = origins[v] - glm::dot(origins[v], normal) * normal;
         const float length = glm::length(tangent);
-        // What is left of edges that cancel points nowhere.
+        // A short remainder has no meaningful direction: it is what rounding leaves of edges that cancel.
         tangent = length > 1e-2F ? tangent / length : glm::vec3(0);
         const float step = std::ldexp(reach[v], -19);
         origins[v] = geometry.positions[v] + step * (normal + tangent);

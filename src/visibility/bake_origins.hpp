@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where the rays of a bake start.
+// Start points of the rays of a bake.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -10,10 +10,11 @@
 
 namespace nicol {
 
-/// A point beside each vertex that is safely outside its own triangles: shifted by some 30 units in the last
-/// place of the largest coordinate around, along the unit normal, and by as much in the tangent plane towards
-/// the middle of the vertex's triangles. The first keeps a convex surface out of its own way: nothing of it
-/// lies above the plane of a vertex. The second keeps a vertex at the foot of a wall on its side of the wall.
+/// Returns, for each vertex, a point that is safely outside its own triangles. The point is shifted by about
+/// 30 units in the last place of the largest coordinate around, along the unit normal and also in the tangent
+/// plane towards the middle of the vertex's triangles. The first shift keeps a convex surface from shadowing
+/// itself, because nothing of it lies above the tangent plane of a vertex. The second shift keeps a vertex at
+/// the foot of a wall on its side of the wall.
 [[nodiscard]] std::vector<glm::vec3> bake_origins(const BakeGeometry& geometry,
                                                   std::span<const glm::vec3> unit_normals);
 

@@ -21,15 +21,16 @@
 namespace nicol {
 namespace {
 
-// Each round halves edges, so that floats end before the rounds do.
+// Largest number of rounds. Each round halves edges, so that floats run out of precision before the rounds
+// end.
 constexpr int kRounds = 32;
-// Vertices, and blocked rays of each, that are followed to where they land.
+// Largest number of vertices, and of blocked rays per vertex, that are followed to their hit points.
 constexpr std::size_t kFollowedVertices = 4096;
 constexpr std::size_t kFollowedRays = 16;
-// Edges stay this many times longer than rays start beside the surface.
+// Shortest edge in units of the distance between the surface and the start of rays.
 constexpr double kOffsets = 64;
-// Parts of the shadowed region's extent: edges that are not split, and edges shorter than which may err by
-// more, in proportion: there is less area at them.
+// Lengths as fractions of the shadowed region's extent: edges up to kShortest are not split. Edges below
+// kShort may err by more, in inverse proportion to their length, because there is less area at them.
 constexpr double kShortest = 1.0 / 256;
 constexpr double kShort = 1.0 / 32;
 
@@ -96,7 +97,7 @@ private:
         auto operator<=>(const Wrong&) const = default;
     };
 
-    // Irradiance that is hidden, and its first moment, where that of a free surface is 1.
+    // Returns the hidden irradiance and its first moment, relative to the irradiance at an unoccluded vertex.
     [[nodiscard]] glm::vec4 hidden(const Visibility& visibility, std::size_t vertex,
                                    const glm::vec3& normal) const {
         glm::vec4 sum(0);
@@ -112,7 +113,8 @@ private:
         return sum / std::numbers::pi_v<float>;
     }
 
-    // Of a difference of two hidden(): the irradiance's or the moment's.
+    // Returns the magnitude of a difference of two hidden(): of the irradiance or of the moment, whichever is
+    // larger.
     static double size(const glm::vec4& difference) {
         return static_cast<double>(std::max(
             std::abs(difference.x), glm::length(glm::vec3(difference.y, difference.z, difference.w))));
@@ -124,12 +126,12 @@ private:
 
     [[nodiscard]] bool occluded(std::uint32_t v) const { return hidden_[rows_[v]].x > 0; }
 
-    // Whether an edge errs by too much.
+    // Returns whether the interpolation error of an edge is too large.
     [[nodiscard]] bool wrong(double error, double length) const {
         return length > shortest_ && error * std::min(length, short_) > options_.tolerance * short_;
     }
 
-    // The square root of the area where shadows are.
+    // Returns the square root of the area of triangles with an occluded vertex.
     [[nodiscard]] double shadowed_extent() const {
         double area = 0;
         for (const glm::uvec3& t : mesh_.triangles()) {
@@ -142,7 +144,7 @@ private:
         return std::sqrt(area);
     }
 
-    // A point in the middle of two vertices: how its normal and the start of its rays follow from theirs.
+    // Returns the normal (or the shift to the start of rays) at the middle of two vertices.
     [[nodiscard]] glm::vec3 middle_normal(std::uint32_t a, std::uint32_t b) const {
         const glm::vec3 mean = 0.5F * normals_[a] + 0.5F * normals_[b];
         return glm::dot(mean, mean) > 1e-12F ? mean : normals_[a];
@@ -155,7 +157,7 @@ private:
         return mean + (along - glm::dot(mean, normal)) * normal;
     }
 
-    // Traces the middles of pairs of vertices that have not been traced yet.
+    // Traces the middles of those pairs of vertices that have not been traced yet.
     void trace(const std::vector<glm::uvec2>& pairs) {
         std::vector<glm::uvec2> fresh;
         for (const glm::uvec2& pair : pairs) {
@@ -183,8 +185,9 @@ private:
         return middles_.at(pair_key(a, b));
     }
 
-    // Edges along which interpolation errs by more than the tolerance. Where what is hidden changes one way
-    // from end to end, it errs by half of the change at most: only then is the middle traced.
+    // Returns the edges along which interpolation errs by more than the tolerance. If the hidden irradiance
+    // is monotonic along an edge, the error is at most half of the change; therefore the middle is traced
+    // only if half of the change exceeds the tolerance.
     [[nodiscard]] std::vector<Wrong> wrong_edges() {
         std::vector<glm::uvec2> pairs;
         for (const glm::uvec3& t : mesh_.triangles()) {
@@ -209,7 +212,8 @@ private:
         return found;
     }
 
-    // Splits as many of these edges as the bound on vertices allows, heaviest first. Returns whether any.
+    // Splits as many of these edges as the bound on vertices allows, heaviest first. Returns whether any was
+    // split.
     bool split(std::vector<Wrong> wrong) {
         const std::size_t vertices = mesh_.positions().size();
         if (vertices >= options_.max_vertices) return false;
@@ -236,7 +240,7 @@ private:
         return true;
     }
 
-    // Makes large triangles small where blocked rays land.
+    // Refines large triangles at the hit points of blocked rays.
     void follow_blocked_rays() {
         find_wanted_lengths();
         for (int round = 0; round < kRounds; ++round) {
@@ -257,7 +261,8 @@ private:
         wanted_.clear();
     }
 
-    // What a blocked ray meets is as close to what blocks it as the ray is long.
+    // Finds the wanted edge lengths: a hit point of a blocked ray is as far from its occluded vertex as the
+    // ray is long.
     void find_wanted_lengths() {
         std::vector<float> around(baked_.vertices(), 0);
         for (const glm::uvec3& t : geometry_.triangles) {
@@ -307,13 +312,13 @@ private:
     const std::shared_ptr<const RayScene> scene_;
     EdgeBisection mesh_;
     std::vector<WantedLength> wanted_;
-    // Of vertices.
-    std::vector<glm::vec3> normals_;  // interpolated, of any length
-    std::vector<glm::vec3> shifts_;   // to the start of their rays
-    std::vector<std::size_t> rows_;   // below
-    // Of traced points: all given vertices, then middles of edges, whether these are split or not.
+    // Arrays by vertex:
+    std::vector<glm::vec3> normals_;  // interpolated normals, of any length
+    std::vector<glm::vec3> shifts_;   // shifts from the vertices to the start of their rays
+    std::vector<std::size_t> rows_;   // rows of hidden_
+    // Values by traced point: all given vertices, then middles of edges, whether these are split or not.
     std::vector<glm::vec4> hidden_;
-    // Of middles alone, as in Visibility.
+    // Bits and flags by middle, as in Visibility.
     std::vector<std::uint64_t> bits_;
     std::vector<std::uint8_t> open_;
     std::unordered_map<std::uint64_t, std::size_t> middles_;  // row of a pair's middle

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// bake: more vertices where shadows change faster than a mesh is fine.
+// Refinement of a mesh at shadows that change faster than its vertices can represent.
 #pragma once
 
 #include <cstddef>
@@ -13,33 +13,35 @@
 namespace nicol {
 
 struct RefineOptions {
-    /// Largest error that interpolation along an edge may make in what is hidden: the irradiance of a white
-    /// environment and its first moment, relative to the irradiance without shadows. Above 0.
+    /// Largest interpolation error along an edge in the hidden irradiance (of a white environment) and its
+    /// first moment, relative to the irradiance without shadows. Above 0.
     double tolerance = 0.02;
-    /// That there may be in the end; nothing is refined where there are as many already.
+    /// Largest number of vertices of the result. Nothing is refined if there are as many already.
     std::size_t max_vertices = 65536;
 };
 
-/// A mesh with some of its triangles replaced by smaller ones, and what its vertices see. Whatever a vertex
-/// carries follows from `parents`, in order: an added vertex has the mean of the two.
+/// A mesh with some of its triangles replaced by smaller ones, and the visibility at its vertices. All other
+/// vertex attributes follow from `parents`, in order: an added vertex has the mean of its two parents.
 struct Refinement {
-    std::vector<glm::uvec2> parents;     ///< of added vertices, which are numbered after those given
-    std::vector<glm::uvec3> triangles;   ///< all
-    std::vector<std::uint32_t> sources;  ///< the given triangle that each is a part of; not decreasing
-    Visibility visibility;               ///< of given and added vertices
+    std::vector<glm::uvec2> parents;     ///< two parents of each added vertex; added vertices come last
+    std::vector<glm::uvec3> triangles;   ///< all triangles of the refined mesh
+    std::vector<std::uint32_t> sources;  ///< given triangle that contains each triangle; not decreasing
+    Visibility visibility;               ///< visibility at the given and the added vertices
 };
 
-/// Splits triangles of a baked geometry until what is hidden from vertices is linear between them to the
-/// tolerance, edges with the largest error times squared length first. The surface stays where it is.
+/// Splits triangles of a baked geometry until the hidden irradiance is linear between vertices within the
+/// tolerance, in the order of decreasing error times squared length of edges. The surface itself does not
+/// change.
 ///
-/// Where blocked rays land close to their start, triangles are first made about as small as that is close or
-/// as the triangles around the start: what stands on the middle of a large triangle hides nothing from its
-/// corners. Shadows may jump: edges shorter than 1/32 of the shadowed region's extent may err by more, in
-/// inverse proportion, and those shorter than 1/256 are not split.
+/// Triangles near the start of blocked rays are refined first: to about the length of the blocked ray, or to
+/// the size of the triangles around its start if that is larger. This step is needed because an object in the
+/// middle of a large triangle hides nothing from the triangle's corners. Shadows may be discontinuous.
+/// Therefore edges shorter than 1/32 of the shadowed region's extent may err by more, in inverse proportion,
+/// and edges shorter than 1/256 are not split.
 ///
-/// `visibility` is bake()'s; added vertices are traced as its are. Where nothing is occluded nothing is done,
-/// and `parents` is empty. Adds its rays, vertices and time to `statistics`. The result depends on the
-/// arguments alone. Throws what bake() throws.
+/// `visibility` must be the result of bake(); added vertices are traced in the same way. If no vertex is
+/// occluded, nothing is refined and `parents` is empty. Adds its rays, vertices and time to `statistics`. The
+/// result depends on the arguments alone. Throws what bake() throws.
 [[nodiscard]] Refinement refine(const BakeGeometry& geometry, const DirectionSet& directions,
                                 const Visibility& visibility, const RefineOptions& options,
                                 const BakeProgress& progress, BakeStatistics& statistics);

@@ -24,10 +24,10 @@ using Component = ShadowGrid::Component;
 using Pair = ShadowGrid::Pair;
 using Slots = ShadowGrid::Slots;
 
-/// Most slots of one component: 2 order + 1.
+/// Largest number of slots of one component: 2 order + 1 for order 64.
 constexpr std::size_t kMostSlots = 2 * 64 + 1;
 
-// Those of even l + m.
+// Returns the harmonics of even l + m.
 std::vector<Harmonic> mirrored_harmonics(int order) {
     std::vector<Harmonic> out;
     for (int m = -order; m <= order; ++m) {
@@ -59,7 +59,7 @@ Component component(const std::vector<SeparatedHarmonic>& harmonics, bool second
     return out;
 }
 
-// Legendre, coefficients to slots.
+// Computes the slots of one row from coefficients (Legendre transform).
 [[gnu::always_inline]] inline void to_slots(const Component& component, std::size_t row, const Lanes* in,
                                             LaneVector* slots) {
     const float* harmonic = component.on_rows.data() + row * component.harmonics;
@@ -74,7 +74,7 @@ Component component(const std::vector<SeparatedHarmonic>& harmonics, bool second
     }
 }
 
-// Legendre, slots to coefficients, which are added to `out`.
+// Adds the coefficients of one row's slots to `out` (transposed Legendre transform).
 [[gnu::always_inline]] inline void from_slots(const Component& component, std::size_t row,
                                               const LaneVector* slots, Lanes* out) {
     const float* harmonic = component.on_rows.data() + row * component.harmonics;
@@ -88,8 +88,8 @@ Component component(const std::vector<SeparatedHarmonic>& harmonics, bool second
     }
 }
 
-// The samples of Parts functions in Count columns from `table` on: what is loaded of one serves all of the
-// other.
+// Computes the samples of Parts functions in Count columns, whose factors begin at `table`. Each loaded
+// factor serves all functions, and each loaded slot all columns.
 template <std::size_t Parts, std::size_t Count>
 [[gnu::always_inline]] inline void to_columns(const Slots& layout, const float* table,
                                               const LaneVector (*slots)[kMostSlots],
@@ -122,7 +122,7 @@ template <std::size_t Parts, std::size_t Count>
     }
 }
 
-// The adjoint of to_columns(): adds the samples to the slots.
+// Adds the samples to the slots: the adjoint of to_columns().
 template <std::size_t Parts, std::size_t Count>
 [[gnu::always_inline]] inline void from_columns(const Slots& layout, const float* table,
                                                 const LaneVector (&samples)[Parts][Count][4],
@@ -153,7 +153,8 @@ template <std::size_t Parts, std::size_t Count>
     }
 }
 
-// Count columns of one row, from the first of visibility's samples there.
+// Multiplies Count columns of one row by visibility; `samples` are those of visibility from the first column
+// on.
 template <std::size_t Count>
 [[gnu::always_inline]] inline void multiply_columns(const Slots& slots, const float* table,
                                                     const LaneVector (*before)[kMostSlots],
@@ -206,7 +207,7 @@ template <std::size_t Count>
     }
 }
 
-/// samples[4 column + image] on one row of a component with coefficients `in`.
+/// Computes samples[4 column + image] on one row, of a component with coefficients `in`.
 void synthesize_row(const Component& component, const Slots& slots, std::size_t row, std::size_t quarter,
                     const Lanes* in, Lanes* samples) {
     LaneVector values[1][kMostSlots] = {};
@@ -220,7 +221,7 @@ void synthesize_row(const Component& component, const Slots& slots, std::size_t 
     }
 }
 
-/// Adds visibility times the pair `from` of the light `in` to the pair `to` of the light `out`.
+/// Adds to the pair `to` of the light `out`: visibility times the pair `from` of the light `in`.
 void multiply_pair(const Pair& from, const Pair& to, const Slots& slots, std::size_t rows,
                    std::size_t quarter, const std::int16_t* samples, const Lanes* in, Lanes* out) {
     dispatch<multiply_rows>(from, to, slots, rows, quarter, samples, in, out);
@@ -247,8 +248,8 @@ std::uint32_t ShadowGrid::Slots::of(int m) const {
     return degree % 2 == 0 ? begin[2] + degree / 2 - 1 : begin[3] + degree / 2;
 }
 
-// The integrand has degree 4 order: rows integrate polynomials below twice their count, columns degrees below
-// theirs.
+// The integrand has degree 4 order: Gauss-Legendre rows integrate polynomials below twice their count,
+// columns integrate degrees below their count.
 ShadowGrid::ShadowGrid(const LightLayout& layout)
     : rows_(2 * layout.order() + 1),
       quarter_(static_cast<std::size_t>(layout.order()) + 1),
@@ -262,8 +263,9 @@ ShadowGrid::ShadowGrid(const LightLayout& layout)
     for (const Harmonic& h : harmonics) visibility_index_.push_back(psh_index(h.l, h.m));
 }
 
-// The light's s0, s1, s2 and s3. With e and i o for even and odd parts of s1 + i s2, the even part of s1 is
-// that of e and its odd part minus the s2 of o, and so on.
+// Adds pairs for the light's s0, s1, s2 and s3. Let e and i o be the even and odd parts of s1 + i s2. Then
+// the even part of s1 is the s1 of e and its odd part is minus the s2 of o; the even part of s2 is the s2 of
+// e and its odd part is the s1 of o.
 void ShadowGrid::add_pairs(const LightLayout& layout, bool weighted, std::vector<Pair>& pairs) const {
     const std::vector<SeparatedHarmonic> even = separate_scalars(layout.even(), rows_);
     const std::vector<SeparatedHarmonic> odd = separate_scalars(layout.odd(), rows_);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Products with visibility on a grid of the upper half sphere: Gauss-Legendre rows, uniform columns.
+// Product of light and visibility on a grid of the upper half sphere: Gauss-Legendre rows, uniform columns.
 #pragma once
 
 #include <array>
@@ -13,29 +13,31 @@
 
 namespace nicol {
 
-/// Visibility is the same above and below the horizon, so the even and the odd part of a function under that
-/// mirror are multiplied by the same samples on the upper half. On each row either part is a sum of cosines
-/// and sines of m phi; the columns at phi, -phi, pi - phi and pi + phi share the sums over even and odd m of
-/// either, so that only a quarter of the columns is summed. Sixteen vertices at once.
+/// Multiplier of light by mirrored visibility, for sixteen vertices at once. Visibility is mirrored at the
+/// horizon, so the even and the odd part of a function under this mirror are multiplied by the same samples
+/// on the upper half. On each row, each part is a sum of cosines and sines of m phi. The columns at phi,
+/// -phi, pi - phi and pi + phi share the sums over even m and over odd m, so that only a quarter of the
+/// columns is summed.
 class ShadowGrid {
 public:
-    /// For light of this layout; exact for visibility of twice its order.
+    /// Makes a grid for light of this layout; the product is exact for visibility of twice the light's order.
     explicit ShadowGrid(const LightLayout& layout);
 
     [[nodiscard]] std::size_t samples() const noexcept { return 4 * quarter_ * rows_.count(); }
-    /// From coefficients of visibility over real harmonics, by psh_index, of twice the order:
-    /// [row][column of the quarter][phi, -phi, pi - phi, pi + phi].
+    /// Computes samples from the coefficients of visibility over real harmonics, by psh_index, of twice the
+    /// light's order: [row][column of the quarter][phi, -phi, pi - phi, pi + phi].
     void sample(const Lanes* visibility, Lanes* samples) const;
 
-    /// out = visibility times in, both lights. Samples are multiples of 1 / kFixedOne, [sample][lane].
+    /// Computes out = visibility times in, both lights. Samples are multiples of 1 / kFixedOne,
+    /// [sample][lane].
     void multiply(const std::int16_t* samples, const Lanes* in, Lanes* out) const;
 
-    /// Sums over m that the four columns share: of cosines of even m, odd m, sines of even m, odd m.
+    /// Sums over m that the four columns share: of cosines of even m, of odd m, sines of even m, of odd m.
     struct Slots {
         explicit Slots(int order, std::size_t quarter);
         [[nodiscard]] std::uint32_t of(int m) const;
 
-        std::array<std::uint32_t, 5> begin{};  // of each sum, and the end
+        std::array<std::uint32_t, 5> begin{};  // first slot of each sum, and the end
         std::vector<float> table;              // [column][slot]
     };
     /// Consecutive harmonics that share a slot.
@@ -49,16 +51,16 @@ public:
         std::vector<Run> runs;
         std::vector<float> on_rows;  // [row][harmonic]
         std::size_t harmonics = 0;
-        std::size_t begin = 0;  // in the light
+        std::size_t begin = 0;  // first coefficient in the light
     };
-    /// A function: its even part, its odd part.
+    /// A function: its even part and its odd part.
     using Pair = std::array<Component, 2>;
 
-    /// For other processors.
+    /// Tables for implementations on other processors.
     [[nodiscard]] std::size_t rows() const noexcept { return rows_.count(); }
-    [[nodiscard]] std::size_t columns() const noexcept { return quarter_; }  ///< of the quarter
+    [[nodiscard]] std::size_t columns() const noexcept { return quarter_; }  ///< columns of the quarter
     [[nodiscard]] const Slots& slots() const noexcept { return slots_; }
-    /// A pair for each Stokes component; of the light that comes out, with the rows' weights.
+    /// Pairs of the Stokes components; pairs_out() includes the rows' weights.
     [[nodiscard]] const std::vector<Pair>& pairs_in() const noexcept { return pairs_in_; }
     [[nodiscard]] const std::vector<Pair>& pairs_out() const noexcept { return pairs_out_; }
 
@@ -67,12 +69,12 @@ private:
 
     UpperRows rows_;
     std::size_t quarter_;
-    Slots slots_;  // of the light
+    Slots slots_;  // slots for the light
     Slots slots_visibility_;
     std::vector<Pair> pairs_in_;
     std::vector<Pair> pairs_out_;
     Component visibility_;
-    std::vector<std::size_t> visibility_index_;  // psh_index of its harmonics
+    std::vector<std::size_t> visibility_index_;  // psh_index of each harmonic of visibility_
 };
 
 }  // namespace nicol

@@ -9,16 +9,16 @@
 namespace nicol {
 namespace {
 
-// Rows of one tile times Count vectors, and the columns that they are as well. Each number is loaded once for
-// all. Results of the tile's own rows are done with it; those of columns beyond are added to in memory.
-// Returns the end of the tile's numbers.
+// Multiplies Count vectors by the rows of one tile and by their mirror image, the columns. Each number is
+// loaded once for all vectors. Results of the tile's own rows become final; results of later rows are added
+// to in memory. Returns the end of the tile's numbers.
 template <std::size_t Rows, std::size_t Count>
 [[gnu::always_inline]] inline const std::int16_t* multiply_tile(const std::int16_t* matrix, std::size_t size,
                                                                 const Lanes* const* in, Lanes* const* out,
                                                                 std::size_t row) {
     LaneVector sum[Rows][Count];
     LaneVector own[Rows][Count];
-    // Copies, which no store through a pointer can change.
+    // These copies keep the pointers in registers, because no store can change them.
     const Lanes* from[Count];
     Lanes* to[Count];
     for (std::size_t n = 0; n < Count; ++n) {
@@ -31,7 +31,7 @@ template <std::size_t Rows, std::size_t Count>
             load(from[n] + row + r, own[r][n]);
         }
     }
-    // An odd number of elements is followed by one that does not count.
+    // An odd number of elements is padded by one that is ignored.
     LaneVector k[kShadowTile];
     std::size_t element = 0;
 #pragma GCC unroll 4
@@ -48,7 +48,7 @@ template <std::size_t Rows, std::size_t Count>
             }
         }
     }
-    // Only the last tile has fewer rows, and no columns beyond.
+    // Only the last tile has fewer rows; it has no columns beyond them.
     for (std::size_t c = row + Rows; Rows == kShadowTile && c < size; ++c, matrix += Rows * kLanes) {
         load_pair(matrix, k[0], k[1]);
         load_pair(matrix + 2 * kLanes, k[2], k[3]);
@@ -87,7 +87,7 @@ template <std::size_t Count>
 [[gnu::always_inline]] inline void multiply_vectors(const std::int16_t* matrix, std::size_t size,
                                                     const Lanes* const* in, Lanes* const* out,
                                                     std::size_t count) {
-    // As many vectors at once as there are registers for.
+    // The number of vectors at once is limited by the registers.
     for (std::size_t n = 0; n < count;) {
         const std::size_t left = count - n;
         if (left >= 3) {

@@ -16,12 +16,12 @@ using std::numbers::pi;
 
 using Harmonic = LightLayout::Harmonic;
 
-// The integral over phi of three factors, each cos m phi for m >= 0 or sin |m| phi.
+// Returns the integral over phi of three factors, each cos m phi for m >= 0 or sin |m| phi.
 double phi_integral(int a, int b, int c) {
     const int sines = (a < 0 ? 1 : 0) + (b < 0 ? 1 : 0) + (c < 0 ? 1 : 0);
     if (sines % 2 != 0) return 0;
-    // cos cos = (cos(a - b) + cos(a + b)) / 2 and so on; each frequency that meets its like leaves pi, or 2
-    // pi for frequency 0.
+    // cos cos = (cos(a - b) + cos(a + b)) / 2 and so on. Equal frequencies integrate to pi, or to 2 pi for
+    // frequency 0; different frequencies integrate to 0.
     const auto meet = [](int k, int m) { return k != m ? 0.0 : k == 0 ? 2 * pi : pi; };
     const int x = std::abs(a);
     const int y = std::abs(b);
@@ -56,7 +56,7 @@ const std::vector<Harmonic>& harmonics_of(const LightLayout& layout, TripleProdu
     return group == TripleProductTensor::Group::even ? layout.even() : layout.odd();
 }
 
-// The integral of <a, b> times the visibility harmonic c.
+// Returns the integral of <a, b> times the visibility harmonic c.
 double triple(const UpperRows& rows, const SeparatedHarmonic& a, const SeparatedHarmonic& b,
               const SeparatedHarmonic& c) {
     const double first = phi_integral(a.m, b.m, c.m);

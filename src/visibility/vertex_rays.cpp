@@ -9,11 +9,13 @@
 namespace nicol {
 namespace {
 
-// Below this sine of elevation a ray could meet the plane that it starts from: far away the plane is known to
-// a few units in the last place of its distance. Hardly any direction lies there, and it counts as free.
+// Smallest sine of elevation of a traced ray. Lower rays could meet the plane that they start from, which is
+// accurate only to a few units in the last place of the distance. Hardly any direction lies there; it counts
+// as visible.
 constexpr float kGrazing = 0x1p-17F;
 
-// Bit i is set where direction i of the bundle stands higher than `least` over the plane of the normal.
+// Returns bits: bit i is set if the sine of elevation of direction i over the plane of the normal exceeds
+// `least`.
 [[gnu::always_inline]] inline std::uint16_t above(const RayBundle& bundle, const glm::vec3& normal,
                                                   float least) {
     std::array<std::uint16_t, RayBundle::kRays> bit{};

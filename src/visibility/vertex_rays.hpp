@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The rays of a bake from one point.
+// Ray tracing for one vertex of a bake.
 #pragma once
 
 #include <cstdint>
@@ -12,14 +12,14 @@
 
 namespace nicol {
 
-/// What a former bake says of one vertex: its bits, and 1 for the bundles of directions to trace again.
+/// Result of a former bake for one vertex: its bits, and 1 for each bundle of directions to trace again.
 struct FormerBits {
     std::span<const std::uint64_t> bits;
     std::span<const std::uint8_t> disturbed;
 };
 
-/// Fills the bits of a vertex, which are 0 before, by rays from `origin` in the directions above the plane of
-/// the unit normal. Returns the number of rays.
+/// Sets the bits of a vertex, which must be 0, by rays from `origin` in the directions above the plane of the
+/// unit normal. Returns the number of rays.
 std::uint64_t trace_vertex(const RayScene& scene, const DirectionSet& directions, const glm::vec3& origin,
                            const glm::vec3& normal, std::size_t vertex,
                            const std::optional<FormerBits>& former, Visibility& visibility);

@@ -12,19 +12,19 @@
 
 namespace nicol {
 
-/// A bit for every vertex and direction of a DirectionSet: 1 where the environment is visible. Directions
-/// that are not above the vertex's horizon (its shading normal's) are 0.
+/// One bit for every vertex and direction of a DirectionSet: 1 if the environment is visible. Directions
+/// below the horizon of the vertex (of its shading normal) have 0.
 class Visibility {
 public:
     Visibility() = default;
-    /// All zero.
+    /// Makes visibility with all bits zero.
     Visibility(std::size_t directions, std::size_t vertices)
         : directions_(directions),
           words_((directions + 63) / 64),
           bits_(words_ * vertices),
           unoccluded_(vertices) {}
 
-    /// From bits() and unoccluded() of another object.
+    /// Takes over the bits() and unoccluded() of another object.
     Visibility(std::size_t directions, std::vector<std::uint64_t> bits, std::vector<std::uint8_t> unoccluded)
         : directions_(directions),
           words_((directions + 63) / 64),
@@ -34,7 +34,8 @@ public:
     [[nodiscard]] std::size_t vertices() const noexcept { return unoccluded_.size(); }
     [[nodiscard]] std::size_t directions() const noexcept { return directions_; }
 
-    /// Direction i is bit i % 64 of word i / 64; bits past the last direction are 0.
+    /// Returns the bits of one vertex: direction i is bit i % 64 of word i / 64; bits past the last direction
+    /// are 0.
     [[nodiscard]] std::span<const std::uint64_t> at(std::size_t vertex) const {
         return {bits_.data() + vertex * words_, words_};
     }
@@ -45,24 +46,24 @@ public:
         return (at(vertex)[direction / 64] >> (direction % 64) & 1) != 0;
     }
 
-    /// Nothing above the vertex's horizon is blocked.
+    /// Returns whether nothing above the vertex's horizon is blocked.
     [[nodiscard]] bool unoccluded(std::size_t vertex) const { return unoccluded_[vertex] != 0; }
     void set_unoccluded(std::size_t vertex, bool value) { unoccluded_[vertex] = value ? 1 : 0; }
     [[nodiscard]] std::size_t unoccluded_count() const;
 
-    /// Of these vertices, in this order.
+    /// Returns the visibility of these vertices, in this order.
     [[nodiscard]] Visibility selected(std::span<const std::uint32_t> vertices) const;
 
     [[nodiscard]] std::size_t bytes() const noexcept {
         return bits_.size() * sizeof(std::uint64_t) + unoccluded_.size();
     }
     [[nodiscard]] std::span<const std::uint64_t> bits() const noexcept { return bits_; }
-    /// 1 for each unoccluded vertex.
+    /// Returns 1 for each unoccluded vertex, else 0.
     [[nodiscard]] std::span<const std::uint8_t> unoccluded() const noexcept { return unoccluded_; }
 
 private:
     std::size_t directions_ = 0;
-    std::size_t words_ = 0;  // of one vertex
+    std::size_t words_ = 0;  // number of words per vertex
     std::vector<std::uint64_t> bits_;
     std::vector<std::uint8_t> unoccluded_;
 };

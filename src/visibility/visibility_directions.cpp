@@ -28,8 +28,8 @@ std::vector<glm::dvec3> fibonacci_lattice(int count) {
     return directions;
 }
 
-// Where a direction falls on a curve that fills the sphere: the bits of its two coordinates on the unfolded
-// octahedron, interleaved.
+// Returns the place of a direction on a curve that fills the sphere: the interleaved bits of its two
+// coordinates on the unfolded octahedron.
 std::uint32_t place(const glm::dvec3& d) {
     const double norm = std::abs(d.x) + std::abs(d.y) + std::abs(d.z);
     double u = d.x / norm;
@@ -51,8 +51,8 @@ std::uint32_t place(const glm::dvec3& d) {
     return out;
 }
 
-// The weights nearest to equal ones that integrate all harmonics of the order. The harmonics on the lattice
-// are nearly orthogonal, so taking off what is wrong projected back converges at once.
+// Returns the weights nearest to equal ones that integrate all harmonics of the order. The harmonics on the
+// lattice are nearly orthogonal, so subtracting the projected error converges quickly.
 std::vector<double> exact_weights(const std::vector<glm::dvec3>& directions, int order) {
     const double equal = 4 * pi / static_cast<double>(directions.size());
     const std::size_t count = psh_count(order);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The directions that visibility is sampled in, the same at every vertex.
+// Directions in which visibility is sampled, equal at all vertices.
 #pragma once
 
 #include <cstddef>
@@ -12,29 +12,30 @@
 
 namespace nicol {
 
-/// Unit directions towards the light, in the world's axes unless rotated, spread evenly over the sphere (a
-/// spherical Fibonacci lattice, one direction a stratum) and sorted so that neighbours in the list are
-/// neighbours on the sphere. Immutable.
+/// Unit directions towards the light, in the world's axes unless rotated. They are spread evenly over the
+/// sphere (a spherical Fibonacci lattice, one direction per stratum) and sorted so that neighbours in the
+/// list are neighbours on the sphere. Immutable.
 class DirectionSet {
 public:
     static constexpr int kDefault = 2048;
     static constexpr int kFewest = 256;
     static constexpr int kMost = 65536;
-    /// Highest order of harmonics that the weights integrate to rounding: 16, or half the root of the count
-    /// where that is less.
+    /// Highest order of harmonics that the weights integrate exactly up to rounding: 16, or half the root of
+    /// the count if that is less.
     static constexpr int kExactOrder = 16;
 
     /// Throws Error(invalid_argument) for a count outside kFewest..kMost.
     explicit DirectionSet(int count = kDefault);
 
-    /// The same spread and weights about other axes: the columns of a rotation.
+    /// Returns these directions and weights about other axes: the columns of a rotation.
     [[nodiscard]] DirectionSet rotated(const glm::dmat3& axes) const;
 
     [[nodiscard]] std::size_t size() const noexcept { return directions_.size(); }
     [[nodiscard]] std::span<const glm::vec3> directions() const noexcept { return directions_; }
-    /// Solid angles, positive, of sum 4 pi.
+    /// Returns the solid angles of the directions; they are positive and their sum is 4 pi.
     [[nodiscard]] std::span<const float> weights() const noexcept { return weights_; }
-    /// The same directions in bundles of RayBundle::kRays; the last is filled up with the last direction.
+    /// Returns the directions in bundles of RayBundle::kRays; the last bundle is filled up with the last
+    /// direction.
     [[nodiscard]] std::span<const RayBundle> bundles() const noexcept { return bundles_; }
 
 private:

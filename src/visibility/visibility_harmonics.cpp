@@ -22,12 +22,12 @@ namespace {
 
 using std::numbers::pi;
 
-// Sixteen directions in the vertex's frame (of propagation), and what each counts.
+// Sixteen propagation directions in the vertex's frame, and the weight of each.
 struct Samples {
     Lanes x, y, z, weight;
 };
 
-// Bundles that are summed at once: a sum is loaded and stored once for all.
+// Number of bundles that are summed at once, so that each sum is loaded and stored once for all of them.
 constexpr std::size_t kGroup = 4;
 
 struct Group {
@@ -61,7 +61,7 @@ struct Group {
     store(sum, total);
 }
 
-// sum[psh_index(l, m)] += weight Y_lm for even l + m. The harmonics are (x + i y)^m times a polynomial
+// Adds weight Y_lm to sum[psh_index(l, m)] for even l + m. The harmonics are (x + i y)^m times a polynomial
 // q_lm(z) with q_lm = (a z^2 + b) q_{l-2,m} - c q_{l-4,m}; `recurrence` holds a, b and c at 3 psh_index(l,
 // m), and q_mm for l = m.
 [[gnu::always_inline]] inline void add_even(const Samples* at, const float* recurrence, int order,
@@ -92,7 +92,7 @@ struct Group {
     }
 }
 
-// The sums of the lanes.
+// Computes the sum over the lanes of each vector.
 [[gnu::always_inline]] inline void fold(const Lanes* lanes, std::size_t count, float* out) {
     for (std::size_t i = 0; i < count; ++i) {
         LaneVector v;
@@ -104,7 +104,7 @@ struct Group {
     }
 }
 
-// Of z q_l = r_{l+1} q_{l+1} + r_l q_{l-1}, applied twice.
+// Returns the factors of add_even(), from z q_l = r_{l+1} q_{l+1} + r_l q_{l-1}, applied twice.
 std::vector<float> recurrence_factors(int order) {
     std::vector<float> out(3 * psh_count(order), 0.0F);
     double sectoral = 1 / std::sqrt(4 * pi);
@@ -131,17 +131,18 @@ static_assert(RayBundle::kRays == kLanes);
 using DoubleVector [[gnu::vector_size(128), gnu::may_alias]] = double;
 using ByteVector [[gnu::vector_size(kLanes), gnu::may_alias]] = std::int8_t;
 
-// One vertex.
+// State of one vertex.
 struct Vertex {
-    std::array<float, 9> frame;  // x, y and z
+    std::array<float, 9> frame;  // axes x, y and z
     const std::uint64_t* seen;   // Visibility::at
-    // Weights of the directions above the horizon, and of those seen.
+    // Sums of the weights of the directions above the horizon (all), and of the visible directions among them
+    // (part).
     alignas(128) std::array<double, kLanes> all;
     alignas(128) std::array<double, kLanes> part;
 };
 
-// The bundles of which any direction is above the horizon, with weights that are positive for what is seen,
-// negative for what is not and 0 below. Returns how many.
+// Gathers the bundles with any direction above the horizon. Weights are positive for visible directions,
+// negative for hidden ones and 0 below the horizon. Returns the number of bundles.
 [[gnu::always_inline]] inline std::size_t gather_bundles(std::span<const RayBundle> bundles,
                                                          const Lanes* weights, Vertex& vertex,
                                                          Samples* samples) {
@@ -181,8 +182,9 @@ struct Vertex {
     return count;
 }
 
-// Weights of the visible directions above the horizon, less the visible fraction of all above it, which is
-// added exactly: so the quadrature does not depend on where the horizon is. Returns the fraction.
+// Gathers the visible directions above the horizon with the mean subtracted: the visible fraction of all
+// directions above it. The caller adds the fraction exactly, so that the quadrature does not depend on the
+// position of the horizon. Returns the fraction.
 float gather(const DirectionSet& directions, std::span<const Lanes> weights, const Visibility& visibility,
              std::size_t index, const Frame& frame, std::vector<Samples>& samples) {
     Vertex vertex{.frame = {}, .seen = visibility.at(index).data(), .all = {}, .part = {}};
@@ -211,7 +213,7 @@ VisibilityHarmonics::VisibilityHarmonics(const DirectionSet& directions, int ord
                                                      std::to_string(kHighestOrder));
     }
     recurrence_ = recurrence_factors(order);
-    // The last bundle repeats its last direction, which must not count again.
+    // The last bundle repeats its last direction; the repetitions get the weight 0.
     weights_.resize(directions.bundles().size(), Lanes{});
     for (std::size_t i = 0; i < directions.size(); ++i) {
         weights_[i / kLanes][i % kLanes] = directions.weights()[i];
@@ -230,13 +232,13 @@ void VisibilityHarmonics::project(const Visibility& visibility, std::size_t vert
     const Frame frame = theta_phi_frame(glm::normalize(glm::dvec3(normal)));
     const float seen = gather(directions_, weights_, visibility, vertex, frame, samples);
     std::vector<Lanes> sum(result.size(), Lanes{});
-    // What is added to fill the last group weighs nothing.
+    // The samples that fill the last group have the weight 0.
     samples.resize((samples.size() + kGroup - 1) / kGroup * kGroup, Samples{});
     for (std::size_t first = 0; first < samples.size(); first += kGroup) {
         dispatch<add_even>(&samples[first], recurrence_.data(), order_, sum.data());
     }
     dispatch<fold>(sum.data(), sum.size(), result.data());
-    for (float& value : result) value *= 2;  // the mirror image below the horizon
+    for (float& value : result) value *= 2;  // accounts for the mirror image below the horizon
     result[0] += seen * kUnoccluded;
 }
 

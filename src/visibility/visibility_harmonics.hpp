@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Visibility as spherical harmonics in the vertex's own frame.
+// Visibility as spherical harmonics in each vertex's own frame.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -11,10 +11,11 @@
 
 namespace nicol {
 
-/// Bits as coefficients over real harmonics, [psh_index(l, m)], of the PROPAGATION direction of the light, as
-/// the light's own coefficients are, in theta_phi_frame(normal). Below the horizon, where nothing reflects,
-/// visibility is mirrored: V(x, y, -z) = V(x, y, z), so there is no step at the horizon and only even l + m.
-/// The quadrature is corrected so that a fully occluded vertex has 0 and an unoccluded one has exactly sqrt(4
+/// Projection of visibility bits to coefficients over real harmonics, [psh_index(l, m)]. Harmonics are
+/// functions of the PROPAGATION direction of the light, like the light's own coefficients, in
+/// theta_phi_frame(normal). Below the horizon, where nothing reflects, visibility is mirrored: V(x, y, -z) =
+/// V(x, y, z). Therefore there is no step at the horizon, and coefficients of odd l + m are zero. The
+/// quadrature is corrected so that a fully occluded vertex has 0 and an unoccluded one has exactly sqrt(4
 /// pi), 0, 0 ...
 class VisibilityHarmonics {
 public:
@@ -23,19 +24,19 @@ public:
     VisibilityHarmonics(const DirectionSet& directions, int order);
 
     static constexpr int kHighestOrder = 64;
-    /// sqrt(4 pi), the first coefficient of an unoccluded vertex; its others are 0.
+    /// First coefficient of an unoccluded vertex, sqrt(4 pi); its other coefficients are 0.
     static constexpr float kUnoccluded = 3.5449077F;
 
     [[nodiscard]] int order() const noexcept { return order_; }
 
-    /// psh_count(order) coefficients of one vertex. Calls may run side by side.
+    /// Computes the psh_count(order) coefficients of one vertex. Calls may run side by side.
     void project(const Visibility& visibility, std::size_t vertex, const glm::vec3& normal,
                  std::span<float> out) const;
 
 private:
     const DirectionSet& directions_;
     int order_;
-    std::vector<Lanes> weights_;     // of the directions, in bundles
+    std::vector<Lanes> weights_;     // weights of the directions, in bundles
     std::vector<float> recurrence_;  // three factors for each (l, m)
 };
 

@@ -44,7 +44,7 @@ VisibilityPower::VisibilityPower(const Visibility& visibility, const DirectionSe
 }
 
 std::vector<double> VisibilityPower::coupling(int order, int spin) const {
-    // The last orders together, so that where one of them happens to vanish does not count.
+    // The mean over the last orders keeps an order that happens to vanish from deciding.
     constexpr int tail = 8;
     double edge = 0;
     for (int l = kOrder - tail + 1; l <= kOrder; ++l)

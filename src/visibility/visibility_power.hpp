@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What shadows do to the spectra of responses.
+// Effect of shadows on the power spectra of responses.
 #pragma once
 
 #include <cstddef>
@@ -12,26 +12,27 @@
 
 namespace nicol {
 
-/// The mean power spectrum of the visibility of a scene's vertices, from a sample of them.
+/// Mean power spectrum of the visibility over a scene's vertices, from a sample of them.
 class VisibilityPower {
 public:
-    /// Up to here the spectrum is projected; above, it falls as that of edges does, with the square of l.
+    /// Highest order that is projected. Above it, the spectrum is assumed to fall with the square of l, as
+    /// for edges.
     static constexpr int kOrder = 24;
 
     VisibilityPower(const Visibility& visibility, const DirectionSet& directions,
                     std::span<const glm::vec3> normals);
 
-    /// The visible part of the directions above the horizon, mean over the vertices.
+    /// Returns the visible fraction of the directions above the horizon, as the mean over the vertices.
     [[nodiscard]] double fraction() const noexcept { return fraction_; }
 
-    /// What a response of this spin (0 or 2) has after it is multiplied by the visibility, as the mean over
-    /// all rotations between both: its energy in order `to` is the sum over `from` of the energy before it in
-    /// that order times coupling[to (order + 1) + from].
+    /// Returns the coupling of orders when a response of this spin (0 or 2) is multiplied by the visibility,
+    /// as the mean over all rotations between them. The energy of the product in order `to` is the sum over
+    /// `from` of the response's energy in order `from` times coupling[to (order + 1) + from].
     [[nodiscard]] std::vector<double> coupling(int order, int spin) const;
 
 private:
     double fraction_ = 1;
-    std::vector<double> energy_;  // by order, to kOrder
+    std::vector<double> energy_;  // energy by order, 0 to kOrder
 };
 
 }  // namespace nicol
