@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# The shared library against that of the last tag: 1 where programs built against that one would break.
+# Checks the shared library against that of the last tag. Ends with 1 if programs built against the old one would break.
 set -eu
 cd "$(dirname "$0")/.."
 
@@ -16,7 +16,7 @@ for tree in old new; do
     cmake -S "$folder/$tree" -B "$folder/$tree/build" -G Ninja -DCMAKE_BUILD_TYPE=Debug -DNICOL_BUILD_SAMPLES=OFF
     cmake --build "$folder/$tree/build" --target nicol
 done
-# Its answer is a sum: 1 and 2 for errors, 4 for changes, 8 for those that break.
+# abidiff returns a sum: 1 and 2 for errors, 4 for changes, 8 for incompatible changes.
 answer=0
 abidiff --headers-dir1 "$folder/old/include" --headers-dir2 "$folder/new/include" \
     "$folder/old/build/lib/libnicol.so" "$folder/new/build/lib/libnicol.so" || answer=$?

@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# The path of a Python that has what tests/peers compares Nicol with, in build-peers, which is made where it is missing.
+# Prints the path of a Python with the peers of tests/peers, in build-peers, and makes it if it is missing.
 set -eu
 cd "$(dirname "$0")/.."
 

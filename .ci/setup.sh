@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Installs what only developers need: Clang with its tools, sanitizers and libFuzzer, abidiff, and what
-# the programs that tests/peers compares with run on.
+# Installs packages that only developers need: Clang with its tools, sanitizers and libFuzzer, abidiff, and those of the
+# programs in tests/peers.
 set -eu
 
 packages="clang clang-format clang-tidy libclang-rt-14-dev abigail-tools python3-venv libllvm19"

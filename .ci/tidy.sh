@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# clang-tidy over the library. The sources of a folder are read as one file, since most of the time goes into the
-# headers of others.
+# Runs clang-tidy over the library. The sources of a folder are read as one file, because most of the time is spent on
+# common headers.
 set -eu
 cd "$(dirname "$0")/.."
 

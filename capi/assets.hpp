@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What environments, materials and meshes have in common.
+// Functions common to environments, materials and meshes.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,7 @@
 
 namespace nicol::capi {
 
-/// Makes an immutable asset on the caller's thread; the context is not locked, since nothing of it is used.
+/// Makes an immutable asset on the caller's thread, without locking the context, of which nothing is used.
 template <class Impl, class Make>
 nicol_result create(nicol_context context, Impl** out, const char* name, Make&& make) {
     return guarded([&] {
@@ -18,7 +18,7 @@ nicol_result create(nicol_context context, Impl** out, const char* name, Make&& 
     });
 }
 
-/// The same from a file: make(budget, session) is given the context's limits and its log.
+/// Loads an asset from a file: make(budget, session) gets the context's limits and its log.
 template <class Impl, class Make>
 nicol_result load(nicol_context context, const char* path, Impl** out, const char* name, Make&& make) {
     return guarded([&] {
@@ -30,9 +30,9 @@ nicol_result load(nicol_context context, const char* path, Impl** out, const cha
     });
 }
 
-/// Calls a descriptor's release callback with its user pointer when the last copy of what this returns goes:
-/// once, and on failure too. Even a descriptor that is refused has one, if its struct_size reaches `end`, the
-/// number of bytes up to and with both fields.
+/// Returns an owner that calls a descriptor's release callback with its user pointer once, when the last copy
+/// of the owner is destroyed, also on failure. Refused descriptors are included, if their struct_size reaches
+/// `end`, the number of bytes up to the end of both fields.
 template <class T>
 std::shared_ptr<void> owned_user(const T* given, void (*T::*release)(void*), void* T::*user,
                                  std::size_t end) {
@@ -41,7 +41,7 @@ std::shared_ptr<void> owned_user(const T* given, void (*T::*release)(void*), voi
     return {given->*user, given->*release};
 }
 
-/// "name is 7; it must be one of NICOL_..." unless value <= last.
+/// Throws Error(invalid_argument) "name is 7; it must be one of NICOL_..." unless value <= last.
 inline void require_constant(std::uint32_t value, std::uint32_t last, const char* name,
                              const char* constants) {
     if (value > last) {

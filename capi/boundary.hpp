@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What every call across the C border shares: no exception leaves, every failure has a message.
+// Common parts of all C calls: no exception leaves a call, and every failure has a message.
 #pragma once
 
 #include <algorithm>
@@ -18,24 +18,24 @@
 
 namespace nicol::capi {
 
-/// What messages have no place for: they are one line that a terminal shows as it is, whatever a path, a file
-/// or a driver says.
+/// Returns whether a character is replaced in messages, which are one line that a terminal shows unchanged,
+/// even if it quotes a path, a file or a driver.
 [[nodiscard]] inline bool is_control(char c) noexcept {
     return static_cast<unsigned char>(c) < ' ' || c == 0x7f;
 }
 
-/// Keeps the message for nicol_last_error() and returns the code. Allocates nothing.
+/// Stores the message for nicol_last_error() and returns the code. Allocates nothing.
 nicol_result fail(ErrorCode code, const char* message) noexcept;
 
-/// The code of an exception that is not an Error: out_of_memory for a thread or a lock that the system has no
-/// room for, else internal.
+/// Returns the code of an exception other than Error: out_of_memory if the system lacks resources for a
+/// thread or a lock, else internal.
 ErrorCode code_of(const std::exception& error) noexcept;
 
-/// Throws Error(unsupported) in the child of a process that forked after its first call: threads and the
-/// graphics driver's state did not come along.
+/// Throws Error(unsupported) in the child of a process that forked after its first call, because the child
+/// lacks the threads and the graphics driver's state.
 void refuse_after_fork();
 
-/// Runs the body of a C function, in an environment that does not depend on the caller's.
+/// Runs the body of a C function in a floating-point environment that does not depend on the caller's.
 template <class F>
 nicol_result guarded(F&& body) noexcept {
     const FloatingEnvironment environment;
@@ -55,17 +55,17 @@ nicol_result guarded(F&& body) noexcept {
 }
 
 using nicol::require;
-/// Throws Error(invalid_argument) naming the argument where it is NULL.
+/// Throws Error(invalid_argument) naming the argument if it is NULL.
 template <class T>
 void require(T* pointer, const char* name) {
     if (pointer == nullptr) refuse(std::string(name) + " is NULL");
 }
 
-/// Larger descriptors are taken for uninitialised memory.
+/// Largest size of a descriptor. Larger ones indicate uninitialised memory.
 inline constexpr std::uint32_t kMaxStructSize = 65536;
 
-/// A caller's descriptor in the layout of this version: fields that an older caller does not have are as in
-/// `defaults`, which is what NICOL_..._INIT makes; fields that a newer caller has must be zero.
+/// Returns a caller's descriptor in the layout of this version: fields that an older caller lacks are taken
+/// from `defaults`, the values of NICOL_..._INIT; fields that only a newer caller has must be zero.
 template <class T>
 T read_struct(const T* from, T defaults, const char* name) {
     require(from, name);
@@ -85,20 +85,20 @@ T read_struct(const T* from, T defaults, const char* name) {
     return defaults;
 }
 
-/// The same of options, which may be NULL: all defaults.
+/// Returns options in the layout of this version, the defaults for NULL.
 template <class T>
 T read_options(const T* from, const T& defaults) {
     return from != nullptr ? read_struct(from, defaults, "options") : defaults;
 }
 
-/// A caller's progress callback as the library calls it; empty for NULL.
+/// Returns a caller's progress callback in the library's form; empty for NULL.
 inline std::function<bool(const char*, double)> progress_from(nicol_progress_callback callback, void* user) {
     if (callback == nullptr) return {};
     return
         [callback, user](const char* verb, double fraction) { return callback(user, verb, fraction) != 0; };
 }
 
-/// Fills as much of a caller's struct as it has room for; struct_size stays.
+/// Fills the part of a caller's struct that its struct_size covers; struct_size stays.
 template <class T>
 void write_struct(T* to, T value, const char* name) {
     require(to, name);

@@ -14,7 +14,7 @@
 namespace nicol::capi {
 namespace {
 
-// Fixed room, so that reporting a lack of memory needs none.
+// The memory has fixed size, so that reporting a lack of memory needs none.
 thread_local std::array<char, 2048> last_error{};
 
 gl::Backend backend_of(nicol_backend backend) {
@@ -97,7 +97,7 @@ nicol_context make_context(std::shared_ptr<gl::Context> context, const nicol_con
                           });
     });
     log_what_opened(*session);
-    // The information lives as long as the context whose part it is.
+    // The information lives as long as its context.
     std::shared_ptr<const gl::ContextInfo> info(session->gl, &session->gl->info());
     return make_handle<nicol_context_impl>(session, info);
 }
@@ -111,7 +111,7 @@ void refuse_after_fork() {
 }
 
 ErrorCode code_of(const std::exception& error) noexcept {
-    bool shortage = std::string_view(error.what()).starts_with("pthread_create has failed");  // TBB's
+    bool shortage = std::string_view(error.what()).starts_with("pthread_create has failed");  // TBB's message
     if (const auto* system = dynamic_cast<const std::system_error*>(&error))
         shortage = system->code() == std::errc::resource_unavailable_try_again ||
                    system->code() == std::errc::not_enough_memory;
@@ -122,7 +122,7 @@ nicol_result fail(ErrorCode code, const char* message) noexcept {
     std::size_t length = std::strlen(message);
     if (length >= last_error.size()) {
         length = last_error.size() - 1;
-        // Not in the middle of a UTF-8 character.
+        // The message must not end within a UTF-8 character.
         while (length > 0 && (static_cast<unsigned char>(message[length]) & 0xC0) == 0x80) --length;
     }
     std::replace_copy_if(message, message + length, last_error.begin(), is_control, ' ');

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The devices that a context can be created on.
+// Devices on which a context can be created.
 #include <mutex>
 #include <set>
 #include <vector>
@@ -12,8 +12,8 @@ using namespace nicol::capi;
 
 namespace {
 
-// A copy that lives as long as the library, the same for the same text. Never destroyed: strings are handed
-// out.
+// Returns a copy that lives as long as the library, one for all equal texts. The set is never destroyed,
+// because callers keep the strings.
 const char* kept(const std::string& text) {
     static std::mutex mutex;
     static auto* texts = new std::set<std::string>;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Files of light and materials: what they hold, and from one format to another.
+// Files of light and materials: descriptions and conversions between formats.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -39,7 +39,7 @@ std::optional<glm::dmat3> rotation_from(const double (&rows)[9]) {
             rotation[column][row] = value;
         }
     if (rotation == glm::dmat3(1)) return std::nullopt;
-    (void)euler_zyz(rotation);  // refuses what is no rotation
+    (void)euler_zyz(rotation);  // throws if it is not a rotation
     return rotation;
 }
 
@@ -76,7 +76,7 @@ FileOptions options_from(const nicol_file_options* options) {
     return out;
 }
 
-// Before a file is read: the caller's struct must at least hold its size.
+// Checks before a file is read that the caller's struct holds at least its size.
 template <class T>
 void require_report(const T* report) {
     require(report, "report");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Framebuffers, and files of what is in them.
+// Framebuffers, and files of their content.
 #include <numbers>
 
 #include "handles.hpp"

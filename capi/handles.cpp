@@ -19,7 +19,8 @@ struct Registry {
     std::uintptr_t next = 1;
 };
 
-// Never destroyed: a host may release its handles after the library's static objects are gone.
+// Returns the registry, which is never destroyed, because a host may release its handles after the library's
+// static objects.
 Registry& all() {
     static auto* registry = new Registry;
     return *registry;
@@ -49,7 +50,7 @@ const char* name(HandleKind kind) {
     return "handle";
 }
 
-// With the mutex held.
+// Returns a handle's entry. Requires the mutex.
 const Entry& find(const void* handle, HandleKind kind) {
     const auto found = all().alive.find(reinterpret_cast<std::uintptr_t>(handle));
     if (found != all().alive.end() && found->second.kind == kind) return found->second;

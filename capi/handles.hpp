@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The objects behind the handles.
+// Objects behind the handles.
 #pragma once
 
 #include <algorithm>
@@ -27,21 +27,21 @@
 
 namespace nicol::capi {
 
-/// What a context's objects share; lives as long as any of them.
+/// State shared by a context's objects, alive as long as any of them.
 struct Session {
     std::shared_ptr<gl::Context> gl;
     int threads = 0;
     nicol_log_callback log = nullptr;
     void* log_user = nullptr;
     std::filesystem::path cache;                      ///< folder of tables; empty: none
-    std::uint64_t memory_limit = MemoryLimit::kNone;  ///< of a scene, bytes
+    std::uint64_t memory_limit = MemoryLimit::kNone;  ///< memory limit per scene, in bytes
     LoadLimits load_limits;
-    std::shared_ptr<struct HostObserver> observer;  ///< in a host's context, once it draws an image
+    std::shared_ptr<struct HostObserver> observer;  ///< only in a host's context, made for its first image
     std::mutex mutex;
     std::atomic<std::thread::id> busy{};  ///< the thread inside a call
-    std::atomic<std::size_t> handles{};   ///< of all its objects
+    std::atomic<std::size_t> handles{};   ///< number of the context's handles
 
-    /// Made on first use.
+    /// Returns the queue, made on first use.
     JobQueue& job_queue() {
         const std::lock_guard lock(jobs_mutex);
         if (!jobs) jobs = std::make_unique<JobQueue>();
@@ -56,13 +56,13 @@ struct Session {
     }
     void notice(const std::string& message) const { log_message(NICOL_LOG_NOTICE, message); }
 
-    /// Whether OpenGL is a host's, so that whoever waits for a job lends it the context.
+    /// Returns whether OpenGL is a host's, so that callers who wait for a job lend it the context.
     [[nodiscard]] bool in_host() const { return gl->info().backend == gl::Backend::host; }
 };
 
 using SessionPtr = std::shared_ptr<Session>;
 
-/// The session for which this thread is inside a caller's callback that other threads of the library may run.
+/// The session for which this thread, possibly one of the library, is inside a caller's callback.
 inline thread_local const Session* calling_back = nullptr;
 
 class CallbackScope {
@@ -80,7 +80,7 @@ inline void refuse_in_callback(const Session& session) {
     }
 }
 
-/// One call at a time on the objects of a session. Refuses calls from within a callback of the same session.
+/// Lock for one call at a time on the objects of a session. Refuses calls from within its callbacks.
 class SessionLock {
 public:
     explicit SessionLock(SessionPtr session) : session_(std::move(session)) {
@@ -104,7 +104,7 @@ private:
     SessionPtr session_;
 };
 
-/// What a scene file says about its image.
+/// Image settings of a scene file.
 struct Film {
     Camera camera;
     std::uint32_t width;
@@ -115,25 +115,25 @@ struct Film {
 
 struct SceneState {
     explicit SceneState(const SessionPtr& session) : renderer(session->gl, session->threads) {
-        // Renders happen inside a call that holds the session.
+        // The owner pointer stays valid, because renders happen inside a call that holds the session.
         renderer.set_cache(session->cache,
                            [owner = session.get()](const std::string& message) { owner->notice(message); });
         renderer.set_memory_limit(session->memory_limit);
     }
 
-    /// Held by who reads or changes the scene: jobs, which have copies, do not keep it.
+    /// Mutex of readers and writers of the scene. Jobs do not hold it, because they have copies.
     std::mutex edit;
-    std::atomic<std::thread::id> editor{};  ///< the thread that holds it
+    std::atomic<std::thread::id> editor{};  ///< thread that holds `edit`
     Scene scene;
-    // Used with the session's lock alone.
+    // The renderer is used only with the session's lock.
     Renderer renderer;
     bool darkness_noticed = false;
-    // Of the scene file, and never changed.
+    // The film and the files come from the scene file and never change.
     std::optional<Film> film;
     std::vector<FileRecord> files;
 };
 
-/// Every handle: a session, the object and a reference count.
+/// Content of every handle: a session, the object and a reference count.
 template <class Content>
 struct Handle {
     SessionPtr session;
@@ -153,25 +153,26 @@ enum class HandleKind : std::uint8_t {
     psh_transform
 };
 
-/// All live handles of the process, so that a wrong or released one is an error and not a crash. A handle is
-/// a number that no other handle of the process ever has, not the address of its object: a later object never
-/// answers to a released handle.
+/// Registry of all live handles of the process, which makes wrong or released ones errors instead of crashes.
+/// A handle is a number unique in the process, not the address of its object, so a later object never has a
+/// released handle's number.
 namespace registry {
-/// An object, which stays until the lock goes: it keeps every thread from adding and releasing handles.
+/// An object that stays alive until the lock ends. The lock keeps all threads from adding and releasing
+/// handles.
 struct Held {
     std::unique_lock<std::mutex> lock;
     void* object;
 };
 [[nodiscard]] void* add(void* object, HandleKind kind);
-/// Throws Error(invalid_handle) unless the handle is alive and of this kind.
+/// Returns the object. Throws Error(invalid_handle) unless the handle is alive and of this kind.
 [[nodiscard]] Held hold(const void* handle, HandleKind kind);
-/// To be called with the lock of hold().
+/// Removes a handle. Requires the lock of hold().
 void forget(const void* handle) noexcept;
 }  // namespace registry
 
 }  // namespace nicol::capi
 
-// The names in nicol.h.
+// Types with the names in nicol.h.
 struct nicol_context_impl : nicol::capi::Handle<const nicol::gl::ContextInfo> {
     static constexpr auto kKind = nicol::capi::HandleKind::context;
 };
@@ -199,12 +200,12 @@ struct nicol_job_impl : nicol::capi::Handle<nicol::capi::Job> {
 
 namespace nicol::capi {
 
-/// For reading and changing a scene. Waits for renders that are called, not for jobs.
+/// Lock for reading and changing a scene. Waits for direct renders, not for jobs.
 class Edit {
 public:
     explicit Edit(const nicol_scene_impl& scene)
         : Edit((refuse_in_callback(*scene.session), scene.content)) {}
-    /// Of a render, which holds its session's lock.
+    /// Locks the scene for a render, which holds the session's lock.
     explicit Edit(std::shared_ptr<SceneState> scene) : scene_(std::move(scene)) {
         if (scene_->editor == std::this_thread::get_id()) {
             refuse("a callback called Nicol with the scene that is calling it");
@@ -223,15 +224,15 @@ private:
     std::shared_ptr<SceneState> scene_;
 };
 
-/// A copy of the object behind a handle: it stays alive through the call, even if other threads release the
-/// handle. Throws Error(invalid_handle).
+/// Returns a copy of the object behind a handle, which stays alive through the call even if other threads
+/// release the handle. Throws Error(invalid_handle).
 template <class Impl>
 Impl resolve(Impl* handle) {
     const auto held = registry::hold(handle, Impl::kKind);
     return *static_cast<const Impl*>(held.object);
 }
 
-/// Throws Error(invalid_handle) where two objects are of different contexts.
+/// Throws Error(invalid_handle) if two objects belong to different contexts.
 template <class A, class B>
 void require_same_context(const A& a, const B& b) {
     if (a.session != b.session) {
@@ -239,7 +240,7 @@ void require_same_context(const A& a, const B& b) {
     }
 }
 
-/// A new handle with one reference.
+/// Returns a new handle with one reference.
 template <class Impl, class Content>
 Impl* make_handle(const SessionPtr& session, std::shared_ptr<Content> content) {
     auto handle = std::make_unique<Impl>();
@@ -263,7 +264,7 @@ template <class Impl>
 nicol_result release(Impl* handle) noexcept {
     if (handle == nullptr) return NICOL_OK;
     return guarded([&] {
-        std::unique_ptr<Impl> last;  // destroyed after the lock, since that may take a while
+        std::unique_ptr<Impl> last;  // destroyed after the lock, because that may take long
         const auto held = registry::hold(handle, Impl::kKind);
         auto* const object = static_cast<Impl*>(held.object);
         if (--object->references > 0) return;
@@ -273,31 +274,32 @@ nicol_result release(Impl* handle) noexcept {
     });
 }
 
-/// The caller's options, or the defaults for NULL. Throws Error(invalid_argument) naming what is out of
-/// range.
+/// Returns the caller's options, or the defaults for NULL. Throws Error(invalid_argument) naming a value out
+/// of range.
 nicol_context_options context_options(const nicol_context_options* options);
-/// A handle with one reference.
+/// Returns a handle with one reference.
 nicol_context make_context(std::shared_ptr<gl::Context> context, const nicol_context_options& options);
 
-/// Whether it is 1. "name is 7; it must be 0 or 1" unless it is one of these.
+/// Returns whether the value is 1. Throws Error(invalid_argument) "name is 7; it must be 0 or 1" for other
+/// values.
 inline bool switch_from(std::uint32_t given, const char* name) {
     if (given > 1) refuse(std::string(name) + " is " + std::to_string(given) + "; it must be 0 or 1");
     return given == 1;
 }
-/// A spectrum of the interface as values; `fallback` where it is empty. Throws Error(invalid_argument).
+/// Returns the values of a spectrum, `fallback` if it is empty. Throws Error(invalid_argument).
 std::vector<double> spectrum(const nicol_spectrum& values, double fallback, std::size_t fallback_channels,
                              const char* name);
-/// A caller's image where it lies, given back when this goes.
+/// A caller's image in its memory, released with the last copy of `user`.
 struct ImagePixels {
     EquirectView view;
     std::shared_ptr<void> user;
 };
-/// Throws Error(invalid_argument); the release callback is called in any case.
+/// Reads an image. Throws Error(invalid_argument); the release callback is called in any case.
 ImagePixels read_image(const nicol_image* image);
-/// From 16 row-major numbers, and to them.
+/// Returns the matrix of 16 row-major numbers. write_matrix() writes these numbers.
 glm::dmat4 matrix(const double* rows);
 void write_matrix(const glm::dmat4& m, double* rows);
-/// Throws Error(invalid_argument) unless `count` is how many there are; `what` names them.
+/// Writes ids. Throws Error(invalid_argument) unless `count` is their number; `what` names them.
 void write_ids(const std::vector<std::uint32_t>& all, std::uint32_t* ids, std::uint64_t count,
                const char* what);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Contexts of the caller's.
+// Contexts that belong to the caller.
 #include "handles.hpp"
 #include "host_image.hpp"
 

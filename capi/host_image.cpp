@@ -12,13 +12,13 @@
 namespace nicol::capi {
 namespace {
 
-/// As glsl/observe.frag numbers them.
+/// Observers in the numbering of glsl/observe.frag.
 enum class Observer { stokes, radiance, signed_component, dolp, aolp };
 
 struct Observed {
     Observer observer = Observer::stokes;
     glm::vec4 analyzer{0.0F};
-    int first = 0;  // channel
+    int first = 0;  // first channel
     int channels = 1;
 };
 

@@ -41,7 +41,7 @@ std::optional<nicol_result> Job::wait(std::optional<std::chrono::milliseconds> a
 }
 
 void Job::cancel() {
-    Work dropped;  // after the lock: it may hold the last of much
+    Work dropped;  // destroyed after the lock, because it may own large objects
     std::function<void()> ended;
     {
         const std::lock_guard lock(mutex_);
@@ -85,7 +85,7 @@ void Job::run() {
         work_ = nullptr;
     }
     const nicol_result result = guarded([&] { work(*this); });
-    work = nullptr;  // what it held is free before anybody who waits goes on
+    work = nullptr;  // releases its objects before any waiting thread continues
     std::function<void()> ended;
     {
         const std::lock_guard lock(mutex_);
@@ -156,7 +156,7 @@ struct JobQueue::Shared {
 
 namespace {
 
-/// Queues of the process. A process that ends while jobs run must not pull the ground from under them.
+/// Queues of the process. Jobs must end before the process destroys objects that they use.
 template <class Queue>
 class LiveQueues {
 public:
@@ -167,7 +167,7 @@ public:
         for (const auto& weak : queues) {
             if (const auto queue = weak.lock()) queue->drain();
         }
-        gl::join_left_threads();  // of queues that their last jobs destroyed
+        gl::join_left_threads();  // threads of queues that their last jobs destroyed
     }
     void add(const std::shared_ptr<Queue>& queue) {
         const std::lock_guard lock(mutex_);
@@ -183,8 +183,8 @@ private:
 }  // namespace
 
 JobQueue::JobQueue() : shared_(std::make_shared<Shared>()) {
-    // At the process's end jobs are ended before Embree's static objects, which are destroyed earlier than
-    // those that were there when Embree was opened.
+    // At the process's end, jobs must end before Embree's static objects are destroyed. Opening Embree here
+    // makes this handler run first, because objects made later are destroyed earlier.
     embree::open_if_there();
     static auto& live = *new LiveQueues<Shared>;
     static const AtProcessEnd drain([] { live.drain(); });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Work that a context does on a thread of its own.
+// Work that a context does on a separate thread.
 #pragma once
 
 #include <array>
@@ -17,24 +17,24 @@ namespace nicol::capi {
 
 struct Session;
 
-/// The object behind a job's handle. All members may be called from any thread.
+/// The object behind a job's handle. All members are thread-safe.
 class Job {
 public:
-    /// Runs on the queue's thread; what it throws is the job's result. It calls begin() once nothing is in
-    /// its way any more, then report().
+    /// Function run on the queue's thread; its exception is the job's result. The function calls begin() once
+    /// nothing delays it any more, then report().
     using Work = std::function<void(Job&)>;
 
-    /// `ended` is called once the job is done.
+    /// Makes a job. `ended` is called once the job is done.
     Job(Work work, std::function<void()> ended) : work_(std::move(work)), ended_(std::move(ended)) {}
 
     [[nodiscard]] nicol_job_status status() const;
-    /// The result and, where it is a failure, its message for nicol_last_error(); none where the time is
-    /// over.
+    /// Returns the result and, for a failure, sets its message for nicol_last_error(). Returns nothing if the
+    /// time has passed.
     [[nodiscard]] std::optional<nicol_result> wait(std::optional<std::chrono::milliseconds> at_most) const;
-    /// Ends a waiting job now and a running one at its next report(). Does nothing once it is done.
+    /// Ends a waiting job now and a running one at its next report(). Does nothing to a finished job.
     void cancel();
 
-    /// All three throw Error(cancelled) after cancel().
+    /// Marks the job as running. begin(), report() and check() throw Error(cancelled) after cancel().
     void begin();
     void report(const char* verb, double fraction);
     void check() const;
@@ -42,7 +42,7 @@ public:
     [[nodiscard]] bool waiting() const;
 
 private:
-    // Both with the mutex held. finish() returns what is to be called without it.
+    // finish() and require_wanted() require the mutex. finish() returns a function to be called without it.
     [[nodiscard]] std::function<void()> finish(nicol_result result, const char* message);
     void require_wanted() const;
 
@@ -58,8 +58,8 @@ private:
     double fraction_ = 0;
 };
 
-/// Runs jobs in the order they came, on a thread that begins with the first. Jobs keep their queue's owner
-/// alive, so it goes when all are done, possibly on its own thread.
+/// Runs jobs in the order of their arrival, on a thread that starts with the queue. Jobs keep their queue's
+/// owner alive, so it is destroyed when all are done, possibly on its own thread.
 class JobQueue {
 public:
     JobQueue();
@@ -67,7 +67,7 @@ public:
     JobQueue(const JobQueue&) = delete;
     JobQueue& operator=(const JobQueue&) = delete;
 
-    /// Throws Error(busy) where NICOL_MAX_JOBS jobs wait.
+    /// Adds a job. Throws Error(busy) if NICOL_MAX_JOBS jobs wait.
     void add(std::shared_ptr<Job> job);
 
 private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lights of a scene beside its environment.
+// Lights of a scene in addition to its environment.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -114,7 +114,7 @@ nicol_emission emission_to(const EmissionPtr& emission) {
     return out;
 }
 
-// Both outputs or, where one of them cannot be, none.
+// Writes both outputs, or none if one of them fails.
 template <class Struct>
 void write_with_texture(const nicol_scene_impl& scene, const Struct& value, Struct* to, const char* name,
                         const TexturePtr& content, nicol_texture* texture) {

@@ -47,7 +47,7 @@ std::vector<std::complex<double>> index_of(const nicol_conductor& given) {
     return index;
 }
 
-// The texture of a descriptor's field; null where it has none.
+// Returns the texture of a descriptor's field, null if it has none.
 TexturePtr texture_of(nicol_texture given, const nicol_context_impl& context) {
     if (given == nullptr) return nullptr;
     const nicol_texture_impl texture = resolve(given);
@@ -112,7 +112,7 @@ MaterialPtr make(const nicol_principled& given, const nicol_context_impl& contex
                        .clearcoat_gloss = texture(given.clearcoat_gloss_texture)});
 }
 
-// In one direction.
+// Roughness in one direction.
 struct Roughness {
     double alpha;
     TexturePtr texture;
@@ -144,7 +144,7 @@ MaterialPtr make(const nicol_conductor& given, const nicol_context_impl& context
          .alpha_v = alike ? nullptr : v.texture});
 }
 
-// A material made of another one and a texture: combine(base, texture).
+// Makes a material of another one and a texture: combine(base, texture).
 template <class Combine>
 nicol_result create_textured(nicol_context context, nicol_material base, nicol_texture texture,
                              nicol_material* material, Combine&& combine) {
@@ -172,7 +172,7 @@ MaterialPtr measured(const char* path, const nicol_measured* options, const Sess
         [&](const std::string& text) { session.notice(text); }, budget);
 }
 
-// A caller's function as a material's.
+// A caller's function as the function of a material.
 class MuellerFunction {
 public:
     MuellerFunction(const nicol_callback_material& given, std::shared_ptr<void> owned, const Session* session)
@@ -192,7 +192,7 @@ private:
     nicol_mueller_callback function_;
     void* user_;
     std::shared_ptr<void> owned_;
-    const Session* session_;  // compared, never followed
+    const Session* session_;  // only compared, never dereferenced
 };
 
 }  // namespace

@@ -64,7 +64,7 @@ nicol_result nicol_mesh_create(nicol_context context, const nicol_mesh_data* dat
                 resolve(context).session->notice("a mesh of " + std::to_string(given.triangle_count) +
                                                  " triangles: left out: " + std::to_string(flat) +
                                                  " without area");
-        } catch (const Error& error) {  // of a file it would be the file's fault
+        } catch (const Error& error) {  // reports a wrong argument instead of a faulty file
             throw Error(ErrorCode::invalid_argument, error.what());
         }
         return std::make_shared<const Mesh>(std::move(out));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Planes of framebuffers in the caller's memory.
+// Reading of framebuffer planes into the caller's memory.
 #include <half.h>
 
 #include <array>
@@ -17,7 +17,7 @@ namespace {
 struct PlaneKind {
     const char* name;
     std::size_t components;
-    std::uint32_t aov = 0;  // the AovBit of planes that a render makes on request
+    std::uint32_t aov = 0;  // AovBit of planes that a render makes on request
     bool coloured = aov == 0;
 };
 
@@ -35,7 +35,7 @@ constexpr std::array<PlaneKind, 13> kKinds{{{"NICOL_PLANE_S0", 1},
                                             {"NICOL_PLANE_VARIANCE", 4, aov_variance, true},
                                             {"NICOL_PLANE_ALPHA", 1, aov_alpha}}};
 
-// A request, checked and with defaults resolved.
+// A checked request with resolved defaults.
 struct Request {
     nicol_plane plane;
     nicol_format format;  // never automatic
@@ -98,7 +98,7 @@ private:
     std::uint64_t stride_ = 0;
 };
 
-// The numbers of a plane, row by row.
+// Numbers of a plane, row by row.
 class Source {
 public:
     Source(Framebuffer& from, const Request& request)
@@ -108,7 +108,7 @@ public:
             parts_.push_back(part(from, request.plane, request.first_channel + c));
     }
 
-    // [column][channel][component]
+    // Reads [column][channel][component].
     void read(int y, std::span<float> row) const {
         for (std::size_t c = 0; c < parts_.size(); ++c) {
             const auto [first, step] = parts_[c];
@@ -127,7 +127,7 @@ public:
     }
 
 private:
-    // Of one channel: its first number, and how many lie between those of one pixel and the next.
+    // Numbers of one channel: the first one, and the step from pixel to pixel.
     struct Part {
         const float* first;
         std::size_t step;
@@ -148,7 +148,7 @@ private:
             case NICOL_PLANE_ALPHA:
                 return {aovs_->alpha.data(), 1};
             case NICOL_PLANE_INSTANCE:
-                return {nullptr, 1};  // no floats
+                return {nullptr, 1};  // has no floats
             case NICOL_PLANE_VARIANCE: {
                 const std::size_t floats = 4 * width_ * static_cast<std::size_t>(from.height());
                 return {aovs_->variance.data() + static_cast<std::size_t>(channel) * floats, 4};
@@ -163,8 +163,8 @@ private:
     std::size_t components_;
     std::size_t width_;
     const Aovs* aovs_ = nullptr;
-    std::vector<Plane> made_;  // whose numbers parts_ may point to, which stay in place
-    std::vector<Part> parts_;  // a channel each
+    std::vector<Plane> made_;  // owners of numbers that parts_ may point to
+    std::vector<Part> parts_;  // by channel
 };
 
 void read(Framebuffer& from, const nicol_plane_buffer& to) {

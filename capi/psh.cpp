@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Light to coefficients, and what is done with them one vector at a time.
+// Expansion of light into coefficients, and operations on single vectors of coefficients.
 #include <complex>
 #include <vector>
 
@@ -92,7 +92,7 @@ nicol_result nicol_psh_evaluate(uint32_t order, uint64_t vectors, const double* 
                 for (std::size_t p = 0; p < 4; ++p) out[4 * i + p] = values[i][static_cast<int>(p)];
             return;
         }
-        // The harmonics of a direction serve all vectors.
+        // All vectors share the harmonics of a direction.
         std::vector<double> scalar(psh_count(highest));
         std::vector<std::complex<double>> spin2(scalar.size());
         std::vector<double> sums(4 * vectors * points);

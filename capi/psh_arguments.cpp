@@ -15,7 +15,7 @@ void check_length(const double* values, std::uint64_t count, std::uint64_t vecto
         refuse("the length of " + std::string(name) + " is " + std::to_string(count) +
                "; no memory holds more than " + std::to_string(most) + " doubles");
     }
-    // Divided, since the product may not fit.
+    // Division is used, because the product may overflow.
     const bool fits = vectors == 0 || size == 0 ? count == 0 : count % size == 0 && count / size == vectors;
     if (!fits) {
         refuse("the length of " + std::string(name) + " is " + std::to_string(count) + "; it must be " +

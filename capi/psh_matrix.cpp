@@ -136,7 +136,7 @@ nicol_result nicol_psh_apply_matrix(uint32_t order_out, uint32_t order_in, const
         const auto to = write_array(out, out_count, vectors, size_out, "out");
         require_apart(from, to, "in and out");
         require_apart(values, to, "matrix and out");
-        // Row by row for all vectors, so that the matrix is read once; no copy of it.
+        // Each row is applied to all vectors, so the matrix is read once and not copied.
         for (std::size_t row = 0; row < size_out; ++row) {
             const double* m = values.data() + row * size_in;
             for (std::size_t v = 0; v < vectors; ++v) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Between samples on a grid and coefficients.
+// Transforms between samples on a grid and coefficients.
 #include <cmath>
 #include <mutex>
 #include <utility>
@@ -13,7 +13,7 @@ struct SharedTransform {
     explicit SharedTransform(PshTransform made) : transform(std::move(made)) {}
 
     PshTransform transform;
-    std::mutex mutex;  // the transform has one work space
+    std::mutex mutex;  // the transform has only one work space
 
     [[nodiscard]] std::uint64_t vector_samples() const {
         return 4 * static_cast<std::uint64_t>(transform.rows().count()) *

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Renders, at once and as jobs.
+// Renders, directly and as jobs.
 #include <functional>
 #include <memory>
 #include <string>
@@ -50,7 +50,7 @@ Method method_from(nicol_method given) {
     }
 }
 
-// An enumeration whose values are the constants 0 to `last` of the interface.
+// Returns an enumeration whose values are the constants 0 to `last` of the interface.
 template <class Enumeration>
 Enumeration value_from(std::uint32_t given, Enumeration last, const char* name, const char* constants) {
     require_constant(given, static_cast<std::uint32_t>(last), name, constants);
@@ -94,7 +94,7 @@ std::uint32_t aovs_from(std::uint32_t given) {
     return given;
 }
 
-// Where one of the orders is given, the other is its default, moved where it does not fit.
+// Reads the orders. If only one is given, the other is its default, moved if it contradicts the given one.
 void read_orders(const nicol_render_options& given, RenderOptions& options) {
     const bool low = given.order_low != NICOL_ORDER_AUTOMATIC;
     const bool high = given.order_high != NICOL_ORDER_AUTOMATIC;
@@ -108,8 +108,8 @@ void read_orders(const nicol_render_options& given, RenderOptions& options) {
     }
 }
 
-// Where orders are chosen, shadows take their part of the tolerance: 1,024 directions leave noise of about a
-// tenth of 0.03.
+// Returns the number of directions. With chosen orders, shadows get their part of the tolerance: 1,024
+// directions leave noise of about a tenth of 0.03.
 int bake_directions_from(const nicol_render_options& given, const RenderOptions& options) {
     if (given.bake_directions != NICOL_DIRECTIONS_AUTOMATIC)
         return int_from(given.bake_directions, "bake_directions");
@@ -151,7 +151,7 @@ RenderOptions options_from(const nicol_render_options& given) {
     return options;
 }
 
-// What nicol_render takes, checked as far as can be without a scene.
+// Arguments of nicol_render, checked as far as possible without a scene.
 struct RenderCall {
     Camera camera;
     RenderOptions options;
@@ -162,19 +162,19 @@ RenderCall read_render_call(const nicol_camera* camera, const nicol_render_optio
     return {camera_from(read_struct(camera, nicol_camera NICOL_CAMERA_INIT, "camera")), options_from(given)};
 }
 
-// The caller's progress callback behind the job's own.
+// Returns a function that reports to the job and to the caller's progress callback.
 std::function<bool(const char*, double)> job_progress(Job& job, const RenderOptions& options) {
     return
         [&job, callback = ProgressCallback::Function(options.progress)](const char* verb, double fraction) {
             job.report(verb, fraction);
             if (!callback) return true;
             const bool go_on = callback(verb, fraction);
-            job.report(verb, fraction);  // a cancellation may have come meanwhile
+            job.report(verb, fraction);  // throws if the job was cancelled meanwhile
             return go_on;
         };
 }
 
-// Says once of a scene file that nothing lights it, by when a light would have been given.
+// Reports once per scene file that nothing lights it, at its first render without a light.
 void notice_darkness(const Scene& scene, SceneState& state, const Session& session) {
     if (scene.environment() || scene.has_local_lights() || !state.film ||
         std::exchange(state.darkness_noticed, true))
@@ -182,7 +182,7 @@ void notice_darkness(const Scene& scene, SceneState& state, const Session& sessi
     session.notice(state.files.front().path.string() + ": no emitter lights the scene.");
 }
 
-// For a job that waits for the host's context.
+// Throws Error(cancelled) if a job that waits for the host's context was cancelled or nobody can lend it.
 void require_awaited(const Job& job, const Session& session) {
     job.check();
     if (session.handles == 0) {
@@ -201,7 +201,7 @@ nicol_result nicol_render(nicol_scene scene, const nicol_camera* camera, const n
         require_same_context(self, target);
         const RenderCall call = read_render_call(camera, options);
         const SessionLock lock(self.session);
-        self.session->gl->require_current();  // before baking for minutes
+        self.session->gl->require_current();  // checked before baking, which may take minutes
         const Edit edit(self.content);
         notice_darkness(self.content->scene, *self.content, *self.session);
         self.content->renderer.render(self.content->scene, call.camera, call.options, *target.content);

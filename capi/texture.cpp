@@ -34,7 +34,7 @@ Options read(const nicol_texture_options* options) {
             .raw = switch_from(given.raw, "options->raw")};
 }
 
-/// Numbers of type T as values of 0..1 where T is an integer.
+/// Appends numbers of type T divided by `one`, which maps integers to 0..1.
 template <class T>
 void append(const void* row, std::size_t count, float one, std::vector<float>& values) {
     for (std::size_t i = 0; i < count; ++i) {
@@ -83,7 +83,7 @@ TextureImage image_of(const nicol_texture_image& given, bool raw) {
     return image;
 }
 
-/// Three equal values for one, whose number is stored in `channels` where it is larger.
+/// Returns three values, equal if only one is given. `channels` becomes the given number if that is larger.
 glm::vec3 color_of(const nicol_spectrum* given, double fallback, const char* name, int& channels) {
     static constexpr nicol_spectrum unset = NICOL_SPECTRUM_INIT;
     const std::vector<double> values = spectrum(given != nullptr ? *given : unset, fallback, 1, name);

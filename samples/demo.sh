@@ -1,6 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# From a fresh clone to polarized images: packages, Release build, four scenes, each with two rotations of the light.
+# Steps from a fresh clone to polarized images: packages, Release build, four scenes, each with two rotations of the
+# light.
 set -eu
 cd "$(dirname "$0")/.."
 
@@ -8,7 +9,7 @@ sh samples/setup.sh
 cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release
 cmake --build build --target nicol-render
 
-# What each vertex can see does not depend on the light: the cache keeps it for all images.
+# The visibility at vertices does not depend on the light, so the cache serves all images.
 for scene in snail_hdr snail_sky snail_sun snail_textured; do
     for angle in 0 120; do
         folder=out/demo/${scene}_$angle

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# From a fresh clone to the paper's images and its table of costs. Takes the arguments of nicol-paper, the folder
-# of its data first; without one, polarsh in the folder that NICOL_TEST_DATA names.
+# Steps from a fresh clone to the paper's images and its table of costs. Takes the arguments of nicol-paper, the data
+# folder first. The default folder is polarsh in NICOL_TEST_DATA.
 set -eu
 root=$(cd "$(dirname "$0")/.." && pwd)
 
@@ -9,12 +9,12 @@ sh "$root/samples/setup.sh"
 cmake -S "$root" -B "$root/build" -G Ninja -DCMAKE_BUILD_TYPE=Release
 cmake --build "$root/build" --target nicol-paper nicol-render
 
-# Keeps what is traced and tabulated for the next time.
+# Keeps traced and tabulated results for the next run.
 NICOL_CACHE="${NICOL_CACHE:-$root/build/cache}"
 export NICOL_CACHE
 "$root/build/bin/nicol-paper" "$@"
 
-# The gold itself, without shadows or high orders, at three truncations.
+# Renders a sphere of the gold without shadows or high orders, at three truncations.
 case "${1:-}" in
 "" | -*) data="${NICOL_TEST_DATA:-.}/polarsh" ;;
 *) data=$1 ;;

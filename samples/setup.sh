@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Installs the Debian 12 packages that Nicol is built with and run on, where some are missing.
+# Installs missing Debian 12 packages that Nicol is built with and runs on.
 set -eu
 
 packages="cmake g++ ninja-build python3 python3-glad python3-numpy python3-pip python3-setuptools python3-wheel

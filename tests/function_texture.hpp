@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Textures that are functions.
+// Textures defined by functions.
 #pragma once
 
 #include <functional>
@@ -11,12 +11,12 @@
 
 namespace nicol::test {
 
-/// A texture whose value is a function of the point.
+/// A texture whose value is a function of the texture point.
 class FunctionTexture : public Texture {
 public:
     using Function = std::function<glm::vec4(const TexturePoint&)>;
-    /// mean() is its value in the middle; `range`: of the first channel; colors: those of the mesh that it
-    /// needs instead of texture coordinates.
+    /// Takes the function. mean() returns its value at uv = (0.5, 0.5). `range` is that of the first channel.
+    /// `colors` names the mesh colours that the function needs instead of texture coordinates.
     explicit FunctionTexture(Function function, int channels = 3, const glm::vec2& range = glm::vec2(0, 1),
                              std::optional<ColorsOf> colors = std::nullopt)
         : function_(std::move(function)), channels_(channels), range_(range), colors_(colors) {}

@@ -11,12 +11,12 @@ INCLUDE = re.compile(r'^\s*#\s*include\s*"([^"]+)"', re.MULTILINE)
 
 
 def room(path):
-    """The first part of a path below src/: a folder, or one of the headers beside them."""
+    """Returns the first part of a path below src/: a folder or one of the headers beside them."""
     return path.parts[0]
 
 
 def arrows(root):
-    """(file, what it includes) of everything in `root` that includes something of src/."""
+    """Yields (file, included path) for everything in `root` that includes something of src/."""
     for file in sorted(root.rglob("*")):
         if file.suffix in (".h", ".hpp", ".cpp", ".inc"):
             for name in INCLUDE.findall(file.read_text(encoding="utf-8")):

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How far images are from each other, over all pixels, channels and components.
+// Differences of images over all pixels, channels and components.
 #pragma once
 
 #include "image/stokes_image.hpp"
@@ -7,7 +7,7 @@
 
 namespace nicol::test {
 
-/// Root of the mean square.
+/// Returns the root mean square.
 inline double rms(const StokesImage& image) {
     double sum = 0;
     for (const float value : image.data) sum += std::pow(static_cast<double>(value), 2);

@@ -3,8 +3,8 @@
 #include <doctest/doctest.h>
 
 #ifdef NICOL_SANITIZED
-// LeakSanitizer of LLVM 14 and of GCC 12 crashes where it follows thread-local memory of libraries that were
-// opened at run time, as Embree is. GCC's is a library, which looks for the function in the program.
+// The LeakSanitizer of LLVM 14 and of GCC 12 crashes when it follows thread-local memory of libraries opened
+// at run time, such as Embree. GCC's sanitizer is a library, which looks up this function in the program.
 extern "C" [[gnu::visibility("default")]] const char* __asan_default_options();
 extern "C" const char* __asan_default_options() {
     return "intercept_tls_get_addr=0";

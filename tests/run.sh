@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Sets up, builds and runs every test. With NICOL_CI_SANITIZE=1 or --sanitize also under AddressSanitizer and UBSan,
-# with --threads those of several threads under ThreadSanitizer. With --all what is computed is tested by each OpenGL
+# Sets up, builds and runs every test. NICOL_CI_SANITIZE=1 or --sanitize also runs them under AddressSanitizer and
+# UBSan, and --threads runs the multi-threaded ones under ThreadSanitizer. --all tests computed images on each OpenGL
 # backend instead of one.
 set -eu
 cd "$(dirname "$0")/.."

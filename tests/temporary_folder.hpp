@@ -12,7 +12,7 @@
 #include <system_error>
 #include <vector>
 
-/// Created empty; removed with everything in it when the object is destroyed.
+/// A folder created empty and removed with its contents when the object is destroyed.
 class TemporaryFolder {
 public:
     TemporaryFolder() {
@@ -30,7 +30,7 @@ public:
 
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
     [[nodiscard]] std::filesystem::path operator/(std::string_view name) const { return path_ / name; }
-    /// The same for C functions.
+    /// Returns a path as a string, for C functions.
     [[nodiscard]] std::string file(std::string_view name) const { return (path_ / name).string(); }
 
     /// Writes a file, creates the folders in its name, and returns its path.
@@ -40,7 +40,7 @@ public:
         std::ofstream(file, std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
         return file;
     }
-    /// Names of the files and folders directly in it.
+    /// Returns the names of the files and folders directly in the folder.
     [[nodiscard]] std::set<std::string> names() const {
         std::set<std::string> found;
         for (const auto& entry : std::filesystem::directory_iterator(path_))
@@ -52,7 +52,7 @@ private:
     std::filesystem::path path_;
 };
 
-/// Content of a file; empty where it cannot be read.
+/// Returns the content of a file, or nothing if it cannot be read.
 inline std::string file_bytes(const std::filesystem::path& path) {
     std::ifstream in(path, std::ios::binary);
     return {std::istreambuf_iterator<char>(in), {}};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What every test includes: the framework, the standard headers, and checks of errors.
+// Common header of the tests: the framework, standard headers, and checks of errors.
 #pragma once
 
 #define DOCTEST_CONFIG_VOID_CAST_EXPRESSIONS  // so that results may be ignored
@@ -33,10 +33,11 @@
 
 using std::numbers::pi;
 
-/// An expression as a function without arguments, for error_of() and check_error().
+/// Turns an expression into a function without arguments, for error_of() and check_error().
 #define CALL(...) [&] { static_cast<void>(__VA_ARGS__); }
 
-/// The message of the nicol::Error that `call` must throw with this code; empty where it throws none.
+/// Returns the message of the nicol::Error with this code that `call` must throw, or an empty string if it
+/// throws none.
 template <class Call>
 std::string error_of(Call&& call, nicol::ErrorCode code = nicol::ErrorCode::invalid_argument) {
     try {
@@ -57,7 +58,7 @@ void check_error(nicol::ErrorCode code, Call&& call, const Parts&... parts) {
         CHECK_MESSAGE(message.find(part) != std::string::npos, message, " lacks ", part);
 }
 
-/// Values side by side, as doctest prints them.
+/// Returns values side by side, as doctest prints them.
 template <class... Values>
 std::string listed(const Values&... values) {
     std::string out;
@@ -69,7 +70,7 @@ struct CapturedText {
     std::string text;
     void operator()(std::ostream* out) const { *out << text; }
 };
-/// doctest's CAPTURE, of several values, and of structured bindings, which no lambda of Clang 14 can capture.
+/// doctest's CAPTURE for several values and for structured bindings, which no lambda of Clang 14 can capture.
 #define CAPTURES(...)                         \
     const auto DOCTEST_ANONYMOUS(captured_) = \
         doctest::detail::MakeContextScope(CapturedText{#__VA_ARGS__ " = " + listed(__VA_ARGS__)})
@@ -90,7 +91,7 @@ void for_all(std::initializer_list<A> as, std::initializer_list<B> bs, std::init
     });
 }
 
-/// The numbers of a range, an image, a vector of coefficients or a matrix.
+/// Returns the numbers of a range, an image, a coefficient vector or a matrix.
 template <class T>
 decltype(auto) numbers_in(const T& x) {
     if constexpr (std::ranges::range<const T>)
@@ -105,7 +106,8 @@ std::vector<T> numbers_in(const glm::mat<C, R, T>& m) {
     return {&m[0][0], &m[0][0] + C * R};
 }
 
-/// The largest absolute value, and the largest difference of two of the same size; NaN counts as infinite.
+/// Returns the largest absolute value, or the largest difference of two equally long sequences. NaN counts as
+/// infinite.
 template <class T>
 double largest(const T& x) {
     double most = 0;
@@ -127,8 +129,8 @@ double largest_difference(const A& a, const B& b) {
 /// Checks that an expression throws nicol::Error(invalid_argument).
 #define CHECK_INVALID(...) check_error(nicol::ErrorCode::invalid_argument, CALL(__VA_ARGS__))
 
-/// A file of NICOL_TEST_DATA, the folder of third parties' data. Empty, with a message, where it is not
-/// there.
+/// Returns a file of NICOL_TEST_DATA, the folder of third-party data. Prints a message and returns an empty
+/// path if the file is absent.
 inline std::filesystem::path test_data(const std::string& name) {
     const char* folder = std::getenv("NICOL_TEST_DATA");
     const std::filesystem::path file = std::filesystem::path(folder != nullptr ? folder : "") / name;

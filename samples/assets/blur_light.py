@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Makes forest_blurred.exr: forest.exr as a lens out of focus has it, finer, so that no pixel of it shows behind an object.
+"""Makes forest_blurred.exr: forest.exr as an out-of-focus lens shows it, at higher resolution, so that no pixel is visible
+behind an object.
 
 usage: blur_light.py FOREST.exr FOREST_BLURRED.exr. It needs numpy and OpenEXR for Python (pip install OpenEXR).
 """
@@ -11,7 +12,7 @@ import Imath
 import numpy as np
 import OpenEXR
 
-RADIUS = np.radians(1.5)  # of the disc that a point of light becomes; light of order 32 loses 8 %
+RADIUS = np.radians(1.5)  # radius of the disc that a point of light becomes; light of order 32 loses 8 %
 WIDTH, HEIGHT = 1280, 640
 
 
@@ -24,7 +25,8 @@ def read(path):
 
 
 def resample(image, width, height):
-    """Bilinear, in the layout of environment maps: columns are pixel-centred, the first and last rows are the poles."""
+    """Resamples bilinearly in the layout of environment maps: columns are pixel-centred, the first and last rows are the
+    poles."""
     rows = np.linspace(0, image.shape[0] - 1, height)
     above = np.minimum(rows.astype(int), image.shape[0] - 2)
     weight = (rows - above)[:, None, None]

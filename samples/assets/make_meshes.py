@@ -3,8 +3,8 @@
 """Makes the meshes of the demonstration: snail.ply and plinth.ply. usage: make_meshes.py [FOLDER]
 
 The snail is a signed distance field: a tube along a logarithmic spiral, and a body of cones with round ends. Surface nets
-give it vertices, which are then spread evenly over the surface. It faces -x, stands on y = 0 and is two units high. It needs
-numpy alone, and gives the same file each time.
+give it vertices, which are then spread evenly over the surface. The snail faces -x, stands on y = 0 and is two units high.
+The script needs only numpy, and writes the same files each time.
 """
 
 import os
@@ -12,17 +12,17 @@ import sys
 
 import numpy as np
 
-SPACING = 0.034  # of the grid that the field is sampled on
+SPACING = 0.034  # cell size of the grid on which the field is sampled
 
 
 def smooth_min(a, b, radius):
-    """The smaller of both, rounded where they are within `radius` of each other."""
+    """Returns the smaller of both, rounded if they are within `radius` of each other."""
     blend = np.maximum(radius - np.abs(a - b), 0) / radius
     return np.minimum(a, b) - blend**3 * radius / 6
 
 
 def round_cone(p, a, b, radius_a, radius_b):
-    """Distance to a cone from a to b with round ends, to first order of its slope."""
+    """Returns the distance to a cone from a to b with round ends, to first order of its slope."""
     a, b = np.asarray(a), np.asarray(b)
     along = b - a
     t = np.clip((p - a) @ along / (along @ along), 0, 1)
@@ -30,7 +30,7 @@ def round_cone(p, a, b, radius_a, radius_b):
 
 
 def chain(p, points, radius):
-    """Cones through points (x, y, z, r), joined smoothly."""
+    """Returns the distance to cones through points (x, y, z, r), joined smoothly."""
     d = np.full(p.shape[:-1], 9.0)
     for a, b in zip(points, points[1:]):
         d = smooth_min(d, round_cone(p, a[:3], b[:3], a[3], b[3]), radius)
@@ -38,7 +38,8 @@ def chain(p, points, radius):
 
 
 def shell(p):
-    """Whorls of a tube whose size and distance from the axis grow alike. The axis is z, tilted towards the viewer."""
+    """Returns the distance to whorls of a tube whose size and distance from the axis grow equally. The axis is z, tilted
+    towards the viewer."""
     end, growth, size, ratio, height = np.radians(112), np.log(2.05) / (2 * np.pi), 0.70, 0.47, 0.62
     center = np.array([0.22, 1.14, 0.0])
     tilt, yaw = np.radians(-14), np.radians(-12)
@@ -59,7 +60,7 @@ def shell(p):
     for turn in range(6):
         phi = angle - 2 * np.pi * turn
         r, a, axial = tube(phi)
-        # Growth lines, where the grid is fine enough for them.
+        # Growth lines need a sufficiently fine grid.
         a = a * (1 + 0.022 * np.clip((a - 0.07) / 0.08, 0, 1) * np.cos(34 * phi))
         d = smooth_min(d, np.hypot(rho - r, z - axial) - a, 0.07)
     return d
@@ -112,7 +113,7 @@ def gradient(field, p, step=1e-3):
 
 
 def project(field, p, times):
-    """Newton's method along the gradient."""
+    """Applies Newton's method along the gradient."""
     for _ in range(times):
         g = gradient(field, p)
         p = p - np.clip(field(p) / np.maximum((g * g).sum(-1), 0.05), -SPACING, SPACING)[:, None] * g
@@ -120,7 +121,7 @@ def project(field, p, times):
 
 
 def surface_net(field, low, high, spacing):
-    """One vertex for each cell of the grid that the surface crosses, one quadrilateral for each edge."""
+    """Makes one vertex per grid cell that the surface crosses, and one quadrilateral per crossing edge."""
     axes = [np.arange(a, b, spacing) for a, b in zip(low, high)]
     points = np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1)
     inside = field(points) < 0
@@ -151,7 +152,7 @@ def relax(field, vertices, quads, times):
     for _ in range(times):
         mean = np.stack([np.bincount(a, vertices[b, i], len(vertices)) for i in range(3)], axis=-1) / number
         vertices = project(field, vertices + 0.6 * (mean - vertices), 1)
-    # In sharp grooves the projection may fold a triangle over: there the mean of the neighbours is the better place.
+    # In sharp grooves the projection may fold a triangle over, so the mean of the neighbours is used there.
     for _ in range(6):
         triangles = triangles_of(vertices, quads)
         corner = vertices[triangles]
@@ -168,7 +169,7 @@ def relax(field, vertices, quads, times):
 
 
 def triangles_of(vertices, quads):
-    """Each quadrilateral cut along its shorter diagonal."""
+    """Cuts each quadrilateral along its shorter diagonal."""
     corner = vertices[quads]
     first = np.linalg.norm(corner[:, 0] - corner[:, 2], axis=1) <= np.linalg.norm(corner[:, 1] - corner[:, 3], axis=1)
     cuts = np.where(first[:, None, None], [[[0, 1, 2], [0, 2, 3]]], [[[0, 1, 3], [1, 2, 3]]])
@@ -176,7 +177,7 @@ def triangles_of(vertices, quads):
 
 
 def without_slivers(vertices, triangles, shortest):
-    """Joins the ends of shorter edges, and drops triangles that this leaves without area or back to back."""
+    """Joins the ends of edges below `shortest`, and drops triangles that this leaves without area or back to back."""
     edges = np.concatenate([triangles[:, [i, (i + 1) % 3]] for i in range(3)])
     short = np.linalg.norm(vertices[edges[:, 0]] - vertices[edges[:, 1]], axis=1) < shortest
     target = np.arange(len(vertices))
@@ -192,9 +193,9 @@ def without_slivers(vertices, triangles, shortest):
 
 
 def plinth(radius=2.15, rings=30, bevel=0.07, depth=0.22):
-    """A round plate whose top is y = 0: rings of evenly spaced vertices, a round edge, and a side.
+    """Makes a round plate whose top is y = 0: rings of evenly spaced vertices, a round edge, and a side.
 
-    Its texture coordinates are x and z on the top; edge and side are folded out around it."""
+    The texture coordinates are x and z on the top; edge and side are unfolded around it."""
     profile = [(radius - bevel) * i / rings for i in range(rings + 1)]
     profile = [(r, 0.0, 6 * i) for i, r in enumerate(profile)]
     around = profile[-1][2]
@@ -225,7 +226,7 @@ def plinth(radius=2.15, rings=30, bevel=0.07, depth=0.22):
 
 
 def write_ply(path, vertices, faces, texcoords=None):
-    """Binary, positions as floats; normals are left to the reader, which makes smooth ones."""
+    """Writes binary PLY with positions as floats. Readers make smooth normals."""
     head = (
         "ply\nformat binary_little_endian 1.0\ncomment made by make_meshes.py\n"
         f"element vertex {len(vertices)}\nproperty float x\nproperty float y\nproperty float z\n"

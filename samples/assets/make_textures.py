@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: MIT
 """Makes the images of the textured scenes, and textured.gltf with its buffer. usage: make_textures.py [FOLDER]
 
-Tiles that a floor is laid of, 4 x 4 in an image that repeats: their colours, roughness and normals. Bands of gold leaf on
-lacquer: colours, and roughness and metal as glTF has them (green and blue). It needs numpy alone, and gives the same files
+Floor tiles, 4 x 4 in a repeating image: colours, roughness and normals. Bands of gold leaf on lacquer: colours, and
+roughness and metallic in the channels of glTF (green and blue). The script needs only numpy, and writes the same files
 each time.
 """
 
@@ -15,15 +15,15 @@ import zlib
 
 import numpy as np
 
-SIZE = 256  # pixels a side
+SIZE = 256  # pixels per side
 
 
 def write_png(path, values):
-    """Values of 0 to 1, [y][x] or [y][x][3], as 8 bits."""
+    """Writes values of 0 to 1, [y][x] or [y][x][3], with 8 bits."""
     samples = np.rint(np.clip(values, 0, 1) * 255).astype(np.uint8)
     height, width = samples.shape[:2]
     rows = samples.reshape(height, -1).astype(int)
-    # Each row as differences from the one above, which deflate well.
+    # Each row is stored as differences from the row above, which deflate well.
     filtered = np.diff(rows, axis=0, prepend=np.zeros((1, rows.shape[1]), int)) % 256
     data = np.hstack([np.full((height, 1), 2), filtered]).astype(np.uint8).tobytes()
 
@@ -43,19 +43,19 @@ def srgb(linear):
 
 
 def step(low, high, x):
-    """0 below low, 1 above high, smooth between."""
+    """Returns 0 below low, 1 above high, and a smooth transition between."""
     t = np.clip((x - low) / (high - low), 0, 1)
     return t * t * (3 - 2 * t)
 
 
 def pixels():
-    """u and v of the middles of pixels, v downwards."""
+    """Returns u and v of pixel centres, v downwards."""
     middles = (np.arange(SIZE) + 0.5) / SIZE
     return np.meshgrid(middles, middles)
 
 
 def tiles():
-    """Distance to the joint in tiles, and three random numbers of each tile."""
+    """Returns the distance to the joint in tiles, and three random numbers per tile."""
     u, v = pixels()
     x, y = 4 * u, 4 * v
     joint = np.minimum(np.minimum(x % 1, 1 - x % 1), np.minimum(y % 1, 1 - y % 1))
@@ -64,7 +64,7 @@ def tiles():
 
 
 def tile_height(joint, random):
-    """In tiles: a round edge, a joint below it, and tops that lie a little askew and are not quite flat."""
+    """Returns the height in tiles: a round edge, a joint below it, and slightly tilted and uneven tops."""
     u, v = pixels()
     x, y = (4 * u) % 1 - 0.5, (4 * v) % 1 - 0.5
     top = 0.05 * (random[..., 0] - 0.5) * x + 0.05 * (random[..., 1] - 0.5) * y
@@ -73,7 +73,7 @@ def tile_height(joint, random):
 
 
 def normals(height, scale):
-    """As OpenGL has them: x to the right, y up, of a height in units of 1 / scale of the image."""
+    """Returns normals in OpenGL's convention (x to the right, y up) of a height in units of 1 / scale of the image."""
     dx = (np.roll(height, -1, 1) - np.roll(height, 1, 1)) * SIZE / (2 * scale)
     dy = (np.roll(height, 1, 0) - np.roll(height, -1, 0)) * SIZE / (2 * scale)
     n = np.stack([-dx, -dy, np.ones_like(height)], axis=-1)
@@ -103,7 +103,7 @@ def make_bands(folder):
 
 
 def cube():
-    """Corner positions, normals, texture coordinates (v downwards) and triangles; each side is the whole image."""
+    """Returns corner positions, normals, texture coordinates (v downwards) and triangles; each side is the whole image."""
     positions, normal, texcoords, triangles = [], [], [], []
     for axis in range(3):
         for sign in (-1, 1):
@@ -121,7 +121,7 @@ def cube():
 
 
 def sphere(rows=32, columns=64):
-    """The same of a unit sphere; the image goes around it once, its top at +y."""
+    """Returns the arrays of cube() for a unit sphere; the image goes around it once, with its top at +y."""
     angles = [(np.pi * r / rows, 2 * np.pi * c / columns) for r in range(rows + 1) for c in range(columns + 1)]
     positions = [(np.sin(t) * np.sin(p), np.cos(t), np.sin(t) * np.cos(p)) for t, p in angles]
     texcoords = [(p / (2 * np.pi), t / np.pi) for t, p in angles]

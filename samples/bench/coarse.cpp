@@ -38,7 +38,7 @@ struct Triangles {
     std::vector<std::array<std::size_t, 3>> corners;
 };
 
-// With waves, so that it shadows itself.
+// Makes a torus with waves, so that it shadows itself.
 Triangles torus(std::size_t rows, std::size_t columns) {
     const auto place = [](double u, double v) {
         const double tube = 0.42 + 0.06 * std::sin(5 * u) * std::cos(3 * v);
@@ -67,7 +67,7 @@ Triangles torus(std::size_t rows, std::size_t columns) {
     return mesh;
 }
 
-// Each triangle in four of the same plane, with normals as shading interpolates them.
+// Splits each triangle into four in the same plane, with normals as shading interpolates them.
 Triangles split(const Triangles& mesh) {
     Triangles out{mesh.positions, mesh.normals, {}};
     std::map<std::pair<std::size_t, std::size_t>, std::size_t> middles;
@@ -99,7 +99,7 @@ void write_obj(const std::filesystem::path& path, const Triangles& mesh) {
     if (!out.flush()) throw std::runtime_error(path.string() + ": cannot be written");
 }
 
-// The scene's own light is a placeholder.
+// Writes a scene whose light is a placeholder.
 void write_scene(const std::filesystem::path& path) {
     std::ofstream out(path);
     out << R"(<scene version="3.0.0"><sensor type="perspective"><float name="fov" value="40"/>)"

@@ -12,8 +12,8 @@
 
 class Comparison {
 public:
-    /// `converged` above 0: the order of a factored image against which truncation errors are measured, since
-    /// it has the same vertices.
+    /// Renders the reference. If `converged` is above 0, truncation errors are measured against a factored
+    /// image of this order, because it has the same vertices.
     Comparison(const SceneSource& source, std::uint32_t size, std::uint32_t samples, bool shadows,
                int converged = 0);
 
@@ -21,14 +21,14 @@ public:
     struct Measured {
         StokesErrors errors;
         Truth::DolpError dolp;
-        StokesErrors cut;  ///< of truncation alone; zero where there is no converged image
+        StokesErrors cut;  ///< truncation errors; zero without a converged image
         nicol_statistics statistics;
     };
-    /// The recipe's `shadows` is replaced by this comparison's.
+    /// Measures a recipe, with this comparison's `shadows`.
     [[nodiscard]] Measured measure(Recipe recipe) const;
     [[nodiscard]] StokesErrors errors(const Recipe& recipe) const { return measure(recipe).errors; }
-    /// A row named after the recipe: s0 to s3, those of the DoLP, then, if there is a converged image, the
-    /// truncation errors of s0 to s2.
+    /// Adds a row named after the recipe: errors of s0 to s3, errors of the DoLP, and truncation errors of s0
+    /// to s2 if there is a converged image.
     void add(Report& report, Recipe recipe) const;
     [[nodiscard]] std::ptrdiff_t pixels() const;
 

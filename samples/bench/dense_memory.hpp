@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Which orders of the dense method fit into memory.
+// The memory use of the dense method by order.
 #pragma once
 
 #include "stage.hpp"
 
-/// The size of the dense method's matrices grows as (order + 1)^4; measured at a low order and extrapolated.
+/// Size of the dense method's matrices, which grows as (order + 1)^4; measured at a low order and
+/// extrapolated.
 class DenseMemory {
 public:
     explicit DenseMemory(const SceneSource& source);
-    /// In gigabytes.
+    /// Returns the size in gigabytes.
     [[nodiscard]] double at(int order) const;
 
 private:

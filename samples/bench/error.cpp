@@ -11,7 +11,7 @@
 
 namespace {
 
-// Figures 20 and 21: what the orders above order_low add.
+// Adds the contribution of the orders above order_low (Figures 20 and 21).
 void add_high_orders(Report& report, const Comparison& comparison, int low) {
     for (const int order : {low, low + 1}) comparison.add(report, {.low = order});
     comparison.add(report, {.low = low, .high = High::convolution, .top = std::max(9, low)});

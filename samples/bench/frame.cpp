@@ -40,7 +40,7 @@ void compare(Report& report, const FrameTimes& dense, const FrameTimes& factored
         times("dense / factored, " + what + ", bytes of vertices", dense.transfer_mb / factored.transfer_mb));
 }
 
-// Of a recipe of several samples with the same of one.
+// Compares recipes of several samples with their equals of one sample.
 void compare_samples(Report& report, const std::vector<Recipe>& list,
                      const std::vector<FrameTimes>& medians) {
     for (std::size_t i = 1; i < list.size(); ++i) {
@@ -72,7 +72,7 @@ bool at_pixels(const Recipe& recipe) {
     return recipe.shade_at == NICOL_SHADE_AT_PIXELS;
 }
 
-// Of a recipe at pixels with the same at vertices.
+// Compares recipes at pixels with their equals at vertices.
 void compare_pixels(Report& report, const std::vector<Recipe>& list, const std::vector<FrameTimes>& medians) {
     for (std::size_t p = 0; p < list.size(); ++p) {
         if (!at_pixels(list[p])) continue;
@@ -102,7 +102,7 @@ std::vector<Recipe> recipes(const Options& options, const DenseMemory& memory) {
     std::vector<Recipe> list;
     for (const High high : {High::none, High::convolution, High::split}) {
         list.push_back({.low = low, .high = high, .top = top});
-        // Each has matrices of its own.
+        // The low and the high orders have separate matrices.
         if (memory.at(low) * (static_cast<double>(high) + 1) <= options.memory)
             list.push_back({.method = NICOL_METHOD_DENSE, .low = low, .high = high, .top = top});
     }

@@ -12,7 +12,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// A full circle takes many frames, and no two frames of a run are equal.
+// With these steps a full circle takes many frames, and no two frames of a run are equal.
 constexpr double kCameraStep = 0.37;
 constexpr double kLightStep = 1.3;
 

@@ -6,34 +6,34 @@
 
 #include "stage.hpp"
 
-/// Median milliseconds. A frame is the whole call of nicol_render.
+/// Median times in milliseconds. A frame is the whole call of nicol_render.
 struct FrameTimes {
     double camera = 0;  ///< frame after a move of the camera
-    double light = 0;   ///< frame after the light rotated; NaN in darkness
-    double still = 0;   ///< frame after no change at all
+    double light = 0;   ///< frame after a rotation of the light; NaN in darkness
+    double still = 0;   ///< frame after no change
     double camera_shade = 0, camera_draw = 0;
     double light_relight = 0, light_shade = 0, light_draw = 0;
-    double transfer_mb = 0;  ///< kept of vertices, shadows included, and of pixels that are shaded
+    double transfer_mb = 0;  ///< memory of vertices, with shadows, and of shaded pixels
 };
 
 /// Replacement of a scene's light and material.
 enum class SceneVariant {
-    original,     ///< the scene as it is
+    original,     ///< the unchanged scene
     polarized,    ///< rough plastic under a polarized sky, which needs all Stokes components
     unpolarized,  ///< diffuse surfaces of the same colour under the same sky, unpolarized
 };
 
-/// One way to render, with a scene of its own.
+/// One way to render, with a separate scene.
 class Contestant {
 public:
     Contestant(const SceneSource& source, const Recipe& recipe, std::uint32_t size,
                SceneVariant variant = SceneVariant::original);
 
-    /// Of all instances.
+    /// Replaces the material of all instances.
     void set_material(nicol_material material) { stage_.set_material(material); }
     [[nodiscard]] const Recipe& recipe() const { return recipe_; }
     [[nodiscard]] const Stage& stage() const { return stage_; }
-    /// Camera, light, nothing.
+    /// Renders three frames: after a move of the camera, after a rotation of the light, and after no change.
     void run_round();
     [[nodiscard]] FrameTimes medians() const;
 
@@ -50,9 +50,9 @@ private:
     std::vector<Frame> camera_, light_, still_;
 };
 
-/// Rounds until `seconds` a contestant have passed, at least five; one round before them is not counted.
+/// Runs rounds until `seconds` per contestant have passed, at least five, after one uncounted round.
 std::vector<FrameTimes> time_frames(std::vector<Contestant>& contestants, double seconds);
 
-/// The same triangles into the same attachments, in one colour: light of order 0. The floor is its median
-/// camera_draw.
+/// Returns options that draw the triangles into the same attachments in one colour: light of order 0. The
+/// floor is the median of camera_draw.
 Recipe floor_recipe();

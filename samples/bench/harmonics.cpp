@@ -21,9 +21,9 @@ namespace {
 
 const double not_measured = std::nan("");
 
-/// Median seconds of each contestant for one call: contestants alternate in one process. Every contestant
-/// runs once untimed; then all alternate until `seconds` have passed, for at least five rounds. A run repeats
-/// the call for about a millisecond, since clocks are coarse.
+/// Returns the median seconds per call of each contestant. Contestants alternate in one process. Every
+/// contestant runs once untimed; then all alternate until `seconds` have passed, for at least five rounds. A
+/// run repeats the call for about a millisecond, because clocks are coarse.
 std::vector<double> contest(const std::vector<std::function<void()>>& contestants, double seconds) {
     using Clock = std::chrono::steady_clock;
     const auto elapsed = [](Clock::time_point since) {
@@ -56,7 +56,7 @@ std::size_t coefficient_count(int order) {
 
 enum class Parts { linear, all };
 
-// Random coefficients, of s1 and s2 alone or of everything.
+// Returns random coefficients of s1 and s2, or of all components.
 std::vector<double> random_field(int order, Parts parts) {
     std::mt19937 random(1);
     std::uniform_real_distribution<double> value(-1, 1);
@@ -124,7 +124,7 @@ void bench_rotation(Report& report, int order, double seconds) {
     for (std::uint64_t i = 0; i < batch; ++i) many.insert(many.end(), field.begin(), field.end());
     const double c = std::cos(0.7);
     const double s = std::sin(0.7);
-    // Rz(0.7) Ry(0.7): no angle is special.
+    // The rotation is Rz(0.7) Ry(0.7), because 0.7 is no special angle.
     const double rotation[9] = {c * c, -s, c * s, s * c, c, s * s, -s, 0, c};
     const double inverse[9] = {c * c, s * c, -s, -s, c, 0, c * s, s * s, c};
     std::vector<double> out(many.size());

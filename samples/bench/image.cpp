@@ -9,7 +9,7 @@
 
 namespace {
 
-// sqrt(mean of f(value index) / mean of s0^2), for each component.
+// Returns sqrt(mean of term(value index) / mean of s0^2) for each component.
 template <class Term>
 StokesErrors relative_roots(const Truth& truth, Term term) {
     const std::size_t pixels = truth.mask.size();

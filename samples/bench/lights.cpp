@@ -23,7 +23,7 @@ namespace {
 
 const char* const kDark = R"(<emitter type="constant"><rgb name="radiance" value="0"/></emitter>)";
 
-// A snail on its plinth before `emitters`.
+// Writes a snail on its plinth, lit by `emitters`.
 void write_scene(const std::filesystem::path& path, const std::string& emitters) {
     std::ofstream out(path);
     out << R"(<scene version="3.0.0"><path value=")" << NICOL_BENCH_ASSETS << R"("/>)"
@@ -45,7 +45,7 @@ struct Light {
     std::string emitter;
 };
 
-// Each lights the snail from above, on its right.
+// Returns lights that each light the snail from above, on its right.
 std::vector<Light> lights() {
     const std::string aimed =
         R"(<transform name="to_world"><lookat origin="2.5,4,2" target="0,0.8,0" up="0,1,0.1"/></transform>)";
@@ -73,7 +73,7 @@ Recipe at_pixels() {
     return {.defaults = true, .shade_at = NICOL_SHADE_AT_PIXELS};
 }
 
-// Against the reference method: the lamps of an environment, then lights in the dark.
+// Adds errors against the reference method: the lamps of an environment, then lights in the dark.
 void add_errors(Report& report, const Options& given, const TemporaryFolder& folder) {
     const double none = std::nan("");
     const std::uint32_t size = given.size == 0 ? 192 : given.size;
@@ -115,11 +115,11 @@ void add_errors(Report& report, const Options& given, const TemporaryFolder& fol
 
 constexpr std::uint32_t kSquareSize = 256;
 constexpr double kSquareHeight = 1.5;
-constexpr double kSquareHalf = 0.5;  // of the light's side
+constexpr double kSquareHalf = 0.5;  // half side of the light
 constexpr double kSquareRadiance = 10;
 constexpr double kFloorReflectance = 0.5;
 
-// A square light above a floor. The camera is between them.
+// Writes a square light above a floor. The camera is between them.
 void write_square(const std::filesystem::path& path) {
     std::ofstream out(path);
     out << R"(<scene version="3.0.0"><sensor type="orthographic"><transform name="to_world"><scale value="2"/>)"
@@ -134,7 +134,7 @@ void write_square(const std::filesystem::path& path) {
     if (!out.flush()) throw std::runtime_error(path.string() + ": cannot be written");
 }
 
-// Irradiance by a square that faces the floor, by the angles of its edges (Lambert 1760).
+// Returns the irradiance by a square that faces the floor, from the angles of its edges (Lambert 1760).
 double irradiance(double x, double y) {
     std::array<std::array<double, 3>, 4> corner{};
     for (std::size_t i = 0; i < 4; ++i) {
@@ -148,7 +148,7 @@ double irradiance(double x, double y) {
         const auto& a = corner[i];
         const auto& b = corner[(i + 1) % 4];
         const double cosine = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-        const double up = a[0] * b[1] - a[1] * b[0];  // of their cross product
+        const double up = a[0] * b[1] - a[1] * b[0];  // z of the cross product
         sum += std::acos(cosine) / std::sqrt(1 - cosine * cosine) * up;
     }
     return kSquareRadiance * sum / 2;
@@ -160,8 +160,9 @@ std::vector<float> plane(nicol_framebuffer framebuffer, nicol_plane which, std::
     return out;
 }
 
-/// A square light by places, beside its closed form: of a matt floor under the light, without shadows, what
-/// some numbers of places err, and how long they take beside Lambert's formula for the same pixels.
+/// Compares a square light by light samples with its closed form on a diffuse floor under it, without
+/// shadows: errors of some sample counts, and their time beside that of Lambert's formula for the same
+/// pixels.
 void add_polygon(Report& report, const Options& given, const TemporaryFolder& folder) {
     const double none = std::nan("");
     Options options = given;
@@ -203,7 +204,7 @@ void add_polygon(Report& report, const Options& given, const TemporaryFolder& fo
     }
 }
 
-// Beside the same picture without the light.
+// Adds frame times relative to the same picture without the light.
 void add_times(Report& report, const Options& given, const TemporaryFolder& folder) {
     const double none = std::nan("");
     const std::uint32_t size = given.size == 0 ? 1024 : given.size;

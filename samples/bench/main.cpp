@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// nicol-bench: what Nicol takes, as ratios within one run.
+// nicol-bench: run times and errors of Nicol, as ratios within one run.
 #include <algorithm>
 #include <exception>
 #include <fstream>

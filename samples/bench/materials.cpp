@@ -18,8 +18,8 @@
 
 namespace {
 
-// Two rings of vertices a row of pixels, but no more than 40,021 vertices, 0.8 degrees apart: to order 32
-// they take 2 GB.
+// Returns two rings of vertices per row of pixels, but no more than 40,021 vertices, 0.8 degrees apart, which
+// take 2 GB at order 32.
 int rings(std::uint32_t size) {
     return static_cast<int>(std::min(2 * size, 115U));
 }
@@ -27,7 +27,7 @@ int rings(std::uint32_t size) {
 struct Named {
     const char* name;
     std::string bsdf;
-    std::uint32_t sample_share = 1;  // what the samples are divided by
+    std::uint32_t sample_share = 1;  // divisor of the number of samples
 };
 
 std::string plastic(const char* alpha) {
@@ -36,7 +36,7 @@ std::string plastic(const char* alpha) {
            alpha + R"("/></bsdf>)";
 }
 
-// The matrix that polarsh computed from the KAIST measurements.
+// Returns the path of the matrix that polarsh computed from the KAIST measurements.
 std::optional<std::filesystem::path> measured_gold() {
     const char* data = std::getenv("NICOL_TEST_DATA");
     const auto path =
@@ -53,7 +53,7 @@ std::vector<Named> materials(Report& report) {
     list.push_back({"rough gold 0.2", R"(<bsdf type="roughconductor"><string name="material" value="Au"/>)"
                                       R"(<float name="alpha" value="0.2"/></bsdf>)"});
     if (const auto gold = measured_gold()) {
-        // A look-up in its matrix costs as much as a hundred of another material.
+        // A lookup in the measured matrix costs as much as a hundred of another material.
         list.push_back(
             {"measured gold",
              R"(<bsdf type="psh"><string name="filename" value=")" + gold->string() + R"("/></bsdf>)", 4});
@@ -65,8 +65,8 @@ std::vector<Named> materials(Report& report) {
 }
 
 /// Writes the half of the unit sphere that faces an orthographic camera, z >= 0, as OBJ: a vertex at the top
-/// and `rings` circles of 6, 12, 18 ... vertices around it, with the sphere's own normals; all triangles are
-/// of about the same size.
+/// and `rings` circles of 6, 12, 18 ... vertices around it, with the sphere's normals; all triangles have
+/// about the same size.
 void write_sphere_cap(const std::filesystem::path& path, int rings) {
     std::ofstream out(path);
     out.precision(9);
@@ -79,7 +79,7 @@ void write_sphere_cap(const std::filesystem::path& path, int rings) {
                 << std::cos(theta) << '\n';
         }
     }
-    // Numbers of vertices count from 1; ring r begins after the rings inside it.
+    // Vertices are numbered from 1; ring r begins after the rings inside it.
     const auto at = [](int ring, int i) {
         return ring == 0 ? 1 : 2 + 3 * ring * (ring - 1) + i % (6 * ring);
     };
@@ -98,7 +98,7 @@ void write_sphere_cap(const std::filesystem::path& path, int rings) {
     if (!out.flush()) throw std::runtime_error(path.string() + ": cannot be written");
 }
 
-// The scene's own light is a placeholder; --light or the forest replaces it.
+// Writes a scene whose light is a placeholder, which --light or the forest replaces.
 void write_scene(const std::filesystem::path& path, const std::string& bsdf) {
     std::ofstream out(path);
     out << R"(<scene version="3.0.0"><sensor type="orthographic"><transform name="to_world"><scale value="1.03"/>)"
@@ -125,7 +125,7 @@ Report bench_materials(const Options& given) {
     const std::uint32_t samples = given.samples == 0 ? 2048 : given.samples;
     const int low = given.first_order < 0 ? 4 : given.first_order;
     const int last = given.last_order < 0 ? 64 : given.last_order;
-    const int middle = std::clamp(9, low, last);  // the paper's
+    const int middle = std::clamp(9, low, last);  // top order in the paper
     const TemporaryFolder folder;
     write_sphere_cap(folder.path() / "sphere.obj", rings(size));
     Options options = given;
@@ -134,7 +134,7 @@ Report bench_materials(const Options& given) {
 
     Report report({"relative RMSE", "s0", "s1", "s2"});
     for (const auto& [material, bsdf, share] : materials(report)) {
-        const auto& name = material;  // which a lambda can capture
+        const auto& name = material;  // lambdas cannot capture structured bindings
         write_scene(options.scene, bsdf);
         const SceneSource source(options);
         const Comparison comparison(source, size, std::max(samples / share, 2U), false);

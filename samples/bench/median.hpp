@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-/// NaN of nothing.
+/// Returns the median, NaN without values.
 inline double median(std::vector<double> values) {
     if (values.empty()) return std::nan("");
     const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);

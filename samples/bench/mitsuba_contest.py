@@ -65,9 +65,9 @@ def lamp(origin):
 
 METAL = """<bsdf type="roughconductor"><string name="distribution" value="ggx"/><float name="alpha" value="0.25"/>
     <float name="eta" value="1.3"/><float name="k" value="3.2"/></bsdf>"""
-# The light from all around, of which both render the luminance: Mitsuba's mode has one channel.
+# Environment images. Mitsuba and Nicol render their luminance, because Mitsuba's mode has one channel.
 ENVIRONMENTS = (ASSETS / "forest.exr", DATA / "mitsuba" / "venice.exr")
-# name: (camera, contents, RenderOptions that suit the scene best where the default ones do not)
+# Scenes by name: (camera, contents, RenderOptions that suit the scene better than the defaults).
 SCENES = {
     "snail in a forest": (
         'origin="-1.9,1.9,4.7" target="-0.05,0.95,0"',
@@ -94,7 +94,7 @@ SCENES = {
 
 
 def timed(work, repetitions=1):
-    """(result, array of seconds and CPU seconds): the least of so many times."""
+    """Returns (result, array of seconds and CPU seconds), the minimum of `repetitions` runs."""
     times = []
     for _ in range(repetitions):
         begin, cpu = time.perf_counter(), time.process_time()
@@ -104,7 +104,7 @@ def timed(work, repetitions=1):
 
 
 def rotation(degrees):
-    """About the vertical."""
+    """Returns a rotation about the vertical."""
     c, s = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
     return numpy.array([[c, 0, s, 0], [0, 1, 0, 0], [-s, 0, c, 0], [0, 0, 0, 1]])
 
@@ -145,7 +145,7 @@ class Show:
             self.render()
 
     def inner(self):
-        """Where a pixel and its eight neighbours show the same object."""
+        """Returns the pixels that show the same object as their eight neighbours."""
         self.render(nicol.AOV_INSTANCE)
         ids = self.framebuffer.plane(nicol.PLANE_INSTANCE)
         inner = ids != nicol.NO_INSTANCE
@@ -157,7 +157,7 @@ class Show:
 
 
 def first_image(scene_file, options):
-    """From nothing to the first image in memory, without a cache folder."""
+    """Makes the first image in memory from nothing, without a cache folder."""
     with nicol.Context.create() as context:
         show = Show(context, scene_file, options)
         show.render()
@@ -165,7 +165,7 @@ def first_image(scene_file, options):
 
 
 def cold_times(scene_file, options):
-    """timed() of first_image() in a process of its own."""
+    """Returns timed() of first_image() in a separate process."""
     environment = {name: value for name, value in os.environ.items() if name != "NICOL_CACHE"}
     command = [sys.executable, __file__, "--cold", str(scene_file), json.dumps(options)]
     runs = [subprocess.check_output(command, env=environment) for _ in range(3)]
@@ -196,7 +196,7 @@ def contest(name, scene_file, options, arguments):
     said = ", ".join(f"{name} {value}" for name, value in options.items()) or "default options"
     print(f"  Nicol, {said}: errors {words(error)}; a frame {1e3 * warm[0]:.1f} ms (CPU {1e3 * warm[1]:.1f} ms), the first image {cold[0]:.2f} s (CPU {cold[1]:.2f} s)")
     print(f"  Mitsuba, {n} samples a pixel: errors {words(noise)}; {times[0]:.2f} s (CPU {times[1]:.2f} s)")
-    # The variance of independent samples falls with their number.
+    # The variance of independent samples is inversely proportional to their number.
     needed = {"s0, s1, s2 together": n * noise.sum() / error.sum(), **{f"s{i} alone": n * noise[i] / error[i] for i in range(3)}}
     for components, samples in needed.items():
         equal = samples / n * times

@@ -14,7 +14,7 @@ import peer_mitsuba as peer
 
 
 def timed(work):
-    """(result, seconds) of the second time, when nothing is left to be prepared."""
+    """Returns (result, seconds) of the second run, when everything is prepared."""
     work()
     begin = time.perf_counter()
     return work(), time.perf_counter() - begin
@@ -28,7 +28,7 @@ def mitsuba_images(scene_file, samples):
 
 
 def nicol_image(context, scene_file, **options):
-    """(image, seconds); each frame by a camera that has moved a little, so that there is something to draw."""
+    """Returns (image, seconds). The camera moves slightly before each frame, so that there is something to draw."""
     with nicol.Scene.load(context, str(scene_file)) as scene:
         camera = scene.get_camera()
         with nicol.Framebuffer.create(context, *scene.get_film_size(), scene.get_channels()) as framebuffer:

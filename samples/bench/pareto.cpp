@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::uint32_t kErrorSize = 256;
 
-// Points of one curve: a method and what it does above order_low.
+// Points of one curve: a method and its treatment of orders above order_low.
 struct Family {
     nicol_method method;
     High high;
@@ -43,7 +43,7 @@ std::vector<Entry> entries(const Options& options, const DenseMemory& memory) {
     const int last = options.last_order < 0 ? 12 : options.last_order;
     double used = 0;
     std::vector<Entry> list;
-    // Low orders first: those of the dense method that fit together.
+    // The list begins with low orders of the dense method that fit together.
     for (int order = first; order <= last; ++order) {
         for (std::size_t f = 0; f < std::size(kFamilies); ++f) {
             const Family& family = kFamilies[f];
@@ -71,7 +71,7 @@ bool no_worse(const StokesErrors& a, const StokesErrors& b) {
     return a[0] <= b[0] && a[1] <= b[1] && a[2] <= b[2];
 }
 
-// For each order of the dense method the cheapest factored entry that errs no more in any component.
+// Finds for each order of the dense method the cheapest factored entry with no larger error in any component.
 void compare_at_equal_error(Report& report, const std::vector<Entry>& list) {
     for (const Entry& dense : list) {
         if (dense.recipe.method != NICOL_METHOD_DENSE || std::isnan(dense.times.light)) continue;

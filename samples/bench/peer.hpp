@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The same transforms by another library.
+// Interface to harmonic transforms by another library.
 #pragma once
 
 #include <functional>

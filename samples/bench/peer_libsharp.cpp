@@ -10,7 +10,7 @@
 
 namespace {
 
-// On one thread, as ours.
+// libsharp on one thread, as in Nicol's measurement.
 class Libsharp final : public PeerTransform {
 public:
     explicit Libsharp(int order) {

@@ -40,11 +40,11 @@ bool drawable(const Point& point) {
     return point.x > 0 && point.y > 0 && std::isfinite(point.x) && std::isfinite(point.y);
 }
 
-// From value to place, on a logarithmic scale.
+// Map from value to position on a logarithmic scale.
 struct Axis {
     double least = std::numeric_limits<double>::infinity();
     double most = 0;
-    double from = 0;  // place of the least
+    double from = 0;  // position of the smallest value
     double to = 0;
 
     void include(double value) {
@@ -59,7 +59,7 @@ struct Axis {
     [[nodiscard]] double at(double value) const {
         return from + (to - from) * std::log(value / least) / std::log(most / least);
     }
-    // 1, 2 and 5 times powers of ten.
+    // Returns 1, 2 and 5 times powers of ten.
     [[nodiscard]] std::vector<double> ticks() const {
         std::vector<double> list;
         for (double decade = std::pow(10.0, std::floor(std::log10(least))); decade <= most; decade *= 10) {

@@ -14,9 +14,9 @@ struct Point {
 
 struct Series {
     std::string name;
-    std::string colour;  ///< as in CSS
+    std::string colour;  ///< CSS colour
     bool dashed = false;
-    std::vector<Point> points;  ///< those not above 0 are left out
+    std::vector<Point> points;  ///< points with x or y <= 0 are left out
 };
 
 struct Panel {
@@ -26,5 +26,5 @@ struct Panel {
     std::vector<Series> series;
 };
 
-/// Panels side by side, `columns` a row; the legend is that of the first.
+/// Writes panels side by side, `columns` per row; the legend is that of the first panel.
 void write_svg(std::ostream& out, const std::vector<Panel>& panels, int columns);

@@ -28,7 +28,7 @@ nicol_render_options Recipe::options() const {
         wanted.order_low = static_cast<std::uint32_t>(low);
         wanted.order_high = static_cast<std::uint32_t>(high == High::none ? low : top);
     }
-    wanted.physical = 0;  // as computed, so that nothing is covered up
+    wanted.physical = 0;  // unchanged values, so that no error is hidden
     wanted.refine_tolerance = 0;
     wanted.high_orders = high == High::none          ? NICOL_HIGH_ORDERS_NONE
                          : high == High::convolution ? NICOL_HIGH_ORDERS_CONVOLUTION

@@ -10,22 +10,22 @@
 enum class High { none, convolution, split };
 
 struct Recipe {
-    bool defaults = false;  ///< the library's, but for shadows and where it shades
+    bool defaults = false;  ///< the library's defaults, except for shadows and the place of shading
     nicol_method method = NICOL_METHOD_FACTORED;
     int low = 4;
     High high = High::none;
-    int top = 9;  ///< highest order; without effect where high is none
+    int top = 9;  ///< highest order; no effect without high orders
     bool shadows = true;
-    std::uint32_t directions = 2048;  ///< of the bake
+    std::uint32_t directions = 2048;  ///< number of the bake's directions
     double tolerance = 0;             ///< above 0: chooses the orders
     nicol_shade_at shade_at = NICOL_SHADE_AT_VERTICES;
-    std::uint32_t samples = 1;  ///< of a pixel
-    int split = 0;  ///< lamps of the light that become local lights, at most; without effect by default
+    std::uint32_t samples = 1;  ///< number per pixel
+    int split = 0;              ///< most lamps that become local lights; no effect with `defaults`
 
-    /// As in "dense 4 + convolution to 9, at pixels, no shadows".
+    /// Returns a name like "dense 4 + convolution to 9, at pixels, no shadows".
     [[nodiscard]] std::string name() const;
     [[nodiscard]] nicol_render_options options() const;
 };
 
-/// Of the reference method.
+/// Returns options of the reference method.
 nicol_render_options reference_options(std::uint32_t samples, std::uint64_t seed, bool shadows);

@@ -12,7 +12,7 @@ public:
     explicit Report(std::vector<std::string> columns) : columns_(std::move(columns)) {}
 
     void add(std::string what, std::vector<double> values);
-    /// A line under the table.
+    /// Adds a line under the table.
     void note(std::string text) { notes_.push_back(std::move(text)); }
 
     void print(std::ostream& out) const;

@@ -11,7 +11,7 @@
 namespace {
 
 struct Cost {
-    double size;  // what it is plotted against
+    double size;  // x value of the plot
     double bake, relight, shade, draw, bytes;
 };
 
@@ -51,7 +51,7 @@ public:
         check(nicol_camera_look_at(&camera_, origin, target, up));
     }
 
-    // Medians of frames after rotations of the light.
+    // Returns medians of frames after rotations of the light.
     Cost measure(const Recipe& recipe, nicol_framebuffer framebuffer, int frames) {
         Cost cost{};
         std::vector<double> relight, shade, draw;
@@ -91,7 +91,7 @@ private:
     double angle_ = 0;
 };
 
-// Least squares of log y over log x.
+// Fits log y over log x by least squares and returns the slope.
 double slope(const std::vector<Cost>& costs, double Cost::*y) {
     double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
     for (const Cost& cost : costs) {
@@ -130,7 +130,7 @@ Report bench_scale(const Options& options) {
     if (options.large) counts.push_back(2000000);
     std::vector<Cost> costs;
     for (const std::uint32_t count : counts) {
-        // 256 directions: the bake is not what is compared here.
+        // The bake is not compared here, so 256 directions are enough.
         const Recipe recipe{.directions = 256};
         costs.push_back(Ball(context.get(), count).measure(recipe, framebuffer.get(), frames));
         add(report, std::to_string(static_cast<long>(costs.back().size)) + " vertices, order 4",

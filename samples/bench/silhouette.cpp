@@ -7,11 +7,11 @@
 
 namespace {
 
-constexpr int kSide = 8;  // of the grid of jitter in a pixel
+constexpr int kSide = 8;  // grid of jitter offsets per pixel
 
-// The mean of jittered images, and which pixels these disagree about.
+// The mean of jittered images, and the pixels in which they show different instances.
 struct Outlines {
-    std::vector<double> mean;  // as Image::stokes
+    std::vector<double> mean;  // layout of Image::stokes
     Mask edges;
 };
 

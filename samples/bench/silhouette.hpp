@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How jagged outlines are.
+// Errors at the outlines of instances.
 #pragma once
 
 #include <cstdint>
@@ -8,8 +8,8 @@
 
 #include "stage.hpp"
 
-/// The root mean square error of each recipe, in s0 over the pixels at outlines of instances, of an image of
-/// size x size. The truth is the mean of 64 images of the first recipe, whose camera is jittered; outlines
-/// are where these show different instances.
+/// Returns the root mean square error of each recipe, in s0 over the pixels at outlines of instances, of an
+/// image of size x size. The truth is the mean of 64 images of the first recipe with a jittered camera;
+/// outlines are the pixels in which these show different instances.
 std::vector<double> silhouette_errors(const SceneSource& source, std::span<const Recipe> recipes,
                                       std::uint32_t size);

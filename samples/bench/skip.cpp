@@ -67,7 +67,8 @@ const Case kCases[] = {
      .light_order = 4},
 };
 
-// Light whose power falls with the order, like natural light. Of order 2 and above it may be polarized.
+// Returns light whose power falls with the order like that of natural light. Orders 2 and above may be
+// polarized.
 Environment make_light(nicol_context context, const Case& use) {
     const std::size_t count = std::size_t{use.light_order + 1} * (use.light_order + 1);
     std::vector<double> coefficients(kChannels * count * 4);
@@ -137,7 +138,7 @@ public:
         check(nicol_framebuffer_get_statistics(framebuffer_.get(), &statistics));
         transfers_.push_back(statistics.relight_ms + statistics.shade_ms);
     }
-    // Of all frames but the first, which also bakes.
+    // Returns the median of all frames except the first, which also bakes.
     [[nodiscard]] double frame() const { return median({frames_.begin() + 1, frames_.end()}); }
     [[nodiscard]] double transfer() const { return median({transfers_.begin() + 1, transfers_.end()}); }
     [[nodiscard]] std::vector<float> image() const {
@@ -175,7 +176,7 @@ private:
     double light_angle_ = 0;
     double camera_angle_ = 0;
     std::vector<double> frames_;     // milliseconds
-    std::vector<double> transfers_;  // of which relight and shade
+    std::vector<double> transfers_;  // relight and shade in milliseconds
 };
 
 double largest_difference(const std::vector<float>& a, const std::vector<float>& b) {

@@ -6,7 +6,7 @@
 #include <vector>
 
 Mesh make_sphere(nicol_context context, std::uint32_t vertices, double amplitude) {
-    // Rows between the poles, of twice as many columns; a pole is one vertex.
+    // Rows between the poles have twice as many columns; a pole is one vertex.
     const auto rows = static_cast<std::uint32_t>(std::lround(std::sqrt(vertices / 2.0)));
     const std::uint32_t columns = 2 * rows;
     std::vector<float> positions;

@@ -4,5 +4,5 @@
 
 #include "common/handles.hpp"
 
-/// About `vertices` of them, on a sphere of radius 1 with waves of the given amplitude; 0: convex.
+/// Returns a sphere of radius 1 with about `vertices` vertices and waves of the given amplitude; 0: convex.
 Mesh make_sphere(nicol_context context, std::uint32_t vertices, double amplitude);

@@ -8,7 +8,7 @@
 
 namespace {
 
-// Rotates a row-major placement about the world's y.
+// Rotates a row-major matrix about the world's y axis.
 void rotate_about_vertical(double degrees, double (&matrix)[16]) {
     const double angle = degrees * std::numbers::pi / 180;
     const double c = std::cos(angle);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A scene rendered from its own camera, which can orbit, as can the light.
+// A scene rendered from its camera, with rotations of the camera and of the light.
 #pragma once
 
 #include <optional>
@@ -16,12 +16,12 @@ public:
     explicit SceneSource(const Options& options);
 
     [[nodiscard]] nicol_context context() const { return context_.get(); }
-    /// NULL: scenes keep their own light.
+    /// Returns the replaced light, or NULL if scenes keep their light.
     [[nodiscard]] nicol_environment light() const { return light_.get(); }
     [[nodiscard]] Scene load() const;
-    /// Of all instances of what is loaded from here on.
+    /// Sets the material of all instances in scenes loaded from now on.
     void set_material(Material material) { material_ = std::move(material); }
-    /// "llvmpipe ..., 2 threads" for the notes of a report.
+    /// Returns a text for the notes of a report, such as "llvmpipe ..., 2 threads".
     [[nodiscard]] std::string machine() const;
 
 private:
@@ -35,23 +35,23 @@ private:
 
 Context make_context(nicol_backend backend, const std::string& cache_folder);
 
-/// A scene of its own: stages share nothing that a render changes.
+/// A separate scene: stages share nothing that rendering changes.
 class Stage {
 public:
     explicit Stage(const SceneSource& source);
 
     [[nodiscard]] nicol_context context() const { return context_; }
     [[nodiscard]] nicol_scene scene() const { return scene_.get(); }
-    /// Replaces the light; keeps its rotation.
+    /// Replaces the light and keeps its rotation.
     void set_light(Environment light);
-    /// Of all instances.
+    /// Sets the material of all instances.
     void set_material(nicol_material material);
     [[nodiscard]] Framebuffer framebuffer(std::uint32_t width, std::uint32_t height) const;
     /// Rotates the camera about the world's vertical axis by `degrees` more.
     void orbit(double degrees);
-    /// Of the camera, in pixels.
+    /// Jitters the camera by an offset in pixels.
     void jitter(double right, double down);
-    /// False in darkness.
+    /// Returns false in darkness.
     [[nodiscard]] bool has_light() const { return light_ != nullptr; }
     /// Rotates the light about the world's vertical axis by `degrees` more.
     void rotate_light(double degrees);

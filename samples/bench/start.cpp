@@ -20,7 +20,7 @@
 
 namespace {
 
-// "ok" and the numbers, or "no" and the message.
+// Returns "ok" and the numbers, or "no" and the message.
 std::string answer(const std::function<std::vector<double>()>& measure) {
     try {
         std::string text = "ok";
@@ -74,7 +74,7 @@ std::vector<double> in_child(const std::function<std::vector<double>()>& measure
     return numbers;
 }
 
-// Milliseconds of each step; the numbers of a row of the report.
+// Returns the milliseconds of each step, which form a row of the report.
 std::vector<double> first_image(const Options& options, std::uint32_t size) {
     using Clock = std::chrono::steady_clock;
     auto step = [last = Clock::now()]() mutable {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A folder that goes away with its owner.
+// A folder that is removed with its owner.
 #pragma once
 
 #include <cstdlib>

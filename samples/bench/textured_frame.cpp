@@ -25,7 +25,7 @@ void write_scene(const std::filesystem::path& path) {
     if (!out.flush()) throw std::runtime_error(path.string() + ": cannot be written");
 }
 
-// value(u, v, channel) is 0 to 1.
+// Returns a texture of value(u, v, channel), 0 to 1.
 template <class Value>
 nicol::Texture image(nicol_context context, std::uint32_t channels, nicol_texture_options options,
                      const Value& value) {
@@ -47,7 +47,7 @@ nicol::Texture image(nicol_context context, std::uint32_t channels, nicol_textur
     return nicol::Texture(handle);
 }
 
-// The same plastic with images of albedo, roughness and normals.
+// Returns the plastic with images of albedo, roughness and normals.
 Material textured(nicol_context context, nicol_texture_filter filter) {
     constexpr double turn = 2 * std::numbers::pi;
     nicol_texture_options options = NICOL_TEXTURE_OPTIONS_INIT;

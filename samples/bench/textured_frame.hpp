@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// What textures cost.
+// The cost of textures.
 #pragma once
 
 #include "options.hpp"
 #include "recipe.hpp"
 
-/// How much longer a frame takes, after a move of the camera, of a sphere on a floor whose plastic has images
-/// of albedo, roughness and normals, of 1024 x 1024 texels of 8 bits, than of the same in plastic without.
+/// Time of a frame with textures divided by that without, after a move of the camera: a sphere on a floor,
+/// whose plastic has images of albedo, roughness and normals, 1024 x 1024 texels of 8 bits.
 struct TextureCost {
     double bilinear, mipmap;
 };

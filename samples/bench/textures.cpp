@@ -16,7 +16,7 @@ namespace {
 struct Parts {
     const char* name;
     bool albedo, alpha;
-    double tilt;  // of normals, at most, degrees
+    double tilt;  // largest tilt of normals, in degrees
 };
 
 constexpr Parts kRows[] = {{"no texture", false, false, 0}, {"albedo", true, false, 0},
@@ -28,12 +28,12 @@ struct View {
     bool floor;
 };
 
-// A wave of `count` crests across an image, -1 to 1.
+// Returns a wave of `count` crests across an image, -1 to 1.
 double wave(double at, int count, double phase) {
     return std::sin(2 * std::numbers::pi * (count * at + phase));
 }
 
-// A texture of value(u, v), so smooth that how it is filtered does not matter.
+// Returns a texture of value(u, v), so smooth that the filter does not matter.
 template <std::size_t Channels, class Value>
 nicol::Texture texture(nicol_context context, const Value& value) {
     constexpr std::uint32_t width = 512, height = 256;
@@ -68,7 +68,7 @@ nicol::Texture alpha(nicol_context context) {
         context, [](double u, double v) { return std::array{0.3 + 0.2 * wave(u, 4, 0.2) * wave(v, 3, 0)}; });
 }
 
-// Tilted by up to so many degrees, where both slopes are largest.
+// Returns normals tilted by up to `tilt` degrees, reached where both slopes are largest.
 nicol::Texture normals(nicol_context context, double tilt) {
     const double most = std::tan(tilt * std::numbers::pi / 180) / std::numbers::sqrt2;
     return texture<3>(context, [most](double u, double v) {
@@ -103,7 +103,7 @@ Material plastic(nicol_context context, const Parts& parts) {
     return Material(handle);
 }
 
-// Of so many squares that what the sphere hides changes little from one to the next.
+// Writes a floor of so many squares that the part hidden by the sphere changes little between squares.
 void write_floor(const std::filesystem::path& path) {
     constexpr int squares = 96;
     constexpr double half = 3;
@@ -130,7 +130,7 @@ void write_floor(const std::filesystem::path& path) {
     if (!out.flush()) throw std::runtime_error(path.string() + ": cannot be written");
 }
 
-// The scene's own light and materials are placeholders.
+// Writes a scene whose light and materials are placeholders.
 void write_scene(const std::filesystem::path& path, bool floor) {
     std::ofstream out(path);
     out << R"(<scene version="3.0.0"><sensor type="perspective"><float name="fov" value=")"

@@ -9,7 +9,7 @@
 
 namespace {
 
-// Order of the light that truncation errors are measured against.
+// Order of the light against which truncation errors are measured.
 constexpr int kConverged = 24;
 
 double largest(const StokesErrors& errors) {

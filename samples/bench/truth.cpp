@@ -5,7 +5,8 @@
 
 namespace {
 
-// Under constant light of radiance 1 the background is 1 to the last bit, and nothing reflects exactly that.
+// Returns pixels that objects cover completely. Under constant light of radiance 1 the background is exactly
+// 1, and no reflection is.
 Mask wholly_covered(const SceneSource& source, std::uint32_t size) {
     const Stage stage(source);
     nicol_spectrum one = NICOL_SPECTRUM_INIT;

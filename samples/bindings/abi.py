@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""The binary interface that the C headers promise, as text; and whether another one keeps an older one's promises.
+"""Prints the binary interface that the C headers define, or checks that it is compatible with an older one.
 
 usage: abi.py              prints the interface; capi/nicol.abi holds that of the last release
-       abi.py BASELINE     ends with 1, and says why, where programs built against the baseline would break
+       abi.py BASELINE     ends with 1, and says why, if programs built against the baseline would break
 """
 
 import os
@@ -14,7 +14,7 @@ from dataclasses import replace
 import reader
 
 FOLDER = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-# These say how much there is; more of it breaks nobody.
+# Constants that state a number or a set; growth of these is compatible.
 GROWING = re.compile(r"NICOL_VERSION.*|NICOL_\w+_ALL")
 
 
@@ -23,7 +23,7 @@ def signature(function):
 
 
 def interface(model):
-    """Lines `kind name value`, by name; fields are `field struct.name offset size type`."""
+    """Yields lines `kind name value`, by name; fields are `field struct.name offset size type`."""
     for name, value in model.constants.items():
         yield f"constant {name} {value}"
     for name, scalar in model.aliases.items():
@@ -43,7 +43,7 @@ def interface(model):
 
 
 def parse(lines):
-    """{(kind, name): value}"""
+    """Returns {(kind, name): value}."""
     found = {}
     for line in lines:
         kind, name, value = line.strip().split(" ", 2)
@@ -52,12 +52,12 @@ def parse(lines):
 
 
 def embedded(interface_):
-    """Structs that are part of others, whose size must stay."""
+    """Returns structs that are part of others, whose size must stay."""
     return {value.split(" ")[2].split("[")[0] for (kind, _), value in interface_.items() if kind == "field"}
 
 
 def breaks(old, new):
-    """What programs built against the old interface could not stand in the new one."""
+    """Yields the changes that would break programs built against the old interface."""
     places = {}
     for (kind, name), value in new.items():
         if kind == "field":

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What the C headers declare: constants, types with their layout, and functions."""
+"""Model of the C headers: constants, types with their layout, and functions."""
 
 from dataclasses import dataclass, field
 
@@ -14,8 +14,8 @@ class HeaderError(Exception):
 class Type:
     base: str  # a scalar, void, or the name of a handle, alias, struct or callback
     pointers: int = 0
-    const: bool = False  # of what the first pointer points to
-    count: int = 0  # of a fixed array; 0: none
+    const: bool = False  # constness of the first pointer's target
+    count: int = 0  # size of a fixed array; 0: none
 
     def c(self, name):
         text = ("const " if self.const else "") + self.base + ("* const" * (self.pointers - 1)) + "*" * (self.pointers > 0)
@@ -42,7 +42,7 @@ class Struct:
     name: str
     fields: list
     doc: str = ""
-    defaults: dict = field(default_factory=dict)  # name of a field that is not zero: number or list of numbers
+    defaults: dict = field(default_factory=dict)  # field name (nonzero fields only): number or list of numbers
 
 
 @dataclass
@@ -53,16 +53,16 @@ class Header:
     callbacks: dict = field(default_factory=dict)  # name: Function
     structs: dict = field(default_factory=dict)  # name: Struct
     functions: dict = field(default_factory=dict)  # name: Function
-    initializers: dict = field(default_factory=dict)  # of macros like NICOL_<TYPE>_INIT: text in braces
-    order: list = field(default_factory=list)  # names of all types, as declared
+    initializers: dict = field(default_factory=dict)  # macro name NICOL_<TYPE>_INIT: text in braces
+    order: list = field(default_factory=list)  # names of all types in order of declaration
 
     def scalar(self, type_):
-        """The scalar behind a type that is no pointer, or None."""
+        """Returns the scalar behind a type that is not a pointer, or None."""
         base = self.aliases.get(type_.base, type_.base)
         return base if type_.pointers == 0 and base in SCALARS else None
 
     def size(self, type_):
-        """(size, alignment) on every 64-bit system."""
+        """Returns (size, alignment) on every 64-bit system."""
         one = type_.base
         if type_.pointers or one in self.handles or one in self.callbacks:
             size = alignment = POINTER_SIZE
@@ -73,7 +73,7 @@ class Header:
         return size * max(type_.count, 1), alignment
 
     def layout(self, name):
-        """(offsets of the fields, size, alignment) of a struct."""
+        """Returns (offsets of the fields, size, alignment) of a struct."""
         offsets, at, widest = [], 0, 1
         for variable in self.structs[name].fields:
             size, alignment = self.size(variable.type)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""How a Python function calls its C function: a line or two for each role that a parameter can have."""
+"""Conversion of a call from Python to C: a line or two for each role that a parameter can have."""
 
 import keyword
 
@@ -20,7 +20,7 @@ def variable_name(name):
 
 
 class Call:
-    """What the Python function takes, does before the call, passes to C and returns, as Python's text."""
+    """Python text of a function: its parameters, the lines before the call, the arguments for C, and the results."""
 
     def __init__(self, header, function, owner):
         self.header, self.function, self.owner = header, function, owner
@@ -37,7 +37,7 @@ class Call:
             self.takes.append("cls")
         for parameter, role, partners in roles[self.method :]:
             getattr(self, role)(parameter, variable_name(parameter.name), partners)
-        # What changes a struct returns it, so that Camera(fov=40).look_at(...) is a camera.
+        # A function that changes a struct returns it, so that Camera(fov=40).look_at(...) is a camera.
         if "byref(self)" in self.arguments and not self.results:
             self.results.append("self")
 
@@ -53,7 +53,7 @@ class Call:
         return CTYPES.get(self.header.aliases.get(base, base))
 
     def take(self, parameter, item, optional=None):
-        """An argument that may be left out where it is the last one."""
+        """Adds a parameter, which is optional only if it is the last one."""
         self.takes.append(f"{item}={optional}" if optional and parameter is self.last else item)
 
     # ---- roles
@@ -87,7 +87,7 @@ class Call:
         self.arguments.append(f"byref({item}) if {item} is not None else None")
 
     def is_lent(self, struct):
-        """Whether the library goes on using what the struct points to."""
+        """Returns whether the library continues to use the memory that the struct points to."""
         fields = self.header.structs[struct].fields
         callback = any(f.type.base in self.header.callbacks for f in fields)
         return callback and (self.creates or any(f.name == "release" for f in fields))
@@ -125,7 +125,7 @@ class Call:
         self.arguments.append(f"byref({item})")
         if self.scalar(parameter):
             self.results.append(f"{item}.value")
-        elif handle and self.method:  # the only handle that a successful call may leave NULL: one that it was asked for
+        elif handle and self.method:  # only this handle may be NULL after a successful call: the object was asked for it
             self.results.append(f"{item} if {item}.value else None")
         else:
             self.results.append(item)

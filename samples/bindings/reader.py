@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Reads the C headers, as far as their own rules go and not a step further."""
+"""Parser of the C headers, for exactly the subset of C that they use."""
 
 import os
 import re
@@ -21,19 +21,19 @@ TOKEN = re.compile(
 
 
 def text_of(comment):
-    """A comment without its marks, one line a line."""
+    """Returns the text of a comment without its marks, with its line breaks."""
     lines = [re.sub(r"^\s*\* ?", "", line).rstrip() for line in comment[2:-2].split("\n")]
     return "\n".join(lines).strip()
 
 
-# Of include/, in the order in which one builds on another.
+# Headers of include/ in the order of their dependencies.
 HEADERS = ("nicol.h", "nicol_psh.h", "nicol_files.h")
 
 
 class Parser:
     def __init__(self, text, name="nicol.h", header=None):
         self.name = name
-        self.header = header or Header()  # what headers before this one declare
+        self.header = header or Header()  # with the declarations of earlier headers
         self.tokens = []  # (kind, text, line)
         self.at = 0
         self.tokenize(text)
@@ -44,7 +44,7 @@ class Parser:
         raise HeaderError(f"{self.name}, line {line}: {what}")
 
     def tokenize(self, text):
-        line, taken = 1, []  # taken: whether each open #if holds
+        line, taken = 1, []  # taken: truth of each open #if
         for match in TOKEN.finditer(text):
             kind, value = match.lastgroup, match.group()
             if kind == "directive":
@@ -58,7 +58,7 @@ class Parser:
     def directive(self, text, taken, line):
         word, _, rest = text[1:].strip().partition(" ")
         if word in ("ifdef", "if"):
-            taken.append(False)  # neither C++ nor Windows, nor the library's own build
+            taken.append(False)  # neither C++ nor Windows, nor the library's build
             if word == "if" and not re.fullmatch(r"defined\(\w+\)( && defined\(\w+\))*", rest):
                 self.fail(f"cannot judge #{text}", line)
         elif word == "ifndef":
@@ -88,7 +88,7 @@ class Parser:
         self.header.constants[name] = number
 
     def value(self, text, line):
-        """Of an expression of numbers and constants."""
+        """Evaluates an expression of numbers and constants."""
         if not re.fullmatch(r"[\w\s+*|<().-]+", text):
             self.fail(f"cannot evaluate {text!r}", line)
         text = re.sub(r"\b(0x[0-9a-fA-F]+|\d+)[uU]\b", r"\1", text)
@@ -99,7 +99,7 @@ class Parser:
             self.fail(f"cannot evaluate {text!r}", line)
 
     def initializer(self, name):
-        """The values between braces, lists for nested ones; 0 for struct_size."""
+        """Returns the values between braces, with lists for nested braces; 0 for struct_size."""
         text = self.header.initializers[name]
         while macro := re.search(r"\bNICOL_[A-Z0-9_]+\b", text):
             word = macro.group()
@@ -134,7 +134,7 @@ class Parser:
     # ---- tokens
 
     def peek(self):
-        """The next word or mark; passes comments and ends of lines."""
+        """Returns the next word or mark and skips comments and ends of lines before it."""
         while self.at < len(self.tokens) and self.tokens[self.at][0] in ("comment", "line"):
             self.at += 1
         return self.tokens[self.at][1] if self.at < len(self.tokens) else None
@@ -147,7 +147,7 @@ class Parser:
         return token
 
     def doc_before(self):
-        """The comment on lines of its own that ends right above the next word."""
+        """Returns the comment on separate lines that ends right above the next word."""
         self.peek()
         at = self.at
         while at >= 3 and [kind for kind, _, _ in self.tokens[at - 3 : at]] == ["line", "comment", "line"]:
@@ -158,7 +158,7 @@ class Parser:
         return ""
 
     def doc_after(self):
-        """The comment that follows on the same line."""
+        """Returns the comment that follows on the current line."""
         if self.at < len(self.tokens) and self.tokens[self.at][0] == "comment":
             return text_of(self.tokens[self.at][1])
         return ""
@@ -208,7 +208,7 @@ class Parser:
 
     def field(self):
         base = self.type()
-        if self.peek() == "(":  # a callback without a name of its own
+        if self.peek() == "(":  # a callback without a type name
             self.take("(")
             self.take("*")
             name = self.take()
@@ -286,7 +286,7 @@ class Parser:
 
 
 def read(folder):
-    """What all headers of a folder declare."""
+    """Returns the declarations of all headers of a folder."""
     header = Header()
     for name in HEADERS:
         with open(os.path.join(folder, name), encoding="utf-8") as file:

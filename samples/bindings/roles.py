@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""What each parameter of a function is for, told from its name and type."""
+"""Roles of a function's parameters, derived from names and types."""
 
 
 def roles_of(header, function):
-    """(parameter, role, partners): partners are the parameters after it that say how long it is."""
+    """Returns (parameter, role, partners) for each parameter; partners are the later parameters that state its length."""
     parameters, roles, at = function.parameters, [], 0
     while at < len(parameters):
         parameter, type_ = parameters[at], parameters[at].type

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""samples/lua/nicol_ffi.lua: the C headers for LuaJIT's ffi, its constants, and which functions make objects."""
+"""Generator of samples/lua/nicol_ffi.lua: the C headers for LuaJIT's ffi, its constants, and which functions make
+objects."""
 
 HEAD = """-- SPDX-License-Identifier: MIT
 -- Nicol {version} for LuaJIT. Made of the C headers by samples/bindings/generate.py: change those, not this file.
@@ -30,7 +31,7 @@ def declarations(header):
 
 
 def literal(value):
-    """Numbers that doubles cannot hold as 64-bit ones."""
+    """Returns Lua text of a value. Integers beyond the precision of doubles become 64-bit ones."""
     if isinstance(value, list):
         return "{ " + ", ".join(map(literal, value)) + " }"
     return f"{value}ULL" if isinstance(value, int) and value >= 2**53 else str(value)

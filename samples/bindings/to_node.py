@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""samples/node/nicol_abi.js: the C headers for Koffi, its constants, and which functions make objects."""
+"""Generator of samples/node/nicol_abi.js: the C headers for Koffi, its constants, and which functions make objects."""
 
 from roles import roles_of
 
@@ -15,13 +15,13 @@ def pointer(type_):
 
 
 def prototype(header, function):
-    """As Koffi reads it: arrays as pointers, callbacks by pointer, and what is written to marked so."""
+    """Returns a prototype for Koffi: arrays as pointers, callbacks by pointer, and output parameters marked."""
     marks = {}
     for parameter, role, partners in roles_of(header, function):
         type_ = parameter.type
         written = (type_.pointers or type_.count) and not type_.const and role not in ("user", "text")
         for other in [parameter, *[p for p in partners if p.type.pointers]]:
-            # Structs bring their struct_size along.
+            # Structs are also inputs, because of their struct_size.
             marks[other.name] = "" if not written else "_Inout_ " if type_.base in header.structs else "_Out_ "
     texts = []
     for parameter in function.parameters:
@@ -36,7 +36,7 @@ def prototype(header, function):
 
 
 def literal(value):
-    """Numbers that JavaScript's doubles cannot hold as BigInt."""
+    """Returns JavaScript text of a value. Integers beyond the precision of doubles become BigInt."""
     return f"{value}n" if isinstance(value, int) and abs(value) >= 2**53 else str(value)
 
 
@@ -48,7 +48,7 @@ def field(header, variable, defaults):
         text = "const char *"
     else:
         text = f"{type_.base} {'*' * type_.pointers}".rstrip()
-    value = None if type_.base in header.structs else defaults.get(variable.name)  # a struct has its own
+    value = None if type_.base in header.structs else defaults.get(variable.name)  # a struct has separate defaults
     return f'["{variable.name}", "{text}", {type_.count}{"" if value is None else f", {literal(value)}"}]'
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""samples/python/nicol/_abi.py: the C headers for ctypes, with a Python function or method for each of its functions."""
+"""Generator of samples/python/nicol/_abi.py: the C headers for ctypes, with a Python function or method per C function."""
 
 from header import Type
 from python_call import CTYPES, Call, class_name, variable_name
@@ -27,7 +27,7 @@ class Python:
         self.header = header
 
     def ctype(self, type_, argument=True):
-        """The ctypes spelling of a parameter or, where not an argument, of a field."""
+        """Returns the ctypes spelling of a parameter or, if `argument` is false, of a field."""
         header, base = self.header, type_.base
         if base == "char" and type_.pointers:
             return "c_char_p" if type_.pointers == 1 else "POINTER(c_char_p)"
@@ -42,7 +42,7 @@ class Python:
         else:
             name = CTYPES[header.scalar(Type(base))]
         if argument and type_.count:
-            return f"POINTER({name})"  # as C has it
+            return f"POINTER({name})"  # C passes arrays as pointers
         name = f"POINTER({name})" if type_.pointers else name
         return f"{name} * {type_.count}" if type_.count else name
 
@@ -88,7 +88,7 @@ class Python:
     # ---- functions
 
     def owner(self, function):
-        """The class that a function is a method of, and the method's name."""
+        """Returns the class that a function is a method of, or None, and the name in Python."""
         owners = [name for name in self.header.order if function.name.startswith(name + "_")]
         owners = [name for name in owners if name in self.header.handles or name in self.header.structs]
         if not owners:
@@ -97,7 +97,7 @@ class Python:
         return owner, function.name[len(owner) + 1 :]
 
     def function(self, function):
-        """The text of a function or method, the class it belongs to or None."""
+        """Returns the text of a function or method, and the class that it belongs to or None."""
         owner, name = self.owner(function)
         if name in ("retain", "release"):
             return "", owner

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""samples/rust/src/abi.rs: the C headers as Rust's extern block, with what its structs must look like checked at compile time."""
+"""Generator of samples/rust/src/abi.rs: the C headers as Rust's extern block, with compile-time checks of struct layouts."""
 
 from header import Type
 
@@ -27,7 +27,7 @@ def comment(doc, indent=""):
 def rust(type_, argument=True):
     text = SCALARS.get(type_.base, type_.base)
     for level in range(type_.pointers):
-        # char* const*: the outer pointer is to constants too.
+        # In char* const* the outer pointer also points to a constant.
         text = f"*{'const' if type_.const or level else 'mut'} {text}"
     if type_.count:
         text = f"[{text}; {type_.count}]"

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
-// An error that ends the program, and its message.
+// The error that ends a program, and its message.
 #pragma once
 
 #include <stdexcept>
 #include <string>
 
-/// Ends the program with exit code 2; the message is one line.
+/// Error that ends the program with exit code 2; the message is one line.
 struct Failure : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// Messages are one line for scripts; paths and drivers' messages may contain line feeds.
+/// Returns a message as one line for scripts, because paths and drivers' messages may contain line feeds.
 inline std::string one_line(const char* message) {
     std::string line;
     for (const char* p = message; *p; ++p) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The handles of nicol.hpp under their own names.
+// Short names of the handles of nicol.hpp.
 #pragma once
 
 #include <nicol.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reports for machines.
+// Reports in JSON.
 #include <cmath>
 #include <cstdio>
 #include <functional>

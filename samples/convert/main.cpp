@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// nicol-convert: light and materials between file formats, and what files hold, through the C ABI alone.
+// nicol-convert: conversion of light and materials between file formats, and descriptions of files, using
+// only the C ABI.
 #include <nicol_files.h>
 
 #include <algorithm>
@@ -14,7 +15,8 @@
 
 namespace {
 
-// Truncated light rings, and images of it may be refused later, by Nicol as by others.
+// Prints a notice about truncated light that rings, because its images may be refused later by Nicol or other
+// programs.
 void notice_unphysical(const std::string& path) {
     nicol_file_options options = NICOL_FILE_OPTIONS_INIT;
     options.order = 0;
@@ -31,7 +33,7 @@ void notice_unphysical(const std::string& path) {
 
 void convert(const Options& options) {
     check(nicol_file_convert(options.input.c_str(), &options.file, options.output.c_str()));
-    // What went into a pipe cannot be read again.
+    // An output written to a pipe cannot be read again.
     std::error_code error;
     const bool image = std::filesystem::path(options.output).extension() == ".exr" &&
                        std::filesystem::is_regular_file(options.output, error);

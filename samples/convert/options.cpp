@@ -96,7 +96,7 @@ void parse_scale(nicol_file_options& file, std::string_view text) {
     file.scale = values[0];
 }
 
-// This rotation after the earlier ones (Rodrigues' formula).
+// Applies this rotation after the earlier ones (Rodrigues' formula).
 void add_rotation(nicol_file_options& file, std::string_view text) {
     const std::vector<double> values = parse_list("--rotate", text);
     if (values.size() != 4) throw Failure("--rotate: '" + std::string(text) + "' is not X,Y,Z,DEGREES");
@@ -133,7 +133,7 @@ Options parse_options(int argc, const char* const* argv) {
     std::vector<std::string> files;
     for (int i = 1; i < argc; ++i) {
         std::string_view name = argv[i];
-        std::optional<std::string_view> attached;  // the value in --name=value
+        std::optional<std::string_view> attached;  // value in --name=value
         if (name.starts_with("--") && name.find('=') != std::string_view::npos) {
             attached = name.substr(name.find('=') + 1);
             name = name.substr(0, name.find('='));

@@ -12,13 +12,13 @@ struct Options {
     enum class Action { convert, info, help, version };
     Action action = Action::convert;
     std::string input;
-    std::string output;  ///< empty for info
+    std::string output;  ///< empty for `info`
     bool json = false;
     nicol_file_options file = NICOL_FILE_OPTIONS_INIT;
 };
 
-/// The text of --help.
+/// Text of --help.
 extern const char* const usage;
 
-/// Throws Failure naming the argument and what would be right.
+/// Parses the command line. Throws Failure that names the argument and the valid values.
 Options parse_options(int argc, const char* const* argv);

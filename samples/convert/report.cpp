@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reports for people.
+// Reports as text.
 #include "report.hpp"
 
 #include <algorithm>
@@ -20,7 +20,7 @@ std::string percent(double part) {
     return text;
 }
 
-// Of light that violates Eq. 70 the degree has no bound and no meaning.
+// Light that violates Eq. 70 has a degree of polarization without bound or meaning.
 std::string degree(double part) {
     return part > 1.001 ? "> 100 %" : percent(part);
 }
@@ -31,7 +31,7 @@ std::string joined(const std::vector<std::string>& names) {
     return out;
 }
 
-// "label  value" and rows of a column a channel.
+// Lines "label  value", and rows with one column per channel.
 class Page {
 public:
     void line(const std::string& label, const std::string& value) { text_ += padded(label) + value + "\n"; }
@@ -57,7 +57,7 @@ private:
     std::string text_;
 };
 
-// Orders one by one up to 16, then in octaves: the first order of each line.
+// Returns the first order of each line: single orders up to 16, then octaves.
 std::vector<std::uint32_t> order_lines(std::uint32_t order) {
     std::vector<std::uint32_t> first;
     for (std::uint32_t l = 0; l <= order; l = l < 16 ? l + 1 : (l == 16 ? 17 : 2 * l - 1)) first.push_back(l);
@@ -65,7 +65,7 @@ std::vector<std::uint32_t> order_lines(std::uint32_t order) {
     return first;
 }
 
-// energy(l, column) in lines of orders, with the share of all that is reached.
+// Adds energy(l, column) in lines of orders, with the cumulative share of the total.
 void add_energy(Page& page, std::uint32_t order, const std::vector<std::string>& columns,
                 const std::function<double(std::uint32_t, std::size_t)>& energy) {
     double total = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a file holds, for people and as JSON.
+// Reports on files, as text and as JSON.
 #pragma once
 
 #include <nicol_files.h>
@@ -19,13 +19,13 @@ struct MaterialReport {
     std::vector<double> energy;  ///< [channel][l]
 };
 
-/// "light as coefficients (SHVec .npz)" and the like.
+/// Returns a name such as "light as coefficients (SHVec .npz)".
 std::string kind_name(nicol_file_kind kind);
-/// R, G, B; Y; 550 nm; or numbers.
+/// Returns the names R, G, B; Y; wavelengths such as 550 nm; or numbers.
 std::vector<std::string> channel_names(std::uint32_t channels, const double* wavelengths);
 
 std::string as_text(const LightReport& report);
 std::string as_text(const MaterialReport& report);
-/// One JSON object under the names of samples/convert/README.md.
+/// Returns one JSON object with the names of samples/convert/README.md.
 std::string as_json(const LightReport& report);
 std::string as_json(const MaterialReport& report);

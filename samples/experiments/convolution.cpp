@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Figure 16: convolution with diag(pi - theta), by the integral over all directions and by coefficients.
+// Figure 16: convolution with diag(pi - theta) by the integral over all directions and by coefficients.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -29,7 +29,8 @@ std::vector<Point> points_of(const Grid& grid) {
     return out;
 }
 
-/// The integral of k(angle) f over the grid, frames rotated along the great circle between the two points.
+/// Returns the integral of k(angle) f over the grid, with frames rotated along the great circle between the
+/// two points.
 std::array<double, 4> convolve_at(const Grid& grid, const std::vector<Point>& from, const Doubles& f,
                                   const Point& to) {
     std::array<double, 4> sum{};
@@ -72,7 +73,7 @@ void figure_16(Experiment& experiment) {
     Doubles frequency;
     const double synthesize_s = least_seconds([&] { frequency = grid.synthesize(result); });
 
-    // Output pixels: every second column, (order + 1)^2 of them.
+    // The output pixels are every second column, (order + 1)^2 in all.
     const std::vector<Point> points = points_of(grid);
     std::vector<std::size_t> pixels;
     for (std::size_t row = 0; row < rows; ++row)
@@ -101,8 +102,8 @@ void figure_16(Experiment& experiment) {
                 angular_s / (convolve_s + synthesize_s));
     std::printf("  largest difference over the largest value: %.2e\n", difference);
 
-    // The kernel has a kink at 0 and pi, so that the sum, not the coefficients, is in error: a finer one
-    // shows.
+    // The kernel has a kink at 0 and pi, so the error is in the sum, not in the coefficients. A finer sum
+    // shows the cause.
     std::printf("  %-34s %s\n", "sum over rows x columns", "difference at 100 pixels");
     double last = 0, first = 0;
     for (const std::uint32_t finer : {1U, 2U, 4U}) {

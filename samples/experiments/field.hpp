@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The calls of nicol_psh.h that all experiments use. Failures throw nicol::Error.
+// Calls of nicol_psh.h that all experiments use. Failures throw nicol::Error.
 #pragma once
 
 #include <nicol_psh.h>
@@ -20,7 +20,7 @@ using Doubles = std::vector<double>;
 using Vec3 = std::array<double, 3>;
 using Rotation = std::array<double, 9>;  ///< row-major
 
-/// Doubles of one vector of coefficients.
+/// Returns the number of doubles of one vector of coefficients.
 std::size_t vector_size(std::uint32_t order);
 
 double dot(const Vec3& a, const Vec3& b);
@@ -31,10 +31,10 @@ Vec3 theta_hat(double theta, double phi);
 Vec3 phi_hat(double phi);
 Vec3 operator*(const Rotation& r, const Vec3& v);
 Rotation transposed(const Rotation& r);
-/// By |v| radians about v.
+/// Returns the rotation by |v| radians about v.
 Rotation rotation_about(const Vec3& v);
 
-/// exp(2 i angle) for the angle that rotates the theta-phi frame at w into the frame with x axis `x`.
+/// Returns exp(2 i angle) for the angle that rotates the theta-phi frame at w into the frame with x axis `x`.
 std::complex<double> frame_phase(const Vec3& x, const Vec3& w);
 
 /// A grid with its transform.
@@ -49,13 +49,13 @@ public:
     [[nodiscard]] double phi(std::size_t column) const {
         return 2 * pi * static_cast<double>(column) / static_cast<double>(columns);
     }
-    /// Solid angle that a point of this row stands for.
+    /// Returns the solid angle of a point in this row.
     [[nodiscard]] double solid_angle(std::size_t row) const {
         return weight[row] * 2 * pi / static_cast<double>(columns);
     }
     [[nodiscard]] Doubles analyze(const Doubles& samples) const;
     [[nodiscard]] Doubles synthesize(const Doubles& coefficients) const;
-    /// Root of the mean over the sphere of |s1|^2 + |s2|^2, or of all four components.
+    /// Returns the root of the mean over the sphere of |s1|^2 + |s2|^2, or of all four components.
     [[nodiscard]] double rms(const Doubles& samples, bool linear_only) const;
 
     Doubles theta, weight;
@@ -66,13 +66,13 @@ private:
     std::uint32_t order_;
 };
 
-/// Stokes vectors of a field at directions, four doubles each.
+/// Returns Stokes vectors of a field at directions, four doubles each.
 Doubles evaluate(std::uint32_t order, const Doubles& field, const std::vector<Vec3>& directions);
 Doubles rotate(std::uint32_t order, const Doubles& fields, const Rotation& rotation);
-/// The orders up to `order` of a field that has more.
+/// Returns the orders up to `order` of a field of higher order.
 Doubles cut(const Doubles& field, std::uint32_t order);
 
-/// Wall seconds of a call.
+/// Returns the wall-clock seconds of a call.
 template <class F>
 double seconds(F&& work) {
     const auto start = std::chrono::steady_clock::now();
@@ -80,7 +80,7 @@ double seconds(F&& work) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// The least wall seconds of some calls.
+/// Returns the minimum wall-clock seconds of ten calls.
 template <class F>
 double least_seconds(F&& work) {
     double least = seconds(work);

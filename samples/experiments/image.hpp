@@ -11,11 +11,11 @@ struct Panel {
     std::vector<double> values;
 };
 
-/// Signed numbers: blue below zero, white, red above; full colour at `scale`.
+/// Colours of signed numbers: blue below zero, white, red above; full colour at `scale`.
 struct Signed {
     double scale;
 };
-/// Sizes: from white at 10^-decades of `scale` or less to black at `scale`, logarithmic.
+/// Colours of magnitudes: from white at 10^-decades of `scale` or less to black at `scale`, logarithmic.
 struct Magnitude {
     double scale;
     double decades;
@@ -23,11 +23,11 @@ struct Magnitude {
 
 class Image {
 public:
-    /// Panels are of one size and stand in rows of `across`.
+    /// Makes an image of panels of one size in rows of `across`.
     explicit Image(std::size_t across) : across_(across) {}
     void add(const Panel& panel, Signed colours);
     void add(const Panel& panel, Magnitude colours);
-    /// Each number becomes zoom x zoom pixels. Throws std::runtime_error naming the path.
+    /// Writes each number as zoom x zoom pixels. Throws std::runtime_error naming the path.
     void write(const std::string& path, std::size_t zoom) const;
 
 private:

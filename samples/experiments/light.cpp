@@ -9,7 +9,7 @@ const Vec3 sun = unit({0.3, 0.9, -0.2});
 
 struct Lamp {
     Vec3 towards;
-    Vec3 field;  ///< the electric field, before it is made perpendicular to the light
+    Vec3 field;  ///< electric field before projection perpendicular to the light
     double sharpness, radiance, polarization;
 };
 const Lamp lamps[] = {
@@ -18,7 +18,7 @@ const Lamp lamps[] = {
     {unit({0.5, -0.3, 0.8}), {1, -0.3, 0}, 120, 4.0, 1.0},
 };
 
-/// s0, s1, s2 from `towards`, in a frame with this x axis.
+/// Returns s0, s1, s2 from `towards`, in a frame with this x axis.
 std::array<double, 3> radiance(const Vec3& towards, const Vec3& x) {
     const Vec3 y = cross({-towards[0], -towards[1], -towards[2]}, x);
     std::array<double, 3> s{};

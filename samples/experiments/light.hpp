@@ -5,6 +5,6 @@
 #include "experiment.hpp"
 #include "field.hpp"
 
-/// Coefficients of the first channel: of the file that was given, else of an image made here, a clear sky
-/// with three polarized lamps, each sharper than the one before.
+/// Returns coefficients of the first channel of the given file, or else of an image made here: a clear sky
+/// with three polarized lamps of increasing sharpness.
 Doubles light(const Experiment& experiment, std::uint32_t order);

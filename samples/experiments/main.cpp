@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// nicol-experiments: the paper's numerical experiments, through the C ABI alone.
+// nicol-experiments: the paper's numerical experiments, using only the C ABI.
 #include <algorithm>
 #include <cstdio>
 #include <cstring>

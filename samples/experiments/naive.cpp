@@ -28,7 +28,7 @@ Doubles rotated_samples(const Grid& grid, const Rotation& rotation, const Expans
     const Doubles values = at(sources);
     Doubles out(values.size());
     for (std::size_t i = 0; i < sources.size(); ++i) {
-        // The frame of the point, relative to that of the value.
+        // x is the x axis of the point's frame in the source's coordinates.
         const Vec3 x = back * theta_hat(grid.theta[i / grid.columns], grid.phi(i % grid.columns));
         const auto s =
             std::complex(values[4 * i + 1], values[4 * i + 2]) * std::conj(frame_phase(x, sources[i]));

@@ -11,7 +11,7 @@ Doubles published(const std::string& path, std::size_t count) {
     std::ifstream in(path, std::ios::binary);
     if (!in) fail("cannot be read");
     const std::string file{std::istreambuf_iterator<char>(in), {}};
-    // The array begins with a mark of its own and, in version 1, two bytes that hold the length of its head.
+    // The array begins with a signature and, in version 1, two bytes that hold the length of its header.
     const std::size_t member = file.find("coeff.npy");
     const std::size_t mark = member == std::string::npos ? member : file.find("\x93NUMPY\x01", member);
     if (mark == std::string::npos || file.size() < mark + 10) fail("has no member coeff that can be read");

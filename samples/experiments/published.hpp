@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Arrays that the paper's authors published.
+// Reader of arrays published by the paper's authors.
 #pragma once
 
 #include <string>
 
 #include "field.hpp"
 
-/// The doubles of member `coeff` of a NumPy archive that is not compressed. Throws std::runtime_error naming
-/// the file unless there are `count` of them.
+/// Returns the doubles of member `coeff` of an uncompressed NumPy archive. Throws std::runtime_error naming
+/// the file unless there are at least `count`.
 Doubles published(const std::string& path, std::size_t count);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Figure 17: a pBRDF averaged over the surface's normals comes to satisfy the constraints of a convolution.
+// Figure 17: a pBRDF averaged over the surface's normals approaches the constraints of a convolution.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -14,8 +14,8 @@ namespace {
 constexpr std::uint32_t kOrder = 4;
 const std::size_t n = vector_size(kOrder);
 
-/// A rough glass: Fresnel reflection at the half vector times a lobe about the normal +z, and a depolarizing
-/// base; both cosines included, so that it vanishes at the horizon.
+/// Evaluates rough glass: Fresnel reflection at the half vector times a lobe about the normal +z, and a
+/// depolarizing base. Both cosines are included, so the value vanishes at the horizon.
 std::int32_t rough_glass(void*, const double in[3], const double out[3], double mueller[16]) {
     if (in[2] >= 0 || out[2] <= 0) return 1;
     const Vec3 i = {in[0], in[1], in[2]}, o = {out[0], out[1], out[2]};
@@ -29,14 +29,14 @@ std::int32_t rough_glass(void*, const double in[3], const double out[3], double 
     const double rs = (c - t) / (c + t), rp = (ior * ior * c - t) / (ior * ior * c + t);
     const double lobe = cosines * std::exp(8 * (h[2] - 1));
     const double a = lobe * (rs * rs + rp * rp) / 2, b = lobe * (rs * rs - rp * rp) / 2, d = lobe * rs * rp;
-    // From the frames with x along s to the theta-phi frames.
+    // e and f rotate from the frames with x along s to the theta-phi frames.
     const std::complex<double> e = frame_phase(unit(s), i), f = frame_phase(unit(s), o);
     mueller[0] += a;
     mueller[1] = b * e.real();
     mueller[2] = b * e.imag();
     mueller[4] = b * f.real();
     mueller[8] = b * f.imag();
-    // (s1, s2) -> diag(a, d) between the rotations by conj(e) and f.
+    // The linear block is diag(a, d) between the rotations by conj(e) and f.
     const double ce = e.real(), se = e.imag(), cf = f.real(), sf = f.imag();
     mueller[5] = cf * a * ce + sf * d * se;
     mueller[6] = cf * a * se - sf * d * ce;
@@ -46,7 +46,7 @@ std::int32_t rough_glass(void*, const double in[3], const double out[3], double 
     return 1;
 }
 
-/// R M R^-1, column by column.
+/// Returns R M R^-1, column by column.
 Doubles rotated(const Doubles& matrix, const Rotation& rotation) {
     Doubles units(n * n);
     for (std::size_t j = 0; j < n; ++j) units[j * n + j] = 1;
@@ -61,7 +61,7 @@ Doubles rotated(const Doubles& matrix, const Rotation& rotation) {
     return out;
 }
 
-/// Mean over normals on a grid of size x 2 size; size 0 keeps the one normal +z.
+/// Returns the mean over normals on a grid of size x 2 size; size 0 keeps the single normal +z.
 Doubles average(const Doubles& matrix, nicol_psh_grid kind, std::uint32_t size) {
     if (size == 0) return matrix;
     const Grid normals(kind, 0, size, 2 * size);
@@ -76,7 +76,7 @@ Doubles average(const Doubles& matrix, nicol_psh_grid kind, std::uint32_t size) 
     return sum;
 }
 
-/// Rms distance to the nearest convolution in a block of spins, over the rms of the matrix.
+/// RMS distance to the nearest convolution in blocks of spins, divided by the RMS of the matrix.
 struct Errors {
     double from_0_to_0, from_0_to_2, from_2_to_0, from_2_to_2, other_degrees;
 };

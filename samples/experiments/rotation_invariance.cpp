@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Figure 11: truncated light, rotated by its coefficients and rotated back in space, should be itself.
+// Figure 11: truncated light, rotated by its coefficients and rotated back in space, should stay unchanged.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -26,7 +26,7 @@ struct Loop {
     Doubles before, after;
 };
 
-/// Coefficients -> rotated coefficients -> samples rotated back, in spin-2 harmonics.
+/// Rotates coefficients, and samples of these back in space, in spin-2 harmonics.
 Loop spin2_loop(const Grid& grid, std::uint32_t order, const Doubles& f, const Rotation& rotation) {
     const Doubles rotated = rotate(order, f, rotation);
     return {from_scalars(to_scalars(grid.synthesize(f))),
@@ -34,7 +34,7 @@ Loop spin2_loop(const Grid& grid, std::uint32_t order, const Doubles& f, const R
                             [&](const auto& w) { return evaluate(order, rotated, w); })};
 }
 
-/// The same in the naive basis, whose rotated coefficients are those of the rotated field.
+/// Runs the loop in the naive basis, where the rotated coefficients are those of the rotated field.
 Loop naive_loop(const Grid& grid, std::uint32_t order, const Doubles& f, const Rotation& rotation) {
     const Doubles rotated = grid.analyze(to_scalars(
         rotated_samples(grid, rotation, [&](const auto& w) { return from_scalars(evaluate(order, f, w)); })));

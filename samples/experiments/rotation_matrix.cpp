@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Figure 10: the matrix of one rotation over scalar harmonics of scalars, over scalar harmonics of s1 and s2,
-// and over spin-2 harmonics. All three by the same quadrature in the angular domain.
+// and over spin-2 harmonics, all by the same quadrature in the angular domain.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -20,7 +20,7 @@ std::size_t level(std::size_t i) {
 
 struct Summary {
     double off_diagonal;  ///< share of the sum of squares outside the blocks l = l'
-    double largest;       ///< largest element there
+    double largest;       ///< largest element outside these blocks
 };
 
 Summary summary(const Panel& matrix) {
@@ -36,8 +36,8 @@ Summary summary(const Panel& matrix) {
     return {off / total, largest};
 }
 
-/// Magnitudes of the responses, read from components a and b of coefficient vectors, to unit vectors that
-/// `rotate_field` maps to coefficients.
+/// Returns the magnitudes of components a and b of the coefficients to which `rotate_field` maps unit
+/// vectors.
 template <class Rotate>
 Panel matrix_of(std::size_t first, std::size_t input, std::size_t a, std::size_t b, Rotate rotate_field) {
     Panel panel{kCount, kCount, std::vector<double>(kCount * kCount)};

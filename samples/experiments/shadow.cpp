@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Figure 13: visibility to spherical harmonics to the matrix that multiplies by it.
+// Figure 13: from visibility over spherical harmonics to the matrix that multiplies by it.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -12,9 +12,9 @@
 namespace {
 
 constexpr std::uint32_t kOrder = 4;
-constexpr std::uint32_t kScalarOrder = 2 * kOrder;  // all orders that matter between two fields of that order
+constexpr std::uint32_t kScalarOrder = 2 * kOrder;  // all orders that matter between two such fields
 
-/// What a vertex beside a wall, on the ground, with a ball overhead might see.
+/// Returns an example of visibility: a vertex beside a wall, on the ground, with a ball overhead.
 double visible(const Vec3& w) {
     const bool ground = w[2] < -0.1;
     const bool wall = w[0] > 0.75;
@@ -30,8 +30,8 @@ Doubles shadow_matrix(const Doubles& visibility) {
     return matrix;
 }
 
-/// Largest difference to the authors' matrix of their visibility: [index out][index in][p out][p in] of s0,
-/// s1, s2, s3 left out.
+/// Returns the largest difference to the authors' matrix of their visibility: [index out][index in][p out][p
+/// in] of s0, s1, s2, without s3.
 double difference_to_published(const std::string& folder) {
     constexpr std::size_t count = (kOrder + 1) * (kOrder + 1), n = 4 * count;
     const Doubles matrix = shadow_matrix(
@@ -48,7 +48,7 @@ double difference_to_published(const std::string& folder) {
 }  // namespace
 
 void figure_13(Experiment& experiment) {
-    // The step is projected on many points; everything after is exact.
+    // The projected step function needs many points; all later steps are exact.
     const Grid fine(NICOL_PSH_GRID_GAUSS_LEGENDRE, kScalarOrder, 512, 1024);
     Doubles samples(4 * fine.points());
     for (std::size_t i = 0; i < fine.points(); ++i)
@@ -61,7 +61,8 @@ void figure_13(Experiment& experiment) {
     Doubles matrix;
     const double expand_s = seconds([&] { matrix = shadow_matrix(visibility); });
 
-    // The same matrix without triple products: each basis function times the visibility, point by point.
+    // Quadrature computes the matrix without triple products: each basis function times the visibility, point
+    // by point.
     const Grid grid(NICOL_PSH_GRID_GAUSS_LEGENDRE, kOrder, 16, 32);
     const Grid scalar_grid(NICOL_PSH_GRID_GAUSS_LEGENDRE, kScalarOrder, 16, 32);
     const Doubles factor = scalar_grid.synthesize(as_field);

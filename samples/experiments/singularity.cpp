@@ -16,12 +16,12 @@ constexpr std::uint32_t kOrder = 9;
 
 using Field = std::function<Doubles(const std::vector<Vec3>&)>;
 
-/// s1 + i s2 at (theta, phi) in a frame that does not rotate with phi at the pole theta = 0.
+/// Returns s1 + i s2 at (theta, phi) in a frame that does not rotate with phi at the pole theta = 0.
 std::complex<double> steady(const Doubles& stokes, std::size_t i, double phi) {
     return std::complex(stokes[4 * i + 1], stokes[4 * i + 2]) * std::polar(1.0, 2 * phi);
 }
 
-/// Largest difference on a circle about the pole.
+/// Returns the largest difference on a circle about the pole.
 double spread(const Field& field, double radius) {
     constexpr std::size_t count = 64;
     std::vector<Vec3> circle;
@@ -38,7 +38,7 @@ double spread(const Field& field, double radius) {
     return largest;
 }
 
-/// s1 and s2 within 30 degrees of the pole, seen along -z.
+/// Adds views of s1 and s2 within 30 degrees of the pole, seen along -z.
 void add_views(Image& image, const std::vector<Field>& fields) {
     constexpr std::size_t size = 128;
     std::vector<Vec3> points;

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """Renders the images of the README. usage: gallery.py [FOLDER]
 
-Needs numpy, and libnicol as the package `nicol` in samples/python finds it. Each pixel is the mean of 2 x 2 Stokes vectors.
+The script needs numpy, and libnicol where the package `nicol` in samples/python finds it. Each pixel is the mean of 2 x 2 Stokes vectors.
 """
 
 import os
@@ -21,7 +21,7 @@ GAP = 4
 
 
 def render(context, scene_file, width, height, light_angle=0, view=None):
-    """Stokes vectors, [row][column][channel][component]; view: (origin, target, field of view in degrees)."""
+    """Returns Stokes vectors, [row][column][channel][component]; view: (origin, target, field of view in degrees)."""
     definitions = [f"light_angle={light_angle}"]
     with nicol.Scene.load(context, os.path.join(SAMPLES, "assets", scene_file), definitions) as scene:
         camera = scene.get_camera()
@@ -35,7 +35,7 @@ def render(context, scene_file, width, height, light_angle=0, view=None):
 
 
 def torus(context, rows, columns):
-    """A torus with waves, of rows x columns vertices."""
+    """Returns a torus with waves, of rows x columns vertices."""
     u, v = np.meshgrid(2 * np.pi * np.arange(rows) / rows, 2 * np.pi * np.arange(columns) / columns, indexing="ij")
     tube = 0.42 + 0.06 * np.sin(5 * u) * np.cos(3 * v)
     ring = 1 + tube * np.cos(v)
@@ -47,7 +47,7 @@ def torus(context, rows, columns):
 
 
 def render_torus(context, size, **options):
-    """Stokes vectors as of render(), of 260 vertices in the forest."""
+    """Returns Stokes vectors like render(), of 260 vertices in the forest."""
     red = nicol.Spectrum(count=3, values=[0.13, 0.035, 0.015] + 13 * [0])
     with (
         nicol.Scene.create(context) as scene,
@@ -77,13 +77,13 @@ def s0(stokes):
 
 
 def polarizer(stokes, degrees):
-    """One stop brighter than an ideal polarizer leaves it, so that what is unpolarized looks as it does in s0."""
+    """Returns the image behind an ideal polarizer, one stop brighter, so that unpolarized parts look as in s0."""
     angle = np.radians(2 * degrees)
     return tone_mapped(stokes[..., 0] + np.cos(angle) * stokes[..., 1] + np.sin(angle) * stokes[..., 2])
 
 
 def linear(stokes):
-    """Degree of linear polarization and angle over 180 degrees, of the mean of the channels."""
+    """Returns the degree of linear polarization, and the angle divided by 180 degrees, of the mean of the channels."""
     mean = stokes.mean(axis=2)
     degree = np.hypot(mean[..., 1], mean[..., 2]) / np.maximum(mean[..., 0], 1e-9)
     return np.clip(degree, 0, 1), np.arctan2(mean[..., 2], mean[..., 1]) / (2 * np.pi) % 1
@@ -98,7 +98,8 @@ def hue(fraction):
 
 
 def aolp(stokes, wheel=0):
-    """Hue: the angle; brightness: the square root of the degree. wheel: radius of the colour wheel in the corner."""
+    """Returns an image whose hue is the angle and brightness the square root of the degree. wheel: radius of the colour
+    wheel in the corner."""
     degree, angle = linear(stokes)
     image = hue(angle) * np.sqrt(degree)[..., None]
     if wheel:
@@ -112,7 +113,7 @@ def aolp(stokes, wheel=0):
 
 
 def sheet(rows):
-    """Images of equal size side by side and below each other, with white gaps."""
+    """Joins images of equal size side by side and below each other, with white gaps."""
     across = [np.concatenate(sum(([image, np.ones((image.shape[0], GAP, 3))] for image in row), [])[:-1], 1) for row in rows]
     return np.concatenate(sum(([row, np.ones((GAP, row.shape[1], 3))] for row in across), [])[:-1], 0)
 
@@ -120,7 +121,7 @@ def sheet(rows):
 def write_png(path, image):
     pixels = np.round(255 * image).astype(np.int16)
     height, width, _ = pixels.shape
-    # Each row as differences to the one above (filter 2), which compress better.
+    # Each row is stored as differences to the row above (filter 2), which compress better.
     above = np.concatenate([np.zeros_like(pixels[:1]), pixels[:-1]])
     rows = np.concatenate([np.full((height, 1), 2), (pixels - above).reshape(height, -1) % 256], axis=1)
 

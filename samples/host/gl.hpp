@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The OpenGL functions that this application uses, found by SDL.
+// The OpenGL functions of this application, loaded by SDL.
 #pragma once
 
 #include <SDL.h>
 #include <SDL_opengl.h>
 
-/// X(member, type): glMember of that type.
+/// Calls X(member, type) for each function glMember of that type.
 #define HOST_GL_FUNCTIONS(X)                                     \
     X(ActiveTexture, PFNGLACTIVETEXTUREPROC)                     \
     X(AttachShader, PFNGLATTACHSHADERPROC)                       \
@@ -53,8 +53,8 @@ struct Gl {
     HOST_GL_FUNCTIONS(HOST_GL_MEMBER)
 #undef HOST_GL_MEMBER
 
-    /// With a context current. Throws Failure naming a function that is not there.
+    /// Loads the functions of the current context. Throws Failure naming a missing function.
     Gl();
-    /// Throws Failure with the compiler's log.
+    /// Links a program. Throws Failure with the compiler's log.
     [[nodiscard]] GLuint program(const char* vertex, const char* fragment) const;
 };

@@ -11,5 +11,5 @@
 using GlState = std::map<std::string, std::vector<double>>;
 
 [[nodiscard]] GlState gl_state(const Gl& gl);
-/// "GL_BLEND was 1, is 0; ..."; empty if nothing differs.
+/// Returns a text such as "GL_BLEND was 1, is 0; ...", empty if nothing differs.
 [[nodiscard]] std::string difference(const GlState& before, const GlState& after);

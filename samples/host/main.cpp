@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// An application with a window and OpenGL of its own, in which Nicol renders.
+// An application with a window and an OpenGL context, in which Nicol renders.
 #include <cstdio>
 #include <fstream>
 #include <memory>
@@ -44,7 +44,7 @@ private:
     }
 };
 
-/// Every call of the library between two looks at the application's state.
+/// Calls the library and throws Failure if the application's OpenGL state has changed.
 template <class Call>
 void untouched(const Gl& gl, Call call) {
     const GlState before = gl_state(gl);
@@ -53,7 +53,7 @@ void untouched(const Gl& gl, Call call) {
     if (!changed.empty()) throw Failure("the application's OpenGL state has changed: " + changed);
 }
 
-/// Answers whether to go on.
+/// Returns whether to continue.
 bool handle_events(double& polarizer) {
     SDL_Event event;
     while (SDL_PollEvent(&event) != 0) {
@@ -73,7 +73,7 @@ void write(const std::string& path, const std::string& head, const void* data, s
     if (!file.flush()) throw Failure(path + " cannot be written");
 }
 
-/// Top row first, as PPM has it.
+/// Writes a PPM file, top row first.
 void write_screenshot(const Gl& gl, const std::string& path) {
     constexpr std::size_t row = std::size_t{3} * Stage::kWidth;
     std::vector<unsigned char> pixels(row * Stage::kHeight);

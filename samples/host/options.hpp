@@ -6,14 +6,14 @@
 
 struct Options {
     std::string screenshot;  ///< PPM file of the last frame; empty: none
-    std::string planes;      ///< raw floats of the Stokes planes; empty: none
-    int frames = 0;          ///< 0: until the window is closed
-    double polarizer = 0;    ///< degrees
+    std::string planes;      ///< file of raw floats of the Stokes planes; empty: none
+    int frames = 0;          ///< number of frames; 0: until the window is closed
+    double polarizer = 0;    ///< in degrees
     bool nicol = true;
     bool help = false;
 };
 
 extern const char* const usage;
 
-/// Throws Failure naming the option that is wrong.
+/// Parses the command line. Throws Failure naming the wrong option.
 [[nodiscard]] Options parse(int count, char** arguments);

@@ -11,13 +11,13 @@ class Polarized {
 public:
     static constexpr int kSize = 256;
 
-    /// The application's context must be current, here and in every call.
+    /// Requires the application's context to be current, as every call does.
     Polarized();
 
     /// Renders with the sun at this azimuth in degrees, and draws the light behind a polarizer at this angle
-    /// into the texture: RGBA8, row 0 at the bottom, as in OpenGL.
+    /// in degrees into the texture: RGBA8, row 0 at the bottom, as in OpenGL.
     void draw(double sun, double polarizer, unsigned texture);
-    /// [channel][row][column][4], the top row first.
+    /// Returns [channel][row][column][4], the top row first.
     [[nodiscard]] std::vector<float> planes() const;
 
 private:

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The application's own drawing: a few triangles, and a textured quad.
+// Drawing by the application: a few triangles, and a textured quad.
 #pragma once
 
 #include "gl.hpp"
 
-/// Leaves its program, arrays, scissor and blending set between frames, as applications do.
+/// Drawing that leaves its program, arrays, scissor and blending set between frames, as applications do.
 class Stage {
 public:
     static constexpr int kWidth = 640, kHeight = 360;
@@ -12,10 +12,10 @@ public:
 
     explicit Stage(const Gl& gl);
 
-    /// The texture on the quad, RGBA8.
+    /// Returns the texture on the quad, RGBA8.
     [[nodiscard]] GLuint image() const { return image_; }
     void draw_triangles(double angle) const;
-    /// angle: degrees about the vertical axis.
+    /// Draws the quad at an angle in degrees about the vertical axis.
     void draw_quad(double angle) const;
 
 private:

@@ -11,14 +11,14 @@ local function check(result)
     if result ~= 0 then error(ffi.string(C.nicol_last_error()), 3) end
 end
 
--- Arguments and one more, whatever their number and nils.
+-- Calls f with the arguments and `last` after them, for any number of arguments and nils.
 local function call_with(f, last, ...)
     local n, arguments = select("#", ...), { ... }
     arguments[n + 1] = last
     return f(unpack(arguments, 1, n + 1))
 end
 
--- A function that makes an object returns it instead of taking a pointer to it.
+-- Returns a function that returns the made object instead of taking a pointer to it.
 local function creator(f, handle)
     local release, out = C[handle .. "_release"], ffi.typeof(handle .. "[1]")
     return function(...)
@@ -29,7 +29,8 @@ local function creator(f, handle)
     end
 end
 
--- nicol.render_options{order_low = 4}; with struct_size and defaults, and a number or a list for a spectrum.
+-- Returns a function like nicol.render_options{order_low = 4}, which sets struct_size and defaults and accepts a number
+-- or a list for a spectrum.
 local function maker(name, sized, defaults)
     local type = ffi.typeof("nicol_" .. name)
     return function(fields)
@@ -51,12 +52,12 @@ function nicol.spectrum_of(values)
     return ffi.new("nicol_spectrum", #values, values)
 end
 
--- A list of strings for nicol.scene_load: the array and its length.
+-- Returns the array of a list of strings and its length, for nicol.scene_load.
 function nicol.strings(list)
     return ffi.new("const char*[?]", #list, list), #list
 end
 
--- Now, instead of whenever the collector comes.
+-- Releases a handle now instead of at the next garbage collection.
 function nicol.release(handle)
     for name, made in pairs(abi.results) do
         if made ~= true and ffi.istype(made, handle) then
@@ -72,7 +73,7 @@ function nicol.framebuffer_size(framebuffer)
     return size[0], size[1], size[2]
 end
 
--- One plane of one colour channel as floats, row by row from the top, and how many there are.
+-- Returns one plane of one colour channel as floats, row by row from the top, and their number.
 function nicol.plane(framebuffer, plane, channel)
     local width, height = nicol.framebuffer_size(framebuffer)
     local count = width * height * (plane == nicol.PLANE_STOKES and 4 or 1)

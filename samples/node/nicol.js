@@ -30,7 +30,7 @@ function check(code) {
   if (code !== constants.OK) throw new NicolError(code, lastError());
 }
 
-const releases = {}; // handle's type: function
+const releases = {}; // functions by type of handle
 for (const { kind, name } of types) {
   if (kind === "handle") releases[name] = library.func(functions[`${name.slice(6)}_release`][0]);
 }
@@ -57,7 +57,7 @@ export class Handle {
 
 const plain = (value) => (value instanceof Handle ? value.pointer : value);
 
-/** A spectrum from a number or numbers. */
+/** Returns a spectrum from a number or numbers. */
 export function spectrum(value) {
   const values = typeof value === "number" ? [value] : [...value];
   if (values.length > constants.MAX_CHANNELS) throw new RangeError(`${values.length} values in a spectrum`);
@@ -70,7 +70,7 @@ function nothing(of, count) {
   return of.endsWith("*") || of in releases ? null : 0;
 }
 
-/** A descriptor: all fields, with their defaults where not given, and its struct_size. */
+/** Returns a descriptor: all fields, with defaults for those not given, and its struct_size. */
 function make(name, given) {
   const made = {};
   const fields = structs[name].fields;
@@ -82,7 +82,7 @@ function make(name, given) {
     const numbers = typeof value === "number" || Array.isArray(value);
     made[field] = kinds[field] === "nicol_spectrum" && numbers ? spectrum(value) : plain(value);
   }
-  // Objects that it names live as long as it does.
+  // The descriptor keeps the objects that it names alive.
   Object.defineProperty(made, "named", { value: Object.values(given).filter((v) => v instanceof Handle) });
   return made;
 }

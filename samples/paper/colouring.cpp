@@ -6,7 +6,7 @@
 
 namespace {
 
-using Colour = std::array<double, 3>;  // linear, 0 to 1
+using Colour = std::array<double, 3>;  // linear RGB, 0 to 1
 
 constexpr Colour kNoObject = {0.04, 0.04, 0.04};
 
@@ -16,7 +16,7 @@ std::uint8_t srgb(double linear) {
     return static_cast<std::uint8_t>(std::lround(255 * curve));
 }
 
-// colour_at(pixel) of each pixel of an object; the means of the pixels' colours, coded by the sRGB curve.
+// Returns means over pixels of colour_at(pixel) at objects and grey elsewhere, encoded by the sRGB curve.
 template <class ColourAt>
 Panel shrunk(const Image& image, std::size_t size, ColourAt colour_at) {
     const std::vector<std::uint8_t>& mask = image.object;
@@ -45,7 +45,7 @@ double mean_of_channels(const Image& image, std::size_t pixel, std::size_t p) {
     return sum / 3;
 }
 
-// The value that this share of the values does not exceed.
+// Returns the value that this share of the values does not exceed.
 double percentile(std::vector<double> values, double share) {
     if (values.empty()) return 1;
     const auto place = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));

@@ -3,7 +3,7 @@
 
 namespace {
 
-// As many letters side by side as a line holds; a column between them stays empty.
+// Letters side by side, with an empty column between letters, as many as fit into a line of the source.
 constexpr std::string_view kLetters[] = {"abcdefghijklmnop", "qrstuvwxyz012345", "6789.,:+-=()/%<>"};
 constexpr std::string_view kArt[][kGlyphHeight] = {
     {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a step takes by the dense and by the factored method: a row of table 4.
+// The cost of a step by the dense and by the factored method: a row of table 4.
 #pragma once
 
 #include <cstdint>
@@ -7,9 +7,9 @@
 #include "steps.hpp"
 
 struct MethodCost {
-    double bytes = 0;              ///< kept a vertex: light, shadows, matrices, visibility, geometry
-    double light_ms = 0;           ///< median frame in which the light rotates
-    double camera_ms = 0;          ///< median frame in which the camera moves
+    double bytes = 0;              ///< bytes per vertex: light, shadows, matrices, visibility, geometry
+    double light_ms = 0;           ///< median frame with a rotated light
+    double camera_ms = 0;          ///< median frame with a moved camera
     double light_physical_ms = 0;  ///< light_ms with Eq. 70
 };
 
@@ -18,7 +18,7 @@ struct Cost {
     MethodCost dense, factored;
 };
 
-/// The scenes keep their work from step to step. The methods, with and without Eq. 70, alternate; every
-/// frame differs from the one before, and drawing it is waited for.
+/// Measures frames of both methods, with and without Eq. 70, in alternation. Every frame differs from the
+/// frame before, and its drawing is waited for. The scenes reuse their work in later steps.
 Cost measure(const Stage& stage, nicol_scene dense, nicol_scene factored, const Recipe& recipe,
              std::uint32_t frames, nicol_framebuffer target);

@@ -8,7 +8,7 @@
 
 namespace {
 
-// Drawing interpolates with errors relative to a triangle's brightest corner.
+// Tolerance for drawing, whose interpolation has errors relative to a triangle's brightest corner.
 constexpr float kRounding = 1e-4F;
 
 }  // namespace

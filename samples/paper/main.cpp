@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// nicol-paper: the paper's scene, its ablation and its costs, through the C ABI alone.
+// nicol-paper: the paper's scene, its ablation and its costs, using only the C ABI.
 #include <cstdio>
 #include <exception>
 #include <fstream>
@@ -37,7 +37,7 @@ public:
         find_objects();
         if (options_.reference > 0) trace_truth();
         for (const Step& step : steps()) run_step(step);
-        // Images are compared, so all share the exposure of the last.
+        // All images share the exposure of the last one, because they are compared.
         const Colouring colours(expose(images_.back()), std::min<std::size_t>(options_.size, 512));
         write_ablation(colours);
         write_physical_range(colours);
@@ -94,7 +94,8 @@ private:
         results_.push_back(result);
     }
 
-    // Silhouettes are left out: the reference's pixels are means over squares, drawing's are points.
+    // Returns the object without silhouettes: reference pixels are means over squares, drawn pixels are
+    // points.
     [[nodiscard]] std::vector<std::uint8_t> truth_mask() const {
         return eroded(masks_.at(static_cast<std::size_t>(View::front)), images_.back().size);
     }
@@ -158,7 +159,7 @@ private:
     Stage stage_;
     Scene dense_, factored_;
     Framebuffer target_;
-    std::array<std::vector<std::uint8_t>, 2> masks_;  // of objects, by view
+    std::array<std::vector<std::uint8_t>, 2> masks_;  // objects by view
     std::optional<Truth> truth_;
     std::vector<Image> images_;
     std::vector<StepResult> results_;

@@ -10,16 +10,16 @@
 
 struct Options {
     bool help = false;
-    std::filesystem::path data;  ///< holds buddha.obj, plane.obj, the light and gold
+    std::filesystem::path data;  ///< folder of buddha.obj, plane.obj, the light and the gold
     std::filesystem::path out = "out/paper";
-    std::uint32_t size = 1024;    ///< of the images, in pixels
-    std::uint32_t frames = 21;    ///< of each method that are timed; 0: no table
-    std::uint32_t reference = 0;  ///< samples a pixel of each of two images; 0: none
+    std::uint32_t size = 1024;    ///< width and height of images, in pixels
+    std::uint32_t frames = 21;    ///< timed frames per method; 0: no table
+    std::uint32_t reference = 0;  ///< samples per pixel of each of two images; 0: none
     std::uint32_t bake_directions = 2048;
 };
 
-/// The text of --help.
+/// Text of --help.
 extern const char* const usage;
 
-/// Throws Failure naming the argument and what would be right.
+/// Parses the command line. Throws Failure naming the argument and the valid values.
 Options parse_options(int argc, const char* const* argv);

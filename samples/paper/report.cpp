@@ -12,7 +12,7 @@ std::string format(const char* pattern, Values... values) {
     return text;
 }
 
-// Numbers of a convolution kernel for each order: 9 without s3, all 16 with it.
+// Returns the numbers of a convolution kernel per order: 9 without s3, all 16 with it.
 unsigned kernel_size(unsigned components) {
     return components == 3 ? 9 : 16;
 }

@@ -25,7 +25,7 @@ public:
         }
     }
 
-    // What does not fit is cut off.
+    // Writes text. Parts outside the image are cut off.
     void write(const std::string& text, std::size_t left, std::size_t top, std::size_t scale) {
         for (std::size_t i = 0; i < text.size(); ++i) {
             for (std::size_t y = 0; y < kGlyphHeight * scale; ++y) {
@@ -62,7 +62,7 @@ void Sheet::add_row(std::string name, std::vector<Panel> panels) {
 
 void Sheet::write(const std::string& path) const {
     const std::size_t panel = rows_.at(0).panels.at(0).size;
-    // Notes must fit: letters grow with the panels, in whole pixels.
+    // Letters grow with the panels, in whole pixels, so that notes fit.
     const std::size_t large = std::max<std::size_t>(panel / 170, 1),
                       small = std::max<std::size_t>(large - 1, 1);
     const std::size_t gap = 3 * large, strip = (kGlyphHeight + 4) * large, line = (kGlyphHeight + 3) * small;

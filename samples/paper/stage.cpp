@@ -16,7 +16,7 @@ constexpr const char* kPlaneFile = "plane.obj";
 constexpr const char* kLightFile = "SHVec_sponza_1024_L100.npz";
 constexpr const char* kGoldFile = "SHMat_6_gold_ds1_L20_ISOBI2.npz";
 
-// The light's vertical is z, the objects' is y.
+// Makes a matrix of the light, whose vertical is z, in the world of the objects, whose vertical is y.
 void rotated(double degrees, double to_world[16]) {
     const double angle = degrees * std::numbers::pi / 180;
     const double c = std::cos(angle), s = std::sin(angle);
@@ -149,7 +149,7 @@ void Stage::render(nicol_scene scene, View view, double degrees_beside, const Re
     options.order_high = recipe.order_high;
     options.bake_directions = bake_directions_;
     options.shadows = recipe.shadows ? 1 : 0;
-    // The paper's vertices, and what it computes at them.
+    // The paper computes at the vertices of its mesh.
     options.shade_at = NICOL_SHADE_AT_VERTICES;
     options.refine_tolerance = 0;
     options.high_orders = recipe.high_orders;

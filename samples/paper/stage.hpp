@@ -7,13 +7,13 @@
 #include "common/handles.hpp"
 #include "options.hpp"
 
-/// Throws Failure where a file of the data is absent from the folder.
+/// Throws Failure if a file of the data is absent from the folder.
 void require_data(const std::filesystem::path& folder);
 
 /// The two views of figure 22.
 enum class View { front, side };
 
-/// What a render takes over from the library's defaults, and what not.
+/// Options of a render that differ between steps.
 struct Recipe {
     nicol_method method = NICOL_METHOD_FACTORED;
     std::uint32_t order_low = 4;
@@ -27,27 +27,27 @@ struct Recipe {
 
 class Stage {
 public:
-    /// Throws std::runtime_error for what the library refuses.
+    /// Loads the scene's parts. Throws std::runtime_error for anything that the library refuses.
     explicit Stage(const Options& options);
 
-    /// Of the same objects, materials and light; keeps its own work between renders.
+    /// Makes a scene of the common objects, materials and light; it keeps its work between renders.
     [[nodiscard]] Scene make_scene() const;
-    /// For the reference method, which looks light up often: lit by an image of the light, which is written
-    /// to this file and moved into the physically realizable range.
+    /// Makes a scene for the reference method, which looks light up often: the light is an image, written to
+    /// this file and moved into the physically realizable range.
     [[nodiscard]] Scene make_reference_scene(const std::string& image) const;
-    /// Black objects before white light.
+    /// Makes a scene of black objects before white light.
     [[nodiscard]] Scene make_mask_scene() const;
     [[nodiscard]] Framebuffer make_framebuffer() const;
-    /// The light of a scene of make_scene(), rotated about the vertical.
+    /// Rotates the light of a scene of make_scene() about the vertical.
     void rotate_light(nicol_scene scene, double degrees) const;
     void render(nicol_scene scene, View view, const Recipe& recipe, nicol_framebuffer target) const;
-    /// From somewhat beside `view`: for frames in which the camera moves.
+    /// Renders from beside `view`, for frames with a moved camera.
     void render(nicol_scene scene, View view, double degrees_beside, const Recipe& recipe,
                 nicol_framebuffer target) const;
 
-    /// Stokes components that the light has: 3, or 4 with s3.
+    /// Returns the Stokes components of the light: 3, or 4 with s3.
     [[nodiscard]] unsigned components() const noexcept { return components_; }
-    /// OpenGL's renderer and the number of threads.
+    /// Returns OpenGL's renderer and the number of threads.
     [[nodiscard]] std::string machine() const;
 
 private:

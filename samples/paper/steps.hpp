@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The rows of figure 20, and what each adds to the light.
+// The rows of figure 20.
 #pragma once
 
 #include <span>
@@ -7,10 +7,10 @@
 #include "stage.hpp"
 
 struct Step {
-    const char* name;  ///< of its row in images, in the letters of font.hpp
-    const char* file;  ///< of its Stokes image
+    const char* name;  ///< name of the row in images, in letters of font.hpp
+    const char* file;  ///< name of the Stokes image's file
     Recipe recipe;
 };
 
-/// The three of the paper by its own method, then the library's default, which is the factored method.
+/// Returns the three steps of the paper by its method, then the library's default, the factored method.
 std::span<const Step> steps();

@@ -19,7 +19,7 @@ width, height = map(int, arguments.size.split("x"))
 
 
 def orbit(camera, degrees):
-    """The camera rotated about the world's vertical axis; the columns of to_world are its axes and its place."""
+    """Returns the camera rotated about the world's vertical axis; the columns of to_world are its axes and position."""
     rotated = nicol.Camera(projection=camera.projection, fov=camera.fov)
     c, s = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
     m = list(camera.to_world)
@@ -31,7 +31,7 @@ def orbit(camera, degrees):
 
 
 def mean_dolp(framebuffer, channels):
-    """Light and polarized light, summed over pixels and channels."""
+    """Returns the polarized light divided by the light, both summed over pixels and channels."""
     light = polarized = 0.0
     for channel in range(channels):
         s0, dolp = framebuffer.plane(nicol.PLANE_S0, channel), framebuffer.plane(nicol.PLANE_DOLP, channel)
@@ -41,7 +41,7 @@ def mean_dolp(framebuffer, channels):
 
 
 def plot(points, path):
-    """A curve as an SVG file: angle to the right, degree of polarization upwards."""
+    """Writes a curve as an SVG file: angle to the right, degree of polarization upwards."""
     top = math.ceil(10 * max(dolp for _, dolp in points)) / 10
     place = lambda degrees, dolp: f"{60 + 1.5 * degrees:.1f},{260 - 220 * dolp / top:.1f}"  # noqa: E731
     text = lambda x, y, words, rotation="": f'<text x="{x}" y="{y}" {rotation}>{words}</text>'  # noqa: E731

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// nicol-render: a scene file becomes a Stokes image, through the C ABI alone.
+// nicol-render: a program that renders a scene file to a Stokes image, using only the C ABI.
 #include <nicol.h>
 
 #include <cstdio>
@@ -118,7 +118,7 @@ void write_stats(nicol_context context, nicol_framebuffer framebuffer, const std
     write_file(path, stats_json(info, width, height, channels, statistics));
 }
 
-// The library says it too, but after the work.
+// Refuses a folder before the work. The library would refuse it only after the work.
 void refuse_folder(const std::string& path) {
     std::error_code error;
     if (std::filesystem::is_directory(path, error))

@@ -183,7 +183,7 @@ Options parse_options(int argc, const char* const* argv) {
     Options options;
     for (int i = 1; i < argc; ++i) {
         std::string_view name = argv[i];
-        std::optional<std::string_view> attached;  // the value in --name=value and -Dname=value
+        std::optional<std::string_view> attached;  // value in --name=value and -Dname=value
         if (name.starts_with("--") && name.find('=') != std::string_view::npos) {
             attached = name.substr(name.find('=') + 1);
             name = name.substr(0, name.find('='));

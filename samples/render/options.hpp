@@ -11,7 +11,7 @@
 
 #include "common/failure.hpp"
 
-/// What --output and --stats name the standard output by.
+/// Name of the standard output for --output and --stats.
 inline constexpr const char* kStandardOutput = "-";
 
 struct Options {
@@ -20,11 +20,11 @@ struct Options {
     std::string scene;
     std::string output;                    ///< file or kStandardOutput
     std::vector<std::string> definitions;  ///< "name=value"
-    std::string environment;               ///< file, empty: the scene's
-    std::string images;                    ///< folder, empty: none
-    std::string stats;                     ///< file or kStandardOutput, empty: none
+    std::string environment;               ///< file; empty: the environment of the scene
+    std::string images;                    ///< folder; empty: none
+    std::string stats;                     ///< file or kStandardOutput; empty: none
     nicol_backend backend = NICOL_BACKEND_AUTOMATIC;
-    std::uint32_t device = 0;  ///< of the library's list, 0: any
+    std::uint32_t device = 0;  ///< number in the library's list; 0: any
     std::uint32_t aovs = 0;    ///< NICOL_AOV_...
     nicol_method method = NICOL_METHOD_FACTORED;
     nicol_executor executor = NICOL_EXECUTOR_AUTOMATIC;
@@ -42,15 +42,15 @@ struct Options {
     std::uint32_t max_vertices = 0;  ///< 0: the library's default
     std::int32_t split_lights = NICOL_SPLIT_AUTOMATIC;
     std::optional<std::uint32_t> light_samples;
-    std::optional<std::uint32_t> samples;                            ///< of the reference method
-    std::uint64_t seed = 0;                                          ///< likewise
-    nicol_context_options load_limits = NICOL_CONTEXT_OPTIONS_INIT;  ///< no more than its limits of a load
-    std::string cache;                                               ///< folder, empty: what NICOL_CACHE says
+    std::optional<std::uint32_t> samples;                            ///< number for the reference method
+    std::uint64_t seed = 0;                                          ///< seed for the reference method
+    nicol_context_options load_limits = NICOL_CONTEXT_OPTIONS_INIT;  ///< only its limits of loading are used
+    std::string cache;                                               ///< folder; empty: NICOL_CACHE decides
     std::optional<std::uint32_t> width, height;                      ///< both or neither
 };
 
-/// The text of --help.
+/// Text of --help.
 extern const char* const usage;
 
-/// Throws Failure naming the argument and what would be right.
+/// Parses the command line. Throws Failure naming the argument and the valid values.
 Options parse_options(int argc, const char* const* argv);

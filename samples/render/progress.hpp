@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A progress bar for people: only on a terminal, and only when the work takes over a second.
+// A progress bar, shown only on a terminal and only if the work takes over a second.
 #pragma once
 
 #include <chrono>
@@ -12,9 +12,9 @@ public:
     ProgressBar(const ProgressBar&) = delete;
     ProgressBar& operator=(const ProgressBar&) = delete;
 
-    /// A nicol_progress_callback; user is the ProgressBar. Always answers 1.
+    /// Updates the bar, as a nicol_progress_callback whose user is the ProgressBar. Always returns 1.
     static std::int32_t update(void* user, const char* verb, double fraction);
-    /// Wipes the bar, so that other lines may follow.
+    /// Erases the bar, so that other lines may follow.
     void clear();
 
 private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Memory of answers, counted from when a request is taken until the last byte of its answer is sent.
+// Memory of answers, counted from the acceptance of a request until the last byte of its answer is sent.
 #pragma once
 
 #include <cstddef>
@@ -19,11 +19,12 @@ class AnswerRooms {
 public:
     explicit AnswerRooms(std::size_t limit) : limit_(limit) {}
 
-    /// The room of the answer with this entity tag. All requests with an equal tag share it, because their
-    /// answer is in memory once. A new room counts `most` bytes until its answer is known. Null where the
-    /// limit would be passed. An answer larger than the limit gets a room when there is no other one.
+    /// Returns the room of the answer with this entity tag. All requests with an equal tag share a room,
+    /// because their answer is in memory once. A new room counts `most` bytes until its answer is known.
+    /// Returns null if the limit would be exceeded, but an answer larger than the limit gets a room if there
+    /// is no other one.
     std::shared_ptr<class AnswerRoom> reserve(const std::string& tag, std::size_t most);
-    /// Bytes of all rooms together.
+    /// Returns the bytes of all rooms.
     [[nodiscard]] std::size_t bytes() const { return books_->bytes; }
 
 private:
@@ -38,9 +39,9 @@ public:
     AnswerRoom(const AnswerRoom&) = delete;
     AnswerRoom& operator=(const AnswerRoom&) = delete;
 
-    /// Keeps the answer as long as the room, which counts its size from now on.
+    /// Keeps the answer as long as the room, which counts the answer's size from now on.
     void settle(const AnswerPtr& answer);
-    /// Null until settle().
+    /// Returns the answer, null before settle().
     [[nodiscard]] const AnswerPtr& answer() const { return answer_; }
 
 private:

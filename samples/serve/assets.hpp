@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The files of the page, embedded when the program is built.
+// The files of the page, embedded at build time.
 #pragma once
 
 #include <span>
 #include <string_view>
 
 struct Asset {
-    std::string_view path;  ///< of the URL: "/page.js"; "/" is the page itself
+    std::string_view path;  ///< path of the URL, such as "/page.js"; "/" is the page
     std::string_view type;
     std::string_view content;
 };

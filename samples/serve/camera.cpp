@@ -16,7 +16,7 @@ using Vector = std::array<double, 3>;
 
 constexpr double kDegree = std::numbers::pi / 180;
 
-/// A column of a row-major 4 x 4 matrix.
+/// Returns a column of a row-major 4 x 4 matrix.
 Vector column(const double m[16], std::size_t c) {
     return {m[c], m[4 + c], m[8 + c]};
 }
@@ -31,12 +31,12 @@ double rounded(double value) {
     return std::strtod(text.data(), nullptr);
 }
 
-/// The two horizontal axes: azimuth 0 and azimuth 90.
+/// Returns the two horizontal axes: azimuth 0 and azimuth 90.
 std::array<std::size_t, 2> horizontal(std::uint32_t up) {
     return {(up + 1) % 3, (up + 2) % 3};
 }
 
-/// Right-handed, about a world axis.
+/// Returns a right-handed rotation about a world axis, in radians.
 std::array<double, 9> rotation(std::size_t axis, double angle) {
     const double c = std::cos(angle), s = std::sin(angle);
     const std::size_t a = (axis + 1) % 3, b = (axis + 2) % 3;
@@ -48,7 +48,7 @@ std::array<double, 9> rotation(std::size_t axis, double angle) {
     return m;
 }
 
-/// rotation * matrix, of which the last row stays.
+/// Sets the matrix to rotation * matrix; the last row stays.
 void set_rotation(const std::array<double, 9>& r, double m[16]) {
     for (std::size_t c = 0; c < 4; ++c) {
         const Vector v = column(m, c);
@@ -61,7 +61,7 @@ void set_rotation(const std::array<double, 9>& r, double m[16]) {
 
 std::uint32_t vertical_axis(const nicol_camera& camera) {
     const Vector up = column(camera.to_world, 1);
-    std::uint32_t axis = 1;  // where two come equally near
+    std::uint32_t axis = 1;  // choice if two axes are equally near
     for (std::uint32_t i = 0; i < 3; ++i)
         if (std::abs(up[i]) > std::abs(up[axis]) + 1e-6) axis = i;
     return axis;
@@ -95,7 +95,7 @@ nicol_camera camera_of(const View& view, const nicol_camera& own, std::uint32_t 
     Vector vertical{};
     vertical[up] = 1;
     check(nicol_camera_look_at(&camera, origin.data(), view.orbit.target.data(), vertical.data()));
-    // The size of an orthographic image is the scale of its axes.
+    // The scale of the axes is the size of an orthographic image.
     for (std::size_t c = 0; c < 2; ++c) {
         const double scale = length(column(own.to_world, c));
         for (std::size_t row = 0; row < 3; ++row) camera.to_world[row * 4 + c] *= scale;

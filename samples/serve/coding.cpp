@@ -11,7 +11,7 @@ std::string_view trimmed(std::string_view text) {
     return text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
-/// What stands before the separator, which goes with it.
+/// Returns the part before the separator and removes both from the text.
 std::string_view take(std::string_view& text, char separator) {
     const std::size_t end = text.find(separator);
     const std::string_view part = text.substr(0, end);
@@ -24,7 +24,7 @@ bool same(std::string_view name, std::string_view lower) {
                               [](char a, char b) { return (a >= 'A' && a <= 'Z' ? a + 32 : a) == b; });
 }
 
-/// A weight of zero: "q=0", "q=0.000".
+/// Returns whether a weight is zero: "q=0", "q=0.000".
 bool is_refusal(std::string_view parameter) {
     return (parameter.starts_with("q=0") || parameter.starts_with("Q=0")) &&
            parameter.find_first_not_of("0.", 2) == std::string_view::npos;

@@ -24,15 +24,15 @@ using boost::system::error_code;
 
 namespace {
 
-constexpr std::size_t kReadBytes = 65536;  // at once, at most
-/// How long a client's end may go unnoticed behind bytes that it sent before.
+constexpr std::size_t kReadBytes = 65536;  // most bytes per read
+/// Interval of checks whether the client left, used while unread bytes hide the end of the stream.
 constexpr std::chrono::milliseconds kLookInterval(100);
 
 std::chrono::steady_clock::duration duration(Seconds seconds) {
     return std::chrono::duration_cast<std::chrono::steady_clock::duration>(seconds);
 }
 
-/// The answer to a request that cannot be parsed.
+/// Returns the answer to a request that cannot be parsed.
 Problem problem_of(const error_code& error) {
     if (error == http::error::header_limit)
         return {.status = 431, .detail = "The request's header is too long."};
@@ -44,7 +44,7 @@ std::string text_of(beast::string_view text) {
     return {text.data(), text.size()};
 }
 
-/// The address as a Host header has it, without brackets.
+/// Returns the address without brackets, as Host headers contain it.
 std::string numeric(const asio::ip::address& address) {
     if (address.is_v4()) return address.to_string();
     asio::ip::address_v6 v6 = address.to_v6();
@@ -76,7 +76,7 @@ Connection::Connection(asio::ip::tcp::socket socket, std::string network, const 
 }
 
 Connection::~Connection() {
-    // What is around it may be gone, where the service ends before its answer.
+    // The rest of around_ may be destroyed already, if the service ends before its answer.
     crowd_->members.erase(this);
     if (crowd_->members.empty() && crowd_->emptied) crowd_->emptied();
 }
@@ -95,7 +95,7 @@ void Connection::drain() {
 }
 
 void Connection::displace() {
-    // It makes room at once, and not when its last handler was called.
+    // The connection leaves the crowd now, because its last handler may be called much later.
     crowd_->members.erase(this);
     close();
 }
@@ -117,7 +117,7 @@ void Connection::wait_for_request() {
 
 void Connection::read() {
     in_request_ = true;
-    // The stream's own limit would close it without an answer.
+    // The stream's timeout would close the connection without an answer.
     stream_.expires_never();
     late_ = false;
     limit(around_.options.read_limit, [this] {
@@ -128,7 +128,7 @@ void Connection::read() {
     read_header(0);
 }
 
-/// Until the whole header is there; its bytes up to `searched` do not end it.
+/// Reads the header; its bytes up to `searched` do not contain its end.
 void Connection::read_header(std::size_t searched) {
     constexpr std::string_view end = "\r\n\r\n";
     const std::string_view bytes = content_of(buffer_);
@@ -156,7 +156,8 @@ void Connection::finish_header(std::size_t length) {
     read_body();
 }
 
-/// The client waits with its body for this, or for what it may spare itself the body for.
+/// Answers a client that waits before it sends its body: 100 Continue, or the final answer if no body is
+/// needed.
 void Connection::go_on() {
     const http::verb method = parser_->get().method();
     if (method != http::verb::get && method != http::verb::head) return handle();
@@ -174,7 +175,7 @@ void Connection::read_body() {
                      });
 }
 
-/// Whether reading came to nothing; the client is then told why, where it can be, and the connection ends.
+/// Returns whether reading failed. If so, an answer states the reason if possible, and the connection ends.
 bool Connection::failed(const error_code& error) {
     if (!error) return false;
     if (late_)
@@ -190,12 +191,12 @@ bool Connection::failed(const error_code& error) {
     return true;
 }
 
-/// One limit holds at a time: setting another, or unlimit(), ends it.
+/// Sets the time limit. Only one limit is active: another limit() and unlimit() cancel it.
 void Connection::limit(Seconds time, std::function<void()> over) {
     deadline_.expires_after(duration(time));
     deadline_.async_wait(
         [self = shared_from_this(), over = std::move(over), now = ++limits_](const error_code& error) {
-            // A timer that had expired when it was cancelled still comes here.
+            // A timer that expired before its cancellation still calls this.
             if (!error && self->limits_ == now) over();
         });
 }
@@ -220,7 +221,7 @@ void Connection::handle() {
                                 .local = local_,
                                 .status_alone = around_.status_alone});
     if (const auto* wanted = std::get_if<Render>(&outcome)) return render(*wanted);
-    // A body that was not read is no request.
+    // An unread body must not be parsed as a request.
     answer(std::get<Response>(outcome), message.keep_alive() && parser_->is_done());
 }
 
@@ -252,9 +253,9 @@ void Connection::render(const Render& render) {
     watch();
 }
 
-/// Nothing is read while an image is rendered, but the end of the stream means that the client left. That end
-/// may stand behind bytes of a next request, which make the socket readable all the time: it is looked for at
-/// intervals.
+/// Watches for the end of the stream, which means that the client left. Nothing is read while an image is
+/// rendered. Bytes of a next request before the end make the socket permanently readable, so the end is
+/// checked at intervals.
 void Connection::watch() {
     const auto waits = [self = shared_from_this(), job = ticket_->job] {
         return self->ticket_ && self->ticket_->job == job;
@@ -319,7 +320,7 @@ void Connection::answer(const Response& response, bool keep_alive) {
     const std::string origin = parser_ ? text_of(parser_->get()[http::field::origin]) : "";
     for (const auto& [name, value] : origin_headers(origin, around_.options.allowed_origins))
         out->message.insert(name, value);
-    // The length of an image that was not made is not known, and 204 and 304 have no content at all.
+    // An image that was not made has unknown length, and 204 and 304 have no content.
     const bool unknown =
         response.status == 204 || response.status == 304 || (head && response.content.empty());
     if (!unknown) out->message.content_length(response.content.size());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One client's connection: requests are read within limits and answered one after another.
+// One client's connection, which reads requests within limits and answers them one after another.
 #pragma once
 
 #include <boost/asio/ip/tcp.hpp>
@@ -24,32 +24,32 @@ public:
         Service& service;
         Dispatcher& dispatcher;
         Metrics& metrics;
-        bool status_alone = false;  ///< answers nothing but whether the service is well
+        bool status_alone = false;  ///< answers only requests for the service's status
     };
-    /// The open connections of one listener, which each enters and leaves by itself.
+    /// The open connections of one listener. Connections enter and leave by themselves.
     struct Crowd {
         std::set<Connection*> members;
         std::function<void()> emptied;
     };
 
-    /// network: the same for all connections of one client.
+    /// Makes a connection. `network` is equal for all connections of one client.
     Connection(boost::asio::ip::tcp::socket socket, std::string network, const Surroundings& surroundings,
                std::shared_ptr<Crowd> crowd);
     ~Connection();
     Connection(const Connection&) = delete;
     Connection& operator=(const Connection&) = delete;
 
-    /// Serves requests until the client or a limit ends it; it keeps itself alive.
+    /// Serves requests until the client or a limit ends the connection, which keeps itself alive.
     void start();
-    /// Answers this and closes, without reading a request.
+    /// Answers with this problem and closes, without reading a request.
     void refuse(const Problem& problem);
-    /// Closes now where no request is under way, else after its answer.
+    /// Closes now, or after the answer to a request under way.
     void drain();
-    /// Closes now, for another one.
+    /// Closes now to make room for another connection.
     void displace();
 
     [[nodiscard]] const std::string& network() const { return network_; }
-    /// Since when there has been no whole request to answer; none where there is one.
+    /// Returns since when there has been no complete request to answer, or nothing while there is one.
     [[nodiscard]] std::optional<std::chrono::steady_clock::time_point> waiting_since() const {
         return waiting_since_;
     }
@@ -82,10 +82,10 @@ private:
     const std::shared_ptr<Crowd> crowd_;
     boost::beast::flat_buffer buffer_;
     std::optional<Parser> parser_;
-    boost::asio::steady_timer deadline_;        ///< of limit()
-    boost::asio::steady_timer next_look_;       ///< of watch()
-    std::uint64_t limits_ = 0;                  ///< how many there were
-    std::optional<Dispatcher::Ticket> ticket_;  ///< where an image is under way
+    boost::asio::steady_timer deadline_;        ///< timer of limit()
+    boost::asio::steady_timer next_look_;       ///< timer of watch()
+    std::uint64_t limits_ = 0;                  ///< number of limits set so far
+    std::optional<Dispatcher::Ticket> ticket_;  ///< set while an image is under way
     std::chrono::steady_clock::time_point asked_;
     std::optional<std::chrono::steady_clock::time_point> waiting_since_;
     bool late_ = false;  ///< the request took too long to arrive

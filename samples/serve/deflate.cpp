@@ -9,8 +9,8 @@
 
 namespace {
 
-/// Level 1 makes rendered images a tenth larger than zlib's default does, in a twelfth of its time; what is
-/// rounded becomes a seventh larger.
+/// Returns zlib's level. Level 1 makes rendered images a tenth larger than the default level, in a twelfth of
+/// its time, and rounded images a seventh larger.
 int level(Deflate matters) {
     return matters == Deflate::speed ? 1 : 6;
 }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Compression as PNG files and HTTP's coding "deflate" have it (RFC 1950).
+// Compression for PNG files and HTTP's coding "deflate" (RFC 1950).
 #pragma once
 
 #include <string>
 #include <string_view>
 
-/// What matters more.
+/// Goal of the compression.
 enum class Deflate { speed, size };
 
 std::string deflated(std::string_view data, Deflate matters);

@@ -37,13 +37,13 @@ std::string hex(const Digest& digest) {
 }
 
 std::string entity_tag(std::string_view text) {
-    // 128 bits suffice against accidental collisions; deliberate ones do no harm.
+    // 128 bits suffice against accidental collisions; deliberate ones are harmless.
     return '"' + hex(sha256(text)).substr(0, 32) + '"';
 }
 
 bool matches(std::string_view if_none_match, std::string_view tag) {
-    // Commas may stand within the quotes of somebody else's tag, but not within ours: searching for ours,
-    // quotes included, finds it as an element of the list and nowhere else.
+    // Another server's tag may contain commas within its quotes, but no tag of this service does. A search
+    // for the tag with its quotes therefore finds only whole elements of the list.
     const std::size_t first = if_none_match.find_first_not_of(" \t");
     if (first == std::string_view::npos) return false;
     const std::size_t last = if_none_match.find_last_not_of(" \t");

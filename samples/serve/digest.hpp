@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// SHA-256 and what is made of it: entity tags and signatures of URLs.
+// SHA-256, and entity tags and signatures of URLs derived from it.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@ Digest sha256(std::string_view text);
 Digest hmac_sha256(std::string_view key, std::string_view text);
 std::string hex(const Digest& digest);
 
-/// A strong entity tag of a content that follows from this text, quotes included.
+/// Returns a strong entity tag, quotes included, of a content that this text determines.
 std::string entity_tag(std::string_view text);
-/// Whether If-None-Match has this tag, by the weak comparison (RFC 9110, 8.8.3.2), or is "*".
+/// Returns whether If-None-Match contains this tag by the weak comparison (RFC 9110, 8.8.3.2), or is "*".
 bool matches(std::string_view if_none_match, std::string_view tag);

@@ -27,7 +27,7 @@ std::optional<Dispatcher::Ticket> Dispatcher::submit(const std::string& key, con
         job->waiters.emplace(++last_id_, std::move(done));
         return Ticket{.job = job->id, .waiter = last_id_, .joined = true};
     }
-    // An idle worker takes it at once; otherwise it is queued.
+    // An idle worker takes the job at once; otherwise the job is queued.
     if (queue_.size() >= queue_limit_ && !worker_for(request)) return std::nullopt;
     const auto job = std::make_shared<Job>();
     job->id = ++last_id_;
@@ -100,7 +100,8 @@ void Dispatcher::refuse_scene(std::uint32_t scene) {
     for (const JobPtr& job : of_scene) finish(job, unavailable("This scene is still being prepared."));
 }
 
-/// An idle worker that can render the request, at best the one that rendered its view last and has it still.
+/// Returns an idle worker that can render the request, preferably one that rendered its view last and still
+/// has it.
 std::optional<int> Dispatcher::worker_for(const ImageRequest& request) const {
     std::optional<int> found;
     for (const int worker : idle_) {

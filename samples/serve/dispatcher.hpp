@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which request is rendered when and by which worker: a bounded queue, equal requests once, retries. No
-// sockets, no clocks: it receives events and sends commands to workers.
+// Assignment of requests to workers: a bounded queue, one job for equal requests, retries. The dispatcher has
+// no sockets and no clocks: it receives events and sends commands to workers.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@
 /// The answer that all requests of a job share.
 struct Answer {
     ResultHead head;
-    std::string content;  ///< of the image, or what went wrong
+    std::string content;  ///< image, or description of the failure
 };
 using AnswerPtr = std::shared_ptr<const Answer>;
 
@@ -27,7 +27,7 @@ public:
     struct Workers {
         std::function<void(int worker, std::uint64_t job, const ImageRequest&)> start;
         std::function<void(int worker, std::uint64_t job)> cancel;
-        /// Whether the worker can render this request. Where it is not set, every worker can.
+        /// Returns whether the worker can render this request. Unset: every worker can.
         std::function<bool(int worker, const ImageRequest&)> can = {};
     };
     using Done = std::function<void(const AnswerPtr&)>;
@@ -38,23 +38,24 @@ public:
 
     Dispatcher(std::size_t queue_limit, Workers workers);
 
-    /// `key` is the same for equal requests. Nothing where the queue is full. `done` is called once, later,
-    /// unless leave() comes first.
+    /// Adds a request. `key` is equal for equal requests. Returns nothing if the queue is full. `done` is
+    /// called once, later, unless leave() is called first.
     std::optional<Ticket> submit(const std::string& key, const ImageRequest& request, Done done);
-    /// The client of this answer left. If it was the job's last, the job leaves the queue or is cancelled.
+    /// Removes a client that left. Without other clients the job leaves the queue or is cancelled.
     void leave(const Ticket& ticket);
 
-    /// It takes a job now, at once or later.
+    /// Marks the worker as idle: it takes a job now or later.
     void worker_idle(int worker);
-    /// It has something else to do until worker_idle().
+    /// Marks the worker as busy with other work until worker_idle().
     void worker_away(int worker) { idle_.erase(worker); }
     /// Answers all waiting requests. The worker gets no other job before worker_idle().
     void worker_done(int worker, std::uint64_t job, const AnswerPtr& answer);
-    /// It crashed or was killed: its job is tried once more by another one, and then answered 503.
+    /// Handles a worker that crashed or was killed: its job is retried once by another worker, and then
+    /// answered 503.
     void worker_lost(int worker);
-    /// Answers all queued requests for the scene 503: no worker has it any more.
+    /// Answers all queued requests for the scene 503, because no worker has it any more.
     void refuse_scene(std::uint32_t scene);
-    /// Earlier requests are outdated: queued ones are answered 503, running ones are not tried again.
+    /// Marks earlier requests as outdated: queued ones are answered 503, running ones are not retried.
     void begin_generation();
 
     [[nodiscard]] std::size_t queued() const { return queue_.size(); }
@@ -82,8 +83,8 @@ private:
     std::uint64_t last_id_ = 0, generation_ = 0;
     std::deque<JobPtr> queue_;
     std::map<int, JobPtr> running_;          ///< by worker
-    std::map<std::string, JobPtr> by_key_;   ///< those that can be joined
+    std::map<std::string, JobPtr> by_key_;   ///< jobs that equal requests can join
     std::map<std::uint64_t, JobPtr> by_id_;  ///< jobs with waiting clients
     std::set<int> idle_;
-    std::map<int, View> last_view_;  ///< of workers
+    std::map<int, View> last_view_;  ///< by worker
 };

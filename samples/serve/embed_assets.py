@@ -18,7 +18,7 @@ for number, path in enumerate(sys.argv[2:]):
         data = file.read()
     name = os.path.basename(path)
     place = "/" if name == "index.html" else "/" + name
-    # Numbers rather than a string, whose length compilers limit.
+    # Numbers are used instead of a string, whose length compilers limit.
     lines.append(f"constexpr char file_{number}[] = {{{','.join(str(b if b < 128 else b - 256) for b in data)}}};")
     rows.append(f'    {{"{place}", "{TYPES[os.path.splitext(name)[1]]}", {{file_{number}, sizeof file_{number}}}}},')
 lines += ["", "constexpr Asset table[] = {", *rows, "};", "", "}  // namespace", ""]

@@ -25,7 +25,7 @@ std::string header(std::uint32_t width, std::uint32_t height, const std::vector<
     std::string channels, window, centre, one;
     for (const std::string& name : names) {
         channels.append(name).append(1, '\0');
-        put<std::int32_t>(channels, 2);  // 32-bit float
+        put<std::int32_t>(channels, 2);  // pixel type: 32-bit float
         put<std::int32_t>(channels, 0);
         put<std::int32_t>(channels, 1);
         put<std::int32_t>(channels, 1);

@@ -13,12 +13,14 @@ namespace {
 using Header = http::request_header<>;
 constexpr unsigned kVersion11 = 11;
 
-/// RFC 9112, 5.2. The parser joins such lines, others do not: two readers may see two requests.
+/// Returns whether a header line is folded (RFC 9112, 5.2). The parser joins folded lines and other parsers
+/// do not, so two readers may see different requests.
 bool is_folded(std::string_view bytes) {
     return bytes.find("\r\n ") != std::string_view::npos || bytes.find("\r\n\t") != std::string_view::npos;
 }
 
-/// RFC 9112, 3.2, and of RFC 3986 the characters of an authority without user information.
+/// Returns whether Host follows RFC 9112, 3.2, with characters of an authority without user information (RFC
+/// 3986).
 bool has_good_host(const Header& header) {
     const auto count = header.count(http::field::host);
     if (count != 1) return count == 0 && header.version() < kVersion11;
@@ -29,7 +31,7 @@ bool has_good_host(const Header& header) {
     });
 }
 
-/// RFC 9112, 6.1 and 6.3.
+/// Returns the problem of a transfer coding by RFC 9112, 6.1 and 6.3.
 std::optional<Problem> refused_coding(const Header& header) {
     const auto coding = header.find(http::field::transfer_encoding);
     if (coding == header.end() ||
@@ -40,7 +42,7 @@ std::optional<Problem> refused_coding(const Header& header) {
     const auto chunked = std::find_if(codings.begin(), codings.end(), [](beast::string_view name) {
         return beast::iequals(name, "chunked");
     });
-    // Once, and as the last one.
+    // chunked must occur once, as the last coding.
     const bool ends = chunked != codings.end() && std::next(chunked) == codings.end();
     if (header.version() < kVersion11 || !ends)
         return Problem{.status = 400,

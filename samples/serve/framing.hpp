@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What RFC 9110 and 9112 refuse in a request's header where Beast's parser does not.
+// Refusal of request headers that RFC 9110 and 9112 forbid but Beast's parser accepts.
 #pragma once
 
 #include <boost/beast/http/fields.hpp>
@@ -9,10 +9,10 @@
 
 #include "problem.hpp"
 
-/// Where the header is refused (400, 417 or 501), what is wrong with it; where its message ends is then in
-/// doubt, and the connection must close. `bytes` are those that `header` was parsed from.
+/// Returns the problem of a refused header (400, 417 or 501), else nothing. The end of a refused message is
+/// in doubt, so the connection must close. `bytes` are the header's text.
 std::optional<Problem> refused_header(std::string_view bytes,
                                       const boost::beast::http::request_header<>& header);
 
-/// Whether the client sends the body only once it was told to go on.
+/// Returns whether the client waits for permission before it sends the body.
 bool expects_continue(const boost::beast::http::request_header<>& header);

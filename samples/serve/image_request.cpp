@@ -25,7 +25,7 @@ const Resource& resource_of(Format format) {
 
 namespace {
 
-/// The rest of a division by a positive period, never negative.
+/// Returns the remainder of a division by a positive period, never negative.
 double wrapped(double value, double period) {
     const double rest = std::fmod(value, period);
     const double positive = rest < 0 ? rest + period : rest;
@@ -39,7 +39,7 @@ public:
         : target_(target), limits_(limits), table_(parameters(limits)) {
         for (const auto& parameter : target.query) {
             const std::string& name = parameter.first;
-            // Checked with the signature.
+            // These parameters are checked with the signature.
             if (name == "sig" || name == "expires") continue;
             const auto known =
                 std::ranges::find_if(table_, [&](const Parameter& p) { return p.name == name; });
@@ -133,7 +133,7 @@ void read_observer(const Reader& reader, const SceneInfo& info, ImageRequest& re
     const bool through = request.observer == Observer::polarizer;
     if (angle && !through)
         refuse_parameter(reader.row("observer"), "Only the observer polarizer has an angle.");
-    // What has no effect on this observer does not make another image.
+    // Parameters without effect on this observer are dropped, so that they do not make another image.
     const double exposure = reader.number("exposure").value_or(0), scale = reader.number("scale").value_or(0);
     const bool bright = through || request.observer == Observer::s0;
     const bool component = request.observer == Observer::s1 || request.observer == Observer::s2 ||
@@ -187,7 +187,7 @@ std::size_t most_bytes(const ImageRequest& request, const SceneInfo& info) {
                 return info.channels * components * single;
         }
     };
-    // Headers, tables of lines, and the compressors' own bytes where nothing can be compressed.
+    // The bound includes headers, tables of lines, and the overhead of compressors for incompressible data.
     constexpr std::size_t header = 16384, of_line = 64;
     const std::size_t content = pixels * of_pixel();
     return header + request.view.height * of_line + content + content / 256;

@@ -11,7 +11,7 @@ bool continues(std::string_view text, std::size_t at) {
     return at < text.size() && (static_cast<unsigned char>(text[at]) & 0xc0u) == 0x80u;
 }
 
-/// Bytes of the well-formed UTF-8 character that begins here; 0 where there is none.
+/// Returns the bytes of the well-formed UTF-8 character that begins here, 0 if there is none.
 std::size_t character_length(std::string_view text, std::size_t at) {
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[at + i]); };
     const unsigned first = byte(0);
@@ -58,7 +58,7 @@ std::string json_string(std::string_view text) {
 
 std::string json_number(double value) {
     std::array<char, 32> text{};
-    // -0 + 0 is 0.
+    // Adding 0 turns -0 into 0.
     const auto end =
         std::to_chars(text.data(), text.data() + text.size(), value + 0.0, std::chars_format::general).ptr;
     return {text.data(), end};

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// What little JSON the service writes.
+// Strings and numbers in JSON.
 #pragma once
 
 #include <string>
 #include <string_view>
 
-/// The text in quotes. Bytes that are no UTF-8 become U+FFFD, so that the result always is JSON.
+/// Returns the text in quotes. Invalid UTF-8 becomes U+FFFD, so the result is always valid JSON.
 std::string json_string(std::string_view text);
-/// The shortest decimal that reads back as the same number; it must be finite.
+/// Returns the shortest decimal that reads back as an equal number, which must be finite.
 std::string json_number(double value);

@@ -27,7 +27,8 @@ tcp::acceptor listen(asio::io_context& io, const Endpoint& endpoint, const char*
     return acceptor;
 }
 
-/// What counts as one address: of IPv6 the first half, as its second one is a client's to choose.
+/// Returns the part of an address that identifies a client: for IPv6 the first half, because clients choose
+/// the second half.
 std::string network_of(const tcp::socket& socket) {
     error_code error;
     const asio::ip::address address = socket.remote_endpoint(error).address();
@@ -59,7 +60,7 @@ void Listener::accept() {
             admit(std::move(socket));
             return accept();
         }
-        // Out of file descriptors, most likely: some connection must end first.
+        // The process probably has no file descriptors left, so some connection must end first.
         constexpr auto retry_delay = std::chrono::milliseconds(100);
         pause_.expires_after(retry_delay);
         pause_.async_wait([this](const error_code& cancelled) {
@@ -68,8 +69,9 @@ void Listener::accept() {
     });
 }
 
-/// Who comes takes the place of the connection that has waited longest for a whole request, first of its own
-/// address: who holds places and asks nothing, or asks slowly, cannot keep others out.
+/// Admits a connection. If there is no place, the new connection replaces the one that has waited longest for
+/// a complete request, preferably one of its own address. Clients that hold places without requests, or send
+/// them slowly, thus cannot keep others out.
 void Listener::admit(tcp::socket socket) {
     const std::string network = network_of(socket);
     std::size_t neighbours = 0;
@@ -103,7 +105,7 @@ void Listener::drain(std::function<void()> ended) {
     error_code ignored;
     acceptor_.close(ignored);
     pause_.cancel();
-    // Draining may end a connection and take it out of the set.
+    // Draining may end a connection and remove it from the set.
     const std::set<Connection*> now = crowd_->members;
     for (Connection* connection : now) connection->drain();
     if (crowd_->members.empty()) return ended();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// An address that is listened on, and the connections that hold a place there.
+// A listening address, and the connections that hold a place there.
 #pragma once
 
 #include <boost/asio/io_context.hpp>
@@ -16,10 +16,10 @@ class Listener {
 public:
     struct Places {
         std::size_t all = 0;
-        std::size_t per_address = 0;  ///< 0: as many as there are
+        std::size_t per_address = 0;  ///< 0: unlimited
     };
 
-    /// Binds the address. Throws Failure naming the option where that cannot be had.
+    /// Binds the address. Throws Failure naming the option if that fails.
     Listener(boost::asio::io_context& io, const Endpoint& endpoint, const char* option, const Places& places,
              const Connection::Surroundings& surroundings);
 
@@ -28,10 +28,10 @@ public:
     Listener& operator=(const Listener&) = delete;
 
     void start() { accept(); }
-    /// Takes no more; `ended` is called once all connections are gone, which may be at once.
+    /// Accepts no more connections. `ended` is called once all connections are closed, which may be now.
     void drain(std::function<void()> ended);
     [[nodiscard]] std::size_t connections() const { return crowd_->members.size(); }
-    /// "http://127.0.0.1:8080".
+    /// Returns the URL, such as "http://127.0.0.1:8080".
     [[nodiscard]] std::string url() const;
 
 private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// nicol-serve: images of polarized light over HTTP, through the C ABI alone.
+// nicol-serve: images of polarized light over HTTP, using only the C ABI.
 #include <cstdio>
 #include <exception>
 

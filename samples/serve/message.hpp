@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the front process and its workers say to each other. Both are the same program on the same machine, so
-// that plain structs travel as they are: each message is a Head and the bytes it announces.
+// Messages between the front process and its workers. All processes are one program on one machine, so plain
+// structs are sent unchanged: each message is a Head and the bytes that it announces.
 #pragma once
 
 #include <array>
@@ -13,33 +13,33 @@
 #include "image_request.hpp"
 
 enum class MessageKind : std::uint32_t {
-    hello,   ///< worker: has a context; the scenes that it can load follow
+    hello,   ///< worker: has a context; the ids of its scenes follow
     failed,  ///< worker: cannot start; the reason follows
-    load,    ///< front: load the scene of this index; nothing follows
-    loaded,  ///< worker: the scene, or why it cannot be loaded, follows
-    job,     ///< front: a Job
+    load,    ///< front: load the scene with this index; nothing follows
+    loaded,  ///< worker: the scene, or the reason why it cannot be loaded, follows
+    job,     ///< front: an ImageRequest follows
     cancel,  ///< front: the job's clients left; nothing follows
-    result   ///< worker: a ResultHead and the answer's content, or what went wrong
+    result   ///< worker: a ResultHead and the answer's content or the failure follow
 };
 
 struct Head {
     MessageKind kind{};
-    std::uint32_t length = 0;  ///< of what follows, bytes
-    std::uint64_t job = 0;     ///< which it is about; of load and loaded the scene's index
+    std::uint32_t length = 0;  ///< in bytes, of the content after the head
+    std::uint64_t job = 0;     ///< job of the message; scene index for load and loaded
 };
 
-/// No message is longer; the largest Stokes image stays far below.
+/// Largest length of a message, far above that of the largest Stokes image.
 constexpr std::uint32_t kMaxMessageBytes = 0x7fffffff;
 
-/// The verbs whose times are reported, in this order.
+/// Verbs with reported times, in this order.
 constexpr std::array<const char*, 6> kVerbs = {"project", "bake", "relight", "shade", "draw", "encode"};
 
 struct ResultHead {
-    std::int32_t status = 500;     ///< 200, or of the problem; 499: cancelled
-    std::uint32_t unchanged = 0;   ///< 1: the worker had rendered this very view before
-    std::array<double, 6> ms{};    ///< by verb; 0: it did not run
-    float scale = 0;               ///< of s1, s2, s3 as PNG: the value at full colour
-    std::uint32_t components = 0;  ///< of stokes.planes
+    std::int32_t status = 500;     ///< 200, or status of the problem; 499: cancelled
+    std::uint32_t unchanged = 0;   ///< 1: the worker had rendered this view before
+    std::array<double, 6> ms{};    ///< milliseconds by verb; 0: did not run
+    float scale = 0;               ///< value at full colour, for s1, s2, s3 as PNG
+    std::uint32_t components = 0;  ///< number in stokes.planes
 };
 
 static_assert(std::is_trivially_copyable_v<ImageRequest> && std::is_trivially_copyable_v<ResultHead>);
@@ -50,7 +50,7 @@ std::string_view bytes_of(const T& value) {
     return {reinterpret_cast<const char*>(&value), sizeof value};
 }
 
-/// False where there are too few bytes.
+/// Removes a value from the front. Returns false if there are too few bytes.
 template <typename T>
 bool take(std::string_view& from, T& into) {
     static_assert(std::is_trivially_copyable_v<T>);
@@ -62,13 +62,13 @@ bool take(std::string_view& from, T& into) {
 
 /// Description of a worker, sent in its hello.
 struct Hello {
-    std::string renderer;             ///< OpenGL's name and version
-    std::vector<std::string> scenes;  ///< their ids
+    std::string renderer;             ///< name and version of OpenGL
+    std::vector<std::string> scenes;  ///< ids of the scenes
 
     bool operator==(const Hello&) const = default;
 };
 
-/// A scene that was loaded, or has no digest and the reason why it was not.
+/// A loaded scene, or one without a digest and the reason of its failure.
 struct Loaded {
     SceneInfo info;
     std::string reason;
@@ -76,6 +76,6 @@ struct Loaded {
 
 std::string pack(const Hello& hello);
 std::string pack(const Loaded& loaded);
-/// False where the bytes are not what pack() makes.
+/// Unpacks bytes of pack(). Returns false if they are not.
 bool unpack(std::string_view bytes, Hello& hello);
 bool unpack(std::string_view bytes, Loaded& loaded);

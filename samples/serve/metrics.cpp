@@ -5,7 +5,7 @@
 
 namespace {
 
-/// Prefixes every name.
+/// Prefix of every name.
 constexpr const char* kPrefix = "nicol_serve_";
 
 std::string head(const std::string& name, const char* type, const char* help) {

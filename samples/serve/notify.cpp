@@ -15,7 +15,7 @@ void notify(std::string_view state) {
     sockaddr_un address{.sun_family = AF_UNIX, .sun_path = {}};
     if (path.empty() || path.size() >= sizeof address.sun_path) return;
     path.copy(address.sun_path, path.size());
-    // Of an abstract socket the name begins with a zero byte and has none at its end.
+    // The name of an abstract socket begins with a zero byte and has none at its end.
     const bool abstract = path.front() == '@';
     if (abstract) address.sun_path[0] = '\0';
     const auto length =

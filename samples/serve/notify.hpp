@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Tells systemd how the service is (sd_notify(3)).
+// Notification of systemd about the service's state (sd_notify(3)).
 #pragma once
 
 #include <string_view>
 
-/// Sends "READY=1" and the like where $NOTIFY_SOCKET says whom to; nothing else happens.
+/// Sends a state such as "READY=1" to $NOTIFY_SOCKET. Does nothing without this variable.
 void notify(std::string_view state);

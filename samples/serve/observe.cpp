@@ -10,15 +10,15 @@
 
 namespace {
 
-/// So fine that no two of the 8-bit codes begin within one step.
+/// Number of steps, so large that at most one 8-bit code begins within a step.
 constexpr std::size_t kTableSize = 4096;
 
 double srgb_curve(double v) {
     return v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1 / 2.4) - 0.055;
 }
 
-/// The 8-bit code of each linear value, exactly and without branches: that at the beginning of its step of
-/// the table, or the next one.
+/// Exact 8-bit code of linear values without branches: the code at the beginning of the table's step, or the
+/// next one.
 class SrgbCodes {
 public:
     SrgbCodes() {
@@ -29,10 +29,10 @@ public:
             const double s = (static_cast<double>(code) + 0.5) / 255;
             next_[code] = static_cast<float>(s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4));
         }
-        next_[255] = 2;  // beyond all
+        next_[255] = 2;  // above all values
     }
     [[nodiscard]] std::uint8_t operator()(float linear) const {
-        // What is no number becomes 0 here.
+        // NaN becomes 0.
         const float v = std::min(std::max(0.0f, linear), 1.0f);
         const std::uint8_t code = first_[static_cast<std::size_t>(v * static_cast<float>(kTableSize))];
         return static_cast<std::uint8_t>(code + (v >= next_[code] ? 1 : 0));
@@ -40,7 +40,7 @@ public:
 
 private:
     std::array<std::uint8_t, kTableSize + 1> first_{};
-    std::array<float, 256> next_{};  ///< from which on the next code is nearer
+    std::array<float, 256> next_{};  ///< value from which the next code is nearer
 };
 
 std::uint8_t code(float unit) {
@@ -51,7 +51,7 @@ float finite(float v) {
     return std::isfinite(v) ? v : 0.0f;
 }
 
-/// [row][column][channel][value].
+/// Returns [row][column][channel][value].
 std::vector<float> read(nicol_framebuffer framebuffer, nicol_plane plane, std::size_t floats) {
     std::vector<float> data(floats);
     nicol_plane_buffer to = NICOL_PLANE_BUFFER_INIT;
@@ -64,7 +64,7 @@ std::vector<float> read(nicol_framebuffer framebuffer, nicol_plane plane, std::s
     return data;
 }
 
-/// Angle and degree of the channels' mean.
+/// Computes the angle and degree of the channels' mean.
 void polarization(const std::vector<float>& stokes, std::uint32_t channels, std::vector<float>& into) {
     for (std::size_t i = 0; i < into.size() / 2; ++i) {
         std::array<float, 3> sum{};
@@ -72,7 +72,7 @@ void polarization(const std::vector<float>& stokes, std::uint32_t channels, std:
             for (std::size_t p = 0; p < 3; ++p) sum[p] += finite(stokes[(i * channels + c) * 4 + p]);
         const auto [s0, s1, s2] = sum;
         if (!(s0 > 0) || (s1 == 0 && s2 == 0)) continue;
-        // s2 = -0 must not make vertical into -pi/2.
+        // Adding 0 removes the sign of s2 = -0, which would turn vertical polarization into -pi/2.
         const float angle = 0.5f * std::atan2(s2 + 0.0f, s1);
         constexpr auto right_angle = static_cast<float>(std::numbers::pi / 2);
         into[2 * i] = angle <= -right_angle ? right_angle : angle;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The description of the service at /openapi.json.
+// Description of the service at /openapi.json.
 #pragma once
 
 #include <string>
 
 #include "options.hpp"
 
-/// OpenAPI 3.1 as JSON, with the limits that hold here.
+/// Returns OpenAPI 3.1 as JSON, with the limits of these options.
 std::string openapi(const Options& options);

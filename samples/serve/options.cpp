@@ -107,7 +107,7 @@ std::string parse_folder(std::string_view option, std::string_view text) {
     return std::string(text);
 }
 
-/// A request's port does not matter, so that the name has none.
+/// Returns a host name without a port, because the port of a request does not matter.
 std::string parse_host(std::string_view option, std::string_view text) {
     std::string name(text);
     std::ranges::transform(name, name.begin(),
@@ -119,7 +119,7 @@ std::string parse_host(std::string_view option, std::string_view text) {
     return name;
 }
 
-/// Written as browsers send it: scheme, host, and the port if it is not the scheme's own.
+/// Returns an origin as browsers send it: scheme, host, and the port if it is not the scheme's default.
 std::string parse_origin(std::string_view option, std::string_view text) {
     const std::size_t scheme = text.find("://");
     const bool good = scheme != std::string_view::npos && scheme > 0 && text.size() > scheme + 3 &&
@@ -140,7 +140,7 @@ std::uint32_t parse_mib(std::string_view option, std::string_view text) {
     return parse_count(option, text, 0, 4095) << 20u;
 }
 
-/// False where there is no such option.
+/// Sets a limit. Returns false if there is no such option.
 bool parse_limit(Options& o, std::string_view name, std::string_view text) {
     constexpr std::uint32_t million = 1000000;
     constexpr std::uint64_t whole = std::numeric_limits<std::uint64_t>::max();

@@ -9,15 +9,15 @@ namespace {
 
 constexpr std::size_t kStokes = 4;
 constexpr unsigned kMagnitude = 0x7fff;
-constexpr int kFraction = 10;  // bits of a half, below those of its exponent
+constexpr int kFraction = 10;  // bits of a half below its exponent
 constexpr unsigned kInfinity = 0x7c00;
 
-/// Subnormal numbers have the exponent of the least normal ones.
+/// Returns the exponent. Subnormal numbers have that of the smallest normal numbers.
 int exponent_of(unsigned magnitude) {
     return std::max(static_cast<int>(magnitude >> kFraction), 1);
 }
 
-/// The nearest multiple of 2^unit, whose exponent counts as a half's does.
+/// Returns the nearest multiple of 2^unit, with `unit` biased like the exponent of a half.
 std::uint16_t rounded(std::uint16_t half, int unit) {
     const unsigned magnitude = half & kMagnitude;
     const int exponent = exponent_of(magnitude), dropped = unit + kFraction - exponent;
@@ -25,7 +25,7 @@ std::uint16_t rounded(std::uint16_t half, int unit) {
     unsigned result = 0;
     if (dropped <= kFraction) {
         const unsigned last = 1u << static_cast<unsigned>(dropped);
-        result = (magnitude + last / 2) & ~(last - 1);  // which may carry into the exponent
+        result = (magnitude + last / 2) & ~(last - 1);  // may carry into the exponent
     } else if (dropped == kFraction + 1 && magnitude >> kFraction != 0) {
         result = static_cast<unsigned>(exponent + 1) << kFraction;
     }
@@ -43,7 +43,7 @@ void round_all(std::vector<std::uint16_t>& values, std::uint32_t bits) {
 }  // namespace
 
 Planes planes_of(std::string_view halves, std::uint32_t width, std::uint32_t height, std::uint32_t bits) {
-    // The library's numbers are the machine's, which is little-endian wherever it is built.
+    // Halves have the machine's byte order, which is little-endian on all supported machines.
     std::vector<std::uint16_t> values(halves.size() / sizeof(std::uint16_t));
     std::memcpy(values.data(), halves.data(), values.size() * sizeof(std::uint16_t));
     if (bits > 0) round_all(values, bits);

@@ -28,7 +28,7 @@ void chunk(std::string& file, std::string_view type, std::string_view data) {
     file += big_endian(libdeflate_crc32(0, file.data() + begin, file.size() - begin));
 }
 
-/// Of left, above and the corner between them the one that is nearest to left + above - corner.
+/// Returns left, above or the corner between them, whichever is nearest to left + above - corner.
 int paeth(int left, int above, int corner) {
     const int from_left = std::abs(above - corner), from_above = std::abs(left - corner),
               from_corner = std::abs(left + above - 2 * corner);
@@ -36,7 +36,7 @@ int paeth(int left, int above, int corner) {
     return from_above <= from_corner ? above : corner;
 }
 
-/// Each row's filter and what it leaves of the row.
+/// Returns each row's filter and the filtered row.
 std::string filtered(std::size_t stride, std::uint32_t height, const std::vector<std::uint8_t>& rgb) {
     std::string result((stride + 1) * height, '\0');
     const std::vector<std::uint8_t> nothing(stride);
@@ -57,7 +57,7 @@ std::string filtered(std::size_t stride, std::uint32_t height, const std::vector
 
 std::string encode_png(std::uint32_t width, std::uint32_t height, const std::vector<std::uint8_t>& rgb,
                        bool srgb) {
-    constexpr std::array<char, 5> colours = {8, 2, 0, 0, 0};  // 8 bits of R G B
+    constexpr std::array<char, 5> colours = {8, 2, 0, 0, 0};  // 8-bit R G B
     std::string file = "\x89PNG\r\n\x1a\n";
     chunk(file, "IHDR", big_endian(width) + big_endian(height) + std::string(colours.begin(), colours.end()));
     if (srgb) chunk(file, "sRGB", std::string_view("\1", 1));  // relative colorimetric

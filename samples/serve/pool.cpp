@@ -16,7 +16,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr Seconds kFirstPause(0.25), kLongestPause(30);
-/// A worker that ran this long has started successfully.
+/// Uptime after which a worker's start counts as successful.
 constexpr Seconds kSettled(10);
 
 std::size_t worker_count(const Options& options) {
@@ -126,7 +126,7 @@ void Pool::receive(std::size_t index, const Head& head, std::string content) {
     if (head.kind == MessageKind::hello) return receive_hello(index, content);
     if (head.kind == MessageKind::loaded) return receive_loaded(index, head.job, content);
     if (head.kind == MessageKind::result) return receive_result(index, head, std::move(content));
-    // Without any worker ever having started there is nothing to go on with.
+    // Before any worker has started, the service cannot continue.
     if (loads_.scenes().empty()) return failed_(content);
     say("a worker cannot start: " + content);
 }
@@ -172,8 +172,8 @@ void Pool::receive_loaded(std::size_t index, std::size_t scene, const std::strin
     if (changed) go_on_all();
 }
 
-/// The worker is free: it loads a scene that it lacks, or renders. Both take turns, so that neither waits for
-/// all of the other.
+/// Continues a free worker: it loads a missing scene or renders. Loading and rendering alternate, so that
+/// neither waits for all of the other.
 void Pool::go_on(std::size_t index, bool rendered) {
     Slot& slot = *slots_[index];
     if (!slot.process || !slot.greeted || slot.stale || slot.busy || slot.loading) return;
@@ -193,7 +193,8 @@ void Pool::go_on_all() {
     for (std::size_t i = 0; i < slots_.size(); ++i) go_on(i);
 }
 
-/// The first worker has loaded all that loads quickly: the others follow, if there is anything to serve.
+/// Starts the other workers after the first one has loaded all scenes that load quickly, if there is anything
+/// to serve.
 void Pool::settle() {
     if (through_) return;
     const auto& scenes = loads_.scenes();
@@ -214,11 +215,12 @@ void Pool::settle() {
         if (i != loads_.spare() && !slots_[i]->process) launch(i);
 }
 
-/// The spare worker has loaded all that it can: it takes the place of one that lacks a scene, or ends.
+/// Ends the spare worker after it has loaded all that it can, or puts it into the place of a worker that
+/// lacks a scene.
 void Pool::promote() {
     const std::size_t spare = loads_.spare();
     const std::optional<std::size_t> place = loads_.replaceable();
-    if (place && slots_[*place]->busy) return;  // its result comes first
+    if (place && slots_[*place]->busy) return;  // after its result
     if (!place) {
         end(spare);
         settle();
@@ -230,7 +232,7 @@ void Pool::promote() {
     tend_spare();
 }
 
-/// Starts the spare worker where there is something to load that the others leave to it.
+/// Starts the spare worker if there is something to load that the other workers leave to it.
 void Pool::tend_spare() {
     const std::size_t spare = loads_.spare();
     Slot& slot = *slots_[spare];
@@ -243,13 +245,14 @@ void Pool::tend_spare() {
     });
 }
 
-/// A worker took too long.
+/// Handles a worker that took too long.
 void Pool::overdue(std::size_t index) {
     Slot& slot = *slots_[index];
     const std::size_t spare = loads_.spare();
     if (!slot.loading || index == spare || Clock::now() - slot.load_since >= options_.start_limit)
         return lose(index, true);
-    // While the spare worker is busy with another scene, one that has nothing to serve goes on itself.
+    // While the spare worker is busy with another scene, a worker that has nothing to serve continues its
+    // load.
     if (slots_[spare]->process && !loads_.serves(index)) return limit(index, options_.start_limit);
     loads_.set_aside(*slot.loading);
     say("the scene " + loads_.scenes()[*slot.loading].info.id + " takes long to load; the others are served");
@@ -257,7 +260,7 @@ void Pool::overdue(std::size_t index) {
         end(index);
         return launch(index);
     }
-    // It goes on as the spare worker.
+    // The worker continues as the spare worker.
     loads_.exchange(index);
     slots_[spare]->timer.cancel();
     limit(index, options_.start_limit);
@@ -276,7 +279,7 @@ void Pool::receive_result(std::size_t index, const Head& head, std::string conte
     if (answer->head.status == 200) metrics_.rendered(answer->head);
     dispatcher_.worker_done(static_cast<int>(index), head.job, answer);
     if (slot.stale) return lose(index, false);
-    go_on(loads_.spare());  // it may wait for this place
+    go_on(loads_.spare());  // the spare worker may wait for this place
     go_on(index, true);
 }
 
@@ -302,7 +305,7 @@ void Pool::lose(std::size_t index, bool hung) {
         pause(index);
 }
 
-/// Ends the process of the worker, whose job goes to another one.
+/// Ends the worker's process. Another worker takes over its job.
 void Pool::end(std::size_t index) {
     Slot& slot = *slots_[index];
     slot.timer.cancel();
@@ -332,7 +335,7 @@ void Pool::limit(std::size_t index, Seconds time) {
     slot.timer.expires_after(std::chrono::duration_cast<Clock::duration>(time));
     const std::weak_ptr<WorkerProcess> process = slot.process;
     slot.timer.async_wait([this, index, process](const boost::system::error_code& error) {
-        // A timer that had expired when it was cancelled still comes here.
+        // A timer that expired before its cancellation still calls this.
         const Slot& now = *slots_[index];
         const bool same = now.process && now.process == process.lock();
         if (!error && same && now.timer.expiry() <= Clock::now() && (now.busy || now.loading || !now.greeted))
@@ -344,7 +347,7 @@ void Pool::begin_load(std::size_t index, std::size_t scene) {
     Slot& slot = *slots_[index];
     slot.loading = scene;
     slot.load_since = Clock::now();
-    // A lone scene keeps no other one waiting.
+    // A single scene delays no other scene.
     const bool alone = loads_.scenes().size() == 1 || index == loads_.spare();
     limit(index, alone ? options_.start_limit : options_.slow_scene);
     slot.process->send({.kind = MessageKind::load, .length = 0, .job = scene}, {});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The worker processes: started one before the others, watched, replaced when they crash or hang, and a spare
-// one for scenes that take long to load.
+// The worker processes. One starts before the others, all are watched and replaced if they crash or hang, and
+// a spare one loads scenes that take long.
 #pragma once
 
 #include <boost/asio/io_context.hpp>
@@ -20,7 +20,7 @@
 
 class Pool {
 public:
-    /// arguments: those of this process, the program's name included.
+    /// Makes a pool. `arguments` are those of this process, with the program's name.
     Pool(boost::asio::io_context& io, const Options& options, std::vector<std::string> arguments,
          Metrics& metrics);
     ~Pool();
@@ -28,40 +28,40 @@ public:
     Pool& operator=(const Pool&) = delete;
 
     /// Starts the first worker, and the others once it has loaded all scenes that load quickly and has filled
-    /// the cache. `failed` is called where the first worker or all scenes fail: what a later one says goes to
-    /// the standard error, and it is tried again, ever more rarely.
+    /// the cache. `failed` is called if the first worker or all scenes fail. Failures of later workers go to
+    /// the standard error; these workers are retried at increasing intervals.
     void start(std::function<void(const std::string& reason)> failed);
-    /// Kills all workers; no event comes any more.
+    /// Kills all workers; no event follows.
     void stop();
 
     [[nodiscard]] Dispatcher& dispatcher() { return dispatcher_; }
-    /// Workers that take requests.
+    /// Returns the number of workers that take requests.
     [[nodiscard]] std::size_t warm_workers() const;
-    /// Whether all scenes that load quickly have been loaded, and a worker takes requests.
+    /// Returns whether all scenes that load quickly are loaded and a worker takes requests.
     [[nodiscard]] bool ready() const { return through_ && warm_workers() > 0; }
-    /// The folder's scenes as the newest worker found them, and which are ready; none before the first
-    /// started.
+    /// Returns the folder's scenes as the newest worker found them, and which are ready; empty before a
+    /// worker has started.
     [[nodiscard]] const SceneLoads& loads() const { return loads_; }
-    /// The name and version of OpenGL.
+    /// Returns the name and version of OpenGL.
     [[nodiscard]] const std::string& renderer() const { return hello_.renderer; }
     [[nodiscard]] std::vector<WorkerState> states() const;
 
-    /// Called when the service is ready for the first time.
+    /// Callback for the first time that the service is ready.
     std::function<void()> warm;
-    /// Called when scenes have changed on disk: earlier answers are outdated.
+    /// Callback for changed scenes on disk, which outdate earlier answers.
     std::function<void()> scenes_changed;
 
 private:
     struct Slot {
         explicit Slot(boost::asio::io_context& io) : timer(io) {}
         std::shared_ptr<WorkerProcess> process;
-        boost::asio::steady_timer timer;  ///< of start, render or pause, whichever is on
+        boost::asio::steady_timer timer;  ///< timer of the start, load, render or pause under way
         bool greeted = false, busy = false;
-        std::optional<std::size_t> loading;  ///< scene
+        std::optional<std::size_t> loading;  ///< scene under way
         std::chrono::steady_clock::time_point load_since;
-        bool stale = false;                           ///< knows other scenes than there are now
-        unsigned failures = 0;                        ///< in a row, at its start or soon after
-        std::chrono::steady_clock::time_point since;  ///< greeted
+        bool stale = false;                           ///< does not know the present scenes
+        unsigned failures = 0;                        ///< consecutive failures at the start or soon after
+        std::chrono::steady_clock::time_point since;  ///< time of its hello
     };
 
     void launch(std::size_t index);
@@ -92,9 +92,9 @@ private:
     std::vector<std::unique_ptr<Slot>> slots_;
     SceneLoads loads_;
     Hello hello_;
-    bool through_ = false;  ///< the first worker has loaded all that loads quickly
+    bool through_ = false;  ///< the first worker has loaded all scenes that load quickly
     std::function<void(const std::string&)> failed_;
     boost::asio::signal_set child_ended_;
-    std::vector<pid_t> ended_;  ///< killed, not reaped yet
+    std::vector<pid_t> ended_;  ///< killed processes, not yet reaped
     bool stopped_ = false;
 };

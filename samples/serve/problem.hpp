@@ -6,21 +6,21 @@
 #include <string>
 
 struct Problem {
-    int status = 500;            ///< of HTTP
-    std::string detail = {};     ///< one sentence for people
-    std::string parameter = {};  ///< of the query, where one is at fault
-    std::string range = {};      ///< what it may be
-    int retry_after = 0;         ///< seconds; 0: no such header
+    int status = 500;            ///< HTTP status
+    std::string detail = {};     ///< one sentence for users
+    std::string parameter = {};  ///< faulty parameter of the query, if any
+    std::string range = {};      ///< valid values of the parameter
+    int retry_after = 0;         ///< in seconds; 0: no such header
 };
 
-/// Thrown while a request is checked.
+/// Exception that a request's check throws.
 struct Refusal : std::runtime_error {
     explicit Refusal(Problem what) : std::runtime_error(what.detail), problem(std::move(what)) {}
     Problem problem;
 };
 
-/// The standard's words for a status, "Not Found" for 404.
+/// Returns the standard reason phrase of a status, such as "Not Found" for 404.
 const char* status_title(int status);
 
-/// A JSON object with type, title, status and detail, and parameter and range where there are any.
+/// Returns a JSON object with type, title, status, detail, and, if set, parameter and range.
 std::string problem_json(const Problem& problem);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Answers of the past by entity tag, the least recently used going first.
+// Cache of answers by entity tag, which evicts the least recently used ones.
 #pragma once
 
 #include <list>
@@ -10,12 +10,12 @@
 
 class ResultCache {
 public:
-    /// Keeps at most so many bytes of contents; 0: none.
+    /// Makes a cache of at most `limit` bytes of contents; 0: none.
     explicit ResultCache(std::size_t limit) : limit_(limit) {}
 
-    /// Null where it is not there.
+    /// Returns an answer, or null if there is none.
     AnswerPtr find(const std::string& tag);
-    /// An answer larger than the limit is not kept.
+    /// Keeps an answer unless it is larger than the limit.
     void keep(const std::string& tag, const AnswerPtr& answer);
     void clear();
     [[nodiscard]] std::size_t bytes() const { return bytes_; }
@@ -27,6 +27,6 @@ private:
     };
     std::size_t limit_;
     std::size_t bytes_ = 0;
-    std::list<Entry> entries_;  ///< most recently used first
+    std::list<Entry> entries_;  ///< most recently used ones first
     std::unordered_map<std::string, std::list<Entry>::iterator> by_tag_;
 };

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// The kernel's header may be older than the kernel.
+// Constants of newer kernels, because the kernel's header may be older than the kernel.
 constexpr std::uint64_t kTruncate = 1u << 14u, kIoctl = 1u << 15u;
 constexpr std::uint64_t kBindTcp = 1u << 0u, kConnectTcp = 1u << 1u;
 struct RulesetAttributes {
@@ -34,23 +34,23 @@ constexpr std::uint64_t kWrite = kRead | kWriteFile | LANDLOCK_ACCESS_FS_MAKE_RE
                                  LANDLOCK_ACCESS_FS_MAKE_DIR | LANDLOCK_ACCESS_FS_REMOVE_FILE |
                                  LANDLOCK_ACCESS_FS_REMOVE_DIR | LANDLOCK_ACCESS_FS_REFER;
 constexpr std::uint64_t kDevice = kRead | kWriteFile | kIoctl;
-/// Of these a rule on a file, rather than a folder, may have some alone.
+/// Rights of rules on files; folders may have all rights.
 constexpr std::uint64_t kOfFiles = kReadFile | kWriteFile | kIoctl;
 
-/// What libraries and OpenGL's drivers read; what is not there is passed over.
+/// Paths that libraries and OpenGL's drivers read; missing ones are skipped.
 constexpr std::array kSystem = {
     "/usr",          "/lib",         "/lib64",      "/opt",          "/etc/ld.so.cache", "/etc/glvnd",
     "/etc/egl",      "/etc/drirc",   "/etc/nvidia", "/sys",          "/proc/self",       "/proc/cpuinfo",
     "/proc/meminfo", "/proc/driver", "/proc/stat",  "/proc/devices", "/proc/modules"};
 constexpr std::array kDevices = {"/dev/null", "/dev/zero", "/dev/urandom", "/dev/dri", "/dev/kfd"};
 
-/// 0 where the kernel has no Landlock.
+/// Returns the version of Landlock, 0 without Landlock.
 int version() {
     const long found = ::syscall(SYS_landlock_create_ruleset, nullptr, 0, LANDLOCK_CREATE_RULESET_VERSION);
     return found > 0 ? static_cast<int>(found) : 0;
 }
 
-/// All that this version of Landlock can refuse.
+/// Returns all rights that this version of Landlock can restrict.
 RulesetAttributes all_rights() {
     const int known = version();
     const unsigned files = known >= 5 ? 16 : known >= 3 ? 15 : known >= 2 ? 14 : 13;
@@ -72,7 +72,7 @@ public:
     Ruleset(const Ruleset&) = delete;
     Ruleset& operator=(const Ruleset&) = delete;
 
-    /// Nothing happens where there is no such path.
+    /// Adds a rule. Does nothing if there is no such path.
     void allow(const std::string& path, std::uint64_t rights) {
         const int file = ::open(path.c_str(), O_PATH | O_CLOEXEC);
         if (file < 0) return;
@@ -116,10 +116,11 @@ void confine(const Options& options) {
     const char* const named = std::getenv("NICOL_CACHE");
     const std::string cache = !options.cache.empty() ? options.cache : named != nullptr ? named : "";
     if (!cache.empty()) {
-        // A rule needs the folder to be there.
+        // The folder must exist before a rule can name it.
         fs::create_directories(cache, ignored);
         rules.allow(cache, kWrite);
-        // Where OpenGL's drivers keep compiled shaders, which they cannot elsewhere from here on.
+        // OpenGL's drivers store compiled shaders in this folder, because they cannot write to others from
+        // now on.
         setenv("XDG_CACHE_HOME", fs::absolute(cache, ignored).c_str(), 1);
     }
     rules.enforce();

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Confines a worker by Landlock: a scene that turns a reader's fault to its own ends finds no other files
-// and no network.
+// Confinement of a worker by Landlock. A scene that exploits a fault of a reader reaches no other files and
+// no network.
 #pragma once
 
 #include "options.hpp"
 
-/// Whether the kernel can.
+/// Returns whether the kernel supports the confinement.
 bool can_confine();
 
-/// From here on this process reads nothing but the scenes, --read, what OpenGL's drivers need of the system,
-/// writes to the cache alone, runs no program and uses no TCP. Throws Failure. Call it
-/// before there are threads.
+/// Confines this process: from now on it reads only the scenes, --read, and system files that OpenGL's
+/// drivers need, writes only to the cache, runs no program and uses no TCP. Must be called before threads
+/// start. Throws Failure.
 void confine(const Options& options);

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <vector>
 
-/// Every *.xml of the folder, in the order of their names. Throws Failure where it cannot be read, holds
-/// none, or a name has other characters than letters, digits, '.', '_' and '-', of which URLs are made.
+/// Returns every *.xml of the folder in the order of names. Throws Failure if the folder cannot be read or
+/// has none, or if a name has other characters than letters, digits, '.', '_' and '-', because names are
+/// parts of URLs.
 std::vector<std::filesystem::path> find_scenes(const std::filesystem::path& folder);

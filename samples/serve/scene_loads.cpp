@@ -20,7 +20,7 @@ std::optional<std::size_t> SceneLoads::next(std::size_t worker, Time now) const 
     };
     for (std::size_t i = 0; i < scenes_.size(); ++i)
         if (wanted(i, false) || (spare && wanted(i, true) && is_ready(i))) return i;
-    // One slow scene at a time, so that each is served as soon as it can be.
+    // The spare worker loads one slow scene at a time, so that each is served as soon as possible.
     if (!spare || replaceable()) return {};
     for (std::size_t i = 0; i < scenes_.size(); ++i)
         if (wanted(i, true) && scenes_[i].next_try <= now) return i;
@@ -36,7 +36,7 @@ bool SceneLoads::report(std::size_t worker, std::size_t scene, const SceneInfo& 
         for (auto& held : held_) held[scene] = Held::nothing;
     held_[worker][scene] = failed ? Held::failure : Held::scene;
     if (failed) {
-        // Workers that start anew try it again, and no other.
+        // Only newly started workers retry a failed scene.
         known.aside = false;
         for (auto& held : held_) held[scene] = Held::failure;
     }
@@ -70,7 +70,7 @@ bool SceneLoads::is_ready(std::size_t scene) const {
 SceneLoads::Condition SceneLoads::condition(std::size_t scene) const {
     const Scene& known = scenes_[scene];
     const bool loaded = known.reported && !known.info.digest.empty();
-    // While a worker is replaced, requests for what loads quickly may wait.
+    // While a worker is replaced, requests for scenes that load quickly may wait.
     if (is_ready(scene) || (loaded && !known.aside)) return Condition::ready;
     return (known.reported && !loaded) || known.failures > 1 ? Condition::broken : Condition::preparing;
 }

@@ -12,10 +12,10 @@ using boost::system::error_code;
 
 namespace {
 
-/// Of --status-listen: monitors, and operators with a browser.
+/// Places of --status-listen, for monitors and for operators with a browser.
 constexpr Listener::Places kStatusPlaces{.all = 32, .per_address = 0};
 
-/// What does not keep the service from working, but will be missed.
+/// Reports missing features without which the service still works.
 void say_what_is_missing(const Options& options) {
     if (options.sandbox && !can_confine())
         std::fputs("nicol-serve: the kernel has no Landlock; workers may open every file of their user\n",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The front process: its listeners, its workers, and an end in order.
+// The front process: its listeners, its workers, and its orderly end.
 #pragma once
 
 #include <boost/asio/io_context.hpp>
@@ -16,11 +16,11 @@
 
 class Server {
 public:
-    /// Binds the addresses. Throws Failure where that cannot be had. arguments: those of this process.
+    /// Binds the addresses. Throws Failure if that fails. `arguments` are those of this process.
     Server(const Options& options, std::vector<std::string> arguments);
 
-    /// Serves until SIGTERM or SIGINT, and then until open requests are answered or the drain limit is over;
-    /// a second signal ends at once. Throws Failure where no worker can start.
+    /// Serves until SIGTERM or SIGINT, and then until open requests are answered or the drain limit has
+    /// passed. A second signal ends the service now. Throws Failure if no worker can start.
     void run();
 
 private:

@@ -158,7 +158,7 @@ std::variant<Response, Render> Service::image(const Request& request, const Targ
     return render;
 }
 
-/// Without content: what is known before there is an image.
+/// Returns an answer without content, from what is known before the image exists.
 Response Service::tagged(int status, const Render& render) {
     const Resource& resource = resource_of(render.request.format);
     Response response{.status = status, .type = status == 304 ? "" : std::string(resource.type)};
@@ -171,7 +171,7 @@ Response Service::tagged(int status, const Render& render) {
 Response Service::respond(const Render& render, const AnswerPtr& answer) {
     const ResultHead& head = answer->head;
     if (head.status != 200) {
-        // What went wrong inside is for the log.
+        // Details of internal failures go only to the log.
         const bool telling = head.status == 400 || head.status == 503;
         return respond(Problem{.status = head.status,
                                .detail = telling ? answer->content : "The image could not be rendered.",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What each URL means: requests become answers, or images to be rendered.
+// The meaning of URLs: requests become answers or images to be rendered.
 #pragma once
 
 #include <functional>
@@ -18,42 +18,42 @@
 /// The parts of a request that the service uses.
 struct Request {
     std::string method, target, if_none_match, accept_encoding;
-    std::string host;           ///< header; empty if there is none
-    std::string authority;      ///< the host that the target names, if it names one
-    std::string origin;         ///< header, of requests by pages
-    std::string local;          ///< numeric address that the connection came to
-    bool status_alone = false;  ///< of a listener that has nothing else
+    std::string host;           ///< Host header; empty if there is none
+    std::string authority;      ///< host in the target, if any
+    std::string origin;         ///< Origin header, sent by pages
+    std::string local;          ///< numeric address of the connection's local end
+    bool status_alone = false;  ///< from a listener that serves only the status
 };
 
 struct Response {
     int status = 200;
     std::string type = "application/json";
     std::vector<std::pair<std::string, std::string>> headers = {};
-    std::shared_ptr<const void> owner = {};  ///< of the content
+    std::shared_ptr<const void> owner = {};  ///< owner of the content
     std::string_view content = {};
 };
 
-/// An image that has to be made.
+/// An image to be rendered.
 struct Render {
     ImageRequest request;
-    std::string tag = {};                   ///< its entity tag, quotes included; the same for equal requests
-    std::shared_ptr<AnswerRoom> room = {};  ///< in memory, for the answer
+    std::string tag = {};                   ///< entity tag, quotes included; equal for equal requests
+    std::shared_ptr<AnswerRoom> room = {};  ///< memory reserved for the answer
 };
 
 class Service {
 public:
     Service(const Options& options, Pool& pool, Metrics& metrics);
 
-    /// Never throws: what goes wrong is an answer too.
+    /// Answers a request. Never throws: failures are answers, too.
     std::variant<Response, Render> handle(const Request& request);
-    /// The answer to an image's request, once there is one.
+    /// Returns the answer to an image's request.
     Response respond(const Render& render, const AnswerPtr& answer);
     Response respond(const Problem& problem) const;
-    /// When to come again, in seconds: about when the queue of now is done.
+    /// Returns when to retry, in seconds: about when the present queue is finished.
     [[nodiscard]] int retry_after() const;
 
     bool draining = false;
-    std::function<std::size_t()> connections;  ///< for the metrics
+    std::function<std::size_t()> connections;  ///< number for the metrics
 
 private:
     std::variant<Response, Render> route(const Request& request);
@@ -71,7 +71,7 @@ private:
     Metrics& metrics_;
     ResultCache cache_;
     std::vector<std::string> keys_;
-    std::string build_;  ///< of the library, part of every entity tag
+    std::string build_;  ///< build of the library, part of every entity tag
     std::string openapi_;
     AnswerRooms rooms_;
 };

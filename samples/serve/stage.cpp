@@ -22,7 +22,7 @@
 
 namespace {
 
-constexpr std::uint32_t kProbeSide = 33;  // odd: a pixel lies in the middle
+constexpr std::uint32_t kProbeSide = 33;  // odd, so that a pixel lies in the middle
 
 double milliseconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
@@ -43,13 +43,13 @@ std::string encode_float_image(FloatImage image, Observer observer) {
         image.data.resize(image.data.size() / 2);
         image.values = 1;
     }
-    if (image.values == 3)  // B G R
+    if (image.values == 3)  // OpenEXR's order is B G R
         for (std::size_t i = 0; i < image.data.size(); i += 3) std::swap(image.data[i], image.data[i + 2]);
     return encode_exr(image.width, image.height, exr_names(image.values), image.data);
 }
 
-/// Of all files that a scene was made of. In the order of the scene, so that two meshes that change their
-/// names are noticed.
+/// Returns the digest of all files of a scene, in the scene's order, so that an exchange of two meshes' names
+/// changes it.
 std::string digest_of(nicol_scene scene) {
     std::uint32_t count = 0;
     check(nicol_scene_get_file_count(scene, &count));
@@ -62,8 +62,8 @@ std::string digest_of(nicol_scene scene) {
     return hex(sha256(digests));
 }
 
-/// Bytes of the OpenEXR file with Stokes vectors. The library writes files only, so it writes to one in
-/// memory, which has no name that another user could take.
+/// Returns the bytes of the OpenEXR file with Stokes vectors. The library writes only files, so it writes to
+/// one in memory, which has no name that another user could open.
 std::string exr_file(nicol_framebuffer framebuffer) {
     struct MemoryFile {
         int descriptor = ::memfd_create("nicol-serve", MFD_CLOEXEC);
@@ -107,7 +107,8 @@ Stage::Stage(nicol_context context, const std::filesystem::path& path) : context
     info_.orbit = orbit_of(camera_, info_.up, centre_depth());
 }
 
-/// How far the middle of the scene's own image is, or where nothing is there, half of what is to be seen.
+/// Returns the depth at the middle of the scene's image. If nothing is visible there: the median depth, or 1
+/// for an empty image.
 double Stage::centre_depth() const {
     nicol_framebuffer framebuffer = nullptr;
     check(nicol_framebuffer_create(context_, kProbeSide, kProbeSide, info_.channels, &framebuffer));
@@ -197,7 +198,7 @@ std::string Stage::encode(const ImageRequest& request, ResultHead& head) const {
     }
 }
 
-/// [channel][row][column][4], little-endian.
+/// Returns [channel][row][column][4], little-endian.
 std::string Stage::stokes(bool half) const {
     const std::size_t plane = std::size_t{width_} * height_ * 4 * (half ? 2 : 4);
     std::string content(plane * info_.channels, '\0');

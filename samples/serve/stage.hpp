@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A warm scene: loaded, baked, and rendered at least once.
+// A loaded and baked scene that has been rendered at least once.
 #pragma once
 
 #include <filesystem>
@@ -10,7 +10,7 @@
 #include "image_request.hpp"
 #include "message.hpp"
 
-/// Asked about ten times a second whether to go on; 0 ends the render.
+/// Callback asked about ten times a second whether to continue; 0 ends the render.
 struct Progress {
     nicol_progress_callback callback = nullptr;
     void* user = nullptr;
@@ -18,12 +18,12 @@ struct Progress {
 
 class Stage {
 public:
-    /// Loads the scene and renders it, which bakes it or takes the bake from the cache. Throws Failure.
+    /// Loads and renders the scene, which bakes it or reads the bake from the cache. Throws Failure.
     Stage(nicol_context context, const std::filesystem::path& path);
 
     [[nodiscard]] const SceneInfo& info() const { return info_; }
 
-    /// Returns the answer's content and fills in the head but for its status. Throws nicol::Error or Failure.
+    /// Returns the answer's content and fills in the head except its status. Throws nicol::Error or Failure.
     std::string render(const ImageRequest& request, const Progress& progress, ResultHead& head);
 
 private:
@@ -42,7 +42,7 @@ private:
     double light_scale_ = 1;
     Framebuffer framebuffer_;
     std::uint32_t width_ = 0, height_ = 0;
-    double light_ = 0, light_tilt_ = 0;  ///< as it is rotated now
+    double light_ = 0, light_tilt_ = 0;  ///< present rotation
     bool has_view_ = false;
-    View view_;  ///< what the framebuffer shows
+    View view_;  ///< view in the framebuffer
 };

@@ -5,7 +5,7 @@
 
 namespace {
 
-/// The host without its port, in lower case. An IPv6 address has no brackets.
+/// Returns the host without its port, in lower case. An IPv6 address has no brackets.
 std::string name_of(std::string_view host) {
     const std::size_t colon = host.rfind(':');
     const bool has_port = colon != std::string_view::npos &&
@@ -13,7 +13,7 @@ std::string name_of(std::string_view host) {
                           host.find_first_not_of("0123456789", colon + 1) == std::string_view::npos;
     if (has_port) host = host.substr(0, colon);
     if (host.starts_with('[') && host.ends_with(']')) host = host.substr(1, host.size() - 2);
-    // "localhost." is the same name, written in full.
+    // "localhost." is the fully qualified form.
     if (host.ends_with('.')) host.remove_suffix(1);
     std::string name(host);
     std::ranges::transform(name, name.begin(),
@@ -49,7 +49,8 @@ std::vector<std::pair<std::string, std::string>> origin_headers(std::string_view
 std::vector<std::pair<std::string, std::string>> preflight_headers(std::string_view origin,
                                                                    const std::vector<std::string>& allowed) {
     if (origin.empty() || !contains(allowed, origin)) return {};
-    // A page of the public network may ask a service of a private one, which a browser asks about too.
+    // A page of the public network may request a service of a private network, for which browsers ask
+    // separately.
     return {{"Access-Control-Allow-Methods", "GET, HEAD"},
             {"Access-Control-Allow-Headers", "If-None-Match"},
             {"Access-Control-Allow-Private-Network", "true"},

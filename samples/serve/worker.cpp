@@ -27,7 +27,7 @@ namespace {
 
 constexpr int kCancelled = 499;
 
-/// The front process ended.
+/// Exception for the end of the front process.
 struct Gone {};
 
 class Channel {
@@ -68,7 +68,7 @@ private:
     int socket_;
 };
 
-/// Polled during a render: whether its job was cancelled or the front process ended.
+/// Check during a render whether its job was cancelled or the front process ended.
 struct Watch {
     const Channel& channel;
     std::uint64_t job;
@@ -76,7 +76,7 @@ struct Watch {
     static std::int32_t poll(void* user, const char*, double) {
         const auto& watch = *static_cast<const Watch*>(user);
         while (watch.channel.readable()) {
-            // Exceptions must not pass through the library; the main loop meets the end of the stream again.
+            // Exceptions must not pass through the library. The main loop finds the end of the stream again.
             try {
                 if (watch.channel.receive<Head>().job == watch.job) return 0;
             } catch (const Gone&) {
@@ -140,7 +140,7 @@ void render(const Channel& channel, std::uint64_t id, const ImageRequest& reques
     channel.send({.kind = MessageKind::result, .length = 0, .job = id}, bytes_of(result), content);
 }
 
-/// What a scene or a request needs beyond it fails, instead of the machine.
+/// Limits the address space, so that large scenes or requests fail instead of the machine.
 void limit_memory(std::uint64_t bytes) {
 #if !defined(NICOL_SANITIZED)  // the sanitizers reserve terabytes
     if (bytes == 0) return;
@@ -179,7 +179,7 @@ void serve(const Channel& channel, const Options& options) {
         const Head head = channel.receive<Head>();
         if (head.kind == MessageKind::load)
             load(channel, context.get(), paths.at(head.job), head.job, stages.at(head.job));
-        // A cancel that comes here is of a job that was done already.
+        // A cancel received here belongs to a finished job.
         if (head.kind == MessageKind::job) render(channel, head.job, channel.receive<ImageRequest>(), stages);
     }
 }
@@ -187,11 +187,11 @@ void serve(const Channel& channel, const Options& options) {
 }  // namespace
 
 int run_worker(int socket, const Options& options) {
-    // The front process alone decides when a worker ends, also where a terminal's signals reach both.
+    // The front process alone ends workers, even if a terminal sends signals to both.
     std::signal(SIGINT, SIG_IGN);
     std::signal(SIGTERM, SIG_IGN);
     prctl(PR_SET_PDEATHSIG, SIGKILL);
-    // Mesa's software renderer would start a thread a core in every worker.
+    // Mesa's software renderer would otherwise start one thread per core in every worker.
     if (options.threads > 0) setenv("LP_NUM_THREADS", std::to_string(options.threads).c_str(), 0);
     limit_memory(options.memory_bytes);
     const Channel channel(socket);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// A worker process: keeps every scene baked and renders the front process's requests.
+// A worker process, which keeps every scene baked and renders the front process's requests.
 #pragma once
 
 #include "options.hpp"
 
-/// Talks through this socket until the other end closes it. Returns the process's exit code.
+/// Serves requests from this socket until the other end closes it. Returns the process's exit code.
 int run_worker(int socket, const Options& options);

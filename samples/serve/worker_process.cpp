@@ -39,7 +39,7 @@ pid_t spawn(const std::vector<std::string>& arguments, int socket) {
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_adddup2(&actions, socket, kChildSocket);
-    // Neither the listening socket nor those of clients may live on in a worker.
+    // A worker must not inherit the listening socket or sockets of clients.
     posix_spawn_file_actions_addclosefrom_np(&actions, kChildSocket + 1);
     pid_t pid = -1;
     const int error = posix_spawn(&pid, "/proc/self/exe", &actions, nullptr, argv.data(), environ);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The front process's side of a worker process.
+// The front process's end of a worker process.
 #pragma once
 
 #include <sys/types.h>
@@ -18,7 +18,7 @@ class WorkerProcess : public std::enable_shared_from_this<WorkerProcess> {
 public:
     struct Events {
         std::function<void(const Head&, std::string content)> message;
-        std::function<void()> lost;  ///< its end of the socket closed: it is gone, or about to be
+        std::function<void()> lost;  ///< called when the worker's socket closes: it has ended or soon will
     };
 
     /// Starts this program again with its arguments and --worker. Throws Failure.
@@ -30,7 +30,7 @@ public:
 
     [[nodiscard]] pid_t pid() const { return pid_; }
     void send(const Head& head, std::string_view content);
-    /// No event comes any more. Returns the process that is to be waited for, -1 the second time.
+    /// Kills the process; no event follows. Returns the process to wait for, -1 the second time.
     pid_t kill();
 
 private:
@@ -49,5 +49,5 @@ private:
     bool over_ = false;
 };
 
-/// Bytes of memory that the process uses, 0 if unknown.
+/// Returns the bytes of memory that the process uses, 0 if unknown.
 std::uint64_t resident_bytes(pid_t pid);

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// The factored method against the reference method under light of no higher order than it takes.
+// Tests of the factored method against the reference method under light whose order it represents exactly.
 #include "capi.hpp"
 
 using namespace capi_test;
 
 namespace {
 
-// A frame that touches the unit sphere; spread evenly over it by the golden angle.
+// Planes that touch the unit sphere, spread evenly over it by the golden angle: their number, and the frame
+// of one.
 constexpr int plates = 12;
 struct Plate {
     glm::dvec3 normal, x, y;
@@ -20,8 +21,8 @@ struct Plate {
     }
 };
 
-// Flat triangles that touch a sphere: convex, like the sphere, but nothing is interpolated between normals,
-// and no facet hides the light that a smooth normal above it would see.
+// Returns flat triangles that touch a sphere. Together they are convex like the sphere, but no normal is
+// interpolated, and no facet hides light that a smooth normal above it would receive.
 nicol_mesh touching_plates(nicol_context context) {
     std::vector<glm::vec3> positions, normals;
     std::vector<std::uint32_t> indices;
@@ -44,7 +45,8 @@ nicol_mesh touching_plates(nicol_context context) {
     return make(nicol_mesh_create, context, &data);
 }
 
-// Bright enough to stay positive, in every Stokes component, different in each channel.
+// Returns random coefficients of two channels in every Stokes component. Order 0 is large enough to keep s0
+// positive.
 std::vector<double> random_light(std::uint32_t order) {
     std::mt19937 random(order);
     std::uniform_real_distribution<double> value(-1, 1);
@@ -58,7 +60,7 @@ std::vector<double> random_light(std::uint32_t order) {
     return out;
 }
 
-// A camera whose image is the middle of a plate, seen at an angle to its normal.
+// Returns a camera whose image shows the middle of a plate, at an angle to its normal.
 nicol_camera camera_on(const Plate& plate, double tilt, double azimuth) {
     const glm::dvec3 aside = std::cos(azimuth) * plate.x + std::sin(azimuth) * plate.y;
     const glm::dvec3 origin = plate.normal + 3.0 * (std::cos(tilt) * plate.normal + std::sin(tilt) * aside);
@@ -71,7 +73,7 @@ nicol_camera camera_on(const Plate& plate, double tilt, double azimuth) {
     return camera;
 }
 
-// Two channels of Stokes vectors for each of some points on the sphere.
+// Returns Stokes vectors of two channels at points on the sphere.
 std::vector<float> points(nicol_context context, std::uint32_t order, nicol_method method,
                           std::uint32_t samples) {
     const std::vector<double> coefficients = random_light(order);

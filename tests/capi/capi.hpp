@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the tests of the C interface share.
+// Shared helpers of the C interface tests.
 #pragma once
 
 #include "nicol.h"
@@ -15,7 +15,7 @@
         REQUIRE(result_ == NICOL_OK);          \
     } while (false)
 
-// The call must return this code, and the message must contain this text.
+// Checks that the call returns this code and that the message contains this text.
 #define FAILS(call, code, text)                                                                    \
     do {                                                                                           \
         const nicol_result result_ = (call);                                                       \
@@ -25,7 +25,7 @@
                       " should name ", text);                                                      \
     } while (false)
 
-// The call must be refused for an argument, with a message that contains this text.
+// Checks that the call is refused for an argument, with a message that contains this text.
 #define REFUSES(call, text) FAILS(call, NICOL_ERROR_INVALID_ARGUMENT, text)
 
 namespace capi_test {
@@ -44,7 +44,7 @@ NICOL_RELEASE_OF(nicol_framebuffer)
 NICOL_RELEASE_OF(nicol_job)
 NICOL_RELEASE_OF(nicol_psh_transform)
 
-/// Releases its handle with the object.
+/// An owned handle, released with the object.
 template <class Handle>
 class Owned {
 public:
@@ -55,7 +55,7 @@ public:
     Owned& operator=(const Owned&) = delete;
 
     operator Handle() const { return handle_; }  // NOLINT: it stands for the handle
-    /// Where a function stores a new handle; the one before is released.
+    /// Returns the place for a function to store a new handle. The current handle is released.
     Handle* operator&() {  // NOLINT: as of a handle
         CHECK(release(handle_) == NICOL_OK);
         handle_ = nullptr;
@@ -66,7 +66,7 @@ private:
     Handle handle_ = nullptr;
 };
 
-/// The handle that create(arguments..., &handle) makes.
+/// Returns the handle that create(arguments..., &handle) makes.
 template <class... Parameters, class... Arguments>
 auto make(nicol_result (*create)(Parameters...), const Arguments&... arguments) {
     std::remove_pointer_t<std::tuple_element_t<sizeof...(Arguments), std::tuple<Parameters...>>> handle =
@@ -93,7 +93,7 @@ inline nicol_context retained(nicol_context context) {
     return context;
 }
 
-/// Calls test(context) once a backend and releases the context.
+/// Calls test(context) once per backend and releases the context.
 template <class Test>
 void on_every_backend(Test test) {
     for (const nicol_backend backend : every_backend) {
@@ -128,12 +128,12 @@ inline nicol_spectrum spectrum(const std::vector<float>& values) {
     return s;
 }
 
-/// The same from every direction.
+/// Returns an environment of equal radiance in every direction.
 inline nicol_environment constant_light(nicol_context context, const std::vector<float>& radiance) {
     const nicol_spectrum values = spectrum(radiance);
     return make(nicol_environment_create_constant, context, &values);
 }
-/// [row][column][channel][component]
+/// Returns an image over `pixels`, laid out [row][column][channel][component].
 inline nicol_image image_of(const std::vector<float>& pixels, std::uint32_t width, std::uint32_t height,
                             std::uint32_t channels, std::uint32_t components = 4) {
     nicol_image image = NICOL_IMAGE_INIT;
@@ -146,7 +146,7 @@ inline nicol_image image_of(const std::vector<float>& pixels, std::uint32_t widt
     return image;
 }
 
-/// A clear sky of three channels with the sun in that direction.
+/// Returns a clear sky of three channels with the sun in direction `sun`.
 inline nicol_environment clear_sky(nicol_context context, const std::array<float, 3>& sun = {0, 1, 0}) {
     nicol_sky sky = NICOL_SKY_INIT;
     std::ranges::copy(sun, sky.sun_direction);
@@ -160,7 +160,7 @@ inline nicol_material plastic_of(nicol_context context,
                                  const nicol_pplastic& parameters = NICOL_PPLASTIC_INIT) {
     return make(nicol_material_create_pplastic, context, &parameters);
 }
-/// A grey material as a function, without `user` and `release`.
+/// Returns a grey callback material without `user` and `release`.
 inline nicol_callback_material grey_function() {
     nicol_callback_material parameters = NICOL_CALLBACK_MATERIAL_INIT;
     parameters.mueller = [](void*, std::uint32_t, const double*, const double*, double* mueller) {
@@ -177,7 +177,8 @@ inline nicol_camera camera_at(const glm::dvec3& origin) {
     OK(nicol_camera_look_at(&camera, &origin.x, target, up));
     return camera;
 }
-/// A camera at (0, 0, distance) that looks at the origin; the world's x is to the image's right.
+/// Returns a camera at (0, 0, distance) that looks at the origin. The world's x axis points to the image's
+/// right.
 inline nicol_camera front_camera(double distance = 3) {
     return camera_at({0, 0, distance});
 }
@@ -190,7 +191,7 @@ inline Matrix placed(double x, double y, double z, double scale = 1) {
     return {{scale, 0, 0, x, 0, scale, 0, y, 0, 0, scale, z, 0, 0, 0, 1}};
 }
 
-/// The id of the new instance.
+/// Adds an instance and returns its id.
 inline std::uint32_t add(nicol_scene scene, nicol_mesh mesh, nicol_material material,
                          const Matrix& to_world = {}) {
     nicol_instance instance = NICOL_INSTANCE_INIT;
@@ -202,7 +203,7 @@ inline std::uint32_t add(nicol_scene scene, nicol_mesh mesh, nicol_material mate
     return id;
 }
 
-/// One mesh as it lies, under one light.
+/// Returns a scene of one mesh at the identity transform under one light.
 inline nicol_scene simple_scene(nicol_context context, nicol_environment environment, nicol_mesh mesh,
                                 nicol_material material) {
     const nicol_scene scene = empty_scene(context);
@@ -217,7 +218,7 @@ inline nicol_statistics statistics_of(nicol_framebuffer framebuffer) {
     return statistics;
 }
 
-/// One plane of one channel, tightly packed.
+/// Reads one plane of one channel, tightly packed.
 inline std::vector<float> read_plane(nicol_framebuffer framebuffer, nicol_plane plane,
                                      std::uint32_t channel = 0) {
     std::uint32_t width = 0, height = 0, channels = 0;
@@ -229,7 +230,7 @@ inline std::vector<float> read_plane(nicol_framebuffer framebuffer, nicol_plane 
     return pixels;
 }
 
-/// Everything in it: [channel][pixel][component].
+/// Reads the Stokes planes of all channels: [channel][pixel][component].
 inline std::vector<float> read_all(nicol_framebuffer framebuffer) {
     std::uint32_t width = 0, height = 0, channels = 0;
     OK(nicol_framebuffer_get_size(framebuffer, &width, &height, &channels));
@@ -241,7 +242,8 @@ inline std::vector<float> read_all(nicol_framebuffer framebuffer) {
     return all;
 }
 
-/// Norms of the difference of images and of the truth, of each Stokes component, over the pixels that count.
+/// Norms of the difference between two images and of the truth, per Stokes component, over the pixels that
+/// count.
 struct Distance {
     std::array<double, 4> error{}, size{};
 
@@ -257,7 +259,7 @@ struct Distance {
     }
 };
 
-/// One channel is the luminance of three, to a relative tolerance.
+/// Checks that one channel is the luminance of three, to a relative tolerance.
 inline void check_luminance(const std::vector<float>& y, const std::vector<float>& rgb, double tolerance) {
     REQUIRE(rgb.size() == 3 * y.size());
     for (std::size_t i = 0; i < y.size(); ++i) {
@@ -266,7 +268,7 @@ inline void check_luminance(const std::vector<float>& y, const std::vector<float
     }
 }
 
-/// What most tests are not about: orders that need no prediction, at vertices, as computed.
+/// Returns options for tests of other features: fixed orders, shading at vertices, values as computed.
 inline nicol_render_options plain_options() {
     nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
     options.order_low = 4;
@@ -276,7 +278,7 @@ inline nicol_render_options plain_options() {
     return options;
 }
 
-/// A scene file, what it asks for, and a framebuffer for that.
+/// A loaded scene file, its camera and film size, and a framebuffer of that size.
 struct LoadedScene {
     Owned<nicol_scene> scene;
     Owned<nicol_framebuffer> framebuffer;
@@ -297,7 +299,7 @@ struct LoadedScene {
     }
 };
 
-/// A cube under a polarizing sky, and a small framebuffer: something of everything.
+/// A cube under a polarizing sky, and a small framebuffer.
 struct Stage {
     nicol_context context;  ///< not owned
     Owned<nicol_environment> environment;
@@ -322,20 +324,20 @@ struct Stage {
         return nicol_render(scene, &camera, &options, framebuffer);
     }
     void render() const { OK(try_render(plain_options())); }
-    /// Rendered and read.
+    /// Renders the scene and returns the image.
     [[nodiscard]] std::vector<float> image(const nicol_render_options& options = plain_options()) const {
         OK(try_render(options));
         return read_all(framebuffer);
     }
 };
 
-/// Calls test(stage) once a backend.
+/// Calls test(stage) once per backend.
 template <class Test>
 void on_every_stage(Test test) {
     on_every_backend([&](nicol_context context) { test(Stage(context)); });
 }
 
-/// A call that must fail, with this code and a message that contains this text.
+/// A call that must fail with this code and a message that contains this text.
 struct Refused {
     const char* text;
     std::function<nicol_result()> call;
@@ -348,13 +350,13 @@ inline void check_refused(const std::vector<Refused>& cases) {
     }
 }
 
-/// A change that makes good arguments wrong, and a text of the message that they are refused with.
+/// A change that makes good arguments wrong, and text that the refusal's message must contain.
 template <class T>
 struct Wrong {
     const char* text;
     std::function<void(T&)> change;
 };
-/// call(arguments) must refuse each change to the good ones alone.
+/// Checks that call(arguments) refuses the good arguments after each single change.
 template <class T, class Call>
 void check_wrong(const T& good, Call call, const std::vector<Wrong<T>>& cases) {
     for (const Wrong<T>& wrong : cases) {
@@ -365,7 +367,7 @@ void check_wrong(const T& good, Call call, const std::vector<Wrong<T>>& cases) {
     }
 }
 
-/// A handle that must not be touched.
+/// Returns a handle value that a failing function must leave untouched.
 template <class Handle>
 Handle marker() {
     return reinterpret_cast<Handle>(std::uintptr_t{0x5a5a0});
@@ -373,7 +375,7 @@ Handle marker() {
 
 }  // namespace capi_test
 
-/// A test case that runs once a backend, each time with a fresh `context` or `stage`.
+/// A test case that runs once per backend, each time with a fresh `context` or `stage`.
 #define CONTEXT_TEST_CASE(title) CAPI_TEST_CASE(title, backend, nicol_context context)
 #define STAGE_TEST_CASE(title) CAPI_TEST_CASE(title, stage, const capi_test::Stage& stage)
 #define CAPI_TEST_CASE(title, what, ...) \

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Contexts and devices, and what they say of themselves.
+// Tests of contexts and devices, and of the information that they report.
 #include <thread>
 
 #include "capi.hpp"
@@ -50,7 +50,7 @@ TEST_CASE("every device of the list has a name and opens, or says why not") {
         REQUIRE(info.file != nullptr);
         nicol_device_info again = NICOL_DEVICE_INFO_INIT;
         OK(nicol_device_get_info(device, &again));
-        CHECK(again.name == info.name);  // strings are kept, not copied once more
+        CHECK(again.name == info.name);  // strings are stored once and not copied again
 
         nicol_context_options options = NICOL_CONTEXT_OPTIONS_INIT;
         options.device = device;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Every function of nicol.h in one form, with good arguments, so that tests can make them wrong one at a
-// time.
+// A uniform table of every function of nicol.h with good arguments, so that tests can make them wrong one at
+// a time.
 #pragma once
 
 #include <bit>
@@ -10,7 +10,7 @@
 
 namespace capi_test {
 
-/// An argument's bits.
+/// Bits of one argument.
 using Slot = std::uint64_t;
 
 enum class Kind : std::uint8_t {
@@ -32,7 +32,7 @@ inline constexpr std::array handle_names = {"nicol_context",     "nicol_environm
 using HandleTypes = std::tuple<nicol_context, nicol_environment, nicol_texture, nicol_material, nicol_mesh,
                                nicol_scene, nicol_framebuffer, nicol_job, nicol_psh_transform>;
 
-/// Position of T in HandleTypes; their number where it is none.
+/// Position of T in HandleTypes, or the number of types if T is not a handle.
 template <class T, std::size_t i = 0>
 constexpr std::size_t handle_type() {
     if constexpr (i == std::tuple_size_v<HandleTypes>) {
@@ -51,7 +51,7 @@ concept Sized = requires(T t) {
 
 #include "defaults.inc"
 
-/// A struct that a call can take, in the bytes of its argument.
+/// Fills in a struct that a call accepts, in the bytes of its argument.
 template <class T>
 void make_good(T&) {}
 inline void make_good(nicol_image& image) {
@@ -86,10 +86,10 @@ inline void make_good(nicol_psh_sampling& sampling) {
 
 struct Parameter {
     Kind kind = Kind::number;
-    std::size_t type = 0;              ///< of a handle
-    std::size_t size = 0;              ///< of what a pointer leads to, where it is a struct
-    std::vector<std::byte> initial{};  ///< a struct with its defaults
-    std::vector<std::byte> good{};     ///< one that the call takes
+    std::size_t type = 0;              ///< handle type, an index into handle_names
+    std::size_t size = 0;              ///< bytes of the struct pointed to; 0: no struct
+    std::vector<std::byte> initial{};  ///< bytes of the struct with its defaults
+    std::vector<std::byte> good{};     ///< bytes of a struct that the call accepts
     const char* name = "";
 };
 
@@ -165,7 +165,7 @@ struct Function {
         : name(name_), parameters(std::move(bound.parameters)), call(std::move(bound.call)) {
         for (std::size_t i = 0; i < names.size(); ++i) parameters[i].name = names[i];
     }
-    /// The parameter that follows a pointer to doubles and counts them; 0: none does.
+    /// Returns the position of the parameter that counts the doubles of this pointer, or 0 if there is none.
     [[nodiscard]] std::size_t count_of(std::size_t pointer) const {
         const Kind kind = parameters[pointer].kind;
         if (kind != Kind::input && kind != Kind::output) return 0;
@@ -174,7 +174,7 @@ struct Function {
     }
 };
 
-/// All that return a result.
+/// Returns every function that returns a result.
 inline const std::vector<Function>& functions() {
     static const std::vector<Function> all{
 #include "functions.inc"
@@ -189,11 +189,11 @@ inline const Function& function(const std::string& name) {
     std::abort();
 }
 
-/// A live handle of each type, and files to name.
+/// A live handle of each type, and names of files.
 struct Everything {
     std::array<Slot, handle_names.size()> handles{};
 
-    /// Takes the reference to the context.
+    /// Takes over the reference to the context.
     explicit Everything(nicol_context context) {
         light = folder.file("light.npz");
         OK(nicol_psh_write_file(light.c_str(), 0, 1, std::array{1.0, 0.0, 0.0, 0.0}.data(), 4));
@@ -230,7 +230,7 @@ struct Everything {
     ~Everything() { release_all(); }
     Everything(const Everything&) = delete;
     Everything& operator=(const Everything&) = delete;
-    /// Once; the addresses stay.
+    /// Releases every handle, on the first call only. The addresses stay.
     void release_all() {
         if (std::exchange(released, true)) return;
         for (std::size_t type = handles.size(); type-- > 0;) CHECK(release(type) == NICOL_OK);
@@ -300,7 +300,7 @@ public:
         }
     }
     void set(std::size_t i, Slot value) { slots_[i] = value; }
-    /// Points argument i to a block of exactly these bytes, where a sanitizer sees what is read beyond.
+    /// Points argument i to a block of exactly these bytes, so that a sanitizer detects reads beyond them.
     void point(std::size_t i, std::vector<std::byte> bytes) {
         memory_[i] = std::move(bytes);
         slots_[i] = Everything::slot(memory_[i].data());
@@ -308,7 +308,7 @@ public:
     [[nodiscard]] Slot operator[](std::size_t i) const { return slots_[i]; }
     [[nodiscard]] std::vector<std::byte>& memory(std::size_t i) { return memory_[i]; }
 
-    /// Of a call that fails nothing may be written; handles that one made are released.
+    /// Calls the function and checks that a failing call wrote nothing. Releases a handle that the call made.
     nicol_result call() {
         const std::vector<std::vector<std::byte>> before = memory_;
         const nicol_result result = function_->call(slots_.data());
@@ -329,7 +329,7 @@ public:
 private:
     static constexpr std::byte unwritten{0x5a};
 
-    /// Orders 3, two vectors, and the lengths that follow.
+    /// Returns good numbers: order 3, two vectors, and the lengths that follow from them.
     static Slot good_number(const std::string& function, const std::string& name) {
         static const std::map<std::string, Slot> numbers = {
             {"nicol_scene_load.definition_count", 0},

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// What holds for every function of nicol.h: what it refuses, and that a call that fails writes nothing. Each
-// argument of each function is made wrong in every way that its type allows.
+// Tests of rules that hold for every function of nicol.h: refusals, and failing calls that write nothing.
+// Each argument of each function is made wrong in every way that its type allows.
 #include "contract.hpp"
 
 using namespace capi_test;
 
 namespace {
 
-/// Arguments that may be NULL.
+/// Arguments that may be NULL, as "function.parameter".
 const std::set<std::string> optional = {
     "nicol_context_create.options",
     "nicol_context_create_host.options",
@@ -52,13 +52,13 @@ bool is_release(const Function& f) {
     return f.name.ends_with("_release");
 }
 
-/// What only a host's context can do is refused by others before its arguments are read; tests/host has
-/// those.
+/// Returns whether the function needs a host's context. Other contexts refuse it before its arguments are
+/// read. The tests in tests/host cover such functions.
 bool needs_host(const Function& f) {
     return f.name == "nicol_framebuffer_get_texture" || f.name.starts_with("nicol_framebuffer_draw_");
 }
 
-/// Calls test(function, position) of every parameter of these kinds.
+/// Calls test(function, position) for every parameter of these kinds.
 template <class Test>
 void each_parameter(std::initializer_list<Kind> kinds, Test test) {
     int tested = 0;
@@ -73,7 +73,7 @@ void each_parameter(std::initializer_list<Kind> kinds, Test test) {
     CHECK(tested >= 10);
 }
 
-/// Every function must refuse this in place of a live handle of the type.
+/// Checks that every function refuses this value in place of a live handle of the type.
 void check_no_handle(const Everything& all, std::size_t type, Slot value, const std::string& message) {
     each_parameter({Kind::handle}, [&](const Function& f, std::size_t i) {
         const bool null_allowed = is_release(f) || optional.contains(f.name + "." + f.parameters[i].name);
@@ -102,7 +102,7 @@ CONTEXT_TEST_CASE("every function refuses what is no live handle of the type") {
             if (other != type)
                 check_no_handle(all, type, all.handles[other], std::string("a ") + handle_names[other]);
     }
-    // Addresses of released handles may be used again, so nothing else is made from here on.
+    // Nothing else is created from here on, because addresses of released handles may be used again.
     gone.release_all();
     for (std::size_t type = 0; type < all.handles.size(); ++type)
         check_no_handle(all, type, gone.handles[type], "released");
@@ -111,7 +111,7 @@ CONTEXT_TEST_CASE("every function refuses what is no live handle of the type") {
 CONTEXT_TEST_CASE(
     "a handle lives until each of its references is released, and releasing NULL does nothing") {
     Everything all(retained(context));
-    all.released = true;  // here, by hand
+    all.released = true;  // released by hand below
     for (std::size_t type = all.handles.size(); type-- > 0;) {
         CAPTURE(handle_names[type]);
         const Slot null = 0;
@@ -168,7 +168,7 @@ CONTEXT_TEST_CASE(
             CHECK(result == NICOL_ERROR_INVALID_ARGUMENT);
             CHECK(message.find(name + " has fields set") != std::string::npos);
         }
-        // Fields that an older caller does not have get their defaults.
+        // Fields that an older caller's struct lacks get their defaults.
         for (std::size_t size = 8; size < parameter.size; size += 8) {
             const auto cut = static_cast<std::ptrdiff_t>(size);
             const std::vector<std::byte> older(parameter.good.begin(), parameter.good.begin() + cut);
@@ -183,7 +183,7 @@ CONTEXT_TEST_CASE(
     "structs are filled as far as the caller has room, and those without a size stay as they are") {
     const Everything all(retained(context));
     each_parameter({Kind::struct_out}, [&](const Function& f, std::size_t i) {
-        if (needs_host(f) || f.name == "nicol_camera_look_at") return;  // which also reads its struct
+        if (needs_host(f) || f.name == "nicol_camera_look_at") return;  // also reads its struct
         const std::size_t whole_size = f.parameters[i].size;
         for (const std::size_t size : {0U, 3U}) {
             Arguments arguments(f, all);
@@ -220,7 +220,7 @@ TEST_CASE("arrays of doubles must have the length that orders and vectors ask fo
         REQUIRE(Arguments(f, all).call() == NICOL_OK);
         const Slot good = Arguments(f, all)[length];
         std::vector<Slot> lengths = {0, good - 1, good + 1, 2 * good, UINT64_MAX, UINT64_MAX / 8 + 1};
-        // Any number of directions and angles will do that memory can hold.
+        // Directions and angles may have any number that memory can hold.
         if (name == "directions") lengths = {good - 1, good + 1, UINT64_MAX};
         if (name == "theta" && f.parameters[i].kind == Kind::input) lengths = {UINT64_MAX};
         for (const Slot wrong : lengths) {

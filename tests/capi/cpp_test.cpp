@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// nicol.hpp: who holds what, and failures as exceptions.
+// Tests of nicol.hpp: ownership of handles, and failures as exceptions.
 #include <doctest/doctest.h>
 
 #include <nicol.hpp>

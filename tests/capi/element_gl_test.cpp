@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Polarization elements of a scene.
+// Tests of polarization elements of a scene.
 #include "capi.hpp"
 
 using namespace capi_test;
@@ -31,7 +31,7 @@ void check_same(const nicol_polarization_element& a, const nicol_polarization_el
     CHECK(a.transmittance == b.transmittance);
 }
 
-/// Across the view of the front camera, at this height.
+/// Returns an element across the view of the front camera, at height z.
 nicol_polarization_element before_camera(nicol_polarization_element_kind kind, double angle, double z) {
     nicol_polarization_element element = NICOL_POLARIZATION_ELEMENT_INIT;
     element.kind = kind;
@@ -102,7 +102,7 @@ STAGE_TEST_CASE("fields of an element that are out of range are refused by name"
 
 STAGE_TEST_CASE("the camera sees through elements, in one method as in the other, until they are gone") {
     nicol_camera narrow = stage.camera;
-    narrow.fov = 0.5;  // crossed polarizers are black along their normal alone
+    narrow.fov = 0.5;  // crossed polarizers are black only along their normal
     nicol_render_options reference = plain_options();
     reference.method = NICOL_METHOD_REFERENCE;
     reference.samples = 4;
@@ -123,7 +123,7 @@ STAGE_TEST_CASE("the camera sees through elements, in one method as in the other
     const std::vector<float> left = image(plain_options());
     for (std::size_t i = 0; i < left.size(); i += 4) {
         CHECK(left[i + 3] == doctest::Approx(-left[i]));
-        // The polarizer, then half of it.
+        // The linear polarizer transmits (s0 + s1) / 2, and the circular one half of that.
         CHECK(left[i] == doctest::Approx(0.25F * (open[i] + open[i + 1])).epsilon(1e-4));
     }
     for (const std::uint32_t id : {first, second})

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Light from memory, files and coefficients, and what is known of it.
+// Tests of environments from memory, files and coefficients, and of the information about them.
 #include "capi.hpp"
 #include "image/stokes_image.hpp"
 
@@ -29,7 +29,7 @@ struct Pixels {
     explicit Pixels(std::uint32_t components = 1, std::size_t stride = 0) {
         const std::size_t row = std::size_t{4} * 3 * components;
         if (stride == 0) stride = row;
-        // Between the rows lies what must not be read.
+        // The gaps between the rows hold NaN, because they must not be read.
         values.assign(stride * 2 + row, std::numeric_limits<float>::quiet_NaN());
         for (std::size_t y = 0; y < 3; ++y)
             for (std::size_t i = 0; i < row; ++i)
@@ -52,7 +52,7 @@ CONTEXT_TEST_CASE("rows of an image may lie apart, and what lies between them is
         const Owned a(make(nicol_environment_create_image, context, &tight.image)),
             b(make(nicol_environment_create_image, context, &loose.image));
         CHECK((tight.released == 1 && loose.released == 1));
-        // The pixels are no longer needed.
+        // Overwrites the pixels, because the environments no longer need them.
         for (Pixels* pixels : {&tight, &loose}) pixels->values.assign(pixels->values.size(), 0);
         const std::vector<double> light = coefficients_of(a, 2);
         CHECK(light == coefficients_of(b, 2));
@@ -92,7 +92,7 @@ CONTEXT_TEST_CASE("an image that cannot be taken is given back") {
                  {"components", [](I& i) { i.components = 0; }},
                  {"components", [](I& i) { i.components = 3; }},
                  {"pixels", [](I& i) { i.pixels = nullptr; }},
-                 // Larger than any image may be, and the caller even claims to have it.
+                 // The image exceeds every limit, and the caller claims to have the memory.
                  {"16384", [](I& i) {
                       i.width = i.height = NICOL_MAX_SIZE;
                       i.channels = NICOL_MAX_CHANNELS;
@@ -100,7 +100,7 @@ CONTEXT_TEST_CASE("an image that cannot be taken is given back") {
                       i.byte_size = UINT64_MAX;
                   }}});
     for (const float bad : {NAN, INFINITY, -300.0F}) {
-        const float before = std::exchange(pixels.values[19], bad);  // where it has a weight
+        const float before = std::exchange(pixels.values[19], bad);  // a pixel with non-zero weight
         REFUSES(create(pixels.image), "");
         pixels.values[19] = before;
     }
@@ -108,7 +108,7 @@ CONTEXT_TEST_CASE("an image that cannot be taken is given back") {
           "nicol_context");
     REFUSES(nicol_environment_create_image(context, &pixels.image, nullptr), "environment");
     CHECK(pixels.released == 3);
-    pixels.image.struct_size = 0;  // nothing can be said of such a struct
+    pixels.image.struct_size = 0;  // such a struct may not be read at all
     REFUSES(nicol_environment_create_image(context, &pixels.image, nullptr), "");
     CHECK(pixels.released == 3);
 }
@@ -129,11 +129,11 @@ CONTEXT_TEST_CASE("a sky has the defaults that its fields name, and 0 is none") 
     CHECK(largest_difference(light(), s0) < 1e-5);
     CHECK(largest_difference(standard, s0) > 0.1);
 
-    // The ground of a hazy sky; s0 of order 0 is 2 sqrt(pi) times the mean over the sphere.
+    // Tests the ground of a hazy sky. s0 of order 0 is 2 sqrt(pi) times the mean over the sphere.
     const auto mean = [&](float turbidity, float albedo) {
         sky.turbidity = turbidity;
         sky.ground_albedo = albedo;
-        return light()[36] / (2 * std::sqrt(pi));  // of green
+        return light()[36] / (2 * std::sqrt(pi));  // the green channel
     };
     CHECK(nicol_sky NICOL_SKY_INIT.ground_albedo == 0.2F);
     CHECK(mean(3, 0.2F) > mean(3, 0));
@@ -142,7 +142,7 @@ CONTEXT_TEST_CASE("a sky has the defaults that its fields name, and 0 is none") 
 
 TEST_CASE("files are loaded at a scale and at wavelengths") {
     const TemporaryFolder folder;
-    nicol::StokesImage image(8, 5, 4);  // whose radiance is the wavelength / 100 nm
+    nicol::StokesImage image(8, 5, 4);  // radiance in each channel is its wavelength / 100 nm
     image.wavelengths = {450, 500, 550, 600};
     for (std::size_t i = 0; i < image.data.size(); i += 4)
         image.data[i] = static_cast<float>(image.wavelengths[i / 160]) / 100;
@@ -190,7 +190,7 @@ TEST_CASE("files are loaded at a scale and at wavelengths") {
 
 CONTEXT_TEST_CASE("light goes through its coefficients and back") {
     const Owned sky(clear_sky(context, {1, 0.7F, 0}));
-    // The sky of single scattering has no order above 2, and no circular light.
+    // A sky of single scattering has no order above 2 and no circular polarization.
     std::vector<double> low = coefficients_of(sky, 2);
     for (std::size_t i = 3; i < low.size(); i += 4) CHECK(std::abs(std::exchange(low[i], 0)) < 1e-12);
     const Owned light(make(nicol_environment_create_psh, context, 2U, 3U, low.data(), low.size()));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Version, build information, result names and the last error of a thread. No context is needed.
+// Tests of the version, build information, result names and the last error of a thread, without a context.
 #include <thread>
 
 #include "capi.hpp"
@@ -71,7 +71,7 @@ TEST_CASE("messages are one line of whole characters, however long") {
     nicol_mesh mesh = marker<nicol_mesh>();
     for (const std::size_t length : {std::size_t{1500}, std::size_t{1501}, std::size_t{20000}}) {
         std::string path = length % 2 == 1 ? "a\n\x1b[31m\x7f" : "";
-        while (path.size() < length) path += "\xC3\xA9";  // two bytes a character
+        while (path.size() < length) path += "\xC3\xA9";  // two bytes per character
         CHECK(nicol_mesh_load(context, (path + ".obj").c_str(), &mesh) == NICOL_ERROR_FILE_NOT_FOUND);
         const std::string message = nicol_last_error();
         CHECK(message.size() > 1000);
@@ -87,7 +87,7 @@ TEST_CASE("a camera is rotated towards its target") {
     camera.far_clip = 7;
     const double origin[] = {1, 2, 3}, target[] = {1, 2, -5}, up[] = {0, 2, 1};
     OK(nicol_camera_look_at(&camera, origin, target, up));
-    // Columns: left, up, forward, position.
+    // The matrix's columns are left, up, forward and position.
     const double expected[] = {-1, 0, 0, 1, 0, 1, 0, 2, 0, 0, -1, 3, 0, 0, 0, 1};
     for (std::size_t i = 0; i < 16; ++i) CHECK(camera.to_world[i] == doctest::Approx(expected[i]));
     CHECK(camera.fov == 30);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Framebuffers: sizes, planes in the caller's memory, files.
+// Tests of framebuffers: sizes, planes in the caller's memory, files.
 #include "capi.hpp"
 
 using namespace capi_test;
@@ -47,7 +47,7 @@ STAGE_TEST_CASE("images are written in every kind and read back") {
     const std::string path = folder.file("\xC3\xA9.exr");
     OK(nicol_framebuffer_write_exr(stage.framebuffer, path.c_str()));
     CHECK(folder.names().size() == 8);
-    // The file's s0 serves as light again.
+    // The file can be loaded as an environment again.
     Owned<nicol_environment> environment;
     OK(nicol_environment_load(stage.context, path.c_str(), nullptr, &environment));
 }

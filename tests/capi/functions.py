@@ -22,7 +22,7 @@ def table(model):
 
 
 def numbers(model, struct, offset=0):
-    """Each field of numbers, those of structs in the struct too: name, offset, size of one, how many, floating."""
+    """Yields each numeric field, including fields of nested structs: name, offset, element size, count, floating."""
     for field, at in zip(model.structs[struct].fields, model.layout(struct)[0]):
         scalar = model.scalar(field.type)
         if scalar:
@@ -47,7 +47,7 @@ def defaults(model):
 
 
 def use(model):
-    callbacks = [c for c in model.callbacks.values() if c.name != "nicol_release_callback"]  # the reader's own name
+    callbacks = [c for c in model.callbacks.values() if c.name != "nicol_release_callback"]  # the bindings' own name
     yield "".join(f'#include "{name}"\n' for name in reader.HEADERS)
     for callback in callbacks:
         parameters = ", ".join(p.type.c(p.name) for p in callback.parameters)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How long objects live: handles released in any order, by many threads, while others use them.
+// Tests of object lifetimes: handles released in any order, by many threads, while other objects use them.
 #include <numeric>
 #include <thread>
 
@@ -37,8 +37,8 @@ std::vector<std::function<nicol_result()>> releases(const Connected& all) {
 }  // namespace
 
 TEST_CASE("handles may be released in any order") {
-    // Each of the 720 orders of six handles, with a few contexts only: the context is retained for all but
-    // every 60th order, where it goes for good in the middle.
+    // Tests each of the 720 orders of six handles with few contexts. The context is retained except in every
+    // 60th order, which destroys it.
     for (const nicol_backend backend : every_backend) {
         CAPTURE(backend);
         nicol_context context = make_context(backend);
@@ -141,7 +141,7 @@ CONTEXT_TEST_CASE("threads may share and drop handles while others use them") {
                     std::uint32_t vertices = 0, triangles = 0;
                     expect_alive_or_gone(nicol_mesh_get_size(all.mesh, &vertices, &triangles));
                 }
-                // The first thread to come drops what the others still use.
+                // The first thread drops handles that the other threads still use.
                 for (std::size_t i = 1; i < 6; ++i) expect_alive_or_gone(releases(all)[i]());
             });
         }

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# The C headers compile without a warning in every dialect of C and C++ that its users may choose, and a program
-# that initialises every struct of theirs runs.
+# Checks that the C headers compile without a warning in every dialect of C and C++ that users may choose, and that a
+# program that initialises every struct runs.
 # usage: header_test.sh INCLUDE_FOLDER USE_C USE_PROGRAM COMPILER...
 set -eu
 include=$1
@@ -22,7 +22,7 @@ for compiler in "$@"; do
     for standard in c99 c11 c17 c2x; do
         compile "$compiler" -x c -std=$standard -Wstrict-prototypes
     done
-    # <stdint.h> takes long long, which C++98 does not have.
+    # <stdint.h> uses long long, which C++98 does not have.
     compile "$compiler" -x c++ -std=c++98 -Wno-long-long
     for standard in c++11 c++14 c++17 c++20 c++23; do
         case $("$compiler" --version) in

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A highlight that a wall hides in part, against the reference method.
+// A test of a partly occluded highlight against the reference method.
 #include "capi.hpp"
 
 using namespace capi_test;
@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::uint32_t side = 40, fine = 3 * side;
 
-// A lamp 20 degrees wide at the left, half way towards the camera, in a dim room.
+// Returns a lamp 20 degrees wide on the left, half way towards the camera, in a dim room.
 nicol_environment lamp(nicol_context context) {
     constexpr std::uint32_t width = 128, height = 65;
     const glm::dvec3 centre = glm::normalize(glm::dvec3(-0.7, 0.1, 0.7));
@@ -23,7 +23,8 @@ nicol_environment lamp(nicol_context context) {
     return make(nicol_environment_create_image, context, &image);
 }
 
-/// The unit sphere in plastic, and at its left a black wall from far behind it to `end` before it.
+/// Returns a scene of the unit sphere in plastic and a black wall on its left. The wall reaches from far
+/// behind the sphere to z = `end`.
 nicol_scene sphere_beside_wall(nicol_context context, double end) {
     const Owned light(lamp(context));
     nicol_pplastic parameters = NICOL_PPLASTIC_INIT;
@@ -33,14 +34,14 @@ nicol_scene sphere_beside_wall(nicol_context context, double end) {
     const Owned plastic(plastic_of(context, parameters)), black(diffuse(context, {0}));
     const Owned ball(sphere(context)), wall(rectangle(context));
     const nicol_scene scene = simple_scene(context, light, ball, plastic);
-    // Its z to the world's x, its x to the world's -z, 8 each way.
+    // The transform maps the wall's z to the world's x and its x to the world's -z, and scales by 8.
     add(scene, wall, black, {{0, 0, 1, -1.6, 0, 8, 0, 0, -8, 0, 0, end - 8, 0, 0, 0, 1}});
     return scene;
 }
 
 using Values = std::vector<double>;
 
-/// [row][column][component] of `side` rows, each pixel the mean of a square.
+/// Renders rows^2 pixels and averages them down to [row][column][component] with `side` rows.
 Values image(nicol_context context, nicol_scene scene, const nicol_render_options& options,
              std::uint32_t rows) {
     const Owned framebuffer(framebuffer_of(context, rows, rows, 1));
@@ -72,7 +73,7 @@ Values real_time(nicol_context context, nicol_scene scene, std::uint32_t high, s
 
 TEST_CASE("a highlight half behind a wall is dimmed as the reference has it") {
     const Owned context(make_context(NICOL_BACKEND_OSMESA));
-    // The edge of the wall's shadow goes through the highlight; farther back, or hides nearly all of it.
+    // The edge of the wall's shadow crosses the highlight, or the shadow covers nearly all of it.
     for (const double end : {2.1, 2.6}) {
         CAPTURE(end);
         const Owned scene(sphere_beside_wall(context, end));
@@ -81,7 +82,7 @@ TEST_CASE("a highlight half behind a wall is dimmed as the reference has it") {
         reference.samples = 256;
         const Values truth = image(context, scene, reference, side);
         const Values dimmed = real_time(context, scene, 32, 1);
-        // Light adds: low orders in shadow, with high orders that nothing hides.
+        // Light is additive: `undimmed` is low orders in shadow plus high orders without shadow.
         Values undimmed = real_time(context, scene, 4, 1);
         const Values low = real_time(context, scene, 4, 0), all = real_time(context, scene, 32, 0);
         double brightest = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the tests of files of light and materials share.
+// Shared helpers of the light and material file tests.
 #pragma once
 
 #include "image/stokes_image.hpp"
@@ -7,7 +7,7 @@
 
 namespace capi_test {
 
-/// The coefficients of a file; `channels` must be right.
+/// Reads the coefficients of a light file and checks that it has `channels` channels.
 inline nicol::PshVector coefficients_of(const std::string& path, int order, int channels) {
     nicol::PshVector out(order, channels);
     std::uint32_t found = 0;

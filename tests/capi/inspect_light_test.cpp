@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Files of light: from one format to another, what they hold, and what is wrong.
+// Tests of light files: conversion between formats, reports and errors.
 #include "harmonics/rotation.hpp"
 #include "inspect.hpp"
 #include "inspect/light_file.hpp"
@@ -9,7 +9,7 @@ using nicol::PshVector;
 
 namespace {
 
-/// Random light that is physical: s0 stays well above the polarized part.
+/// Returns random, physically realizable light: s0 stays well above the polarized part.
 PshVector random_light(int order, int channels) {
     PshVector field = random_fields(static_cast<std::uint32_t>(order), channels);
     for (int c = 0; c < channels; ++c) field.at(c, 0, 0, 0) = 5 * (order + 1);
@@ -59,12 +59,12 @@ TEST_CASE("inspect: light without high orders survives images in both directions
         convert(folder.file("a.npz"), folder.file("a.exr"));
         convert(folder.file("a.exr"), folder.file("b.npz"), of_order(order, NICOL_FILE_BAND_LIMITED));
         CHECK(apart("b.npz") < 1e-6 * largest(field));
-        // And images through coefficients.
+        // Images convert to images through coefficients.
         convert(folder.file("b.npz"), folder.file("b.exr"));
         const std::vector<float> a = nicol::read_exr(folder.file("a.exr")).data;
         CHECK(largest_difference(a, nicol::read_exr(folder.file("b.exr")).data) < 2e-6 * largest(a));
         if (order != 9) continue;
-        // As the bilinear function it is smoothed a little.
+        // Interpreting the image as a bilinear function smooths it a little.
         convert(folder.file("a.exr"), folder.file("c.npz"), of_order(9));
         CHECK(apart("c.npz") > 1e-5);
         CHECK(apart("c.npz") < 1e-3 * largest(field));
@@ -86,7 +86,8 @@ TEST_CASE("inspect: an image of any size shows the same field") {
         convert(folder.file("a.exr"), folder.file("a.npz"), of_order(2, NICOL_FILE_BAND_LIMITED));
         CHECK(largest_difference(coefficients_of(folder.file("a.npz"), 2, 1), field) < 1e-6);
         if (width == 30) continue;
-        // At the poles the frames of a row rotate with the columns: means over large pixels lose there.
+        // Near the poles the frames of a row rotate with the columns, so means over large pixels lose
+        // accuracy.
         convert(folder.file("large.exr"), folder.file("b.exr"), options);
         CHECK(largest_difference(nicol::read_exr(folder.file("b.exr")).data, image.data) < 6e-3);
     }
@@ -106,14 +107,15 @@ TEST_CASE("inspect: light is rotated and scaled") {
     exact.flags = NICOL_FILE_BAND_LIMITED;
     write_light(folder.file("f.npz"), field);
     convert(folder.file("f.npz"), folder.file("f.exr"));
-    // Through a first output, and back to coefficients; with a tolerance over the largest of them.
+    // Each case converts into a first output and back to coefficients. The tolerance is relative to the
+    // largest one.
     const struct {
         const char *in, *out;
         nicol_file_options first, back;
         double tolerance;
     } cases[] = {{"f.npz", "a.npz", options, of_order(5), 1e-12},
                  {"f.npz", "a.exr", options, plain, 1e-6},
-                 {"f.exr", "a.exr", options, plain, 5e-4},  // by look-ups in the image
+                 {"f.exr", "a.exr", options, plain, 5e-4},  // looked up in the image
                  {"f.exr", "f.exr", NICOL_FILE_OPTIONS_INIT, exact, 1e-6}};
     for (const auto& [in, out, first, back, tolerance] : cases) {
         CAPTURES(in, out);
@@ -164,7 +166,7 @@ TEST_CASE("inspect: a report of light is the library's, with room for every ener
     const TemporaryFolder folder;
     const std::string path = folder.file("f.npz");
     PshVector field = random_light(3, 2);
-    field.at(1, 0, 0, 0) = 1;  // beyond what is physical
+    field.at(1, 0, 0, 0) = 1;  // beyond the physically realizable range
     write_light(path, field);
     const nicol::LightReport wanted =
         describe(nicol::read_light_file(path, nicol::FileKind::light_psh, {}), {}, true);
@@ -195,7 +197,8 @@ TEST_CASE("inspect: a report of light is the library's, with room for every ener
 TEST_CASE("inspect: the mean direction of light is where it comes from") {
     const TemporaryFolder folder;
     for (const glm::dvec3& from : {glm::dvec3(1, 0, 0), {0, 1, 0}, {0, 0, -1}}) {
-        // 1 + d: the mean of d (1 + d) over the sphere is 1/3. Light from d propagates along -d.
+        // The field is 1 + d, and the mean of d (1 + d) over the sphere is 1/3. Light from d propagates along
+        // -d.
         PshVector field(1, 1);
         field.at(0, 0, 0, 0) = std::sqrt(4 * pi);
         const double scale = -std::sqrt(4 * pi / 3);
@@ -299,7 +302,7 @@ TEST_CASE("inspect: options that are wrong, or of no use") {
          {"wavelength", [](O& o) { o.wavelengths = spectrum({5001}); }},
          {"wavelength", [](O& o) { o.wavelengths = spectrum({NAN}); }},
          {"reserved", [](O& o) { o.reserved = 1; }},
-         // Of no use:
+         // The order below exceeds the order that the rows of the file can hold.
          {"order 5", [](O& o) { o.order = 5, o.flags = NICOL_FILE_BAND_LIMITED; }}});  // 9 rows hold order 4
     check_wrong(good, exr,
                 {{"height", [](O& o) { o.width = 16; }},
@@ -342,7 +345,7 @@ TEST_CASE("inspect: files that are no light") {
     }
     CHECK(channels == 7);
     CHECK(r.channels == 0);
-    // One pixel is an image, but no light.
+    // A single pixel is a valid image but not a valid light.
     nicol::write_exr(folder.file("one.exr"), nicol::StokesImage(1, 1, 1));
     FAILS(nicol_file_describe_light(folder.file("one.exr").c_str(), nullptr, &r, nullptr, 0),
           NICOL_ERROR_INVALID_FILE, "2 x 2");
@@ -356,7 +359,7 @@ TEST_CASE("inspect: a failed output leaves what was there") {
     for (const char* out : {"none/o.exr", "none/o.npz", "none/o_s0.exr"})
         FAILS(nicol_file_convert(file.c_str(), nullptr, folder.file(out).c_str()), NICOL_ERROR_WRITE_FAILED,
               "none/o");
-    // The input may be the output.
+    // The input file may also be the output file.
     convert(file, file, of_order(3));
     CHECK(light_report_of(file).order == 3);
     CHECK(folder.names() == std::set<std::string>{"f.npz"});

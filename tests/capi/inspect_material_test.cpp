@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Files of materials: from one format to another, and what they hold.
+// Tests of material files: conversion between formats, and reports.
 #include "inspect.hpp"
 #include "material/material.hpp"
 #include "material/material_projection.hpp"
@@ -52,7 +52,7 @@ TEST_CASE("inspect: SHMat is described, stays as it is, is cut and scaled") {
     CHECK(r.kind == NICOL_FILE_MATERIAL_PSH);
     CHECK((r.channels == 3 && r.order == 8 && r.file_order == 8 && r.stokes_columns == 4));
     for (std::size_t c = 0; c < 3; ++c) {
-        // The squares of the norms by Stokes components and by orders are those of the same matrix.
+        // Squared norms by Stokes component and by order have equal sums, because they describe one matrix.
         double norms = 0, energies = 0;
         for (std::size_t i = 0; i < 9; ++i)
             norms += std::pow(r.norms[9 * c + i], 2), energies += energy[9 * c + i];
@@ -97,7 +97,7 @@ TEST_CASE("inspect: tables of the cache are materials again") {
     CHECK((r.file_order == 5 && r.stokes_columns == 4 && r.channels == 3));
     CHECK(r.asymmetry[0] < 1e-12);
 
-    // Written from files, for the renderer to find.
+    // Writes tables from files into a cache folder for the renderer.
     for (const auto& [cache, wanted] : {std::pair("new/", 1), std::pair("cache", 2)}) {
         convert(folder.file("p.npz"), folder.file(cache), of_order(4));
         int tables = 0;
@@ -109,7 +109,7 @@ TEST_CASE("inspect: tables of the cache are materials again") {
     FAILS(nicol_file_convert(folder.file("p.npz").c_str(), nullptr, folder.file("plain/").c_str()),
           NICOL_ERROR_WRITE_FAILED, "plain");
 
-    // A table for less light is described, but is no material.
+    // A table for fewer Stokes components can be described but not used as a material.
     const std::string less = table_of("less", nicol::LightLayout(3, nicol::LightKind::unpolarized));
     const nicol_material_report s = report_of(less);
     CHECK((s.stokes_columns == 1 && s.file_order == 3));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Renders as jobs: what they make, their order, their end, and who may let go of what.
+// Tests of renders as jobs: results, order, completion and release.
 #include <atomic>
 #include <mutex>
 #include <thread>
@@ -22,7 +22,7 @@ STAGE_TEST_CASE("a job makes the image that a render makes") {
         CHECK((status.state == NICOL_JOB_DONE && status.result == NICOL_OK));
         CHECK((status.fraction == 1 && std::string(status.verb) == ""));
         CHECK(read_all(other) == image);
-        OK(nicol_job_cancel(job));  // too late
+        OK(nicol_job_cancel(job));  // has no effect after the end
         OK(nicol_job_wait(job, NICOL_WAIT_FOREVER));
     }
 }
@@ -36,7 +36,7 @@ STAGE_TEST_CASE("a job renders the scene as it was, while the scene changes") {
     const Owned first(submit(stage, gated(gate)));
     gate.wait_until_entered();
     const Owned second(make(nicol_render_async, stage.scene, &stage.camera, &options, other));
-    // None of these waits for the job, which would never end.
+    // None of these calls may wait for the job, because the job is blocked.
     OK(nicol_scene_set_transform(stage.scene, 0, placed(0.5, 0, 0, 0.2).rows));
     OK(nicol_scene_set_environment(stage.scene, stage.environment, nullptr, 3));
     std::uint32_t channels = 0;
@@ -65,7 +65,7 @@ STAGE_TEST_CASE("jobs wait their turn, and end at once when they are cancelled t
     CHECK(poll(waiting).state == NICOL_JOB_WAITING);
     FAILS(nicol_job_wait(waiting, 0), NICOL_ERROR_TIMEOUT, "0 milliseconds");
     FAILS(nicol_job_wait(running, 1), NICOL_ERROR_TIMEOUT, "1 milliseconds");
-    // While the other one still holds the thread.
+    // Cancels the waiting job while the running job still holds the thread.
     OK(nicol_job_cancel(waiting));
     FAILS(nicol_job_wait(waiting, NICOL_WAIT_FOREVER), NICOL_ERROR_CANCELLED, "cancelled");
     CHECK(poll(waiting).state == NICOL_JOB_DONE);
@@ -99,7 +99,7 @@ TEST_CASE("everything may be released while a job runs and others wait") {
             gate.wait_until_entered();
             OK(nicol_job_cancel(dropped));
             for (const nicol_job job : {dropped, first, second}) OK(nicol_job_release(job));
-        }  // scene, framebuffer and all the rest
+        }  // releases scene, framebuffer and everything else
         OK(nicol_context_release(context));
         CHECK_FALSE(released);
         gate.open();
@@ -142,7 +142,7 @@ TEST_CASE("only so many jobs wait") {
               NICOL_ERROR_BUSY, text);
     };
     refused("256");
-    OK(nicol_job_cancel(jobs[100]));  // makes room for one
+    OK(nicol_job_cancel(jobs[100]));  // frees one place in the queue
     jobs.push_back(submit(stage));
     refused("wait");
     CHECK(job == marker<nicol_job>());
@@ -181,7 +181,7 @@ TEST_CASE("callbacks may ask and cancel, but not wait") {
             const std::lock_guard lock(asked.ready);
             asked.job = submit(stage, options);
         }
-        // Cancelled by itself; a job that had nothing left to report would be done.
+        // The callback cancels the job. A job with no further progress to report ends as done.
         const nicol_result result = nicol_job_wait(asked.job, NICOL_WAIT_FOREVER);
         CHECK((result == NICOL_ERROR_CANCELLED || result == NICOL_OK));
         CHECK(asked.polled == NICOL_OK);

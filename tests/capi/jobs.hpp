@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Jobs for tests.
+// Helpers for tests of jobs.
 #pragma once
 
 #include <atomic>
@@ -8,7 +8,7 @@
 
 namespace capi_test {
 
-/// A progress callback that holds its job until it is let go.
+/// A progress callback that blocks its job until the gate is opened.
 class Gate {
 public:
     static std::int32_t callback(void* user, const char*, double) {
@@ -30,7 +30,7 @@ private:
     std::atomic<std::int32_t> answer_ = closed;
 };
 
-// Every render with these traces anew.
+// Returns options that make every render trace again.
 inline nicol_render_options traced() {
     nicol_render_options options = plain_options();
     options.method = NICOL_METHOD_REFERENCE;
@@ -57,7 +57,7 @@ inline nicol_job_status poll(nicol_job job) {
     return status;
 }
 
-/// Puts an instance into the stage whose material sets `released` when it goes.
+/// Adds an instance whose material sets `released` when it is destroyed.
 inline void add_watched(const Stage& stage, std::atomic<bool>& released) {
     nicol_callback_material parameters = grey_function();
     parameters.user = &released;

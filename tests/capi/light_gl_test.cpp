@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lights beside the environment, and instances that emit light.
+// Tests of lights beside the environment, and of instances that emit light.
 #include <numbers>
 
 #include "capi.hpp"
@@ -26,7 +26,7 @@ nicol_texture checkerboard(nicol_context context) {
     return make(nicol_texture_create_checkerboard, context, nullptr, nullptr, nullptr);
 }
 
-/// 2 x 1 texels of so many channels.
+/// Returns a texture of 2 x 1 texels with this number of channels.
 nicol_texture texels(nicol_context context, std::uint32_t channels, float value) {
     const std::vector<float> pixels(std::size_t{2} * channels, value);
     nicol_texture_image image = NICOL_TEXTURE_IMAGE_INIT;
@@ -92,7 +92,7 @@ STAGE_TEST_CASE("a light is what it was given as, whatever its kind") {
         nicol_light wanted = lights[id];
         if (wanted.value.count == 0) wanted.value = spectrum({1});
         check_same(told, wanted);
-        // A program may give back what it was told.
+        // A reported light can be set again.
         OK(nicol_scene_set_light(stage.scene, id, &told));
     }
     CHECK(light_ids_of(stage.scene) == ids);
@@ -238,7 +238,7 @@ STAGE_TEST_CASE("emissions that cannot be are refused, by field") {
                  {"dolp is 2", [](auto& e) { e.polarization.dolp = 2; }},
                  {"4 channels", [&](auto& e) { e.texture = covered; }},
                  {"negative values", [&](auto& e) { e.texture = negative; }}});
-    // Its corners have no texture coordinates.
+    // The corners of this mesh have no texture coordinates.
     const float positions[] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
     const std::uint32_t indices[] = {0, 1, 2};
     nicol_mesh_data data = NICOL_MESH_DATA_INIT;

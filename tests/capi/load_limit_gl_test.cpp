@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Limits of loading, which every function that loads holds.
+// Tests of the loading limits in every function that loads files.
 #include "capi.hpp"
 #include "files/bomb.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the log is told, how severely, and that nothing is lost.
+// Tests of the log: messages, severities and completeness.
 #include <mutex>
 
 #include "capi.hpp"
@@ -22,7 +22,7 @@ public:
         const std::lock_guard lock(log.mutex_);
         log.entries_.push_back({severity, code, message});
     }
-    /// Since the last call.
+    /// Removes and returns the entries since the last call.
     std::vector<Entry> take() {
         const std::lock_guard lock(mutex_);
         return std::exchange(entries_, {});
@@ -143,7 +143,7 @@ TEST_CASE("caches that are damaged or cannot be kept are notices, from jobs too"
         };
         const std::string cache = folder.file("cache");
         CHECK(notices(cache).empty());
-        std::vector<std::string> files;  // tables, a bake and linked programs
+        std::vector<std::string> files;  // tables, visibility and linked programs
         for (const std::filesystem::path& file : files_in(cache)) {
             std::filesystem::resize_file(file, std::filesystem::file_size(file) / 2);
             files.push_back(file.filename().string());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Metals, measured and matrix materials, two sides, and functions of the caller's.
+// Tests of metals, measured and matrix materials, two-sided materials and callback materials.
 #include <atomic>
 
 #include "capi.hpp"
@@ -12,7 +12,7 @@ using doctest::Approx;
 
 namespace {
 
-// s0 of each channel in the middle of a square under a constant sky, seen from its front or its back.
+// Returns s0 of each channel at the middle of a square under a constant sky, seen from the front or the back.
 std::vector<float> middle_of(nicol_context context, nicol_material material, bool back = false,
                              nicol_result wanted = NICOL_OK) {
     const Owned light(constant_light(context, {1}));
@@ -39,7 +39,7 @@ std::vector<float> conductor(nicol_context context, const nicol_conductor& param
     return middle_of(context, Owned(make(nicol_material_create_conductor, context, &parameters)));
 }
 
-// Lambertian, as a function.
+// State of a Lambertian callback material.
 struct Function {
     std::atomic<int> released = 0, calls = 0;
     std::atomic<bool> stop = false;
@@ -77,7 +77,7 @@ CONTEXT_TEST_CASE(
     gold.wavelengths = spectrum({600});
     CHECK(conductor(context, gold).size() == 1);
 
-    // Mitsuba's values; in light from all around brushed metal is that of the mean roughness.
+    // These are Mitsuba's values. Under constant light brushed metal equals metal of the mean roughness.
     nicol_conductor numbers = NICOL_CONDUCTOR_INIT;
     numbers.alpha = 0.3F;
     numbers.eta = spectrum({0.143F, 0.375F, 1.442F});
@@ -91,7 +91,7 @@ CONTEXT_TEST_CASE(
     nicol_conductor mirror = NICOL_CONDUCTOR_INIT;
     for (const float s0 : conductor(context, mirror)) CHECK(s0 == Approx(1).epsilon(0.01));
     mirror.specular_reflectance = spectrum({0.5F, 0.25F});
-    mirror.distribution = NICOL_DISTRIBUTION_GGX;  // of rough ones alone
+    mirror.distribution = NICOL_DISTRIBUTION_GGX;  // matters only for rough metals
     CHECK(same(conductor(context, mirror), {0.5F, 0.25F}, 0.01));
 }
 
@@ -99,7 +99,7 @@ CONTEXT_TEST_CASE("plastic: a base under a boundary, smooth by default, coloured
     const auto plastic = [&](const nicol_plastic& parameters) {
         return middle_of(context, Owned(make(nicol_material_create_plastic, context, &parameters)));
     };
-    // All that arrives under constant light leaves again.
+    // White plastic returns all incident constant light.
     nicol_plastic white = NICOL_PLASTIC_INIT;
     white.diffuse_reflectance = spectrum({1});
     CHECK(same(plastic(white), {1}, 0.01));
@@ -110,7 +110,7 @@ CONTEXT_TEST_CASE("plastic: a base under a boundary, smooth by default, coloured
     deeper.nonlinear = 1;
     const std::vector<float> plain = plastic(linear), deep = plastic(deeper);
     REQUIRE(deep.size() == 2);
-    // r (1 - f) / (1 - r f), f what the boundary returns of diffuse light.
+    // Nonlinear colour is r (1 - f) / (1 - r f), with f the internal diffuse reflectance of the boundary.
     constexpr float f = 0.591F;
     CHECK(deep[0] == Approx(plain[0] * (1 - f) / (1 - 0.2F * f)).epsilon(0.01));
     CHECK(deep[1] == Approx(plain[1] * (1 - f) / (1 - 0.9F * f)).epsilon(0.01));
@@ -119,7 +119,7 @@ CONTEXT_TEST_CASE("plastic: a base under a boundary, smooth by default, coloured
 TEST_CASE("a measured material has the channels asked for") {
     const TemporaryFolder folder;
     const std::string path = folder.file("grey.pbsdf"), text = folder.write("text.pbsdf", "no table");
-    // Lambertian, its reflectance the wavelength / 1000 nm.
+    // A Lambertian table whose reflectance is the wavelength / 1000 nm.
     const auto angles = nicol::test::even_angles(9, 0, pi / 2);
     write_bytes(path,
                 nicol::test::make_pbsdf(nicol::test::even_angles(5, -pi, pi), angles, angles, {500, 600},
@@ -168,7 +168,7 @@ TEST_CASE("a material by its coefficients") {
             return middle_of(context, Owned(make(nicol_material_load_psh, context, path.c_str(), options)));
         };
         const std::vector<float> plain = middle(nullptr);
-        CHECK(same(plain, {0.4F, 0.4F}, 0.1));  // truncated, so it rings
+        CHECK(same(plain, {0.4F, 0.4F}, 0.1));  // truncation causes ringing
         nicol_psh_matrix options = NICOL_PSH_MATRIX_INIT;
         CHECK(middle(&options) == plain);
         options.scale = spectrum({0.5F, 2});
@@ -205,7 +205,7 @@ CONTEXT_TEST_CASE("a function of the caller's serves as a material until nothing
     CHECK(function.released == 0);
     CHECK(middle_of(context, both, true)[0] == Approx(0.5).epsilon(1e-3));
     CHECK(function.released == 0);
-    // A render that needs the function is stopped by it.
+    // A callback that returns 0 stops the render.
     function.stop = true;
     static_cast<void>(middle_of(context, both, false, NICOL_ERROR_CANCELLED));
     CHECK(std::string(nicol_last_error()).find("callback") != std::string::npos);
@@ -251,7 +251,7 @@ CONTEXT_TEST_CASE("functions that are no material are refused and given back") {
     CHECK(function.released == 2);
     parameters.release = nullptr;
     CHECK(nicol_material_create_callback(context, &parameters, nullptr) == NICOL_ERROR_INVALID_ARGUMENT);
-    // Nothing can be said of a struct of no size.
+    // A struct of size 0 may not be read at all.
     parameters = described(function);
     parameters.struct_size = 0;
     CHECK(nicol_material_create_callback(context, &parameters, nullptr) == NICOL_ERROR_INVALID_ARGUMENT);
@@ -276,5 +276,5 @@ STAGE_TEST_CASE("a function must not use its context, and is told so rather than
     middle_of(stage.context, Owned(make(nicol_material_create_callback, stage.context, &parameters)));
     CHECK(inside.refused > 0);
     CHECK(inside.other == 0);
-    stage.render();  // and the context is as before
+    stage.render();  // the context still works
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The limit of a scene's memory: predictions against what renders then take.
+// Tests of the scene memory limit: predictions against the memory that renders then use.
 #include "capi.hpp"
 
 using namespace capi_test;
@@ -20,7 +20,7 @@ std::vector<nicol_render_options> many_options() {
                 for_all({NICOL_HIGH_ORDERS_SPLIT, NICOL_HIGH_ORDERS_NONE}, {1U, 0U},
                         [&](nicol_high_orders high, std::uint32_t shadows) {
                             nicol_render_options options = plain_options();
-                            options.refine_tolerance = 0;  // what it adds is bounded by the limit
+                            options.refine_tolerance = 0;  // refinement may use any memory up to the limit
                             options.method = method;
                             options.executor = NICOL_EXECUTOR_CPU;
                             options.order_low = order;
@@ -35,7 +35,8 @@ std::vector<nicol_render_options> many_options() {
     return all;
 }
 
-// From -1 to 1 in x and y, of so many cells a side that rounding to blocks of vertices hardly counts.
+// Returns a square from -1 to 1 in x and y, with so many cells per side that rounding to vertex blocks hardly
+// matters.
 nicol_mesh fine_square(nicol_context context) {
     constexpr std::uint32_t cells = 16;
     std::vector<float> positions;
@@ -55,15 +56,14 @@ nicol_mesh fine_square(nicol_context context) {
     return make(nicol_mesh_create, context, &data);
 }
 
-// Two squares that hide the light from each other, under light of three unlike channels, so that nothing
-// can be left out.
+// Two squares that shadow each other under light of three different channels, so that nothing can be skipped.
 struct Cleft {
     nicol_context context;
     Owned<nicol_environment> light;
     Owned<nicol_material> material;
     Owned<nicol_mesh> mesh{fine_square(context)};
     Owned<nicol_framebuffer> framebuffer;
-    bool element = false;  ///< seen through one
+    bool element = false;  ///< whether the camera looks through a polarization element
 
     explicit Cleft(nicol_context owner, std::uint32_t side = 8)
         : context(owner), framebuffer(framebuffer_of(owner, side, side, 3)) {
@@ -74,7 +74,7 @@ struct Cleft {
         plastic.diffuse_reflectance = spectrum({0.2F, 0.4F, 0.6F});
         OK(nicol_material_create_pplastic(context, &plastic, &material));
     }
-    /// A scene of its own each time, in which nothing is left of other options.
+    /// Renders a new scene each time, so that nothing remains from other options.
     [[nodiscard]] nicol_result render(const nicol_render_options& options) const {
         const Owned scene(simple_scene(context, light, mesh, material));
         add(scene, mesh, material, {{1, 0, 0, 0, 0, -1, 0, 0, 0, 0, -1, 0.05, 0, 0, 0, 1}});
@@ -85,7 +85,7 @@ struct Cleft {
     }
 };
 
-// The bytes that the last message says are needed.
+// Returns the number of bytes that the last message says are needed.
 std::uint64_t bytes_in_message() {
     const std::string message = nicol_last_error(), before = "need up to ";
     const std::size_t at = message.find(before);
@@ -134,7 +134,7 @@ TEST_CASE("what samples, AOVs, elements and shading at pixels take of an image i
         options.shadows = 0;
         options.shade_at = NICOL_SHADE_AT_VERTICES;
         OK(rendered.render(options));
-        // Of the light's image, which is drawn behind vertices.
+        // Memory of the background light's image, which is drawn only for shading at vertices.
         const std::uint64_t light = statistics_of(rendered.framebuffer).texture_bytes - own;
         for_all({false, true}, {NICOL_SHADE_AT_PIXELS, NICOL_SHADE_AT_VERTICES}, {8U, 1U, 4U},
                 [&](bool element, nicol_shade_at where, std::uint32_t samples) {
@@ -168,13 +168,13 @@ TEST_CASE("a limit refuses what exceeds it and nothing else") {
                 const Stage stage(context);
                 needed = bytes_needed(stage, options);
                 REQUIRE(needed > 1000);
-                // Refused before anything of the framebuffer is touched, and refused again.
+                // The refusal leaves the framebuffer untouched and happens again.
                 CHECK(bytes_needed(stage, options) == needed);
                 CHECK(largest(read_all(stage.framebuffer)) == 0);
                 options.method = NICOL_METHOD_REFERENCE;
                 options.samples = 1;
                 CHECK(bytes_needed(stage, options) > 1000);
-                // As the result of a job, too.
+                // A job fails with the same result.
                 const Owned job(
                     make(nicol_render_async, stage.scene, &stage.camera, &options, stage.framebuffer));
                 FAILS(nicol_job_wait(job, NICOL_WAIT_FOREVER), NICOL_ERROR_OUT_OF_MEMORY, "memory_limit");
@@ -188,7 +188,7 @@ TEST_CASE("a limit refuses what exceeds it and nothing else") {
                 const nicol_result result = stage.try_render(options);
                 CHECK(result == (enough ? NICOL_OK : NICOL_ERROR_OUT_OF_MEMORY));
                 if (enough) {
-                    // Another cube is another cube's memory.
+                    // A second cube needs additional memory.
                     add(stage.scene, stage.mesh, stage.material);
                     FAILS(stage.try_render(options), NICOL_ERROR_OUT_OF_MEMORY, std::to_string(needed));
                 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Meshes as they come, from their arrays to the image.
+// Tests of meshes from caller arrays to the image.
 #include "capi.hpp"
 #include "harmonics/operator.hpp"
 #include "material/psh_matrix_file.hpp"
@@ -10,13 +10,13 @@ namespace {
 
 constexpr std::uint32_t edge = 32;
 
-// Squares of side 2 about the origin, one after another, each divided into 4 x 4 cells.
+// Arrays of squares of side 2, each divided into 4 x 4 cells.
 struct Arrays {
     std::vector<float> positions;
     std::vector<float> normals;
     std::vector<std::uint32_t> indices;
 
-    // Spanned by u and v; its front and its normals towards u x v.
+    // Adds a square spanned by u and v, whose front and normals point along u x v.
     void add_square(const glm::vec3& centre, const glm::vec3& u, const glm::vec3& v) {
         const glm::vec3 n = glm::cross(u, v);
         const auto first = static_cast<std::uint32_t>(positions.size() / 3);
@@ -41,7 +41,7 @@ struct Arrays {
     }
 };
 
-// A floor and a wall that shadow each other.
+// Returns a floor and a wall that shadow each other.
 Arrays corner() {
     Arrays a;
     a.add_square({0, -1, 0}, {0, 0, 1}, {1, 0, 0});
@@ -49,7 +49,7 @@ Arrays corner() {
     return a;
 }
 
-// A context, light and a material, and images of meshes with them.
+// A context, light and a material for rendering meshes.
 struct Studio {
     Owned<nicol_context> context{make_context(NICOL_BACKEND_AUTOMATIC)};
     Owned<nicol_environment> environment{clear_sky(context, {1, 1, 1})};
@@ -63,7 +63,8 @@ struct Studio {
         options.bake_directions = 512;
     }
 
-    // [channel][pixel][component]; the camera stands 4 units before the origin, a little up and aside.
+    // Returns the image as [channel][pixel][component], seen from 4 units away, slightly above and to the
+    // side.
     [[nodiscard]] std::vector<float> image(const Arrays& arrays, double unit = 1) const {
         const nicol_mesh_data data = arrays.data();
         const Owned mesh(make(nicol_mesh_create, context, &data));
@@ -137,7 +138,7 @@ TEST_CASE(
         if (i / 3 % 3 == 0) some.normals[i] = 0;
     for (const Arrays& each : {zero, some, none})
         CHECK(largest_difference(studio.image(each), truth) < 1e-6F);
-    // Normals against their faces make an image all the same, also where they cancel between vertices.
+    // Normals that oppose their faces still give an image, even if interpolated normals cancel.
     Arrays inverted = given, mixed = given;
     for (float& n : inverted.normals) n = -n;
     for (std::size_t i = 0; i < mixed.normals.size(); ++i)
@@ -167,7 +168,7 @@ TEST_CASE("a matrix of fewer orders than the light's reflects none of the others
 
     Studio studio;
     OK(nicol_material_load_psh(studio.context, folder.file("small.npz").c_str(), nullptr, &studio.material));
-    studio.options.shadows = 0;  // which would mix orders
+    studio.options.shadows = 0;  // shadows would mix orders
     const auto image = [&](nicol_method method, std::uint32_t low, std::uint32_t high,
                            nicol_high_orders form) {
         studio.options.method = method;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Planes of surfaces in OpenEXR files.
+// Tests of surface planes in OpenEXR files.
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Planes in every format, with strides and all channels at once.
+// Tests of reading planes in every format, with strides, and all channels at once.
 #include "planes.hpp"
 
 using namespace capi_test;
 
 namespace {
 
-// IEEE 754 half precision from its definition: the nearest of all 65536 values, ties to the even one.
+// Returns the value of half-precision bits by the definition of IEEE 754.
 double half_value(std::uint32_t bits) {
     const auto exponent = static_cast<int>(bits >> 10 & 31);
     const double fraction = (bits & 1023) / 1024.0;
@@ -18,12 +18,12 @@ double half_value(std::uint32_t bits) {
 
 std::uint16_t nearest_half(float value) {
     const double size = std::abs(static_cast<double>(value));
-    std::uint32_t below = 0, above = 0x7c00;  // of sizes, which grow with their bits
+    std::uint32_t below = 0, above = 0x7c00;  // magnitudes, which grow with their bits
     while (above - below > 1) {
         const std::uint32_t middle = (below + above) / 2;
         (half_value(middle) <= size ? below : above) = middle;
     }
-    // Rounding sees infinity as the next power of two.
+    // Rounding treats infinity as the next power of two.
     const double next = above == 0x7c00 ? 65536 : half_value(above);
     const double down = size - half_value(below), up = next - size;
     const std::uint32_t bits = down < up || (down == up && below % 2 == 0) ? below : above;
@@ -46,7 +46,8 @@ std::size_t components_of(nicol_plane plane) {
     return plane == NICOL_PLANE_NORMAL || plane == NICOL_PLANE_POSITION ? 3 : 1;
 }
 
-// A light of many magnitudes, seen directly: what half precision rounds, makes infinite and makes small.
+// Renders an image of directly visible light with magnitudes that half precision rounds, overflows and
+// underflows.
 nicol_framebuffer image_of_magnitudes(nicol_context context) {
     std::vector<float> pixels;
     for (int i = 0; i < 64 * 33; ++i)

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Reading planes of surfaces.
+// Helpers for reading planes of surfaces.
 #pragma once
 
 #include "capi.hpp"
 
 namespace capi_test {
 
-/// A plane of surfaces: Number float or, of instances, std::uint32_t; so many numbers a pixel.
+/// Reads a plane of surfaces. `Number` is float, or std::uint32_t for instance ids.
 template <class Number>
 std::vector<Number> read_surface(nicol_framebuffer framebuffer, nicol_plane plane, std::size_t components) {
     std::uint32_t width = 0, height = 0, channels = 0;
@@ -32,7 +32,7 @@ struct Surfaces {
           instance(read_surface<std::uint32_t>(framebuffer, NICOL_PLANE_INSTANCE, 1)) {}
 };
 
-/// The reference method with little work, and its variance.
+/// Returns options of the reference method with few samples and its variance.
 inline nicol_render_options with_variance() {
     nicol_render_options options = plain_options();
     options.method = NICOL_METHOD_REFERENCE;
@@ -41,7 +41,7 @@ inline nicol_render_options with_variance() {
     return options;
 }
 
-/// Every method that makes planes, with little work besides.
+/// Returns options of every method that makes planes, with little other work.
 inline std::vector<nicol_render_options> every_method() {
     std::vector<nicol_render_options> all;
     for (const nicol_method method : {NICOL_METHOD_FACTORED, NICOL_METHOD_DENSE, NICOL_METHOD_REFERENCE}) {

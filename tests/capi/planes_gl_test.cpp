@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Depth, normals, positions and instances of surfaces against what geometry says.
+// Tests of depth, normals, positions and instances of surfaces against analytic geometry.
 #include "planes.hpp"
 
 using namespace capi_test;
@@ -9,7 +9,8 @@ namespace {
 constexpr std::uint32_t width = 48, height = 32;
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
-// Through a pixel of a camera that looks along -z with 45 degrees across; not normalized: z is -1.
+// Returns the ray through pixel i of a camera that looks along -z with a 45-degree field of view. Its z is
+// -1, so it is not normalized.
 glm::dvec3 ray_through(std::size_t i) {
     const double half = std::tan(pi / 8);
     return {half * (2 * (static_cast<double>(i % width) + 0.5) / width - 1),
@@ -26,8 +27,8 @@ struct Ball {
     std::uint32_t id;
 };
 
-// Balls seen from (0, 0, 5) before the plane z = -1 of instance `far`, or before nothing. What lies at an
-// outline, where a mesh differs from its sphere, is not compared.
+// Checks balls seen from (0, 0, 5) in front of the plane z = -1 of instance `far`, or of nothing. Pixels at
+// outlines are skipped, because there a mesh differs from its sphere.
 void check_balls(nicol_framebuffer framebuffer, const std::vector<Ball>& balls, std::uint32_t far) {
     const Surfaces seen(framebuffer);
     const glm::dvec3 eye(0, 0, 5);
@@ -85,7 +86,7 @@ CONTEXT_TEST_CASE("spheres have the planes and ids of spheres, wherever they mov
     const std::uint32_t right = add(assets.scene, assets.sphere, assets.plain);
     const Owned framebuffer(framebuffer_of(context, width, height, 1));
     const nicol_camera camera = front_camera(5);
-    // Rotated, too: normals and positions stay the world's.
+    // The right ball is also rotated. Normals and positions stay in world space.
     const auto check_at = [&](const glm::dvec3& c, double r, std::uint32_t behind) {
         OK(nicol_scene_set_transform(assets.scene, right,
                                      Matrix{0, 0, r, c.x, r, 0, 0, c.y, 0, r, 0, c.z, 0, 0, 0, 1}.rows));
@@ -96,9 +97,9 @@ CONTEXT_TEST_CASE("spheres have the planes and ids of spheres, wherever they mov
         }
     };
     check_at({0.8, 0, 0}, 0.5, far);
-    check_at({-0.8, 0, -0.5}, 0.4, far);  // behind the left one
+    check_at({-0.8, 0, -0.5}, 0.4, far);  // behind the left ball
     check_at({-0.8, 0, 0.7}, 0.4, far);
-    OK(nicol_scene_remove_instance(assets.scene, far));  // the others keep their ids
+    OK(nicol_scene_remove_instance(assets.scene, far));  // the other instances keep their ids
     check_at({0.5, -0.25, 0.75}, 0.8, NICOL_NO_INSTANCE);
 }
 
@@ -106,7 +107,7 @@ CONTEXT_TEST_CASE("a plane seen at an angle, from its front, its back and as two
     const Assets assets(context);
     const Owned framebuffer(framebuffer_of(context, width, height, 1));
     const nicol_camera camera = front_camera(4);
-    // Through the origin, its normal in x and z.
+    // The plane passes through the origin, and its normal lies in the x-z plane.
     const double c = std::cos(0.4), s = std::sin(0.4);
     for_all({1.0, -1.0}, {false, true}, [&](double side, bool two_sided) {
         CAPTURES(side, two_sided);
@@ -140,7 +141,7 @@ CONTEXT_TEST_CASE("orthographic depth is along the camera's axis, in units of th
     const Owned framebuffer(framebuffer_of(context, 8, 8, 1));
     nicol_camera camera = front_camera(3.5);
     camera.projection = NICOL_PROJECTION_ORTHOGRAPHIC;
-    for (const std::size_t i : {0U, 1U, 4U, 5U, 8U, 9U}) camera.to_world[i] *= 2;  // twice the rectangle
+    for (const std::size_t i : {0U, 1U, 4U, 5U, 8U, 9U}) camera.to_world[i] *= 2;  // double size
     for (const nicol_render_options& options : every_method()) {
         OK(nicol_render(assets.scene, &camera, &options, framebuffer));
         const std::vector<float> depth = read_surface<float>(framebuffer, NICOL_PLANE_DEPTH, 1);
@@ -181,7 +182,7 @@ STAGE_TEST_CASE("planes follow the mask of the last render, and nothing else is 
         OK(stage.try_render(options));
         for (const auto& [bit, plane] : planes) CHECK(readable(plane) == ((mask & bit) != 0));
         CHECK(read_all(stage.framebuffer) == image);
-        // The same again: nothing runs, the planes stay.
+        // Repeating the render runs nothing and keeps the planes.
         OK(stage.try_render(options));
         const nicol_statistics again = statistics_of(stage.framebuffer);
         CHECK(again.draw_ms == 0);
@@ -208,7 +209,7 @@ STAGE_TEST_CASE(
         OK(read(framebuffer));
         CHECK(*std::ranges::min_element(pixels) >= 0);
         CHECK(*std::ranges::max_element(pixels) > 0);
-        // The same again: nothing runs, the plane stays.
+        // Repeating the render runs nothing and keeps the plane.
         OK(nicol_render(stage.scene, &stage.camera, &options, framebuffer));
         CHECK(statistics_of(framebuffer).camera_rays == 0);
         OK(read(framebuffer));

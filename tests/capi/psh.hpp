@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the tests of the mathematics share.
+// Shared helpers of the PSH function tests.
 #pragma once
 
 #include "capi.hpp"
@@ -24,7 +24,7 @@ inline Doubles random_numbers(std::size_t count, unsigned seed = 1) {
     for (double& x : out) x = uniform(random);
     return out;
 }
-/// Vectors without a part of spin 2 below l = 2; the library's layout is that of the interface.
+/// Returns random vectors without a spin-2 part below l = 2. The library and the interface use one layout.
 inline nicol::PshVector random_fields(std::uint32_t order, int vectors = 1, unsigned seed = 1) {
     nicol::PshVector fields(static_cast<int>(order), vectors);
     std::ranges::copy(random_numbers(fields.data().size(), seed), fields.data().begin());
@@ -34,13 +34,13 @@ inline nicol::PshVector random_fields(std::uint32_t order, int vectors = 1, unsi
     return fields;
 }
 
-/// Row by row, as the interface has rotations.
+/// A rotation matrix in row-major order, as in the interface.
 using Rotation = std::array<double, 9>;
 inline Rotation rows_of(const glm::dmat3& m) {
     return {m[0].x, m[1].x, m[2].x, m[0].y, m[1].y, m[2].y, m[0].z, m[1].z, m[2].z};
 }
 
-/// An output that must stay as it is.
+/// An output buffer that must stay unchanged.
 class Untouched {
 public:
     explicit Untouched(std::size_t count) : values_(count, -7.5) {}

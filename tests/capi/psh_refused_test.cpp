@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the mathematics refuses beyond the rules of contract_gl_test.cpp: ranges, overlaps, and what callbacks
-// answer.
+// Tests of PSH functions that refuse arguments beyond the rules of contract_gl_test.cpp: ranges, overlaps and
+// callback results.
 #include "psh.hpp"
 
 using namespace capi_test;

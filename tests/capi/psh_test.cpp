@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The mathematics across the border: layouts, batches and outputs in place of inputs. What the functions
-// compute is tested in tests/harmonics; here they are compared with it.
+// Tests of PSH functions through the C interface: layouts, batches and in-place outputs. The results are
+// compared with the library's, which tests/harmonics verifies.
 #include <thread>
 
 #include "harmonics/convolution.hpp"
@@ -16,7 +16,7 @@ using nicol::PshVector;
 
 namespace {
 
-/// Bands that a kernel can have: without spin 2 below l = 2.
+/// Returns random valid bands of a kernel, without a spin-2 part below l = 2.
 Doubles random_bands(std::uint32_t order) {
     Doubles bands = random_numbers(NICOL_PSH_BAND_SIZE * std::size_t{order + 1});
     for (std::size_t l = 0; l < std::min<std::size_t>(2, order + 1); ++l)
@@ -32,7 +32,7 @@ Doubles apply(const Doubles& matrix, std::uint32_t out, std::uint32_t in, std::s
     return result;
 }
 
-/// M = a(out) b(in)^T of two fields.
+/// The Mueller field M = a(out) b(in)^T of two Stokes fields.
 struct OuterProduct {
     PshVector a, b;
 
@@ -45,7 +45,7 @@ struct OuterProduct {
     }
 };
 
-/// Depends on both heights and on the angle between the azimuths.
+/// Evaluates an isotropic Mueller field, which depends on both heights and on the difference of the azimuths.
 std::int32_t isotropic_field(void*, const double* in, const double* out, double* mueller) {
     const double difference = std::atan2(in[1], in[0]) - std::atan2(out[1], out[0]);
     for (int i = 0; i < 16; ++i)
@@ -173,11 +173,13 @@ TEST_CASE("psh: a composed matrix applies the first, then the second") {
 }
 
 TEST_CASE("psh: the parts of a Mueller matrix stand in a band where the header says") {
-    // Position in the band of each element of the matrix, by rows; the four in the middle mix two parts each.
+    // Position in the band of each matrix element, row by row. Each of the four middle elements mixes two
+    // parts.
     const std::size_t places[16] = {0, 8, 9, 1, 4, 16, 16, 6, 5, 16, 16, 7, 2, 10, 11, 3};
     for (std::size_t element = 0; element < 16; ++element) {
         CAPTURE(element);
-        // max(cos, 0) has pi, 2 pi / 3, pi / 4, 0 times the harmonic's norm (Ramamoorthi and Hanrahan).
+        // The coefficients of max(cos, 0) are pi, 2 pi / 3, pi / 4, 0 times the harmonic's norm (Ramamoorthi
+        // and Hanrahan).
         const auto lobe = [](void* user, double theta, double* m) {
             m[*static_cast<std::size_t*>(user)] = std::max(std::cos(theta), 0.0);
             return std::int32_t{1};

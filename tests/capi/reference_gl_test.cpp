@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The reference method through the interface.
+// Tests of the reference method through the C interface.
 #include "capi.hpp"
 
 using namespace capi_test;
@@ -20,7 +20,7 @@ STAGE_TEST_CASE("the reference method shows what the factored one shows, and wha
     CHECK(statistics_of(stage.framebuffer).camera_rays == 0);
     const std::vector<float> image = stage.image(reference(256));
     CHECK(image != factored);
-    // Edges are smoothed by one and not by the other: of the mean difference and the mean value.
+    // The two methods smooth edges differently, so the test compares the mean difference with the mean value.
     double apart = 0, size = 0;
     for (std::size_t i = 0; i < image.size(); ++i) {
         apart += std::abs(double(image[i]) - double(factored[i]));
@@ -40,7 +40,7 @@ STAGE_TEST_CASE("the reference method shows what the factored one shows, and wha
     OK(nicol_mesh_get_size(stage.mesh, &vertices, &triangles));
     CHECK(statistics.vertices == vertices);
     CHECK(statistics.triangles == triangles);
-    // 256 samples are the default, and what was drawn before emits no light through.
+    // 256 samples are the default, and an earlier image does not show through.
     nicol_render_options defaults = NICOL_RENDER_OPTIONS_INIT;
     defaults.method = NICOL_METHOD_REFERENCE;
     CHECK(stage.image(defaults) == image);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Arguments that are refused by name, beyond the rules of contract_gl_test.cpp: a row for each check. Of what
-// the library itself checks there is one row a member here; all of its range is tested with it.
+// Tests of arguments refused by name, beyond the rules of contract_gl_test.cpp: one row per check. A check
+// inside the library has one row per member here and is tested over its full range beside the library.
 #include "capi.hpp"
 
 using namespace capi_test;
@@ -9,7 +9,7 @@ namespace {
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
-/// A function makes no handle where it fails.
+/// Wraps `create` and checks that a failing call makes no handle.
 template <class Handle, class Parameters>
 auto creates(nicol_result (*create)(nicol_context, const Parameters*, Handle*), nicol_context context) {
     return [=](const Parameters& parameters) {
@@ -80,7 +80,7 @@ CONTEXT_TEST_CASE("light that cannot be is refused") {
                 },
                 {{"channels", [](auto& c) { c.channels = 0, c.count = 0; }},
                  {"channels", [](auto& c) { c.channels = 17; }},
-                 {"l = 2", [](auto& c) { c.changed = 9, c.value = 0.5; }}});  // p = 1 of l = 1
+                 {"l = 2", [](auto& c) { c.changed = 9, c.value = 0.5; }}});  // coefficient p = 1 of l = 1
     CHECK(light == marker<nicol_environment>());
 }
 
@@ -310,7 +310,7 @@ STAGE_TEST_CASE("scenes refuse transforms, instances and lights that do not fit,
             return nicol_scene_add_instance(stage.scene, &instance, &id);
         },
         lost);
-    // An environment is rotated and scaled, nothing else.
+    // Environments accept only a rotation and a scale.
     check_wrong(to_world,
                 [&](const Matrix& m) {
                     return nicol_scene_set_environment(stage.scene, stage.environment, m.rows, 1);
@@ -378,7 +378,7 @@ STAGE_TEST_CASE("cameras and options out of range are refused, and the image sta
         nicol_render_options NICOL_RENDER_OPTIONS_INIT,
         [&](const nicol_render_options& options) {
             nicol_job job = marker<nicol_job>();
-            // What can be told at once is refused before there is a job.
+            // Errors that are visible at once are refused before a job is created.
             if (options.shadows > 1)
                 CHECK(nicol_render_async(stage.scene, &stage.camera, &options, stage.framebuffer, &job) ==
                       NICOL_ERROR_INVALID_ARGUMENT);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a render shows, what it refuses, and how it is stopped.
+// Tests of a render's image, refusals and cancellation.
 #include <thread>
 
 #include "capi.hpp"
@@ -9,7 +9,7 @@ using namespace capi_test;
 
 namespace {
 
-// Stops at the first call, and remembers what it was told.
+// A progress callback that stops at its first call and records the verbs.
 struct Stop {
     std::vector<std::string> verbs;
     nicol_render_options options = plain_options();
@@ -50,7 +50,7 @@ CONTEXT_TEST_CASE("scenes of 1, 2, 5 and 16 channels render") {
             const float* corner = stokes.data();
             const float* middle = stokes.data() + std::size_t{4} * (10 * 20 + 10);
             CHECK(corner[0] == doctest::Approx(light[c]).epsilon(1e-5));
-            // Light from all over its half of the sphere: what a diffuse surface sends back is its part.
+            // A diffuse surface under constant light reflects its reflectance times the light.
             CHECK(middle[0] == doctest::Approx(light[c] * reflectance[c]).epsilon(1e-3));
             for (std::size_t p = 1; p < 4; ++p) {
                 CHECK(std::abs(corner[p]) < 1e-6F);
@@ -60,7 +60,7 @@ CONTEXT_TEST_CASE("scenes of 1, 2, 5 and 16 channels render") {
         const TemporaryFolder folder;
         const std::string exr = folder.file("image.exr"), png = folder.file("image.png");
         const nicol_observation image = NICOL_OBSERVATION_INIT;
-        // Files hold any number of channels; images for people need one or three.
+        // EXR files hold any number of channels, while PNG images need one or three.
         OK(nicol_framebuffer_write_exr(framebuffer, exr.c_str()));
         CHECK(nicol::read_exr(exr).data == read_all(framebuffer));
         if (channels == 1) {
@@ -74,7 +74,7 @@ CONTEXT_TEST_CASE("scenes of 1, 2, 5 and 16 channels render") {
 
 STAGE_TEST_CASE("options mean what they say, and those that an older program does not have their defaults") {
     nicol_render_options options = plain_options();
-    // The sky of this scene has no order above 2.
+    // This scene's sky has no order above 2.
     for (const auto& [low, high, order] :
          std::vector<std::array<std::uint32_t, 3>>{{0, 0, 0},
                                                    {0, 9, 2},
@@ -100,7 +100,7 @@ STAGE_TEST_CASE("options mean what they say, and those that an older program doe
     std::memset(&older, 0, sizeof older);
     older.struct_size = offsetof(nicol_render_options, order_low);
     CHECK(stage.image(older) == before);
-    // Every default by name.
+    // Every option is set to its documented default.
     options.order_low = options.order_high = NICOL_ORDER_AUTOMATIC;
     options.tolerance = 0.03;
     options.physical = 1;
@@ -111,14 +111,14 @@ STAGE_TEST_CASE("options mean what they say, and those that an older program doe
 }
 
 STAGE_TEST_CASE("shadows are traced in as many directions as the tolerance needs") {
-    // Above it, so that there are shadows.
+    // A second cube above the first casts shadows.
     add(stage.scene, stage.mesh, stage.material, {{0.4, 0, 0, 0, 0, 0.4, 0, 1, 0, 0, 0.4, 0, 0, 0, 0, 1}});
     const auto rays = [&](double tolerance, std::uint32_t order, std::uint32_t directions) {
         nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
         options.refine_tolerance = 0;
         options.tolerance = tolerance;
         options.order_low = order;
-        options.bake_directions = 256;  // what is baked for these is of no use to others
+        options.bake_directions = 256;  // other numbers of directions cannot reuse this bake
         OK(stage.try_render(options));
         options.bake_directions = directions;
         OK(stage.try_render(options));
@@ -157,10 +157,10 @@ STAGE_TEST_CASE("a cancelled render leaves the image, whichever verb was at work
         CHECK(stop.verbs == std::vector<std::string>{verb});
         CHECK(read_all(stage.framebuffer) == image);
         nicol_statistics after = statistics_of(stage.framebuffer);
-        after.observe_ms = before.observe_ms;  // the reading in between
+        after.observe_ms = before.observe_ms;  // changed by the read above
         CHECK(std::memcmp(&before, &after, sizeof before) == 0);
     };
-    // The first render of all: the framebuffer is still fresh.
+    // The framebuffer is still new at the first render.
     stop_at("bake", stage.scene, stage.camera);
     stop_at("bake", stage.scene, stage.camera);
     stop_at("project", stage.scene, stage.camera, 0);
@@ -224,7 +224,7 @@ CONTEXT_TEST_CASE("a callback that calls back gets an error and no deadlock") {
         for (const nicol_result result : caller.refused) CHECK(result == NICOL_ERROR_INVALID_ARGUMENT);
         CHECK(caller.allowed.size() == 4);
         for (const nicol_result result : caller.allowed) CHECK(result == NICOL_OK);
-        // None of the refused calls had an effect.
+        // No refused call had an effect.
         const std::vector<float> watched = read_all(stage.framebuffer);
         CHECK(stage.image() == watched);
     }
@@ -256,8 +256,8 @@ STAGE_TEST_CASE("statistics tell what a render did") {
     CHECK(first.project_ms > 0);
     CHECK(first.relight_ms > 0);
     CHECK(first.vertices_skipped > 0);
-    CHECK(first.light_columns_skipped == 1);  // no s3 in a sky
-    CHECK(first.channels_shared == 2);        // a grey one
+    CHECK(first.light_columns_skipped == 1);  // a sky has no s3
+    CHECK(first.channels_shared == 2);        // the sky is grey
     CHECK(first.response_bytes > 0);
     CHECK(first.texture_bytes >= std::uint64_t{24} * 16 * 16 * 3);
     stage.render();
@@ -266,7 +266,7 @@ STAGE_TEST_CASE("statistics tell what a render did") {
     CHECK(second.transfer_bytes == first.transfer_bytes);
     CHECK(second.buffer_bytes == first.buffer_bytes);
     CHECK(second.texture_bytes == first.texture_bytes);
-    // The automatic executor is threads where OpenGL runs on the CPU.
+    // The automatic executor uses threads if OpenGL runs on the CPU.
     nicol_context_info info = NICOL_CONTEXT_INFO_INIT;
     OK(nicol_context_get_info(stage.context, &info));
     CHECK(first.compute == (info.software != 0 ? 0U : 1U));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Ringing of truncated light under the light of the demonstration, and what removes it.
+// A test of ringing of truncated light in the demonstration scene, and of its removal.
 #include "capi.hpp"
 
 using namespace capi_test;
@@ -7,7 +7,7 @@ using namespace capi_test;
 TEST_CASE("de-ringing removes the negative light of the demonstration") {
     const Owned context(make_context(NICOL_BACKEND_EGL));
     const LoadedScene loaded(context, NICOL_TEST_ASSETS "/snail_hdr.xml");
-    // A sphere on y = 0 in place of the snail, whose grooves are darker than truncated shadows can hold.
+    // A sphere on y = 0 replaces the snail, whose grooves are darker than truncated shadows can represent.
     Owned<nicol_material> material;
     OK(nicol_scene_get_instance(loaded.scene, 0, nullptr, &material, nullptr));
     OK(nicol_scene_remove_instance(loaded.scene, 0));
@@ -16,7 +16,7 @@ TEST_CASE("de-ringing removes the negative light of the demonstration") {
     nicol_render_options options = plain_options();
     options.order_low = 9;
     options.high_orders = NICOL_HIGH_ORDERS_NONE;
-    // The least s0 over the mean.
+    // Least s0 divided by the mean s0.
     const auto least = [&] {
         OK(nicol_render(loaded.scene, &loaded.camera, &options, framebuffer));
         const std::vector<float> image = read_all(framebuffer);
@@ -34,8 +34,8 @@ TEST_CASE("de-ringing removes the negative light of the demonstration") {
     options.dering = 0.003;
     CHECK(least() > 0);
 
-    // Shadows are products of truncated light, too: a little is left, for the physically realizable range to
-    // take.
+    // Shadows are products of truncated light, too. Slight ringing remains, which clamping to the physically
+    // realizable range removes.
     options.shadows = 1;
     const double windowed = least();
     CHECK(windowed > -0.02);

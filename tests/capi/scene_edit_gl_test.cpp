@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Scenes that change: instances removed, asked about, given other materials.
+// Tests of edits to scenes: removing and querying instances, and changing their materials.
 #include <thread>
 
 #include "capi.hpp"
@@ -16,7 +16,7 @@ std::vector<std::uint32_t> ids_of(nicol_scene scene) {
     return ids;
 }
 
-// What a scene made of the same instances from the start looks like.
+// Renders a new scene made of the same instances.
 std::vector<float> fresh(const Stage& stage) {
     const Owned scene(empty_scene(stage.context));
     OK(nicol_scene_set_environment(scene, stage.environment, nullptr, 1));
@@ -56,7 +56,7 @@ STAGE_TEST_CASE("ids of removed instances are not given again, and those of othe
 STAGE_TEST_CASE("an instance tells what it is made of") {
     const Matrix at = placed(1, 2, 3, 0.5);
     const std::uint32_t id =
-        add(stage.scene, stage.mesh, Owned(diffuse(stage.context, {0.3F})), at);  // the scene keeps it
+        add(stage.scene, stage.mesh, Owned(diffuse(stage.context, {0.3F})), at);  // kept by the scene
     Owned<nicol_mesh> mesh;
     Owned<nicol_material> material;
     Matrix told{};
@@ -67,7 +67,7 @@ STAGE_TEST_CASE("an instance tells what it is made of") {
     OK(nicol_mesh_get_size(stage.mesh, wanted.data(), wanted.data() + 1));
     CHECK(size == wanted);
     OK(nicol_scene_remove_instance(stage.scene, id));
-    // They live as long as their handles.
+    // The mesh and the material live as long as their handles.
     CHECK(add(stage.scene, mesh, material, at) == id + 1);
     OK(nicol_scene_get_instance(stage.scene, id + 1, nullptr, nullptr, nullptr));
 

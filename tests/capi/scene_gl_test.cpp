@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Scenes: instances, environments, what a file asks for.
+// Tests of scenes: instances, environments, and settings from a scene file.
 #include "capi.hpp"
 
 using namespace capi_test;
@@ -29,7 +29,7 @@ STAGE_TEST_CASE("an environment is rotated and scaled, nothing else") {
         return stage.image();
     };
     CHECK(image(nullptr, 1) == before);
-    CHECK(image(placed(0, 0, 0, 2).rows, 1) == before);  // a scale in the matrix is no matter
+    CHECK(image(placed(0, 0, 0, 2).rows, 1) == before);  // a scale in the matrix has no effect
     CHECK(std::ranges::count(image(nullptr, 0), 0.0F) == std::ptrdiff_t(before.size()));
     const std::vector<float> doubled = image(nullptr, 2);
     for (std::size_t i = 0; i < before.size(); ++i)
@@ -47,7 +47,7 @@ STAGE_TEST_CASE("a scene's environment comes back as it was set") {
     double to_world[16] = {}, scale = 0;
     OK(nicol_scene_get_environment(stage.scene, &light, to_world, &scale));
     CHECK(scale == 0.25);
-    // The rotation alone: what else is in a matrix does not concern light.
+    // The stored matrix is the rotation alone, because scale and translation do not affect light.
     for (std::size_t i = 0; i < 16; ++i) CHECK(to_world[i] == (i < 12 ? rotated[i] / 2 : rotated[i]));
     nicol_environment_info info = NICOL_ENVIRONMENT_INFO_INIT;
     OK(nicol_environment_get_info(light, &info));
@@ -104,7 +104,7 @@ CONTEXT_TEST_CASE("a scene has the channels of its parts, which must fit, and no
     const Owned two(constant_light(context, {1, 2})), three(constant_light(context, {1, 2, 3}));
     const Owned material(diffuse(context, {0.1F, 0.2F, 0.3F}));
     const Owned mesh(cube(context));
-    // Only a loaded scene has a camera and a film.
+    // Only a loaded scene has a camera and a film size.
     nicol_camera camera = NICOL_CAMERA_INIT;
     camera.fov = 12;
     std::uint32_t width = 5, height = 6;
@@ -138,7 +138,7 @@ CONTEXT_TEST_CASE("a file is loaded with definitions, and those that are none ar
     const nicol_camera made = front_camera(4);
     CHECK(largest_difference(loaded.camera.to_world, made.to_world) < 1e-6);
     const std::vector<float> image = loaded.image();
-    // The corner shows the light, the middle a reflectance of 0.2, 0.4, 0.6 under it.
+    // The corner pixel shows the light, the middle pixel a reflectance of 0.2, 0.4, 0.6 under it.
     for (std::uint32_t c = 0; c < 3; ++c) {
         const float* pixels = &image[std::size_t{c} * 4 * 12 * 9];
         const double light = c + 1.0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Scene files with every kind of material and light, against the reference method.
+// Tests of scene files with every kind of material and light against the reference method.
 #include "capi.hpp"
 #include "image/stokes_image.hpp"
 #include "material/material_projection.hpp"
@@ -15,7 +15,7 @@ const std::string sky =
     "<emitter type='sky'><vector name='sun_direction' x='0.3' y='0.8' z='0.5'/>"
     "<rgb name='radiance' value='1,0.8,0.6'/></emitter>";
 
-// A flat square that fills the image, so that nothing is interpolated or hidden.
+// Returns a scene of one flat square that fills the image, so that nothing is interpolated or hidden.
 std::string scene_text(const std::string& bsdf, const std::string& emitter = sky,
                        const std::string& film = "", const std::string& rotation = "") {
     return "<scene version='3.0.0'><sensor type='perspective'><float name='fov' value='30'/>"
@@ -30,11 +30,12 @@ nicol_render_options options_of(nicol_method method, std::uint32_t order, std::u
     options.method = method;
     options.order_low = options.order_high = order;
     options.samples = samples;
-    options.shade_at = NICOL_SHADE_AT_PIXELS;  // the surface is two triangles
+    options.shade_at = NICOL_SHADE_AT_PIXELS;  // the surface has only two triangles
     return options;
 }
 
-// The sky has no order above 2, so that the factored method misses nothing.
+// Compares the factored method with the reference method. The sky has no order above 2, so the factored
+// method loses nothing.
 std::vector<float> check_against_reference(nicol_context context, const std::string& path, double tolerance) {
     const LoadedScene scene(context, path);
     const std::vector<float> factored = scene.image(options_of(NICOL_METHOD_FACTORED, 2));
@@ -44,7 +45,7 @@ std::vector<float> check_against_reference(nicol_context context, const std::str
 }
 
 nicol::test::SFrameMueller retarder() {
-    // Brighter in red, and turning s2 into s3.
+    // The field is brighter in red and converts s2 into s3.
     return [](std::size_t wavelength, const glm::dvec3&, const glm::dvec3&) {
         nicol::Mueller m;
         m(0, 0) = m(1, 1) = (0.2 + 0.2 * static_cast<double>(wavelength)) / pi;
@@ -94,7 +95,7 @@ TEST_CASE("materials of scene files agree with the reference method") {
             const std::string path = folder.write("scene.xml", text);
             const std::vector<float> front = check_against_reference(context, path, tolerance);
             CHECK(front[0] > 0.02F);
-            // From behind there is something where there are two sides, and only there.
+            // The back is visible only with a two-sided material.
             const std::string rotated = "<rotate y='1' angle='180'/>";
             const LoadedScene one(context, folder.write("one.xml", scene_text(bsdf, sky, "", rotated)));
             CHECK(largest(one.image(options_of(NICOL_METHOD_FACTORED, 2))) == 0);
@@ -154,7 +155,7 @@ TEST_CASE("what a scene names and is not there or of the wrong colours is refuse
         });
         CHECK(scene == marker<nicol_scene>());
 
-        // Grey, tables and named metals fit light of wavelengths.
+        // Grey, tabulated and named-metal materials work with light of any wavelengths.
         for (const char* bsdf :
              {"<bsdf type='diffuse'/>", "<bsdf type='conductor'><string name='material' value='Au'/></bsdf>",
               "<bsdf type='diffuse'><spectrum name='reflectance' value='400:0, 800:0.8'/></bsdf>"}) {

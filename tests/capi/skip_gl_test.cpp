@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a render may leave out: with every skip the image is the same as without it.
+// Tests of the optimisations that skip work: the image is unchanged with each of them.
 #include "capi.hpp"
 
 using namespace capi_test;
@@ -11,7 +11,7 @@ constexpr std::uint32_t every_skip[] = {NICOL_OPTIMISATION_UNCHANGED,     NICOL_
                                         NICOL_OPTIMISATION_RESPONSE_ROWS, NICOL_OPTIMISATION_HIDDEN,
                                         NICOL_OPTIMISATION_UNOCCLUDED,    NICOL_OPTIMISATION_ALL};
 
-/// Unpolarized, of orders 0 to 3; grey: the same in every channel.
+/// Returns unpolarized light of orders 0 to 3. `grey`: every channel is equal.
 nicol_environment plain_light(nicol_context context, bool grey) {
     constexpr std::uint32_t order = 3, channels = 3;
     constexpr std::size_t count = 4 * (order + 1) * (order + 1);
@@ -94,7 +94,7 @@ STAGE_TEST_CASE("components that nobody asked for are 0 and the others the same"
         return stage.image(options);
     };
     const std::vector<float> all = render(NICOL_COMPONENTS_ALL);
-    CHECK(std::ranges::any_of(all, [](float value) { return value < 0; }));  // s1 or s2
+    CHECK(std::ranges::any_of(all, [](float value) { return value < 0; }));  // from s1 or s2
     for (const nicol_components components : {NICOL_COMPONENTS_S0, NICOL_COMPONENTS_LINEAR}) {
         const std::vector<float> some = render(components);
         std::size_t wrong = 0;

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# libnicol exports the functions that the C headers declare and capi/symbols.txt lists, and nothing else; it imports nothing
-# that another version of a library in the host's process could stand in for; it is never unloaded.
+# Checks that libnicol exports exactly the functions that the C headers declare and capi/symbols.txt lists, that it
+# imports nothing that another version of a library in the host's process could replace, and that it is never unloaded.
 # usage: symbols_test.sh LIBNICOL INCLUDE_FOLDER SYMBOLS_TXT
 set -eu
 LC_ALL=C
@@ -18,14 +18,15 @@ sort "$3" >"$folder/listed"
 [ -s "$folder/declared" ]
 diff -u "$folder/listed" "$folder/exported"
 diff -u "$folder/listed" "$folder/declared"
-# Threads of the library outlive a dlclose().
+# The library must stay loaded because its threads outlive a dlclose().
 readelf -d "$1" | grep -q NODELETE
-# Every imported name has a version, or is of a library whose names do not change their meaning:
+# Every imported name has a version or belongs to one of these libraries, whose names keep their meaning:
 # - namespaces with a version: OpenEXR's C++ library (Imf_3_1), Imath (Imath_3_1), oneTBB (tbb::detail::d1 and r1);
-# - zlib, whose functions are as they were in its version 1;
-# - OpenEXRCore (exr_), which calls itself by these names, too: no user of it is safe from another one in the process;
+# - zlib, whose functions are unchanged since version 1;
+# - OpenEXRCore (exr_), which OpenEXR itself calls by these names, so no user of it is safe from a second copy in the
+# process;
 # - hooks of the C run time and of sanitizers;
-# - OpenMesh, of which a process rarely has a second version.
+# - OpenMesh, because a process rarely contains a second version of it.
 nm -D --undefined-only "$1" | awk '{ print $NF }' | grep -v @ | c++filt |
     sed -E 's/^(vtable|typeinfo|typeinfo name|VTT|guard variable|(non-)?virtual thunk) (for|to) //' >"$folder/imported"
 if grep -vE -e '(Imf|Imath)_[0-9]+_[0-9]+::' -e 'tbb::detail::[dr]1::' -e '^(inflate(Init_|Init2_|End)?|crc32)$' -e '^exr_[a-z_]+$' \
@@ -33,5 +34,5 @@ if grep -vE -e '(Imf|Imath)_[0-9]+_[0-9]+::' -e 'tbb::detail::[dr]1::' -e '^(inf
     echo "failed: a host that has another version of these lends it to libnicol" >&2
     exit 1
 fi
-# Every line that starts a declaration was understood.
+# The check fails if the pattern above missed a declaration.
 [ "$(cat "$2"/*.h | grep -c '^NICOL_API ')" = "$(wc -l <"$folder/declared")" ]

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Textures, from their arrays and files to the image of what has them.
+// Tests of textures from arrays and files to the image.
 #include "capi.hpp"
 #include "image/observer.hpp"
 
@@ -51,7 +51,7 @@ nicol_material diffuse_of(nicol_context context, nicol_texture texture) {
     return make(nicol_material_create_scaled, context, white, texture);
 }
 
-/// s0 of every channel of every pixel, [channel][pixel], of a square that fills the image, under light of 1.
+/// Renders a square that fills the image under light of radiance 1. Returns s0: [channel][pixel].
 std::vector<float> picture(nicol_context context, nicol_mesh mesh, nicol_material material) {
     const Owned light(constant_light(context, {1}));
     const Owned scene(simple_scene(context, light, mesh, material));
@@ -72,7 +72,7 @@ std::vector<float> picture(nicol_context context, nicol_mesh mesh, nicol_materia
     return all;
 }
 
-/// Whether every quarter of the image has its colour: v = 0 is at the bottom of Mitsuba's rectangle.
+/// Checks the colour of every quarter of the image. v = 0 is at the bottom of Mitsuba's rectangle.
 void check_quarters(const std::vector<float>& found, const std::array<int, 4>& texels = {2, 3, 0, 1}) {
     REQUIRE(found.size() == 3 * edge * edge);
     for (std::size_t c = 0; c < 3; ++c)
@@ -108,7 +108,7 @@ CONTEXT_TEST_CASE("an image of any kind of number colours a surface") {
     check_quarters(picture_of(image_of_texels(words, 2, 2, 3, NICOL_TEXEL_UINT16), 1));
     check_quarters(picture_of(image_of_texels(encoded, 2, 2, 3, NICOL_TEXEL_UINT8), 0));
 
-    // With coverage, and rows apart.
+    // The second image has a coverage channel and row gaps.
     std::vector<std::uint8_t> apart;
     for (std::size_t i = 0; i < 4; ++i) {
         apart.insert(apart.end(), bytes.begin() + static_cast<std::ptrdiff_t>(3 * i),
@@ -133,7 +133,7 @@ CONTEXT_TEST_CASE("a file is the texture that its numbers are") {
     const Owned mesh(rectangle(context));
     const Owned texture(make(nicol_texture_load, context, path.c_str(), &options));
     check_quarters(picture(context, mesh, Owned(diffuse_of(context, texture))));
-    // Turned by 180 degrees about the middle.
+    // This matrix rotates by 180 degrees about the middle.
     const double turned[] = {-1, 0, 1, 0, -1, 1, 0, 0, 1};
     std::copy_n(turned, 9, options.to_uv);
     const Owned other(make(nicol_texture_load, context, path.c_str(), &options));
@@ -149,7 +149,7 @@ CONTEXT_TEST_CASE("checkerboards and vertex colours") {
     CHECK(grey[6 * edge + 2] == Approx(0.4).epsilon(0.02));
 
     const nicol_spectrum color = spectrum({0.2F, 0.4F, 0.6F});
-    const double to_uv[] = {0.5, 0, 0, 0, 0.5, 0, 0, 0, 1};  // a single square
+    const double to_uv[] = {0.5, 0, 0, 0, 0.5, 0, 0, 0, 1};  // a single square of the checkerboard
     const Owned one(make(nicol_texture_create_checkerboard, context, &color, nullptr, to_uv));
     const std::vector<float> square = picture(context, mesh, Owned(diffuse_of(context, one)));
     REQUIRE(square.size() == 3 * edge * edge);
@@ -214,7 +214,7 @@ CONTEXT_TEST_CASE("faces have the colours that memory or a file gives them") {
     for (const Owned<nicol_mesh>& mesh : meshes) {
         const std::vector<float> found = picture(context, mesh, material);
         REQUIRE(found.size() == 3 * edge * edge);
-        // The first is below the diagonal from the lower left, whose own pixels have both.
+        // The first triangle lies below the diagonal from the lower left. Pixels on the diagonal show both.
         for (std::size_t c = 0; c < 3; ++c)
             for (std::size_t y = 0; y < edge; ++y)
                 for (std::size_t x = 0; x < edge; ++x)
@@ -228,7 +228,7 @@ CONTEXT_TEST_CASE("texture coordinates may have indices of their own") {
     const float positions[] = {-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0};
     const std::uint32_t indices[] = {0, 1, 2, 0, 2, 3};
     const float shared[] = {0, 0, 1, 0, 1, 1, 0, 1};
-    // The same, but for an unused one in front, and each triangle's own.
+    // Equal coordinates with an unused entry in front and separate entries for each triangle.
     const float own[] = {9, 9, 0, 0, 1, 0, 1, 1, 0, 0, 1, 1, 0, 1};
     const std::uint32_t own_indices[] = {1, 2, 3, 4, 5, 6};
     nicol_mesh_data data = NICOL_MESH_DATA_INIT;
@@ -356,15 +356,15 @@ CONTEXT_TEST_CASE("materials blend, are cut out, and turn their normals by textu
         left_and_right(Owned(make(nicol_material_create_blend, context, dark, light, weight)));
     CHECK(blended.first == Approx(0.25).epsilon(0.02));
     CHECK(blended.second == Approx(0.75).epsilon(0.02));
-    // What is cut out shows the sky, of 1.
+    // The cut-out part shows the sky of radiance 1.
     const auto masked = left_and_right(Owned(make(nicol_material_create_mask, context, dark, weight)));
     CHECK(masked.first == Approx(1).epsilon(0.02));
     CHECK(masked.second == Approx(0.25).epsilon(0.02));
-    // A normal that leans by an angle sees (1 + cos angle) / 2 of a sky above the surface.
+    // A normal tilted by an angle receives (1 + cos angle) / 2 of a sky above the surface.
     const auto seen = [](double cosine) { return Approx(0.75 * (1 + cosine) / 2).epsilon(0.02); };
     const Owned flat(make(nicol_material_create_bump_map, context, light, weight, 0.0));
     CHECK(left_and_right(flat).first == seen(1));
-    // Heights of 0 and 0.5 at points that are 1 apart.
+    // The heights are 0 and 0.5 at points one unit apart.
     const Owned slope(make(nicol_material_create_bump_map, context, light, weight, 0.5));
     CHECK(left_and_right(slope).first == seen(std::cos(std::atan(0.5))));
     const std::vector<float> up = {0.5F, 0.5F, 1, 0.9F, 0.5F, 0.8F};
@@ -413,7 +413,7 @@ CONTEXT_TEST_CASE("instances need the texture coordinates and colours that their
     OK(add_with(grey));
     REFUSES(nicol_scene_set_material(scene, 0, textured), "instance 0: the material has textures");
     REFUSES(nicol_scene_set_material(scene, 0, painted), "instance 0: the material has the colours");
-    // A mask needs them, too.
+    // An alpha mask needs texture coordinates, too.
     const Owned cut(make(nicol_material_create_mask, context, grey, texture));
     REFUSES(add_with(cut), "instance 1: the material has textures");
     std::uint32_t count = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Images against Mitsuba 3's.
+// Tests of images against Mitsuba 3.
 #include "image/stokes_image.hpp"
 #include "planes.hpp"
 
@@ -16,16 +16,17 @@ nicol_render_options low_orders(std::uint32_t order, std::uint32_t shadows = 1) 
     return options;
 }
 
-// What is compared over the interior of a sphere of radius 1 in an image of half width 1.25.
+// Statistics over the interior of a sphere of radius 1 in an image of half width 1.25.
 struct Comparison {
     double mean_ratio = 0;        // of s0
-    double slope[3] = {0, 0, 0};  // least squares of ours against the truth, s0..s2
+    double slope[3] = {0, 0, 0};  // least-squares slope of Nicol's value against the truth, for s0, s1, s2
     double largest_s3 = 0;
-    double rmse[3] = {0, 0, 0};         // over the channel's mean s0, in the worst channel
-    double noise_share[3] = {0, 0, 0};  // residual over the truth's own noise, in the worst channel
+    double rmse[3] = {0, 0, 0};         // divided by the channel's mean s0, in the worst channel
+    double noise_share[3] = {0, 0, 0};  // residual divided by the noise of the truth, in the worst channel
 };
 
-// Under constant light left and right halves are mirror images, so what they differ by is the truth's noise.
+// Compares an image with the truth. Under constant light the left and right halves of the truth are mirror
+// images, so their difference measures its noise.
 Comparison compare(const std::vector<float>& ours, const nicol::StokesImage& truth) {
     REQUIRE(ours.size() == truth.data.size());
     Comparison out;
@@ -65,7 +66,7 @@ Comparison compare(const std::vector<float>& ours, const nicol::StokesImage& tru
     return out;
 }
 
-/// Where a pixel of the last render and its eight neighbours show the same object.
+/// Marks pixels of the last render whose eight neighbours show the same object.
 std::vector<bool> inner_pixels(const LoadedScene& file) {
     const auto object = read_surface<std::uint32_t>(file.framebuffer, NICOL_PLANE_INSTANCE, 1);
     const std::size_t width = file.width;
@@ -82,8 +83,8 @@ std::vector<bool> inner_pixels(const LoadedScene& file) {
 
 }  // namespace
 
-// A sphere alone has no shadow. Order 0 is the whole of constant light, so that every difference is either
-// Monte Carlo noise or ours; under an image of light there is the truncation, too.
+// A single sphere has no shadow. Order 0 represents constant light exactly, so any difference is Monte Carlo
+// noise or an error of Nicol. Under an environment map truncation adds to it.
 TEST_CASE("a sphere is Mitsuba 3's in every Stokes component, but for noise and truncation") {
     struct Case {
         const char *scene, *definition, *truth;
@@ -119,7 +120,7 @@ TEST_CASE("a sphere is Mitsuba 3's in every Stokes component, but for noise and 
             CHECK(std::abs(result.slope[2] - 1) < 0.01);
             CHECK(result.largest_s3 < 1e-6);
             CHECK(result.rmse[0] < 0.025);
-            // Nothing is left once the noise is taken away.
+            // The residual is no larger than the noise of the truth.
             for (const double share : result.noise_share) CHECK(share < 1.03);
             continue;
         }
@@ -155,6 +156,6 @@ TEST_CASE("a statue on a plane, with shadows, is Mitsuba 3's, but for truncation
     CHECK(with.error[0] < 0.03 * with.size[0]);
     CHECK(with.error[1] < 0.01 * with.size[0]);
     CHECK(with.error[2] < 0.01 * with.size[0]);
-    // Shadows are what makes the image right.
+    // Without shadows the image is wrong.
     CHECK(without.error[0] > 3 * with.error[0]);
 }

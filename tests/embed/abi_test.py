@@ -24,7 +24,7 @@ NICOL_API int32_t nicol_tint(const nicol_spectrum* tint);
 """
 
 
-# (text, what is there instead) of changes that older programs survive
+# Changes that older programs survive: (text, replacement).
 ADDITIONS = [
     ("#define NICOL_RED 1", "#define NICOL_RED 1\n#define NICOL_BLUE 2"),
     ("NICOL_BITS_ALL 3", "NICOL_BITS_ALL 7"),
@@ -34,7 +34,7 @@ ADDITIONS = [
     ("double at", "double angle"),
 ]
 
-# Changes that they do not survive, and what is said of them.
+# Changes that break older programs: ((text, replacement), words of the report).
 BREAKS = [
     (("RED 1", "RED 2"), "NICOL_RED was 1 and is 2"),
     (("#define NICOL_RED 1", ""), "NICOL_RED was 1 and is gone"),
@@ -52,7 +52,7 @@ BREAKS = [
 
 
 def interfaces(change):
-    """That of OLD, and that of OLD after the change."""
+    """Returns the interfaces of OLD before and after the change."""
     if change[0] not in OLD:
         raise ValueError(f"{change[0]!r} is not there to be changed")
     texts = (OLD, OLD.replace(*change))

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# The Debian packages in a system that has nothing else: installed, linked to from C, rendered with, removed. Needs root,
-# debootstrap and a Debian archive.
+# Installs the Debian packages in a system that has nothing else, links a C program to them, renders and removes them.
+# Needs root, debootstrap and a Debian archive.
 # usage: clean_root_test.sh CPACK BUILD_FOLDER SAMPLES_FOLDER
 set -eu
 cpack=$1
@@ -25,7 +25,7 @@ trap 'rm -rf "$folder"' EXIT
 archive=${NICOL_DEBIAN_ARCHIVE:-http://deb.debian.org/debian}
 debootstrap --variant=minbase bookworm "$root" "$archive" >"$folder/log" 2>&1 ||
     { tail -5 "$folder/log"; skip "debootstrap made no system from $archive"; }
-cp /etc/apt/apt.conf.d/* "$root/etc/apt/apt.conf.d/" # the way to the archive, where it has one
+cp /etc/apt/apt.conf.d/* "$root/etc/apt/apt.conf.d/" # the access to the archive, if configured
 
 (cd "$build" && "$cpack" -G DEB -B "$folder/packages") >"$folder/log" 2>&1 || { cat "$folder/log"; fail "cpack"; }
 mkdir "$root/try"
@@ -36,7 +36,7 @@ inside() { chroot "$root" /usr/bin/env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOM
 inside 'apt-get update && apt-get install -y --no-install-recommends /try/*.deb gcc g++ libc6-dev pkg-config cmake make' \
     >"$folder/log" 2>&1 || { tail -20 "$folder/log"; fail "installing"; }
 
-# Without a driver the programs say what is missing.
+# Without a driver the programs must report what is missing.
 if inside 'nicol-render /try/assets/snail_sky.xml -o /try/a.exr' >"$folder/log" 2>&1; then fail "rendered without OpenGL"; fi
 grep -qi 'osmesa' "$folder/log" || { cat "$folder/log"; fail "the message does not name what to install"; }
 inside 'apt-get install -y --no-install-recommends libosmesa6' >"$folder/log" 2>&1 || { tail "$folder/log"; fail "libosmesa6"; }

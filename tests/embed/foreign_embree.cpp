@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Definitions of another Embree in the host's program, which exports them. Nicol must call none of them.
+// Definitions of a different Embree, which the host's program exports. Nicol must call none of them.
 #include <cstdio>
 #include <cstdlib>
 

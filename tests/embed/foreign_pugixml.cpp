@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Members of the host's own pugixml, which is compiled for wide characters and which the program exports.
-// Their names are those of the usual pugixml. Nicol must call none of them.
+// Members of the host's own pugixml, which is compiled for wide characters and exported by the program. Their
+// names equal those of the usual pugixml. Nicol must call none of them.
 #define PUGIXML_WCHAR_MODE
 #include <cstdio>
 #include <cstdlib>

@@ -15,7 +15,7 @@ import sys
 import tempfile
 import unittest
 
-# The libraries that a child process loads first stand behind "render"; they come before Nicol.
+# Arguments after "render" are libraries that a child process loads before Nicol.
 for library in sys.argv[2:] if sys.argv[1] == "render" else []:
     ctypes.CDLL(library, ctypes.RTLD_GLOBAL)
 
@@ -29,7 +29,7 @@ SCENE = """<scene version="3.0.0"><emitter type="constant"/><shape type="cube"/>
 
 
 def embree_4():
-    """The libraries of the package embreex, Embree 4 first; empty where it is not installed."""
+    """Returns the libraries of the package embreex, Embree 4 first, or an empty list if it is not installed."""
     package = importlib.util.find_spec("embreex")
     if package is None:
         return []
@@ -38,7 +38,8 @@ def embree_4():
 
 
 def render():
-    """A ball in a box by the reference method, whose rays are Embree's; returns its light."""
+    """Renders a ball in a box with the reference method, which traces rays with Embree, and returns s0 as hexadecimal
+    text."""
     with nicol.Context.create() as context:
         scene = nicol.Scene.create(context)
         material = nicol.Material.create_diffuse(context, 0.5)
@@ -62,7 +63,8 @@ class ForeignTest(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             scene = pathlib.Path(folder, "scene.xml")
             scene.write_text(SCENE)
-            # The host keeps its results for the comparison, because the libraries are called in its process.
+            # HOST runs first and fills the cache, because the libraries are called in its process. Its results serve as
+            # the comparison.
             for program in (HOST, SAVE_STOKES):
                 path = pathlib.Path(folder, "image.npy")
                 done = child(program, str(scene), str(path), cache=str(pathlib.Path(folder, "cache")))

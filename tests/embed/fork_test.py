@@ -13,7 +13,7 @@ TIMEOUT = 60
 
 
 def sphere(context):
-    """A grey sphere, and a camera that sees it."""
+    """Returns a scene of a grey sphere and a camera that sees it."""
     scene = nicol.Scene.create(context)
     material = nicol.Material.create_diffuse(context, 0.5)
     scene.add_instance(nicol.Instance(mesh=nicol.Mesh.create_sphere(context), material=material))
@@ -22,7 +22,7 @@ def sphere(context):
 
 
 def brightness(_=None):
-    """Of a grey sphere, rendered."""
+    """Renders a grey sphere and returns s0 at its centre."""
     with nicol.Context.create() as context:
         framebuffer = nicol.Framebuffer.create(context, 9, 9, 1)
         nicol.render(*sphere(context), None, framebuffer)
@@ -35,7 +35,7 @@ def of_child(method):
 
 
 def exit_code(call, leave):
-    """Of a forked child that calls; 0 where the library refuses as it should."""
+    """Returns the exit code of a forked child that calls: 0 if the library refuses as it should."""
     child = os.fork()
     if child == 0:
         signal.alarm(TIMEOUT)
@@ -49,7 +49,7 @@ def exit_code(call, leave):
 
 
 def submitted(context, samples):
-    """A job that renders the sphere."""
+    """Returns a job that renders the sphere."""
     options = nicol.RenderOptions(method=nicol.METHOD_REFERENCE, samples=samples)
     return nicol.render_async(*sphere(context), options, nicol.Framebuffer.create(context, 64, 64, 1))
 
@@ -82,20 +82,20 @@ def released_while_running():
 
 
 def leave():
-    """By the handlers of exit() of C, and not those of Python."""
+    """Ends the process through the handlers of C's exit() and not those of Python."""
     ctypes.CDLL(None).exit(0)
 
 
 class ForkTest(unittest.TestCase):
     def test_before_and_after_use(self):
-        # In one test, because the order counts.
+        # The checks share one test, because their order matters.
         self.assertEqual(of_child("fork"), 0.5)
         self.assertEqual(brightness(), 0.5)
         context = nicol.Context.create()
         scene, mesh = nicol.Scene.create(context), nicol.Mesh.create_cube(context)
         for call in (brightness, nicol.Context.create, mesh.get_size, scene.get_channels):
             self.assertEqual(exit_code(call, os._exit), 0, call)
-        # Also a child that leaves by the handlers of exit().
+        # A child may also end through the handlers of exit().
         self.assertEqual(exit_code(mesh.get_size, ctypes.CDLL(None).exit), 0)
         self.assertEqual(of_child("spawn"), 0.5)
         self.assertEqual(brightness(), 0.5)

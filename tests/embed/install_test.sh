@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# What is installed can be moved, and then serves projects of CMake, users of pkg-config, and its own programs.
+# Checks that an installation can be moved and then serves CMake projects, users of pkg-config and its own programs.
 # usage: install_test.sh CMAKE BUILD_FOLDER SAMPLES_FOLDER C_COMPILER
 set -eu
 cmake=$1
@@ -16,7 +16,7 @@ fail() {
     exit 1
 }
 
-# Each component has its files and no other's.
+# Each component contains its own files and no others.
 for component in runtime development tools; do
     "$cmake" --install "$build" --prefix "$folder/$component" --component $component >"$folder/log"
     (cd "$folder/$component" && find . -type f -o -type l) | sed 's|.*/||' | sort >"$folder/$component.list"
@@ -28,7 +28,7 @@ printf '%s\n' libnicol.so nicol.h nicol.hpp nicol_files.h nicol_psh.h nicol.pc n
     diff - "$folder/development.list" || fail "the files of the component development"
 printf '%s\n' nicol-convert nicol-render | diff - "$folder/tools.list" || fail "the files of the component tools"
 
-# All of them, in a folder that is moved afterwards and whose name has a space.
+# Installs all components, then moves them to a folder whose name has a space.
 "$cmake" --install "$build" --prefix "$folder/first" >"$folder/log"
 mv "$folder/first" "$folder/at last"
 prefix="$folder/at last"
@@ -41,14 +41,14 @@ fi
 
 "$build/bin/hello_stokes" >"$folder/expected"
 
-# A project of CMake's.
+# Builds a CMake project against the installation.
 configure() { "$cmake" -S "$1" -B "$2" -DCMAKE_BUILD_TYPE=Release -DCMAKE_C_COMPILER="$compiler" \
     -DCMAKE_PREFIX_PATH="$prefix" >"$folder/log" 2>&1; }
 configure "$samples/embed_cmake" "$folder/embed" || { cat "$folder/log"; fail "find_package(nicol)"; }
 "$cmake" --build "$folder/embed" >"$folder/log" || { cat "$folder/log"; fail "the CMake project"; }
 "$folder/embed/hello_stokes" | diff "$folder/expected" - || fail "hello_stokes of the CMake project"
 
-# Versions that this one cannot stand for are not found.
+# Incompatible versions must not be found.
 for version in 0.0 0.2 1.0; do
     mkdir "$folder/wants$version"
     sed "s/nicol 0\.1 /nicol $version /; s|\.\./|$samples/|" "$samples/embed_cmake/CMakeLists.txt" \
@@ -56,7 +56,7 @@ for version in 0.0 0.2 1.0; do
     configure "$folder/wants$version" "$folder/wants$version/build" && fail "version $version was found"
 done
 
-# One line with pkg-config.
+# Builds with one line of pkg-config.
 if ! command -v pkg-config >/dev/null; then
     echo "skipped: pkg-config is absent"
     exit 77

@@ -44,7 +44,7 @@ class LayoutTest(unittest.TestCase):
 
     @staticmethod
     def layout():
-        """Static assertions of every size, place, type and value that the parser found."""
+        """Yields static assertions of every size, offset, type and value that the parser found."""
         for name, struct in MODEL.structs.items():
             offsets, size, _ = MODEL.layout(name)
             yield f'_Static_assert(sizeof({name}) == {size}, "{name}");'

@@ -27,7 +27,7 @@ def assertions(model):
 
 
 def preprocessed(compiler, include):
-    """The headers alone: LuaJIT knows what <stdint.h> declares."""
+    """Returns the preprocessed headers with an empty <stdint.h>, because LuaJIT declares its types itself."""
     with tempfile.TemporaryDirectory() as folder:
         with open(os.path.join(folder, "stdint.h"), "w"):
             pass

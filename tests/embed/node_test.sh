@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# The Node.js module and its example, with Koffi from npm; without a network there is nothing to test.
+# Tests the Node.js module and its example with Koffi from npm. The test is skipped without a network.
 # usage: node_test.sh NODE NPM PYTHON TESTS_FOLDER SAMPLES_FOLDER BUILD_FOLDER C_PROGRAM
 set -eu
 node=$1

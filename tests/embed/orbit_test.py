@@ -29,7 +29,7 @@ class OrbitTest(unittest.TestCase):
         self.assertTrue(all(40 <= y <= 260 for _, y in points), points)
         least, most = (float(x) for x in re.findall(r"(0\.\d+) at", ended.stdout))
         self.assertTrue(0 < least < most < 1, ended.stdout)
-        # Where the camera looks away from the sun and towards it the ground is polarized little, across much.
+        # Towards and away from the sun the ground is polarized little, and at right angles to it strongly.
         self.assertGreater(max(y for _, y in points) - min(y for _, y in points), 50)
 
 

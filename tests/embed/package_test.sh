@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# The Debian packages: what is in them, what they need, and that the programs in them run.
+# Checks the Debian packages: their files, their dependencies, and that their programs run.
 # usage: package_test.sh CPACK BUILD_FOLDER VERSION
 set -eu
 cpack=$1
@@ -19,7 +19,7 @@ for tool in dpkg-deb dpkg-shlibdeps; do
 done
 (cd "$build" && "$cpack" -G DEB -B "$folder") >"$folder/log" 2>&1 || { cat "$folder/log"; fail "cpack"; }
 
-# name, then patterns of which each must be among its files
+# has NAME PATTERN...: checks that package NAME has one file for each pattern and no others.
 has() {
     package=$(echo "$folder/$1"_*.deb)
     [ -f "$package" ] || fail "no package $1"

@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# pip installs the package from its folder, without the network, and what it installed works.
+# Checks that pip installs the package from its folder without the network, and that the installed package works.
 # usage: python_package.sh PACKAGE PYTHON...
 set -eu
 package=$1
@@ -15,7 +15,7 @@ if [ -z "$python" ]; then
 fi
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
-# The build writes beside its input.
+# The build writes files next to its input.
 cp -R "$package" "$folder/package"
 "$python" -m pip install --quiet --no-index --no-deps --no-build-isolation --no-warn-script-location \
     --disable-pip-version-check --root-user-action=ignore --target "$folder/installed" "$folder/package"

@@ -16,7 +16,7 @@ del sys.argv[1:]
 
 
 def blocks():
-    """(language, text) of the fenced blocks."""
+    """Returns (language, text) of the fenced blocks of README.md."""
     with open(os.path.join(SOURCE, "README.md"), encoding="utf-8") as file:
         return re.findall(r"^```(\w+)\n(.*?)^```$", file.read(), re.MULTILINE | re.DOTALL)
 
@@ -24,7 +24,7 @@ def blocks():
 class ReadmeTest(unittest.TestCase):
     def test_programs(self):
         with tempfile.TemporaryDirectory() as folder:
-            # The folder looks like a clone that was built, whose compiler and interpreter are those of this build.
+            # The folder looks like a built clone. Its compiler and interpreter are those of this build.
             for name, target in {"samples": f"{SOURCE}/samples", "include": f"{SOURCE}/include", "build": BUILD}.items():
                 os.symlink(target, os.path.join(folder, name))
             python = subprocess.check_output([PYTHON, "-c", "import sys; print(sys.executable)"], text=True).strip()

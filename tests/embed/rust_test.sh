@@ -1,10 +1,11 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# The Rust crate builds without the network and passes its tests. usage: rust_test.sh CARGO CRATE LIBRARY_FOLDER BUILD_FOLDER
+# Checks that the Rust crate builds without the network and passes its tests. usage: rust_test.sh CARGO CRATE
+# LIBRARY_FOLDER BUILD_FOLDER
 set -eu
 rm -rf "$4/crate"
 mkdir -p "$4"
-# Cargo writes beside its input.
+# Cargo writes files next to its input.
 cp -R "$2" "$4/crate"
 cd "$4/crate"
 NICOL_LIB_DIR=$3

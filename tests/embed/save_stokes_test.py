@@ -19,13 +19,13 @@ SIZE = ["width=96", "height=72"]
 
 
 def run(command, folder, *arguments):
-    """In a folder, with one cache for all."""
+    """Runs the command in `folder`, with one cache for all runs."""
     environment = {**os.environ, "NICOL_CACHE": os.path.join(folder, "cache")}
     return subprocess.run([*command, *arguments], cwd=folder, env=environment, capture_output=True, text=True, timeout=120)
 
 
 def read_npy(path):
-    """(shape, numbers) of an array of 32-bit floats."""
+    """Reads an array of 32-bit floats and returns (shape, numbers)."""
     with open(path, "rb") as file:
         data = file.read()
     if data[:8] != b"\x93NUMPY\x01\x00":
@@ -57,7 +57,7 @@ class SaveStokesTest(unittest.TestCase):
         self.assertEqual(shape_here, shape)
         self.assertGreater(max(abs(s1) for s1 in expected[1::4]), 0.01)
         self.assertLessEqual(max(abs(a - b) for a, b in zip(expected, found)), 1e-6)
-        # The example has looked at its pixels, not only passed them on.
+        # The printed mean shows that the example reads its pixels.
         mean = sum(expected[0::4]) / (72 * 96)
         self.assertAlmostEqual(float(re.search(r"mean s0 (\d\.\d+)", output).group(1)), mean, delta=1e-4)
         self.assertIn("96 x 72", output)

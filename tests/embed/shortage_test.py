@@ -18,7 +18,7 @@ MEBIBYTE = 1 << 20
 
 
 def many_nodes(folder):
-    """A glTF scene that is large by its text alone."""
+    """Writes a glTF scene whose text alone is large."""
     document = json.loads((ASSETS / "solids.gltf").read_text(encoding="utf-8"))
     document["nodes"] += [{"translation": [i % 7, 0, 1]} for i in range(40000)]
     path = pathlib.Path(folder) / "many.gltf"
@@ -57,7 +57,7 @@ CASES = {
 
 
 def attempt(prepare, room):
-    """The error's code of a call with so many MiB to spare; it must succeed when the limit is lifted."""
+    """Returns the error code of a call with `room` MiB to spare. The call must succeed after the limit is lifted."""
     with tempfile.TemporaryDirectory() as folder:
         call = prepare(nicol.Context.create(), folder)
         pages = int(pathlib.Path("/proc/self/statm").read_text(encoding="ascii").split()[0])
@@ -78,7 +78,7 @@ class ShortageTest(unittest.TestCase):
         for name, (prepare, rooms) in CASES.items():
             codes = []
             for room in rooms:
-                child = os.fork()  # before the first use, so that each has a library of its own
+                child = os.fork()  # forked before the first use, so that each child has its own library state
                 if child == 0:
                     signal.alarm(TIMEOUT)
                     code = 99

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// ZIP and NumPy files made by hand, true or false.
+// Valid and invalid ZIP and NumPy files built byte by byte.
 #pragma once
 
 #include <zlib.h>
@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-/// `size` little-endian bytes of a number.
+/// Returns the number as `size` little-endian bytes.
 inline std::string bytes_of(std::uint64_t value, int size) {
     std::string bytes;
     for (int i = 0; i < size; ++i) bytes += static_cast<char>(i < 8 ? value >> (8 * i) & 0xff : 0);
@@ -24,7 +24,7 @@ std::string raw(const std::vector<T>& values) {
     return bytes;
 }
 
-/// A .npy file with this dictionary.
+/// Returns a .npy file with this dictionary.
 inline std::string npy(const std::string& dictionary, const std::string& values, int version = 1) {
     std::string bytes = "\x93NUMPY";
     bytes += static_cast<char>(version);
@@ -37,7 +37,7 @@ inline std::string header(const std::string& type, const std::string& shape, boo
            ", 'shape': " + shape + ", }\n";
 }
 
-/// One member; the fields may be made to lie.
+/// One archive member. Tests may set its fields to wrong values.
 struct ArchiveMember {
     explicit ArchiveMember(std::string name_, const std::string& content, bool deflated = false)
         : name(std::move(name_)), stored(content), size(content.size()), method(deflated ? 8 : 0) {
@@ -66,7 +66,8 @@ struct ArchiveMember {
     std::string local_extra;
 };
 
-/// The whole archive. `declared` is the number of entries the end record claims, if not -1.
+/// Returns the whole archive. `declared` is the number of entries in the end record; -1 stands for the true
+/// number.
 inline std::string archive(const std::vector<ArchiveMember>& members, int declared = -1,
                            const std::string& comment = "") {
     std::string data;

@@ -27,7 +27,7 @@ void put(AtomicFile& file, std::string_view text) {
     static_cast<void>(std::fwrite(text.data(), 1, text.size(), file.handle()));
 }
 
-/// As formats with a table in front do it: the beginning is written last.
+/// Writes a file and then its beginning again, as formats with a table in front do.
 void write(const fs::path& target, std::string_view text = "new content") {
     AtomicFile file(target);
     put(file, std::string(text.size(), '-'));
@@ -42,7 +42,7 @@ mode_t mode_of(const fs::path& file) {
     return status.st_mode & 07777;
 }
 
-/// The exit status of a child that runs `body`, or 128 and the signal that ended it.
+/// Returns the exit status of a child that runs `body`, or 128 plus the signal that ended it.
 int in_child(const std::function<void()>& body) {
     const pid_t child = ::fork();
     if (child == 0) {
@@ -63,7 +63,7 @@ TEST_CASE("an output goes to the file that its name leads to") {
     struct Case {
         const char* name;
         std::function<void()> make;
-        const char* file;  // that holds the content afterwards
+        const char* file;  // file that holds the content afterwards
     };
     const std::array cases{
         Case{"a new file", [] {}, "plain"},
@@ -135,7 +135,7 @@ TEST_CASE("devices and pipes are written to, and stay what they are") {
         REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
         fs::create_symlink("pipe", folder / "link");
         std::string read;
-        // Larger than what a pipe holds.
+        // The content exceeds the capacity of a pipe.
         const std::string content(300'000, 'x');
         std::thread reader([&] { read = file_bytes(pipe); });
         write(folder / "link", content);
@@ -200,7 +200,7 @@ TEST_CASE("a file beyond the process's limit is an error, and signals are as bef
     CHECK(in_child([&] {
               const rlimit limit{.rlim_cur = 4096, .rlim_max = 4096};
               ::setrlimit(RLIMIT_FSIZE, &limit);
-              // A signal that the program itself holds stays pending.
+              // A signal that the program itself blocks stays pending.
               sigset_t held;
               sigemptyset(&held);
               sigaddset(&held, SIGPIPE);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Small files that become large.
+// Small files that decompress to large ones.
 #pragma once
 
 #include <zlib.h>
@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-/// `count` zero bytes as a zlib stream.
+/// Returns `count` zero bytes as a zlib stream.
 inline std::string deflated_zeros(std::uint64_t count) {
     z_stream stream{};
     deflateInit(&stream, 9);
@@ -35,7 +35,7 @@ inline std::string deflated_zeros(std::uint64_t count) {
     return out;
 }
 
-/// A black PNG of `bits` a pixel, grey, whose data inflate to `inflated` bytes.
+/// Returns a black grey-scale PNG of `bits` per pixel whose data inflate to `inflated` bytes.
 inline std::string black_png(std::uint32_t width, std::uint32_t height, char bits, std::uint64_t inflated) {
     const auto number = [](std::uint64_t value) {
         std::string out;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What every cache of results does with its files.
+// Checks that hold for every cache of results.
 #pragma once
 
 #include "temporary_folder.hpp"
@@ -10,12 +10,13 @@ namespace nicol::test {
 template <class Value>
 struct CacheUse {
     Value value;
-    bool computed;  ///< rather than read
+    bool computed;  ///< whether the value was computed and not read
     std::vector<std::string> notices;
 };
 
-/// use(folder): a CacheUse of one value in a folder; same(a, b): whether two values are equal. Values come
-/// back as they were; a file or folder that cannot be used costs a notice and a computation, nothing else.
+/// Checks a cache. use(folder) returns the CacheUse of one value in a folder, and same(a, b) whether two
+/// values are equal. Values must come back unchanged. An unusable file or folder must cost a notice and a
+/// computation, nothing else.
 template <class Use, class Same>
 void check_cache(const Use& use, const Same& same) {
     const TemporaryFolder scratch;
@@ -44,7 +45,7 @@ void check_cache(const Use& use, const Same& same) {
     }
     std::filesystem::remove(file);
     std::filesystem::create_directory(file);
-    CHECK(use(folder).notices.size() == 2);  // neither read nor written
+    CHECK(use(folder).notices.size() == 2);  // one for reading, one for writing
 
     const auto in_the_way = use(scratch.write("file", "in the way"));
     CHECK(in_the_way.computed);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a cache folder keeps.
+// Tests of the files that a cache folder keeps.
 #include "files/cache_folder.hpp"
 
 #include <atomic>
@@ -14,7 +14,7 @@ using std::filesystem::path;
 
 namespace {
 
-/// NICOL_CACHE_LIMIT during its lifetime.
+/// Sets NICOL_CACHE_LIMIT during its lifetime.
 class Limit {
 public:
     explicit Limit(const std::string& value) { ::setenv("NICOL_CACHE_LIMIT", value.c_str(), 1); }
@@ -70,12 +70,12 @@ TEST_CASE("a full cache loses what was used longest ago, and nothing of others")
         CHECK(write(files[i]).empty());
         age(files[i].path(), 30 - 10 * i);
     }
-    // No cache files: another name, a folder, a link.
+    // Entries that are no cache files: a file of another name, a folder, a link.
     folder.write("notes.txt", std::string(10 * kContent, 'x'));
     folder.write(std::string(32, 'a') + ".test/inside", "x");
     std::filesystem::create_symlink(folder / "notes.txt", folder / (std::string(32, 'b') + ".test"));
 
-    CHECK(read(files[0]) == CacheFile::State::complete);  // the oldest, but used now
+    CHECK(read(files[0]) == CacheFile::State::complete);  // the oldest file, used just now
     const std::uint64_t size = std::filesystem::file_size(files[0].path());
     const Limit limit(std::to_string(3 * size));
     CHECK(write(files[3]).empty());
@@ -99,7 +99,7 @@ TEST_CASE("a full cache loses what was used longest ago, and nothing of others")
 TEST_CASE("what killed writers left is removed after an hour") {
     const TemporaryFolder folder;
     const CacheFile file = file_of(folder.path(), 0);
-    // On file systems without nameless files.
+    // Temporary files as writers leave them on file systems without nameless files.
     int writers = 0;
     const auto leave = [&] {
         folder.write(file.path().filename().string() + '.' + std::to_string(++writers) + ".tmp", "half");
@@ -113,7 +113,7 @@ TEST_CASE("what killed writers left is removed after an hour") {
     CHECK(folder.names().size() == 4);
     CHECK(write(file_of(folder.path(), 1)).empty());
     CHECK_FALSE(std::filesystem::exists(old));
-    CHECK(folder.names().size() == 4);  // one more, one less
+    CHECK(folder.names().size() == 4);  // one added, one removed
 }
 
 TEST_CASE("a folder that is shared, full and emptied all the time costs no more than a miss") {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Archives that others wrote: types, compression, and everything that can be wrong.
+// Tests of archives written by other programs: types, compression and every kind of fault.
 #include <sys/resource.h>
 
 #include "files/archive.hpp"
@@ -14,7 +14,7 @@ namespace {
 constexpr auto bad = ErrorCode::invalid_file;
 constexpr auto unsupported = ErrorCode::unsupported;
 
-/// A file in its own folder, with one member "a" unless told otherwise.
+/// A file in its own folder. By default it has one member "a".
 struct File {
     TemporaryFolder folder;
     std::filesystem::path path = folder / "f.npz";
@@ -23,7 +23,7 @@ struct File {
         write_bytes(path, archive({ArchiveMember("a.npy", npy_bytes, deflated)}));
     }
     NpyArray read() const { return read_npz_member(path, "a"); }
-    /// What is written here must be refused.
+    /// Writes a file that must be refused.
     template <class... Parts>
     void refuse_npy(const std::string& npy_bytes, ErrorCode code, const Parts&... parts) {
         write(npy_bytes);
@@ -70,13 +70,13 @@ TEST_CASE("all four types, stored and deflated, are read") {
                    deflated);
         CHECK(file.read().values == std::vector<double>{-9007199254740992.0});
     }
-    // More than any buffer, and hardly compressible.
+    // The array exceeds every buffer and hardly compresses.
     std::vector<double> many(100000);
     std::mt19937 engine(1);
     for (double& v : many) v = std::uniform_real_distribution<double>(-1, 1)(engine);
     file.write(npy(header("<f8", "(100000,)"), raw(many)), true);
     CHECK(file.read().values == many);
-    // One dimension has one order.
+    // One-dimensional arrays are equal in C and Fortran order.
     file.write(npy(header("<f8", "(4,)", true), raw(some)));
     CHECK(file.read().values == some);
 }
@@ -89,7 +89,7 @@ TEST_CASE("headers of every version and layout are read") {
     }
     file.write(npy("{\"shape\":( 2,2 ) , 'fortran_order':False,'descr':\"<f8\"}", raw(some)));
     CHECK(file.read().shape == std::vector<std::size_t>{2, 2});
-    // NumPy's own local headers have a ZIP64 field, and archives may end with a comment.
+    // NumPy's local headers have a ZIP64 field, and archives may end with a comment.
     ArchiveMember member("a.npy", npy(header("<f8", "(4,)"), raw(some)));
     member.local_extra = std::string("\x01\x00\x10\x00", 4) + std::string(16, 'x');
     write_bytes(file.path, archive({member}, -1, "a comment"));
@@ -147,7 +147,7 @@ TEST_CASE("shapes that lie cost no memory") {
             (void)read_npz_member(file.path, "a", 3);
         },
         "more than 3 values");
-    // The directory says what the header says, but the data is not there.
+    // The directory and the header agree, but the data is missing.
     ArchiveMember member("a.npy", npy(header("<f8", "(50000000,)"), raw(some)), true);
     member.size = 400000064 + 11;
     write_bytes(file.path, archive({member}));
@@ -185,7 +185,7 @@ TEST_CASE("archives that lie about their members are refused") {
     file.refuse(bad);
     with([](ArchiveMember& m) { m.size -= 8; }, true);
     file.refuse(bad, "its shape needs");
-    // Deflated to less than its header and the directory say.
+    // The member inflates to less than its header and the directory say.
     with([](ArchiveMember& m) { m.size += 8; }, true);
     file.refuse(bad);
 
@@ -222,7 +222,7 @@ TEST_CASE("every truncation and any flipped byte is an error or the truth") {
                 }
             }
         }
-        // Dates and versions may change freely, little else.
+        // Flipped bits in dates and versions are harmless; most others must be detected.
         CHECK(read < static_cast<int>(whole.size()));
     }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// NumPy archives: what is written comes back, and archives of others are read.
+// Tests of NumPy archives: a round trip through files, and archives of other programs.
 #include "files/npz.hpp"
 
 #include "temporary_folder.hpp"

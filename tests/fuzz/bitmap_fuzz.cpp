@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// PNG, JPEG, BMP, TGA and Radiance HDR; without a mark, TGA.
+// Fuzzer of the PNG, JPEG, BMP, TGA and Radiance HDR readers. Input without a known signature is read as TGA.
 #include <unistd.h>
 
 #include "image/bitmap.hpp"
@@ -8,7 +8,7 @@
 int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
     static nicol::fuzz::MemoryFile memory;
     static const std::filesystem::path file = [] {
-        // The reader takes TGA by its suffix.
+        // TGA has no signature, so the reader recognizes it by the suffix.
         const std::filesystem::path link =
             std::filesystem::temp_directory_path() / ("nicol_fuzz_" + std::to_string(::getpid()) + ".tga");
         std::filesystem::create_symlink(memory.hold({}), link);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Programs of calls of the C interface: bytes choose functions, handles alive, released and of other types,
-// and values of numbers and of struct fields. Pointers and the lengths of what they lead to are always true,
-// as a caller's must be.
+// Fuzzer of the C interface. The input's bytes choose functions, handles (alive, released and of other
+// types), and values of numbers and struct fields. Pointers and the lengths of their targets are always
+// valid, because the contract requires valid ones.
 #define DOCTEST_CONFIG_IMPLEMENT
 #include <set>
 
@@ -14,7 +14,7 @@ using namespace capi_test;
 constexpr int kMaxCalls = 24;
 constexpr std::size_t kMemoryDoubles = (std::size_t{1} << 16) / sizeof(double);
 
-/// Reads zeros beyond the end.
+/// A reader of the input, which returns zeros beyond its end.
 class Bytes {
 public:
     Bytes(const std::uint8_t* bytes, std::size_t size) : at_(bytes), end_(bytes + size) {}
@@ -41,14 +41,15 @@ const std::vector<Field>& fields_of(const std::string& parameter) {
     return found == all.end() ? none : found->second;
 }
 
-/// Takes seconds with some arguments, reads and writes files, or makes contexts.
+/// Returns whether the function is excluded: it takes seconds with some arguments, reads or writes files, or
+/// makes contexts.
 bool is_left_out(const std::string& name) {
     return name.starts_with("nicol_context_create") || name.starts_with("nicol_file_") ||
            name.ends_with("_load") || name.find("_write") != std::string::npos ||
            name.find("_load_") != std::string::npos || name == "nicol_mesh_create_sphere" ||
            name == "nicol_psh_project_file";
 }
-/// Quick to render; others are released as soon as they are made.
+/// Returns whether objects of this maker render quickly. Other objects are released as soon as they are made.
 bool is_quick(const std::string& maker) {
     return maker != "nicol_mesh_create_rectangle" && maker != "nicol_mesh_create_cube" &&
            maker != "nicol_material_create_pplastic" && maker != "nicol_material_create_plastic" &&
@@ -56,13 +57,13 @@ bool is_quick(const std::string& maker) {
            maker != "nicol_environment_create_sky";
 }
 
-/// Small, or beyond every limit: what lies in between is slow and no different.
+/// Chooses a number that is small or beyond every limit. Numbers in between are slow and test nothing new.
 Slot whole_number(const std::string& name, Bytes& bytes) {
     static constexpr std::array<Slot, 22> values = {
         0,  1,  2,   3,   4,     5,     6,         7,          8,          16,         32,
         33, 64, 128, 255, 20000, 65537, INT32_MAX, 0x80000000, UINT32_MAX, UINT64_MAX, UINT64_MAX / 8 + 1};
     const Slot value = values.at(bytes.below(values.size()));
-    // Lengths that a caller gets wrong on the other side are no defect of the library.
+    // A length beyond the caller's own memory is the caller's fault, not a defect of the library.
     if (name.ends_with("count") && value > kMemoryDoubles) return UINT64_MAX;
     if (name == "executor" && value == NICOL_EXECUTOR_COMPUTE) return NICOL_EXECUTOR_CPU;
     if (name == "samples" && value > 64 && value <= 65537) return 1;
@@ -74,7 +75,7 @@ double real_number(const std::string& name, Bytes& bytes) {
         180, -180, 1e-3, 1e-30, 1e-310, 1.5e30, 1e300, -1e300, HUGE_VAL, -HUGE_VAL};
     const std::size_t choice = bytes.below(values.size() + 1);
     if (choice == values.size()) return std::nan("");
-    // Fine meshes are slow to bake, and a job that does it delays the inputs after it.
+    // Fine meshes are slow to bake, and such a job delays later inputs.
     if (name == "refine_tolerance" && values.at(choice) > 0 && values.at(choice) < 0.25) return 1;
     if (name == "turbidity" && values.at(choice) >= 1.7 && values.at(choice) <= 10) return 1;
     return values.at(choice);
@@ -98,13 +99,14 @@ void change_field(std::vector<std::byte>& memory, const std::vector<Field>& fiel
     const bool is_length =
         field.name == "vertex_count" || field.name == "triangle_count" || field.name == "byte_size";
     if (is_length && value > held) return;
-    // No version's struct ends within a pointer, half of which would lead anywhere.
+    // Sizes are multiples of 8, because no version's struct ends within a pointer and half a pointer could
+    // point anywhere.
     if (field.name == "struct_size") value = value > memory.size() ? UINT32_MAX : value - value % 8;
     if (function.starts_with("nicol_psh") && value < 20000) value %= 8;
     std::memcpy(&memory[at], &value, field.size);
 }
 
-/// The handles that a program may name.
+/// The handles that a program of calls may use.
 class Handles {
 public:
     explicit Handles(const Everything& base) : base_(base) {
@@ -119,7 +121,7 @@ public:
     Handles(const Handles&) = delete;
     Handles& operator=(const Handles&) = delete;
 
-    /// Mostly one of the type that is alive.
+    /// Chooses a handle, usually a live one of the type.
     Slot choose(std::size_t type, Bytes& bytes) {
         const std::size_t how = bytes.next();
         if (how == 255) return 0;
@@ -148,12 +150,12 @@ public:
     }
 
 private:
-    /// Jobs that the program releases run on; they are held until they can be ended.
+    /// Retains a job, because jobs that the program releases keep running and must be ended.
     void hold(nicol_job job) {
         OK(nicol_job_retain(job));
         jobs_.push_back(job);
     }
-    /// A job that outlived the program would take its time from the inputs after it.
+    /// Ends all jobs, so that they do not take time from later inputs.
     void end_jobs() {
         for (const nicol_job job : jobs_) OK(nicol_job_cancel(job));
         for (const nicol_job job : jobs_) {
@@ -194,7 +196,7 @@ void call(const Function& function, const Everything& all, Handles& handles, Byt
         } else if (parameter.kind == Kind::number && bytes.below(4) == 0) {
             arguments.set(i, whole_number(parameter.name, bytes));
         }
-        // NULL for a pointer.
+        // A pointer may also become NULL.
         if (parameter.kind != Kind::handle && parameter.kind != Kind::number && bytes.next() == 255)
             arguments.set(i, 0);
     }
@@ -224,9 +226,9 @@ void call(const Function& function, const Everything& all, Handles& handles, Byt
     }
 }
 
-/// One of everything, with a scene of a single triangle.
+/// One object of each type, with a scene of a single triangle.
 const Everything& everything() {
-    static_cast<void>(functions());  // made first, and so still there when everything is released
+    static_cast<void>(functions());  // made first, so that it outlives `all`
     static Everything all(make_context(NICOL_BACKEND_OSMESA));
     all.folder.write("a.obj", "v -1 -1 0\nv 1 -1 0\nv 0 1 0\nf 1 2 3\n");
     const std::string file =
@@ -244,7 +246,7 @@ const Everything& everything() {
     return all;
 }
 
-/// A failed check outside a test case is a finding.
+/// Reports a failed check outside a test case as a finding.
 void abort_at(const doctest::AssertData& data) {
     if (!data.m_failed) return;
     std::fprintf(stderr, "finding: %s:%d: %s %s\n", data.m_file, data.m_line, data.m_expr,
@@ -259,7 +261,7 @@ struct Prepared {
 
 const Prepared& prepared() {
     static const Prepared one = [] {
-        static auto& checks = *new doctest::Context;  // never destroyed, and no leak
+        static auto& checks = *new doctest::Context;  // never destroyed, but reachable and thus no leak
         checks.setAsDefaultForAssertsOutOfTestCases();
         checks.setAssertHandler(abort_at);
         Prepared made{.all = everything(), .usable = {}};
@@ -272,7 +274,7 @@ const Prepared& prepared() {
 
 }  // namespace
 
-/// Called by libFuzzer before the time of the first input begins.
+/// Prepares the objects. libFuzzer calls it before the time of the first input begins.
 extern "C" int LLVMFuzzerInitialize(int* /*count*/, char*** /*arguments*/) {
     static_cast<void>(prepared());
     return 0;

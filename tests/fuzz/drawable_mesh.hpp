@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What every mesh that a reader makes is.
+// Properties of every mesh that a reader returns.
 #pragma once
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// OpenEXR images.
+// Fuzzer of the OpenEXR reader.
 #include "image/stokes_image.hpp"
 #include "memory_file.hpp"
 

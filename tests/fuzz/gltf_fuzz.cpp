@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// glTF files, text and binary.
+// Fuzzer of the glTF reader, text and binary.
 #include "drawable_mesh.hpp"
 #include "import/scene_description.hpp"
 

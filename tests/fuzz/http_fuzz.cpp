@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// HTTP requests to nicol-serve, as a connection reads them: the bytes of one or more requests.
+// Fuzzer of HTTP requests to nicol-serve. The input holds the bytes of one or more requests, as read from a
+// connection.
 #include <boost/beast/http/parser.hpp>
 #include <boost/beast/http/string_body.hpp>
 #include <optional>
@@ -29,8 +30,8 @@ std::optional<ImageRequest> request_of(const Target& target, Format format, cons
     }
 }
 
-/// Every resource of a scene in colour and of one without. A canonical request must be one that is its own
-/// name.
+/// Parses the target for every resource of a scene in colour and of one in other channels. A canonical name
+/// must parse to a request with that canonical name.
 void parse(const Target& target) {
     for (const Resource& resource : resources) {
         for (const std::uint32_t channels : {3u, 5u}) {
@@ -68,7 +69,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
         http::request_parser<http::string_body> parser;
         parser.header_limit(options.header_bytes);
         parser.body_limit(options.body_bytes);
-        parser.eager(true);  // as reading from a stream sets it
+        parser.eager(true);
         boost::system::error_code error;
         left += parser.put(left, error);
         if (error || !parser.is_done()) break;

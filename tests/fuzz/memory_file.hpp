@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the fuzzers of readers share: a file without a disk, and which outcomes are no finding.
+// Shared helpers of the reader fuzzers: a file in memory, and the check of errors.
 #pragma once
 
 #include <sys/mman.h>
@@ -16,7 +16,7 @@
 
 namespace nicol::fuzz {
 
-/// A file in memory with a path, for readers that take one. One serves all inputs.
+/// A file in memory with a path, for readers that take a path. One object serves all inputs.
 class MemoryFile {
 public:
     MemoryFile()
@@ -43,7 +43,8 @@ inline void require(bool condition, const char* what) {
     std::abort();
 }
 
-/// Calls read(). A file may be refused, by a message that names it; nothing else may be thrown.
+/// Calls read(). The reader may refuse the file with an Error that names it. Any other exception is a
+/// finding.
 template <class Read>
 void may_refuse(const std::filesystem::path& file, Read read) {
     try {
@@ -61,5 +62,5 @@ inline std::string_view text_of(const std::uint8_t* bytes, std::size_t size) {
 
 }  // namespace nicol::fuzz
 
-/// What libFuzzer calls with each input.
+/// Runs one input. libFuzzer calls this function.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Mesh files; NICOL_FUZZ_MESH is a name that says the format.
+// Fuzzer of the mesh readers. NICOL_FUZZ_MESH is a file name whose suffix selects the format.
 #include "drawable_mesh.hpp"
 #include "geometry/polygon_mesh.hpp"
 

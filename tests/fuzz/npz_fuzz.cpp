@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// NumPy archives: light and materials as coefficients. NICOL_FUZZ_MEMBER: the input is the array `coeff` of
-// an archive that is right, so that no checksum stands before the array's own reader.
+// Fuzzer of NumPy archives of light and material coefficients. With NICOL_FUZZ_MEMBER the input is the array
+// `coeff` of a valid archive, so that no checksum shields the array reader.
 #include "files/archive.hpp"
 #include "files/npz.hpp"
 #include "light/psh_file.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Measured materials.
+// Fuzzer of the reader of measured materials.
 #include "material/measured.hpp"
 #include "memory_file.hpp"
 

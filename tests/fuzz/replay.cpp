@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Runs a fuzzer's inputs from files and folders, by any compiler.
+// A main program that runs a fuzzer's inputs from files and folders, for any compiler.
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -13,9 +13,9 @@ namespace {
 
 void run(const std::filesystem::path& file) {
     std::ifstream in(file, std::ios::binary);
-    // Exactly as long as the file, so that a sanitizer sees what is read beyond.
+    // The buffer is exactly as long as the file, so that a sanitizer detects reads beyond it.
     const std::vector<char> bytes{std::istreambuf_iterator<char>(in), {}};
-    std::cout << file.string() << std::endl;  // the last one printed is to blame
+    std::cout << file.string() << std::endl;  // the last printed file is the failing one
     LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
 }
 

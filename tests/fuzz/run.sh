@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Builds the fuzzers with Clang and runs each for some seconds, two at a time; ends with an error where one finds
-# something. What is found lies in build-fuzz/findings: mend it, and keep the input in tests/fuzz/corpus/NAME.
-# NICOL_FUZZ_SEED=N begins with the same random numbers each time, so that what one machine finds another finds too.
+# Builds the fuzzers with Clang and runs each for some seconds, two at a time. Fails if one finds something. Findings
+# lie in build-fuzz/findings: fix the defect and keep the input in tests/fuzz/corpus/NAME.
+# NICOL_FUZZ_SEED=N starts with the same random numbers each time, so that another machine can reproduce a finding.
 # usage: sh tests/fuzz/run.sh [SECONDS [NAME...]]
 set -eu
 cd "$(dirname "$0")/../.."
@@ -14,13 +14,13 @@ cmake -S . -B build-fuzz -G Ninja -DCMAKE_BUILD_TYPE=Debug -DCMAKE_C_COMPILER=cl
 cmake --build build-fuzz --target fuzzers
 
 export LSAN_OPTIONS=suppressions=$PWD/tests/lsan.supp:print_suppressions=0
-# tests/main.cpp says why.
+# tests/main.cpp explains this option.
 export ASAN_OPTIONS=intercept_tls_get_addr=0
 [ ! -d /dev/shm ] || export TMPDIR=/dev/shm
 rm -f build-fuzz/*.found
 # usage: fuzz NAME
 fuzz() {
-    # New inputs go into the first folder, which later runs begin with.
+    # New inputs go into the first folder, and later runs start from it.
     grown=build-fuzz/corpus/$1
     kept=tests/fuzz/corpus/$1
     mkdir -p "$grown" build-fuzz/findings

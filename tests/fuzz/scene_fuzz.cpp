@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Scene files, without the files that they name.
+// Fuzzer of scene files, without the files that they refer to.
 #include <algorithm>
 
 #include "import/load_scene.hpp"
@@ -20,7 +20,7 @@ bool has_image(const nicol::MaterialDescription& material) {
            });
 }
 
-/// Whether making what the file describes reads nothing else and is a matter of milliseconds.
+/// Returns whether the scene can be built in milliseconds and without reading other files.
 bool is_quick(const nicol::SceneDescription& scene) {
     const auto names_file = [](const auto& part) { return !part.filename.empty(); };
     return scene.shapes.size() < 4 && scene.files.size() == 1 &&

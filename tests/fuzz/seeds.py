@@ -86,7 +86,7 @@ def stl_binary():
 
 
 def serialized(version, code, level):
-    """Two meshes of a triangle with normals, texture coordinates and colours."""
+    """Returns a file of two meshes, each a triangle with normals, texture coordinates and colours."""
     flags = {"f": 0x1000, "d": 0x2000}[code] | 1 | 2 | 8
     numbers = [0, 0, 1, 1, 0, 1, 0, 1, 1] + 3 * [0, 0, 1] + [0, 0, 1, 0, 0, 1] + [1, 0, 0, 0, 1, 0, 0, 0, 1]
     content = struct.pack("<I", flags) + (b"name\0" if version == 4 else b"") + struct.pack("<2Q", 3, 1)
@@ -96,7 +96,7 @@ def serialized(version, code, level):
 
 
 def exr(channels, width, height, value=0.5, tile=0):
-    """Uncompressed, float, in scan lines, or one tile of this size."""
+    """Returns an uncompressed float image in scan lines, or in one tile of size `tile`."""
     attribute = lambda name, kind, data: name + b"\0" + kind + b"\0" + struct.pack("<I", len(data)) + data
     names = sorted(channels)
     listed = b"".join(n.encode() + b"\0" + struct.pack("<IB3xii", 2, 0, 1, 1) for n in names) + b"\0"
@@ -142,13 +142,13 @@ def npz(members, method):
 
 LIGHT = npy("<f8", (1, 4, 4), struct.pack("<16d", 1, 0, 0, 0, *([0.1, 0, 0, 0.05] * 3)))
 GREY_LIGHT = npy("<f4", (1, 4), struct.pack("<4f", 1, 0.5, 0.25, 0))
-# Orders 0 and 1 of a material: 2 (4 * 4 - 3 * 2 + 2) / ... = 2 * (16 - 6 + 2) / 3 = 8 rows of 4 x 4.
+# A material of orders 0 and 1 has 2 (4 * 4 - 3 * 2 + 2) / ... = 2 * (16 - 6 + 2) / 3 = 8 rows of 4 x 4.
 MATERIAL = npy("<f8", (1, 8, 4, 4), struct.pack("<128d", *([0.25] + 127 * [0.0])))
 TEXTS = {"cod_type": npy("<U6", (), "POLAR4".encode("utf-32-le")), "sh_type": npy("|S4", (), b"REAL")}
 
 
 def pbsdf(shape, wavelengths, angles=True, step=0.5):
-    """Of `shape` phi_d, theta_d, theta_h."""
+    """Returns a table of `shape` (phi_d, theta_d, theta_h)."""
     phi, d, h = shape
     row = lambda n, to: struct.pack(f"<{n}f", *[to * i / max(n - 1, 1) for i in range(n)])
     count = phi * d * h * len(wavelengths)
@@ -228,7 +228,8 @@ LIGHTS = """<scene version="3.0.0"><sensor type="orthographic"/>
 
 
 def gltf(binary):
-    """Two nodes with one mesh of two primitives, interleaved and sparse, a camera and materials with textures."""
+    """Returns two nodes with one mesh of two primitives, interleaved and sparse data, a camera and materials with
+    textures."""
     data = struct.pack("<24f", *[0, 0, 0, 0, 0, 1, 1, 0, 0, 0, 0, 1, 0, 1, 0, 0, 0, 1, 1, 1, 0, 0, 0, 1])
     data += struct.pack("<6H4x", 0, 1, 2, 2, 1, 3) + struct.pack("<3f", 1, 1, 2)
     view = lambda offset, length, stride=0: {"buffer": 0, "byteOffset": offset, "byteLength": length,
@@ -330,7 +331,7 @@ SEEDS = {
     "scene": [SCENE, SKY, TEXTURES, LIGHTS],
     "gltf": [gltf(False), gltf(True)],
     "http": list(requests()),
-    # A byte chooses the function; zeros leave its arguments as they are.
+    # The first byte chooses the function, and zeros leave its arguments unchanged.
     "capi": [bytes([function]) + bytes(24) for function in range(80)],
 }
 

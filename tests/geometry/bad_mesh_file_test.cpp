@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Mesh files that must be refused, and how.
+// Tests of mesh files that must be refused, and of the error messages.
 #include <sys/stat.h>
 
 #include "geometry/mesh.hpp"
@@ -11,7 +11,7 @@ using nicol::load_mesh;
 
 namespace {
 
-/// Loads a file that must fail with `code`; the message names the file and holds `part`.
+/// Checks that loading fails with `code` and that the message names the file and contains `part`.
 void check_refused(const std::string& name, const std::string& bytes, ErrorCode code,
                    const std::string& part) {
     CAPTURES(name, bytes.substr(0, 200));
@@ -36,7 +36,7 @@ const std::string obj_points = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 2 0 0\n";
 
 TEST_CASE("files that are not there or of no known kind") {
     const TemporaryFolder folder;
-    REQUIRE(mkfifo((folder.path() / "pipe.stl").c_str(), 0600) == 0);  // nobody writes: opening it would wait
+    REQUIRE(mkfifo((folder.path() / "pipe.stl").c_str(), 0600) == 0);  // opening would block
     for (const auto& file : {folder.path() / "absent.obj", folder.path() / "folder.ply",
                              folder.path() / "pipe.stl", std::filesystem::path("/dev/zero.stl")}) {
         if (file.stem() == "folder") std::filesystem::create_directory(file);
@@ -69,7 +69,7 @@ TEST_CASE("a comma before decimals is an error with its line, not a zero") {
     invalid("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 0,5 0,2 0,1\n", ":6: ");
     invalid("a.ply", ply_header + "0 0 0\n1,5 0 0\n0 1 0\n3 0 1 2\n", ":11: ");
     invalid("a.stl", "solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0,5 0\n", ":4: ");
-    // A comma between numbers that are whole is none of their digits.
+    // A comma after a complete number is not part of the number.
     check_refused("a.obj", "v 0, 0, 0\nv 1, 0, 0\nv 2, 0, 0\n", ErrorCode::invalid_file, "no faces");
 }
 
@@ -148,7 +148,7 @@ TEST_CASE("hostile PLY headers cost neither memory nor time") {
                   ErrorCode::invalid_file, "ends within face 0");
     check_refused("a.ply", claims("ascii", "3", "1") + "0 0 0 1 0 0 0 1 0 4294967295 0 1 2\n",
                   ErrorCode::invalid_file, "ends where face 0");
-    // An element without properties takes no bytes, however often it is there.
+    // An element without properties takes no bytes, whatever its count.
     check_refused("a.ply",
                   "ply\nformat ascii 1.0\nelement nothing 18446744073709551615\n" + ply_vertices + ply_faces +
                       "end_header\n0 0 0\n1 0 0\n0 1 0\n",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Discs and cylinders.
+// Tests of discs and cylinders.
 #include <glm/vec2.hpp>
 
 #include "geometry/measures.hpp"
@@ -15,7 +15,7 @@ glm::dvec3 face_normal(const Mesh& mesh, const glm::uvec3& t) {
     return glm::normalize(glm::cross(b - a, c - a));
 }
 
-/// The texture coordinates where a point of the surface is, of the triangle whose plane it is nearest to.
+/// Returns the texture coordinates at a surface point, from the triangle whose plane contains it.
 glm::dvec2 texcoords_at(const Mesh& mesh, const glm::dvec3& point) {
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
         glm::dmat3 p;
@@ -67,7 +67,7 @@ TEST_CASE("texture coordinates of discs and cylinders are Mitsuba's, across the 
         glm::dvec3 point;
         glm::dvec2 uv;
     };
-    // What mitsuba.Scene.ray_intersect finds.
+    // The expected values come from mitsuba.Scene.ray_intersect.
     const Mesh disc = nicol::make_disk();
     for (const auto& [point, uv] :
          {Row{{0, 0.5, 0}, {0.5, 0.25}}, Row{{-0.5, 0, 0}, {0.5, 0.5}}, Row{{0, -0.5, 0}, {0.5, 0.75}},

@@ -15,7 +15,7 @@ Mesh mesh_of(const EdgeBisection& bisection) {
     return {.positions = bisection.positions(), .normals = {}, .triangles = bisection.triangles()};
 }
 
-/// How many triangles are at each edge.
+/// Counts the triangles at each edge.
 std::map<EdgeBisection::Edge, int> triangles_at_edges(const EdgeBisection& bisection) {
     std::map<EdgeBisection::Edge, int> counts;
     for (const glm::uvec3& t : bisection.triangles())
@@ -36,7 +36,7 @@ double smallest_angle(const Mesh& mesh) {
     return least;
 }
 
-/// Splits some edges, again and again.
+/// Splits some edges repeatedly.
 void split_some(EdgeBisection& bisection, int rounds, std::vector<WantedLength>& points) {
     std::mt19937 random(7);
     for (int round = 0; round < rounds; ++round) {
@@ -51,7 +51,7 @@ void split_some(EdgeBisection& bisection, int rounds, std::vector<WantedLength>&
     }
 }
 
-/// Three triangles at one edge, one of them without area, one of no extent at all.
+/// Returns three triangles at one edge, one of them without area, and a triangle without extent.
 Mesh fan() {
     return {.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.4F, 0, 0}, {1, 0, 0}},
             .normals = {},
@@ -74,7 +74,7 @@ TEST_CASE("bisection keeps surfaces, closed ones closed, and angles large") {
         CHECK(smallest_angle(after) > 0.499 * smallest_angle(mesh));
         CHECK(bisection.parents().size() == after.positions.size() - mesh.positions.size());
         CHECK(std::ranges::is_sorted(bisection.sources()));
-        // A place in the middle of an edge that goes on past it would leave edges with one triangle.
+        // A midpoint on an edge that a neighbour does not split would leave edges with a single triangle.
         const bool closed = std::ranges::all_of(before, [](const auto& edge) { return edge.second == 2; });
         int open = 0;
         for (const auto& [edge, count] : triangles_at_edges(bisection)) open += count == 2 ? 0 : 1;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Colours of faces, from files to triangles.
+// Tests of face colours, from files to triangles.
 #include <algorithm>
 #include <bit>
 #include <glm/gtc/matrix_transform.hpp>
@@ -27,7 +27,7 @@ std::string raw(Number value, bool big) {
     return {bytes.begin(), bytes.end()};
 }
 
-/// Of a square; its faces follow.
+/// Returns the header of a file with the four vertices of a square. Its faces follow.
 std::string ply(const std::string& format, int faces, const std::string& properties) {
     return "ply\nformat " + format +
            " 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\nelement face " +
@@ -36,7 +36,7 @@ std::string ply(const std::string& format, int faces, const std::string& propert
 const std::string list = "property list uchar int vertex_indices\n";
 const std::string square = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
 
-/// A red quadrilateral, what is left out, and a blue triangle.
+/// Returns a red quadrilateral, a face that is left out, and a blue triangle.
 std::string binary(bool big) {
     std::string out = ply(big ? "binary_big_endian" : "binary_little_endian", 3,
                           "property uchar red\nproperty ushort green\n" + list + "property float blue\n");
@@ -88,7 +88,7 @@ TEST_CASE("colours of some faces, or of some kind") {
         std::string bytes;
         Colors expected;
     } rows[] = {
-        // Two of three; a list of them; what vertices have.
+        // These properties do not count: two of three colours, a colour list, properties of vertices.
         {"a.ply",
          ply("ascii", 1, list + "property float red\nproperty float blue\n") + square + "3 0 1 2 1 1\n",
          {}},
@@ -106,7 +106,7 @@ TEST_CASE("colours of some faces, or of some kind") {
              "3 0 1 2 1 nan 1\n",
          {glm::vec3(0)}},
         {"a.off", "OFF\n4 2 0\n" + square + "3 0 1 2\n3 0 2 3\n", {}},
-        // An index of a table that the file does not have; nothing; a colour; nothing.
+        // The faces have an index of a missing colour table, no colour, a colour, and no colour.
         {"a.off",
          "OFF\n4 4 0\n" + square + "3 0 1 2 7\n3 0 2 3\n3 0 1 2 0 0 1\n3 0 2 3",
          {glm::vec3(1), glm::vec3(1), glm::vec3(0, 0, 1), glm::vec3(1)}}};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Mesh files that are made to take long.
+// Tests of mesh files designed to take long.
 #include <zlib.h>
 
 #include <bit>
@@ -29,7 +29,7 @@ std::string repeated(const std::string& text, std::size_t times) {
     return out;
 }
 
-/// A cone of triangles about one vertex.
+/// Returns a cone of triangles about one vertex.
 std::string stl_cone(std::uint32_t triangles) {
     std::string out(80, ' ');
     append(out, triangles);
@@ -38,7 +38,7 @@ std::string stl_cone(std::uint32_t triangles) {
         return std::array{static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle)), -0.2F};
     };
     for (std::uint64_t k = 0; k < triangles; ++k) {
-        // Neighbours come far apart: most triangles meet none when they are added.
+        // Neighbours are far apart in the file, so most triangles meet no neighbour when they are added.
         const auto i = static_cast<std::uint32_t>(k * 300007 % triangles);
         append(out, std::array<float, 3>{});
         append(out, std::array<float, 3>{});
@@ -49,7 +49,8 @@ std::string stl_cone(std::uint32_t triangles) {
     return out;
 }
 
-/// A star of 1,023 corners on a circle, each joined to one on the other side: all of its edges cross.
+/// Returns stars of 1,023 corners on a circle, each corner joined to one on the other side, so that all edges
+/// cross.
 std::string obj_stars(std::size_t stars) {
     constexpr int corners = 1023;
     std::string out, face = "f";
@@ -61,7 +62,7 @@ std::string obj_stars(std::size_t stars) {
     return out + repeated(face + "\n", stars);
 }
 
-/// A mesh of zeros, deflated as far as is believed.
+/// Returns a mesh of zeros, compressed as far as the reader believes.
 std::string serialized(std::size_t vertices) {
     std::string content;
     append(content, std::uint32_t{1});  // normals
@@ -70,7 +71,7 @@ std::string serialized(std::size_t vertices) {
     append(content, std::uint64_t{1});
     std::uint32_t random = 1;
     for (std::size_t i = 0; i < 6 * vertices; ++i) {
-        // One number of 16 is not zero, or too little would remain.
+        // One number of 16 is not zero, because the reader refuses higher compression.
         random = random * 1664525 + 1013904223;
         append(content, i % 16 == 0 ? static_cast<float>(random >> 8) : 0.0F);
     }
@@ -97,7 +98,7 @@ TEST_CASE("triangles about one vertex of an STL are read in linear time") {
     constexpr std::uint32_t count = 500000;
     const Mesh mesh = load_mesh(folder.write("cone.stl", stl_cone(count)));
     CHECK(mesh.triangles.size() == count);
-    // A cone of some hundred triangles is smooth about its tip.
+    // A cone of a few hundred triangles has a smooth tip.
     CHECK(load_mesh(folder.write("cone.stl", stl_cone(500))).positions.size() == 501);
 }
 
@@ -142,7 +143,7 @@ TEST_CASE("every parser of meshes is asked to stop while it works") {
         CAPTURE(one.name);
         const auto parse = [&](const LoadLimits& limits) {
             const LoadBudget budget(limits);
-            budget.check();  // the first time, before it begins
+            budget.check();  // the first call of progress, before the parser starts
             geometry::LeftOut left_out;
             static_cast<void>(one.parse(one.name, one.bytes, left_out, budget));
         };

@@ -14,7 +14,7 @@ inline double area(const nicol::Mesh& mesh) {
     return sum;
 }
 
-/// Positive and the volume inside if the mesh is closed and its front is outside.
+/// Returns the signed volume inside a closed mesh, positive if its front faces outwards.
 inline double volume(const nicol::Mesh& mesh) {
     double sum = 0.0;
     for (const glm::uvec3& t : mesh.triangles)

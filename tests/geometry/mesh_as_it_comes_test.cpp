@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Mesh files that are not as clean as they could be, and what they carry beside positions and normals.
+// Tests of untidy mesh files, and of vertex data beside positions and normals.
 #include <cstring>
 
 #include "geometry/measures.hpp"
@@ -110,7 +110,7 @@ TEST_CASE("texture coordinates and colours are kept, through every format that h
                       "end_header\n0 0 0 0 0 1 0 0\n1 0 0 0 0.2 0 0.5 0\n0 1 0 1 0 0 0 1\n3 0 1 2\n"},
         {"a.off",
          "STCOFF\n3 1 0\n0 0 0 255 0 0 255 0 0\n1 0 0 0 0.2 0 1 0.5 0\n0 1 0 0 0 1 1 0 1\n3 0 1 2\n"}};
-    // Of a triangle's corners.
+    // Returns the texture coordinates of a triangle's corners.
     const auto texcoords = [](const Mesh& mesh, std::size_t triangle) {
         std::vector<glm::vec2> out;
         for (glm::length_t k = 0; k < 3; ++k)
@@ -123,7 +123,7 @@ TEST_CASE("texture coordinates and colours are kept, through every format that h
         CHECK(texcoords(mesh, 0) == std::vector<glm::vec2>{{0, 0}, {0.5F, 0}, {0, 1}});
         CHECK(mesh.colors == std::vector<glm::vec3>{{1, 0, 0}, {0, 0.2F, 0}, {0, 0, 1}});
     }
-    // MeshLab's coordinates of corners, in a list of the face.
+    // MeshLab stores the coordinates of corners in a list property of the face.
     const Mesh wedges = load("a.ply", ply + "element vertex 4\n" + xyz + "element face 2\n" + list +
                                           "property list uchar float texcoord\nend_header\n"
                                           "0 0 0\n1 0 0\n1 1 0\n0 1 0\n"
@@ -132,7 +132,7 @@ TEST_CASE("texture coordinates and colours are kept, through every format that h
     CHECK(wedges.positions.size() == 4);
     CHECK(texcoords(wedges, 0) == std::vector<glm::vec2>{{0, 0}, {1, 0}, {1, 1}});
     CHECK(texcoords(wedges, 1) == std::vector<glm::vec2>{{0, 0}, {1, 1}, {0.5F, 1}});
-    // They stay with their corners.
+    // Texture coordinates stay with their corners.
     for (const bool flipped : {false, true}) {
         Mesh other =
             load("a.obj", corners + "vt 1 1\nvt 2 2\nvt 3 3\nf 1/1 1/2 3/3\nf 1/1 2/2 3/3\nf 4 1 2\n").mesh;
@@ -147,7 +147,7 @@ TEST_CASE("texture coordinates and colours are kept, through every format that h
 }
 
 TEST_CASE("a seam of texture coordinates splits no vertices") {
-    // A roof whose sides have texture coordinates of their own.
+    // A roof whose sides have separate texture coordinates.
     const std::string roof = "v -1 0 -1\nv -1 0 1\nv 0 1 1\nv 0 1 -1\nv 1 0 1\nv 1 0 -1\nvt 0 0\nvt 1 1\n";
     const Mesh seam = load("a.obj", roof + "f 1/1 2/1 3/1 4/1\nf 4/2 3/2 5/2 6/2\n").mesh;
     const Mesh plain = load("a.obj", roof + "f 1 2 3 4\nf 4 3 5 6\n").mesh;
@@ -161,7 +161,8 @@ TEST_CASE("polygons of any shape are covered once") {
     const auto polygon = [](const std::vector<glm::dvec2>& points) {
         std::string text;
         std::string face = "f";
-        // On a slanted plane, so that no axis is special: of area sqrt(1.25) that of its shadow.
+        // The polygon lies on a slanted plane, so that no axis is special. Its area is sqrt(1.25) times that
+        // of its projection.
         for (std::size_t i = 0; i < points.size(); ++i) {
             text += "v " + std::to_string(points[i].x) + " " + std::to_string(points[i].y) + " " +
                     std::to_string(0.5 * points[i].x) + "\n";
@@ -184,7 +185,7 @@ TEST_CASE("polygons of any shape are covered once") {
         for (const glm::vec3& n : mesh.normals)
             CHECK(glm::distance(n, side * glm::normalize(glm::vec3(-0.5F, 0, 1))) < 0.05F);
     };
-    // Stars, combs, spirals, either way around.
+    // Tests stars and combs, each star in both orientations.
     std::mt19937 random(3);
     for (int n = 5; n < 200; n += 13) {
         std::vector<glm::dvec2> star;
@@ -201,8 +202,8 @@ TEST_CASE("polygons of any shape are covered once") {
         std::ranges::reverse(star);
         check(star);
     }
-    // A square with a square hole, joined by a bridge that is passed twice.
+    // A square with a square hole, joined by a bridge that is traversed twice.
     check({{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0}, {1, 1}, {1, 3}, {3, 3}, {3, 1}, {1, 1}});
-    // Crossing itself, it still ends.
+    // Cutting a polygon that crosses itself still ends.
     CHECK(polygon({{0, 0}, {4, 4}, {4, 0}, {0, 3}, {1, -1}}).triangles.size() == 3);
 }

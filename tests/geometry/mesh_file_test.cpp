@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Mesh files: the same surface through every format.
+// Tests of mesh files: one surface through every format.
 #include <cstdio>
 #include <iostream>
 #include <locale>
@@ -25,7 +25,7 @@ std::string raw(T value, bool big = false) {
     return bytes;
 }
 
-// The corners of a unit cube and its sides, counter-clockwise from outside.
+// Corners of a unit cube, and its sides counter-clockwise from outside.
 constexpr std::array<std::array<int, 3>, 8> cube_points = {
     {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}}};
 constexpr std::array<std::array<int, 4>, 6> cube_sides = {
@@ -58,7 +58,7 @@ std::string ply_text_cube() {
     return out.str();
 }
 
-/// Doubles, a list that is not wanted before the one that is, elements nobody knows.
+/// Returns a file with doubles, an unused list before the index list, and unknown elements.
 std::string ply_binary_cube(bool big) {
     std::string out =
         std::string("ply\r\nformat ") + (big ? "binary_big_endian" : "binary_little_endian") +
@@ -150,7 +150,8 @@ TEST_CASE("every format gives the same cube, with its front outside") {
         for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
             CHECK(glm::length(mesh.normals[v]) == doctest::Approx(1.0));
             const glm::vec3 outward = glm::normalize(mesh.positions[v] - 0.5f);
-            // A smooth corner looks along the diagonal; a hard one along an axis.
+            // The normal of a smooth corner points along the diagonal, and that of a hard corner along an
+            // axis.
             CHECK(glm::dot(mesh.normals[v], outward) == doctest::Approx(hard ? 1.0 / std::sqrt(3.0) : 1.0));
         }
     }
@@ -186,13 +187,13 @@ TEST_CASE("normals of PLY and OFF vertices are kept and made unit") {
         CHECK(mesh.positions[1] == glm::vec3(1, 0, 0));
         CHECK(glm::distance(mesh.normals[0], glm::vec3(0, 0.6f, 0.8f)) < 1e-6f);
         CHECK(mesh.normals[1] == glm::vec3(0, 0, 1));
-        CHECK(mesh.normals[2] == glm::vec3(0, 0, 1));  // of no length in the file
+        CHECK(mesh.normals[2] == glm::vec3(0, 0, 1));  // zero length in the file
     }
 }
 
 TEST_CASE("faces that a half-edge mesh would refuse are kept") {
     const TemporaryFolder folder;
-    // Three faces on one edge, two of which a manifold would have to flip.
+    // Three faces share one edge, and a manifold would have to flip two of them.
     const Mesh mesh = load_mesh(
         folder.write("fan.obj", "v 0 0 0\nv 0 0 1\nv 1 0 0\nv 0 1 0\nv -1 0 0\nf 1 2 3\nf 1 2 4\nf 1 2 5\n"));
     CHECK(mesh.triangles.size() == 3);
@@ -222,7 +223,7 @@ TEST_CASE("a curved STL is smooth, a sharp one is not") {
 }
 
 TEST_CASE("smooth STL normals do not depend on how a face is cut") {
-    // A shallow roof: the side before the ridge is one triangle at its left end, two at its right.
+    // A shallow roof whose front side is one triangle at the left end of the ridge and two at the right.
     const auto roof = [](bool other_diagonal) {
         const std::array<float, 3> a = {0, 0, 0.1f};
         const std::array<float, 3> b = {1, 0, 0.1f};
@@ -306,7 +307,7 @@ TEST_CASE("OpenMesh writes nothing to the error stream") {
     const TemporaryFolder folder;
     std::ostringstream captured;
     std::streambuf* const before = std::cerr.rdbuf(captured.rdbuf());
-    // Four faces at one edge, which no half-edge mesh takes.
+    // Four faces share one edge, which no half-edge mesh accepts.
     std::vector<Triangle> fan;
     for (const float x : {1.0F, 2.0F, -1.0F, -2.0F}) fan.push_back({{{0, 0, 0}, {0, 0, 1}, {x, 1, 0}}});
     const Mesh mesh = load_mesh(folder.write("fan.stl", stl_binary(fan)));
@@ -316,7 +317,7 @@ TEST_CASE("OpenMesh writes nothing to the error stream") {
 }
 
 TEST_CASE("several threads may load at once") {
-    // Large enough that the threads meet inside OpenMesh.
+    // The mesh is large enough that the threads run OpenMesh at the same time.
     const Mesh sphere = nicol::make_sphere();
     const TemporaryFolder folder;
     std::ostringstream text;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Checks, normals and transforms.
+// Tests of validation, normals and transforms of meshes.
 #include "geometry/mesh.hpp"
 
 #include "test.hpp"
@@ -96,7 +96,7 @@ TEST_CASE("size alone does not make a triangle degenerate") {
 
 TEST_CASE("validate makes normals unit and fills in the missing ones") {
     Mesh mesh = triangle();
-    mesh.positions.emplace_back(5, 5, 5);  // no face
+    mesh.positions.emplace_back(5, 5, 5);  // a vertex without a face
     mesh.normals = {{0, 0, 1e-30f}, {0, 3e30f, 4e30f}, {0, 0, 0}, {0, 0, 0}};
     nicol::validate(mesh, "thing");
     CHECK(mesh.normals[0] == glm::vec3(0, 0, 1));
@@ -106,7 +106,7 @@ TEST_CASE("validate makes normals unit and fills in the missing ones") {
 }
 
 TEST_CASE("smooth normals do not depend on how a square is cut") {
-    // A roof: two squares over one ridge, one of them cut along either diagonal.
+    // A roof of two squares over one ridge. One square is cut along either diagonal.
     Mesh mesh;
     mesh.positions = {{0, 0, 1}, {1, 0, 1}, {0, -1, 0}, {1, -1, 0}, {0, 1, 0}, {1, 1, 0}};
     mesh.triangles = {{0, 2, 3}, {0, 3, 1}, {0, 1, 5}, {0, 5, 4}};

@@ -14,7 +14,7 @@ void check_rotation(const glm::dmat3& axes) {
     CHECK(glm::determinant(axes) > 0.5);
 }
 
-// Long in x, less so in y, farther to one side in both.
+// Returns points that spread most in x, less in y, and skewed to one side in both.
 std::vector<glm::vec3> cloud(double scale) {
     std::mt19937 random(5);
     std::exponential_distribution<double> positive;

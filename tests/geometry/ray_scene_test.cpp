@@ -98,7 +98,8 @@ TEST_CASE("no ray leaves a closed surface and no surface hides itself, large or 
                 glm::dvec3 direction = random_direction(random);
                 if (std::abs(glm::dot(direction, normal)) < 0.02) continue;
                 const bool inwards = glm::dot(direction, normal) < 0;
-                // From outside the ball is convex; from inside there is no gap, either sign of the normal.
+                // From outside the ball is convex, and from inside it has no gap. Either sign of the normal
+                // must work.
                 wrong += scene.occluded(point, i % 2 == 0 ? normal : -normal, direction) == inwards ? 0 : 1;
             }
             CHECK(wrong == 0);
@@ -131,7 +132,7 @@ TEST_CASE("a packet of rays is sixteen rays, each with an end and a place of its
         };
         const Mesh ball = scaled(make_sphere({0, 0, 0}, 1));
         const Mesh floor = scaled(make_rectangle(2));
-        // Half of the floor is not there.
+        // Every second triangle of the floor is absent.
         const Presence present = [](std::uint32_t triangle, float, float) { return triangle % 2 == 0; };
         const RaySurface surfaces[] = {surface(ball), {floor.positions, floor.triangles, present}};
         const RayScene scene(surfaces);
@@ -226,7 +227,7 @@ TEST_CASE("only what lies nearer than the distance hides, at any scale") {
         CHECK(scene.occluded(point, up, up, 1.01 * scale));
         CHECK(!scene.occluded(point, up, up, 0.99 * scale));
         CHECK(!scene.occluded(point, up, up, 0));
-        // The ray starts on the side that it leaves to.
+        // The ray starts on the side towards which it leaves.
         for (const double side : {-1.0, 1.0}) {
             const Ray ray = scene.leaving(point, up, side * up);
             CHECK(glm::length(ray.origin - (point + side * scene.offset() * up)) < 1e-9 * scale);
@@ -239,7 +240,7 @@ TEST_CASE("rays pass where a surface is not, one by one and in packets") {
     MESSAGE("Embree ", embree::library().version());
     const std::array<glm::vec3, 4> positions{{{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}};
     const std::array<glm::uvec3, 2> triangles{{{0, 1, 2}, {0, 2, 3}}};
-    // Only the part of triangle 1 near its corner 2, which is at (-1, 1).
+    // Only the part of triangle 1 near its corner 2 at (-1, 1) is present.
     const auto present = [](std::uint32_t triangle, float b1, float b2) {
         return triangle == 1 && b2 > 0.5F && b1 < 0.5F;
     };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Mitsuba's serialized meshes, written here as its documentation describes them.
+// Tests of Mitsuba's serialized meshes, written here by its documentation.
 #include <zlib.h>
 
 #include <cstring>
@@ -29,7 +29,7 @@ std::string deflated(const std::string& content) {
     return out;
 }
 
-// Content of a mesh: a triangle at this height, with everything a mesh can have.
+// Returns the content of a mesh: a triangle at z = `height` with every kind of vertex data.
 template <class Number>
 std::string triangle(int version, Number height, std::uint32_t last = 2) {
     const bool is_double = sizeof(Number) == 8;
@@ -85,7 +85,7 @@ TEST_CASE("faults of serialized files") {
     version[2] = 7;
     std::string astray = good;
     astray[good.size() - 5] = '\x7f';
-    // Says 2^32 - 2 vertices, and holds zeros that deflate to a thousandth.
+    // The header claims 2^32 - 2 vertices, but the data are zeros that compress by a factor of a thousand.
     std::string bomb = raw<std::uint32_t>(0x1000U) + std::string(1, '\0') + raw<std::uint64_t>(0xfffffffe) +
                        raw<std::uint64_t>(1) + std::string(1 << 24, '\0');
     struct Row {
@@ -102,7 +102,7 @@ TEST_CASE("faults of serialized files") {
         {astray, ErrorCode::invalid_file, "directory's entry of mesh 0 (0-based) leads to none"},
         {good.substr(0, good.size() - 4) + raw<std::uint32_t>(0), ErrorCode::invalid_file,
          "end in a directory"},
-        // The directory would begin before the file.
+        // The directory would begin before the start of the file.
         {good.substr(0, 15) + raw<std::uint32_t>(2), ErrorCode::invalid_file, "end in a directory"},
         {file_of(4, {content.substr(0, content.size() - 1)}), ErrorCode::invalid_file,
          "shorter than it says"},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Spheres, rectangles and cubes.
+// Tests of spheres, rectangles and cubes.
 #include <map>
 
 #include "geometry/measures.hpp"
@@ -10,7 +10,7 @@ using nicol::Mesh;
 
 namespace {
 
-/// True if every edge has one face on either side, in opposite directions.
+/// Returns whether every edge has one face on either side, in opposite directions.
 bool is_closed(const Mesh& mesh) {
     std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
     for (const glm::uvec3& t : mesh.triangles)
@@ -50,7 +50,7 @@ TEST_CASE("a sphere is closed, even and exact at its vertices") {
             glm::cross(glm::dvec3(mesh.positions[t.y]) - a, glm::dvec3(mesh.positions[t.z]) - a));
         depth = std::max(depth, 1.0 - glm::dot(normal, a));
     }
-    // As the header promises.
+    // The header promises these bounds.
     CHECK(2.0 * std::asin(longest / 2.0) * 180.0 / pi <= 2.0);
     CHECK(depth <= 2.1e-4);
     CHECK(longest / shortest < 1.7);
@@ -68,7 +68,7 @@ TEST_CASE("a sphere is closed, even and exact at its vertices") {
 
 TEST_CASE("interpolation over the sphere errs as little as promised") {
     const Mesh mesh = nicol::make_sphere();
-    // cos(l phi) sin^l(theta), the harmonic of order l that bends most, at its steepest.
+    // cos(l phi) sin^l(theta) is the harmonic of order l with the largest curvature.
     for (const int l : {2, 4, 8, 16}) {
         const auto f = [l](const glm::dvec3& p) {
             return std::pow(std::hypot(p.x, p.y), l) * std::cos(l * std::atan2(p.y, p.x));
@@ -123,7 +123,7 @@ TEST_CASE("texture coordinates of a sphere are its angles, across the seam and a
             CHECK(std::sin(2 * pi * uv[k].x) == doctest::Approx(n.y / std::hypot(n.x, n.y)).epsilon(1e-3));
             CHECK(std::cos(2 * pi * uv[k].x) == doctest::Approx(n.x / std::hypot(n.x, n.y)).epsilon(1e-3));
         }
-        // None of them spans the image the wrong way round.
+        // No triangle spans the image in the wrong direction.
         CHECK(most - least <= 0.5);
         CHECK(least >= 0);
         if (most > 1) ++seam;
@@ -168,7 +168,7 @@ TEST_CASE("a cube is [-1, 1]^3 with hard edges") {
 }
 
 TEST_CASE("every side of a cube has the whole image, as Mitsuba's has it") {
-    // Mitsuba's corners: of each side those at (0, 1), (1, 1), (1, 0) and (0, 0).
+    // Corners of each side in Mitsuba at the coordinates (0, 1), (1, 1), (1, 0) and (0, 0).
     const std::array<std::array<glm::vec3, 4>, 6> sides = {
         {{{{1, -1, -1}, {1, -1, 1}, {-1, -1, 1}, {-1, -1, -1}}},
          {{{1, 1, -1}, {-1, 1, -1}, {-1, 1, 1}, {1, 1, 1}}},
@@ -193,6 +193,6 @@ TEST_CASE("every side of a cube has the whole image, as Mitsuba's has it") {
         }
     }
     const Mesh fine = nicol::make_cube(8);
-    for (std::size_t v = 0; v < 81; ++v)  // the side +x
+    for (std::size_t v = 0; v < 81; ++v)  // side +x
         CHECK(fine.texcoords[v] == glm::vec2((1 + fine.positions[v].y) / 2, (1 - fine.positions[v].z) / 2));
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Compute programs over shader storage.
+// Tests of compute programs over shader storage.
 #include "gl/buffer.hpp"
 #include "gl/contexts.hpp"
 #include "gl/draw.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Contexts: finding them, their threads, their ends.
+// Tests of OpenGL contexts: creation, threads and destruction.
 #include <cstdio>
 #include <stdexcept>
 #include <thread>
@@ -12,9 +12,10 @@ using namespace nicol::gl;
 
 namespace {
 
-/// What gl_context_of prints with these environment settings ("NAME=value NAME=value") and argument.
+/// Returns the output of gl_context_of with these environment settings ("NAME=value NAME=value") and
+/// argument.
 std::string program(const std::string& environment, const std::string& argument = "") {
-    // LeakSanitizer would report Mesa's leaks at the end of the child, which are not under test here.
+    // Leak checks are off, because LeakSanitizer would report leaks of Mesa at the end of the child.
     const std::string command =
         "env " + environment + " ASAN_OPTIONS=detect_leaks=0 " NICOL_GL_CONTEXT_OF " " + argument;
     std::string output;
@@ -56,7 +57,7 @@ GL_TEST_CASE("run returns values, passes exceptions on, and nests") {
     CHECK(context->run([&] { return context->run([] { return 42; }); }) == 42);
     CHECK_THROWS_AS(context->run([] { throw std::out_of_range("mine"); }), std::out_of_range);
     CHECK_THROWS_WITH(context->run([]() -> int { throw std::runtime_error("kept text"); }), "kept text");
-    CHECK(context->run([] { return 1; }) == 1);  // still working afterwards
+    CHECK(context->run([] { return 1; }) == 1);  // run() works after exceptions
     int changed = 0;
     context->run([&] { changed = 3; });
     CHECK(changed == 3);
@@ -79,14 +80,14 @@ TEST_CASE("contexts and objects may be dropped in any order and anywhere") {
                 return std::make_unique<Buffer>(context, BufferUse::storage, 1024, BufferUpdate::dynamic);
             });
         };
-        {  // object first
+        {  // the object is destroyed first
             auto context = make_context(backend);
             auto buffer = make(context);
             CHECK(context->memory().of(MemoryKind::storage) == 1024);
             buffer.reset();
             CHECK(total_bytes(context->memory()) == 0);
         }
-        {  // context first: the object keeps it
+        {  // the context is destroyed first, but the object keeps it alive
             auto context = make_context(backend);
             auto buffer = make(context);
             const std::weak_ptr<Context> watch = context;
@@ -95,13 +96,13 @@ TEST_CASE("contexts and objects may be dropped in any order and anywhere") {
             buffer.reset();
             CHECK(watch.expired());
         }
-        {  // last reference dropped on another thread
+        {  // the last reference is dropped on another thread
             auto context = make_context(backend);
             auto buffer = make(context);
             context.reset();
             std::thread([&] { buffer.reset(); }).join();
         }
-        {  // last reference dropped on the context's own thread
+        {  // the last reference is dropped on the context's own thread
             auto context = make_context(backend);
             auto buffer = make(context);
             Context& bare = *context;
@@ -110,7 +111,7 @@ TEST_CASE("contexts and objects may be dropped in any order and anywhere") {
                 buffer.reset();
             });
         }
-        {  // last reference of each dropped on the thread of the other
+        {  // the last reference of each is dropped on the other's thread
             auto context = make_context(backend);
             auto other = make_context(backend == Backend::egl ? Backend::osmesa : Backend::egl);
             Context& bare = *context;
@@ -142,7 +143,7 @@ GL_TEST_CASE("an object can be moved and assigned") {
 }
 
 GL_TEST_CASE("several threads share one context") {
-    int counter = 0;  // unguarded on purpose: run() is one at a time
+    int counter = 0;  // unguarded on purpose, because calls of run() do not overlap
     std::vector<std::thread> threads;
     for (int i = 0; i < 4; ++i)
         threads.emplace_back([&] {

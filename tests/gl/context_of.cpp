@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Makes a context by the environment it is given and prints what came of it: "ok BACKEND RENDERER" or
-// "error CODE MESSAGE". A program of its own, because EGL reads its environment once a process.
+// A program that makes a context by its environment variables and prints the outcome: "ok BACKEND RENDERER"
+// or "error CODE MESSAGE". The program is separate, because EGL reads its environment once per process.
 #include <cstdio>
 #include <cstring>
 

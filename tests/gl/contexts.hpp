@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// For tests that need OpenGL: every backend, one context each.
+// Contexts and test-case macros for tests that need OpenGL, one context per backend.
 #pragma once
 
 #include <cstdlib>
@@ -18,17 +18,17 @@ inline const char* name_of(Backend backend) {
     return backend == Backend::egl ? "egl" : backend == Backend::osmesa ? "osmesa" : "automatic";
 }
 
-/// Of all kinds together.
+/// Returns the bytes of all kinds together.
 inline std::size_t total_bytes(const MemoryUse& use) {
     return std::accumulate(use.bytes.begin(), use.bytes.end(), std::size_t{0});
 }
 
-/// A fresh context of that backend; failing to make one fails the test.
+/// Returns a new context of that backend. A failure fails the test.
 inline std::shared_ptr<Context> make_context(Backend backend) {
     return Context::create({backend, std::nullopt});
 }
 
-/// Calls test(context) once a backend, inside a doctest note of its name.
+/// Calls test(context) once per backend, inside a doctest note of its name.
 template <class Test>
 void on_every_backend(Test test) {
     for (const Backend backend : every_backend) {
@@ -37,7 +37,7 @@ void on_every_backend(Test test) {
     }
 }
 
-/// Calls test(context) once a backend where the environment has NICOL_TEST_BACKENDS=all, else once.
+/// Calls test(context) once per backend if NICOL_TEST_BACKENDS is "all", else once with EGL.
 template <class Test>
 void on_one_backend(Test test) {
     const char* const wanted = std::getenv("NICOL_TEST_BACKENDS");
@@ -47,7 +47,7 @@ void on_one_backend(Test test) {
 
 }  // namespace nicol::gl
 
-/// A test case that `each` calls with fresh contexts.
+/// A test case that runs under `each` with new contexts.
 #define CONTEXT_TEST_CASE(title, each, run)                              \
     static void run(const std::shared_ptr<nicol::gl::Context>& context); \
     TEST_CASE(title) {                                                   \
@@ -55,14 +55,14 @@ void on_one_backend(Test test) {
     }                                                                    \
     static void run(const std::shared_ptr<nicol::gl::Context>& context)
 
-/// A test case of what is computed, which is alike on every backend: `tests/run.sh --all` runs it on each,
-/// other runs on one.
+/// A test case of computed images, which are equal on every backend. `tests/run.sh --all` runs it on every
+/// backend, and other runs on one.
 #define IMAGE_TEST_CASE(title) CONTEXT_TEST_CASE(title, on_one_backend, DOCTEST_ANONYMOUS(run_on_))
 
-/// A test case of OpenGL itself, of contexts, lifetimes or memory: runs once a backend.
+/// A test case of OpenGL itself, contexts, lifetimes or memory, run once per backend.
 #define GL_TEST_CASE(title) CONTEXT_TEST_CASE(title, on_every_backend, DOCTEST_ANONYMOUS(run_on_))
 
-/// The same, on the context's thread.
+/// A GL_TEST_CASE that runs on the context's thread.
 #define GL_THREAD_TEST_CASE(title) GL_THREAD_TEST_CASE_NAMED(title, DOCTEST_ANONYMOUS(run_on_))
 #define GL_THREAD_TEST_CASE_NAMED(title, test)                            \
     static void test(const std::shared_ptr<nicol::gl::Context>& context); \

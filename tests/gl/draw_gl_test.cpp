@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Triangles into float targets, read back exactly.
+// Tests of drawing triangles into float targets and reading them back exactly.
 #include "gl/contexts.hpp"
 #include "gl/draw.hpp"
 #include "gl/test_shaders.hpp"
@@ -15,7 +15,7 @@ struct Vertex {
 };
 
 constexpr float depth_of_vertex = 0.25f;
-constexpr std::array<float, 4> stokes{1.5f, -0.25f, 3e-30f, 65504.5f};  // signed, tiny and beyond half floats
+constexpr std::array<float, 4> stokes{1.5f, -0.25f, 3e-30f, 65504.5f};  // signed, tiny, beyond half precision
 
 Vertex vertex(float x, float y, float z = depth_of_vertex, std::array<float, 4> c = stokes) {
     return {{x, y, z}, {c[0], c[1], c[2], c[3]}};
@@ -45,10 +45,10 @@ std::array<float, 4> pixel(const std::vector<float>& pixels, int width, int x, i
 }
 
 constexpr std::uint32_t one_triangle[] = {0, 1, 2};
-// Counter-clockwise with y up; covers the upper left half of the image.
+// A triangle over the upper left half of the image, counter-clockwise with y up.
 const std::array<Vertex, 3> upper_left{vertex(-1, 1), vertex(-1, -1), vertex(1, 1)};
 
-/// Both attachments of an image whose upper left half is covered.
+/// Draws the triangle and returns both attachments of the image.
 std::array<std::vector<float>, 2> upper_left_image(const std::shared_ptr<Context>& context, int width,
                                                    int height) {
     return context->run([&] {
@@ -69,7 +69,7 @@ GL_TEST_CASE("a triangle arrives exactly, the top row first") {
         for (int x = 0; x < width; ++x) {
             const float side =
                 (static_cast<float>(x) + 0.5f) / width + (static_cast<float>(y) + 0.5f) / height;
-            if (std::abs(side - 1.0f) < 1e-5f) continue;  // on the edge, either is right
+            if (std::abs(side - 1.0f) < 1e-5f) continue;  // either result is valid on the edge
             CAPTURES(x, y);
             if (side > 1.0f) {
                 CHECK(pixel(colours, width, x, y) == std::array{-1.0f, -2.0f, -3.0f, -4.0f});
@@ -81,7 +81,7 @@ GL_TEST_CASE("a triangle arrives exactly, the top row first") {
             CHECK(place[0] == static_cast<float>(x) + 0.5f);
             CHECK(place[1] == static_cast<float>(y) + 0.5f);  // gl_FragCoord.y counts from the top
             CHECK(place[2] == doctest::Approx(0.5f + 0.5f * depth_of_vertex));
-            CHECK(place[3] == 1.0f);  // counter-clockwise in clip space is the front
+            CHECK(place[3] == 1.0f);  // counter-clockwise in clip space is front-facing
         }
     CHECK(covered > 10);
 }
@@ -101,7 +101,7 @@ TEST_CASE("both backends draw the same image") {
 GL_THREAD_TEST_CASE("the nearer triangle wins in either order, unless the test is off") {
     const Program program = coloured(context);
     const std::array<float, 4> red{1, 0, 0, 1}, green{0, 1, 0, 1};
-    // A red and a green triangle over all pixels, at these depths.
+    // Returns a red and a green triangle over all pixels at depths a and b.
     const auto triangles = [&](float a, float b) {
         return std::array{vertex(-3, -3, a, red),   vertex(3, -3, a, red),   vertex(0, 3, a, red),
                           vertex(-3, -3, b, green), vertex(3, -3, b, green), vertex(0, 3, b, green)};
@@ -118,14 +118,14 @@ GL_THREAD_TEST_CASE("the nearer triangle wins in either order, unless the test i
     CHECK(middle(near_first, {DepthTest::off, true, Cull::none}) == green);
     CHECK(middle(near_first, {DepthTest::less, false, Cull::none}) == green);
 
-    // The same depth again: less keeps the first, less_equal takes the second.
+    // At equal depth `less` keeps the first triangle, and `less_equal` takes the second.
     RenderTarget target(context, {3, 3, 1, true});
     const VertexArray vertices = interleaved(context, triangles(0, 0), near_first);
     draw(target, program, vertices);
     CHECK(pixel(pixels_of(target, 0), 3, 1, 1) == red);
     draw(target, program, vertices, {DepthTest::less_equal, true, Cull::none});
     CHECK(pixel(pixels_of(target, 0), 3, 1, 1) == green);
-    // Clearing undoes the depth, also after a draw that did not write it.
+    // Clearing resets the depth, even after a draw that did not write depth.
     draw(target, program, vertices, {DepthTest::less, false, Cull::none});
     target.clear();
     draw(target, program, vertices, 0, 3);
@@ -165,7 +165,7 @@ GL_THREAD_TEST_CASE("culling drops the faces it names") {
 GL_TEST_CASE("separate attributes draw what interleaved ones do") {
     const auto expected = upper_left_image(context, 8, 8)[0];
     context->run([&] {
-        std::vector<float> positions{99.0f}, colours;  // one float in front: an offset
+        std::vector<float> positions{99.0f}, colours;  // one unused float in front tests the offset
         for (const Vertex& v : upper_left) {
             positions.insert(positions.end(), v.position, v.position + 3);
             colours.insert(colours.end(), v.colour, v.colour + 4);
@@ -196,7 +196,7 @@ GL_THREAD_TEST_CASE("the full-screen triangle samples a texture upright") {
     draw_fullscreen(target, program);
     CHECK(pixels_of(target, 0) == texels);
 
-    // The triangle lies at the far plane: behind everything drawn before it.
+    // The full-screen triangle lies at the far plane, behind everything drawn before it.
     RenderTarget behind(context, {width, height, 1, true});
     draw_fullscreen(behind, program, {DepthTest::less_equal, false, Cull::none});
     CHECK(pixels_of(behind, 0) == texels);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Programs kept on disk.
+// Tests of the program cache on disk.
 #include "gl/program_cache.hpp"
 
 #include "gl/contexts.hpp"
@@ -44,7 +44,7 @@ GL_THREAD_TEST_CASE("a program is kept once and serves again") {
     if (!keep(*context, folder)) return;
     CHECK(drawn(context, make(context, "1.5")) == 1.5F);
     REQUIRE(folder.names().size() == 1);
-    // Writing would replace the file, and not what a second name holds.
+    // A second write would replace the file and separate it from its second name.
     const fs::path kept = folder / *folder.names().begin();
     fs::create_hard_link(kept, folder / "second name");
     CHECK(drawn(context, make(context, "1.5")) == 1.5F);
@@ -70,7 +70,7 @@ GL_THREAD_TEST_CASE("what is loaded is what was kept, with its uniforms") {
     ProgramKey other;
     other.add(2, "anything");
     CHECK_FALSE(cache.load(other, loaded.id()));
-    // Uniforms are found in one that was loaded as in one that was compiled.
+    // Uniforms behave equally in compiled and in loaded programs.
     for (int i = 0; i < 2; ++i) {
         Program program = Program::compute(context, test_shader("uniforms.comp"));
         CHECK_THROWS_AS(program.set("no such uniform", 1), Error);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Compiling, definitions, messages, uniforms.
+// Tests of compiling, definitions, messages and uniforms.
 #include <glm/gtc/type_ptr.hpp>
 
 #include "gl/buffer.hpp"
@@ -31,7 +31,7 @@ GL_THREAD_TEST_CASE("a compile error names the original file and line") {
                     "the shader broken.frag does not compile", "nested_bad.glsl:3:", "undeclared_in_nested",
                     "broken.frag:7:", "undeclared_in_main");
     }
-    // The context works afterwards.
+    // The context still works.
     const std::array<Define, 2> defines{{{"WIDE", "0.0"}, {"HIGH", "0.0"}}};
     CHECK_NOTHROW(
         Program::graphics(context, embedded_shader("fullscreen.vert"), test_shader("lines.frag"), defines));
@@ -68,7 +68,7 @@ GL_THREAD_TEST_CASE("uniforms of every type arrive") {
     std::vector<float> expected{-3, 4, 1, 0.5f, 1, 2, 3, 4, 5, 6, 7, 8, 9};
     for (const float first : {10.0f, 20.0f})
         for (int i = 0; i < (first < 20 ? 9 : 16); ++i) expected.push_back(first + static_cast<float>(i));
-    expected.insert(expected.end(), {36, 37, 42});  // the array, and what the included file gives
+    expected.insert(expected.end(), {36, 37, 42});  // the array, and the value of the included file
     const Buffer output(context, BufferUse::storage, expected.size() * sizeof(float), BufferUpdate::fixed);
     output.bind_storage(0);
     dispatch(program, 1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Buffers, textures, vertex arrays and targets: content, limits, memory account.
+// Tests of buffers, textures, vertex arrays and targets: content, limits and memory accounting.
 #include "gl/contexts.hpp"
 #include "gl/draw.hpp"
 #include "gl/test_shaders.hpp"
@@ -23,11 +23,11 @@ std::vector<float> counting(std::size_t count) {
 GL_THREAD_TEST_CASE("a dynamic buffer takes updates of parts, a fixed one none") {
     std::array<std::byte, 7> bytes;
     bytes.fill(std::byte{9});
-    // Memory that was in use before, so that zeros are no accident.
+    // Fills the memory first, so that zeros cannot come from fresh memory.
     for (int i = 0; i < 20; ++i) Buffer(context, BufferUse::storage, bytes);
     Buffer buffer(context, BufferUse::storage, 7, BufferUpdate::dynamic);
     buffer.read(0, bytes);
-    CHECK(bytes == std::array<std::byte, 7>{});  // zero without data
+    CHECK(bytes == std::array<std::byte, 7>{});  // new buffers without data are zero
     const std::array<std::byte, 2> part{std::byte{1}, std::byte{2}};
     buffer.update(5, part);
     buffer.read(0, bytes);
@@ -84,7 +84,7 @@ GL_TEST_CASE("textures outside the limits are refused") {
              {std::array{limit + 1, 1}, {1, limit + 1}, {highest, highest}, {0, 1}, {1, -1}})
             CHECK_INVALID(Texture2D(context, {size[0], size[1]}));
         CHECK_INVALID(Texture2D(context, {2, 2}, std::vector<float>(15)));
-        // llvmpipe ends at a few GiB; hardware may hold it.
+        // llvmpipe supports a few GiB only, while hardware may hold the texture.
         if (context->info().software && limit >= 16384)
             check_error(ErrorCode::out_of_memory, CALL(Texture2D(context, {limit, limit})));
         const Texture2D texture(context, {1, 1});
@@ -94,8 +94,8 @@ GL_TEST_CASE("textures outside the limits are refused") {
 }
 
 GL_THREAD_TEST_CASE("filters and wraps do what they are named") {
-    const std::array<float, 8> texels{0, 0, 0, 0, 1, 1, 1, 1};  // two texels, x to the right
-    // An image of 8 pixels over coordinates 0 .. 2: the second half is beyond the edge.
+    const std::array<float, 8> texels{0, 0, 0, 0, 1, 1, 1, 1};  // two texels side by side
+    // The image has 8 pixels over coordinates 0 .. 2, so its second half lies beyond the edge.
     const Define scale{"SCALE", "vec2(2.0, 1.0)"};
     const Program program = Program::graphics(context, embedded_shader("fullscreen.vert"),
                                               test_shader("gather.frag"), {&scale, 1});
@@ -139,7 +139,7 @@ GL_TEST_CASE("render targets outside the limits are refused") {
             target.read(i, pixels);
             CHECK(pixels == std::vector<float>(pixels.size(), static_cast<float>(i)));
         }
-        // What is written comes back, from its attachment alone.
+        // Written pixels can be read back from their attachment, and other attachments stay unchanged.
         std::vector<float> written(pixels.size());
         for (std::size_t i = 0; i < written.size(); ++i) written[i] = 0.5F * static_cast<float>(i) - 3;
         target.write(1, written);

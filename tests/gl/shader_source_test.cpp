@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The text side of shaders: includes, definitions, message translation.
+// Tests of shader text: includes, definitions and message translation.
 #include "gl/shader_source.hpp"
 
 #include "gl/test_shaders.hpp"

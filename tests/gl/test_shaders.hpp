@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The shaders of tests/gl/shaders, embedded like those of glsl/.
+// The shaders of tests/gl/shaders, embedded in the same way as those of glsl/.
 #pragma once
 
 #include <span>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Convolution: the theorem against the integral over the sphere, block by block, with the wrong variants.
+// Tests of convolution: the theorem against the integral over the sphere, block by block, and against wrong
+// variants.
 #include "harmonics/convolution.hpp"
 
 #include "harmonics/evaluate.hpp"
@@ -13,7 +14,8 @@ using reference::random_kernel;
 
 namespace {
 
-/// Eq. 63: over all input directions, the kernel between frames along the great circle.
+/// Evaluates Eq. 63: the integral over all input directions, with the kernel between frames along the great
+/// circle.
 Stokes angular(const ConvolutionKernel& kernel, const PshVector& field, const glm::dvec3& to) {
     const int order = static_cast<int>(kernel.size()) - 1 + field.order();
     const LatitudeRows rows = gauss_legendre_rows(order / 2 + 2);

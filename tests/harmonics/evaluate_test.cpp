@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Values of fields: against the definition in high precision, at the poles too.
+// Tests of field values against the definition in high precision, including the poles.
 #include "harmonics/evaluate.hpp"
 
 #include "harmonics/reference.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lights in the layout of tables and vertices.
+// Light coefficients in the layout of tables and vertices.
 #pragma once
 
 #include <complex>
@@ -15,7 +15,8 @@ namespace nicol::test {
 inline constexpr std::initializer_list<LightKind> kLightKinds = {LightKind::unpolarized, LightKind::linear,
                                                                  LightKind::full};
 
-/// The numbers of one channel's coefficients, [psh_index(l, m)][4].
+/// Returns the numbers of one channel's coefficients in the layout's order. `channel` is [psh_index(l,
+/// m)][4].
 inline std::vector<double> light_coefficients(const LightLayout& layout, std::span<const double> channel) {
     std::vector<double> out;
     for (const auto& [first, second] : layout.terms())
@@ -24,7 +25,7 @@ inline std::vector<double> light_coefficients(const LightLayout& layout, std::sp
     return out;
 }
 
-/// For each pair of a row, even + i odd; a part that m = 0 lacks is 0.
+/// Returns even + i odd for each pair of a row. A part that m = 0 lacks is 0.
 inline std::vector<std::complex<double>> light_pairs(const LightLayout& layout,
                                                      std::span<const double> channel) {
     const std::vector<double> numbers = light_coefficients(layout, channel);
@@ -39,7 +40,8 @@ inline std::vector<std::complex<double>> light_pairs(const LightLayout& layout,
     return out;
 }
 
-/// Rows [p][pairing][j] of a response times light in these pairs: what a viewer at azimuth 0 sees.
+/// Multiplies rows [p][pairing][j] of a response with light in pairs. The result is the Stokes vector for a
+/// viewer at azimuth 0.
 template <class Number>
 Stokes rows_times_light(std::span<const Number> rows, const std::vector<std::complex<double>>& pairs) {
     const std::size_t pairings = rows.size() / (4 * pairs.size());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Operators: coefficient matrices of Mueller fields act as the fields do.
+// Tests of operators: coefficient matrices of Mueller fields act as the fields do.
 #include "harmonics/operator.hpp"
 
 #include "harmonics/evaluate.hpp"
@@ -13,7 +13,7 @@ using namespace nicol;
 
 namespace {
 
-/// The Mueller field of an isotropic matrix: the kernel sum over all pairs of harmonics, by evaluation.
+/// The Mueller field of a coefficient matrix: the kernel sum over all pairs of harmonics, by evaluation.
 class MuellerOfMatrix {
 public:
     explicit MuellerOfMatrix(const CoefficientMatrix& matrix) : matrix_(matrix) {}
@@ -32,7 +32,7 @@ public:
     }
 
 private:
-    /// The basis of Eq. 29 at a direction.
+    /// Returns the basis of Eq. 29 at a direction.
     static std::vector<Stokes> basis(int order, const glm::dvec3& direction) {
         std::vector<double> scalar(psh_count(order));
         std::vector<std::complex<double>> spin2(scalar.size());
@@ -69,7 +69,7 @@ TEST_CASE("projection inverts the kernel sum: all nine blocks, 16 of 16 elements
 
 TEST_CASE("the operator in coefficients is the integral over directions (Eq. 39)") {
     std::mt19937_64 random(2);
-    // Smooth, of no symmetry, in frames of the directions.
+    // A smooth field without symmetry, in the frames of the directions.
     const MuellerField field = [](const glm::dvec3& in, const glm::dvec3& out) {
         const double a = in.x * out.y + .3 * in.z;
         const double b = in.y * out.z - .2 * out.x;
@@ -144,7 +144,8 @@ TEST_CASE(
                     const std::size_t j = 4 * psh_index(k, n);
                     if (std::abs(m) != std::abs(n))
                         for (std::size_t p = 0; p < 16; ++p) CHECK(d(i + p / 4, j + p % 4) == 0);
-                    // Isomorphic part off m = n, conjugation part off m = -n.
+                    // The isomorphic part vanishes except for m = n, and the conjugation part except for m =
+                    // -n.
                     if (m != n) CHECK(std::abs(d(i + 1, j + 1) + d(i + 2, j + 2)) < 1e-14);
                     if (m != n) CHECK(std::abs(d(i + 2, j + 1) - d(i + 1, j + 2)) < 1e-14);
                     if (m != -n) CHECK(std::abs(d(i + 1, j + 1) - d(i + 2, j + 2)) < 1e-14);
@@ -182,7 +183,8 @@ TEST_CASE("the mirror image (supplement E.6)") {
     CHECK(largest_difference(reflected(g).data(), f.data()) == 0);
     for (int i = 0; i < 20; ++i) {
         const glm::dvec3 d = reference::random_direction(random);
-        // The mirrored theta-hat is minus that of the mirrored point: s2 changes sign, and so does s3.
+        // The mirrored theta-hat is the negative of theta-hat at the mirrored point, so s2 and s3 change
+        // sign.
         const Stokes s = evaluate(f, 0, {d.x, d.y, -d.z});
         const Stokes want(s[0], s[1], -s[2], -s[3]);
         const Stokes have = evaluate(g, 0, d);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Visibility times light: the matrix of triple products and the grid product are the same and match the
-// directions.
+// Tests of visibility times light: the matrix of triple products equals the grid product, and both equal the
+// product by direction.
 #include "harmonics/product.hpp"
 
 #include "files/npz.hpp"
@@ -25,7 +25,7 @@ PshVector as_field(const std::vector<double>& scalar, int order) {
     return out;
 }
 
-/// The last array of a file of the authors; empty where there is none.
+/// Returns the last array of a data file of the paper's authors, or nothing if the file is absent.
 std::vector<double> npz_values(const std::string& name) {
     const auto file = test_data("polarsh/" + name);
     return file.empty() ? std::vector<double>() : read_npz_member(file, npz_members(file).back()).values;

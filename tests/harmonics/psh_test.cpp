@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Coefficient vectors: layout and refused arguments.
+// Tests of coefficient vectors: layout and refused arguments.
 #include "harmonics/psh.hpp"
 
 #include "test.hpp"

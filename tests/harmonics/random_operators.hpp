@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Random operators with the symmetries that real s0 and s3 ask for.
+// Random operators with the symmetries that real s0 and s3 require.
 #pragma once
 
 #include <algorithm>
@@ -27,7 +27,7 @@ nicol::IsotropicMatrix random_isotropic(Random& random, int order_out, int order
                     b[e] = {normal(random), m == 0 && !spin_out && !spin_in ? 0 : normal(random)};
                 }
                 if (m > 0) continue;
-                // At m = 0 lanes 2 and 3 are conjugates of each other, and lanes 0 and 1 real.
+                // At m = 0 lanes 2 and 3 are complex conjugates, and lanes 0 and 1 are real.
                 for (const std::size_t a : {0U, 1U}) {
                     b[4 * a + 3] = std::conj(b[4 * a + 2]);
                     b[12 + a] = std::conj(b[8 + a]);
@@ -38,7 +38,7 @@ nicol::IsotropicMatrix random_isotropic(Random& random, int order_out, int order
     return matrix;
 }
 
-/// All numbers of one order of a kernel, the first four real.
+/// Returns all numbers of one order of a kernel. The first four are real.
 inline std::array<std::complex<double>, 10> parts_of(const nicol::KernelBand& k) {
     return {k.k00, k.k03, k.k30, k.k33, k.p0, k.p3, k.from_p0, k.from_p3, k.iso, k.conj};
 }
@@ -58,7 +58,7 @@ nicol::ConvolutionKernel random_kernel(Random& random, int order) {
     return out;
 }
 
-/// The largest difference of any part of two kernels of the same order.
+/// Returns the largest difference between the parts of two kernels of equal order.
 inline double kernel_difference(const nicol::ConvolutionKernel& a, const nicol::ConvolutionKernel& b) {
     double most = a.size() == b.size() ? 0 : HUGE_VAL;
     for (std::size_t l = 0; l < std::min(a.size(), b.size()); ++l)

@@ -22,7 +22,7 @@ std::vector<Real> factorials(int count) {
     return out;
 }
 
-/// The sum loses up to 2 l bits to cancellation.
+/// Evaluates Wigner's sum, which loses up to 2 l bits to cancellation.
 template <unsigned Bits>
 double wigner_sum(int l, int m, int n, double theta) {
     using Real = mp::number<mp::cpp_bin_float<Bits, mp::digit_base_2>, mp::et_off>;

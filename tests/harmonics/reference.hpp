@@ -15,20 +15,20 @@
 
 namespace reference {
 
-/// d^l_{mn}(theta) for the exact value of the double theta, by Wigner's sum; right to all digits up to l =
-/// 4096.
+/// Returns d^l_{mn}(theta) for the exact value of the double theta, by Wigner's sum. All digits are right up
+/// to l = 4096.
 double wigner_d(int l, int m, int n, double theta);
 
-/// sY_lm(theta, 0) from it.
+/// Returns sY_lm(theta, 0), computed from wigner_d().
 double spin_harmonic(int spin, int l, int m, double theta);
 
-/// (l1 l2 l3; m1 m2 m3) by Racah's sum, right to all digits for l up to 200.
+/// Returns (l1 l2 l3; m1 m2 m3) by Racah's sum. All digits are right up to l = 200.
 double wigner_3j(int l1, int l2, int l3, int m1, int m2, int m3);
 
-/// Standard normal coefficients; p = 1, 2 below l = 2 stay zero.
+/// Returns standard normal coefficients. p = 1, 2 stay zero below l = 2.
 nicol::PshVector random_field(std::mt19937_64& random, int order, int channels = 1);
 
-/// A rotation uniform over all.
+/// Returns a uniformly distributed random rotation.
 glm::dmat3 random_rotation(std::mt19937_64& random);
 glm::dmat3 about_z(double angle);
 glm::dmat3 about_y(double angle);
@@ -36,10 +36,10 @@ glm::dmat3 about_y(double angle);
 using ::direction;
 using ::random_direction;
 
-/// The theta-phi frame by its definition.
+/// Returns the theta-phi frame by its definition.
 nicol::Frame theta_phi(const glm::dvec3& direction);
 
-/// exp(-2 i psi) with to = from Rz(psi): what multiplies s1 + i s2 (Eq. 14).
+/// Returns exp(-2 i psi) with to = from Rz(psi): the factor of s1 + i s2 (Eq. 14).
 std::complex<double> frame_change(const nicol::Frame& from, const nicol::Frame& to);
 
 }  // namespace reference

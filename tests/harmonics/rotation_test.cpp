@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Rotation of fields: against evaluation, as a group, and at the angles where Euler angles break down.
+// Tests of field rotation: against evaluation, as a group, and at the angles where Euler angles degenerate.
 #include "harmonics/rotation.hpp"
 
 #include "harmonics/evaluate.hpp"
@@ -12,7 +12,7 @@ using reference::about_z;
 
 namespace {
 
-/// Largest deviation of g(w) from R_S f(R^-1 w) at random directions (Eq. 25).
+/// Returns the largest deviation of g(w) from R_S f(R^-1 w) at random directions (Eq. 25).
 double deviation(const PshVector& f, const PshVector& g, const glm::dmat3& rotation,
                  std::mt19937_64& random) {
     double worst = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Real harmonics of scalar functions.
+// Real spherical harmonics of scalar functions.
 #pragma once
 
 #include <cmath>
@@ -13,7 +13,7 @@
 
 namespace nicol::test {
 
-/// At a direction, [psh_index(l, m)].
+/// Returns the harmonics at a direction, [psh_index(l, m)].
 inline std::vector<double> scalar_harmonics(int order, const glm::dvec3& direction) {
     std::vector<double> out(psh_count(order));
     std::vector<std::complex<double>> spin2(out.size());
@@ -21,7 +21,7 @@ inline std::vector<double> scalar_harmonics(int order, const glm::dvec3& directi
     return out;
 }
 
-/// Coefficients of a function of the direction.
+/// Returns the coefficients of a function of the direction.
 template <class Function>
 std::vector<double> project_scalar(int order, const Function& f) {
     const LatitudeRows rows = gauss_legendre_rows(128);

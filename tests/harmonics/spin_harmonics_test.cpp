@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Spin harmonics against explicit sums in high precision, next to and at both poles.
+// Tests of spin harmonics against explicit sums in high precision, near and at both poles.
 #include "harmonics/spin_harmonics.hpp"
 
 #include "harmonics/grid.hpp"
@@ -16,7 +16,7 @@ double norm(int l) {
     return std::sqrt((2 * l + 1) / (4 * pi));
 }
 
-/// The degrees that are compared: the edges, those near the spin, some between.
+/// Returns the degrees to compare: the edges, those near the spin, and some in between.
 std::vector<int> degrees(int l) {
     std::vector<int> out;
     for (const int m : {0, 1, 2, 3, 4, l / 3, 2 * l / 3, l - 2, l - 1, l}) {
@@ -78,7 +78,7 @@ TEST_CASE("no value is lost up to order 4096") {
     std::vector<double> y(psh_count(kMaxOrder));
     for_all({1e-3, .3, .4, pi}, {0, 2}, [&](double theta, int spin) {
         spin_harmonics(spin, kMaxOrder, theta, y);
-        // sum over m of |sY_lm|^2 is (2l+1)/4pi everywhere: it fails if any value that counts is missing.
+        // The sum over m of |sY_lm|^2 is (2l+1)/4pi everywhere, so a missing significant value is detected.
         for (const int l : {2, 1075, 2048, 4096}) {
             double sum = 0;
             for (int m = -l; m <= l; ++m) sum += y[psh_index(l, m)] * y[psh_index(l, m)];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Random orders, directions, rotations and coefficients of every size at the whole folder. The seed is
-// printed and can be given in NICOL_STRESS_SEED; NICOL_STRESS_CASES sets how many.
+// Random orders, directions, rotations and coefficients of every magnitude, tested on the whole folder. The
+// seed is printed and can be set with NICOL_STRESS_SEED; NICOL_STRESS_CASES is the number of cases.
 #include "harmonics/evaluate.hpp"
 #include "harmonics/product.hpp"
 #include "harmonics/reference.hpp"
@@ -26,7 +26,7 @@ public:
         return std::uniform_real_distribution<double>(low, high)(random_);
     }
 
-    /// Coefficients of one scale: ordinary, huge, tiny, denormal or zero; some of them zeroed.
+    /// Returns coefficients of one magnitude: ordinary, huge, tiny, denormal or zero. Some are set to zero.
     PshVector field(int order) {
         PshVector f = reference::random_field(random_, order);
         const double scales[] = {1, 1, 1e280, 1e-280, 1e-310, 0};
@@ -35,9 +35,9 @@ public:
         for (double& value : f.data()) value = sparse && integer(0, 3) != 0 ? 0 : value * scale_;
         return f;
     }
-    /// What an error is measured in.
+    /// Returns the unit of errors.
     [[nodiscard]] double unit(int order) const { return scale_ * (order + 1) * (order + 1); }
-    /// A relative bound, and the rounding of denormal numbers.
+    /// Returns a relative bound plus the rounding of denormal numbers.
     [[nodiscard]] double bound(double relative, int order) const {
         return relative * unit(order) + 5e-324 * 4 * (order + 1) * (order + 1);
     }
@@ -77,7 +77,7 @@ private:
     double scale_ = 1;
 };
 
-/// The largest deviation between evaluation of a rotated field and the rotated evaluation.
+/// Compares evaluation of a rotated field with the rotated evaluation.
 void check_rotation(Case& one) {
     const int order = one.integer(0, 40);
     const PshVector f = one.field(order);
@@ -87,7 +87,7 @@ void check_rotation(Case& one) {
     const glm::dvec3 d = one.direction();
     const Stokes in = evaluate(f, 0, d);
     const Stokes out = evaluate(g, 0, r * d);
-    // Intensity, circular part and degree of linear polarization need no frame.
+    // Intensity, circular part and degree of linear polarization do not depend on the frame.
     CHECK(std::abs(in[0] - out[0]) <= one.bound(1e-12, order));
     CHECK(std::abs(in[3] - out[3]) <= one.bound(1e-12, order));
     CHECK(std::abs(std::hypot(in[1], in[2]) - std::hypot(out[1], out[2])) <= one.bound(1e-12, order));
@@ -117,7 +117,7 @@ void check_product(Case& one) {
     std::vector<double> v(psh_count(lv));
     double size = 0;
     for (std::size_t i = 0; i < v.size(); ++i) size = std::max(size, std::abs(v[i] = scalar.data()[4 * i]));
-    // The product itself must stay within the range of double.
+    // The scalar is normalized, because the product must stay within the range of double.
     if (size > 1e200)
         for (double& value : v) value /= size;
     size = std::min(size, 1.0);
@@ -133,7 +133,8 @@ void check_product(Case& one) {
     for (int p = 0; p < 4; ++p) CHECK(std::abs(want[p] - have[p]) <= 1e-11 * unit * largest + 1e-319);
 }
 
-/// Anything may be refused, nothing may crash or give a value that is not finite.
+/// Passes invalid values. Any function may refuse them, but none may crash or return a value that is not
+/// finite.
 void check_hostile(Case& one) {
     const double values[] = {0, -1, NAN, INFINITY, -INFINITY, 1e308, -1e308, 5e-324, 1};
     const auto any = [&] { return values[one.integer(0, 8)]; };

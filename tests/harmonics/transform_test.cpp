@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Transforms: exact on every grid for band-limited fields, and equal to evaluation point by point.
+// Tests of transforms: exact on every grid for band-limited fields, and equal to evaluation at each point.
 #include "harmonics/transform.hpp"
 
 #include "harmonics/evaluate.hpp"
@@ -36,7 +36,7 @@ TEST_CASE("round trips are exact on every grid") {
         check(order, clenshaw_curtis_rows(2 * order + 2), 2 * order + 2, bound);
     }
     check(1000, gauss_legendre_rows(1001), 2016, 5e-12);
-    // Rows far longer than the order needs.
+    // These rows are far longer than the order needs.
     for (const auto& [order, columns] :
          {std::pair(9, 64), {9, 516}, {0, 1024}, {4, 66}, {3, 4096}, {40, 400}, {8, 68}})
         check(order, gauss_legendre_rows(order + 1), columns, 1e-13);
@@ -92,7 +92,7 @@ TEST_CASE("rows that are not mirrored between north and south work, too") {
         }
         ++row;
     }
-    // Analysis is the adjoint of synthesis under the weights, whatever the rows.
+    // Analysis is the adjoint of synthesis under the weights for any rows.
     std::vector<double> back(f.data().size());
     part.analyze(b, back);
     double left = 0;

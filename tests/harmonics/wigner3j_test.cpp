@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// 3j symbols against Racah's sum.
+// Tests of 3j symbols against Racah's sum.
 #include "harmonics/wigner3j.hpp"
 
 #include "harmonics/reference.hpp"
@@ -34,7 +34,7 @@ TEST_CASE("large symbols keep their relative accuracy, also where they are tiny"
             CAPTURES(l1, l2, m2);
             CHECK(std::abs(run.at(l1) - want) < 1e-12 * std::max(std::abs(want), .05 * largest));
         }
-        // The ends, far below the largest, relatively.
+        // The ends lie far below the largest value, so they are compared relatively.
         CHECK(run.at(run.first_l1) ==
               doctest::Approx(reference::wigner_3j(run.first_l1, l2, l3, -m2 - m3, m2, m3)).epsilon(1e-10));
         CHECK(run.at(l2 + l3) ==
@@ -53,7 +53,7 @@ TEST_CASE(
             sum += (2.0 * (run.first_l1 + static_cast<int>(i)) + 1) * run.value[i] * run.value[i];
         CHECK(sum == doctest::Approx(1).epsilon(1e-11));
     }
-    // Orthogonality of two runs with other degrees of the same sum.
+    // Runs with different degrees of equal sum are orthogonal.
     const Wigner3jRun a = wigner_3j_run(500, 400, 20, -7);
     const Wigner3jRun b = wigner_3j_run(500, 400, 300, -287);
     double dot = 0;

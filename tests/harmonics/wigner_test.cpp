@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Wigner matrices against explicit sums, and as a representation of the rotation group.
+// Tests of Wigner matrices against explicit sums, and as a representation of the rotation group.
 #include "harmonics/wigner.hpp"
 
 #include "harmonics/reference.hpp"
@@ -14,7 +14,7 @@ double entry(const std::vector<double>& d, int l, int m, int n) {
     return d[wigner_offset(l) + static_cast<std::size_t>((m + l) * (2 * l + 1) + n + l)];
 }
 
-// d^l alone, of orders above kMaxWignerOrder too, by row m + l and column n + l.
+// Returns d^l alone, also above kMaxWignerOrder, by row m + l and column n + l.
 std::vector<double> single_block(int l, double beta) {
     WignerSweep sweep(l, {std::sin(beta / 2), std::cos(beta / 2)});
     while (sweep.l() < l) sweep.step();
@@ -81,7 +81,7 @@ TEST_CASE("entries that start below the range of double grow back") {
         CHECK(std::abs(have - want) < 1e-12);
         if (m - n == 900) largest = std::max(largest, std::abs(want));
     }
-    CHECK(largest > .01);  // from a first value of 2^-1390
+    CHECK(largest > .01);  // grown from a first value of 2^-1390
 }
 
 TEST_CASE("rows that pass from far below the range of double to one keep their length") {

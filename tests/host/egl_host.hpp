@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// An application with OpenGL contexts of its own, as far as the library under test can tell: EGL without a
-// surface.
+// An application with its own OpenGL contexts, by EGL without a surface. The library cannot tell the
+// difference.
 #pragma once
 
 #define EGL_NO_X11
@@ -47,7 +47,7 @@ enum class Profile { core, compatibility };
 /// Profile of the contexts that the running test case makes.
 inline Profile profile_under_test = Profile::core;
 
-/// Calls test() once a profile.
+/// Calls test() once per profile.
 inline void on_every_profile(void (*test)()) {
     for (const Profile profile : {Profile::core, Profile::compatibility}) {
         CAPTURE(static_cast<int>(profile));
@@ -56,7 +56,7 @@ inline void on_every_profile(void (*test)()) {
     }
 }
 
-/// A test case that runs in applications of each profile.
+/// A test case that runs once per profile of the application.
 #define HOST_TEST_CASE(title) HOST_TEST_CASE_NAMED(title, DOCTEST_ANONYMOUS(run_in_))
 #define HOST_TEST_CASE_NAMED(title, run)  \
     static void run();                    \
@@ -65,7 +65,7 @@ inline void on_every_profile(void (*test)()) {
     }                                     \
     static void run()
 
-/// A context of the application's, current on this thread from the start.
+/// A context of the application, current on this thread from the start.
 class Application {
 public:
     explicit Application(EGLContext shared = EGL_NO_CONTEXT) {
@@ -122,7 +122,7 @@ inline nicol_host host() {
     return access;
 }
 
-/// A context of the library's inside the one that is current.
+/// Returns a context of the library inside the current one.
 inline nicol_context make_host_context() {
     const nicol_host access = host();
     const nicol_context_options options = two_threads(NICOL_BACKEND_AUTOMATIC);

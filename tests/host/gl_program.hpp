@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Programs of the application's.
+// OpenGL programs of the application.
 #pragma once
 
 #include <glad/gl.h>
@@ -34,7 +34,7 @@ inline GLuint program_of(const GladGLContext& gl) {
                        {GL_FRAGMENT_SHADER, "#version 450\nout vec4 c; void main() { c = vec4(1); }"}});
 }
 
-/// Its vertices can be captured by transform feedback.
+/// Returns a program whose vertices transform feedback can capture.
 inline GLuint captured_program(const GladGLContext& gl) {
     return program_of(gl, {{GL_VERTEX_SHADER,
                             "#version 450\nlayout(xfb_buffer = 0, xfb_offset = 0) out vec4 v;"

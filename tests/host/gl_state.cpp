@@ -12,7 +12,7 @@ namespace {
 struct Named {
     std::string name;
     GLenum value;
-    int count = 1;  ///< of numbers
+    int count = 1;  ///< number of values
 };
 using Names = std::vector<Named>;
 
@@ -26,7 +26,7 @@ Names named(int count, const std::string& names, std::initializer_list<GLenum> v
     }
     return all;
 }
-/// Constants of OpenGL, each of so many numbers, with their names.
+/// Constants of OpenGL with their names, each of `count` values.
 #define NAMED(count, ...) named(count, #__VA_ARGS__, {__VA_ARGS__})
 
 const Names capabilities = NAMED(
@@ -68,7 +68,7 @@ const Names values[] = {
     NAMED(4, GL_COLOR_CLEAR_VALUE, GL_BLEND_COLOR, GL_PATCH_DEFAULT_OUTER_LEVEL),
     NAMED(2, GL_POLYGON_MODE, GL_PATCH_DEFAULT_INNER_LEVEL)};
 
-// Of compatibility contexts; their names are not in the core loader.
+// Capabilities of compatibility contexts. The core-profile loader does not define their names.
 const Names old_capabilities = {{"GL_ALPHA_TEST", 0x0BC0},
                                 {"GL_POLYGON_STIPPLE", 0x0B42},
                                 {"GL_LIGHTING", 0x0B50},
@@ -118,7 +118,7 @@ const Names unit_bindings =
           GL_TEXTURE_BINDING_2D_ARRAY, GL_TEXTURE_BINDING_RECTANGLE, GL_TEXTURE_BINDING_BUFFER,
           GL_TEXTURE_BINDING_CUBE_MAP, GL_TEXTURE_BINDING_CUBE_MAP_ARRAY, GL_TEXTURE_BINDING_2D_MULTISAMPLE,
           GL_TEXTURE_BINDING_2D_MULTISAMPLE_ARRAY, GL_SAMPLER_BINDING);
-// Of each draw buffer, viewport, image unit or binding point.
+// State of each draw buffer, viewport, image unit or binding point.
 const Names of_draw_buffers[] = {NAMED(1, GL_BLEND_SRC_RGB, GL_BLEND_DST_RGB, GL_BLEND_SRC_ALPHA,
                                        GL_BLEND_DST_ALPHA, GL_BLEND_EQUATION_RGB, GL_BLEND_EQUATION_ALPHA),
                                  NAMED(4, GL_COLOR_WRITEMASK)};
@@ -171,7 +171,7 @@ public:
     }
 
     void vertex_attributes() {
-        // In compatibility contexts attribute 0 has no current value.
+        // Attribute 0 has no current value in compatibility contexts.
         for (GLuint i = 1; i < static_cast<GLuint>(integer(gl_, GL_MAX_VERTEX_ATTRIBS)); ++i) {
             std::array<GLdouble, 4> current{};
             GLint enabled = 0, buffer = 0;

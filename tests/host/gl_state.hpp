@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Everything OpenGL tells of a context's state, by name, to compare before and after.
+// Snapshots of a context's complete state by name, for comparisons before and after calls.
 #pragma once
 
 #include <glad/gl.h>
@@ -13,9 +13,9 @@ namespace host_test {
 using GlState = std::map<std::string, std::vector<double>>;
 
 [[nodiscard]] GlState gl_state(const GladGLContext& gl);
-/// Names whose values differ, with both values.
+/// Returns the names whose values differ, with both values.
 [[nodiscard]] std::string difference(const GlState& before, const GlState& after);
-/// Which names from 1 on are objects, by kind.
+/// Returns the existing object names, counted from 1, by kind.
 [[nodiscard]] GlState gl_names(const GladGLContext& gl);
 
 }  // namespace host_test

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Contexts inside an application's: where they work, where they refuse to, and how they go.
+// Tests of contexts inside an application's context: when they work, when they refuse to, and how they end.
 #include <optional>
 #include <thread>
 
@@ -94,7 +94,7 @@ HOST_TEST_CASE("calls refuse to work where the host's context is not current") {
     Application::leave();
     refused();
     {
-        // Of the same driver, with the same names in it, but another one.
+        // Another context of the same driver, which has objects of the same names.
         const Application other;
         GLuint arrays[8] = {};
         other.gl.CreateVertexArrays(8, arrays);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Images that stay on the device: the framebuffer's own textures, and those of the application drawn into.
+// Tests of images that stay on the device: the framebuffer's own textures, and drawing into textures of the
+// application.
 #include "host/egl_host.hpp"
 
 using namespace host_test;
@@ -41,7 +42,7 @@ double srgb(double v) {
     return v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1 / 2.4) - 0.055;
 }
 
-/// Red, green, blue and 1 from the three channels' Stokes vectors.
+/// Returns an RGBA image with alpha 1, its colours from the three channels' Stokes vectors by `seen`.
 template <class F>
 std::vector<float> image(const std::vector<float>& stokes, F seen) {
     std::vector<float> values(std::size_t{4} * width * height, 1);
@@ -160,7 +161,7 @@ HOST_TEST_CASE("the other images are those of the planes") {
         REQUIRE(double(degree[i]) == doctest::Approx(dolp).epsilon(1e-4));
         REQUIRE(double(positive[i + 1] - positive[i]) == doctest::Approx(4 * s[1]).epsilon(1e-4));
         REQUIRE(std::min(positive[i], positive[i + 1]) == 0);
-        // Red where the angle is 0, cyan where it is 90 degrees; the brightest of the three is DoLP.
+        // The colour is red at 0 degrees and cyan at 90 degrees, and its brightest component is the DoLP.
         REQUIRE(double(std::max({angle[i], angle[i + 1], angle[i + 2]})) ==
                 doctest::Approx(dolp).epsilon(1e-4));
         if (dolp > 0.1 && std::abs(s[2]) < 0.1 * std::abs(s[1]))

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Jobs inside an application's OpenGL: they compute elsewhere, and give their commands where the context is
-// lent.
+// Tests of jobs inside an application's OpenGL. Jobs compute on other threads and issue commands only while
+// the context is lent.
 #include <thread>
 
 #include "capi/jobs.hpp"
@@ -122,7 +122,7 @@ HOST_TEST_CASE("the context is lent where it is current, and nowhere else") {
         OK(nicol_job_wait(job, NICOL_WAIT_FOREVER));
         Application::leave();
     }).join();
-    OK(nicol_job_wait(job, NICOL_WAIT_FOREVER));  // which is done
+    OK(nicol_job_wait(job, NICOL_WAIT_FOREVER));  // the job is already done
     hosted.application.enter();
 }
 
@@ -147,7 +147,7 @@ HOST_TEST_CASE("a job that waits for the context can be cancelled") {
     OK(nicol_scene_set_transform(stage.scene, 0, placed(0.5, 0, 0).rows));
     const Owned job(submit(stage, drawn()));
     word.current = word.asked = false;
-    while (!word.asked) CHECK(poll(job).state != NICOL_JOB_DONE);  // asked once there are commands
+    while (!word.asked) CHECK(poll(job).state != NICOL_JOB_DONE);  // called only once there are commands
     OK(nicol_job_cancel(job));
     CHECK(poll_until_done(job).result == NICOL_ERROR_CANCELLED);
     word.current = true;

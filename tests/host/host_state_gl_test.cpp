@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// An application's OpenGL state, however odd, is the same after every call, and does not show in the image.
+// Tests that calls preserve an application's OpenGL state, however unusual, and that the state does not
+// affect the image.
 #include <functional>
 
 #include "host/egl_host.hpp"
@@ -10,7 +11,7 @@ using namespace host_test;
 
 namespace {
 
-/// Nothing as a fresh context has it; most of it would spoil an image drawn with it.
+/// Changes every state from its initial value. Most of the changes would spoil an image drawn with them.
 void disarrange(const GladGLContext& gl) {
     if (profile_under_test == Profile::compatibility) {
         gl.Enable(0x0BC0);               // GL_ALPHA_TEST

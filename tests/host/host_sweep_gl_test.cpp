@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Each state of OpenGL, alone at an unusual value, neither shows in images nor is changed by calls.
+// Tests of each OpenGL state alone at an unusual value: it neither affects images nor is changed by calls.
 #include "host/egl_host.hpp"
 #include "host/gl_state.hpp"
 #include "host/unusual_state.hpp"
@@ -20,7 +20,7 @@ UnusualStates every_state() {
     return all;
 }
 
-/// Uploads, renders by threads and on the device, reads and draws into `texture`; the images that were read.
+/// Uploads, renders with threads and on the device, reads, and draws into `texture`. Returns the images read.
 std::vector<float> images(nicol_context context, GLuint texture) {
     const Stage stage(context);
     std::vector<float> all;

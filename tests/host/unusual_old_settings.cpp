@@ -7,7 +7,7 @@ namespace {
 
 using Gl = GladGLContext;
 
-/// A function of compatibility contexts, which the core loader does not have.
+/// Calls a function of compatibility contexts, which the core-profile loader does not define.
 template <class... Parameters>
 void old(const char* name, Parameters... arguments) {
     reinterpret_cast<void (*)(Parameters...)>(egl().proc_address(name))(arguments...);

@@ -49,7 +49,7 @@ UnusualStates capabilities() {
     return states;
 }
 
-/// Settings of the tests and blending that fragments and samples go through.
+/// Returns settings of the tests and the blending of fragments and samples.
 UnusualStates fragment_states() {
     UnusualStates states{
         {"depth function", [](const Gl& gl, bool on) { gl.DepthFunc(on ? GL_NEVER : GL_LESS); }},
@@ -103,7 +103,7 @@ UnusualStates fragment_states() {
                  gl.BlendFuncSeparate(GL_ONE, GL_ZERO, on ? factor : GL_ONE, GL_ZERO);
              }});
     }
-    constexpr GLenum multiply = 0x9294;  // GL_MULTIPLY_KHR, of an extension
+    constexpr GLenum multiply = 0x9294;  // GL_MULTIPLY_KHR of an extension
     states.push_back({"advanced blending", [](const Gl& gl, bool on) {
                           gl.BlendEquation(on ? multiply : GL_FUNC_ADD);
                           static_cast<void>(gl.GetError());
@@ -123,7 +123,7 @@ UnusualStates fragment_states() {
     return states;
 }
 
-/// Settings that vertices and primitives go through.
+/// Returns settings of vertex and primitive processing.
 UnusualStates primitive_states() {
     UnusualStates states{
         {"culled face",

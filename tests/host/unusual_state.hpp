@@ -12,15 +12,16 @@ namespace host_test {
 
 struct UnusualState {
     std::string name;
-    /// Gives the state an unusual value, or its initial one again.
+    /// Gives the state an unusual value, or its initial one.
     std::function<void(const GladGLContext& gl, bool unusual)> set;
 };
 using UnusualStates = std::vector<UnusualState>;
 
 [[nodiscard]] UnusualStates unusual_settings();
-/// Bound objects, and what is begun and not ended. The objects stay until their context goes.
+/// Returns bound objects, and operations begun and not ended. The objects exist until their context is
+/// destroyed.
 [[nodiscard]] UnusualStates unusual_bindings();
-/// States that compatibility contexts alone have.
+/// Returns states that only compatibility contexts have.
 [[nodiscard]] UnusualStates unusual_old_settings();
 
 /// A constant of OpenGL.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bitmaps of every kind, from bytes that are put together here.
+// Tests of bitmaps of every kind, built byte by byte.
 #include "image/bitmap.hpp"
 
 #include <zlib.h>
@@ -25,7 +25,7 @@ Bytes little(std::uint32_t value, int count) {
     return out;
 }
 
-// rows: each with its filter in front.
+// Returns a PNG. Each row in `rows` starts with its filter byte.
 Bytes png(std::uint32_t width, std::uint32_t height, char bits, char kind, const Bytes& rows,
           const Bytes& palette = "") {
     const auto chunk = [](const Bytes& name, const Bytes& content) {
@@ -43,16 +43,16 @@ Bytes png(std::uint32_t width, std::uint32_t height, char bits, char kind, const
            (palette.empty() ? "" : chunk("PLTE", palette)) + chunk("IDAT", packed) + chunk("IEND", "");
 }
 
-// 2 x 1: red, then a dark green, bottom-up B G R as BMP and TGA have it.
+// 2 x 1 pixels, red and dark green, stored bottom-up as B G R in BMP and TGA.
 const Bytes bmp = "BM" + little(14 + 40 + 8, 4) + little(0, 4) + little(54, 4) + little(40, 4) +
                   little(2, 4) + little(1, 4) + little(1, 2) + little(24, 2) + Bytes(24, '\0') +
                   Bytes("\0\0\xff\0\x33\0\0\0", 8);
 const Bytes tga = Bytes("\0\0\2\0\0\0\0\0\0\0\0\0\2\0\1\0\x18\0", 18) + Bytes("\0\0\xff\0\x33\0", 6);
-// Two pixels of one run.
+// A run-length encoded TGA: two pixels in one run.
 const Bytes tga_runs = Bytes("\0\0\x0a\0\0\0\0\0\0\0\0\0\2\0\1\0\x18\0", 18) + Bytes("\x81\0\0\xff", 4);
 const Bytes hdr =
     Bytes("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 2\n") + Bytes("\x80\x40\0\x85\x80\x80\x80\x80", 8);
-// libjpeg's of 8 x 8 pixels of (200, 100, 50).
+// 8 x 8 pixels of (200, 100, 50), written by libjpeg.
 const std::array<unsigned char, 285> jpeg{
     0xff, 0xd8, 0xff, 0xe0, 0x00, 0x10, 0x4a, 0x46, 0x49, 0x46, 0x00, 0x01, 0x01, 0x00, 0x00, 0x01, 0x00,
     0x01, 0x00, 0x00, 0xff, 0xdb, 0x00, 0x43, 0x00, 0x02, 0x01, 0x01, 0x01, 0x01, 0x01, 0x02, 0x01, 0x01,
@@ -97,7 +97,7 @@ TEST_CASE("bitmaps of every kind are read to the last bit") {
         {"a.tga", tga, 3, {1, 0, 0, 0, dark, 0}},
         {"runs.tga", tga_runs, 3, {1, 0, 0, 1, 0, 0}},
         {"a.hdr", hdr, 3, {16, 8, 0, 0.5F, 0.5F, 0.5F}},
-        // The content counts, whatever the suffix says.
+        // The content decides, whatever the suffix says.
         {"really_png.jpg", png(1, 1, 8, 0, Bytes("\0\x33", 2)), 1, {dark}}};
     const TemporaryFolder folder;
     for (const Row& row : rows) {
@@ -196,7 +196,7 @@ TEST_CASE("bad bitmaps are refused by name, cut short anywhere too") {
             ErrorCode::invalid_file, "21 bytes cannot hold 8192 x 8192 pixels");
     refused("a.png", png(32768, 32768, 8, 0, "\0"), ErrorCode::unsupported, "32768 x 32768 pixels; at most");
     const Bytes photo(reinterpret_cast<const char*>(jpeg.data()), jpeg.size());
-    // Of PNG and JPEG the end mark may be missing: all pixels are there.
+    // PNG and JPEG files may lack the end mark, because all pixels are present.
     for (const auto& [name, bytes, end] : {std::tuple<std::string, Bytes, std::size_t>{
                                                "a.png", png(2, 1, 8, 2, Bytes("\0\xff\0\0\0\x33\0", 7)), 12},
                                            {"a.bmp", bmp, 2},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Files that are damaged, or lie about themselves.
+// Tests of OpenEXR files that are damaged or contradict themselves.
 #include <ImfChannelList.h>
 #include <ImfDeepFrameBuffer.h>
 #include <ImfDeepScanLineOutputFile.h>
@@ -25,7 +25,7 @@ StokesImage some_image() {
     return image;
 }
 
-/// The most memory this process has held so far.
+/// Returns the peak memory of this process so far, in MiB.
 long peak_megabytes() {
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
@@ -41,7 +41,7 @@ void patch(std::string& bytes, const std::string& name, const std::string& type,
     std::memcpy(bytes.data() + at + key.size() + 4, value.data(), 4 * value.size());
 }
 
-/// A small image, zero but for one value.
+/// Writes a small image that is zero except for one value.
 void write_with(const std::filesystem::path& path, const std::string& channel, std::size_t pixel,
                 float value) {
     StokesImage image(4, 3, 3);
@@ -97,7 +97,7 @@ TEST_CASE("sizes beyond reason are refused before they are allocated") {
         write_bytes(folder / "lie.exr", lie);
         check_error(bad, CALL(read_exr(folder / "lie.exr")), "lie.exr");
     }
-    // A text of 2 GB in a file of a few kilobytes.
+    // The header claims a text of 2 GB in a file of a few kilobytes.
     std::string lie = bytes;
     const std::string text = std::string("software") + '\0' + "string" + '\0';
     std::memcpy(lie.data() + lie.find(text) + text.size(), &huge, sizeof huge);
@@ -107,7 +107,7 @@ TEST_CASE("sizes beyond reason are refused before they are allocated") {
 }
 
 TEST_CASE("attributes whose values end elsewhere than their sizes say are refused") {
-    // The library would go on to read at the value's own end, where a size of 2 GB may stand.
+    // OpenEXR would continue to read at the value's own end, where the next size may claim 2 GB.
     const TemporaryFolder folder;
     write_exr(folder / "whole.exr", some_image());
     const std::string bytes = file_bytes(folder / "whole.exr");
@@ -129,7 +129,7 @@ TEST_CASE("attributes whose values end elsewhere than their sizes say are refuse
         write_bytes(folder / "lie.exr", longer(bytes, end_of(name, type)));
         check_error(bad, CALL(read_exr(folder / "lie.exr")), "lie.exr", "the attribute \"", "claims");
     }
-    // The same of types that this library does not write.
+    // Attributes of types that OpenEXR does not write are checked, too.
     const std::string huge = "\xff\xff\xff\x7f";
     for (const std::string& lie : {std::string("a\0stringvector\0\5\0\0\0", 19) + huge + "x",
                                    std::string("preview\0preview\0\10\0\0\0", 20) + huge + huge}) {
@@ -140,7 +140,7 @@ TEST_CASE("attributes whose values end elsewhere than their sizes say are refuse
 }
 
 TEST_CASE("an attribute that comes twice is refused") {
-    // Its libraries would take another one each, and only one of them is checked.
+    // OpenEXR's libraries would each use a different one of the two, and only one is checked.
     const TemporaryFolder folder;
     write_exr(folder / "whole.exr", some_image());
     std::string lie = file_bytes(folder / "whole.exr");

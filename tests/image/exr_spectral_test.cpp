@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Spectral Stokes images, and images of any number of channels.
+// Tests of spectral Stokes images, and of images with any number of channels.
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
@@ -17,7 +17,7 @@ namespace {
 
 constexpr auto bad = ErrorCode::invalid_file;
 
-/// A 2 x 1 image in which channel number i of the list holds i + 1 throughout.
+/// Writes a 2 x 1 image in which channel number i of the list has the value i + 1.
 void write_named(const std::filesystem::path& path, const std::vector<std::string>& names,
                  const std::string& handedness = "", int sampling = 1) {
     Imf::Header header(2, 1);
@@ -57,7 +57,7 @@ TEST_CASE("spectral images come back, in the names of Fichet et al.") {
     CHECK(text("polarisationHandedness") == "right");
     CHECK(text("emissiveUnits") == "W.m^-2.sr^-1");
 
-    // The nearest, in the order asked for.
+    // The nearest wavelengths are read, in the requested order.
     const std::vector<double> wanted = {705, 400, 430};
     const StokesImage chosen = read_exr(folder / "a.exr", wanted);
     CHECK(chosen.wavelengths == std::vector<double>{707.5, 400, 420.5});
@@ -121,7 +121,7 @@ TEST_CASE("spectral files that lack or repeat something are refused") {
     refuse({"S1.500nm", "S2.500nm"}, bad, "no channel S0.500nm");
     refuse({"S0.500nm", "S0.500,0nm"}, bad, "same wavelength");
     refuse({"T.500nm", "T.600nm"}, ErrorCode::unsupported, "reflectances");
-    // Not wavelengths at all.
+    // These names contain no wavelength.
     for (const char* name :
          {"S0.-5nm", "S0.0nm", "S0.nm", "S0.5xm", "S0.5", "S0.1e999nm", "S4.500nm", "S0.5,5,5nm"})
         refuse({name}, bad, "has neither");

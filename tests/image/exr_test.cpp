@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Stokes images through OpenEXR files.
+// Tests of Stokes images through OpenEXR files.
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
@@ -37,7 +37,7 @@ std::set<std::string> channel_names(const std::filesystem::path& path) {
     return names;
 }
 
-/// Writes the channels, all holding 0.25, 1.25, 2.25 ... by pixel, with the data window starting at `origin`.
+/// Writes the channels with the values 0.25, 1.25, 2.25 ... by pixel. The data window starts at `origin`.
 void write_channels(const std::filesystem::path& path, const std::vector<std::string>& names,
                     Imf::PixelType type, Imf::Compression compression, bool tiled, Imath::V2i origin) {
     const int width = 21;
@@ -130,15 +130,15 @@ TEST_CASE("any pixel type, compression, tiling and data window is read; the imag
             REQUIRE(image.height == 100);
             REQUIRE(image.channels == 3);
             const float fraction = type == Imf::UINT ? 0.0f : 0.25f;
-            // Lossy compressions keep a percent or so of neighbouring values.
+            // Lossy compressions preserve neighbouring values to about a percent.
             CHECK(image.at(2, 40, 0)[0] == doctest::Approx(3 + fraction).epsilon(0.5));
             CHECK(image.at(1, 58, 17)[0] == doctest::Approx(18 * 21 + 20 + fraction).epsilon(0.02));
-            // Nothing is beside the data window.
+            // Pixels outside the data window are zero.
             const std::pair<int, int> beside[] = {{39, 5}, {59, 5}, {50, 18}, {99, 99}};
             for (const auto& [y, x] : beside) CHECK(image.at(0, y, x)[0] == 0);
         });
     }
-    // A data window that the display window does not meet.
+    // The data window and the display window are disjoint.
     write_channels(folder / "far.exr", names, Imf::HALF, Imf::ZIP_COMPRESSION, false, {500, -300});
     CHECK(std::ranges::all_of(read_exr(folder / "far.exr").data, [](float value) { return value == 0; }));
     write_channels(folder / "y.exr", {"Y"}, Imf::HALF, Imf::ZIP_COMPRESSION, false, {0, 0});
@@ -189,7 +189,7 @@ TEST_CASE("files that call for channels they lack are refused by the name of the
     refuse({"R", "G", "B", "S1.R", "S1.B", "S2.R", "S2.G", "S2.B"}, bad, "no channel S1.G");
     refuse({"R", "G", "B", "S0.R"}, bad, "no channel S0.G");
     refuse({"Y", "RY", "BY"}, ErrorCode::unsupported, "chroma");
-    // S0 alone serves without R G B.
+    // S0 channels are enough without R G B.
     write_channels(folder / "b.exr", {"S0.R", "S0.G", "S0.B"}, Imf::FLOAT, Imf::NO_COMPRESSION, false,
                    {0, 0});
     CHECK(read_exr(folder / "b.exr").at(1, 0, 3)[0] == 3.25f);
@@ -205,7 +205,7 @@ TEST_CASE("a file that cannot be written is an error and leaves nothing behind")
     check_error(bad, CALL(write_exr(folder.path() / "", image)), "folder");
     check_error(bad, CALL(write_exr("", image)), "cannot be written");
     CHECK(folder.names().size() == 1);
-    // A file name that is too long for the system.
+    // The file name is too long for the system.
     check_error(bad, CALL(write_exr(folder / std::string(300, 'a'), image)), "aaaa");
     check_error(ErrorCode::invalid_argument, CALL(write_exr(folder / "a.exr", StokesImage())), "image");
     check_error(ErrorCode::invalid_argument, CALL(write_exr(folder / "a.exr", StokesImage(2, 2, 17))),
@@ -242,10 +242,11 @@ TEST_CASE("Mitsuba's own files are read") {
     const StokesImage image = read_exr(file);
     CHECK(image.width == 128);
     CHECK(image.channels == 3);
-    // A dielectric sphere under even light: at the right of its rim the plane of incidence is horizontal, so
-    // the reflected light is polarized vertically, s1 < 0; above the middle it is horizontal, s1 > 0.
+    // A dielectric sphere under uniform light. At the right of its rim the plane of incidence is horizontal,
+    // so the reflected light is polarized vertically, s1 < 0. Above the middle it is polarized horizontally,
+    // s1 > 0.
     CHECK(image.at(1, 64, 64 + 45)[1] < -0.01f);
     CHECK(image.at(1, 64 - 45, 64)[1] > 0.01f);
-    // Towards the upper right the field is perpendicular to that direction: -45 degrees, s2 < 0.
+    // Towards the upper right the field is perpendicular to that direction, at -45 degrees, so s2 < 0.
     CHECK(image.at(1, 64 - 32, 64 + 32)[2] < -0.01f);
 }

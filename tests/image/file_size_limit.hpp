@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A disk that is full.
+// A limit of file sizes that simulates a full disk.
 #pragma once
 
 #include <sys/resource.h>
@@ -7,7 +7,8 @@
 #include <csignal>
 #include <cstdint>
 
-/// While it lives, no file of this process can grow beyond so many bytes: writing fails as on a full disk.
+/// Limits the size of this process's files to `bytes` during its lifetime. Writing beyond fails as on a full
+/// disk.
 class FileSizeLimit {
 public:
     explicit FileSizeLimit(std::uintmax_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Observers, pixel by pixel.
+// Tests of observers, pixel by pixel.
 #include "image/observer.hpp"
 
 #include "temporary_folder.hpp"
@@ -11,7 +11,7 @@ namespace {
 
 using Rgb = std::array<int, 3>;
 
-/// One row of grey pixels.
+/// Returns one row of grey pixels.
 StokesImage row_of(const std::vector<Stokes>& pixels) {
     StokesImage image(static_cast<int>(pixels.size()), 1, 1);
     for (int x = 0; x < image.width; ++x)
@@ -26,7 +26,8 @@ Rgb pixel(const Observation& observation, int x, int y = 0) {
     return {observation.rgb.at(i), observation.rgb.at(i + 1), observation.rgb.at(i + 2)};
 }
 
-/// Fully polarized light of intensity 1 whose field stands at `degrees` from image right, counter-clockwise.
+/// Returns linearly polarized light of intensity 1. Its field is at `degrees` from image right,
+/// counter-clockwise.
 Stokes linear(double degrees, double degree_of_polarization = 1) {
     const double angle = degrees * pi / 180;
     return {1, degree_of_polarization * std::cos(2 * angle), degree_of_polarization * std::sin(2 * angle), 0};
@@ -54,7 +55,8 @@ TEST_CASE("tone mapping is exposure, clip, and the sRGB curve") {
                                       {not_a_number, 0, 0, 0}});
     const Observation observation = tone_mapped(image);
     CHECK(observation.srgb);
-    // Published values of the curve: 0.5 is 188, 0.001 lies on the straight part: 12.92 * 0.001 * 255 = 3.3.
+    // Published values of the sRGB curve: 0.5 maps to 188, and 0.001 lies on the straight part: 12.92 * 0.001
+    // * 255 = 3.3.
     const int expected[] = {0, 188, 255, 255, 0, 3, 0};
     for (int x = 0; x < 7; ++x) CHECK(pixel(observation, x) == Rgb{expected[x], expected[x], expected[x]});
     CHECK(pixel(tone_mapped(image, -1), 2) == Rgb{188, 188, 188});
@@ -166,7 +168,7 @@ TEST_CASE("a polarizer lets through what stands along it") {
         CHECK(s[2] == doctest::Approx(passed[x] * std::sin(pi / 3)));
         CHECK(s[3] == 0);
     }
-    // What comes from a polarizer passes the same one again, and nothing passes crossed ones.
+    // Light from a polarizer passes an equal polarizer unchanged, and no light passes a crossed one.
     const StokesImage again = through_polarizer(behind, 30 * pi / 180);
     const StokesImage crossed = through_polarizer(behind, 120 * pi / 180);
     for (int x = 0; x < 5; ++x) {

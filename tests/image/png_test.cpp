@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// PNG files, read back with libpng.
+// Tests of PNG files, read back with libpng.
 #include <png.h>
 
 #include <cstdio>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Sizes and layout of Stokes images.
+// Tests of the sizes and layout of Stokes images.
 #include "image/stokes_image.hpp"
 
 #include "temporary_folder.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Scenes that must be refused, and how.
+// Tests of scenes that must be refused, and of the error messages.
 #include <sys/stat.h>
 
 #include <algorithm>
@@ -11,7 +11,7 @@ using namespace nicol;
 
 namespace {
 
-/// Reads text that must fail with `code`; the message names the file and holds every part.
+/// Checks that reading fails with `code` and that the message names the file and contains every part.
 void check_refused_text(const std::string& text, ErrorCode code, const std::vector<std::string>& parts,
                         const SceneParameters& parameters = {}) {
     CAPTURE(text.substr(0, 400));
@@ -263,7 +263,7 @@ TEST_CASE("$parameters") {
 }
 
 TEST_CASE("hostile documents are refused soon") {
-    // Each parameter is the last one twice: 2^60 characters without a limit.
+    // Each parameter contains the previous one twice, which makes 2^60 characters without a limit.
     std::string doubling = "<default name='a0_' value='0123456789'/>\n";
     for (int i = 1; i < 60; ++i)
         doubling += "<default name='a" + std::to_string(i) + "_' value='$a" + std::to_string(i - 1) + "_$a" +

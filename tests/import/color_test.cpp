@@ -48,7 +48,7 @@ TEST_CASE("a constant reflectance is grey, constant light is white of equal ener
 }
 
 TEST_CASE("a table is zero beyond its ends, and the rest is clipped to the gamut") {
-    // Halves of the spectrum add up to the whole.
+    // The radiances of the two halves of the spectrum add up to the whole.
     const std::vector<double> low = radiance(table({{360, 1}, {559.5, 1}}), rgb);
     const std::vector<double> high = radiance(table({{559.5, 1}, {830, 1}}), rgb);
     CHECK(luminance(low) + luminance(high) == Approx(1).epsilon(0.2));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Plastic, glass and nothing: what comes out, and what is refused.
+// Tests of plastic, dielectric and null materials: results and refusals.
 #include "import/load_scene.hpp"
 #include "import/scene_file.hpp"
 #include "material/material.hpp"
@@ -24,14 +24,14 @@ bool has_notice(const std::vector<std::string>& notices, const std::string& part
                notices, [&](const std::string& n) { return n.find(part) != std::string::npos; }) == 1;
 }
 
-/// Refused with every part; `content` begins on line 2.
+/// Checks that reading fails with every part. `content` begins on line 2.
 void refused(const std::string& content, ErrorCode code, int line, const std::vector<std::string>& parts) {
     const SceneFile file(scene(content));
     CAPTURE(content);
     check_refused(file, code, file.scene().string() + ":" + std::to_string(line) + ": ", parts);
 }
 
-/// What a material of a scene reflects in the first channel at 45 degrees, mirrored.
+/// Returns m00 of a scene's material in the first channel, for the mirror direction at 45 degrees.
 double mirrored(const std::string& bsdf, bool* smooth = nullptr) {
     const LoadedScene loaded = load_scene(SceneFile(scene(shape_with(bsdf) + once)).scene(), {});
     const Material& made = *loaded.scene.instances().front().material;
@@ -64,7 +64,7 @@ TEST_CASE("plastic and roughplastic: Mitsuba's defaults and parameters") {
     CHECK(rough.diffuse_reflectance.texture != nullptr);
     CHECK(material("<bsdf type='roughplastic'/>").alpha == 0.1);
 
-    // One notice of all of them.
+    // Both shapes share one notice.
     const SceneDescription both =
         read(shape_with("<bsdf type='plastic'/>") + "<shape type='cube'><bsdf type='roughplastic'/></shape>");
     CHECK(both.notices.size() == 1);
@@ -108,7 +108,7 @@ TEST_CASE("glass is refused where light is to be reflected often, wherever the i
         all.push_back("bsdf \"" + type + "\"");
         refused(shape_with(bsdf) + often, ErrorCode::unsupported, 5, all);
         refused(often + shape_with(bsdf), ErrorCode::unsupported, 6, all);
-        refused(shape_with(bsdf), ErrorCode::unsupported, 5, all);  // as Mitsuba's default does
+        refused(shape_with(bsdf), ErrorCode::unsupported, 5, all);  // Mitsuba reflects repeatedly
     }
     refused(once + "<bsdf type='thindielectric'/>", ErrorCode::unsupported, 3, {"nothing passes through"});
 }

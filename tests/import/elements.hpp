@@ -23,7 +23,7 @@ inline std::string retarder(double theta, double delta) {
 inline const std::string right = "<bsdf type='circular'/>";
 inline const std::string left = "<bsdf type='circular'><boolean name='left_handed' value='true'/></bsdf>";
 
-/// A rectangle of half side 1 at a height above the lamp, turned by operations first.
+/// Returns a rectangle of half side 1 at height z above the lamp, transformed by `operations` first.
 inline std::string element(const std::string& bsdf, double z, const std::string& operations = "",
                            const std::string& more = "") {
     return "<shape type='rectangle'>" + bsdf + more +

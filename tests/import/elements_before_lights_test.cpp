@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Polarization elements before lights without a surface: which lights they cover, and the Stokes states that
-// these get.
+// Tests of polarization elements in front of lights without a surface: the lights that they cover, and the
+// resulting Stokes vectors.
 #include <glm/trigonometric.hpp>
 
 #include "import/elements.hpp"
@@ -10,8 +10,8 @@ using namespace nicol;
 
 namespace {
 
-/// A square of half side 0.5 that faces the lights, which emit light along z from the origin, where they have
-/// a place.
+/// A square of half side 0.5 that faces the lights. Lights with a position are at the origin and emit along
+/// z.
 const std::string target = "<shape type='rectangle'>" +
                            to_world("<scale value='0.5'/>" + backwards + "<translate z='5'/>") + "</shape>";
 const std::string turn = "<rotate x='1' y='2' z='-1' angle='50'/><translate x='3' y='1' z='2'/>";
@@ -25,14 +25,15 @@ LoadedScene load(const std::string& content) {
     return load_scene(SceneFile(scene(a_sensor + content)).scene(), {});
 }
 
-/// Of a light along a direction of its own axes, in the world, over what it is without elements.
+/// Returns the light's Stokes vector in `frame`, relative to its intensity without elements.
 Stokes stokes_along(const LocalLight& lit, const LocalLight& plain, const Frame& frame) {
     check(lit.state);
     return lit.value[0] / plain.value[0] *
            stokes_in(frame, lit.state, glm::normalize(glm::dmat3(lit.to_world) * lit.state.axis));
 }
 
-/// The Stokes vector of the light behind elements, in the frame of the world's x and z; s0 = 1 without them.
+/// Returns the Stokes vector of the light behind elements, in the frame of the world's x and z. Without
+/// elements s0 is 1.
 Stokes light_behind(const std::string& elements, const std::string& its_light) {
     const LoadedScene loaded = load(its_light + target + elements);
     CHECK(loaded.notices.empty());
@@ -44,7 +45,7 @@ bool covers(const std::string& cover, const std::string& its_light, const std::s
     return load(its_light + shapes + cover).scene.lights().at(0).state.docp > 0.999;
 }
 
-/// A right circular element at z = 1.
+/// Returns a right circular polarizer at z = 1.
 std::string cover(double scale, const std::string& type = "rectangle", double x = 0) {
     return "<shape type='" + type + "'>" + right +
            to_world("<scale value='" + std::to_string(scale) + "'/><translate x='" + std::to_string(x) +
@@ -55,11 +56,11 @@ std::string cover(double scale, const std::string& type = "rectangle", double x 
 }  // namespace
 
 TEST_CASE("elements make of a light what they make of a lamp") {
-    // As of lamps, see polarization_element_test.cpp; to 3 digits.
+    // The values equal those of lamps in polarization_element_test.cpp, to 3 digits.
     const struct {
         std::string elements;
         double s0;
-        glm::dvec3 rest;  ///< over s0
+        glm::dvec3 rest;  ///< divided by s0
     } rows[] = {
         {element(polarizer(0), 1), 0.5, {1, 0, 0}},
         {element(polarizer(30), 1), 0.5, {0.5, -0.866, 0}},
@@ -123,7 +124,7 @@ TEST_CASE("tilted elements act along the light's axis, polarizers in each direct
     const glm::dmat3 turned(transform(tilt));
     const Stokes retarded =
         light_behind(element(polarizer(0), 0.5) + element(retarder(45, 90), 2, tilt), light("directional"));
-    // The fast axis across the light, and retardance times the cosine of the tilt.
+    // The fast axis is projected across the light, and the retardance is times the cosine of the tilt.
     const glm::dvec3 fast = turned * glm::dvec3(std::sqrt(0.5), std::sqrt(0.5), 0);
     const double at = 2 * std::atan2(fast.y, fast.x);
     const double delta = glm::radians(90.0) * turned[2].z;
@@ -164,7 +165,7 @@ TEST_CASE("elements cover the cone of a spot and the pyramid of a projector") {
     CHECK_FALSE(covers(cover(0.4141), projector));
     CHECK_FALSE(covers(cover(0.58, "disk"), projector));
     CHECK(covers(cover(0.586, "disk"), projector));
-    // Behind the light.
+    // The element is behind the light.
     const std::string behind = to_world("<rotate x='1' angle='180'/>");
     for (const char* type : {"spot", "projector"}) CHECK_FALSE(covers(cover(10), light(type, behind)));
 }

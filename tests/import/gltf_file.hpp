@@ -9,12 +9,12 @@
 
 enum ComponentType { gltf_byte = 5120, gltf_ubyte, gltf_short, gltf_ushort, gltf_uint = 5125, gltf_float };
 
-/// One buffer, and what lies where in it.
+/// One buffer, and its views and accessors.
 class GltfBuffer {
 public:
     std::string bytes;
 
-    /// The index of a new bufferView of these numbers.
+    /// Adds a bufferView of these numbers and returns its index.
     template <class Number>
     int view(const std::vector<Number>& numbers, int stride = 0) {
         bytes.resize((bytes.size() + 3) / 4 * 4);
@@ -25,7 +25,7 @@ public:
                   (stride == 0 ? "" : ",\"byteStride\":" + std::to_string(stride)) + "}";
         return view_count_++;
     }
-    /// The index of a new accessor; `more` is its further members, as `,"bufferView":0`.
+    /// Adds an accessor and returns its index. `more` is its other members, such as `,"bufferView":0`.
     int accessor(const std::string& shape, int type, std::size_t count, const std::string& more) {
         accessors_ += (accessors_.empty() ? "" : ",") + std::string("{\"type\":\"") + shape +
                       "\",\"componentType\":" + std::to_string(type) + ",\"count\":" + std::to_string(count) +
@@ -40,7 +40,8 @@ public:
     }
     static std::string of(int view) { return ",\"bufferView\":" + std::to_string(view); }
 
-    /// The JSON of a file that has this buffer; `rest` is its other members. Without a uri, of a GLB file.
+    /// Returns the JSON of a file with this buffer. `rest` is its other members. An empty uri stands for the
+    /// buffer of a GLB file.
     [[nodiscard]] std::string json(const std::string& rest, const std::string& uri = "a.bin") const {
         return "{\"asset\":{\"version\":\"2.0\"},\"buffers\":[{" +
                (uri.empty() ? "" : "\"uri\":\"" + uri + "\",") +
@@ -53,7 +54,7 @@ private:
     int view_count_ = 0, accessor_count_ = 0;
 };
 
-/// A file a.gltf, its buffer a.bin beside it.
+/// A file a.gltf with its buffer a.bin in the same folder.
 class GltfFile : public TemporaryFolder {
 public:
     GltfFile(const GltfBuffer& buffer, const std::string& rest) {
@@ -73,18 +74,18 @@ inline GltfBuffer triangle_buffer() {
 inline std::string one_mesh(const std::string& more = "") {
     return "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0}" + more + "}]}]";
 }
-/// A file with that triangle as mesh 0, and its nodes.
+/// Reads a file whose mesh 0 is a_gltf_triangle, with these nodes.
 inline nicol::SceneDescription read_nodes(const std::string& nodes, const std::string& more = "") {
     return nicol::read_gltf_scene(
         GltfFile(triangle_buffer(), one_mesh() + ",\"nodes\":[" + nodes + "]" + more).scene());
 }
-/// The only mesh of a file whose first mesh has this primitive.
+/// Returns the only mesh of a file whose first mesh has this primitive.
 inline std::shared_ptr<const nicol::Mesh> read_primitive(const GltfBuffer& buffer,
                                                          const std::string& primitive) {
     const GltfFile file(buffer, "\"meshes\":[{\"primitives\":[" + primitive + "]}],\"nodes\":[{\"mesh\":0}]");
     return nicol::read_gltf_scene(file.scene()).shapes.at(0).mesh;
 }
-/// The corners of all triangles, in order.
+/// Returns the corners of all triangles, in order.
 inline std::vector<glm::vec3> corners(const nicol::Mesh& mesh) {
     std::vector<glm::vec3> out;
     for (const glm::uvec3& t : mesh.triangles)

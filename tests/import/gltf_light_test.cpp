@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Lights of glTF files: KHR_lights_punctual.
+// Tests of lights in glTF files: KHR_lights_punctual.
 #include "import/gltf_file.hpp"
 
 using namespace nicol;
 
 namespace {
 
-/// The triangle, more nodes, and the lights.
+/// Returns the JSON of a triangle, more nodes, and the lights.
 std::string lit(const std::string& nodes, const std::string& lights) {
     return one_mesh() + ",\"nodes\":[{\"mesh\":0}," + nodes +
            "],\"extensions\":{\"KHR_lights_punctual\":{\"lights\":[" + lights + "]}}";
@@ -23,7 +23,7 @@ LoadedScene load(const std::string& rest) {
 }  // namespace
 
 TEST_CASE("lights of glTF: their numbers as they are, along the node's -z") {
-    // A quarter turn about y takes -z to -x; scales have no effect.
+    // A rotation of 90 degrees about y maps -z to -x. Scales have no effect.
     const std::string at =
         ",\"translation\":[1,2,3],\"scale\":[2,3,4],\"rotation\":[0,0.70710678,0,0.70710678]";
     const LoadedScene loaded = load(lit(

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// glTF files: what is not followed, what is refused, and the files that are read.
+// Tests of glTF files: ignored elements, refusals, and the files that are read.
 #include "import/gltf_file.hpp"
 
 using namespace nicol;
@@ -10,7 +10,7 @@ std::string number(std::uint32_t n) {
     return {reinterpret_cast<const char*>(&n), 4};
 }
 
-/// The bytes of a GLB file.
+/// Returns the bytes of a GLB file.
 std::string glb(std::string json, const std::string& bytes) {
     json.resize((json.size() + 3) / 4 * 4, ' ');
     const auto length = [](std::size_t n) { return number(static_cast<std::uint32_t>(n)); };
@@ -18,7 +18,7 @@ std::string glb(std::string json, const std::string& bytes) {
            json + length(bytes.size()) + std::string("BIN\0", 4) + bytes;
 }
 
-/// A file whose material 0 has these members.
+/// Returns the JSON of a file whose material 0 has these members.
 std::string with_material(const std::string& members) {
     return one_mesh(",\"material\":0") + ",\"nodes\":[{\"mesh\":0}],\"materials\":[{" + members + "}]";
 }
@@ -211,7 +211,7 @@ TEST_CASE("glTF in one binary file, or with data in its text, is the same scene"
         REQUIRE(loaded.files.size() == 1);
         CHECK(loaded.files[0].path == file);
     }
-    // No prefix of a binary file is one, and no length that leads beyond its end.
+    // Prefixes of a binary file must be refused, and so must lengths that lead beyond its end.
     const std::string whole = file_bytes(files[0]);
     for (std::size_t size = 0; size < whole.size(); ++size)
         static_cast<void>(error_of(CALL(read_gltf_scene(folder.write("c.glb", whole.substr(0, size)))),

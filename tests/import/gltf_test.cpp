@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// glTF files: nodes, primitives, cameras and materials.
+// Tests of glTF files: nodes, primitives, cameras and materials.
 #include "import/gltf_file.hpp"
 #include "import/scene_file.hpp"
 #include "scene/projection.hpp"
@@ -14,7 +14,7 @@ void check_equal(const glm::dmat4& a, const glm::dmat4& b, double tolerance = 1e
             CHECK(a[column][row] == doctest::Approx(b[column][row]).epsilon(tolerance));
 }
 
-/// 0.5, 0.5, 0.5, 0.5: by 120 degrees about (1, 1, 1), x to y to z.
+/// A rotation by 120 degrees about (1, 1, 1), which maps x to y to z.
 const std::string a_rotation = "\"rotation\":[0.5,0.5,0.5,0.5]";
 const glm::dmat4 a_rotation_matrix = glm::rotate(glm::dmat4(1), 2 * pi / 3, glm::dvec3(1, 1, 1));
 
@@ -67,7 +67,7 @@ TEST_CASE("nodes with the same mesh of glTF share it, and each primitive has its
     CHECK(instances[0].mesh != instances[1].mesh);
     CHECK(instances[0].material == instances[2].material);
     CHECK(instances[0].material != instances[1].material);
-    // A mirrored instance keeps its front.
+    // A mirrored instance keeps its front side.
     const Mesh mirrored = placed(*instances[2].mesh, instances[2].to_world, 2);
     CHECK(mirrored.normals[0].z == doctest::Approx(1));
 }
@@ -145,7 +145,7 @@ TEST_CASE("normals, colours and texture coordinates of glTF are kept, for the ve
         buffer,
         "{\"attributes\":{\"POSITION\":0,\"NORMAL\":1,\"COLOR_0\":2,\"TEXCOORD_0\":3},\"indices\":4}");
     CHECK(mesh->positions == a_gltf_triangle);
-    // Of unit length; where the file has none, the triangle's.
+    // Normals have unit length. A zero normal in the file is replaced by the triangle's.
     CHECK(mesh->normals == std::vector<glm::vec3>{{0, 0, 1}, {0, 1, 0}, {0, 0, 1}});
     CHECK(mesh->colors.at(0) == glm::vec3(1, 0, 0.2F));
     CHECK(mesh->texcoords == std::vector<glm::vec2>{{0.5, 2}, {1, 0}, {0, 1}});
@@ -171,7 +171,7 @@ TEST_CASE("without normals glTF is flat, and what has no area is left out with o
 }
 
 TEST_CASE("cameras of glTF are those of an equal XML scene") {
-    // x to y, y to z, z to x: it looks along -x, and z is up.
+    // The rotation maps x to y, y to z and z to x, so the camera looks along -x and z is up.
     const std::string node = ",{\"camera\":0,\"scale\":[2,2,2],\"translation\":[4,5,6]," + a_rotation + "}";
     const std::string lookat = "<lookat origin='4 5 6' target='3 5 6' up='0 0 1'/>";
     struct Case {

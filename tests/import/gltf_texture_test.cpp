@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Textures of glTF.
+// Tests of textures in glTF files.
 #include "image/color.hpp"
 #include "import/gltf_file.hpp"
 #include "import/png_file.hpp"
@@ -14,7 +14,7 @@ using Part = TextureSpecification::Part;
 using Filter = TextureSampling::Filter;
 using Wrap = TextureSampling::Wrap;
 
-/// One pixel: 51, 102, 204 with coverage 128.
+/// Returns one pixel (51, 102, 204) with coverage 128.
 std::string an_image() {
     return png_bytes(1, 1, 4, {51, 102, 204, 128});
 }
@@ -22,7 +22,7 @@ std::string an_image() {
 const std::vector<glm::vec2> some_texcoords = {{0, 0}, {1, 0}, {0, 1}};
 const std::vector<glm::vec2> other_texcoords = {{0.25, 0.5}, {0.5, 0.5}, {0.25, 1}};
 
-/// A triangle with two sets of texture coordinates, and colours if `attributes` names accessor 3.
+/// A triangle with two sets of texture coordinates, and with colours if `attributes` names accessor 3.
 class TexturedFile : public TemporaryFolder {
 public:
     explicit TexturedFile(const std::string& material, const std::string& more = "",
@@ -99,7 +99,7 @@ TEST_CASE("the base colour of glTF is its factor times its texture, sRGB, times 
     CHECK(bare.diffuse_reflectance.texture->color0.rgb == glm::dvec3(0.5, 1, 0.25));
     CHECK(bare.diffuse_reflectance.texture->times_colors_of == ColorsOf::vertices);
 
-    // A metal of a colour that varies is a mirror times that colour.
+    // A metal with a textured colour is a mirror times that colour.
     const MaterialDescription metal = TexturedFile(base("", "")).material();
     CHECK(metal.kind == Kind::roughconductor);
     CHECK(metal.eta.rgb == glm::dvec3(0));
@@ -139,7 +139,7 @@ TEST_CASE("textures of glTF become the material that their pixel stands for") {
         for (const glm::vec3& weight : weights) sum += glm::dvec3(weight);
         return sum[channel];
     };
-    // One pixel is the same everywhere; colours of vertices are not.
+    // A texture of one pixel is constant, while vertex colours vary.
     const LoadedScene plain = TexturedFile(base()).load();
     const MaterialPtr material = plain.scene.instances().at(0).material;
     CHECK(material->variation() == nullptr);
@@ -167,7 +167,7 @@ TEST_CASE("normal maps of glTF") {
     CHECK(d.twosided);
     CHECK(d.mirrored_y);
     CHECK(d.texture->raw);
-    // 2 t - 1 is halved in x and y.
+    // The factor and offset halve 2 t - 1 in x and y.
     const glm::dvec3 t(0.75, 0.25, 1);
     CHECK(2.0 * (d.texture->factor * t + d.texture->offset) - 1.0 == glm::dvec3(0.25, -0.25, 1));
     REQUIRE(d.parts.size() == 1);
@@ -177,7 +177,7 @@ TEST_CASE("normal maps of glTF") {
 TEST_CASE("coverage of glTF cuts at its cutoff") {
     struct Case {
         std::string members;
-        double factor;  ///< 0: no mask
+        double factor;  ///< 0 without an alpha mask
     };
     const std::string mask = ",\"alphaMode\":\"MASK\"";
     for (const Case& c : {Case{base() + mask, 1}, Case{base() + mask + ",\"alphaCutoff\":0.25", 2},
@@ -228,7 +228,7 @@ TEST_CASE("KHR_texture_transform scales, then rotates counter-clockwise with v d
     const auto to_uv = [](const std::string& members) {
         return TexturedFile(base(transform(members))).material().diffuse_reflectance.texture->sampling.to_uv;
     };
-    // The example of the extension: the image's lower left quarter, rotated clockwise.
+    // The example of the extension: the lower left quarter of the image, rotated clockwise.
     const glm::dmat3 m = to_uv("\"offset\":[0,1],\"rotation\":1.57079632679,\"scale\":[0.5,0.5]");
     const auto near = [&](const glm::dvec2& uv, const glm::dvec2& expected) {
         return glm::distance(glm::dvec2(m * glm::dvec3(uv, 1)), expected) < 1e-9;

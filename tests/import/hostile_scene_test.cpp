@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Scenes that are made to take long: sizes that an algorithm of the square of them would not end with.
+// Tests of scenes that are large enough to expose algorithms of quadratic time.
 #include "import/load_scene.hpp"
 #include "import/scene_file.hpp"
 #include "material/material.hpp"
@@ -32,11 +32,11 @@ TEST_CASE("many parameters are replaced in linear time, the longest name first")
 }
 
 TEST_CASE("parameters that are not defined are reported in linear time") {
-    // Those of samplers are passed over.
+    // Undefined parameters of samplers are ignored.
     const std::string samplers =
         listed_texts(100000, [](std::size_t) { return "<sampler type='independent' x='$b'/>\n"; });
     CHECK(read(defaults(150000) + a_sensor + a_shape + samplers).notices.size() > 1);
-    // A list of names in a message ends.
+    // The list of names in a message has a limited length.
     const std::string message =
         error_of(CALL(read(defaults(100000) + "<shape type='$b'/>")), ErrorCode::invalid_file);
     CHECK(message.find("undefined parameter") != std::string::npos);

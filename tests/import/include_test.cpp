@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Scenes of several files.
+// Tests of scenes of several files.
 #include "import/scene_file.hpp"
 #include "test.hpp"
 
@@ -29,7 +29,7 @@ TEST_CASE("an included scene stands where it is included") {
     for (std::size_t i = 0; i < 5; ++i) CHECK(s.shapes[i].kind == kinds[i]);
     CHECK(s.shapes[4].material == s.shapes[1].material);
     CHECK(s.materials.at(s.shapes[4].material).kind == MaterialDescription::Kind::pplastic);
-    // Relative to the file that says so.
+    // The path is relative to the file that contains it.
     CHECK(s.shapes[2].filename == file / "parts" / "mesh.obj");
 }
 
@@ -85,7 +85,7 @@ TEST_CASE("files are searched in <path>s, the folder of the file, and those of t
                      obj("deep") + "<path value='" + (file / "first").string() + "'/>"));
     const SceneDescription s = read_mitsuba_scene(file.scene());
     REQUIRE(s.shapes.size() == 5);
-    // The <path>s of the file itself precede its folder, wherever in the file they stand.
+    // The <path>s of a file precede its folder, wherever they stand in the file.
     CHECK(s.shapes[0].filename == file / "first" / "both.obj");
     CHECK(s.shapes[1].filename == file / "first" / "one.obj");
     CHECK(s.shapes[2].filename == file / "root.obj");
@@ -196,7 +196,7 @@ TEST_CASE("includes are bounded in depth, number and size") {
     check_refused(*deep, invalid, (*deep / "15.xml").string() + ":2: ",
                   {"more than 15 deep", "(included by 14.xml:2, by 13.xml:2"}, ", by scene.xml:2)");
 
-    // Four files a level: 4^8 of them without a limit.
+    // Four includes per level make 4^8 files without a limit.
     const SceneFile wide(scene("<include filename='1.xml'/>" + scene_end));
     for (int i = 1; i < 9; ++i) {
         std::string content;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// <emitter>s beside the environment: what they become, and what is refused.
+// Tests of <emitter>s beside the environment: results and refusals.
 #include <glm/trigonometric.hpp>
 
 #include "import/load_scene.hpp"
@@ -31,7 +31,7 @@ Instance shining(const std::string& inside, const std::string& rest = "") {
         .scene.at(0);
 }
 
-/// The unit vector along which a light emits light, and its polarization axis, in the world.
+/// Returns the unit vector along which a light emits, in world space.
 glm::dvec3 along(const LocalLight& light) {
     return glm::dvec3(light.to_world[2]);
 }
@@ -46,7 +46,7 @@ void check_near(const glm::dvec3& a, const glm::dvec3& b) {
     CHECK(glm::distance(a, b) < 1e-9);
 }
 
-/// The emitter begins on line 4.
+/// Checks that reading fails with every part. The emitter begins on line 4.
 void refused(const std::string& content, ErrorCode code, int line, const std::vector<std::string>& parts) {
     const SceneFile file(scene(a_sensor + a_shape + content));
     CAPTURE(content);
@@ -79,7 +79,7 @@ TEST_CASE("lights without parameters are Mitsuba's") {
     CHECK(glm::degrees(spot.cutoff_angle) == doctest::Approx(20));
     CHECK(glm::degrees(spot.beam_width) == doctest::Approx(15));
     CHECK(spot.texture == nullptr);
-    // Of 50 mm in front of 35 mm film, whose diagonal counts.
+    // The default is a lens of 50 mm in front of 35 mm film, along its diagonal.
     const LocalLight projector = light("projector");
     CHECK(projector.kind == Kind::projector);
     CHECK(glm::degrees(projector.fov) == doctest::Approx(34.0221));
@@ -107,7 +107,8 @@ TEST_CASE("lights are where their parameters place them, a scale without effect"
 }
 
 TEST_CASE("values of lights are those of Mitsuba without spectra") {
-    // mitsuba.load_file of test_arealight_path.xml, whose sum over a thousand wavelengths is 0.1 % off.
+    // The values come from mitsuba.load_file of test_arealight_path.xml. Its sum over a thousand wavelengths
+    // is 0.1 % off.
     const std::string table = "400:0, 500:8, 600:15.6, 700:18.4";
     struct Row {
         const char* type;
@@ -152,9 +153,9 @@ TEST_CASE("how light is polarized: in degrees, its axis in the axes that place t
         CHECK(read.docp == -0.8);
         check_near(read.axis, {0, 2, 1});
     }
-    CHECK(shining(state, moved).emission->state.axis == glm::dvec3(0, 2, 1));  // of the mesh
+    CHECK(shining(state, moved).emission->state.axis == glm::dvec3(0, 2, 1));  // in the axes of the mesh
     check_near(axis(light("spot", state + moved)), {1, 2, 0});
-    // Without a transform there are no axes but the world's.
+    // Without a transform the axis is given in world space.
     check_near(axis(light("directional", state + "<vector name='direction' value='1 2 3'/>")), {0, 2, 1});
     check_near(axis(light("point", state + "<point name='position' value='1 2 3'/>")), {0, 2, 1});
 }
@@ -169,7 +170,7 @@ TEST_CASE("textures of lights, whose image says what a projector's rectangle is"
     REQUIRE(wide.texture);
     CHECK(wide.aspect == 2);
     CHECK(glm::degrees(wide.fov) == doctest::Approx(40));
-    // As Mitsuba reports them.
+    // Mitsuba reports these fields of view.
     CHECK(glm::degrees(light("projector", irradiance + "<float name='fov' value='40'/>"
                                                        "<string name='fov_axis' value='y'/>")
                            .fov) == doctest::Approx(72.1048));
@@ -284,7 +285,7 @@ TEST_CASE("lights that cannot be are refused, with the line and the parameter") 
     bad_light("projector", "<float name='scale' value='-1'/>", {"\"scale\" is -1"});
     refused("<emitter type='point'>\n<texture name='intensity' type='checkerboard'/></emitter>", unsupported,
             5, {"\"intensity\" is a texture"});
-    // Of the whole emitter.
+    // Faults of the state are reported at the line of the emitter.
     const auto bad_state = [](const std::string& inside, const std::vector<std::string>& parts) {
         refused("<emitter type='point'>" + inside + "</emitter>", invalid, 4, parts);
         refused("<shape type='cube'>\n<emitter type='area'>" + inside + "</emitter></shape>", invalid, 5,
@@ -309,7 +310,7 @@ TEST_CASE("emitters in the wrong place, and those that do not exist") {
     inside_shape("<emitter type='area'/><emitter type='area'/>", invalid, {"a second <emitter>"});
     refused("<shape type='shapegroup'>\n<emitter type='area'/></shape>", unsupported, 5,
             {"<emitter> inside shape \"shapegroup\"", "of type area, inside a <shape>"});
-    // No area is left to emit light.
+    // The scaled shape has no area.
     inside_shape("<emitter type='area'/><transform name='to_world'><scale x='0'/></transform>", invalid,
                  {"<transform> cannot be inverted"});
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Limits of loading, held by every reader: bytes before they are decoded, time and the wish to stop within.
+// Tests of the load limits in every reader: bytes before decoding, time, and cancellation during the load.
 #include <cmath>
 
 #include "files/bomb.hpp"
@@ -25,7 +25,7 @@ struct Loading {
     std::function<void(const LoadBudget&)> load;
 };
 
-/// Floats of runs, as a picture without compression.
+/// Returns an uncompressed Radiance picture in a file of the run-length format.
 std::string radiance_hdr(int width, int height) {
     std::string out = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y " + std::to_string(height) + " +X " +
                       std::to_string(width) + "\n";
@@ -51,7 +51,7 @@ std::string many_shapes(std::size_t count) {
     return scene(out);
 }
 
-/// A GLB without a buffer, of this many nodes.
+/// Returns a GLB without a buffer, with this many nodes.
 std::string many_nodes(std::size_t count) {
     std::string nodes;
     for (std::size_t i = 0; i < count; ++i) nodes += nodes.empty() ? "{\"mesh\":0}" : ",{\"mesh\":0}";
@@ -62,7 +62,7 @@ std::string many_nodes(std::size_t count) {
 
 TEST_CASE("what would be decoded counts before it is") {
     const TemporaryFolder folder;
-    // Each file has some KiB and would become many MiB.
+    // Each file has a few KiB and would decode to many MiB.
     const path grey = folder.write("grey.png", black_png(16384, 8192, 1, 8192 * 2049ULL));
     write_exr(folder / "a.exr", StokesImage(4096, 2048, 3), {.components = 0});
     const path exr = folder / "a.exr";
@@ -93,7 +93,7 @@ TEST_CASE("an image is not inflated beyond its pixels") {
     const TemporaryFolder folder;
     const path bomb = folder.write("bomb.png", black_png(1, 1, 8, std::uint64_t{1} << 30));
     check_error(ErrorCode::invalid_file, CALL(read_bitmap(bomb)), bomb.string(), "more than its pixels");
-    // The limit admits a load that needs no more than it.
+    // The limit admits loads that need no more than it.
     CHECK(read_bitmap(folder.write("a.png", black_png(1, 1, 8, 2))).values.size() == 1);
     CHECK(read_bitmap(folder.write("b.png", black_png(999, 1, 16, 1 + 2 * 999))).values.size() == 999);
     CHECK(read_bitmap(folder.write("c.png", black_png(1, 9999, 1, 2 * 9999))).values.size() == 9999);
@@ -125,7 +125,7 @@ TEST_CASE("every reader is asked to stop while it works") {
         CAPTURE(one.name);
         int asked = 0;
         const LoadBudget stopped(LoadLimits{.progress = [&](const char*, double) { return ++asked < 2; }});
-        stopped.check();  // the first time, before it begins
+        stopped.check();  // the first call of progress, before the load starts
         check_error(ErrorCode::cancelled, [&] { one.load(stopped); });
         CHECK(asked == 2);
         check_error(

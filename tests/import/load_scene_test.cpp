@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which files a scene is made of.
+// Tests of the files that a scene consists of.
 #include "import/load_scene.hpp"
 #include "import/scene_file.hpp"
 #include "light/cube_cross.hpp"
@@ -19,7 +19,7 @@ std::string obj(const std::string& filename) {
     return "<shape type='obj'><string name='filename' value='" + filename + "'/></shape>\n";
 }
 
-/// A digest of all, and checks that the files are these, in this order.
+/// Returns a digest of all files and checks that they are these, in this order.
 std::string digests(const SceneFile& file, const std::vector<std::string>& names) {
     const LoadedScene loaded = load_scene(file.scene(), {});
     std::vector<std::string> found;
@@ -37,8 +37,8 @@ std::string digests(const SceneFile& file, const std::vector<std::string>& names
 }  // namespace
 
 TEST_CASE("a loaded scene knows every file it was made of, and what it held") {
-    // Names that a search for quotes in the text would lose: after an apostrophe, under a <path>, with an
-    // entity, with a parameter within another's name, of parts of a cube map, in an included file.
+    // These names would be missed by a search for quotes in the text: after an apostrophe, under a <path>,
+    // with an entity, with a parameter inside another's name, parts of a cube map, in an included file.
     const SceneFile file(
         scene("<!-- the lamp's light -->\n<path value='far'/><default name='m' value='wrong'/>"
               "<default name='mesh' value='right'/>" +
@@ -175,7 +175,7 @@ TEST_CASE("the pixels of a crop look where they do in the film, by its principal
         CHECK(part.second == glm::dvec2(31, 60));
         CHECK(glm::distance(pixel(part, point), pixel(whole, point) - glm::dvec2(70, 9)) < 1e-9);
     }
-    // A pixel looks where the one that is a quarter of the width further to the right would.
+    // With an offset of 0.25 a pixel has the ray of the pixel a quarter of the width further right.
     const auto whole = projection("perspective", "</film>");
     const auto moved = projection("perspective", "</film>" + offset);
     const auto both = projection("perspective", crop + offset);
@@ -217,7 +217,7 @@ TEST_CASE("a record is of the bytes that were read, also if the file changes mea
         FileRecorder recorder({});
         const std::string bytes = recorder.read(std::span(&file, 1), [&] {
             std::string content = file_bytes(file);
-            // A new file of the same size, as an editor saves it.
+            // The file is replaced by a new file of equal size, as editors save it.
             if (reads++ < changes) rename(folder.write("b", "next" + std::to_string(reads)), file);
             return content;
         });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Scenes that must be read, and what must come out.
+// Tests of valid scenes and their descriptions.
 #include "import/scene_file.hpp"
 #include "test.hpp"
 
@@ -84,7 +84,7 @@ TEST_CASE("everything that a scene can hold is read") {
     CHECK(s.environment->kind == EnvironmentDescription::Kind::envmap);
     CHECK(s.environment->filename == file / "light" / "sky.exr");
     CHECK(s.environment->scale == 2.5);
-    // A quarter of a rotation about y takes z to x.
+    // A rotation of 90 degrees about y maps z to x.
     CHECK(glm::distance(glm::dvec3(s.environment->to_world * glm::dvec4(0, 0, 1, 0)), glm::dvec3(1, 0, 0)) <
           1e-12);
     REQUIRE(s.shapes.size() == 8);
@@ -103,7 +103,7 @@ TEST_CASE("everything that a scene can hold is read") {
         CHECK(s.shapes[i].kind == kinds[i].first);
         CHECK(s.shapes[i].filename.extension() == kinds[i].second);
     }
-    // Shared by reference, made once.
+    // Materials shared by reference are made once.
     REQUIRE(s.materials.size() == 3);
     CHECK(s.shapes[0].material == s.shapes[2].material);
     CHECK(s.shapes[3].material == s.shapes[6].material);
@@ -149,22 +149,22 @@ TEST_CASE("a scene may have no light") {
 }
 
 TEST_CASE("lookat: +z forward, +x left, +y up") {
-    // From z = 5 towards the origin: forward is -z, and the left of who looks that way is -x.
+    // The camera looks from z = 5 towards the origin: forward is -z, and left is -x.
     check_equal(transform("<lookat origin='0,0,5' target='0,0,0' up='0,1,0'/>"),
                 glm::dmat4(glm::dvec4(-1, 0, 0, 0), glm::dvec4(0, 1, 0, 0), glm::dvec4(0, 0, -1, 0),
                            glm::dvec4(0, 0, 5, 1)));
-    // Along +x: left is +z, for up x forward = y x x = -z ... seen from above the left hand points to -z.
+    // The camera looks along +x: left is up x forward = y x x = -z.
     check_equal(transform("<lookat origin='1,2,3' target='4,2,3' up='0,2,0'/>"),
                 glm::dmat4(glm::dvec4(0, 0, -1, 0), glm::dvec4(0, 1, 0, 0), glm::dvec4(1, 0, 0, 0),
                            glm::dvec4(1, 2, 3, 1)));
-    // Looking down with z up the image.
+    // The camera looks down, and z is up in the image.
     check_equal(transform("<lookat origin='0,4,0' target='0,0,0' up='0,0,1'/>"),
                 glm::dmat4(glm::dvec4(1, 0, 0, 0), glm::dvec4(0, 0, 1, 0), glm::dvec4(0, -1, 0, 0),
                            glm::dvec4(0, 4, 0, 1)));
 }
 
 TEST_CASE("operations apply in the order in which they are written") {
-    // The point is scaled, then rotated from x to y, then moved.
+    // The point is scaled, then rotated from x to y, then translated.
     const glm::dmat4 m = transform("<scale value='2'/><rotate z='1' angle='90'/><translate x='10'/>");
     CHECK(glm::distance(glm::dvec3(m * glm::dvec4(1, 0, 0, 1)), glm::dvec3(10, 2, 0)) < 1e-12);
     const glm::dmat4 reversed = transform("<translate x='10'/><rotate z='1' angle='90'/><scale value='2'/>");
@@ -179,7 +179,7 @@ TEST_CASE("operations apply in the order in which they are written") {
                 glm::dmat4(glm::dvec4(0, 1, 0, 0), glm::dvec4(1, 0, 0, 0), glm::dvec4(0, 0, 1, 0),
                            glm::dvec4(0, 0, 0, 1)));
     check_equal(transform(""), glm::dmat4(1.0));
-    // An axis of any length rotates alike.
+    // The length of the axis has no effect.
     check_equal(transform("<rotate value='0, 5, 0' angle='-30'/>"),
                 transform("<rotate y='0.1' angle='-30'/>"));
 }
@@ -196,7 +196,7 @@ TEST_CASE("parameters: defaults, overrides, the longest name, within other param
     CHECK(s.shapes.at(0).radius == 2.0);
     CHECK(s.shapes.at(0).center == glm::dvec3(7, 2, 3));
     CHECK(s.shapes.at(1).filename == "/meshes/a7.obj");
-    // Of the caller and used only where nothing is followed: still used.
+    // A parameter counts as used even if it stands only in an ignored element.
     CHECK_NOTHROW(static_cast<void>(
         read(a_sensor + a_shape + "<integrator type='path'><integer name='n' value='$depth'/></integrator>",
              {{"depth", "3"}})));
@@ -217,7 +217,7 @@ TEST_CASE("the field of view along any axis") {
     CHECK(along(Axis::y) == doctest::Approx(4.0 / 3.0));
     CHECK(along(Axis::smaller) == doctest::Approx(4.0 / 3.0));
     CHECK(along(Axis::diagonal) == doctest::Approx(0.8));
-    // Without fov: a 50 mm lens before 36 x 24 mm film, whose width spans 2 atan(18 / 50) in that aspect.
+    // Without fov the lens is 50 mm before 36 x 24 mm film, whose width spans 2 atan(18 / 50) in that aspect.
     const SceneDescription s = read(
         "<sensor type='perspective'><film type='hdrfilm'><integer name='width' value='600'/>"
         "<integer name='height' value='400'/></film></sensor>" +

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Materials, instances, skies and films: what comes out, and what is refused.
+// Tests of materials, instances, skies and films: results and refusals.
 #include "image/aovs.hpp"
 #include "import/scene_file.hpp"
 #include "test.hpp"
@@ -30,7 +30,7 @@ SensorDescription film(const std::string& parameters, std::vector<std::string>& 
     return s.sensor;
 }
 
-/// The content begins on line 2 and must be refused on `line`, with every part.
+/// Checks that content from line 2 on is refused on `line` with every part.
 void refused(const std::string& content, ErrorCode code, int line, const std::vector<std::string>& parts) {
     const SceneFile file(scene(content));
     CAPTURE(content);
@@ -208,7 +208,7 @@ TEST_CASE("instances and groups that are refused") {
     refused("<shape type='shapegroup'>\n<transform name='to_world'/></shape>", invalid, 3,
             {"\"to_world\" is unknown"});
     refused(a_sensor + group, invalid, 1, {"no <shape>"});
-    // 400 times 400 shapes from a small file.
+    // A small file describes 400 times 400 shapes.
     std::string many = "<shape type='shapegroup' id='g'>";
     for (int i = 0; i < 400; ++i) many += "<shape type='cube'/>";
     many += "</shape>\n";
@@ -369,7 +369,7 @@ TEST_CASE("AOVs of integrators") {
 
 TEST_CASE("a roughness that differs by direction is read as it is, with one notice") {
     const auto shape = [](const std::string& type, const std::string& alpha) {
-        // Read where it stands and for both shapes.
+        // The material stands alone and is referred to by two shapes.
         return read(
             "<bsdf type='normalmap' id='b'><texture name='n' type='rawconstant'><float name='value' "
             "value='1'/></texture>\n<bsdf type='" +
@@ -401,13 +401,13 @@ TEST_CASE("a roughness that differs by direction is read as it is, with one noti
     const SceneDescription mixed =
         shape("roughconductor", checkerboard("alpha_u", "") + "<float name='alpha_v' value='0.04'/>");
     CHECK(mixed.materials[0].parts[0].alpha_v == 0.04);
-    // Of the same in both directions nothing is said.
+    // Equal roughness in both directions causes no notice.
     const SceneDescription same =
         shape("roughconductor", checkerboard("alpha_u", "") + checkerboard("alpha_v", ""));
     CHECK(same.notices.empty());
     CHECK_FALSE(same.materials[0].parts[0].alpha_v_texture);
 
-    // A plastic takes the mean.
+    // A plastic uses the geometric mean.
     const SceneDescription plastic = shape("pplastic", differ);
     REQUIRE(plastic.notices.size() == 1);
     CHECK(plastic.notices[0].find("xml:3: alpha_u and alpha_v differ: pplastic takes") != std::string::npos);
@@ -434,11 +434,11 @@ TEST_CASE("a lookat without up takes Mitsuba's") {
         return transform("<lookat origin='0,0,0' target='" + target + "'" + up + "/>");
     };
     for (const char* up : {"", " up='0,0,0'"}) {
-        // Of straight ahead, mitsuba.coordinate_system gives x first, of straight back too.
+        // For both straight ahead and straight back, mitsuba.coordinate_system gives x first.
         CHECK(look(up, "0,0,2")[1] == glm::dvec4(1, 0, 0, 0));
         CHECK(look(up, "0,0,-2")[1] == glm::dvec4(1, 0, 0, 0));
         const glm::dmat4 m = look(up, "1,2,2");
-        // n = (1, 2, 2) / 3: s = (1 - nx^2 / (1 + nz), -nx ny / (1 + nz), -nx).
+        // With n = (1, 2, 2) / 3, s = (1 - nx^2 / (1 + nz), -nx ny / (1 + nz), -nx).
         CHECK(glm::distance(glm::dvec3(m[1]), glm::dvec3(14.0 / 15.0, -2.0 / 15.0, -1.0 / 3.0)) < 1e-12);
         const glm::dmat4 back = look(up, "1,2,-2");
         CHECK(glm::distance(glm::dvec3(back[1]), glm::dvec3(14.0 / 15.0, -2.0 / 15.0, 1.0 / 3.0)) < 1e-12);

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-/// The bytes of a file of these samples, 8 bits each, rows from the top: 1 (grey), 3 or 4 a pixel.
+/// Returns a PNG file of 8-bit samples, rows from the top, with 1 (grey), 3 or 4 channels.
 inline std::string png_bytes(unsigned int width, unsigned int height, unsigned int channels,
                              const std::vector<std::uint8_t>& samples) {
     png_image image{};

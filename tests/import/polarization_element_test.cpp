@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Polarization elements before lamps and the camera: the Stokes states that they become, the elements that
-// they are, and what is refused.
+// Tests of polarization elements in front of lamps and the camera: the resulting Stokes vectors, the elements
+// of the scene, and refusals.
 #include <glm/trigonometric.hpp>
 
 #include "import/elements.hpp"
@@ -12,14 +12,15 @@ namespace {
 
 constexpr auto unsupported = ErrorCode::unsupported;
 
-/// A square of half side 0.5 in the plane z = 0, shining along z.
+/// Returns a square of half side 0.5 in the plane z = 0 that emits along z.
 std::string lamp(const std::string& emitter = "", const std::string& operations = "",
                  const std::string& type = "rectangle", const std::string& more = "") {
     return "<shape type='" + type + "'>" + more + "<emitter type='area'>" + emitter + "</emitter>" +
            to_world("<scale value='0.5'/>" + operations) + "</shape>";
 }
 
-/// Of the light straight from the first shape, a lamp of radiance 1, in the frame of the world's x and z.
+/// Returns the Stokes vector of the light straight from the first shape, a lamp of radiance 1, in the frame
+/// of the world's x and z.
 Stokes light_of(const SceneDescription& scene) {
     const ShapeDescription& shape = scene.shapes.at(0);
     REQUIRE(shape.emission);
@@ -35,7 +36,7 @@ Stokes light_behind(const std::string& elements, const std::string& its_lamp = l
     return light_of(scene);
 }
 
-/// The second line after the lamp's must be refused.
+/// Checks that the second line after the lamp's is refused.
 void check_element_refused(const std::string& its_lamp, const std::string& elements,
                            const std::vector<std::string>& parts, ErrorCode code = unsupported) {
     const SceneFile file(scene(a_sensor + its_lamp + "\n" + elements));
@@ -46,11 +47,12 @@ void check_element_refused(const std::string& its_lamp, const std::string& eleme
 }  // namespace
 
 TEST_CASE("elements make of a lamp's light what Mitsuba makes of it") {
-    // Mitsuba 3.9.1, scalar_spectral_polarized, stokes, to 3 digits; the camera looks along -z, up is y.
+    // The values are those of Mitsuba 3.9.1, scalar_spectral_polarized, stokes, to 3 digits. The camera looks
+    // along -z with y up.
     const struct {
         std::string elements;
         double s0;
-        glm::dvec3 rest;  ///< over s0
+        glm::dvec3 rest;  ///< divided by s0
     } rows[] = {
         {element(polarizer(0), 0.02), 0.5, {1, 0, 0}},
         {element(polarizer(30), 0.02), 0.5, {0.5, -0.866, 0}},
@@ -96,7 +98,8 @@ TEST_CASE("a retarder behind a polarizer, by hand") {
     for (const double theta : {-70.0, 0.0, 15.0, 120.0})
         for (const double fast : {-30.0, 0.0, 45.0, 100.0})
             for (const double delta : {-90.0, 0.0, 37.0, 90.0, 180.0}) {
-                // Along and across the fast axis, seen against the light: E-vectors at -theta and at fast.
+                // The basis is along and across the fast axis, seen against the light, with E-vectors at
+                // -theta and at fast.
                 const double to_fast = glm::radians(-theta - fast);
                 const double phase = glm::radians(delta);
                 const Stokes in_retarder(1, std::cos(2 * to_fast), std::sin(2 * to_fast) * std::cos(phase),
@@ -118,7 +121,7 @@ TEST_CASE("nothing changes with the axes, the shape and the place of the lamp") 
         CAPTURE(other);
         check_near(light_behind(elements, other), expected, 1e-5);
     }
-    // The whole scene turned.
+    // The whole scene is rotated and moved.
     const std::string turn = "<rotate x='1' y='2' z='-1' angle='50'/><translate x='3' y='1' z='2'/>";
     const SceneDescription turned =
         read(a_sensor + lamp("", turn) + "<shape type='rectangle'>" + polarizer(30) +
@@ -219,7 +222,7 @@ TEST_CASE("elements that stand before no lamp stand before the camera") {
                 {lamp("", "", "cube"), p},
                 {a_shape, p},
                 {"", p},
-                // Of two the one that stands apart.
+                // The nearer element belongs to the lamp, and the distant one stays.
                 {lamp(), element(right, 0.02) + element(polarizer(0), 1)}};
     for (const auto& row : rows) {
         CAPTURE(row.its_lamp);
@@ -325,7 +328,7 @@ TEST_CASE("elements that cannot be are refused by name") {
           "<shape type='rectangle'>" + right + "<emitter type='area'/></shape>",
           "<bsdf type='twosided'>" + right + "</bsdf>"})
         check_element_refused(lamp(), elsewhere, {"bsdf \"circular\" is not supported", "emits no light"});
-    // Also where no shape refers to it.
+    // A bsdf is refused even if no shape refers to it.
     check_element_refused(lamp(), "<bsdf type='retarder'><float name='thetta' value='1'/></bsdf>",
                           {"\"thetta\" is unknown"}, invalid);
 }

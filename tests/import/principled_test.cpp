@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Mitsuba's principled in scene files.
+// Tests of Mitsuba's principled material in scene files.
 #include "material/principled.hpp"
 #include "import/load_scene.hpp"
 #include "import/scene_file.hpp"

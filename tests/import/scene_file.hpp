@@ -6,7 +6,7 @@
 #include "temporary_folder.hpp"
 #include "test.hpp"
 
-/// A scene file in a folder of its own.
+/// A scene file in its own folder.
 class SceneFile : public TemporaryFolder {
 public:
     explicit SceneFile(std::string_view text) { write("scene.xml", text); }
@@ -14,12 +14,12 @@ public:
     [[nodiscard]] std::filesystem::path scene() const { return *this / "scene.xml"; }
 };
 
-/// The parts of a scene that are complete without being told anything.
+/// Scene elements that are complete without parameters.
 inline const std::string a_sensor = "<sensor type='perspective'><float name='fov' value='40'/></sensor>\n";
 inline const std::string an_emitter = "<emitter type='constant'/>\n";
 inline const std::string a_shape = "<shape type='sphere'/>\n";
 
-/// `content` begins on line 2.
+/// Returns a scene whose `content` begins on line 2.
 inline std::string scene(const std::string& content) {
     return "<scene version='3.0.0'>\n" + content + "</scene>\n";
 }
@@ -29,19 +29,19 @@ inline nicol::SceneDescription read(const std::string& content,
     return nicol::read_mitsuba_scene(SceneFile(scene(content)).scene(), parameters);
 }
 
-/// A scene whose shape holds `inside`, and what is read of it.
+/// Returns the content of a scene whose shape contains `inside`.
 inline std::string shape_with(const std::string& inside) {
     return a_sensor + an_emitter + "<shape type='sphere'>" + inside + "</shape>";
 }
 inline nicol::SceneDescription read_shape(const std::string& inside) {
     return read(shape_with(inside));
 }
-/// The matrix of a <transform>.
+/// Returns the matrix of a <transform>.
 inline glm::dmat4 transform(const std::string& operations) {
     return read_shape("<transform name='to_world'>" + operations + "</transform>").shapes.at(0).to_world;
 }
 
-/// The file must be refused with `code` and a message that begins with `start`, holds every part and ends
+/// Checks that reading fails with `code` and a message that begins with `start`, contains every part and ends
 /// with `ending`.
 inline void check_refused(const SceneFile& file, nicol::ErrorCode code, const std::string& start,
                           const std::vector<std::string>& parts, const std::string& ending = "",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Textures of a scene under light whose channels are not red, green and blue.
+// Tests of scene textures under light whose channels are not red, green and blue.
 #include "import/scene_textures.hpp"
 
 #include "import/png_file.hpp"
@@ -35,7 +35,7 @@ TEST_CASE("colours of textures under light of other channels are refused, grey o
     static_cast<void>(error_of(CALL(textures.number(constant)), ErrorCode::unsupported));
 }
 
-// So Mitsuba 3.9 draws them: eval() of its checkerboard and eval_1() differ.
+// Mitsuba 3.9 draws checkerboards in this way: eval() and eval_1() differ.
 TEST_CASE("a checkerboard of colours begins with color0, one of numbers with color1") {
     const SceneChannels channels;
     scene::SceneFiles files({}, {});

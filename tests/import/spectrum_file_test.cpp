@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Spectra of scene files in files of their own.
+// Tests of spectra in separate files.
 #include "import/load_scene.hpp"
 #include "import/scene_file.hpp"
 
@@ -7,7 +7,7 @@ using namespace nicol;
 
 namespace {
 
-/// A scene beside whose file there is eta.spd.
+/// A scene file with eta.spd in the same folder.
 struct WithFile : SceneFile {
     explicit WithFile(std::string_view spectrum, const std::string& attributes = "filename='eta.spd'")
         : SceneFile(::scene(shape_with("<bsdf type='conductor'>\n<spectrum name='eta' " + attributes +

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Textures of Mitsuba's XML: what is read, which material comes out, what is refused.
+// Tests of textures in Mitsuba's XML: reading, resulting materials, refusals.
 #include "image/color.hpp"
 #include "import/load_scene.hpp"
 #include "import/png_file.hpp"
@@ -38,8 +38,8 @@ std::string checkerboard(const std::string& name) {
 
 const std::string raw = "<boolean name='raw' value='true'/>";
 
-/// A folder with a.png of two pixels, red 255, 0, 0 and grey 51, 51, 51, and a triangle with texture
-/// coordinates and colours.
+/// A folder with a.png of two pixels, (255, 0, 0) and (51, 51, 51), and a triangle with texture coordinates
+/// and colours.
 class Folder : public TemporaryFolder {
 public:
     Folder() {
@@ -53,7 +53,7 @@ public:
               "0 0 0 0 0 255 0 0\n1 0 0 1 0 0 255 0\n0 1 0 0 1 0 0 255\n3 0 1 2 1 0.5 0\n");
     }
 
-    /// The triangle of this material.
+    /// Loads the triangle with this material.
     LoadedScene load(const std::string& inside, const LoadLimits& limits = {}) const {
         return load_scene(write("a.xml", scene(a_sensor + an_emitter +
                                                "<shape type='ply'><string name='filename' value='a.ply'/>" +
@@ -65,7 +65,7 @@ public:
     }
 };
 
-/// M at a point of the surface: the sum over its layers.
+/// Returns m00 at a surface point: the sum over the material's layers.
 double reflected(const Material& material, const TexturePoint& point, int channel,
                  const glm::dvec3& towards_light, const glm::dvec3& towards_viewer) {
     const auto m00 = [&](const Material& of) {
@@ -106,7 +106,7 @@ TEST_CASE("a bitmap has Mitsuba's defaults and parameters") {
     CHECK(plain.kind == TextureKind::image);
     CHECK(plain.filename.filename() == "a.png");
     CHECK_FALSE(plain.raw);
-    // Bilinear, and of the mean of what a pixel covers.
+    // The default is bilinear interpolation with mipmaps.
     CHECK(plain.sampling == TextureSampling{.filter = TextureSampling::Filter::mipmap});
     const TextureSpecification given =
         *material(bsdf("diffuse",
@@ -291,7 +291,7 @@ TEST_CASE("textures and bsdfs that are refused") {
              Case{bitmap("t"), invalid, {"shape \"sphere\": texture \"t\" is unknown"}},
          })
         refused(c.bsdf, c.code, c.parts);
-    // Few elements that stand for many.
+    // A few elements stand for many.
     std::string doubled = "<bsdf type='diffuse' id='b0'/>";
     for (int i = 0; i < 20; ++i) {
         const std::string before = "<ref id='b" + std::to_string(i) + "'/>";
@@ -306,7 +306,7 @@ TEST_CASE("textures and bsdfs that are refused") {
 
 TEST_CASE("a textured parameter makes the material that its value there would make") {
     const Folder folder;
-    // The middles of the image's pixels, and of two fields of a checkerboard.
+    // Centres of the image's pixels, and of two checkerboard fields.
     const TexturePoint red{.uv = {0.25, 0.5}}, grey{.uv = {0.75, 0.5}};
     const TexturePoint first{.uv = {0.25, 0.25}}, second{.uv = {0.75, 0.25}};
     const double dark = srgb_to_linear(0.2F);
@@ -330,7 +330,7 @@ TEST_CASE("a textured parameter makes the material that its value there would ma
                   plastic({0.5}, {1, 0, 0}, 0.3)},
              Case{bsdf("pplastic", checkerboard("alpha")), first, plastic({0.5}, {1}, 0.25)},
              Case{bsdf("pplastic", checkerboard("alpha")), second, plastic({0.5}, {1}, 0.75)},
-             // The luminance of red.
+             // The roughness is the luminance of red.
              Case{bsdf("roughconductor", bitmap("alpha")), red, rough_conductor({.alpha = 0.2126})},
              Case{bsdf("roughconductor", checkerboard("alpha_u") + checkerboard("alpha_v")), second,
                   rough_conductor({.alpha = 0.75})},
@@ -375,7 +375,7 @@ TEST_CASE("normals, heights and opacities reach the material") {
     const MaterialPtr cut = folder.load_material(bsdf("mask", bitmap("opacity", raw) + plain));
     REQUIRE(cut->variation());
     CHECK(cut->variation()->opacity->at(red).x == doctest::Approx(0.2126));
-    // One normal map of two parts is that of the whole.
+    // A normal map shared by both parts applies to the whole blend.
     const std::string part = bsdf("normalmap", bitmap("", raw) + plain);
     const MaterialPtr both = folder.load_material(bsdf("blendbsdf", checkerboard("weight") + part + part));
     REQUIRE(both->variation());
@@ -404,10 +404,10 @@ TEST_CASE("images are read once, recorded, and count as bytes of the load") {
     REQUIRE(loaded.files.size() == 3);
     CHECK(std::ranges::count(loaded.files, folder / "a.png", &FileRecord::path) == 1);
     const std::uint64_t files = file_size(folder / "a.png") + file_size(folder / "a.ply");
-    // The image has six values of 4 bytes and is decoded once; a texture takes 16 bytes a pixel.
+    // The image has six values of 4 bytes and is decoded once. A texture takes 16 bytes per pixel.
     static_cast<void>(folder.load(two, {.bytes = files + 24 + 64}));
     static_cast<void>(error_of(CALL(folder.load(two, {.bytes = files + 24 + 63})), ErrorCode::unsupported));
-    // Equal textures are one.
+    // Equal textures are stored once.
     const std::string same = bsdf("pplastic", bitmap("diffuse_reflectance") + bitmap("specular_reflectance"));
     static_cast<void>(folder.load(same, {.bytes = files + 24 + 32}));
     const std::string missing = "<string name='filename' value='none.png'/>";
@@ -451,7 +451,7 @@ TEST_CASE("Mitsuba's scenes with textures are read") {
     if (folder.empty()) return;
     struct Case {
         const char* name;
-        std::size_t notices;  ///< a second one where roughness differs by direction
+        std::size_t notices;  ///< a second notice if the roughness is anisotropic
     };
     for (const auto& [name, notices] :
          {Case{"bumpmap", 1}, Case{"normalmap", 1}, Case{"textured_diffuse", 1},

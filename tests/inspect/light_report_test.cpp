@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reports of light against what is known of it.
+// Tests of light reports against closed forms.
 #include "inspect/light_report.hpp"
 
 #include "light/images.hpp"
@@ -20,7 +20,7 @@ TEST_CASE("the report of a Rayleigh sky has its closed form") {
     CHECK(c.largest == doctest::Approx(3).epsilon(1e-3));
     CHECK(c.smallest == doctest::Approx(1.5).epsilon(1e-3));
     CHECK(c.largest_dolp == doctest::Approx(0.8).epsilon(1e-4));
-    // Mean of s0 DoLP over that of s0: dop_max 3/4 mean of sin^2.
+    // The mean of s0 DoLP divided by the mean of s0 is dop_max 3/4 times the mean of sin^2.
     CHECK(c.mean_dolp == doctest::Approx(0.8 * 0.75 * 2 / 3).epsilon(1e-4));
     CHECK(c.circular == 0);
     CHECK(c.negative == 0);
@@ -29,14 +29,14 @@ TEST_CASE("the report of a Rayleigh sky has its closed form") {
     REQUIRE(c.energy.size() == 5);
     CHECK(c.energy[0][0] == doctest::Approx(4 * 4 * pi));
     CHECK(c.energy[1][0] < 1e-20);
-    // Parseval: all of the light is in orders 0 and 2. s0^2 means 4 * 9/16 (1 + 2/3 + 1/5).
+    // Parseval: all light is in orders 0 and 2. The mean of s0^2 is 4 * 9/16 (1 + 2/3 + 1/5).
     CHECK(c.energy[0][0] + c.energy[2][0] == doctest::Approx(4 * pi * 4 * 9 / 16 * (1 + 2.0 / 3 + 0.2)));
     CHECK(c.energy[2][1] + c.energy[2][2] == doctest::Approx(4 * pi * 4 * std::pow(0.75 * 0.8, 2) * 8 / 15));
     CHECK(c.energy[4][1] < 1e-20);
 }
 
 TEST_CASE("light beyond Eq. 70 is counted by solid angle") {
-    // s0 = 1 + 2 cos theta in propagation directions: negative where cos theta < -1/2, a quarter of the
+    // s0 = 1 + 2 cos theta in propagation directions is negative for cos theta < -1/2, a quarter of the
     // sphere.
     PshVector field(1, 1);
     field.at(0, 0, 0, 0) = std::sqrt(4 * pi);
@@ -47,7 +47,7 @@ TEST_CASE("light beyond Eq. 70 is counted by solid angle") {
     CHECK(report.channels[0].smallest == doctest::Approx(-1).epsilon(1e-3));
     CHECK(report.channels[0].largest_excess == doctest::Approx(1).epsilon(1e-2));
     CHECK(report.channels[0].mean == doctest::Approx(1).epsilon(1e-4));
-    // Circular light of degree |cos theta| 1.25: too much beyond cos = 0.8.
+    // Circular light of degree 1.25 |cos theta| is not physically realizable beyond cos = 0.8.
     PshVector circular(1, 1);
     circular.at(0, 0, 0, 0) = std::sqrt(4 * pi);
     circular.at(0, 1, 0, 3) = 1.25 * std::sqrt(4 * pi / 3);
@@ -72,7 +72,7 @@ TEST_CASE("images are written in the layout that is read") {
     CHECK(describe(*back, {}).wavelengths == image.wavelengths);
     const std::vector<double> two = {600, 460};
     CHECK(load_environment(folder / "a.exr", 1, two)->image().at(0, 2, 3)[1] == image.at(3, 2, 3)[1]);
-    // Unpolarized light takes no more than it needs.
+    // Unpolarized light is written without polarization channels.
     write_environment(folder / "b.exr", *constant_environment({1, 2, 3}));
     CHECK_FALSE(load_environment(folder / "b.exr")->polarized());
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reports of materials against what is known of them.
+// Tests of material reports against closed forms.
 #include "inspect/material_report.hpp"
 
 #include "harmonics/random_operators.hpp"
@@ -16,7 +16,7 @@ MaterialPtr surface(const Mueller& mueller) {
         {.reflect = [=](int, const glm::dvec3&, const glm::dvec3&) { return mueller; }, .channels = 1});
 }
 
-// Elements of M over pi; frames are s-frames.
+// Returns a Mueller matrix with these elements divided by pi, in s-frames.
 Mueller over_pi(double m00, double m10, double m01) {
     Mueller m;
     m(0, 0) = m00 / pi;
@@ -25,7 +25,7 @@ Mueller over_pi(double m00, double m10, double m01) {
     return m;
 }
 
-// Sign of a position under the mirror image in the plane y = 0, where azimuths, s2 and s3 are reversed.
+// Returns the sign of a coefficient under reflection in the plane y = 0, which reverses azimuths, s2 and s3.
 double mirror_sign(int m, std::size_t p) {
     if (p == 1 || p == 2) return p == 1 ? 1 : -1;
     return (m >= 0 ? 1.0 : -1.0) * (p == 0 ? 1 : -1);
@@ -39,7 +39,7 @@ TEST_CASE("the report of an even surface has its closed form") {
         CHECK(r.albedo == doctest::Approx(reflectance).epsilon(1e-3));
         CHECK(r.largest_albedo == doctest::Approx(reflectance).epsilon(0.03));
         CHECK(r.asymmetry < 1e-12);
-        // cos / pi over both hemispheres: the root of (1 / pi^2) (2 pi / 3) (2 pi).
+        // The norm of cos / pi over both hemispheres is the root of (1 / pi^2) (2 pi / 3) (2 pi).
         CHECK(r.norms[0] == doctest::Approx(reflectance * 2 / std::sqrt(3)).epsilon(0.02));
         for (std::size_t i = 1; i < 9; ++i) CHECK(r.norms[i] < 1e-9);
     }
@@ -82,21 +82,21 @@ TEST_CASE("energy that appears is reported, in the worst polarization") {
     };
     CHECK(report(over_pi(2, 0, 0), 12).largest_albedo == doctest::Approx(2).epsilon(0.05));
     CHECK(report(over_pi(0.5, 0, 0), 12).largest_albedo == doctest::Approx(0.5).epsilon(0.05));
-    // In the plane of light and viewer all of s1 = s0 is reflected, nothing of s1 = -s0.
+    // In the plane of incidence light with s1 = s0 is fully reflected, and light with s1 = -s0 not at all.
     const MatrixReport polarizer = report(over_pi(0.4, 0, 0.4), 16);
     CHECK(polarizer.albedo == doctest::Approx(0.4).epsilon(1e-3));
-    // Directions leave evenly by cosine; the part of s1 in s-frames that points one way adds to 0.4.
+    // Light leaves uniformly by cosine. The part of s1 that has one sign in s-frames adds up to 0.4.
     CHECK(polarizer.largest_albedo > 0.45);
     CHECK(polarizer.largest_albedo < 0.81);
 }
 
 TEST_CASE("light that polarizes beyond itself is reported") {
-    // Of matrices, as those of files are.
+    // Reports on matrices, as files hold them.
     const auto report = [](const Mueller& m) {
         return describe(*psh_matrix_material(std::vector{project_material(*surface(m), 0, 12)}), 0);
     };
     CHECK(report(over_pi(0.5, 0, 0)).excess < 0.02);
-    // Leaves with s1 = 1.5 s0 unless s3 took part.
+    // The reflected light has s1 = 1.5 s0.
     const MuellerReport polarized = report(over_pi(0.5, 0.75, 0));
     CHECK(polarized.unphysical > 0.9);
     CHECK(std::abs(polarized.excess - 0.5) < 0.1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Light in closed form: constant and Rayleigh sky.
+// Tests of light in closed form: constant and Rayleigh sky.
 #include "harmonics/evaluate.hpp"
 #include "harmonics/rotation.hpp"
 #include "light/images.hpp"
@@ -34,7 +34,7 @@ TEST_CASE("a Rayleigh sky with the sun at +z has the coefficients of its closed 
     CHECK(light->polarized());
     CHECK_FALSE(light->circular());
     const PshVector f = light->project(5);
-    // 3/4 (1 + cos^2) = P_0 + P_2 / 2, and s1 = -3/4 dop sin^2 since the field lies along phi-hat, where
+    // 3/4 (1 + cos^2) = P_0 + P_2 / 2, and s1 = -3/4 dop sin^2, because the field lies along phi-hat. There
     // 2Y_20 = sqrt(5 / 4 pi) sqrt(6)/4 sin^2.
     PshVector expected(5, 1);
     expected.at(0, 0, 0, 0) = 2 * std::sqrt(4 * pi);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Cube maps: geometry and frames from their definition, a field of known coefficients, the authors' light.
+// Tests of cube maps: geometry and frames by definition, a field of known coefficients, and the authors'
+// light.
 #include "light/cube_cross.hpp"
 
 #include "harmonics/evaluate.hpp"
@@ -12,7 +13,7 @@ using namespace nicol;
 
 namespace {
 
-/// The field at every pixel.
+/// Returns the cube map with the field's value at every pixel.
 CubeCross cross_of(const PshVector& field, int edge) {
     CubeCross cross(4 * edge, 3 * edge, field.channels());
     for (int y = 0; y < 3 * edge; ++y) {
@@ -30,7 +31,7 @@ CubeCross cross_of(const PshVector& field, int edge) {
     return cross;
 }
 
-/// Relative error of s0 (without the mean) and of s1 + i s2, up to an order.
+/// Relative errors of s0 (without the mean) and of s1 + i s2 up to an order.
 struct Errors {
     double s0, spin;
 };
@@ -51,7 +52,7 @@ Errors errors(const PshVector& a, const PshVector& truth, int order) {
 }  // namespace
 
 TEST_CASE("pixels lie in the directions of the layout, in right-handed frames of their propagation") {
-    // The middle of every face, and the pixel right of and above it.
+    // The rows give the centre of every face and the directions to its right and up.
     const struct {
         double x, y;
         glm::dvec3 forward, right, up;
@@ -72,7 +73,7 @@ TEST_CASE("pixels lie in the directions of the layout, in right-handed frames of
         CHECK(std::abs(glm::dot(corner.frame[0], face.up)) < 1e-14);
         CHECK(glm::dot(corner.frame[0], face.right) > 0.5);
     }
-    // Neighbours in the image are neighbours on the sphere: across Front's four edges.
+    // Neighbours in the image across Front's four edges are neighbours on the sphere.
     for (const auto& [a, b] : {std::pair(glm::dvec2(1.4, 1.0001), glm::dvec2(1.4, 0.9999)),
                                {{1.4, 1.9999}, {1.4, 2.0001}},
                                {{1.0001, 1.3}, {0.9999, 1.3}},
@@ -99,7 +100,7 @@ TEST_CASE("a field of known coefficients comes back from its cube, the better th
 }
 
 TEST_CASE("the frame is continuous across the edges of faces") {
-    // Between pixels of two faces the components of one face would differ by the rotation between them.
+    // Without rotation, components of two faces would differ by the angle between their frames.
     const PshVector field = random_field(3, 1, 5);
     const EquirectImage image = equirect_from_cross(cross_of(field, 32));
     const auto light = image_environment(image);
@@ -180,7 +181,7 @@ TEST_CASE("sets of files that do not fit together are refused by name") {
     const std::vector<double> wavelengths = {500};
     check_error(ErrorCode::invalid_argument, CALL(load_environment(folder / "a_s0.exr", 1, wavelengths)),
                 "spectral");
-    // An image whose name only looks alike.
+    // A similar name does not make the image a part of a cube map.
     write_exr(folder / "s0.exr", StokesImage(4, 3, 1));
     CHECK(load_environment(folder / "s0.exr")->channels() == 1);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The mapping between directions and images, and its frames.
+// Tests of the mapping between directions and image positions, and of its frames.
 #include "light/equirect.hpp"
 
 #include "light/images.hpp"
@@ -14,7 +14,7 @@ TEST_CASE("coordinates of the axes") {
     CHECK(equirect_coordinates({1, 0, 0}) == glm::dvec2(0.25, 0.5));
     CHECK(equirect_coordinates({0, 0, 1}) == glm::dvec2(0.5, 0.5));
     CHECK(equirect_coordinates({-1, 0, 0}) == glm::dvec2(0.75, 0.5));
-    // Just left of the seam: never 1, which no column has.
+    // Just left of the seam u is below 1, because no column has u = 1.
     CHECK(equirect_coordinates({-1e-300, 0, -1}).x < 1);
     CHECK(equirect_coordinates({-1e-300, 0, -1}).x >= 0);
 }
@@ -25,7 +25,7 @@ TEST_CASE("directions and coordinates undo each other") {
         CHECK(glm::length(equirect_direction(uv.x, uv.y) - w) < 1e-15);
         CHECK(glm::length(towards(uv.x, uv.y) - w) < 1e-15);
     }
-    // Near a pole v keeps its digits.
+    // v keeps its precision near a pole.
     CHECK(equirect_coordinates(glm::normalize(glm::dvec3(1e-9, 1, 0))).y ==
           doctest::Approx(1e-9 / pi).epsilon(1e-12));
 }
@@ -49,7 +49,7 @@ TEST_CASE("the image frame is the theta-phi frame about y rotated by +90 degrees
     for (int i = 0; i < 20; ++i) {
         const double u = (i + 0.3) / 20;
         const double v = (i + 1) / 22.0;
-        // The propagation direction and its theta-phi frame in the axes whose pole is y.
+        // The propagation direction and its theta-phi frame, in axes whose pole is y.
         const glm::dvec3 local = glm::transpose(axes) * -equirect_direction(u, v);
         CHECK(std::acos(local.z) == doctest::Approx(pi * (1 - v)));
         CHECK(std::remainder(std::atan2(local.y, local.x) - (pi - 2 * pi * u), 2 * pi) == doctest::Approx(0));

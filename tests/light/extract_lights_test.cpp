@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Extracted lights of an environment and the rest of it.
+// Tests of extracted lights of an environment and of the remaining light.
 #include "light/extract_lights.hpp"
 
 #include "light/images.hpp"
@@ -11,14 +11,14 @@ namespace {
 
 constexpr int kAll = 64;
 
-// A room of weak light, polarized like this.
+// Returns a room of uniform light.
 EquirectImage room(int width, int height, int channels, const Stokes& light = {1, 0, 0, 0}) {
     EquirectImage image(width, height, channels);
     for (std::size_t i = 0; i < image.data.size(); ++i) image.data[i] = static_cast<float>(light[i % 4]);
     return image;
 }
 
-// Pixels of rows and columns (which wrap) from the first on, of another brightness in each.
+// Adds a lamp over pixels of rows and columns (which wrap), with a different brightness in each pixel.
 void add_lamp(EquirectImage& image, int row, int rows, int column, int columns, const Stokes& light) {
     for (int c = 0; c < image.channels; ++c)
         for (int y = row; y < row + rows; ++y)
@@ -52,7 +52,7 @@ void for_samples(const ExtractedLight& extracted_light, int channel, int count, 
     }
 }
 
-// Of what samples of the extracted lights give.
+// Returns the coefficients of the extracted lights, estimated from samples.
 PshVector coefficients(const SplitLight& split, int order, int channels, int count) {
     PshVector sum(order, channels);
     std::vector<double> scalar(psh_count(order));
@@ -154,7 +154,7 @@ TEST_CASE("the rest is physical, smooth where extracted_lights were, and else wh
             CHECK(s[0] <= image.data[i]);
             most = std::max(most, double{s[0]});
         }
-        CHECK(most < 55);  // the window
+        CHECK(most < 55);  // radiance of the window case
     }
     EquirectImage image = room(64, 33, 1, {2, 0, 0, 0});
     add_lamp(image, 9, 2, 20, 3, {3000, 1000, 0, 0});
@@ -166,7 +166,7 @@ TEST_CASE("light without extracted_lights is left as it is") {
     RayleighSky hazy;
     hazy.turbidity = 4;
     hazy.sun_direction = {1, 1, 0};
-    // Too wide, and too large.
+    // The ring is too wide, and the window too large, to be extracted.
     EquirectImage ring = room(512, 257, 1);
     for (int x = 0; x < 512; ++x) ring.at(0, 128, x)[0] = 30;
     EquirectImage window = room(64, 33, 3);
@@ -225,7 +225,7 @@ TEST_CASE("samples lie in the extracted_light's cone, in the frame of the image,
             CHECK(farthest > extracted_light->angular_radius() / 3);
         }
     }
-    // Of an extracted light of one polarization, all light has that.
+    // All samples have the lamp's polarization if all of its pixels have it.
     EquirectImage image = room(64, 33, 2);
     add_lamp(image, 14, 3, 62, 4, {3000, 600, -1200, 900});
     const SplitLight split = extract_lights(image_environment(image), kAll);
@@ -241,14 +241,14 @@ TEST_CASE("samples lie in the extracted_light's cone, in the frame of the image,
 }
 
 TEST_CASE("a extracted_light tells which Stokes components it has") {
-    LaneLight out;  // has what the extracted light before left
+    LaneLight out;  // keeps values of the previous extracted light
     for (const auto& [light, components] :
          {std::pair{Stokes(3000, 0, 0, 5), 4U}, {Stokes(3000, 0, 500, 0), 3U}, {Stokes(3000, 0, 0, 0), 1U}}) {
         EquirectImage image = room(64, 33, 1);
         add_lamp(image, 14, 3, 20, 2, light);
         const SplitLight split = extract_lights(image_environment(image), kAll);
         REQUIRE(split.extracted_lights.size() == 1);
-        split.extracted_lights[0]->sample(Lanes{}, Lanes{}, out);  // the corner of u = v = 0 as well
+        split.extracted_lights[0]->sample(Lanes{}, Lanes{}, out);  // includes the corner u = v = 0
         CHECK(out.components == components);
         CHECK(split.extracted_lights[0]->polarized() == (components > 1));
         CHECK(split.extracted_lights[0]->circular() == (components > 3));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Sums of few degrees against their definition.
+// Tests of folded sums of few degrees against their definition.
 #include "light/folded_sums.hpp"
 
 #include "test.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Images as light: directions, files, refusals.
+// Tests of images as light: directions, files, refusals.
 #include "image/observer.hpp"
 #include "light/images.hpp"
 #include "temporary_folder.hpp"
@@ -21,7 +21,8 @@ EquirectImage grey_image(int width, int height) {
 }  // namespace
 
 TEST_CASE("a bright pixel lies in its direction") {
-    // Of 6 columns, column 1 is at u = 1/4 (+x) and 4 at u = 3/4 (-x); of 8 columns, none is on an axis.
+    // With 6 columns, column 1 is at u = 1/4 (+x) and column 4 at u = 3/4 (-x). With 8 columns, none is on an
+    // axis.
     EquirectImage image(6, 5, 1);
     image.at(0, 2, 1)[0] = 7;
     image.at(0, 2, 4)[0] = 3;
@@ -31,11 +32,11 @@ TEST_CASE("a bright pixel lies in its direction") {
     CHECK(light->radiance(0, {-1, 0, 0})[0] == doctest::Approx(3));
     CHECK(light->radiance(0, {0, 0, 1})[0] == doctest::Approx(0));
     CHECK(light->radiance(0, {0, -1, 0})[0] == doctest::Approx(0));
-    // Half a row up from +x, half a column towards +z.
+    // These directions are half a row up from +x and half a column towards +z.
     CHECK(light->radiance(0, towards(0.25, 0.375))[0] == doctest::Approx(3.5));
     CHECK(light->radiance(0, towards(0.25 + 1.0 / 12, 0.5))[0] == doctest::Approx(3.5));
 
-    // -z is the seam: half of the last column, half of the first.
+    // The seam -z shows half of the last column and half of the first.
     EquirectImage seam(6, 5, 1);
     seam.at(0, 2, 0)[0] = 2;
     seam.at(0, 2, 5)[0] = 4;
@@ -88,7 +89,7 @@ TEST_CASE("what is zero is not counted as polarization") {
 
 TEST_CASE("images that are no light are refused") {
     const auto bad = ErrorCode::invalid_argument;
-    // Rounding and lossy compression are forgiven.
+    // Slight excess from rounding or lossy compression is accepted.
     EquirectImage rounded = grey_image(4, 3);
     rounded.at(0, 1, 1)[1] = -1.005f;
     CHECK_NOTHROW((void)image_environment(rounded));
@@ -105,8 +106,8 @@ TEST_CASE("images that are no light are refused") {
 }
 
 TEST_CASE("negative unpolarized pixels become 0 unless they are much of the light") {
-    // The middle row of 5 has weight 1, the rows beside it sin(pi/4), the poles 0: of all ones, 4 (1 +
-    // sqrt(2)) columns' worth.
+    // The middle row of 5 has weight 1, the rows beside it sin(pi/4), and the poles 0. An image of ones
+    // weighs 4 (1 + sqrt(2)) columns.
     EquirectImage image = grey_image(4, 5);
     const auto positive = static_cast<float>(4 * (1 + std::sqrt(2.0)) - 1);
     for (const float share : {0.01f, 0.24f}) {
@@ -126,11 +127,11 @@ TEST_CASE("negative unpolarized pixels become 0 unless they are much of the ligh
         check_error(ErrorCode::invalid_argument, CALL(image_environment(image)), "channel 0", "pixel (1, 2)",
                     "s0 < 0");
     }
-    // Of no solid angle at all.
+    // A pole pixel has no solid angle.
     EquirectImage pole = grey_image(4, 5);
     pole.at(0, 0, 1)[0] = -100;
     CHECK(image_environment(pole)->image().at(0, 0, 1)[0] == 0);
-    // Not even a little where it is polarized, nor where there is no other light.
+    // Negative light is refused even in small amounts if it is polarized or if there is no other light.
     EquirectImage polarized = grey_image(4, 5);
     polarized.at(0, 2, 1)[0] = -1e-4f;
     polarized.at(0, 2, 1)[2] = 1e-5f;
@@ -155,7 +156,7 @@ TEST_CASE("every column of an image is checked, and what is no light named by ch
                     check_error(ErrorCode::invalid_argument, CALL(image_environment(image)), "channel 1",
                                 "pixel (" + std::to_string(x) + ", 1)", what);
                 }
-        // Squares out of the range of float say nothing.
+        // The check works even if squares are out of the range of float.
         for (const float size : {1e-30f, 1e25f}) {
             EquirectImage extreme(width, 3, 1);
             for (std::size_t i = 0; i < extreme.data.size(); i += 4) extreme.data[i] = size;
@@ -170,7 +171,7 @@ TEST_CASE("a view gives the light of the image it shows, whatever its layout") {
     for (const int components : {1, 4}) {
         const EquirectImage image = random_image(12, 7, 3, 13, components == 4);
         const auto light = image_environment(image, 2);
-        // Pixels with their channels side by side, rows with a gap.
+        // The channels of a pixel are adjacent, and rows have a gap.
         const auto n = static_cast<std::size_t>(components);
         const std::size_t row_stride = 12 * 3 * n + 5;
         std::vector<float> values(7 * row_stride, not_a_number);
@@ -258,7 +259,7 @@ TEST_CASE("files: polarized by their channels, errors by their name") {
     check_error(ErrorCode::invalid_file, CALL(load_environment(folder / "negative.exr")), "negative.exr",
                 "channel 1", "pixel (3, 2)");
     check_error(ErrorCode::file_not_found, CALL(load_environment(folder / "none.exr")), "none.exr");
-    // Longer than the system allows.
+    // The name is longer than the system allows.
     check_error(ErrorCode::file_not_found, CALL(load_environment(folder / std::string(300, 'a'))), "aaaa");
     check_error(ErrorCode::invalid_argument, CALL(load_environment(folder / "plain.exr", -1)), "scale");
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Coefficients of images against independent integration.
+// Tests of image coefficients against independent integration.
 #include "harmonics/evaluate.hpp"
 #include "light/images.hpp"
 #include "test.hpp"
@@ -8,14 +8,15 @@ using namespace nicol;
 
 namespace {
 
-/// Inner products of radiance() with the harmonics: five Gauss points a side in every cell between pixels.
+/// Returns the inner products of radiance() with the harmonics, by 5 x 5 Gauss points in every cell between
+/// pixels.
 PshVector brute_force(const Environment& light, int width, int height, int order) {
     constexpr double node[] = {-0.9061798459386640, -0.5384693101056831, 0, 0.5384693101056831,
                                0.9061798459386640};
     constexpr double share[] = {0.2369268850561891, 0.4786286704993665, 0.5688888888888889,
                                 0.4786286704993665, 0.2369268850561891};
     PshVector result(order, light.channels());
-    // Large cells are cut into small ones, where the rule is as good as exact for the harmonics.
+    // Large cells are divided, so that the rule is practically exact for the harmonics.
     const int cuts_u = 1 + 16 / width;
     const int cuts_v = 1 + 24 / (height - 1);
     const double du = 1.0 / (width * cuts_u);
@@ -38,7 +39,7 @@ TEST_CASE("the coefficients are those of the bilinear function that radiance() r
     struct Case {
         int width, height, order;
     };
-    // Even and odd sizes, fewer columns than degrees, and a prime width that takes the direct sums.
+    // Sizes: even, odd, fewer columns than degrees, and a prime width that takes the direct sums.
     for (const auto& [width, height, order] :
          {Case{8, 5, 6}, {7, 4, 6}, {2, 2, 4}, {3, 9, 5}, {67, 3, 2}, {16, 2, 7}}) {
         CAPTURES(width, height);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Images and integrals that the light tests share, and the definition of the directions of an image.
+// Shared images and integrals of the light tests, and directions in an image by definition.
 #pragma once
 
 #include "directions.hpp"
@@ -7,21 +7,21 @@
 #include "light/environment.hpp"
 #include "test.hpp"
 
-/// The direction towards the light of an image position, written out from the definition of EquirectImage.
+/// Returns the direction towards the light of an image position, by the definition of EquirectImage.
 inline glm::dvec3 towards(double u, double v) {
     return {std::sin(2 * pi * u) * std::sin(pi * v), std::cos(pi * v),
             -std::cos(2 * pi * u) * std::sin(pi * v)};
 }
 
-/// The image's Stokes frame: x by a difference along u, so independent of the library's formula.
+/// Returns the image's Stokes frame. Its x is a difference along u, independent of the library's formula.
 inline nicol::Frame pixel_frame(double u, double v) {
     const glm::dvec3 z = -towards(u, v);
     const glm::dvec3 x = glm::normalize(towards(u + 1e-5, 0.5) - towards(u - 1e-5, 0.5));
     return {x, glm::cross(z, x), z};
 }
 
-/// Random coefficients of every order and component on a constant that is large enough to keep the light
-/// physical.
+/// Returns random coefficients of every order and component plus a constant that keeps the light physically
+/// realizable.
 inline nicol::PshVector random_field(int order, int channels, unsigned seed = 1) {
     nicol::PshVector field(order, channels);
     std::mt19937 engine(seed);
@@ -36,7 +36,7 @@ inline nicol::PshVector random_field(int order, int channels, unsigned seed = 1)
     return field;
 }
 
-/// Physical light without any symmetry.
+/// Returns an image of physically realizable light without symmetry.
 inline nicol::EquirectImage random_image(int width, int height, int channels, unsigned seed,
                                          bool polarized = true) {
     std::mt19937 engine(seed);
@@ -51,7 +51,7 @@ inline nicol::EquirectImage random_image(int width, int height, int channels, un
     return image;
 }
 
-/// Adds the products of the light that travels along a direction with the harmonics there, times a weight.
+/// Adds the light that travels along a direction times the harmonics there, times a weight.
 inline void add_products(nicol::PshVector& sum, const nicol::Environment& light, const glm::dvec3& along,
                          double weight) {
     std::vector<double> scalar(nicol::psh_count(sum.order()));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Local lights and emission: what is refused, and where their textures lie.
+// Tests of local lights and emission: refusals, and texture coordinates.
 #include "light/local_light.hpp"
 #include "function_texture.hpp"
 #include "test.hpp"
@@ -59,7 +59,7 @@ TEST_CASE("parameters of local lights out of range are refused by name") {
     for (const auto& c : cases) check_error(ErrorCode::invalid_argument, CALL(check(c.light)), c.named);
     for (const Kind kind : {Kind::directional, Kind::point, Kind::spot, Kind::projector})
         CHECK_NOTHROW(check(LocalLight{.kind = kind, .value = {0, 1, 2, 3}}));
-    // What a kind does not have does not matter.
+    // Parameters of other kinds are ignored.
     CHECK_NOTHROW(check(LocalLight{.kind = Kind::point, .angular_radius = -1, .fov = -1}));
 }
 
@@ -108,7 +108,7 @@ TEST_CASE("a spot is as bright as on its axis within the beam, and falls linearl
     CHECK(spot_falloff(hard, std::cos(0.501)) == 0);
 }
 
-// As Mitsuba 3.9 places an image of 4 x 2 pixels.
+// The expected values are how Mitsuba 3.9 places an image of 4 x 2 pixels.
 TEST_CASE("the texture of a spot fills the square around its cone, that of a projector its rectangle") {
     const LocalLight spot{.kind = Kind::spot, .cutoff_angle = pi / 4};
     const LocalLight projector{.kind = Kind::projector, .fov = pi / 2, .aspect = 2};

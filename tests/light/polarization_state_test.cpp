@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// States of polarization: their frames, and what is refused.
+// Tests of states of polarization: their frames, and refusals.
 #include "light/polarization_state.hpp"
 #include "directions.hpp"
 #include "test.hpp"
@@ -30,7 +30,7 @@ TEST_CASE("the frame of a state is orthonormal, along the light, with the axis o
         CHECK(frame[2] == propagation);
         CHECK(glm::dot(frame[0], axis) > 0);
         CHECK(std::abs(glm::dot(frame[1], axis)) < 1e-14);
-        // It moves with the light.
+        // The frame varies continuously with the propagation direction.
         const Frame near = polarization_frame(axis, glm::normalize(propagation + 1e-7 * directions[0]));
         CHECK(largest_difference(near, frame) < 1e-5);
     }
@@ -50,7 +50,7 @@ TEST_CASE("a state is the same light in every frame") {
     CHECK(glm::length(stokes_in(own, state, state.axis) - state.stokes()) < 1e-15);
     const Frame other = frame_with_x(d[1], d[2]);
     const Stokes s = stokes_in(other, state, state.axis);
-    // The direction in which the electric field is strongest.
+    // Returns the direction in which the electric field is strongest.
     const auto strongest = [](const Frame& f, const Stokes& v) {
         const double angle = std::atan2(v[2], v[1]) / 2;
         return std::cos(angle) * f[0] + std::sin(angle) * f[1];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Light given by coefficients, and its files.
+// Tests of light given by coefficients, and of its files.
 #include "files/npz.hpp"
 #include "harmonics/evaluate.hpp"
 #include "light/images.hpp"
@@ -36,7 +36,7 @@ TEST_CASE("look-up, projection and image are of one field") {
             CHECK(glm::distance(image.stokes(c, y, x), expected) < 1e-5);
         }
     }
-    // The image's own projection, which takes another path altogether.
+    // The image is projected back by an independent code path.
     const PshVector back = image_environment(image)->project(5);
     for (std::size_t i = 0; i < back.data().size(); ++i)
         CHECK(std::abs(back.data()[i] - field.data()[i]) < 2e-3);

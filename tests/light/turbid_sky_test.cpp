@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The sky with haze: colour, radiance, polarization and ground.
+// Tests of the hazy sky: colour, radiance, polarization and ground.
 #include "light/turbid_sky.hpp"
 #include "light/images.hpp"
 #include "temporary_folder.hpp"
@@ -21,7 +21,7 @@ double luminance(const Environment& light, const glm::dvec3& towards_light) {
            0.0721750 * light.radiance(2, towards_light)[0];
 }
 
-/// The mean of `weight` times s0 over the upper half, by rings of equal height.
+/// Returns the mean of `weight` times s0 over the upper hemisphere, by rings of equal height.
 double upper_mean(const Environment& light, int channel, double (*weight)(double height)) {
     constexpr int rings = 300;
     double sum = 0;
@@ -39,8 +39,8 @@ double upper_mean(const Environment& light, int channel, double (*weight)(double
 }  // namespace
 
 TEST_CASE("Perez's formula gives its zenith value at the zenith") {
-    // Zenith luminance and chromaticity of Preetham's appendix, worked out by hand for T = 2, sun at 45
-    // degrees: chi = (4/9 - 1/60) pi/2 = 0.671940, tan = 0.794892; Y = 3.1196 tan - 0.431 + 2.4192.
+    // Zenith luminance and chromaticity of Preetham's appendix, computed by hand for T = 2 and the sun at 45
+    // degrees: chi = (4/9 - 1/60) pi/2 = 0.671940, tan = 0.794892, Y = 3.1196 tan - 0.431 + 2.4192.
     const double z = pi / 4;
     const PerezSky sky(2, z);
     const auto zenith = sky.at(1, z);
@@ -63,7 +63,7 @@ TEST_CASE(
     };
     CHECK(blueness(up) > 2);
     CHECK(blueness(far_horizon) < blueness(up));
-    // Of all directions as high as the sun, and of those above it up to the zenith.
+    // The sun is brighter than directions of equal elevation and than those between it and the zenith.
     for (int i = 1; i < 36; ++i) {
         const double a = 2 * pi * i / 36;
         CHECK(luminance(*light, sun) >
@@ -71,7 +71,7 @@ TEST_CASE(
         const double b = pi / 4 * i / 36;
         CHECK(luminance(*light, sun) > luminance(*light, {std::sin(b - pi / 4), std::cos(b - pi / 4), 0}));
     }
-    // More haze, less blue.
+    // More haze makes the sky less blue.
     CHECK(rayleigh_sky(hazy(sun, 8))->radiance(2, up)[0] / rayleigh_sky(hazy(sun, 8))->radiance(0, up)[0] <
           blueness(up));
 }

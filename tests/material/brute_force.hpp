@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The reflection integral in the angular domain, with nothing of the harmonics' machinery but the light
-// itself.
+// The reflection integral in the angular domain. The only harmonics in it are those of the light.
 #pragma once
 
 #include <cmath>
@@ -18,9 +17,9 @@
 
 namespace nicol::test {
 
-/// Light reflected towards `towards_viewer` (unit, world) by a surface whose normal is frame[2], in the
-/// theta-phi frame of `towards_viewer` about the world's z. `light` is a field over propagation directions in
-/// the world.
+/// Returns the light reflected towards `towards_viewer` (unit, world) by a surface whose normal is frame[2].
+/// The Stokes vector is in the theta-phi frame of `towards_viewer` about the world's z. `light` is a field
+/// over propagation directions in the world.
 inline Stokes reflected(const Material& material, int channel, const PshVector& light, const Frame& frame,
                         const glm::dvec3& towards_viewer, int zeniths = 96, int azimuths = 192) {
     const LatitudeRows rows = gauss_legendre_rows(zeniths);
@@ -39,7 +38,7 @@ inline Stokes reflected(const Material& material, int channel, const PshVector& 
             for (int t = 0; t < material.terms(); ++t) {
                 m = m + material.weight(t, channel) * material.evaluate(t, incident, viewer);
             }
-            // From the world's theta-phi frame of the propagation into the surface's.
+            // Angle from the theta-phi frame of the propagation in the world to that of the surface.
             const glm::dvec3 propagation = -(frame * incident);
             const double angle =
                 angle_between(theta_phi_frame(propagation), frame * theta_phi_frame(-incident));
@@ -54,13 +53,13 @@ inline Stokes reflected(const Material& material, int channel, const PshVector& 
     return rotated(out, angle_between(frame * theta_phi_frame(viewer), theta_phi_frame(towards_viewer)));
 }
 
-/// Rows of the table applied to light in the surface's own frame, viewer at that table angle and azimuth 0.
+/// Applies rows of the table to light in the surface's frame, for a viewer at that table angle and azimuth 0.
 inline Stokes respond(const ResponseTable& table, const LightLayout& layout, const PshVector& light,
                       int angle) {
     return rows_times_light(table.rows(angle, 0), light_pairs(layout, light.channel(0)));
 }
 
-/// A light with every coefficient that `components` (1, 3 or 4) allows, decaying with the order.
+/// Returns light with every coefficient that `components` (1, 3 or 4) allows, decaying with the order.
 inline PshVector random_light(int order, int channels, int components, unsigned seed) {
     std::mt19937 random(seed);
     std::normal_distribution<double> normal;

@@ -9,11 +9,12 @@
 
 namespace nicol::test {
 
-/// Another material under a film that light passes on its way in and out, and that tells left from right: it
-/// rotates linear polarization and absorbs circular light by its sense.
+/// A material under a chiral film that light passes on its way in and out. The film rotates linear
+/// polarization and absorbs circular light by its handedness.
 class Chiral final : public Material {
 public:
-    /// rotation: of twice the angle, radians; circular: difference of both senses, -1..1.
+    /// `rotation` is twice the rotation angle, in radians. `circular` is the difference between both
+    /// handednesses, -1..1.
     explicit Chiral(MaterialPtr base, double rotation = 0.5, double circular = 0.3)
         : base_(std::move(base)),
           film_({1, 0, 0, circular, 0, std::cos(rotation), -std::sin(rotation), 0, 0, std::sin(rotation),

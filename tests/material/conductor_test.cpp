@@ -31,7 +31,7 @@ TEST_CASE("a facet reflects by Fresnel's matrix in frames of the half vector") {
             metal ? rough_conductor({.eta = {eta}, .alpha = alpha, .distribution = distribution})
                   : pplastic({.int_ior = 1.5, .ext_ior = 1, .alpha = alpha, .distribution = distribution});
         for (int i = 0; i < 200; ++i) {
-            // The first in mirror directions, where the half vector is the normal.
+            // The first pair is in mirror directions, for which the half vector is the normal.
             const glm::dvec3 light = random_direction_within(random, 1.5);
             const glm::dvec3 viewer =
                 i == 0 ? glm::dvec3(-light.x, -light.y, light.z) : random_direction_within(random, 1.5);
@@ -92,7 +92,7 @@ TEST_CASE("conductors out of range are named") {
     CHECK(message({.eta = {}}).find("eta") == 0);
     CHECK(message({.eta = {{-1, -1}}}).find("eta") == 0);
     CHECK(message({.eta = {{nan, -1}}}).find("eta") == 0);
-    CHECK(message({.eta = {{1, 1}}}).find("k is") == 0);  // n + ik
+    CHECK(message({.eta = {{1, 1}}}).find("k is") == 0);  // the convention n + ik
     for (const double tiny : {0.0, 1e-6})
         CHECK(message({.eta = {{tiny, -tiny}}}).find("1e-6 or more") != std::string::npos);
     CHECK(message({.alpha = 0.0005}).find("alpha") == 0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A material that knows what was asked of it.
+// A material that counts its evaluations.
 #pragma once
 
 #include <atomic>
@@ -10,7 +10,7 @@
 
 namespace nicol::test {
 
-/// Counts how often it is asked, so that a test sees whether something was computed from it.
+/// A material that counts its evaluations, so that a test can tell whether a result was computed from it.
 class Counting final : public Material {
 public:
     explicit Counting(std::string key = "counting") : key_(std::move(key)) {}

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Material::evaluate_lanes() against evaluate_terms().
+// Tests of Material::evaluate_lanes() against evaluate_terms().
 #include "directions.hpp"
 #include "material/conductor.hpp"
 #include "material/material.hpp"
@@ -34,7 +34,7 @@ glm::dvec3 mirrored(const glm::dvec3& d) {
     return {-d.x, -d.y, d.z};
 }
 
-// Around the directions that are special, too.
+// Returns pairs of directions, including pairs near special ones.
 std::vector<Pair> pairs(double alpha) {
     const glm::dvec3 up(0, 0, 1);
     std::mt19937 random(5);
@@ -151,7 +151,7 @@ TEST_CASE("sixteen pairs of directions at once, as one by one") {
                     for (std::size_t e = 0; e < 16; ++e) {
                         const double error =
                             std::abs(static_cast<double>(all[t].m[e][i]) - expected[t](e / 4, e % 4));
-                        // Below the horizon, and where an exponential function underflows.
+                        // Values vanish below the horizon and if an exponential underflows.
                         if (scale < 1e-20) nothing = nothing && error < 1e-20;
                         if (!(error <= worst * scale) && scale >= 1e-20) {
                             worst = error / scale;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// What a material is at a point of a surface.
+// The Mueller matrix of a material at a surface point.
 #pragma once
 
 #include "material/spatial_variation.hpp"
 
 namespace nicol::test {
 
-/// M of a channel at texture coordinates, by the definition.
+/// Returns M of a channel at texture coordinates, by definition.
 inline Mueller matrix_at(const Material& material, int channel, glm::vec2 uv, const glm::dvec3& light,
                          const glm::dvec3& viewer) {
     const SpatialVariation* const variation = material.variation();

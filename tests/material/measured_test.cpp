@@ -16,7 +16,7 @@ using test::even_angles;
 
 namespace {
 
-// The theta-phi frames of evaluate() to s-frames, by the general functions.
+// Rotates M from the theta-phi frames of evaluate() to s-frames, by the general functions.
 Mueller in_s_frames(const Mueller& m, const glm::dvec3& light, const glm::dvec3& viewer) {
     const glm::dvec3 s = glm::cross(light, viewer);
     if (glm::length(s) < 1e-9) return in_rotated_frames(m, pi / 2, pi / 2);
@@ -63,11 +63,11 @@ TEST_CASE("a plastic written to a file and read back has the same Mueller matric
             const glm::dvec3 viewer = random_direction_within(random, 1.1);
             const Mueller expected = evaluate(*material, 0, light, viewer);
             const Mueller found = evaluate(*read, 0, light, viewer);
-            // Bilinear interpolation over 1.5 and 7.5 degrees.
+            // The bound is the bilinear interpolation error over 1.5 and 7.5 degrees.
             CHECK(largest_difference(found, expected) < 0.03 * expected(0, 0) + 3e-4);
         }
         for (const glm::dvec3& d : {direction(0, 0), direction(0.7, 2)}) {
-            // Light and viewer alike.
+            // Directions of light and viewer coincide.
             const Mueller expected = evaluate(*material, 0, d, d);
             const Mueller found = evaluate(*read, 0, d, d);
             for (std::size_t e = 0; e < 16; ++e)
@@ -77,7 +77,7 @@ TEST_CASE("a plastic written to a file and read back has the same Mueller matric
         if (material == metal) CHECK(read->lobe_width(0) < 0.6);
         CHECK(evaluate(*read, 0, direction(2, 0), direction(1, 0))(0, 0) == 0);
 
-        // Tables of the two agree within the file's resolution.
+        // Tables of both materials agree within the file's resolution.
         const LightLayout layout(4, LightKind::full);
         const ResponseTable a(*material, layout, 1);
         const ResponseTable b(*load_measured(path, {.symmetrize = true}), layout, 1);
@@ -118,8 +118,8 @@ TEST_CASE("what breaks mirror symmetry is kept, or dropped and nothing else") {
         write_bytes(path, test::make_pbsdf(even_angles(25, from, to), angles, angles, {550},
                                            [&](std::size_t w, const glm::dvec3& i, const glm::dvec3& o) {
                                                Mueller m = of(metal)(w, i, o);
-                                               // A bias as analysers have, the same at every azimuth, and one
-                                               // that is not.
+                                               // Biases of an analyser, one constant over the azimuth and one
+                                               // varying.
                                                m(2, 0) += 0.3 * m(0, 0);
                                                m(1, 0) += (0.1 + 0.2 * glm::cross(i, o).z) * m(0, 0);
                                                return m;
@@ -186,7 +186,7 @@ TEST_CASE("wavelengths become channels") {
     std::vector<std::uint16_t> wavelengths;
     for (int nm = 400; nm <= 735; nm += 5) wavelengths.push_back(static_cast<std::uint16_t>(nm));
     REQUIRE(wavelengths.size() == 68);
-    // A ramp: reflectance = nm / 1000.
+    // The reflectance is nm / 1000.
     write_bytes(path, test::make_pbsdf(even_angles(3, -pi, pi), angles, angles, wavelengths,
                                        [&](std::size_t w, const glm::dvec3&, const glm::dvec3&) {
                                            Mueller m;
@@ -279,13 +279,13 @@ TEST_CASE("malformed files are refused by file and field") {
             std::swap(f.field("wvls").bytes[1], f.field("wvls").bytes[3]);
         }),
         "wvls");
-    // An offset beyond the file: the eight bytes after name, dimensions and type.
+    // The offset field is the eight bytes after name, dimensions and type, and points beyond the file.
     const std::size_t at = good.find("phi_d") + 5 + 2 + 1;
     has(std::string(good).replace(at, 8, "\xff\xff\xff\xff\xff\xff\xff\x7f", 8), "beyond the end");
     has(std::string(good).replace(14, 4, "\xff\xff\xff\xff", 4), "fields");
     CHECK_THROWS_AS(load_measured(folder / "absent.pbsdf"), Error);
     CHECK_THROWS_AS(load_measured(folder.path()), Error);
-    // Bits flipped anywhere: an error or a material, never anything else.
+    // Random byte changes must give an error or a material, and nothing else.
     std::mt19937 random(7);
     for (int i = 0; i < 300; ++i) {
         std::string bytes = good;
@@ -317,7 +317,7 @@ TEST_CASE("angle fields without values stand for evenly spaced angles, with one 
             const glm::dvec3 light = random_direction_within(random, 1.4);
             const glm::dvec3 viewer = random_direction_within(random, 1.4);
             const Mueller wanted = evaluate(*expected, 0, light, viewer);
-            // The file's angles are floats.
+            // The bound reflects that the file's angles are floats.
             CHECK(largest_difference(evaluate(*found, 0, light, viewer), wanted) <
                   1e-5 + 1e-4 * wanted(0, 0));
         }
@@ -339,7 +339,7 @@ TEST_CASE("angle fields without values stand for evenly spaced angles, with one 
     REQUIRE(notices.size() == 1);
     for (const char* name : {"phi_d", "theta_d", "theta_h"})
         CHECK_MESSAGE(notices[0].find(name) != std::string::npos, name);
-    // Any number may be claimed where there are no values.
+    // The claimed number of angles has no limit if there are no values.
     for (const std::uint64_t count : {std::uint64_t{0}, std::uint64_t{6}, UINT64_MAX}) {
         file.field("theta_h").shape[1] = count;
         CHECK(error_of(CALL(read()), ErrorCode::invalid_file).find("field ") != std::string::npos);
@@ -353,7 +353,7 @@ TEST_CASE("Mitsuba's own measured material is read") {
     const MaterialPtr white = load_measured(path, {}, [&](const std::string&) { ++notices; });
     CHECK(notices == 1);
     CHECK(white->channels() == 3);
-    // Spectralon reflects nearly everything, evenly, and hardly polarizes.
+    // Spectralon reflects nearly all light uniformly and hardly polarizes it.
     const Mueller m = evaluate(*white, 1, direction(0.3, 0), direction(0.4, 2));
     CHECK(m(0, 0) * pi == Approx(0.65).epsilon(0.2));
     CHECK(std::abs(m(1, 0)) < 0.1 * m(0, 0));
@@ -369,7 +369,7 @@ TEST_CASE("a file of the KAIST size is read in less than 300 MB of memory where 
             if (line.starts_with("VmHWM:")) return std::stol(line.substr(6)) / 1024;
         return 0L;
     };
-    // Writing 5 resets the peak; without the right to it the bound is only harder to keep.
+    // Writing 5 resets the peak. Without the permission the bound is harder to meet but still valid.
     std::ofstream("/proc/self/clear_refs") << "5";
     const TemporaryFolder folder;
     const auto path = folder / "sparse.pbsdf";

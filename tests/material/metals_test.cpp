@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Named metals: their constants, and what they are in red, green and blue.
+// Tests of named metals: their constants, and their values in red, green and blue.
 #include "material/conductor.hpp"
 #include "material/metal_constants.hpp"
 #include "test.hpp"
@@ -44,14 +44,14 @@ TEST_CASE("named metals have the constants of the handbooks") {
         CHECK(eta.real() == Approx(n).epsilon(0.01));
         CHECK(-eta.imag() == Approx(k).epsilon(0.01));
     }
-    // Where it was not measured, the nearest value.
+    // Outside the measured range the nearest value applies.
     CHECK(metal_index("AlSb", {600, 800})[0] == metal_index("AlSb", {600, 800})[1]);
     CHECK(metal_index("Au", {380, 500, 800}).size() == 3);
     for (const double nm : {379.0, 801.0, std::nan("")}) CHECK_THROWS_AS(metal_index("Au", {nm}), Error);
 }
 
 TEST_CASE("red, green and blue of named metals are those of Mitsuba's modes without spectra") {
-    // Printed by Mitsuba 3.9.1, scalar_rgb, in its order: eta, then k.
+    // The values were printed by Mitsuba 3.9.1, scalar_rgb, in the order eta, k.
     struct Case {
         const char* metal;
         std::array<double, 3> eta, k;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Facets whose roughness depends on the direction.
+// Tests of facets with anisotropic roughness.
 #include "material/microfacet.hpp"
 
 #include "directions.hpp"
@@ -15,14 +15,14 @@ namespace {
 
 constexpr Distribution kDistributions[] = {Distribution::beckmann, Distribution::ggx};
 
-/// Of a function of unit directions above the horizon.
+/// Integrates a function of unit directions over the upper hemisphere.
 template <class Function>
 double integral(const Function& of) {
     constexpr int rows = 1500, columns = 200;
     double sum = 0;
     for (int i = 0; i < rows; ++i)
         for (int j = 0; j < columns; ++j) {
-            // Squared, as the densities are narrow about the normal.
+            // Squaring concentrates the points near the normal, because the densities are narrow there.
             const double x = (i + 0.5) / rows;
             const double theta = pi / 2 * x * x;
             sum += of(direction(theta, 2 * pi * (j + 0.5) / columns)) * std::sin(theta) * 2 * x;
@@ -48,7 +48,7 @@ TEST_CASE("anisotropic facets cover the surface, whatever direction it is seen f
             CHECK(integral([&](const glm::dvec3& h) {
                       return facet_density(distribution, alpha, h) * h.z;
                   }) == Approx(1).epsilon(1e-4));
-            // Those visible make up the projected area (Smith), by Walter's fit nearly.
+            // Visible facets make up the projected area (Smith), approximately so with Walter's fit.
             for (const double azimuth : {0.0, 0.6, pi / 2}) {
                 const glm::dvec3 view = direction(1.1, azimuth);
                 const double visible =
@@ -89,7 +89,7 @@ TEST_CASE("an anisotropic metal is reciprocal, and turns with its axes") {
             const glm::dvec3 viewer = random_direction_within(random, 1.5);
             const Mueller m = along_x->evaluate(1, light, viewer);
             CHECK(along_x->evaluate(1, viewer, light)(0, 0) == Approx(m(0, 0)).epsilon(1e-12));
-            // Of all around the normal theta-phi frames turn along.
+            // The theta-phi frames rotate with the directions about the normal.
             CHECK(largest_difference(along_y->evaluate(1, by_a_quarter(light), by_a_quarter(viewer)), m) <=
                   1e-11 * m(0, 0));
             const double other = along_y->evaluate(1, light, viewer)(0, 0);
@@ -120,7 +120,7 @@ TEST_CASE("harmonics have the geometric mean of an anisotropic roughness") {
     const std::vector<float> expected = data(mean);
     CHECK(data(metal) == expected);
     CHECK(data(twosided(metal)) == expected);
-    // Materials made of it, too.
+    // Materials composed of the metal are anisotropic, too.
     const auto half = [](const MaterialPtr& material) {
         return blend(material, diffuse({0.1}), constant_texture({0.5, 0.5, 0.5, 1}, 1));
     };

@@ -16,7 +16,7 @@ using test::texture_of;
 
 namespace {
 
-/// u in every channel.
+/// Returns a texture of value u in every channel.
 TexturePtr ramp_texture() {
     return texture_of([](const TexturePoint& p) { return glm::vec4(p.uv.x, p.uv.x, p.uv.x, 1); }, 1);
 }
@@ -105,7 +105,7 @@ TEST_CASE("sixteen points have the weights that each of them has") {
           scaled_again(red, colour, 0.6), scaled(blend(red, with_roughness(gloss, few), u), colour)}) {
         const SpatialVariation& variation = *material->variation();
         const std::size_t layers = variation.layers.size();
-        // Over all of the texture, beyond it, and at one place.
+        // Points over the whole texture and beyond it, closely spaced points, and a single point.
         for (const auto& [first, step] : {std::pair{-0.1F, 0.08F}, {0.2F, 0.01F}, {0.3F, 0.0F}}) {
             CAPTURES(layers, first);
             TexturePoints points{};
@@ -138,7 +138,7 @@ TEST_CASE("roughness of two textures, one for each direction") {
     };
     const glm::dvec3 light = direction(0.6, 0.3);
     const glm::dvec3 viewer = direction(0.9, 2.8);
-    // Two checkerboards of opposite colours, exactly.
+    // Mixtures of two complementary checkerboards are exact.
     const auto board = [](float first, float second) {
         return checkerboard_texture(glm::vec3(first), glm::vec3(second), 1);
     };
@@ -150,7 +150,7 @@ TEST_CASE("roughness of two textures, one for each direction") {
         CHECK(largest_difference(matrix_at(*boards, 0, uv, light, viewer),
                                  evaluate(*brushed(static_cast<double>(u), static_cast<double>(v)), 0, light,
                                           viewer)) < 1e-9);
-    // One of them a number; and any number of values, by few layers.
+    // A constant needs fewer layers, and a continuous texture needs few layers.
     const TexturePtr ramp = texture_of([](const TexturePoint& p) { return glm::vec4(0.1F + 0.3F * p.uv.x); },
                                        1, glm::vec2(0.1F, 0.4F));
     const MaterialPtr mixed = with_roughness(brushed, ramp, constant_texture(glm::vec4(0.2F), 1));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Writes measured materials as test files.
+// A writer of measured materials for tests.
 #pragma once
 
 #include <cmath>
@@ -16,7 +16,7 @@
 
 namespace nicol::test {
 
-/// The parts of a .pbsdf file, to be written as they are or damaged first.
+/// The parts of a .pbsdf file, which tests may damage before writing it.
 struct PbsdfFile {
     struct Field {
         std::string name;
@@ -45,7 +45,7 @@ struct PbsdfFile {
         out.append(reinterpret_cast<const char*>(&value), sizeof value);
     }
 
-    /// Directory and data.
+    /// Returns the file: directory and data.
     [[nodiscard]] std::string bytes() const {
         std::size_t head = magic.size() + 4;
         for (const Field& f : fields) head += 2 + f.name.size() + 2 + 1 + 8 + 8 * f.shape.size();
@@ -75,8 +75,8 @@ inline std::vector<float> even_angles(std::size_t count, double from, double to)
     return out;
 }
 
-/// Mueller matrix in s-frames by wavelength index and directions towards light and viewer; below the horizon
-/// NaN is written without asking.
+/// Mueller matrix in s-frames by wavelength index, direction to the light and direction to the viewer.
+/// make_pbsdf() writes NaN below the horizon and does not call it there.
 using SFrameMueller = std::function<Mueller(std::size_t, const glm::dvec3&, const glm::dvec3&)>;
 
 inline PbsdfFile make_pbsdf(const std::vector<float>& phi_d, const std::vector<float>& theta_d,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What every material must obey.
+// Tests of physical laws that every material must obey.
 #include <stdexcept>
 
 #include "directions.hpp"
@@ -20,8 +20,8 @@ using doctest::Approx;
 
 namespace {
 
-// A perfect retarder by `retardance` that scatters evenly, its axes along and across the plane of light and
-// viewer: physical, polarizing and reciprocal.
+// Returns a perfect retarder by `retardance` that scatters uniformly, with axes along and across the plane of
+// incidence. The result is physically realizable, polarizing and reciprocal.
 Mueller retarder(double retardance) {
     const double c = std::cos(retardance) / pi;
     const double s = std::sin(retardance) / pi;
@@ -39,7 +39,7 @@ std::vector<Named> materials(const TemporaryFolder& folder) {
     const auto angles = test::even_angles(31, 0, pi / 2);
     write_bytes(path, test::make_pbsdf(test::even_angles(25, -pi, pi), angles, angles, {450, 550, 650},
                                        [](std::size_t w, const glm::dvec3& i, const glm::dvec3& o) {
-                                           // Without the glare of grazing directions, as measurements.
+                                           // Measurements lack the glare of grazing directions.
                                            Mueller m = fresnel_reflection(
                                                std::sqrt((1 + glm::dot(i, o)) / 2),
                                                metal_index("Au", {450 + 100.0 * static_cast<double>(w)})[0]);
@@ -102,7 +102,7 @@ TEST_CASE("physical light stays physical: s0 >= |(s1, s2, s3)| whatever arrives"
                 const Mueller m = evaluate(*material, c, light, viewer);
                 const Stokes out = m * in;
                 const double polarized = std::sqrt(out[1] * out[1] + out[2] * out[2] + out[3] * out[3]);
-                // The measured table is in steps, and its colours are mixtures with negative weights.
+                // The measured table is discretized, and its colours are mixtures with negative weights.
                 const double slack = name == "measured" ? 0.02 : 1e-9;
                 CHECK(polarized <= out[0] + slack * m(0, 0) + 1e-100);
                 CHECK(m(0, 0) >= 0);
@@ -115,8 +115,8 @@ TEST_CASE("no more energy leaves than arrives, for unpolarized and for polarized
     const TemporaryFolder folder;
     for (const auto& [name, material] : materials(folder)) {
         CAPTURE(name);
-        // A table's first row over constant light is the albedo seen from that angle; by reciprocity it is
-        // that of light from there. Linear light adds at most |row| of its own.
+        // The first row of a table over constant light is the albedo for a viewer at that angle. By
+        // reciprocity it equals the albedo for light from that angle. Linear light adds at most |row|.
         const LightLayout layout(0, LightKind::unpolarized);
         const ResponseTable table(*material, layout, material->channels());
         for (int angle = 0; angle < 1000; angle += 37) {
@@ -129,7 +129,7 @@ TEST_CASE("no more energy leaves than arrives, for unpolarized and for polarized
         std::mt19937 random(5);
         std::uniform_real_distribution<double> uniform;
         const int n = 150;
-        if (name.starts_with("smooth")) continue;  // its lobe falls between these directions
+        if (name.starts_with("smooth")) continue;  // the lobe falls between these directions
         for (const double zenith : {0.3, 1.1}) {
             const glm::dvec3 light = direction(zenith, 0);
             for (const double azimuth : {0.0, 0.9, 2.2}) {
@@ -187,7 +187,7 @@ TEST_CASE("reciprocity: exchanging light and viewer transposes, with s2 mirrored
     const TemporaryFolder folder;
     const glm::dvec3 a = direction(0.7, 0.4), b = direction(1.2, 2.9);
     for (const auto& [name, material] : materials(folder)) {
-        if (name == "measured") continue;  // a table in steps
+        if (name == "measured") continue;  // the table is discretized
         CAPTURE(name);
         // Reversing a ray keeps x = theta-hat up to sign and reverses y: (s0, s1, -s2, s3).
         const Mueller forth = evaluate(*material, 0, a, b), back = evaluate(*material, 0, b, a);
@@ -206,7 +206,7 @@ TEST_CASE("towards the light itself a facet reflects as at normal incidence, in 
         if (d.z < 0.999) {
             CHECK(largest_difference(exact, near) < 1e-5 * exact(0, 0));
         }
-        // Both x along theta-hat: s2 and s3 change sign, s1 does not.
+        // Both x axes point along theta-hat, so s2 and s3 change sign and s1 does not.
         CHECK(exact(1, 1) == Approx(exact(0, 0)));
         CHECK(exact(2, 2) == Approx(-exact(0, 0)));
         CHECK(exact(3, 3) == Approx(-exact(0, 0)));
@@ -225,7 +225,7 @@ TEST_CASE("twosided reflects alike on both sides, and never through the surface"
     const Mueller expected = evaluate(*front, 0, light, viewer);
     const Mueller ahead = evaluate(*both, 0, light, viewer);
     const Mueller back = evaluate(*both, 0, behind(light), behind(viewer));
-    // The image in the surface: reversed azimuths, hence odd elements change sign.
+    // The mirror image in the surface reverses azimuths, so odd elements change sign.
     for (std::size_t e = 0; e < 16; ++e) {
         const double sign = (e / 4 < 2) == (e % 4 < 2) ? 1 : -1;
         CHECK(ahead(e / 4, e % 4) == expected(e / 4, e % 4));
@@ -283,7 +283,7 @@ TEST_CASE("callbacks that are no isotropic, mirror symmetric, finite material ar
     CHECK(message({.reflect = [](int, const glm::dvec3&, const glm::dvec3&) {
               return std::nan("") * retarder(0);
           }}).find("finite") != std::string::npos);
-    // Not where it is checked: found when it is evaluated.
+    // This fault occurs where the constructor does not check, and is found during evaluation.
     const MaterialPtr late = callback_material({.reflect = [](int, const glm::dvec3& i, const glm::dvec3&) {
         return (i.z > 0.99 ? HUGE_VAL : 1.0) * retarder(0);
     }});

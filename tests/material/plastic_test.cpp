@@ -27,8 +27,8 @@ double reflectance(double cosine, double eta) {
     return fresnel_reflection(cosine, eta)(0, 0);
 }
 
-/// The share of light that facets let through, by the sum over their normals of the sphere, where what is
-/// refracted leaves by facets that see it.
+/// Returns the share of light that facets transmit, by integrating over facet normals. Refracted light counts
+/// only if it leaves by visible facets.
 double transmittance(double eta, Distribution distribution, double alpha, double zenith) {
     const glm::dvec3 from = direction(zenith, 0);
     const int n = 1200;
@@ -51,9 +51,9 @@ double transmittance(double eta, Distribution distribution, double alpha, double
 }  // namespace
 
 TEST_CASE("plastic is as Mitsuba evaluates it") {
-    // Mitsuba 3.9.1, scalar_rgb: eval() over the cosine, of diffuse_reflectance (0.2, 0.5, 0.9) and
-    // specular_reflectance (1, 0.5, 0), int_ior as given and ext_ior 1, for the viewer at the first zenith
-    // angle and light at the second, at this azimuth from it.
+    // Values of Mitsuba 3.9.1, scalar_rgb: eval() divided by the cosine, with diffuse_reflectance (0.2, 0.5,
+    // 0.9), specular_reflectance (1, 0.5, 0), int_ior as given and ext_ior 1. The angles are the zenith of
+    // the viewer, that of the light, and the azimuth between them.
     struct Value {
         double viewer, light, azimuth;
         std::array<double, 3> rgb;
@@ -61,7 +61,7 @@ TEST_CASE("plastic is as Mitsuba evaluates it") {
     const struct {
         std::string name;
         double int_ior;
-        double alpha;  // 0: smooth, whose mirror image eval() leaves out
+        double alpha;  // 0: smooth; eval() omits the mirror reflection
         Distribution distribution;
         bool nonlinear;
         std::vector<Value> values;
@@ -177,10 +177,10 @@ TEST_CASE("a boundary lets through what its facets refract") {
             return BoundaryTransmittance(eta, distribution, alpha).at(cosine) -
                    transmittance(eta, distribution, alpha, zenith);
         };
-        // Total reflection begins abruptly, between points.
+        // Total reflection begins abruptly between table points.
         const double tolerance = eta < 1 ? 0.01 : 0.002;
         for (const double alpha : {0.15, 0.5, 1.0}) CHECK(std::abs(error(ggx, alpha)) < tolerance);
-        // What of Beckmann's facets is visible is known by a fit alone.
+        // The visibility of Beckmann facets is known only by a fit.
         CHECK(std::abs(error(beckmann, 0.4)) < 0.005);
     });
 }
@@ -195,7 +195,7 @@ TEST_CASE("a boundary returns the share of diffuse light that Fresnel's formulas
             returned += 2 * cosine * reflectance(cosine, 1 / eta) / n;
         }
         CHECK(differs(BoundaryTransmittance(eta).returned(), returned) < 0.01);
-        // Nearly smooth facets; of their sum the ends are too large a part.
+        // The facets are nearly smooth, and the ends contribute too much to their sum.
         CHECK(differs(BoundaryTransmittance(eta, beckmann, 0.005).returned(), returned) < 0.03);
     }
 }

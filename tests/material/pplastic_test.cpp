@@ -35,7 +35,7 @@ TEST_CASE("facet densities are normalised and projected areas add up") {
                 CHECK(facet_visibility(distribution, alpha, 1e-6) < 1e-4);
                 CHECK(facet_visibility(distribution, alpha, 0) == 0);
             });
-    // Smith's integral for GGX: the visible projected area of all facets is the macro surface's.
+    // Smith's integral for GGX: the visible projected area of all facets equals that of the surface.
     const double alpha = 0.4;
     const glm::dvec3 view = direction(1.1, 0);
     double seen = 0;
@@ -68,7 +68,7 @@ TEST_CASE(
     const double brewster = std::atan(1.5);
     const Stokes white(1, 0, 0, 0);
     const Stokes glossy = material->evaluate(1, direction(brewster, pi), direction(brewster, 0)) * white;
-    CHECK(glossy[1] == Approx(-glossy[0]));  // theta-hat lies in the plane
+    CHECK(glossy[1] == Approx(-glossy[0]));  // theta-hat lies in the plane of incidence
     const Stokes refracted = material->evaluate(0, direction(0.5, 1), direction(brewster, 0)) * white;
     CHECK(refracted[1] > 0.05 * refracted[0]);
     CHECK(refracted[2] == Approx(0));

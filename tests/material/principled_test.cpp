@@ -22,7 +22,7 @@ TexturePtr constant(double value) {
     return constant_texture(glm::vec4(static_cast<float>(value)), 1);
 }
 
-/// All numbers but eta.
+/// A numeric parameter. The list below contains all but eta.
 struct Number {
     const char* name;
     double PrincipledParameters::*value;
@@ -43,9 +43,9 @@ const Number kNumbers[] = {
 }  // namespace
 
 TEST_CASE("values of Mitsuba 3's principled") {
-    // Mitsuba 3.9.1, scalar_rgb: load_dict({'type': 'principled', 'base_color': (0.2, 0.8, 0.1), ...})
-    // .eval(BSDFContext(), si, wo), which holds the cosine of wo, for si.wi along (-0.45, 0.3, 0.8) and wo
-    // along (0.5, -0.2, 0.8); and for (0.9, 0.1, 0.25) and (-0.6, 0.5, 0.4).
+    // Values of Mitsuba 3.9.1, scalar_rgb: load_dict({'type': 'principled', 'base_color': (0.2, 0.8, 0.1),
+    // ...}) .eval(BSDFContext(), si, wo), which includes the cosine of wo. The first pair is si.wi along
+    // (-0.45, 0.3, 0.8) and wo along (0.5, -0.2, 0.8), the second (0.9, 0.1, 0.25) and (-0.6, 0.5, 0.4).
     const std::pair<glm::dvec3, glm::dvec3> pairs[] = {{{-0.45, 0.3, 0.8}, {0.5, -0.2, 0.8}},
                                                        {{0.9, 0.1, 0.25}, {-0.6, 0.5, 0.4}}};
     struct Case {
@@ -121,7 +121,7 @@ TEST_CASE("values of Mitsuba 3's principled") {
                 const Mueller m = evaluate(*material, c, light, viewer);
                 CHECK(m(0, 0) * light.z ==
                       Approx(row.expected[i][static_cast<std::size_t>(c)]).epsilon(2e-5));
-                // It depolarizes.
+                // The material depolarizes.
                 for (std::size_t e = 1; e < 16; ++e) CHECK(m(e / 4, e % 4) == 0);
             }
         }
@@ -171,7 +171,7 @@ TEST_CASE("principled textures of one value are numbers") {
     for (int c = 0; c < 3; ++c)
         CHECK(evaluate(*found, c, direction(0.4, 1), direction(0.7, 3.9))(0, 0) ==
               Approx(evaluate(*expected, c, direction(0.4, 1), direction(0.7, 3.9))(0, 0)).epsilon(1e-6));
-    // Beyond 0 to 1 they are moved there.
+    // Texture values outside 0 to 1 are clamped.
     CHECK(principled({}, {.sheen = constant(7)})->content_key() == principled({.sheen = 1})->content_key());
 }
 
@@ -230,15 +230,15 @@ TEST_CASE("a principled material has as few layers as its textures allow") {
     const TexturePtr a = board(0.2F, 0.7F, 1), b = board(0.3F, 0.8F, 2);
     const TexturePtr colors = checkerboard_texture(glm::vec3(0.2F, 0.8F, 0.1F), glm::vec3(1), 3);
     CHECK(layers({}, {}) == 1);
-    // Coloured and white.
+    // One layer is coloured and one white.
     CHECK(layers({}, {.base_color = colors}) == 2);
-    // One for each roughness.
+    // There is one layer for each roughness.
     CHECK(layers({}, {.roughness = a}) == 2);
     CHECK(layers({.sheen = 1, .clearcoat = 1}, {.roughness = a}) == 3);
-    // Metal and the rest.
+    // Metal and the rest are separate layers.
     CHECK(layers({.spec_tint = 0.5, .sheen = 1}, {.metallic = a}) == 2);
     CHECK(layers({.sheen = 1}, {.metallic = a, .clearcoat = b}) == 3);
-    // What a parameter of 0 hides.
+    // Textures without effect, because another parameter is 0 or 1, add no layers.
     CHECK(layers({}, {.sheen_tint = a, .clearcoat_gloss = b}) == 1);
     CHECK(layers({.metallic = 1}, {.spec_trans = a, .spec_tint = a, .sheen = b, .flatness = b}) == 1);
 }

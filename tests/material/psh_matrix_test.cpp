@@ -20,7 +20,7 @@ using doctest::Approx;
 
 namespace {
 
-// Nodes for fields that end at the horizon.
+// Returns quadrature nodes for fields that end at the horizon.
 LatitudeRows hemisphere_rows(int count, bool upper) {
     LatitudeRows rows = gauss_legendre_rows(count);
     for (std::size_t j = 0; j < rows.theta.size(); ++j) {
@@ -109,7 +109,7 @@ TEST_CASE("a material of a matrix: its table, its directions and its light agree
             CHECK(glm::distance(test::respond(table, layout, light, angle),
                                 evaluate(out, 0, direction(theta, 0))) < 1e-5);
         }
-        // Light from a single direction has the harmonics there as coefficients.
+        // The coefficients of light from a single direction are the harmonics at that direction.
         double largest = 0;
         double error = 0;
         for_all({0.0, 0.4, 1.3}, {0.0, 0.05, 0.77, 1.5}, {0.0, 1.0, 2.8, 4.4},
@@ -169,7 +169,7 @@ TEST_CASE("symmetrized, a matrix is the mean of itself and its mirror image") {
                     }
             });
     CHECK(error < 1e-5 * largest);
-    // Rounding, as files in single precision have it, is not worth a table of twice the size.
+    // Rounding as in single-precision files does not make the table twice as large.
     IsotropicMatrix rounded = *half->matrix(0);
     rounded.block(1, 2, 2)[0] += std::complex<double>(0, 1e-7);
     CHECK(psh_matrix_material({rounded})->mirror_symmetric());
@@ -213,10 +213,10 @@ TEST_CASE("measured gold: check values, isotropy, and light from above leaves up
     REQUIRE(gold.size() == 3);
     CHECK(gold[0].order_in() == 19);
     CHECK(gold[0].block(0, 0, 1)[0].real() == Approx(-0.18513477));
-    // Gold is yellow.
+    // Gold is yellow, so red exceeds green and green exceeds blue.
     CHECK(gold[0].block(0, 0, 0)[0].real() > gold[1].block(0, 0, 0)[0].real());
     CHECK(gold[1].block(0, 0, 0)[0].real() > 1.4 * gold[2].block(0, 0, 0)[0].real());
-    // What reading averages away is rounding only.
+    // Reading averages entries, which removes only rounding.
     const NpyArray coeff = read_npz_member(path, "coeff");
     const TemporaryFolder folder;
     write_psh_matrix(folder / "gold.npz", gold);
@@ -226,7 +226,7 @@ TEST_CASE("measured gold: check values, isotropy, and light from above leaves up
     const MaterialPtr material = psh_matrix_material(gold, {1, 0.5, 1});
     std::vector<double> scalar(psh_count(19));
     std::vector<std::complex<double>> spin2(psh_count(19));
-    harmonics_at(19, {0, 0, -1}, scalar, spin2);  // propagating downwards
+    harmonics_at(19, {0, 0, -1}, scalar, spin2);  // light propagates downwards
     PshVector beam(19, 1);
     for (std::size_t i = 0; i < scalar.size(); ++i) beam.channel(0)[4 * i] = scalar[i];
     PshVector out(19, 1);
@@ -236,8 +236,8 @@ TEST_CASE("measured gold: check values, isotropy, and light from above leaves up
     CHECK(std::abs(evaluate(out, 0, {0, 0, -1})[0]) < 0.05 * up);
     CHECK(evaluate(*material, 0, {0, 0, 1}, {0, 0, 1})(0, 0) == Approx(up).epsilon(1e-3));
 
-    // What breaks mirror symmetry, a bias of s2 that does not rotate with the plane of incidence, is kept
-    // unless it is not wanted.
+    // An s2 bias that does not rotate with the plane of incidence breaks mirror symmetry. The bias is kept
+    // unless the material is symmetrized.
     harmonics_at(19, direction(pi - 0.5, 0), scalar, spin2);
     for (std::size_t i = 0; i < scalar.size(); ++i) beam.channel(0)[4 * i] = scalar[i];
     gold[0].apply(beam.channel(0), out.channel(0));

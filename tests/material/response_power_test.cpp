@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Energies of responses against what rotated light really gives.
+// Tests of response energies against the results of randomly rotated light.
 #include "material/response_power.hpp"
 #include "harmonics/light_coefficients.hpp"
 
@@ -30,7 +30,8 @@ double energy(const PshVector& light) {
     return sum;
 }
 
-// Mean squares of s0 and of s1 and s2 over rotations of the light and over outgoing angles by projected area.
+// Returns the mean squares of s0 and of (s1, s2) over rotations of the light and over outgoing angles,
+// weighted by projected area.
 std::array<double, 2> mean_squares(const ResponseTable& table, const LightLayout& layout,
                                    const PshVector& light) {
     constexpr int rotations = 4000;
@@ -77,7 +78,7 @@ TEST_CASE("energies of what a light lacks are zero, and channels have their own"
     REQUIRE(power.channels() == 3);
     CHECK(power.of(0, 0, 0)[1] > 2 * power.of(2, 0, 0)[1]);
     CHECK(power.of(0, 1, 0)[3] ==
-          doctest::Approx(power.of(2, 1, 0)[3]).epsilon(0.05));  // gloss has no colour
+          doctest::Approx(power.of(2, 1, 0)[3]).epsilon(0.05));  // the gloss is colourless
     for (const std::size_t part : {1, 2})
         for (const double value : power.of(1, 0, part)) CHECK(value == 0);
     CHECK(ResponsePower(*diffuse({0.5}), 6, LightKind::unpolarized, 3).channels() == 1);

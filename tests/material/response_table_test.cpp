@@ -61,7 +61,7 @@ TEST_CASE("rows times light equals the reflection integral in the angular domain
 }
 
 TEST_CASE("a narrow lobe is resolved: constant light gives the directional albedo") {
-    // Independent integral over facet normals, where the lobe is smooth.
+    // The albedo is integrated independently over facet normals, in which the lobe is smooth.
     for (const double alpha : {0.01, 0.1}) {
         const MaterialPtr material =
             pplastic({.diffuse_reflectance = {0}, .alpha = alpha, .distribution = Distribution::ggx});
@@ -73,7 +73,7 @@ TEST_CASE("a narrow lobe is resolved: constant light gives the directional albed
             double albedo = 0;
             const int n = 1000;
             for (int i = 0; i < n; ++i) {
-                const double u = (i + 0.5) / n;  // tan^2 = alpha^2 u / (1 - u) spreads GGX's facets evenly
+                const double u = (i + 0.5) / n;  // tan^2 = alpha^2 u / (1 - u) spreads GGX facets evenly
                 const double facet = std::atan(alpha * std::sqrt(u / (1 - u)));
                 for (int k = 0; k < 200; ++k) {
                     const double phi = 2 * pi * (k + 0.5) / 200;
@@ -84,8 +84,8 @@ TEST_CASE("a narrow lobe is resolved: constant light gives the directional albed
                     if (across <= 0 || light.z <= 0) continue;
                     const double density = 1 / (pi * alpha * alpha * std::pow(h.z, 4) *
                                                 std::pow(1 + std::pow(std::tan(facet) / alpha, 2), 2));
-                    // Per facet direction: d omega_i = 4 (v.h) d omega_h, and D cos d omega_h is du dphi / 2
-                    // pi.
+                    // Per facet direction, d omega_i = 4 (v.h) d omega_h, and D cos d omega_h = du dphi / (2
+                    // pi).
                     albedo +=
                         material->evaluate(1, light, viewer)(0, 0) * light.z * 4 * across / (density * h.z);
                 }
@@ -110,7 +110,7 @@ TEST_CASE("between its angles the table's interpolation error is small") {
             const double here = static_cast<double>(table.rows(angle, 0)[i]);
             const double after = static_cast<double>(table.rows(angle + 1, 0)[i]);
             largest = std::max(largest, std::abs(here));
-            // Second difference / 8 is the error half-way.
+            // The second difference divided by 8 is the interpolation error at the midpoint.
             error = std::max(error, std::abs(before - 2 * here + after) / 8);
         }
     }
@@ -130,7 +130,7 @@ TEST_CASE("grey materials share one set of rows, coloured ones do not, and impos
     CHECK(glossy.channels() == 1);
     CHECK(glossy.makes(1));
     CHECK(glossy.makes(2));
-    CHECK_FALSE(glossy.makes(3));  // unpolarized light, real index
+    CHECK_FALSE(glossy.makes(3));  // unpolarized light and a real index give no s3
     CHECK(ResponseTable(*pplastic({}), LightLayout(2, LightKind::full), 1).makes(3));
     CHECK_THROWS_AS(ResponseTable(*diffuse({0.5, 0.1}), layout, 3), Error);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A render that runs out of memory anywhere says so, and the next one works.
+// Tests of renders that run out of memory at any allocation: they report it, and the next render works.
 #include "capi/capi.hpp"
 #include "memory/failing_new.hpp"
 
@@ -23,7 +23,7 @@ constexpr Variant variants[] = {
     {"dense", NICOL_METHOD_DENSE, NICOL_EXECUTOR_CPU, NICOL_SHADE_AT_VERTICES},
     {"reference", NICOL_METHOD_REFERENCE, NICOL_EXECUTOR_AUTOMATIC, NICOL_SHADE_AT_AUTOMATIC}};
 
-/// A tent of two triangles, which shadow each other, under a sky; two framebuffers.
+/// A tent of two triangles that shadow each other under a sky.
 struct Tent {
     Owned<nicol_environment> environment;
     Owned<nicol_material> material;
@@ -55,7 +55,7 @@ nicol_result render(nicol_scene scene, const Variant& variant, nicol_framebuffer
     return nicol_render(scene, &camera, &options, framebuffer);
 }
 
-/// Renders the tent without and then with a Shortage at about sixty of the allocations.
+/// Renders the tent first without a Shortage, then with one at about sixty of the allocations.
 void render_in_shortages(nicol_context context, const Tent& tent, const Variant& variant, Reach reach) {
     std::vector<float> expected;
     std::int64_t allocations = 0, failed = 0;
@@ -79,7 +79,8 @@ void render_in_shortages(nicol_context context, const Tent& tent, const Variant&
                 const Shortage shortage(position, position / step % 2 == 1, reach);
                 result = render(scene, variant, framebuffer);
             }
-            // What is not an error was made up for, such as a larger room that a container asked for.
+            // A call may succeed despite the shortage, for example if a container falls back to a smaller
+            // buffer.
             if (result != NICOL_OK) {
                 ++failed;
                 CHECK(result == NICOL_ERROR_OUT_OF_MEMORY);

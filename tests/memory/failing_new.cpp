@@ -35,7 +35,7 @@ struct Range {
     }
 };
 
-/// The segments of the program or library in which the address lies.
+/// Returns the address range of the program or library that contains the address.
 Range object_of(const void* address) {
     Range range(address);
     dl_iterate_phdr(
@@ -58,7 +58,7 @@ Range object_of(const void* address) {
 }
 
 struct Places {
-    /// Mesa's compiler, which shares the process, does not survive a failing new.
+    /// Range of libnicol alone, because Mesa's compiler in this process does not survive a failing new.
     Range library = object_of(reinterpret_cast<const void*>(&nicol_render));
     Range program = object_of(&counting);
     Range libc = object_of(dlsym(RTLD_DEFAULT, "gnu_get_libc_version"));
@@ -166,7 +166,7 @@ void operator delete[](void* memory, std::size_t, std::align_val_t) noexcept {
     std::free(memory);
 }
 
-// The sanitizers have a malloc of their own.
+// Sanitizers bring their own malloc.
 #ifndef NICOL_SANITIZED
 
 extern "C" {

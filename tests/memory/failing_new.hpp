@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A lack of memory on order.
+// Simulated shortages of memory.
 #pragma once
 
 #include <cstdint>
@@ -12,18 +12,18 @@ enum class Reach : std::uint8_t {
     thread    ///< operator new and malloc in any library but libc, on the thread of the Shortage
 };
 
-/// Counts allocations. If a position is given, the allocation there fails, and all later ones if it is
-/// lasting.
+/// A counter of allocations. If a position is given, the allocation at that position fails, and all later
+/// ones fail if the shortage is lasting.
 class Shortage {
 public:
     explicit Shortage(Reach reach = Reach::library);
     Shortage(std::int64_t position, bool lasting, Reach reach = Reach::library);
-    /// Memory is back.
+    /// Ends the shortage.
     ~Shortage();
     Shortage(const Shortage&) = delete;
     Shortage& operator=(const Shortage&) = delete;
 
-    /// Allocations so far.
+    /// Returns the number of allocations so far.
     [[nodiscard]] std::int64_t count() const;
 };
 

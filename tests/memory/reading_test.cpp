@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A file that is read without enough memory is not called damaged, whatever allocation fails.
+// Tests of reading files without enough memory: no failing allocation makes a file count as damaged.
 #include "memory/sweep.hpp"
 
 using namespace capi_test;
@@ -8,9 +8,9 @@ using namespace memory_test;
 namespace {
 
 struct Format {
-    const char* folder;  ///< with the files; those of another suffix are copied
-    const char* suffix;  ///< of the files
-    /// Reads a file and puts numbers of it into the text.
+    const char* folder;  ///< folder of the files; a file of another suffix is copied first
+    const char* suffix;  ///< suffix of the format's files
+    /// Reads a file and writes numbers that describe it into `text`.
     nicol_result (*read)(nicol_context context, const char* path, std::string& text);
 };
 
@@ -79,7 +79,7 @@ TEST_CASE("a file that lacks memory says so, and is read when there is some") {
                                  Format{NICOL_TEST_SEEDS "/pbsdf", ".pbsdf", describe_material}}) {
         int read = 0;
         std::string expected, found;
-        // The test itself allocates nothing in a shortage.
+        // Reserves space, because the test itself must not allocate during a shortage.
         expected.reserve(std::size_t{1} << 14U);
         found.reserve(std::size_t{1} << 14U);
         for (const auto& seed : files_in(format.folder)) {
@@ -90,7 +90,7 @@ TEST_CASE("a file that lacks memory says so, and is read when there is some") {
                     ? seed.string()
                     : folder.write("file" + std::string(format.suffix), file_bytes(seed)).string();
             CAPTURE(seed.string());
-            // Seeds of other kinds, and those that only a parser takes, are not for this reader.
+            // Skips seeds that this reader does not accept.
             if (format.read(context, path.c_str(), expected) != NICOL_OK) continue;
             ++read;
             sweep(

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A call of the C interface in which each of its allocations fails once.
+// Calls of the C interface with a failure at each of their allocations.
 #pragma once
 
 #include "capi/capi.hpp"
@@ -7,9 +7,10 @@
 
 namespace memory_test {
 
-/// Calls `call` without and then with a Shortage of the thread at about `positions` of its allocations, once
-/// as one failure and once as a lasting one. It has to succeed or to return NICOL_ERROR_OUT_OF_MEMORY;
-/// check() looks, with memory, at what it left. Returns how often it failed.
+/// Calls `call` without a Shortage, then with one at about `positions` of its allocations on this thread,
+/// once as a single failure and once as a lasting one. The call must succeed or return
+/// NICOL_ERROR_OUT_OF_MEMORY. After each call check(result) runs with enough memory. Returns the number of
+/// failed calls.
 template <class Call, class Check>
 std::int64_t sweep(std::int64_t positions, const Call& call, const Check& check) {
     std::int64_t allocations = 0, failed = 0;

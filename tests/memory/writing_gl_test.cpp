@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A file that lacks memory while it is written is there whole or not at all.
+// Tests of writing files without enough memory: a file is complete or absent.
 #include "memory/sweep.hpp"
 
 using namespace capi_test;

@@ -77,7 +77,7 @@ DIRECTIONAL = f'<emitter type="directional"><float name="irradiance" value="3"/>
 POINT = '<emitter type="point"><point name="position" value="2.5,4,2"/><float name="intensity" value="60"/></emitter>'
 SPOT = f'<emitter type="spot"><float name="intensity" value="60"/><float name="cutoff_angle" value="15"/>{AIMED}</emitter>'
 LAMP = f'<shape type="rectangle">{AIMED}<emitter type="area"><float name="radiance" value="10"/></emitter></shape>'
-# The plate is so far from the lamp that Mitsuba's shadow rays meet it.
+# The plate is far enough from the lamp that Mitsuba's shadow rays hit it.
 CIRCULAR_LAMP = plate('<emitter type="area"><float name="radiance" value="10"/></emitter>', 2, 0) + plate('<bsdf type="circular"/>', 2.3, 0.05)
 PLATED_SPOT = SPOT + plate(POLARIZER, 0.5, 1, '<rotate y="1" angle="25"/>')
 PLATED_SUN = DIRECTIONAL + plate(POLARIZER, 2, -10) + plate(RETARDER, 2, -9)
@@ -85,7 +85,7 @@ MEASURED = '<bsdf type="measured_polarized"><string name="filename" value="{fold
 
 
 def write_measured(path):
-    """A glossy Mueller matrix that varies with each of the three angles, as a .pbsdf file of one wavelength."""
+    """Writes a glossy Mueller matrix that varies with each of the three angles, as a .pbsdf file of one wavelength."""
     theta_h, theta_d, phi_d = (numpy.linspace(begin, end, n, dtype="f4") for begin, end, n in ((0, numpy.pi / 2, 46), (0, numpy.pi / 2, 31), (-numpy.pi, numpy.pi, 61)))
     phi, d, h = numpy.meshgrid(phi_d, theta_d, theta_h, indexing="ij")
     lobe = 0.1 + numpy.exp(-((h / 0.3) ** 2))
@@ -106,7 +106,8 @@ def write_measured(path):
     path.write_bytes(magic + heads([begin + sum(sizes[:i]) for i in range(len(sizes))]) + b"".join(f.tobytes() for f in fields.values()))
 
 
-# name: (bsdf of the sphere, bsdf of the floor or none, lights, bounces that Mitsuba follows[, its integrator: volpath's shadow rays pass plates])
+# name: (bsdf of the sphere, bsdf of the floor or none, lights, Mitsuba's number of bounces[, Mitsuba's integrator:
+# shadow rays of volpath pass plates])
 CASES = {
     "plastic, constant": (plastic(), None, CONSTANT, 2),
     "plastic, environment": (plastic(), plastic(), FOREST, 2),
@@ -124,7 +125,7 @@ CASES = {
     "checkerboard of roughness": (metal(0.2).replace('<float name="alpha" value="0.2"/>', checkerboard("alpha", 0.15, 0.4)), None, DIRECTIONAL, 2),
     "image": (plastic(image("diffuse_reflectance", "tiles_roughness.png", "true", 2)), plastic(image("diffuse_reflectance", "tiles_roughness.png", "false", 1)), LAMP, 2),
 }
-# Options of each, and what s0, s1, s2, s3 may differ by, over the root mean square of s0.
+# Options of each method, and the tolerated differences of s0, s1, s2, s3 relative to the root mean square of s0.
 METHODS = {
     "reference": ({"method": nicol.METHOD_REFERENCE, "samples": 256}, 0.004, 0.001, 0.001, 0.001),
     "factored": ({"finer": 4}, 0.03, 0.005, 0.005, 0.005),
@@ -145,14 +146,14 @@ def mitsuba_images(scene_file):
 
 
 def rotated(image, degrees):
-    """The same light in frames that are rotated about the view."""
+    """Returns the light in frames that are rotated about the view direction."""
     angle = 2 * numpy.radians(degrees)
     s0, s1, s2, s3 = numpy.moveaxis(image, -1, 0)
     c, s = numpy.cos(angle), numpy.sin(angle)
     return numpy.stack([s0, c * s1 + s * s2, c * s2 - s * s1, s3], -1)
 
 
-# Images that are wrong in a way that other programs have been.
+# Typical mistakes of other programs, applied to images.
 MISTAKES = {
     "s2 of the other sign": lambda image: image * (1, 1, -1, 1),
     "s3 of the other sign": lambda image: image * (1, 1, 1, -1),
@@ -168,7 +169,8 @@ class MitsubaTest(unittest.TestCase):
         self.folder = pathlib.Path(folder.name)
 
     def check(self, ours, truth, limits):
-        """ours differs from truth by no more than limits and noise; with one of the mistakes it would."""
+        """Checks that ours differs from truth by no more than the limits and noise, and that each mistake would be
+        detected."""
         error, deviation = peer.squared_error(ours, truth)
         allowed = limits**2 + 4 * deviation
         print(" ", *(f"s{i} {max(e, 0) ** 0.5:.4f} of {a**0.5:.4f}" for i, (e, a) in enumerate(zip(error, allowed))), flush=True)
@@ -190,7 +192,7 @@ class MitsubaTest(unittest.TestCase):
                     self.check([peer.nicol_image(scene, seed=seed, **options) for seed in seeds], truth, numpy.array(limits))
 
     def test_angles(self):
-        """The AoLP of both where light is polarized, modulo 180 degrees."""
+        """The AoLP agrees modulo 180 degrees wherever light is polarized."""
         scene = write_scene(self.folder, "plastic, point")
         a, b = mitsuba_images(scene)
         truth = (a + b) / 2

@@ -48,7 +48,7 @@ class PolanalyserTest(unittest.TestCase):
         self.assertGreater(theirs.max(), numpy.pi / 2)
 
     def test_stokes_of_intensities(self):
-        """What a polarizer of polanalyser lets through, at four angles, is what Nicol's page of conventions says."""
+        """Intensities behind polanalyser's polarizer at four angles follow Nicol's conventions."""
         angles = numpy.radians([0, 45, 90, 135])
         s0, s1, s2, _ = numpy.moveaxis(self.stokes, -1, 0)
         intensities = [(s0 + s1 * numpy.cos(2 * a) + s2 * numpy.sin(2 * a)) / 2 for a in angles]
@@ -60,7 +60,7 @@ class PolanalyserTest(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             self.framebuffer.write_exr(folder + "/image.exr")
             with warnings.catch_warnings():
-                warnings.simplefilter("ignore")  # There are no properties beside the image.
+                warnings.simplefilter("ignore")  # the image has no property files
                 (image,), _ = polanalyser.imreadMultiple(folder)
         self.assert_close(self.plane(nicol.PLANE_S0), image[..., ::-1], self.stokes[..., 0].max())
 

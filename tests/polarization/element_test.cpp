@@ -9,7 +9,7 @@ using Outline = PolarizationElement::Outline;
 
 namespace {
 
-/// Towards +z, seen against the light: x to the right, y up.
+/// The frame of propagation towards +z, seen against the light: x to the right, y up.
 const Frame kAlong(1.0);
 const Stokes kUnpolarized(1, 0, 0, 0);
 
@@ -22,12 +22,12 @@ void check_near(const Mueller& a, const Mueller& b, double tolerance) {
     for (std::size_t i = 0; i < 16; ++i) CHECK(std::abs(a(i / 4, i % 4) - b(i / 4, i % 4)) < tolerance);
 }
 
-/// A frame about the propagation.
+/// Returns a frame about the propagation direction.
 Frame about(const glm::dvec3& propagation) {
     return frame_with_x(glm::normalize(propagation), {0.3, 0.2, -0.7});
 }
 
-/// E-vectors that an ideal element lets through keep what they carry; of the others it leaves nothing.
+/// Checks that light along `transmitted` passes unchanged and that perpendicular light is absorbed.
 void check_polarizer(const Mueller& m, const Frame& frame, const glm::dvec3& transmitted) {
     const auto along = [&](const glm::dvec3& e) {
         const double angle = std::atan2(glm::dot(e, frame[1]), glm::dot(e, frame[0]));
@@ -54,8 +54,8 @@ TEST_CASE("at normal incidence elements do what their names say") {
         {Kind::left_circular, 0, kUnpolarized, {0.5, 0, 0, -0.5}},
         {Kind::retarder, 20, kUnpolarized, {1, 0, 0, 0}},
         {Kind::retarder, 0, {1, 1, 0, 0}, {1, 1, 0, 0}},
-        // As Mitsuba 3.9.1: a quarter-wave plate of fast axis 45 degrees behind a polarizer of 0 makes right
-        // circular light.
+        // In Mitsuba 3.9.1 a quarter-wave plate with its fast axis at 45 degrees behind a polarizer at 0 also
+        // makes right circular light.
         {Kind::retarder, 45, {1, 1, 0, 0}, {1, 0, 0, 1}},
         {Kind::retarder, -45, {1, 1, 0, 0}, {1, 0, 0, -1}},
     };
@@ -79,8 +79,8 @@ TEST_CASE("a half-wave plate mirrors E-vectors in its axis, and transmittance da
 }
 
 TEST_CASE("tilted elements are Mitsuba's, whichever side light comes from") {
-    // Mitsuba 3.9.1, eval_null_transmission: E-vectors across what the ray leaves of the axis that absorbs
-    // pass; the retardance is times |cos|.
+    // In Mitsuba 3.9.1, eval_null_transmission, E-vectors pass that are perpendicular to the absorbing axis,
+    // projected across the ray. The retardance is times |cos|.
     for (const glm::dvec3 propagation : {glm::dvec3(0.5, 0, 0.8), {0.2, -0.7, -0.4}, {-0.9, 0.3, 0.1}}) {
         const Frame frame = about(propagation);
         for (const double degrees : {0.0, 30.0, -77.0}) {
@@ -116,7 +116,7 @@ TEST_CASE("an element goes with its transform and the axes that it is seen in") 
     const Frame frame = about({0.1, 0.3, 0.9});
     check_near(own.mueller(frame), plain.mueller(frame), 1e-12);
     check_near(world.mueller(Frame(glm::dmat3(motion) * frame)), plain.mueller(frame), 1e-12);
-    // The frame is right-handed where to_world mirrors, too: y goes with the normal.
+    // The frame stays right-handed if to_world mirrors, because y follows the normal.
     const auto mirrored = [](const glm::dvec3& by) {
         return PlacedElement({.to_world = glm::scale(glm::dmat4(1), by), .angle = 0.4}).mueller(kAlong);
     };

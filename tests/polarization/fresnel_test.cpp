@@ -37,8 +37,8 @@ TEST_CASE("unpolarized light at Brewster's angle comes back fully polarized alon
     const double brewster = std::atan(1.5);
     const Stokes out = fresnel_reflection(std::cos(brewster), 1.5) * Stokes(1, 0, 0, 0);
     CHECK(dolp(out) == Approx(1));
-    CHECK(out[1] > 0);  // along x = s-axis; an s2-p mix-up would change the sign
-    // The sign of the s2-to-s2 element changes there.
+    CHECK(out[1] > 0);  // along x, the s-axis; swapping s and p would change the sign
+    // The s2-to-s2 element changes its sign at Brewster's angle.
     CHECK(fresnel_reflection(std::cos(brewster - .1), 1.5)(2, 2) < 0);
     CHECK(fresnel_reflection(std::cos(brewster + .1), 1.5)(2, 2) > 0);
 }
@@ -52,7 +52,7 @@ TEST_CASE("a mirror at normal incidence changes the handedness of circular light
 }
 
 TEST_CASE("a metal makes circular light of linear light at 45 degrees, of the sign that n - ik gives") {
-    // Written out with the closed form for n - ik: rho = r_p / r_s = |rho| e^{id}.
+    // The expected value follows the closed form for n - ik: rho = r_p / r_s = |rho| e^{id}.
     const std::complex<double> eta(0.2, -3.4);
     const double c = std::cos(60 * degree);
     const double s2 = 1 - c * c;
@@ -64,7 +64,7 @@ TEST_CASE("a metal makes circular light of linear light at 45 degrees, of the si
     const Stokes out = fresnel_reflection(c, eta) * Stokes(1, 0, 1, 0);
     CHECK(out[2] == Approx(std::abs(rs) * std::abs(rp) * std::cos(d)));
     CHECK(out[3] == Approx(std::abs(rs) * std::abs(rp) * std::sin(d)));
-    // The conjugate index (n + ik) would describe gain and give the other handedness; ours absorbs.
+    // The conjugate index n + ik would describe gain and give the opposite handedness, while n - ik absorbs.
     CHECK(std::abs(fresnel_amplitudes(c, eta).s) < 1);
     CHECK(std::abs(fresnel_amplitudes(c, eta).p) < 1);
 }
@@ -75,7 +75,7 @@ TEST_CASE("what is not reflected is transmitted, for each polarization") {
         const Mueller t = fresnel_transmission(std::cos(angle * degree), eta);
         CHECK(r(0, 0) + t(0, 0) == Approx(1).epsilon(1e-12));
         CHECK(r(0, 1) + t(0, 1) == Approx(0).epsilon(1e-12));
-        // The way back through the interface passes as much.
+        // The reverse path through the interface has equal transmittance.
         const double cos_t = std::sqrt(1 - std::pow(std::sin(angle * degree) / eta, 2));
         CHECK(fresnel_transmission(cos_t, 1 / eta)(0, 0) == Approx(t(0, 0)));
         CHECK(fresnel_transmission(cos_t, 1 / eta)(0, 1) == Approx(t(0, 1)));
@@ -89,7 +89,7 @@ TEST_CASE("total internal reflection keeps all energy and retards") {
     CHECK(m(0, 0) == Approx(1));
     CHECK(m(0, 1) == Approx(0));
     CHECK(fresnel_transmission(std::cos(angle), eta)(0, 0) == 0);
-    // tan(delta / 2) = cos i sqrt(sin^2 i - eta^2) / sin^2 i, delta the phase between p and s beyond the
+    // tan(delta / 2) = cos i sqrt(sin^2 i - eta^2) / sin^2 i. delta is the phase between p and s beyond the
     // Verdet sign.
     const double sine = std::sin(angle);
     const double half = std::atan(std::cos(angle) * std::sqrt(sine * sine - eta * eta) / (sine * sine));

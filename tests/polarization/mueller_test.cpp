@@ -19,7 +19,7 @@ Mueller random_mueller(std::mt19937& random) {
 
 TEST_CASE("rows and columns are not transposed") {
     Mueller m;
-    m(1, 0) = 1;  // unpolarized in, linear out: a polarizing reflection
+    m(1, 0) = 1;  // a polarizing reflection: unpolarized in, linear out
     CHECK(m * Stokes(1, 0, 0, 0) == Stokes(0, 1, 0, 0));
     CHECK(m * Stokes(0, 1, 0, 0) == Stokes(0, 0, 0, 0));
 }

@@ -8,8 +8,8 @@ using doctest::Approx;
 
 namespace {
 
-// The electric field of linear light at `angle` from x, as a Stokes vector by definition: s1 and s2 are
-// intensity differences behind polarizers, and depend on nothing else.
+// Returns the Stokes vector of linear light whose field is at `angle` from x, by definition: s1 and s2 are
+// differences of intensities behind polarizers.
 Stokes linear_light(double angle) {
     const auto behind = [angle](double polarizer) { return std::pow(std::cos(angle - polarizer), 2); };
     return {1, behind(0) - behind(pi / 2), behind(pi / 4) - behind(-pi / 4), 0};
@@ -45,10 +45,10 @@ TEST_CASE("theta-phi frames are right-handed and orthonormal everywhere, poles i
         CHECK(glm::dot(f[0], d) == Approx(0));
         CHECK(f[2] == d);
     }
-    // theta-hat points away from the north pole, phi-hat counter-clockwise around it.
+    // theta-hat points away from the north pole, and phi-hat counter-clockwise around it.
     CHECK(theta_phi_frame({1, 0, 0})[0].z == -1);
     CHECK(theta_phi_frame({1, 0, 0})[1].y == 1);
-    // At the poles phi is 0: the limit along the x axis.
+    // phi is 0 at the poles, as in the limit along the x axis.
     CHECK(theta_phi_frame({0, 0, 1})[0] == glm::dvec3(1, 0, 0));
     CHECK(theta_phi_frame({0, 0, -1})[0] == glm::dvec3(-1, 0, 0));
 }

@@ -12,7 +12,7 @@ import xml.etree.ElementTree
 
 BENCH = sys.argv[1]
 
-# A ball over a floor under a sky: both shadows and polarization.
+# The scene is a ball over a floor under a sky, which has both shadows and polarization.
 SCENE = """<scene version="3.0.0">
   <sensor type="perspective"><float name="fov" value="40"/>
     <transform name="to_world"><lookat origin="0,2,6" target="0,0,0" up="0,1,0"/></transform>
@@ -28,7 +28,7 @@ SCENE = """<scene version="3.0.0">
 
 
 def grid_obj(rows, columns, place):
-    """A mesh of rows x columns vertices at place(v, u), v and u from 0 to 1."""
+    """Returns an OBJ mesh of rows x columns vertices at place(v, u), with v and u from 0 to 1."""
     lines = ["v %g %g %g" % place(r / (rows - 1), c / (columns - 1)) for r in range(rows) for c in range(columns)]
     for r in range(rows - 1):
         for c in range(columns - 1):
@@ -38,7 +38,7 @@ def grid_obj(rows, columns, place):
 
 
 def ball(v, u):
-    # Seams and poles stay open by a little, so that no triangle is without area.
+    # Seams and poles stay slightly open, so that every triangle has an area.
     theta, phi = math.pi * (0.01 + 0.98 * v), 2 * math.pi * u
     return math.sin(theta) * math.cos(phi), math.cos(theta), -math.sin(theta) * math.sin(phi)
 
@@ -54,7 +54,7 @@ def run(*arguments, code=0):
 
 
 def table(folder, command, *arguments):
-    """Rows by name, the same from CSV and JSON."""
+    """Returns the rows by name, and checks that CSV and JSON agree."""
     written = folder / f"{command}.json", folder / f"{command}.csv"
     printed = run(command, *arguments, "--json", written[0], "--csv", written[1])
     rows = json.loads(written[0].read_text())
@@ -84,7 +84,7 @@ def check_error(folder, scene):
 
 
 def check_converged(folder, scene):
-    """Without the reference's noise and with the same vertices, truncation alone is left: less with every order."""
+    """Only truncation error is left without the reference's noise and with equal vertices. It falls with every order."""
     rows = table(folder, "error", scene, "--size", 32, "--samples", 4, "--orders", "2-4", "--converged", 8,
                  "--memory", 0, "--cache", folder / "cache")
     for suffix in ("", ", no shadows"):
@@ -97,7 +97,7 @@ def check_materials(folder, scene):
     os.environ.pop("NICOL_TEST_DATA", None)
     rows = table(folder, "materials", "--size", 12, "--samples", 256, "--orders", "2-9", "--cache", folder / "cache")
     assert len(rows) == 4 * 6, list(rows)
-    # A rough metal is all highlight: each part of the light that is added brings the image nearer.
+    # Rough metal is all highlight, so each added part of the light brings the image closer.
     gold = {name[16:]: row["s1"] for name, row in rows.items() if name.startswith("rough gold 0.2: ")}
     assert gold["0..2 + split to 9"] < gold["0..2 + convolution to 9"], gold
     assert gold["0..9"] < gold["0..3"] < gold["0..2"], gold

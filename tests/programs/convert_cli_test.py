@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-# nicol-convert from the outside: what it writes and says, and that every bad input ends in exit code 2 and one clear line.
+# Tests of nicol-convert from the outside: its files and messages, and exit code 2 with one clear line for every bad
+# input.
 import json
 import math
 import os
@@ -35,7 +36,7 @@ def read_npz(path):
 
 
 def light(order, last=0.0):
-    """Radiance 1 from everywhere, and `last` as the last s0 coefficient."""
+    """Returns radiance 1 from every direction, with `last` as the last s0 coefficient."""
     values = [0.0] * (4 * (order + 1) ** 2)
     values[0] = math.sqrt(4 * math.pi)
     values[-4] = last
@@ -47,11 +48,11 @@ class ConvertTest(ProgramTest):
         super().setUp()
         os.mkdir(self.path("out"))
         npz(self.path("light.npz"), (1, 9, 4), light(2, 0.5))
-        # Two levels: 8 entries; the first is s0 to s0 of order 0.
+        # Two levels have 8 entries. The first entry is s0 to s0 of order 0.
         npz(self.path("material.npz"), (1, 8, 4, 4), [0.5] + [0.0] * (8 * 16 - 1))
 
     def run_program(self, *arguments, **environment):
-        # No OpenGL is needed, so none may be looked for.
+        # Conversions need no OpenGL, so the program must not look for it.
         return super().run_program(*arguments, **{"NICOL_BACKEND": "none", **environment})
 
     def info(self, *arguments):
@@ -77,7 +78,8 @@ class Success(ConvertTest):
             self.assertEqual(self.info("out/" + name)["kind"], kind)
 
     def test_rotations(self):
-        # l = 1 stands for -y, z, -x. A quarter about x takes y to z and z to -y; then one about z x to y and y to -x.
+        # The l = 1 coefficients are -y, z, -x. A rotation by 90 degrees about x maps y to z and z to -y, then one about
+        # z maps x to y and y to -x.
         values = [10.0, 0, 0, 0, 1.0, 0, 0, 0, 2.0, 0, 0, 0, 3.0, 0, 0, 0]
         npz(self.path("turn.npz"), (1, 4, 4), values)
         self.assert_succeeds("turn.npz", "out/x.npz", "--rotate", "1,0,0,90")
@@ -94,7 +96,7 @@ class Success(ConvertTest):
         (table,) = os.listdir(self.path("out/cache"))
         self.assertEqual(self.info("out/cache/" + table)["kind"], "material table")
         self.assert_succeeds("out/cache/" + table, "out/back.npz", "--order", "0")
-        # Half of what order 0 says leaves downwards.
+        # Half of the light of order 0 leaves downwards.
         self.assertAlmostEqual(read_npz(self.path("out/back.npz"))[0], 0.25, delta=1e-6)
 
     def test_information(self):
@@ -138,7 +140,7 @@ class Success(ConvertTest):
 
 class CommandLine(ConvertTest):
     def test_arguments(self):
-        # To an image, unless the arguments name files of their own.
+        # The output is an image unless the arguments name another file.
         table = (
             (["3"], "light.npz out/a.exr more"),
             (["output", "1"], "light.npz"),
@@ -186,7 +188,7 @@ class CommandLine(ConvertTest):
 
 class BadFiles(ConvertTest):
     def test_inputs(self):
-        """One of each kind: what the readers refuse is tested with them."""
+        """Each kind of bad file appears once, because the tests of the readers cover the details."""
         for name in ("text.txt", "empty.npz", "zero.exr", "zero.pbsdf", "zero.response"):
             self.write(name, bytes(0 if name == "empty.npz" else 4096))
         npz(self.path("odd.npz"), (1, 13, 4, 4), [0.0] * (13 * 16))

@@ -12,9 +12,10 @@ import unittest
 from program_test import ProgramTest
 
 WIDTH, HEIGHT = 640, 360
-LEFT, TOP, SIZE = 352, 52, 256  # of the quad, while it faces the viewer
+LEFT, TOP, SIZE = 352, 52, 256  # position and size of the quad while it faces the viewer, in pixels
 
-# For sanitized builds: libraries that SDL opens leak, and are closed before anybody could tell them by their names.
+# Leak checks are off in sanitized builds, because libraries that SDL opens leak and are closed before they can be
+# named.
 os.environ.setdefault("ASAN_OPTIONS", "detect_leaks=0")
 
 
@@ -29,7 +30,7 @@ def pixel(image, x, y):
 
 
 def without_quad(image):
-    """All that the application draws alone."""
+    """Returns the image without the quad, which only the application draws."""
     rows = [bytearray(image[3 * WIDTH * y : 3 * WIDTH * (y + 1)]) for y in range(HEIGHT)]
     for row in rows[TOP : TOP + SIZE]:
         row[3 * LEFT : 3 * (LEFT + SIZE)] = bytes(3 * SIZE)
@@ -37,7 +38,7 @@ def without_quad(image):
 
 
 def left_part(image):
-    """Where the triangles are; a quad that is rotated is larger on its near side, but does not reach there."""
+    """Returns the part with the triangles. A rotated quad is larger on its near side but does not reach this part."""
     return b"".join(image[3 * WIDTH * y : 3 * (WIDTH * y + LEFT - 10)] for y in range(HEIGHT))
 
 
@@ -52,7 +53,7 @@ class HostTest(ProgramTest):
         )
         os.close(tell)
         with os.fdopen(told) as file:
-            cls.display = ":" + file.readline().strip()  # once it listens
+            cls.display = ":" + file.readline().strip()  # printed once Xvfb listens
 
     @classmethod
     def tearDownClass(cls):
@@ -93,7 +94,7 @@ class HostTest(ProgramTest):
                         worst = max(worst, abs(codes[channel] - 255 * srgb(passed)))
             self.assertLess(worst, 0.6, f"codes off at {angle} degrees")
             shown.append(image)
-        # A polarizer that makes no difference would satisfy the law for unpolarized light.
+        # Unpolarized light would satisfy the law even if the polarizer had no effect.
         darkest, brightest = (pixel(shown[i], LEFT + 200, TOP + 20)[0] for i in (0, 2))
         self.assertGreater(abs(brightest - darkest), 20)
 

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: MIT
-"""Readers of the images that the tests compare."""
+"""Readers of the image formats that the tests compare."""
 
 import struct
 import zlib
 
 
 def read_png(data):
-    """Width, height and the bytes of an 8-bit image of colours, with alpha where it has that."""
+    """Returns width, height and the bytes of an 8-bit colour image, with alpha if the file has it."""
     if data[:8] != b"\x89PNG\r\n\x1a\n":
         raise ValueError("no PNG")
     at, packed, width, height, step = 8, b"", 0, 0, 3
@@ -35,7 +35,7 @@ def read_png(data):
 
 
 def exr_attributes(data):
-    """The attributes of an OpenEXR file, as name -> bytes, and where its table of offsets is."""
+    """Returns the attributes of an OpenEXR file as name -> bytes, and the position of its offset table."""
     if data[:4] != struct.pack("<i", 20000630):
         raise ValueError("no OpenEXR file")
     attributes, at = {}, 8
@@ -53,7 +53,7 @@ def exr_size(data):
 
 
 def exr_channels(data):
-    """Names, in the order of the file."""
+    """Returns the channel names in the order of the file."""
     rest, names = exr_attributes(data)[0]["channels"], []
     while len(rest) > 1:
         name, rest = rest.split(b"\0", 1)
@@ -63,7 +63,7 @@ def exr_channels(data):
 
 
 def read_exr(data):
-    """Channel -> floats, row by row, of an uncompressed file of 32-bit floats."""
+    """Returns channel -> floats, row by row, of an uncompressed file of 32-bit floats."""
     table, (width, height), names = exr_attributes(data)[1], exr_size(data), exr_channels(data)
     channels = {name: [] for name in names}
     for y in range(height):

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-# nicol-paper from the outside: its images and tables where the data is, and a clear line where it is not.
+# Tests of nicol-paper from the outside: its images and tables if the paper's data is present, and a clear line if it is
+# absent.
 #
 # usage: paper_cli_test.py PROGRAM CommandLine|Results
 import os
@@ -51,7 +52,7 @@ class CommandLine(ProgramTest):
 
 
 def rows(text, first_words):
-    """The lines of the table that begins with these words, as lists of cells."""
+    """Returns the lines of the table that begins with these words, as lists of cells."""
     lines = text.split("\n")
     begin = next(i for i, line in enumerate(lines) if line.startswith("| " + first_words))
     table = []
@@ -94,7 +95,7 @@ class Results(unittest.TestCase):
         self.assertEqual(len(contents), 6)
 
     def test_costs(self):
-        """The paper's numbers of coefficients, and that nothing is free."""
+        """The table has the paper's numbers of coefficients, and every step takes time."""
         with open(self.path("table4.md")) as file:
             text = file.read()
         table = rows(text, "step")
@@ -109,7 +110,7 @@ class Results(unittest.TestCase):
                 self.assertGreater(float(time), 0)
 
     def test_errors(self):
-        """Shadows bring the image nearer to the reference, and either form of the high orders too."""
+        """Shadows bring the image closer to the reference, and so does either form of the high orders."""
         table = rows(self.done.stdout, "relative error")
         low, shadow, convolution, split = ([float(x) for x in row[1:]] for row in table)
         self.assertLess(shadow[0], 0.8 * low[0])
@@ -118,7 +119,7 @@ class Results(unittest.TestCase):
             self.assertLess(high[2], shadow[2])
 
     def test_physical_range(self):
-        """Truncated light leaves it, within the sizes that were seen."""
+        """Some truncated light leaves the range, by shares within the expected bounds."""
         for row in rows(self.done.stdout, "share"):
             for share in row[1:]:
                 self.assertGreater(float(share.rstrip(" %")), 1)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What the tests of programs share: a folder of its own for each test, a program run in it, and what it left there."""
+"""Shared base of the program tests: a folder for each test, a program run in it, and the files that it left."""
 
 import os
 import subprocess
@@ -7,12 +7,12 @@ import sys
 import tempfile
 import unittest
 
-# The command line's first word; unittest reads the others.
+# The first argument is the program. unittest reads the others.
 PROGRAM = os.path.abspath(sys.argv.pop(1))
 
 
 def run(folder, *arguments, timeout=120, **environment):
-    """The program's end, in this folder, with these variables beside those of the test."""
+    """Runs the program in this folder, with these variables added to those of the test, and returns its result."""
     return subprocess.run(
         [PROGRAM, *arguments],
         cwd=folder,
@@ -50,7 +50,7 @@ class ProgramTest(unittest.TestCase):
         return result
 
     def error_lines(self, stderr):
-        """The lines that an error may have; a program that gives notices beside it leaves them out."""
+        """Returns the lines of an error. Tests of programs that also print notices override this to remove them."""
         return stderr.splitlines()
 
     def assert_succeeds(self, *arguments, **environment):
@@ -59,7 +59,7 @@ class ProgramTest(unittest.TestCase):
         return ended
 
     def assert_fails(self, words, *arguments, **environment):
-        """Exit code 2, one line that says each of the words, and not one file made or changed."""
+        """Checks for exit code 2, one line that contains each of the words, and no file made or changed."""
         before = self.files()
         ended = self.run_program(*arguments, **environment)
         self.assertEqual(ended.returncode, 2, f"{arguments}: {ended.stderr}")
@@ -75,7 +75,8 @@ class ProgramTest(unittest.TestCase):
         return lines[0]
 
     def assert_each_fails(self, table, *before):
-        """assert_fails() for each row (words, arguments), its arguments in one text and after those of all rows."""
+        """Calls assert_fails() for each row (words, arguments). The arguments of a row are one text and follow those in
+        `before`."""
         for words, arguments in table:
             with self.subTest(arguments=arguments):
                 self.assert_fails(words, *before, *arguments.split())

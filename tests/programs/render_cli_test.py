@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# nicol-render from the outside: what it writes, and that every bad input ends in exit code 2 and one clear line.
+# Tests of nicol-render from the outside: its output, and exit code 2 with one clear line for every bad input.
 import json
 import os
 import struct
@@ -28,7 +28,7 @@ def scene(emitter=EMITTER, shape=SHAPE, width="$res", height="16"):
 
 
 def exr(width, height, value=1.0):
-    """An uncompressed OpenEXR file of 32-bit floats with the channels B, G, R."""
+    """Returns an uncompressed OpenEXR file of 32-bit floats with the channels B, G, R."""
 
     def attribute(name, kind, data):
         return name.encode() + b"\0" + kind.encode() + b"\0" + struct.pack("<i", len(data)) + data
@@ -74,7 +74,7 @@ class RenderTest(ProgramTest):
         return self.files()[self.path("out", "a.exr")], self.statistics()
 
     def write_ring(self, brightness):
-        """A scene of a smooth metal ball under a ring of light, whose highlight has high orders."""
+        """Writes a scene of a smooth metal ball under a ring of light. Its highlight has high orders."""
         self.write("ring.exr", exr(16, 8, brightness))
         emitter = '<emitter type="envmap"><string name="filename" value="ring.exr"/></emitter>'
         ball = '<shape type="sphere"><bsdf type="roughconductor"><string name="material" value="Al"/></bsdf></shape>'
@@ -146,7 +146,7 @@ class Success(RenderTest):
             set(stats["milliseconds"]),
             {"project", "bake", "bake_trace", "relight", "shade", "light", "trace", "draw", "observe"},
         )
-        # A flat square hides nothing from itself, and still the bake has to look.
+        # A flat square does not shadow itself, but the bake must still trace rays to find out.
         self.assertEqual(stats["rays"], {"bake": stats["rays"]["bake"], "camera": 0, "shadow": 0, "light": 0})
         self.assertGreater(stats["rays"]["bake"], 0)
         self.assertEqual(stats["skipped"]["unoccluded"], stats["vertices"])
@@ -184,7 +184,7 @@ class Success(RenderTest):
     def test_cache(self):
         def tables():
             names = os.listdir(self.path("tables")) if os.path.isdir(self.path("tables")) else []
-            # Linked programs are the driver's to keep or not.
+            # Linked programs are ignored, because the driver decides whether to keep them.
             return sorted(name for name in names if not name.endswith(".program"))
 
         self.assert_succeeds("good.xml", "-o", "out/a.exr", NICOL_CACHE="")
@@ -205,13 +205,13 @@ class Success(RenderTest):
         files = self.files()
         for name in "bcde":
             self.assertEqual(files[self.path("out", name + ".exr")], files[self.path("out", "a.exr")], name)
-        # What is no folder is a notice too.
+        # A cache path that is no folder also causes a notice.
         self.write("file", "x")
         run = self.assert_succeeds("good.xml", "-o", "out/d.exr", "--cache", "file/deep")
         self.assertIn("notice: ", run.stderr)
 
     def test_methods_and_shadows(self):
-        # A square that stands on another one, under light with every order.
+        # The scene is a square standing on another one, under light with every order.
         squares = "".join(
             f'<shape type="rectangle"><transform name="to_world">{turn}</transform></shape>'
             for turn in ("<rotate x='1' angle='-90'/>", "")
@@ -313,7 +313,7 @@ class Success(RenderTest):
         self.assertIn(self.image_and_statistics("ring.xml")[0], (image, vertices))
 
     def test_physical(self):
-        # The lowest orders of a bright ring are negative between the ring and its poles, and a metal shows it.
+        # A bright ring's lowest orders are negative between the ring and its poles, and a metal shows these values.
         self.write_ring(1000)
         orders = ["ring.xml", "--order-low", "4"]
         self.assertGreater(self.image_and_statistics(*orders)[1]["unphysical"], 0)
@@ -326,7 +326,7 @@ class Success(RenderTest):
         self.assertIn("stokes", run.stderr)
 
     def test_replaces_in_one_step(self):
-        # Another name of the old file shows whether it was written into.
+        # A second name of the old file shows whether the program wrote into it.
         self.write("out/a.exr", b"old")
         os.link(self.path("out/a.exr"), self.path("old.exr"))
         self.assert_succeeds("good.xml", "-o", "out/a.exr")
@@ -334,7 +334,7 @@ class Success(RenderTest):
         self.assertEqual(self.files()[self.path("old.exr")], b"old")
 
     def test_links_pipes_and_standard_output(self):
-        """The same bytes wherever the name leads; links, devices and modes stay."""
+        """Output through any name has equal bytes, and links, devices and modes stay."""
         self.assert_succeeds("good.xml", "-o", "a.exr")
         with open(self.path("a.exr"), "rb") as file:
             expected = file.read()
@@ -353,7 +353,7 @@ class Success(RenderTest):
             self.assertEqual(file.read(), expected)
         self.assertEqual(os.stat(self.path("out/target.exr")).st_mode & 0o777, 0o600)
         self.assertEqual(os.listdir(self.path("out")), ["target.exr"])
-        # A link of our own, so that a mistake costs no one their /dev/stdout.
+        # The test uses its own link, so that a defect cannot destroy /dev/stdout.
         os.symlink("/proc/self/fd/1", self.path("stdout"))
         for output in ("-", "stdout"):
             command = [PROGRAM, "good.xml", "-o", output]
@@ -366,7 +366,7 @@ class Success(RenderTest):
             with open(self.path("out.exr"), "rb") as file:
                 self.assertEqual(file.read(), b"before" + expected)
         self.assertTrue(os.path.islink(self.path("stdout")))
-        os.remove(self.path("stdout"))  # which assert_fails() would read
+        os.remove(self.path("stdout"))  # assert_fails() would read this link
         stats = self.assert_succeeds("good.xml", "-o", "a.exr", "--stats", "-").stdout
         self.assertEqual(json.loads(stats)["width"], 24)
         self.assert_fails(["--stats", "standard output"], "good.xml", "-o", "-", "--stats", "-")
@@ -462,7 +462,7 @@ class BadOutput(RenderTest):
 
 
 class BadFiles(RenderTest):
-    """One of each kind: what the readers refuse is tested with them."""
+    """Each kind of bad file appears once, because the tests of the readers cover the details."""
 
     ENVIRONMENT = scene(emitter='<emitter type="envmap"><string name="filename" value="light.exr"/></emitter>')
     MESH = scene(shape='<shape type="obj"><string name="filename" value="mesh.obj"/></shape>')
@@ -499,7 +499,7 @@ class NoBackend(RenderTest):
     def test_no_libraries(self):
         os.mkdir(self.path("lib"))
         for name in ("libEGL.so.1", "libEGL.so", "libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"):
-            self.write(os.path.join("lib", name), "")  # the loader stops at these
+            self.write(os.path.join("lib", name), "")  # the loader finds these empty files first
         nothing = {"LD_LIBRARY_PATH": self.path("lib")}
         self.assert_fails(["libEGL", "libOSMesa"], "good.xml", "-o", "out/a.exr", **nothing)
         self.assert_fails(["libEGL"], "good.xml", "-o", "out/a.exr", "--backend", "egl", **nothing)

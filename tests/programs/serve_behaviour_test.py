@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# How nicol-serve behaves: what it keeps, under load, at its limits, when workers fail, at its start and end.
+# Tests of nicol-serve's behaviour: caching, load, limits, failing workers, start and end.
 import ctypes
 import os
 import re
@@ -23,7 +23,7 @@ def has_landlock():
 
 
 class LackOfMemory(ServeTest):
-    """A worker whose address space is full says so or is replaced; the next request is answered."""
+    """A worker whose address space is full reports it or is replaced, and the next request is answered."""
 
     options = ("--workers", "1")
 
@@ -57,7 +57,7 @@ class Caching(ServeTest):
         self.server.signal_workers(signal.SIGSTOP)
         again = self.server.get(IMAGE + "&azimuth=1", If_None_Match=tag)
         self.assertEqual((again.status, again.body, again.headers["etag"]), (304, b"", tag))
-        # Nor does an image that was never asked for have to be made.
+        # HEAD requests need no rendering, even for a new image.
         head = self.server.get(IMAGE + "&azimuth=99", method="HEAD")
         self.assertEqual((head.status, head.body), (200, b""))
         self.assertEqual(self.server.get(IMAGE + "&azimuth=99", If_None_Match=head.headers["etag"]).status, 304)
@@ -91,7 +91,7 @@ class Caching(ServeTest):
             try:
                 with open(path, "wb") as file:
                     file.write(scene.replace(b"0.9", b"0.1"))
-                # A worker that starts anew finds the new scene, and the other one loads it again.
+                # A restarted worker finds the new scene, and then the other worker reloads it.
                 killed = other.workers()[0][0]
                 old = other.get(IMAGE + "&azimuth=5").body
                 os.kill(killed, signal.SIGKILL)
@@ -115,7 +115,7 @@ class Load(ServeTest):
         self.server.wait(lambda: self.server.metric("renders_running") == 0)
 
     def hold(self, azimuth):
-        """One request that a stopped worker has, one in the queue."""
+        """Returns two requests: one held by a stopped worker, and one in the queue."""
         self.server.signal_workers(signal.SIGSTOP)
         running = self.server.ask(f"{IMAGE}&azimuth={azimuth}")
         self.server.wait(lambda: self.server.metric("renders_running") == 1)
@@ -128,7 +128,7 @@ class Load(ServeTest):
         refused = self.server.get(IMAGE + "&azimuth=12")
         self.assert_problem(refused, 503)
         self.assertGreaterEqual(int(refused.headers["retry-after"]), 1)
-        # What is wrong or known needs no place in the queue.
+        # Invalid requests and known answers need no place in the queue.
         self.assert_problem(self.server.get(IMAGE + "&azimuth=999"), 400, "azimuth")
         self.assert_problem(self.server.get(SQUARE + "image.png?size=2048x2048"), 400, "size")
         self.assertEqual(self.server.get("/health").status, 200)
@@ -159,7 +159,7 @@ class Load(ServeTest):
 
 
 class Unread(ServeTest):
-    """Answers that nobody reads take no more memory than there is for them."""
+    """Unread answers take no more memory than the limit for them."""
 
     options = ("--workers", "1", "--answers", "8", "--results", "0", "--write-limit", "1")
     LARGE = SQUARE + "stokes.f32?size=512x512"  # 12 MiB
@@ -176,7 +176,7 @@ class Unread(ServeTest):
         refused = self.server.get(self.LARGE + "&azimuth=1")
         self.assert_problem(refused, 503, words="unread")
         self.assertGreaterEqual(int(refused.headers["retry-after"]), 1)
-        equal = self.server.ask(self.LARGE + "&light=0")  # is in memory once
+        equal = self.server.ask(self.LARGE + "&light=0")  # the answer is in memory only once
         self.server.wait(lambda: self.server.metric('cache_hits_total{kind="flight"}') >= 1)
         self.server.signal_workers(signal.SIGCONT)
         self.assertEqual([len(self.server.answer(asked).body) for asked in (first, equal)], [512 * 512 * 48] * 2)
@@ -208,13 +208,13 @@ class Limits(ServeTest):
             self.assertEqual(silent.recv(1), b"")
 
     def test_order(self):
-        # The first image of these orders may take longer than the deadline here.
+        # The first image of these orders may take longer than this server's deadline.
         self.server.wait(lambda: self.server.get(IMAGE + "&order_low=2&order_high=3").status == 200)
         self.assert_problem(self.server.get(IMAGE + "&order_low=7"), 400, "order_low", "0 to 6")
 
 
 class Places(ServeTest):
-    """Connections beyond those that there are places for."""
+    """The server handles more connections than it has places for."""
 
     options = ("--workers", "1", "--connections", "4", "--connections-per-address", "2", "--status-listen", "127.0.0.1:0")
     ONE, OTHER, THIRD = "127.0.0.2", "127.0.0.3", "127.0.0.4"
@@ -230,7 +230,7 @@ class Places(ServeTest):
         self.server.wait(lambda: self.server.metric("renders_running") == 0)
 
     def hold(self, source, data=b""):
-        """A connection that asks nothing, or not yet all."""
+        """Returns a connection that sends nothing or an incomplete request."""
         connection = socket.create_connection(("127.0.0.1", self.server.port), PATIENCE, source_address=(source, 0))
         self.held.append(connection)
         connection.sendall(data)
@@ -238,7 +238,7 @@ class Places(ServeTest):
         return connection
 
     def hold_busy(self, source, azimuth):
-        """One whose image a stopped worker does not make."""
+        """Adds a connection whose image a stopped worker does not make."""
         self.held.append(self.server.ask(f"{IMAGE}&azimuth={azimuth}", source=source))
         self.server.wait(lambda: self.server.metric("renders_running") + self.server.metric("queue_length") == len(self.held))
 
@@ -275,7 +275,7 @@ class Places(ServeTest):
         refused = self.server.get("/health", source=self.THIRD)
         self.assert_problem(refused, 503)
         self.assertGreaterEqual(int(refused.headers["retry-after"]), 1)
-        # Whoever watches the service has places of his own.
+        # Monitoring has separate places.
         for target, status in (("/health", 200), ("/ready", 200), ("/metrics", 200), ("/scenes", 404), (IMAGE, 404)):
             self.assertEqual(self.server.get(target, port=self.server.status_port).status, status, target)
         self.server.signal_workers(signal.SIGCONT)
@@ -286,7 +286,7 @@ class Failures(ServeTest):
     options = ("--workers", "2", "--render-limit", "3", "--deadline", "60")
 
     def lose(self, reason, azimuth):
-        """One request whose worker is stopped, and killed where the reason is a crash; the other one answers it."""
+        """Stops the worker of one request, and kills it if the reason is a crash. The other worker must answer."""
         self.server.wait(lambda: all(state == "idle" for _, state in self.server.workers()))
         lost = f'workers_lost_total{{reason="{reason}"}}'
         before = self.server.metric(lost)
@@ -309,7 +309,7 @@ class Failures(ServeTest):
 
 
 class Ends(ProgramTest):
-    """Starts and ends."""
+    """Starts and ends of the service."""
 
     def test_drain(self):
         write_scenes(self.folder)
@@ -321,7 +321,7 @@ class Ends(ProgramTest):
         asked = server.ask(IMAGE)
         server.wait(lambda: server.metric("renders_running") == 1)
         server.process.terminate()
-        # The idle connection ends, and with it that the signal came is known.
+        # The end of the idle connection shows that the signal has arrived.
         self.assertEqual(idle.sock.recv(1), b"")
         with self.assertRaises(ConnectionRefusedError):
             server.get("/ready")
@@ -407,7 +407,7 @@ class Ends(ProgramTest):
         self.assertEqual(server.stop(), 0)
 
     def test_a_slow_scene_is_its_own(self):
-        """The other scene is served by the one worker while a further process, which stands still here, loads the slow one."""
+        """The only worker serves the other scene while a further process, stopped in this test, loads the slow one."""
         write_scenes(self.folder)
         side = 31
         lines = [f"v {x / 15 - 1} {y / 15 - 1} {(x * y) % 7 / 70}\n" for y in range(side) for x in range(side)]
@@ -460,7 +460,7 @@ class Ends(ProgramTest):
                 os.remove(os.path.join(self.folder, "log"))
 
     def test_no_file_has_a_name_that_others_can_take(self):
-        """A pipe in its place would be waited for, and a link followed."""
+        """A pipe of that name would block the service, and it would follow a link."""
         write_scenes(self.folder)
         server = Server(PROGRAM, self.folder, "--workers", "1")
         try:

@@ -14,7 +14,7 @@ PATIENCE = 120
 
 
 def find_browser():
-    """Its path, or None."""
+    """Returns the path of the browser, or None."""
     return shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
 
 
@@ -25,7 +25,8 @@ class Browser:
         self.incoming, from_browser = os.pipe()
 
         def place_pipes():
-            # Chromium reads from descriptor 3 and writes to 4. Moved away first, as they may stand in each other's place.
+            # Chromium reads from descriptor 3 and writes to 4. The pipes move to high numbers first, because they may
+            # occupy 3 and 4.
             high = [os.dup2(end, 100 + i) for i, end in enumerate((to_browser, from_browser))]
             os.dup2(high[0], 3)
             os.dup2(high[1], 4)
@@ -94,7 +95,7 @@ class Browser:
         self.call("Page.navigate", url=address)
 
     def screenshot(self, x, y, width, height, scale):
-        """A part of the window as PNG, scaled."""
+        """Returns a part of the window as a scaled PNG."""
         clip = {"x": x, "y": y, "width": width, "height": height, "scale": scale}
         return base64.b64decode(self.call("Page.captureScreenshot", clip=clip)["data"])
 
@@ -120,6 +121,6 @@ class Browser:
         self.process.wait()
         os.close(self.incoming)
         os.close(self.outgoing)
-        # A process of its own may still write there.
+        # A helper process of the browser may still write to the profile.
         shutil.rmtree(self.profile.name, ignore_errors=True)
         self.profile.cleanup()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What the tests of nicol-serve share. The command line: the program, nicol-render, then what unittest takes."""
+"""Shared base of the nicol-serve tests. The command line: the program, nicol-render, then the arguments of unittest."""
 
 import os
 import sys
@@ -20,7 +20,7 @@ def read(path):
 
 
 def alive(pid):
-    """Whether the process is there, and more than what its parent has yet to wait for."""
+    """Returns whether the process runs. A zombie does not count."""
     try:
         return b" Z " not in read(f"/proc/{pid}/stat")
     except OSError:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""A nicol-serve that a test runs and talks to."""
+"""A nicol-serve process for tests, and its client."""
 
 import http.client
 import json
@@ -8,7 +8,7 @@ import signal
 import subprocess
 import time
 
-# Nothing here takes long; a machine under load may.
+# Every step is short, but a machine under load may take longer.
 PATIENCE = 60
 
 SCENE = """<scene version="3.0.0">
@@ -43,9 +43,9 @@ class Answer:
 
 
 class Server:
-    """Runs until stop(). Where `ready` is not asked for it may still be warming up."""
+    """A server that runs until stop(). It may still be warming up after construction if `ready` is false."""
 
-    status_port = None  # of --status-listen
+    status_port = None  # port of --status-listen
 
     def __init__(self, program, folder, *options, ready=True):
         self.log = open(os.path.join(folder, "log"), "a+", encoding="utf-8")
@@ -70,18 +70,18 @@ class Server:
         return self.log.read()
 
     def wait(self, condition):
-        """Until the condition holds; fails where it never does."""
+        """Waits until the condition holds. Fails if it does not hold in time."""
         end = time.monotonic() + PATIENCE
         while not condition():
             if time.monotonic() > end or self.process.poll() is not None:
                 raise AssertionError(f"never came: {self.errors()}")
 
     def connect(self, port=None, source=None):
-        """source: this machine's address that the connection comes from, any of 127.0.0.0/8, where it matters."""
+        """Returns a connection. `source` is its local address, any of 127.0.0.0/8."""
         return http.client.HTTPConnection("127.0.0.1", port or self.port, timeout=PATIENCE, source_address=source and (source, 0))
 
     def ask(self, target, method="GET", port=None, source=None, **headers):
-        """A request whose answer is fetched by answer()."""
+        """Sends a request. answer() fetches its answer."""
         connection = self.connect(port, source)
         connection.request(method, target, headers={name.replace("_", "-"): value for name, value in headers.items()})
         return connection
@@ -96,7 +96,7 @@ class Server:
         return self.answer(self.ask(target, method, port, source, **headers))
 
     def metrics(self):
-        """Name with labels -> value."""
+        """Returns the metrics as name with labels -> value."""
         lines = self.get("/metrics", port=self.status_port).body.decode().splitlines()
         return {line.rsplit(" ", 1)[0][len("nicol_serve_") :]: float(line.rsplit(" ", 1)[1]) for line in lines if line[0] != "#"}
 
@@ -104,7 +104,7 @@ class Server:
         return self.metrics()[name]
 
     def workers(self):
-        """Process id and state of each."""
+        """Returns the process id and state of each worker."""
         found = [name for name in self.metrics() if name.startswith("worker{")]
         label = lambda name, key: name.split(key + '="')[1].split('"')[0]  # noqa: E731
         return [(int(label(name, "pid")), label(name, "state")) for name in sorted(found)]
@@ -117,7 +117,7 @@ class Server:
         try:
             self.signal_workers(signal.SIGCONT)
         except OSError:
-            pass  # it ends already
+            pass  # the server is already ending
         if self.process.poll() is None:
             self.process.terminate()
         code = self.process.wait(PATIENCE)

@@ -20,7 +20,7 @@ NAMES = ["size", "azimuth", "elevation", "distance", "target", "matrix", "fov", 
 VALUES = ["0", "1", "-1", "45", "89", "90", "1e308", "-1e308", "1e-308", "nan", "inf", "-0", "0x10", "1,2,3", "0,0,0", "16x16", "1x1",
           "2048x1024", "99999x99999", "-1x5", "s0", "s3", "dolp", "aolp", "polarizer", "", "%00", "%ff%fe", "%", "'\"<>", "1" * 400,
           ",".join(["1e6"] * 16), ",".join(["0"] * 16), "-0.7,0,0.7,3,0,1,0,0,-0.7,0,-0.7,3,0,0,0,1", "0.001", "1e6", "../..", "é"]  # fmt: skip
-# What may stand there, so that many requests come as far as the renderer.
+# Valid values, so that many requests reach the renderer.
 GOOD = {"size": ["8x8", "1x1", "64x3"], "azimuth": ["30", "-360"], "elevation": ["89", "-12.5"], "distance": ["0.001", "3", "1e6"],
         "target": ["0,0,0", "1e6,1,1"], "fov": ["1", "170"], "light": ["77"], "light_tilt": ["-180"], "order_low": ["0", "3"],
         "order_high": ["9"], "tolerance": ["1", "0.05"], "observer": ["s0", "s3", "dolp", "aolp"], "polarizer": ["12"],
@@ -36,7 +36,7 @@ def request(random):
     names = random.sample(NAMES, random.choice([0, 1, 1, 2, 3])) if random.random() < 0.97 else random.choices(NAMES, k=40)
     likely = random.random() < 0.7
     query = "&".join(f"{name}={random.choice(GOOD.get(name, VALUES) if likely else VALUES)}" for name in names)
-    # Few are large, or the time goes into rendering.
+    # Few images are large, because rendering would take most of the time.
     if "size=" not in query:
         query += "&size=8x8" if query else "size=8x8"
     target = random.choice(PATHS) + "?" + query
@@ -61,13 +61,15 @@ def request(random):
 
 
 def send(server, data, leaves):
-    """The status of the first answer; None where the service closed without one, as it may where the request had no end."""
+    """Returns the status of the first answer, or None if the service closed without one, which is allowed if the request
+    had no end."""
     with socket.create_connection(("127.0.0.1", server.port), PATIENCE) as connection:
         try:
             connection.sendall(data)
             if leaves:
                 return None
-            # A header without an end is not waited for by either side. Who closes early elsewhere wants no image.
+            # Neither side waits for an incomplete header. With a complete header an early close means that the client
+            # wants no image.
             if b"\r\n\r\n" not in data:
                 connection.shutdown(socket.SHUT_WR)
             line = connection.makefile("rb").readline(200)

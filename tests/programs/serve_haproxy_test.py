@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-# Two nicol-serve behind haproxy, one of them killed under load. The command line: the program, haproxy's configuration.
+# A test of two nicol-serve behind haproxy, one of which is killed under load. The command line: the program, haproxy's
+# configuration.
 import http.client
 import os
 import shutil
@@ -23,7 +24,7 @@ class Instances(unittest.TestCase):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         write_scenes(folder.name)
-        # The cache is shared: the second instance finds what the first has baked.
+        # The instances share a cache, so the second one finds the baked results of the first.
         self.servers = [Server(PROGRAM, folder.name, "--workers", "1") for _ in range(2)]
         for server in self.servers:
             self.addCleanup(server.stop)
@@ -40,7 +41,7 @@ class Instances(unittest.TestCase):
             self.assertLess(time.monotonic(), end)
 
     def ask(self, target):
-        """The status; 0 where the connection fails."""
+        """Returns the status, or 0 if the connection fails."""
         connection = http.client.HTTPConnection("127.0.0.1", self.port, timeout=PATIENCE)
         try:
             connection.request("GET", target)
@@ -61,7 +62,7 @@ class Instances(unittest.TestCase):
                 number += 1
                 target = f"/scenes/box/image.png?size=64x48&azimuth={number % 360}&elevation={client}"
                 first = self.ask(target)
-                # What a client does that is told to come again, or nothing.
+                # A client retries once after a 503 or a failed connection.
                 statuses.append(first if first == 200 else self.ask(target))
 
         clients = [threading.Thread(target=load, args=(client,)) for client in range(4)]

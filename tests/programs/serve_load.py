@@ -33,7 +33,7 @@ def wrk(server, target, connections, seconds, pause=0):
 
 
 class Bare:
-    """The renderer in this process: camera, render, and s0 read, frame by frame."""
+    """The renderer in this process: it sets the camera, renders and reads s0, frame by frame."""
 
     def __init__(self, library, scene, size, cache):
         os.environ["NICOL_LIBRARY"] = library
@@ -49,7 +49,7 @@ class Bare:
         self.rate(0.1)
 
     def rate(self, seconds):
-        """Frames a second."""
+        """Returns frames per second."""
         frames, start, own = 0, time.monotonic(), list(self.camera.to_world)
         while time.monotonic() - start < seconds:
             self.number += 1
@@ -62,7 +62,7 @@ class Bare:
             camera = self.nicol.Camera(projection=self.camera.projection, fov=self.camera.fov)
             camera.to_world = matrix
             self.nicol.render(self.scene, camera, None, self.framebuffer)
-            # Until it is read, some of the drawing may be outstanding.
+            # Reading the plane completes drawing that may be outstanding.
             self.framebuffer.plane(self.nicol.PLANE_S0, 0)
             frames += 1
         return frames / (time.monotonic() - start)
@@ -74,7 +74,7 @@ def resident(pid):
 
 
 def memory(server):
-    """MiB of the front process, and of its workers together."""
+    """Returns the memory of the front process and of all workers together, in MiB."""
     return resident(server.process.pid), sum(resident(pid) for pid, _ in server.workers())
 
 
@@ -90,7 +90,7 @@ def compare(server, target, bare, rounds, seconds, workers):
 
 def load(server, target, seconds, workers, queue):
     full = wrk(server, target, workers + queue, seconds)
-    # A connection rests as long as its image takes, twice over where all of them were to work.
+    # Each connection rests as long as its image takes, or twice as long if all connections were to work.
     half = wrk(server, target, workers, seconds, pause=round(1000 * workers / full["rate"]))
     beyond = wrk(server, target, 4 * (workers + queue), seconds)
     for name, result in (("half load", half), ("1x", full), ("4x", beyond)):
@@ -99,7 +99,8 @@ def load(server, target, seconds, workers, queue):
 
 
 def growth(server, scene, requests):
-    """Images of all formats and observers, after a first hundred that fill what is kept."""
+    """Requests images of all formats and observers, after a first batch that fills the caches, and prints the memory
+    growth."""
     def ask(first, count):
         for number in range(first, first + count):
             name = ("image.png", "image.exr", "stokes.f16", "stokes.exr")[number % 4 if number % 40 < 4 else 0]
@@ -137,7 +138,7 @@ def main():
                 os.symlink(os.path.abspath(os.path.join(arguments.scenes, name)), os.path.join(folder, name))
         else:
             write_scenes(folder)
-        # What was asked for once must not be answered from memory.
+        # --results 0 prevents answers from memory to repeated requests.
         server = Server(arguments.program, folder, "--workers", str(workers), "--queue", str(queue), "--results", "0")
         try:
             front, all_workers = memory(server)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# The page of nicol-serve in a browser. The command line: the program, then what unittest takes.
+# Tests of nicol-serve's page in a browser. The command line: the program, then the arguments of unittest.
 import os
 import struct
 import sys
@@ -39,13 +39,13 @@ class Page(unittest.TestCase):
         self.assertEqual(self.browser.evaluate("document.getElementById('message').textContent"), "")
 
     def settle(self):
-        """Until the image is that of what was asked for last, drawn."""
+        """Waits until the last requested image is drawn."""
         self.browser.wait("document.body !== null && 'shown' in document.body.dataset && "
                           "document.body.dataset.shown === document.body.dataset.wanted")  # fmt: skip
         self.browser.evaluate("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))")
 
     def image(self):
-        """A screenshot of what the canvas shows, small."""
+        """Returns a small screenshot of the canvas."""
         return self.browser.screenshot(*self.box(), 0.25)
 
     def rows(self):
@@ -62,7 +62,7 @@ class Page(unittest.TestCase):
         return [left + width / 2, top + height / 2]
 
     def asked(self):
-        """The address of the image that was fetched last."""
+        """Returns the address of the image that was fetched last."""
         return self.browser.evaluate("performance.getEntriesByType('resource').filter((e) => e.name.includes('stokes')).at(-1).name")
 
     def text(self, name):
@@ -111,7 +111,7 @@ class Desktop(Page):
         self.browser.evaluate("document.getElementById('split').click()")
         self.browser.key("2")
         self.settle()
-        # Its left is s0, its right what it was.
+        # The left half shows s0, and the right half the previous view.
         half, whole = len(split[0]) // 2 - 30, self.rows()
         self.assertEqual([row[:half] for row in split], [row[:half] for row in whole])
         self.assertNotEqual([row[-half:] for row in split], [row[-half:] for row in whole])

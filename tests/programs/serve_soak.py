@@ -17,7 +17,7 @@ import time
 
 from serve_client import PATIENCE, Server
 
-# A plate under even light: green is half the version, red tells the scene.
+# A plate under uniform light. Green is half the version, and red identifies the scene.
 SCENE = """<scene version="3.0.0">
   <sensor type="perspective"><float name="fov" value="30"/>
     <transform name="to_world"><lookat origin="0,0,3" target="0,0,0" up="0,1,0"/></transform>
@@ -32,7 +32,7 @@ SIDE = 128
 
 
 class Scenes:
-    """The versions that may be served: the newest, and those before it that nothing has replaced yet."""
+    """The versions that may be served: the newest, and earlier ones that have not been replaced yet."""
 
     def __init__(self, folder):
         self.folder = folder
@@ -114,13 +114,13 @@ class Clients:
 
 
 def of_process(pid):
-    """MiB that are resident, and open descriptors."""
+    """Returns resident memory in MiB and the number of open descriptors."""
     with open(f"/proc/{pid}/statm", encoding="ascii") as file:
         return int(file.read().split()[1]) * os.sysconf("SC_PAGESIZE") / 2**20, len(os.listdir(f"/proc/{pid}/fd"))
 
 
 def usage(server):
-    """Front process, then all workers together; None while one of them is being replaced."""
+    """Returns the usage of the front process, then of all workers together, or None while a worker is being replaced."""
     try:
         workers = [of_process(pid) for pid, _ in server.workers()]
         return (*of_process(server.process.pid), *(sum(values) for values in zip(*workers)))
@@ -151,7 +151,7 @@ def main():
                 name = chance.choice(list(REDS))
                 version = scenes.change(name)
                 changes += 1
-                # A worker that starts anew reads the scenes anew, and then all of them do.
+                # A restarted worker reads the scenes again, and then all workers do.
                 os.kill(chance.choice(server.workers())[0], signal.SIGKILL)
                 kills += 1
                 server.wait(lambda: newest_is_served(server, name, version))  # noqa: B023
@@ -168,7 +168,7 @@ def main():
     for text, at in (("front MiB", 0), ("front descriptors", 1), ("workers MiB", 2), ("workers descriptors", 3)):
         early, late = (statistics.median(sample[at] for sample in part) for part in (samples[:half], samples[half:]))
         print(f"{text}: first half {early:.1f}, second half {late:.1f}, at rest {last[at]:.1f}")
-        # What allocators keep is not lost; what is lost goes on growing.
+        # Memory kept by allocators does not grow, while lost memory keeps growing.
         if half > 20 and late > 1.1 * early + 8:
             clients.wrong.append(f"{text} grew")
     if last[1] > samples[0][1] + 4 or last[3] > samples[0][3] + 4:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# What nicol-serve answers: resources, images, signed URLs.
+# Tests of nicol-serve's answers: resources, images, signed URLs.
 import hashlib
 import hmac
 import os
@@ -19,7 +19,7 @@ from images import read_exr, read_png
 
 
 class Resources(ServeTest):
-    """What there is, of a service at rest."""
+    """Resources of a service at rest."""
 
     options = ("--workers", "2")
 
@@ -32,7 +32,7 @@ class Resources(ServeTest):
         scenes = self.server.get("/scenes").json()["scenes"]
         self.assertEqual([scene["id"] for scene in scenes], ["box", "square"])
         self.assertEqual((scenes[1]["size"], scenes[1]["channels"], scenes[1]["up"]), ([24, 16], 3, "y"))
-        # The camera of the file looks at the middle of the square.
+        # The file's camera looks at the middle of the square.
         for value, wanted in zip(scenes[1]["target"], (0, 0, 0)):
             self.assertAlmostEqual(value, wanted, 2)
         self.assertAlmostEqual(scenes[1]["distance"], (1 + 0.25 + 16) ** 0.5, 2)
@@ -58,11 +58,11 @@ class Resources(ServeTest):
 
     def test_parameters_are_named_with_their_range(self):
         self.assert_problem(self.server.get(f"{SQUARE}image.png?elevation=95"), 400, "elevation", "-89 to 89")
-        # What only the library knows to be wrong is no failure of the service either.
+        # A parameter that only the library refuses must not count as a failure of the service.
         self.assert_problem(self.server.get(f"{SQUARE}image.png?matrix={','.join(['0'] * 16)}"[:-1] + "1"), 400)
 
     def talk(self, data):
-        """The statuses of all answers to this."""
+        """Returns the statuses of all answers to these bytes."""
         with socket.create_connection(("127.0.0.1", self.server.port), PATIENCE) as connection:
             connection.sendall(data)
             connection.shutdown(socket.SHUT_WR)
@@ -79,7 +79,7 @@ class Resources(ServeTest):
             self.assertIn(str(status).encode(), head, data[:40])
 
     def test_framing(self):
-        """A second request follows each: it is answered where the first one's end is beyond doubt, and only there."""
+        """A second request follows each first one. It is answered if and only if the end of the first one is certain."""
         host, more = "Host: localhost\r\n", "GET /health HTTP/1.1\r\nHost: localhost\r\n\r\n"
         chunks = "Transfer-Encoding: chunked\r\n"
         for first, statuses in (
@@ -144,7 +144,7 @@ class Resources(ServeTest):
 
 
     def test_hosts(self):
-        """A name that somebody lets stand for this machine's address is no host of the service."""
+        """A foreign name that resolves to this machine's address is no host of the service."""
         for host, status in (
             ("localhost", 200), ("LOCALHOST.:1", 200), ("127.0.0.1", 200), ("[::1]:80", 200), ("127.0.0.9:1", 421), ("evil.example", 421),
             ("evil.example:8080", 421), ("localhost.evil.example", 421), ("127.0.0.1.evil.example", 421), ("[::2]", 421), ("user@localhost", 400),
@@ -164,7 +164,7 @@ class Resources(ServeTest):
 
 
 class Visitors(ServeTest):
-    """A service with hosts and origins of its own."""
+    """A service with configured hosts and origins."""
 
     PAGE = "https://page.example"
     options = ("--workers", "1", "--allow-host", "Images.Example", "--allow-origin", PAGE)
@@ -188,7 +188,7 @@ class Visitors(ServeTest):
 
 class Images(ServeTest):
     def rendered(self, *arguments):
-        """What nicol-render makes of the scene: a folder with stokes.exr and the images."""
+        """Runs nicol-render on the scene and returns a reader of its files: stokes.exr and the images."""
         out = os.path.join(self.folder, "rendered")
         subprocess.run([RENDER, os.path.join(self.folder, "square.xml"), "-o", os.path.join(out, "stokes.exr"), "--images", out,
                         *arguments], check=True, capture_output=True)  # fmt: skip
@@ -200,7 +200,7 @@ class Images(ServeTest):
         os.mkdir(os.path.join(cls.folder, "rendered"))
 
     def assert_alike(self, left, right):
-        """The same size, and no code differs by more than rounding."""
+        """Checks that the images have equal size and that no value differs by more than rounding."""
         left, right = read_png(left), read_png(right)
         self.assertEqual(left[:2], right[:2])
         self.assertLessEqual(max(abs(a - b) for a, b in zip(left[2], right[2])), 1)
@@ -230,7 +230,7 @@ class Images(ServeTest):
             for channel, name in enumerate("RGB"):
                 plane = values[channel * 800 : (channel + 1) * 800]
                 self.assertEqual(tuple(exr[name]), plane[component::4])
-        # A polarizer passes half of what it is rotated to and the sum of two across is everything.
+        # Intensities behind two crossed polarizers add up to the total.
         s0 = read_exr(self.server.get(f"{SQUARE}image.exr{query}").body)["G"]
         first, second = (read_exr(self.server.get(f"{SQUARE}image.exr{query}&polarizer={a}").body)["G"] for a in (30, 120))
         for whole, a, b in zip(s0, first, second):
@@ -240,7 +240,7 @@ class Images(ServeTest):
         self.assertEqual([4 * v for v in s0], bright)
 
     def test_planes(self):
-        """The same numbers as those of stokes.f16, whatever coding they come in."""
+        """The planes hold the numbers of stokes.f16 in every content coding."""
         query, pixels = "?size=20x10&azimuth=20", 200
         halves = struct.unpack(f"<{pixels * 12}H", self.server.get(f"{SQUARE}stokes.f16{query}").body)
         tags = set()
@@ -262,7 +262,7 @@ class Images(ServeTest):
 
     @unittest.skipUnless(shutil.which("node"), "no Node.js here")
     def test_the_page_reads_planes(self):
-        """As a browser does, which may be absent: its Stokes vectors are those of stokes.f16."""
+        """The page's decoder, run without a browser, gives the Stokes vectors of stokes.f16."""
         query = "?size=20x10&azimuth=20"
         for name, target in (("stokes.mjs", "/stokes.js"), ("planes", f"{SQUARE}stokes.planes{query}")):
             with open(os.path.join(self.folder, name), "wb") as file:
@@ -285,7 +285,7 @@ class Images(ServeTest):
         images = {image(q) for q in ("azimuth=90", "azimuth=30", "elevation=60", "distance=9", "target=0.3,0,0", "fov=20", "light=60",
                                          "light_tilt=60")}  # fmt: skip
         self.assertEqual(len(images | {own}), 9)
-        # The scene's own camera, written as a matrix.
+        # The matrix describes the scene's own camera.
         forward = [-1 / 17.25**0.5, -0.5 / 17.25**0.5, -4 / 17.25**0.5]
         left = [forward[2], 0, -forward[0]]
         norm = (left[0] ** 2 + left[2] ** 2) ** 0.5
@@ -294,7 +294,7 @@ class Images(ServeTest):
               forward[0] * left[1] - forward[1] * left[0]]  # fmt: skip
         rows = [[left[i], up[i], forward[i], (1, 0.5, 4)[i]] for i in range(3)] + [[0, 0, 0, 1]]
         self.assert_alike(image("matrix=" + ",".join(str(v) for row in rows for v in row)), own)
-        # And as an orbit.
+        # The orbit also describes the scene's own camera.
         scene = next(s for s in self.server.get("/scenes").json()["scenes"] if s["id"] == "square")
         orbit = image(f"azimuth={scene['azimuth']}")
         self.assertLess(sum(a != b for a, b in zip(read_png(orbit)[2], read_png(own)[2])), 400)
@@ -331,7 +331,7 @@ class Signed(ServeTest):
         self.assertEqual(self.server.get(self.sign(SQUARE + "image.png", self.KEYS[0])).status, 200)
         self.assert_problem(self.server.get(IMAGE), 403, "sig")
         self.assert_problem(self.server.get(self.sign(IMAGE, self.KEYS[0]).replace("32x24", "33x24")), 403, "sig")
-        # Who may not ask does not learn what there is.
+        # A client without a signature does not learn which scenes exist.
         self.assert_problem(self.server.get("/scenes/none/image.png"), 403, "sig")
         self.assert_problem(self.server.get(self.sign(SQUARE + "image.png?size=0x0", self.KEYS[0])), 400, "size")
         self.assertEqual(self.server.get("/ready").status, 200)

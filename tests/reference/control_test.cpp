@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Options, threads, progress and errors.
+// Tests of options, threads, progress and errors.
 #include <thread>
 
 #include "image_difference.hpp"
@@ -11,7 +11,7 @@ using namespace nicol::test;
 
 namespace {
 
-constexpr int width = 21, height = 13;  // no multiple of a tile
+constexpr int width = 21, height = 13;  // not a multiple of the tile size
 
 Scene ball_on_floor() {
     Scene scene;
@@ -41,7 +41,7 @@ void check_refused(ErrorCode code, const Scene& scene, int w, int h, const Refer
 }  // namespace
 
 TEST_CASE("light with a table is looked up there, and light of coefficients has one") {
-    // The same light twice; neither's radiance() may be needed where there is a table.
+    // An environment that forwards to another one. radiance() must not be called if there is a table.
     class Watched final : public Environment {
     public:
         Watched(EnvironmentPtr light, bool table) : light_(std::move(light)), table_(table) {}
@@ -62,7 +62,7 @@ TEST_CASE("light with a table is looked up there, and light of coefficients has 
         EnvironmentPtr light_;
         bool table_;
     };
-    // Polarized, to order 12.
+    // The sky is polarized and has orders up to 12.
     const EnvironmentPtr sky = psh_environment(
         rayleigh_sky({.sun_direction = {1, 0.4, 1}, .radiance = {1}, .turbidity = 3})->project(12));
     std::vector<StokesImage> images;
@@ -71,7 +71,7 @@ TEST_CASE("light with a table is looked up there, and light of coefficients has 
         scene.set_environment(std::make_shared<const Watched>(sky, table), glm::dmat3(1.0), 1);
         images.push_back(render(scene, camera(), width, height, {.samples = 16}));
     }
-    // Same samples: nothing but the table's error remains.
+    // Equal samples leave only the error of the table.
     const double difference = rms_difference(images[0], images[1]);
     CHECK(difference < 1e-3 * rms(images[0]));
     CHECK(difference > 0);
@@ -132,7 +132,7 @@ TEST_CASE("progress is reported on the calling thread, rises, and can stop the r
     CHECK(calls > 0);
     CHECK(sound);
 
-    // Far too much to be rendered: this ends because it is stopped, in the middle of a pixel.
+    // The render is far too large to finish, so it ends only if it stops in the middle of a pixel.
     for (const int threads : {1, 3}) {
         calls = 0;
         options.samples = kMaxReferenceSamples;
@@ -188,7 +188,7 @@ TEST_CASE("what lies outside the clip planes is not rendered") {
         const auto middle = [&](double near, double far) {
             view.near_clip = near;
             view.far_clip = far;
-            // A corner, where the distance along the ray is not the depth.
+            // In the corner the distance along the ray differs from the depth.
             const StokesImage image = render(scene, view, 16, 16, {.samples = 64}, Strategy::surface);
             return static_cast<double>(image.at(0, 1, 1)[0]);
         };

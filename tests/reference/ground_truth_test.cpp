@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Images against Mitsuba 3's, object pixels away from silhouettes. Fewer samples than the truth has; what
-// matters is that nothing but noise is left: it must average out over blocks of pixels as noise does.
+// Tests against images of Mitsuba 3, on object pixels away from silhouettes. Nicol takes fewer samples than
+// the truth. Only noise may remain, so averages over blocks of pixels must fall as noise does.
 #include "import/load_scene.hpp"
 #include "reference/camera_rays.hpp"
 #include "scenes.hpp"
@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// 1 where a pixel and its eight neighbours show the same object.
+/// Returns 1 for pixels whose eight neighbours show the same object.
 std::vector<char> inner_pixels(const LoadedScene& s) {
     std::vector<Mesh> meshes;
     std::vector<RaySurface> surfaces;
@@ -42,12 +42,12 @@ std::vector<char> inner_pixels(const LoadedScene& s) {
 }
 
 struct Comparison {
-    double mean_ratio = 0;              // of s0, ours over the truth's
-    double slope[4] = {0, 0, 0, 0};     // least squares of ours against the truth
-    double residual[4] = {0, 0, 0, 0};  // RMS of the difference over the mean of s0
+    double mean_ratio = 0;              // of s0, ours divided by the truth
+    double slope[4] = {0, 0, 0, 0};     // least-squares slope of ours against the truth
+    double residual[4] = {0, 0, 0, 0};  // RMS of the difference divided by the mean of s0
 };
 
-/// Of the means of blocks of side x side pixels, wholly inside the object.
+/// Compares the means of blocks of side x side pixels that lie wholly inside the object.
 Comparison compare(const StokesImage& ours, const StokesImage& truth, const std::vector<char>& inner,
                    int side) {
     double total = 0, total_truth = 0, count = 0;
@@ -103,7 +103,7 @@ void check(const LoadedScene& s, const fs::path& truth_file, int samples) {
     CHECK(std::abs(blocks.slope[1] - 1) < 0.015);
     CHECK(std::abs(blocks.slope[2] - 1) < 0.015);
     CHECK(pixels.residual[3] < 1e-6);
-    // Noise of 16 pixels' mean is a quarter; anything systematic would stay.
+    // The noise of the mean of 16 pixels is a quarter, while systematic errors would stay.
     for (int p = 0; p < 3; ++p) CHECK(blocks.residual[p] < 1.15 * pixels.residual[p] / 4);
 }
 
@@ -118,7 +118,7 @@ TEST_CASE("a sphere under an image of light is Mitsuba 3's, but for noise") {
 TEST_CASE("a statue on a plane, with shadows, is Mitsuba 3's, but for noise") {
     const fs::path truth = test_data("mitsuba/buddha_plane_venice.exr");
     if (truth.empty() || test_data("polarsh/buddha.obj").empty()) return;
-    // The scene's files lie in two folders.
+    // The scene's files are in two folders.
     const TemporaryFolder folder;
     for (const char* name :
          {"mitsuba/buddha.xml", "mitsuba/venice.exr", "polarsh/buddha.obj", "polarsh/plane.obj"})

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Values known in closed form, and strategies against each other.
+// Tests of values in closed form, and of strategies against each other.
 #include "scenes.hpp"
 #include "test.hpp"
 
@@ -31,7 +31,7 @@ TEST_CASE("a diffuse surface under constant light is as bright as its albedo") {
     const double wanted[] = {1.5, 1.5, 2.25};
     REQUIRE(cosine.size() == 3);
     for (std::size_t c = 0; c < 3; ++c) {
-        // Samples by the cosine have no noise at all here.
+        // Cosine sampling is free of noise here.
         CHECK(cosine[c][0] == doctest::Approx(wanted[c]).epsilon(1e-6));
         CHECK(both[c][0] == doctest::Approx(wanted[c]).epsilon(1e-3));
         for (int p = 1; p < 4; ++p) CHECK(both[c][p] == 0);
@@ -128,7 +128,8 @@ TEST_CASE("a two-sided material looks from behind as from the front of a surface
 }
 
 TEST_CASE("normals are interpolated over a triangle") {
-    // A flat square whose normals at the corners lean outwards: light from one direction alone, as a cosine.
+    // The normals at the corners of a flat square lean outwards, and light from one direction alone follows
+    // their cosine.
     Mesh mesh = make_rectangle(1);
     for (std::size_t v = 0; v < mesh.normals.size(); ++v) {
         mesh.normals[v] = glm::normalize(glm::vec3(0.5F * mesh.positions[v].x, 0, 1));
@@ -136,18 +137,17 @@ TEST_CASE("normals are interpolated over a triangle") {
     Scene scene;
     scene.add(
         {.mesh = std::make_shared<const Mesh>(mesh), .material = diffuse({1}), .to_world = glm::dmat4(1.0)});
-    // Radiance 1 + y over directions (1 / pi of its integral with the cosine: 1 + 2/3 n.y).
+    // The radiance is 1 + y. Its integral with the cosine, divided by pi, is 1 + 2/3 n.y.
     EquirectImage image(8, 181, 1);
     for (int y = 0; y < 181; ++y)
         for (int x = 0; x < 8; ++x)
             image.at(0, y, x)[0] = static_cast<float>(1 + std::cos(3.14159265358979 * y / 180));
-    // The light's y is the world's x.
+    // The rotation maps the light's y to the world's x.
     const glm::dmat3 rotation(glm::dvec3(0, 0, 1), glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0));
     scene.set_environment(image_environment(image), rotation, 1);
     for (const double x : {-0.9, -0.3, 0.0, 0.6}) {
         const glm::dvec3 normal = glm::normalize(glm::dvec3(0.5 * x, 0, 1));
-        // Where the shading normal leans, a sliver of its hemisphere is below the flat square and in its
-        // shadow.
+        // If the shading normal leans, a sliver of its hemisphere lies below the flat square and is shadowed.
         const double value = point(scene, camera_on({x, 0.1, 0}, {0, 0, 1}), 1 << 14)[0][0];
         CHECK(std::abs(value - (1 + 2.0 / 3 * normal.x)) < 0.03);
         if (x == 0) CHECK(value == doctest::Approx(1).epsilon(2e-3));

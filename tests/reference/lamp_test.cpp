@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Lights with a size: closed forms, strategies against each other, and what the camera sees of them.
+// Tests of area lights and suns of finite size: closed forms, strategies against each other, and their
+// images.
 #include "directions.hpp"
 #include "function_texture.hpp"
 #include "material/mixture.hpp"
@@ -26,7 +27,7 @@ Instance lamp(const EmissionPtr& light, const Frame& frame, const glm::dvec3& ce
     return out;
 }
 
-/// A diffuse floor of this albedo in the plane z = 0.
+/// Returns a diffuse floor of this albedo in the plane z = 0.
 Scene floor(double albedo = 0.6) {
     Scene scene;
     scene.add(square(diffuse({albedo}), Frame(1.0), {0, 0, 0}, 100));
@@ -37,7 +38,8 @@ double at_origin(const Scene& scene, Strategy strategy = Strategy::both, int sam
     return point(scene, camera_on({0, 0, 0}, aside), samples, strategy)[0][0];
 }
 
-/// Lambert's formula: the irradiance at the origin on a plane facing +z, of a polygon above it of radiance 1.
+/// Returns the irradiance at the origin on a plane facing +z, from a polygon above it of radiance 1, by
+/// Lambert's formula.
 double polygon_irradiance(const std::vector<glm::dvec3>& corners) {
     double sum = 0;
     for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -53,7 +55,7 @@ double polygon_irradiance(const std::vector<glm::dvec3>& corners) {
 TEST_CASE("a disc of the sky lights a plane by its irradiance times the cosine, however large") {
     for_all({0.0046, 0.2, 0.6}, {0.0, 0.5, 0.9}, [](double radius, double zenith) {
         Scene scene = floor();
-        // Its irradiance where it is faced is pi L sin^2, of a plane that much times the cosine.
+        // The irradiance on a facing plane is pi L sin^2, and on a tilted plane that value times the cosine.
         scene.add_light({.kind = Kind::directional,
                          .value = {3},
                          .to_world = glm::dmat4(theta_phi_frame(-direction(zenith, 1))),
@@ -112,7 +114,7 @@ TEST_CASE("an emissive sphere lights the floor by the square of its apparent rad
 TEST_CASE("lamps add, and so they do where there are too many to sample each") {
     std::vector<Instance> lamps;
     for (int i = 0; i < 20; ++i) {
-        // Mostly dark ones, which are seldom chosen, and one that is black.
+        // Most lamps are dark and rarely chosen, and one is black.
         const double radiance = i == 7 ? 10 : i == 3 ? 0 : 0.1 * i;
         lamps.push_back(lamp(emission({.radiance = {radiance}}), facing_down,
                              {0.5 * (i % 5) - 1, 0.5 * (i / 5) - 0.7, 1 + 0.05 * i}, 0.15));
@@ -122,7 +124,7 @@ TEST_CASE("lamps add, and so they do where there are too many to sample each") {
     for (const Instance& one : lamps) {
         Scene scene = floor();
         for (const Instance& other : lamps) {
-            // The others hide it as they do.
+            // The other lamps occlude this one when they are dark, too.
             Instance dark = other;
             if (&other != &one) dark.emission = nullptr;
             scene.add(dark);
@@ -193,7 +195,7 @@ TEST_CASE("what stands before a lamp hides it, unless there are no shadows") {
 
 TEST_CASE("the camera sees a surface emit light, with its polarization, added to what it reflects") {
     const PolarizationState state{.dolp = 0.6, .aolp = 0.5, .docp = -0.4, .axis = {0.3, 1, 0}};
-    // Stretched and turned: the axis is a direction of the mesh.
+    // The instance is stretched and rotated. The polarization axis is a direction of the mesh.
     glm::dmat4 to_world = glm::rotate(glm::dmat4(1.0), 0.4, glm::dvec3(1, 2, 0.5)) *
                           glm::scale(glm::dmat4(1.0), glm::dvec3(2, 0.5, 1));
     Scene scene;
@@ -226,8 +228,8 @@ TEST_CASE("the camera sees a surface emit light, with its polarization, added to
 }
 
 TEST_CASE("a lamp behind a polarizing sheet is seen as Mitsuba 3 does") {
-    // Its `polarizer` of this angle in degrees at z = 0, from this place, camera upwards (0.2, 1, 0.1): s1 /
-    // s0 and s2 / s0 of Mitsuba 3.9.
+    // Each row is a `polarizer` of this angle in degrees at z = 0, seen from this position with the camera's
+    // up at (0.2, 1, 0.1). The values are s1 / s0 and s2 / s0 of Mitsuba 3.9.
     const struct {
         glm::dvec3 eye;
         double theta, s1, s2;
@@ -257,11 +259,11 @@ TEST_CASE("a texture of emission lies on its surface, as the camera sees it and 
         texture_of([](const TexturePoint& p) { return glm::vec4(p.uv.x, p.uv.y, 1, 1); });
     Scene scene = floor();
     scene.add(lamp(emission({.radiance = {1, 2, 1}, .texture = image}), facing_down, {0, 0, 2}, 0.5));
-    // u grows with x, v against y.
+    // u grows with x, and v against y.
     const std::vector<Stokes> seen = point(scene, camera_on({0.25, 0.125, 2}, {0.1, 0.1, -1}), 4);
     CHECK(seen[0][0] == doctest::Approx(0.75).epsilon(1e-4));
     CHECK(seen[1][0] == doctest::Approx(2 * 0.375).epsilon(1e-4));
-    // Above the middle the mean of u and v, both 1/2, weighs alike from all sides.
+    // Above the middle, symmetry makes the means of u and v 1/2.
     for (const Strategy strategy : strategies) {
         const std::vector<Stokes> lit = point(scene, camera_on({0, 0, 0}, aside), 1 << 14, strategy);
         CHECK(lit[0][0] / lit[2][0] == doctest::Approx(0.5).epsilon(0.01));
@@ -291,6 +293,6 @@ TEST_CASE("lamps and their shadows are counted as rays") {
     ReferenceStatistics statistics;
     (void)render_reference(scene, project(camera_on({0, 0, 0}, aside), 1, 1), 1, 1, {.samples = 64},
                            statistics);
-    // One to each lamp, and one into the surface's lobe.
+    // Each sample casts one ray to each lamp and one into the surface's lobe.
     CHECK(statistics.shadow_rays == 4 * 64);
 }

@@ -9,7 +9,7 @@ using namespace nicol::test;
 
 namespace {
 
-// Noise with black pixels, an area light, and a colour that only one channel has.
+// Returns noise with black pixels, an area light, and a colour in only one channel.
 EquirectImage image() {
     EquirectImage image(24, 13, 2);
     std::mt19937 random(3);
@@ -57,7 +57,7 @@ TEST_CASE("a sample is a unit direction with the density of that direction") {
         const LightSample s = sampler.sample({x, y});
         REQUIRE(glm::length(s.towards_light) == doctest::Approx(1).epsilon(1e-12));
         REQUIRE(s.pdf >= 0);
-        // At the poles themselves the image has no one value.
+        // The poles are skipped, because the image has no unique value there.
         if (std::abs(s.towards_light.y) > 1 - 1e-9) continue;
         REQUIRE(std::abs(s.pdf - sampler.pdf(s.towards_light)) < 1e-6 * (s.pdf + 0.1));
     }
@@ -79,7 +79,8 @@ TEST_CASE("samples weighted by 1 / density integrate the light, with little nois
         square += value * value / count;
     }
     CHECK(mean == doctest::Approx(exact).epsilon(2e-3));
-    // The density is all but proportional: without the area light's share it would be several times the mean.
+    // The density is nearly proportional. Without the area light's share the ratio would vary by several
+    // times the mean.
     CHECK(std::sqrt(square - mean * mean) < 0.15 * mean);
 }
 

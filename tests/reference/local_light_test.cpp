@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lights without a size: closed forms, shadows, and their polarization.
+// Tests of lights without a size: closed forms, shadows and polarization.
 #include "directions.hpp"
 #include "function_texture.hpp"
 #include "material/conductor.hpp"
@@ -15,7 +15,8 @@ namespace {
 
 const glm::dvec3 aside = glm::normalize(glm::dvec3(0.4, -0.3, 1));
 
-/// That emits light along `direction` from `place`, with +y of its axes as near as possible to `up`.
+/// Returns the matrix of a light at `place` that emits along `direction`, with its +y as near as possible to
+/// `up`.
 glm::dmat4 shining(const glm::dvec3& direction, const glm::dvec3& place = glm::dvec3(0.0),
                    const glm::dvec3& up = {0.1, 1, 0.2}) {
     const glm::dvec3 z = glm::normalize(direction);
@@ -25,8 +26,8 @@ glm::dmat4 shining(const glm::dvec3& direction, const glm::dvec3& place = glm::d
     return to_world;
 }
 
-/// What one sample of the origin says: without noise, as the lights have no size. `material` lies in the
-/// plane z = 0 facing +z.
+/// Returns one sample at the origin, which has no noise because the lights have no size. `material` lies in
+/// the plane z = 0 and faces +z.
 std::vector<Stokes> lit(const std::vector<LocalLight>& lights, const MaterialPtr& material = diffuse({0.6}),
                         const glm::dvec3& towards_viewer = aside, int samples = 1) {
     Scene scene;
@@ -102,8 +103,8 @@ TEST_CASE("the irradiance of a projector on its plane z = 1 is its value, over t
         texture_of([](const TexturePoint& p) { return glm::vec4(p.uv.x, p.uv.y, 1, 1); });
     for (const glm::dvec2& at :
          {glm::dvec2(0, 0), {0.3, -0.2}, {-0.5, 0.4}, {0.57, 0.2}, {0.59, 0.2}, {0.2, -0.4}}) {
-        // The receiver is at the origin, and `at` in the plane z = 1 of the projector's axes, of which x is
-        // the world's -x.
+        // The receiver is at the origin. `at` lies in the plane z = 1 of the projector's axes, whose x is the
+        // world's -x.
         const LocalLight light{.kind = Kind::projector,
                                .value = {3, 2, 1},
                                .to_world = shining({0, 0, -1}, {at.x, -at.y, 1}, {0, 1, 0}),
@@ -117,7 +118,7 @@ TEST_CASE("the irradiance of a projector on its plane z = 1 is its value, over t
         const double wanted[] = {3 * uv.x, 2 * uv.y, 1};
         for (std::size_t c = 0; c < 3; ++c)
             CHECK(ours[c][0] == doctest::Approx(inside ? 0.6 / pi * wanted[c] : 0).epsilon(1e-4));
-        // Three times as far it is a ninth.
+        // At three times the distance the light is a ninth.
         LocalLight far = light;
         far.to_world[3] = glm::dvec4(3 * at.x, -3 * at.y, 3, 1);
         CHECK(lit({far})[0][0] == doctest::Approx(ours[0][0] / 9).epsilon(1e-4));
@@ -133,7 +134,7 @@ TEST_CASE("the texture of a spot colours its light") {
                            .beam_width = pi / 4,
                            .texture = image};
     const std::vector<Stokes> ours = lit({light});
-    // In the spot's axes the receiver is at (0.3, 0.1, 1).
+    // The receiver is at (0.3, 0.1, 1) in the spot's axes.
     CHECK(ours[0][0] / ours[2][0] == doctest::Approx(0.65).epsilon(1e-4));
     CHECK(ours[1][0] / ours[2][0] == doctest::Approx(0.55).epsilon(1e-4));
 }
@@ -154,7 +155,7 @@ TEST_CASE("lights add to each other and to the environment") {
     scene.add_light(lamp);
     for (const Strategy strategy : {Strategy::both, Strategy::light, Strategy::surface})
         check_close(point(scene, camera, 1 << 12, strategy)[0], alone + both, 0.02);
-    // The environment's samples are the same.
+    // The environment's samples do not change.
     check_close(point(scene, camera, 64)[0], alone + both, 1e-6);
 }
 
@@ -198,7 +199,7 @@ TEST_CASE("a polarized light is reflected by the material's own matrix") {
         scene.add_light({.kind = Kind::directional, .value = {2}, .to_world = to_world, .state = state});
         const Camera camera = camera_on({0, 0, 0}, surface * to_viewer);
 
-        // The state as a field of unit vectors in space: (s1, s2) is twice the angle from x.
+        // The state as unit vectors of the field in space: (s1, s2) has twice the field's angle from x.
         const glm::dvec3 z = glm::dvec3(to_world[2]);
         const glm::dvec3 axis = glm::dmat3(to_world) * state.axis;
         const glm::dvec3 zero = glm::normalize(axis - glm::dot(axis, z) * z);
@@ -226,7 +227,7 @@ TEST_CASE("light polarized in the plane of incidence is not reflected at Brewste
         return lit({light}, glass, direction(brewster, pi))[0];
     };
     const Stokes unpolarized = brightness({});
-    // +y of the light is the world's, across the plane of incidence; +x lies in it.
+    // +y of the light is the world's +y, perpendicular to the plane of incidence. +x lies in this plane.
     CHECK(brightness({.dolp = 1, .axis = {1, 0, 0}})[0] < 1e-3 * unpolarized[0]);
     CHECK(brightness({.dolp = 1, .axis = {0, 1, 0}})[0] == doctest::Approx(2 * unpolarized[0]).epsilon(1e-3));
     CHECK(brightness({.dolp = 1, .aolp = pi / 2, .axis = {1, 0, 0}})[0] ==

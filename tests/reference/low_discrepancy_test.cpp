@@ -38,7 +38,7 @@ TEST_CASE("streams, seeds and neighbouring pixels do not correlate") {
             const auto index = static_cast<std::uint32_t>(i);
             product += (first(index) - 0.5) * (second(index) - 0.5);
         }
-        return 12 * product / count;  // 1 / 12 is the variance
+        return 12 * product / count;  // the variance is 1 / 12
     };
     const LowDiscrepancy a(7), b(8);
     for (std::uint32_t s = 0; s < 3; ++s) {

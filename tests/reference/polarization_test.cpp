@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Frames: light into surfaces, out of them, and straight to the camera.
+// Tests of frames: light onto surfaces, from surfaces, and directly to the camera.
 #include "directions.hpp"
 #include "harmonics/rotation.hpp"
 #include "material/brute_force.hpp"
@@ -13,7 +13,7 @@ namespace {
 
 const glm::dmat3 rotation = frame_with_x(glm::normalize(glm::dvec3(0.3, -0.5, 0.7)), {1, 0.2, 0.1});
 
-/// The linear part as a tensor in space, which no choice of frame can hide an error from.
+/// Returns the linear part as a tensor in space, in which no choice of frame can hide an error.
 glm::dmat3 tensor(const Stokes& s, const Frame& f) {
     return s[1] * (glm::outerProduct(f[0], f[0]) - glm::outerProduct(f[1], f[1])) +
            s[2] * (glm::outerProduct(f[0], f[1]) + glm::outerProduct(f[1], f[0]));
@@ -48,14 +48,14 @@ TEST_CASE("light of every polarization reflected by pplastic is the brute-force 
             most = std::max(most, glm::length(wanted));
         }
     }
-    // Whatever the directions: in some of them the light is nearly black, in four of them never.
+    // The light is nearly black in some directions, but never in four of them.
     CHECK(most > 5e-3);
 }
 
 TEST_CASE(
     "at Brewster's angle a floor reflects horizontally polarized light, whichever way the camera is held") {
     Scene scene;
-    // Facing +y; black inside.
+    // The floor faces +y and is black inside.
     const Frame floor(glm::dvec3(0, 0, 1), glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0));
     scene.add(
         square(pplastic({.diffuse_reflectance = {0}, .int_ior = 1.5, .ext_ior = 1, .alpha = 0.01}), floor));
@@ -63,13 +63,13 @@ TEST_CASE(
     const double brewster = std::atan(1.5);
     const glm::dvec3 towards(std::sin(brewster), std::cos(brewster), 0);
     const Stokes upright = point(scene, camera_on({0, 0, 0}, towards, {0, 1, 0}), 4096)[0];
-    // Fresnel: Rs = cos^2(2 theta_B), Rp = 0.
+    // The Fresnel reflectances are Rs = cos^2(2 theta_B) and Rp = 0.
     CHECK(upright[0] == doctest::Approx(std::pow(std::cos(2 * brewster), 2) / 2).epsilon(0.01));
     CHECK(upright[1] / upright[0] > 0.995);
     CHECK(std::abs(upright[2]) < 1e-3 * upright[0]);
 
-    // The camera's head bends to its own right by 30 degrees; in its image the horizon then rises to the
-    // right, counter-clockwise, and AoLP is 30 degrees.
+    // The camera rolls to its right by 30 degrees. The horizon then rises to the right in the image,
+    // counter-clockwise, and AoLP is 30 degrees.
     const double roll = pi / 6;
     const glm::dvec3 forward = -towards;
     const glm::dvec3 right = glm::normalize(glm::cross(forward, glm::dvec3(0, 1, 0)));
@@ -92,7 +92,7 @@ TEST_CASE("the background is the environment, in the frames of the camera") {
     REQUIRE(image.channels == 3);
     CHECK(statistics.camera_rays == 5 * 3 * 4096);
     CHECK(statistics.shadow_rays == 0);
-    // The mean over a pixel, by the clip matrix rather than by the camera's axes.
+    // The mean over a pixel is computed by the clip matrix instead of the camera's axes.
     const glm::dmat4 clip_to_world = glm::inverse(projection.world_to_clip);
     constexpr int grid = 24;
     for (int y = 0; y < 3; ++y) {

@@ -18,7 +18,8 @@ using Sampler = std::function<glm::dvec3(const glm::dvec2& point)>;
 inline constexpr int theta_bins = 40;
 inline constexpr int phi_bins = 80;
 
-/// Integrals over the bins of a grid in the zenith angle (about +z) and the azimuth, by midpoints.
+/// Returns the integrals over the bins of a grid in the zenith angle (about +z) and the azimuth, by
+/// midpoints.
 inline std::vector<double> integrals(const Density& density, int sub = 12) {
     const double theta_step = std::numbers::pi / (theta_bins * sub);
     const double phi_step = 2 * std::numbers::pi / (phi_bins * sub);
@@ -42,8 +43,8 @@ inline double sum(const std::vector<double>& values) {
     return total;
 }
 
-/// How many standard deviations the chi-square statistic of samples lies above what their density predicts.
-/// Bins with few expected samples are counted as one.
+/// Returns the number of standard deviations by which the chi-square statistic of samples exceeds its
+/// expectation. Bins with few expected samples are merged into one.
 inline double chi_square_excess(const Sampler& sampler, const std::vector<double>& expected, int count,
                                 unsigned seed) {
     std::mt19937_64 random(seed);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Small scenes and images of them.
+// Small scenes for tests, and their images.
 #pragma once
 
 #include <glm/geometric.hpp>
@@ -20,7 +20,8 @@ inline StokesImage render(const Scene& scene, const Camera& camera, int width, i
                             strategy);
 }
 
-/// An orthographic camera so narrow that its image is one point: `target`, seen from `towards_viewer`.
+/// Returns an orthographic camera so narrow that its image is the single point `target`, seen from
+/// `towards_viewer`.
 inline Camera camera_on(const glm::dvec3& target, const glm::dvec3& towards_viewer,
                         const glm::dvec3& up = {0.1, 1, 0.2}) {
     Camera camera;
@@ -30,7 +31,7 @@ inline Camera camera_on(const glm::dvec3& target, const glm::dvec3& towards_view
     return camera;
 }
 
-/// The one pixel of such a camera, all channels.
+/// Returns the single pixel of such a camera, all channels.
 inline std::vector<Stokes> point(const Scene& scene, const Camera& camera, int samples,
                                  Strategy strategy = Strategy::both, std::uint64_t seed = 0) {
     const StokesImage image = render(scene, camera, 1, 1, {.samples = samples, .seed = seed}, strategy);
@@ -39,7 +40,8 @@ inline std::vector<Stokes> point(const Scene& scene, const Camera& camera, int s
     return out;
 }
 
-/// make_rectangle(1) with axes x and y and the normal z of `frame`, `half` wide each way, about `center`.
+/// Returns make_rectangle(1) with axes x and y and the normal z of `frame`, of half side `half` about
+/// `center`.
 inline Instance square(const MaterialPtr& material, const Frame& frame = Frame(1.0),
                        const glm::dvec3& center = glm::dvec3(0.0), double half = 1) {
     glm::dmat4 to_world(frame);
@@ -50,8 +52,8 @@ inline Instance square(const MaterialPtr& material, const Frame& frame = Frame(1
         .mesh = std::make_shared<const Mesh>(make_rectangle(1)), .material = material, .to_world = to_world};
 }
 
-/// Light given by coefficients over propagation directions: smooth, in every Stokes component, not always
-/// physical.
+/// Light given by coefficients over propagation directions. The light is smooth and uses every Stokes
+/// component, but may not be physically realizable.
 class PshLight final : public Environment {
 public:
     explicit PshLight(PshVector coefficients) : coefficients_(std::move(coefficients)) {}
@@ -66,7 +68,7 @@ public:
         return out[0];
     }
     PshVector project(int) const override { return coefficients_; }
-    /// Even, so that directions towards the light are sampled evenly whatever its sign.
+    /// Returns a uniform image, so that directions towards the light are sampled uniformly whatever its sign.
     EquirectImage image() const override {
         EquirectImage image(4, 3, channels());
         for (std::size_t i = 0; i < image.data.size(); i += 4) image.data[i] = 1;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Shadows whose depth is known: view factors of squares and walls.
+// Tests of shadows of known depth: view factors of squares and walls.
 #include "scenes.hpp"
 #include "test.hpp"
 
@@ -8,7 +8,8 @@ using namespace nicol::test;
 
 namespace {
 
-/// View factor from a small plane element to a parallel a x b rectangle at height 1 with a corner above it.
+/// Returns the view factor from a small plane element to a parallel a x b rectangle at height 1 with a corner
+/// above it.
 double corner_factor(double a, double b) {
     const double x = std::sqrt(1 + a * a), y = std::sqrt(1 + b * b);
     return (a / x * std::atan(b / x) + b / y * std::atan(a / y)) / (2 * pi);
@@ -16,7 +17,7 @@ double corner_factor(double a, double b) {
 
 const glm::dvec3 aside = glm::normalize(glm::dvec3(1, 0.2, 0.3));
 
-/// A white floor and a square of this half width above it, under even light.
+/// Returns a white floor and a square of half width `half` above it, under uniform light.
 Scene square_above_floor(double height, double half) {
     Scene scene;
     scene.add(square(diffuse({0.8}), Frame(1.0), {0, 0, 0}, 50));
@@ -41,7 +42,7 @@ TEST_CASE("a square above a plane takes its view factor away") {
 
 TEST_CASE("a square in contact with the plane leaves no light between") {
     const Scene scene = square_above_floor(0.01, 1);
-    // Seen from between the two.
+    // The camera is between floor and square.
     Camera camera;
     camera.to_world = look_at({0.02, 0, 0.005}, {0, 0, 0}, {0, 0, 1});
     camera.fov = 0.01;

@@ -75,7 +75,8 @@ TEST_CASE("samples are unit directions, and every direction above the horizon ha
 }
 
 TEST_CASE("narrow lobes are sampled where they are") {
-    // Nearly all of a lobe of width 0.02 is within 0.2 of the mirror direction; half of the samples go there.
+    // Nearly all of a lobe of width 0.02 lies within 0.2 of the mirror direction, and half of the samples go
+    // there.
     const MaterialPtr material = pplastic({.alpha = 0.02});
     const SurfaceSampler sampler(*material);
     const glm::dvec3 viewer = viewer_at(30);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The estimate of the noise of the reference method against noise.
+// Tests of the reference method's noise estimate against actual noise.
 #include "reference/pixel_estimate.hpp"
 #include "scenes.hpp"
 #include "test.hpp"
@@ -48,12 +48,12 @@ Camera camera() {
     return out;
 }
 
-/// Sums over pixels and channels, for each Stokes component.
+/// Sums over pixels and channels for each Stokes component.
 using Sums = std::array<double, 4>;
 
 struct OverSeeds {
-    Sums scatter{};   ///< of images of different seeds
-    Sums estimate{};  ///< the mean of what each image says
+    Sums scatter{};   ///< variance over images of different seeds
+    Sums estimate{};  ///< mean of the images' own estimates
 };
 
 OverSeeds over_seeds(const Scene& scene, ReferenceOptions options, std::uint64_t seeds) {
@@ -112,7 +112,7 @@ TEST_CASE("of independent samples the variance of the mean is estimated without 
 }
 
 TEST_CASE("the variance is what groups of samples scatter more than all do, and no less than the noise") {
-    // v(n) being the variance of an image of n samples over seeds: (v(n / 4) - v(n)) / 3.
+    // With v(n) the variance of images of n samples over seeds, the estimate is (v(n / 4) - v(n)) / 3.
     constexpr int samples = 16;
     constexpr std::uint64_t seeds = 64;
     for_all({false, true}, {false, true}, [&](bool smooth, bool luminance) {

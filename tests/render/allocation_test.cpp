@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Low orders: frames in which only the camera or the light moves need no memory that grows with the scene.
+// Tests of low-order frames in which only the camera or the light moves: they allocate no memory that grows
+// with the scene.
 #include <atomic>
 #include <new>
 

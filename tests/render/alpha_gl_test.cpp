@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Coverage: black surfaces take from an even light what they cover.
+// Tests of coverage: black surfaces remove the uniform light that they cover.
 #include <algorithm>
 
 #include "gl/contexts.hpp"
@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kSide = 32;
 
-/// A black ball, and a plate that shows its back.
+/// Returns a black ball and a plate that shows its back.
 Scene black_scene() {
     Scene scene;
     scene.add({.mesh = test::coarse_sphere(8), .material = diffuse({0.0})});
@@ -29,7 +29,7 @@ std::vector<RenderOptions> ways() {
     for (const int samples : {1, 9}) all.push_back({.method = Method::reference, .samples = samples});
     for (RenderOptions& options : all) {
         options.aovs = aov_alpha;
-        options.refine_tolerance = 0;  // there is no bake in darkness, which would split triangles
+        options.refine_tolerance = 0;  // nothing is baked in darkness, so triangles would not be split
     }
     return all;
 }
@@ -68,7 +68,7 @@ IMAGE_TEST_CASE("hidden emitters light the scene, and leave the camera what surf
         scene.set_environment(test::falling_light(0, false, 1), glm::dmat3(1), 1);
         Framebuffer seen(context, kSide, kSide, 1);
         renderer.render(scene, test::camera_at({0, 0, 5}), options, seen);
-        // The plate is black and emits light.
+        // The plate is black but emits light.
         scene.set_emission(1,
                            std::make_shared<const Emission>(Emission{.radiance = {3.0}, .two_sided = true}));
         scene.hide_emitters(true);

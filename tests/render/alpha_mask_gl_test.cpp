@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Surfaces that a texture cuts out, against meshes that lack those parts.
+// Tests of alpha masks against meshes without the masked parts.
 #include "gl/contexts.hpp"
 #include "image_difference.hpp"
 #include "reference/render_reference.hpp"
@@ -16,13 +16,13 @@ namespace {
 
 constexpr int kCells = 8;
 
-/// Whether a cell of an 8 x 8 board is there.
+/// Returns whether a cell of an 8 x 8 board is present.
 bool there(int x, int y) {
     return (x + y) % 2 == 0;
 }
 
-/// The square of make_rectangle() in 8 x 8 cells of two triangles, with texture coordinates; `whole`, or
-/// without the cells that are not there.
+/// Returns the square of make_rectangle() in 8 x 8 cells of two triangles, with texture coordinates: the
+/// whole board, or only the cells that are present.
 std::shared_ptr<const Mesh> board(bool whole) {
     const Mesh full = *test::with_texcoords(make_rectangle(kCells));
     Mesh out = full;
@@ -48,7 +48,7 @@ TexturePtr opacity(int channels) {
     return image_texture(std::move(image), {.filter = TextureSampling::Filter::nearest});
 }
 
-/// The board above a floor.
+/// Returns the board above a floor.
 Scene board_over(const std::shared_ptr<const Mesh>& mesh, const MaterialPtr& material) {
     Scene scene;
     scene.add({.mesh = mesh, .material = material, .to_world = test::plate_at(0.1, 1)});
@@ -69,7 +69,7 @@ RenderOptions options(Executor executor, int samples = 1) {
     return out;
 }
 
-/// Pixels of two images that differ, without those at edges, where rounding decides.
+/// Counts the pixels that differ, except at edges, where rounding decides.
 int differing(const StokesImage& a, const StokesImage& b, float tolerance) {
     int count = 0;
     for (std::size_t i = 0; i < a.data.size(); i += 4)
@@ -101,8 +101,8 @@ IMAGE_TEST_CASE("a surface that is cut out looks and hides like a mesh without t
                 render.renderer.render(lacking, test::some_camera(), options(executor, samples), expected);
                 render.renderer.render(cut, test::some_camera(), options(executor, samples), actual);
                 const double scale = rms(expected.image());
-                // Cells that touch at a corner share its vertex, whose light differs by the corner's own
-                // shadow.
+                // Cells that touch at a corner share its vertex, whose light differs by the shadow at that
+                // corner.
                 CHECK(differing(actual.image(), expected.image(), static_cast<float>(0.05 * scale)) < 60);
                 CHECK(rms_difference(actual.image(), expected.image()) < 0.04 * scale);
                 int other_ids = 0;

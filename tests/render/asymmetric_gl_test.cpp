@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Materials without mirror symmetry: every method keeps all of them, against the matrix itself.
+// Tests of materials without mirror symmetry: every method keeps the asymmetry, compared with the matrix
+// itself.
 #include "gl/contexts.hpp"
 #include "harmonics/evaluate.hpp"
 #include "harmonics/rotation.hpp"
@@ -14,9 +15,10 @@ using namespace nicol;
 
 namespace {
 
-constexpr int kPixels = 12;  // across the image
+constexpr int kPixels = 12;  // width and height of the image
 
-/// What a pixel shows of the unit sphere, seen from far up the z axis; none beside it.
+/// Returns the normal of the unit sphere at a pixel, seen from far up the z axis, or nothing beside the
+/// sphere.
 std::optional<glm::vec3> normal_at(int row, int column) {
     const double x = (2.0 * column + 1) / kPixels - 1;
     const double y = 1 - (2.0 * row + 1) / kPixels;
@@ -25,7 +27,7 @@ std::optional<glm::vec3> normal_at(int row, int column) {
     return glm::vec3(x, y, std::sqrt(z2));
 }
 
-/// A square a pixel that has the sphere's normal there: nothing is interpolated.
+/// Returns one square per pixel with the sphere's normal there, so that nothing is interpolated.
 Mesh sphere_of_squares() {
     Mesh mesh;
     for (int row = 0; row < kPixels; ++row)
@@ -58,7 +60,8 @@ Scene scene_of(const MaterialPtr& material, const EnvironmentPtr& light) {
     return scene;
 }
 
-/// The matrix applied to the light in the frame of each normal, evaluated towards the camera (Eq. 40).
+/// Returns the matrix applied to the light in the frame of each normal, evaluated towards the camera (Eq.
+/// 40).
 StokesImage truth(const IsotropicMatrix& matrix, const PshVector& light) {
     const Viewpoint view = project(camera_above(), kPixels, kPixels).view;
     const glm::dvec3 towards(0, 0, 1);
@@ -80,7 +83,7 @@ StokesImage truth(const IsotropicMatrix& matrix, const PshVector& light) {
     return image;
 }
 
-/// Of each component over the sphere, in parts of the root of the mean square of the truth's s0.
+/// Returns the error of each component over the sphere, relative to the root mean square of the truth's s0.
 std::array<double, 4> errors(const StokesImage& image, const StokesImage& truth) {
     std::array<double, 4> out{};
     double square = 0;
@@ -103,8 +106,8 @@ void check_errors(const StokesImage& image, const StokesImage& expected, double 
     for (const double error : e) CHECK(error < most);
 }
 
-/// Materials of one channel whose matrices have this order: a synthetic one, and where it is there, measured
-/// gold.
+/// Returns materials of one channel whose matrices have this order: a synthetic one, and measured gold if its
+/// file is present.
 std::vector<IsotropicMatrix> matrices(int order) {
     std::vector<IsotropicMatrix> out{project_material(*test::chiral(test::some_metal(0.4)), 0, order)};
     const auto gold = test_data("polarsh/SHMat_6_gold_ds1_L20_ISOBI2.npz");
@@ -142,7 +145,7 @@ IMAGE_TEST_CASE("a sphere of a material without mirror symmetry is what its matr
                               camera_above());
             };
             check_errors(image(false), expected, row.most);
-            // The half that has the symmetry is less than all.
+            // The symmetric half of the material misses a part.
             const auto half = errors(image(true), expected);
             CHECK(std::max(half[1], half[2]) > 0.05);
         }
@@ -150,7 +153,7 @@ IMAGE_TEST_CASE("a sphere of a material without mirror symmetry is what its matr
 }
 
 TEST_CASE("rays see all of a material without mirror symmetry") {
-    // Light from below the horizon, of which truncated matrices reflect a little, reaches no ray.
+    // Light from below the horizon reaches no ray, although truncated matrices reflect a little of it.
     constexpr int order = 19;
     const EnvironmentPtr light = test::falling_light(4, true, 1);
     for (const IsotropicMatrix& matrix : matrices(order)) {

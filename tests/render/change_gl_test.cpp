@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A change of the scene costs what it touches, and the image is that of a fresh start.
+// Tests of scene changes: only the affected steps run again, and the image equals that of a fresh start.
 #include "gl/contexts.hpp"
 #include "image_difference.hpp"
 #include "render/scenes.hpp"
@@ -24,7 +24,7 @@ RenderOptions by(Method method) {
 
 const Camera some_camera = test::camera_at({3, 4, 6}, {0, 0.3, 0});
 
-/// Some rotation and shift.
+/// Returns a rotation and translation.
 glm::dmat4 motion() {
     return glm::rotate(glm::translate(glm::dmat4(1), {0.4, -0.3, 0.2}), 0.7, glm::dvec3(1, 2, -0.5));
 }
@@ -36,7 +36,7 @@ const std::array<MaterialPtr, 3>& materials() {
     return some;
 }
 
-/// A large ball (id 0) above a plate (id 1), a small one (id 2) beside it.
+/// Returns a large ball (id 0) above a plate (id 1), and a small ball (id 2) beside it.
 Scene balls_on_plate() {
     Scene scene;
     scene.set_environment(falling_light(5, true, 3), glm::dmat3(1), 1);
@@ -46,7 +46,7 @@ Scene balls_on_plate() {
     return scene;
 }
 
-/// For what takes long to make, shared by all renderers but for bakes.
+/// Returns a cache folder that all renderers share for tables, but not for visibility.
 const std::filesystem::path& tables() {
     static const TemporaryFolder folder;
     return folder.path();
@@ -70,7 +70,7 @@ struct Studio {
         return target.statistics();
     }
 
-    /// The image of a renderer that has rendered nothing else.
+    /// Returns the image of a renderer that has rendered nothing else.
     StokesImage fresh(const Scene& scene, const Camera& camera = some_camera) const {
         Studio other(context, options.method);
         other.options = options;
@@ -78,7 +78,7 @@ struct Studio {
         return other.target.image();
     }
 
-    /// Renders, and checks that the image is that of a fresh start.
+    /// Renders, and checks that the image equals that of a fresh start.
     Statistics as_fresh(const Scene& scene, const Camera& camera = some_camera) {
         (*this)(scene, camera);
         CHECK(target.image().data == fresh(scene, camera).data);
@@ -92,7 +92,8 @@ struct Studio {
     std::filesystem::path folder;
 };
 
-/// Root mean square over the largest value: a pixel at an edge may fall to either side.
+/// Returns the root mean square difference relative to the largest value, because a pixel at an edge may fall
+/// to either side.
 double difference(const StokesImage& a, const StokesImage& b) {
     return test::rms_difference(a, b) / largest(b);
 }
@@ -119,7 +120,7 @@ TEST_CASE("what has not changed is not computed") {
         const Statistics first = studio(scene);
         CHECK(first.light_rays > 0);
         CHECK(first.lights_projected == 1);
-        CHECK(first.materials_projected == 4);  // tables or matrices, and lobes, of two
+        CHECK(first.materials_projected == 4);  // tables or matrices, and lobes, of two materials
         CHECK(first.vertices_traced == first.vertices);
         CHECK(first.matrices_baked == (method == Method::dense ? first.vertices : 0));
         CHECK(first.vertices_relit == first.vertices);
@@ -140,7 +141,7 @@ TEST_CASE("what has not changed is not computed") {
         CHECK(moved.relight_ms == 0);
         CHECK(moved.vertices_shaded == moved.vertices - moved.vertices_skipped);
 
-        // Another lens needs no other shading.
+        // Another lens needs no new shading.
         camera.fov *= 0.7;
         const Statistics nearer = studio.as_fresh(scene, camera);
         CHECK(nearer.vertices_shaded == 0);
@@ -204,7 +205,7 @@ IMAGE_TEST_CASE("a moved instance is traced anew, and others where it can be in 
         CHECK(moved.vertices_relit < moved.vertices);
         CHECK(moved.vertices_shaded < moved.vertices - moved.vertices_skipped);
 
-        // Away from all: the others keep their visibility, but for where it was.
+        // The ball moves away from all others, which keep their visibility except where the ball was.
         scene.set_transform(2, at(0, -40, 0, 0.5));
         studio.as_fresh(scene);
         scene.set_transform(2, at(0, -60, 0, 0.5));
@@ -232,7 +233,7 @@ TEST_CASE("without shadows a shifted instance keeps its light and a rotated one 
         const Statistics rotated = studio.as_fresh(scene);
         CHECK(rotated.bake_rays == 0);
         CHECK(rotated.vertices_relit >= count);
-        CHECK(rotated.vertices_relit < count + 32);  // whole blocks of sixteen
+        CHECK(rotated.vertices_relit < count + 32);  // blocks of sixteen vertices
         CHECK(rotated.matrices_baked == (method == Method::dense ? count : 0));
     }
 }
@@ -254,7 +255,7 @@ IMAGE_TEST_CASE("a material that is swapped is projected alone and its instance 
         CHECK(swapped.vertices_shaded > 0);
         CHECK(swapped.vertices_shaded <= count);
 
-        // A second side is geometry.
+        // A second side changes the geometry.
         scene.set_material(2, materials()[2]);
         CHECK(studio.as_fresh(scene).vertices_traced > 0);
         scene.set_material(2, grey);
@@ -274,7 +275,7 @@ TEST_CASE("instances come and go, and a cancelled render leaves nothing half don
         scene.remove(1);
         studio.as_fresh(scene);
 
-        // Progress is reported ten times a second at most: the first report must count.
+        // Progress is reported at most ten times a second, so the first report must count.
         studio.options.progress = [](const char*, double) { return false; };
         for (int step = 0; step < 4; ++step) {
             scene.set_transform(added, at(-1.5, 0.1 * step, 1.2, 0.4));
@@ -284,7 +285,7 @@ TEST_CASE("instances come and go, and a cancelled render leaves nothing half don
         studio.options.progress = nullptr;
         studio.as_fresh(scene);
 
-        // The light alone has changed: nothing is taken over from the state that was cancelled.
+        // Only the light has changed, and nothing may be reused from the cancelled state.
         studio.options.progress = [](const char*, double) { return false; };
         scene.set_environment(scene.environment(), glm::dmat3(1), 2);
         CHECK_THROWS_AS(studio(scene), Error);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Compute shaders against threads.
+// Tests of compute shaders against threads.
 #include "gl/contexts.hpp"
 #include "image_difference.hpp"
 #include "render/scenes.hpp"
@@ -11,11 +11,11 @@ using test::falling_light;
 
 namespace {
 
-constexpr double tolerance = 1e-5;  // of the largest value
+constexpr double tolerance = 1e-5;  // relative to the largest value
 
 const Camera some_camera = test::camera_at({2, 4, 6}, {0, 0.5, 0});
 
-/// A coloured sphere that stands on a metal plate, with so many colour channels.
+/// Returns a coloured sphere on a metal plate, with this number of channels.
 Scene sphere_on_plate(const EnvironmentPtr& light, int channels) {
     std::vector<double> colours;
     for (int c = 0; c < channels; ++c) colours.push_back(0.6 - 0.09 * c);
@@ -33,20 +33,20 @@ void check_alike(const StokesImage& a, const StokesImage& b, ShadeAt where = Sha
     CHECK(largest(a) > 0.1);
     if (where == ShadeAt::vertices) {
         CHECK(largest_difference(a, b) <= tolerance * largest(a));
-    } else {  // where surfaces are seen edge-on, rounding moves the point that a pixel shows
+    } else {  // at grazing angles rounding moves the point that a pixel shows
         CHECK(test::rms_difference(a, b) <= 0.3 * tolerance * test::rms(a));
         CHECK(largest_difference(a, b) <= 10 * tolerance * largest(a));
     }
 }
 
-/// Renders by both executors and compares the images.
+/// Renders with both executors and compares the images.
 struct Comparison {
     Comparison(const std::shared_ptr<gl::Context>& context, int channels, int width = 40, int height = 30)
         : threads(context, 0),
           shaders(context, 0),
           by_threads(context, width, height, channels),
           by_shaders(context, width, height, channels) {
-        // What takes long to prepare is shared by the backends.
+        // The backends share results that take long to prepare.
         static const TemporaryFolder shared;
         threads.set_cache(shared.path(), {});
         shaders.set_cache(shared.path(), {});
@@ -64,7 +64,7 @@ struct Comparison {
         check_alike(by_threads.image(), by_shaders.image(), options.shade_at);
     }
 
-    Renderer threads;  // each keeps what it needs, as it would give that up for the other executor
+    Renderer threads;  // one per executor, because a renderer drops the other executor's results
     Renderer shaders;
     Framebuffer by_threads;
     Framebuffer by_shaders;
@@ -86,7 +86,7 @@ IMAGE_TEST_CASE(
         std::vector<bool> shadows;
     };
     const std::vector<Row> rows{{factored, none, {1, 3, 6}, all, {{0, 0}, {4, 4}, {9, 9}}, {false, true}},
-                                // Above order 9 shadows are multiplied on a grid.
+                                // Shadows are multiplied on a grid above order 9.
                                 {factored, none, {1, 3}, all, {{10, 10}}, {true}},
                                 {factored, none, {1}, {LightKind::full}, {{16, 16}}, {true}},
                                 {Method::dense, none, {1, 3, 6}, all, {{0, 0}, {4, 4}}, {true}},
@@ -106,7 +106,7 @@ IMAGE_TEST_CASE(
                                                .order_high = high,
                                                .high_orders = row.form});
                         const Statistics& here = comparison.by_shaders.statistics();
-                        // Threads keep the light of vertices beside shadows on a grid.
+                        // Threads also keep the light at vertices if shadows use a grid.
                         if (low > 9)
                             CHECK(here.transfer_bytes < comparison.by_threads.statistics().transfer_bytes);
                     }

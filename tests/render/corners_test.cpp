@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Texture coordinates and colours of triangles' corners.
+// Tests of texture coordinates and colours at triangle corners.
 #include <span>
 
 #include "render/scene_visibility.hpp"
@@ -11,7 +11,7 @@ using test::at;
 
 namespace {
 
-/// What colours and texture coordinates are of a point of the floor below.
+/// Returns the texture coordinates at a point of the floor below.
 glm::vec2 texcoord_at(const glm::vec3& p) {
     return {0.5F + 0.25F * p.x, 0.5F + 0.25F * p.z};
 }
@@ -19,7 +19,7 @@ glm::vec3 color_at(const glm::vec3& p) {
     return {0.5F + 0.25F * p.x, 0.5F + 0.25F * p.z, 0.25F};
 }
 
-/// Of the triangles of the floor, which meet where x = -z.
+/// Colours of the two triangles of the floor, which meet at x = -z.
 const std::vector<glm::vec3> face_colors{{1, 0.5F, 0.25F}, {0, 0.75F, 0.125F}};
 
 std::shared_ptr<const Mesh> floor() {
@@ -30,7 +30,7 @@ std::shared_ptr<const Mesh> floor() {
     return std::make_shared<const Mesh>(std::move(mesh));
 }
 
-/// A ball (id 0) on a floor (1).
+/// Returns a ball (id 0) on a floor (id 1).
 Scene ball_on_floor(const MaterialPtr& material, bool mirrored) {
     Scene scene;
     scene.set_environment(test::falling_light(3, false, 1), glm::dmat3(1), 1);
@@ -43,7 +43,7 @@ Scene ball_on_floor(const MaterialPtr& material, bool mirrored) {
     glm::dmat4 to_world = test::plate_at(0, 2);
     Mesh mesh = *floor();
     if (mirrored) {
-        // The same floor again, mirrored twice.
+        // Mirroring both mesh and transform gives the original floor.
         const glm::dmat4 mirror = glm::scale(glm::dmat4(1), glm::dvec3(-1, 1, 1));
         mesh = transformed(mesh, mirror);
         to_world *= mirror;
@@ -70,7 +70,7 @@ struct Surfaces {
     Statistics statistics;
 };
 
-/// Whether every corner has what its place says; the ball's have nothing of their own.
+/// Checks every corner against its position. The ball has no coordinates or colours of its own.
 void check_corners(const Surfaces& surfaces, bool texcoords, bool colors) {
     const WorldGeometry& world = surfaces.world();
     const glm::mat4 to_world(surfaces.visibility.surfaces().to_world());
@@ -106,7 +106,7 @@ TEST_CASE("corners have what the mesh has there: on both sides, mirrored and spl
                 CHECK((surfaces.statistics.vertices_added > 20) == (tolerance > 0));
                 check_corners(surfaces, false, false);
 
-                // Other materials leave the geometry as it is.
+                // Other materials do not change the geometry.
                 const Version geometry = surfaces.visibility.surfaces().version();
                 Version materials = surfaces.visibility.surfaces().material_version();
                 struct Case {
@@ -129,7 +129,7 @@ TEST_CASE("corners have what the mesh has there: on both sides, mirrored and spl
                     check_corners(fresh, one.texcoords, one.colors);
                 }
 
-                // Another geometry with the same materials.
+                // The geometry changes while the materials stay.
                 scene.set_material(1, by_texture);
                 scene.set_transform(0, at(-0.3, 0.5, 0.2, 0.4));
                 surfaces.update(scene, tolerance);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Polarization elements before the camera: closed forms, each pixel by hand, and the reference method.
+// Tests of polarization elements in front of the camera: closed forms, each pixel by hand, and the reference
+// method.
 #include "draw/sample_pattern.hpp"
 #include "gl/contexts.hpp"
 #include "image_difference.hpp"
@@ -20,7 +21,7 @@ struct Way {
     RenderOptions options;
 };
 
-/// All ways to make an image, in which elements are the same.
+/// Returns all ways to make an image. Elements act equally in each.
 std::vector<Way> every_way() {
     std::vector<Way> ways;
     for (const Executor executor : {Executor::cpu, Executor::compute})
@@ -36,7 +37,7 @@ PolarizationElement across(Kind kind, double degrees, double z, double size = 10
     return {.kind = kind, .to_world = at(0, 0, z, size), .angle = glm::radians(degrees)};
 }
 
-/// The Stokes vector that all pixels share of a bright background behind elements.
+/// Returns the Stokes vector, equal in all pixels, of a bright background behind elements.
 Stokes behind(Studio& render, const RenderOptions& options, const std::vector<PolarizationElement>& elements,
               const Camera& camera = camera_at({0, 0, 4})) {
     Scene scene;
@@ -52,7 +53,7 @@ Stokes behind(Studio& render, const RenderOptions& options, const std::vector<Po
     return {first[0], first[1], first[2], first[3]};
 }
 
-/// A ball over a floor, under polarized light of three channels.
+/// Returns a ball over a floor under polarized light of three channels.
 Scene still() {
     Scene scene;
     scene.add({.mesh = test::coarse_sphere(12),
@@ -63,7 +64,7 @@ Scene still() {
     return scene;
 }
 
-/// Tilted elements of all kinds, before, through and behind the ball and across each other.
+/// Adds tilted elements of all kinds in front of, through and behind the ball, and across each other.
 void add_elements(Scene& scene) {
     const auto tilted = [](double x, double y, double z, double size, double angle, const glm::dvec3& axis) {
         return glm::rotate(at(x, y, z, size), angle, axis);
@@ -84,8 +85,8 @@ void add_elements(Scene& scene) {
                        .to_world = tilted(-1, 1, 1, 0.5, 0.7, {0, 1, 0})});
 }
 
-/// How many pixels are not within 1e-4 of the brightest of `wanted`: those at edges of elements, where
-/// rounding decides.
+/// Counts pixels that differ from `wanted` by more than 1e-4 of its brightest value. Such pixels lie at edges
+/// of elements, where rounding decides.
 std::size_t pixels_off(const StokesImage& image, const StokesImage& wanted) {
     const double tolerance = 1e-4 * static_cast<double>(largest(wanted));
     std::size_t off = 0;
@@ -102,7 +103,7 @@ std::size_t pixels_off(const StokesImage& image, const StokesImage& wanted) {
     return off;
 }
 
-/// An image with its elements, from that without and the depths of its surfaces at one sample of each pixel.
+/// Applies the elements to an image without them, by the depths of its surfaces at one sample per pixel.
 StokesImage filtered(const StokesImage& open, const Scene& scene, const Camera& camera,
                      const std::vector<float>& depths, const glm::dvec2& offset = glm::dvec2(0)) {
     const Projection projection = project(camera, open.width, open.height);
@@ -159,7 +160,7 @@ IMAGE_TEST_CASE("elements act in the order in which light meets them, from eithe
         CAPTURE(way.name);
         Studio render(context, 4, 3);
         CHECK(glm::distance(behind(render, way.options, elements), {1, 0, 0, 1}) < 1e-3);
-        // From behind the wave plate comes first, and unpolarized light passes it.
+        // Seen from behind, light meets the wave plate first, which leaves unpolarized light unchanged.
         const Stokes from_behind = behind(render, way.options, elements, camera_at({0, 0, -4}));
         CHECK(glm::distance(from_behind, {1, 1, 0, 0}) < 1e-3);
         CHECK(glm::distance(behind(render, way.options, {across(Kind::left_circular, 0, 0)}), {1, 0, 0, -1}) <
@@ -174,7 +175,7 @@ IMAGE_TEST_CASE("elements that the camera cannot see do nothing") {
     for (const Way& way : every_way()) {
         CAPTURE(way.name);
         Studio render(context, 4, 3);
-        for (const double z : {5.0, 3.1, -97.0})  // behind the camera, nearer and farther than it draws
+        for (const double z : {5.0, 3.1, -97.0})  // behind the camera, too near, too far
             CHECK(glm::distance(behind(render, way.options, {across(Kind::polarizer, 0, z)}, camera),
                                 {2, 0, 0, 0}) < 1e-6);
         CHECK(behind(render, way.options, {across(Kind::polarizer, 0, 2.9)}, camera)[0] ==
@@ -188,7 +189,7 @@ IMAGE_TEST_CASE("an element behind a surface does nothing to it") {
         CAPTURE(way.name);
         Studio render(context, 32, 24);
         Camera camera = camera_at({0.2, 0.1, 4}, {0.2, 0.1, 0});
-        camera.fov = 12;  // the ball alone
+        camera.fov = 12;  // the image shows only the ball
         const StokesImage open = render(scene, way.options, camera);
         const std::uint32_t id = scene.add_element(across(Kind::polarizer, 0, -0.5));
         CHECK(render(scene, way.options, camera).data == open.data);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// High orders and shadows through the whole renderer.
+// Tests of high orders and shadows through the whole renderer.
 #include "gl/contexts.hpp"
 #include "image_difference.hpp"
 #include "render/scenes.hpp"
@@ -11,7 +11,7 @@ using test::falling_light;
 
 namespace {
 
-/// A sphere that stands on a plate and a ball to the side, far from the axes and rotated.
+/// Returns a sphere standing on a plate and a ball beside it, away from the axes and rotated.
 Scene balls_on_plate(const EnvironmentPtr& light, const glm::dmat3& rotation = glm::dmat3(1)) {
     Scene scene;
     const glm::dmat4 all(rotation);
@@ -42,7 +42,7 @@ Camera camera_of(const glm::dmat3& rotation = glm::dmat3(1)) {
     return camera;
 }
 
-/// By a renderer of its own.
+/// Renders with a new renderer.
 StokesImage render(const std::shared_ptr<gl::Context>& context, const Scene& scene,
                    const RenderOptions& options, const Camera& camera = camera_of(),
                    Statistics* statistics = nullptr) {
@@ -103,7 +103,7 @@ TEST_CASE("rotating the light equals rotating all else back, with shadows and hi
     const auto context = gl::make_context(gl::Backend::osmesa);
     const EnvironmentPtr light = falling_light(9, true);
     for (const Method method : {Method::factored, Method::dense}) {
-        // The bake's directions rotate with the scene, so it finds the same shadows.
+        // The bake directions rotate with the scene, so the shadows are equal.
         RenderOptions options = with(3, 9, HighOrders::split, true, method);
         const StokesImage here = render(context, balls_on_plate(light), options);
         const StokesImage there =

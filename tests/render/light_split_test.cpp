@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// When the environment's lamps are split off, and what that leaves to the harmonics.
+// Tests of splitting lamps off the environment, and of the light that remains for the harmonics.
 #include "render/light_split.hpp"
 
 #include "render/memory_estimate.hpp"
@@ -12,7 +12,7 @@ using namespace nicol;
 
 namespace {
 
-// Three lamps in a room of 1.
+// Returns three lamps in a room of radiance 1.
 EnvironmentPtr lamps() {
     EquirectImage image(128, 65, 1);
     for (std::size_t i = 0; i < image.data.size(); i += 4) image.data[i] = 1;

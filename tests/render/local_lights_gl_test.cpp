@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Local lights and emissive surfaces, against closed forms and the reference method.
+// Tests of local lights and emissive surfaces against closed forms and the reference method.
 #include <functional>
 
 #include "gl/contexts.hpp"
@@ -18,7 +18,7 @@ RenderOptions options(ShadeAt shade_at, bool shadows = true) {
     return {.executor = Executor::cpu, .shadows = shadows, .bake_directions = 512, .shade_at = shade_at};
 }
 
-/// Shines from `from` towards the origin.
+/// Returns the matrix of a light at `from` that shines towards the origin.
 glm::dmat4 aimed(const glm::dvec3& from) {
     return look_at(from, glm::dvec3(0), {0.1, 1, 0.2});
 }
@@ -35,7 +35,7 @@ MaterialPtr plastic() {
     return pplastic({.diffuse_reflectance = {0.6, 0.3, 0.1}, .alpha = 0.25});
 }
 
-/// A ball over a floor.
+/// Returns a ball over a floor.
 Scene still(const MaterialPtr& ball = plastic()) {
     Scene scene;
     scene.add({.mesh = test::coarse_sphere(12), .material = ball, .to_world = test::at(0.2, 0.1, 0.1, 0.7)});
@@ -43,7 +43,7 @@ Scene still(const MaterialPtr& ball = plastic()) {
     return scene;
 }
 
-/// `half` wide and high, facing the origin from `from`.
+/// Adds a square panel of half side `half` at `from`, facing the origin.
 void add_panel(Scene& scene, Emission emission, const glm::dvec3& from, double half) {
     static const auto mesh = test::with_texcoords(make_rectangle(1));
     scene.add({.mesh = mesh,
@@ -52,7 +52,7 @@ void add_panel(Scene& scene, Emission emission, const glm::dvec3& from, double h
                .emission = std::make_shared<const Emission>(std::move(emission))});
 }
 
-/// The means of squares of 4 x 4 pixels: as the reference method averages over pixels.
+/// Averages squares of 4 x 4 pixels, because the reference method averages over pixels, too.
 StokesImage reduced(const StokesImage& image) {
     StokesImage out(image.width / 4, image.height / 4, image.channels);
     for (int c = 0; c < image.channels; ++c)
@@ -140,14 +140,14 @@ IMAGE_TEST_CASE("a directional light on a Lambertian sphere is its cosine") {
         if (target.aovs().instances[p] == kNoInstance) continue;
         const float* n = &target.aovs().normals[3 * p];
         const float* at = &target.aovs().positions[3 * p];
-        // At the outline normals may face away, where nothing is seen of the front.
+        // Normals at the outline may face away from the viewer, and no front is visible there.
         const glm::dvec3 normal(n[0], n[1], n[2]);
         if (!(glm::dot(normal, glm::dvec3(2, 3, 4) - glm::dvec3(at[0], at[1], at[2])) > 1e-3)) continue;
         const double cosine = glm::dot(normal, from);
         const double expected = 3 * 0.5 / std::numbers::pi * std::max(0.0, cosine);
         const double got = image.at(0, static_cast<int>(p / 96), static_cast<int>(p % 96))[0];
         const double error = std::abs(got - expected);
-        // Rasterisation places a triangle's edges to 1/256 of a pixel, so a pixel may show its neighbour's.
+        // Rasterisation places edges to 1/256 of a pixel, so a pixel may show the neighbouring triangle.
         CHECK(error < 1e-3);
         if (error < 1e-5) ++near;
         ++count;
@@ -170,7 +170,7 @@ IMAGE_TEST_CASE("highlights of brushed metal follow texture coordinates, as by t
     const auto by_rays = [&](const Scene& scene) {
         return render(scene, {.method = Method::reference, .samples = 16});
     };
-    // On a plate the axes of texture coordinates are at right angles.
+    // The axes of the plate's texture coordinates are at right angles.
     const glm::dmat4 lying = test::plate_at(-0.5, 2);
     const Mesh along_x = *test::with_texcoords(make_rectangle(4));
     Mesh along_y = along_x;
@@ -191,7 +191,7 @@ IMAGE_TEST_CASE("highlights of brushed metal follow texture coordinates, as by t
         const StokesImage image = reduced(fine(ball, options(shade_at)));
         CHECK(rms(minus(image, expected)) < 0.03 * size);
     }
-    // Without texture coordinates there is a direction, too.
+    // Brushed metal also renders without texture coordinates.
     Scene plain;
     plain.add({.mesh = test::fine_sphere(), .material = rough_conductor({.alpha = 0.5, .alpha_v = 0.15})});
     plain.add_light({.value = {40}, .to_world = aimed({1, 3, 1.5})});
@@ -219,7 +219,8 @@ IMAGE_TEST_CASE("local lights are those of the reference method") {
             if (scene.varies()) continue;
             const double at_vertices =
                 rms(minus(reduced(render(scene, options(ShadeAt::vertices, shadows))), expected)) / size;
-            // Edges of shadows and cones are those of vertices; the floor has 5 of them across the spot.
+            // Edges of shadows and cones have the resolution of the vertices, 5 of which span the spot on the
+            // floor.
             CHECK(at_vertices < (shadows ? 0.2 : 0.15));
         }
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Local lights and emissive surfaces where compute shaders are the executor: the threads' pictures.
+// Tests of local lights and emissive surfaces with compute shaders, against the images of threads.
 #include "gl/contexts.hpp"
 #include "image_difference.hpp"
 #include "render/scenes.hpp"
@@ -46,7 +46,7 @@ Instance panel(Emission emission, const glm::dvec3& from) {
             .emission = std::make_shared<const Emission>(std::move(emission))};
 }
 
-/// A ball over a floor, which hides light from each other and from themselves.
+/// Returns a ball over a floor, which shadow each other and themselves.
 Scene still(const MaterialPtr& ball, const MaterialPtr& floor) {
     static const auto round = test::with_texcoords(*test::coarse_sphere(6));
     static const auto flat = test::with_texcoords(make_rectangle(4));
@@ -59,7 +59,7 @@ Scene plain_still() {
     return still(pplastic({.diffuse_reflectance = {0.6}, .alpha = 0.25}), test::some_metal(0.3));
 }
 
-/// Renders by both executors and compares the images and what is counted of local lights.
+/// Renders with both executors and compares the images and the statistics of local lights.
 struct Comparison {
     explicit Comparison(const std::shared_ptr<gl::Context>& context, int channels)
         : threads(context, 0),
@@ -84,7 +84,7 @@ struct Comparison {
         const StokesImage& a = by_threads.image();
         const StokesImage& b = by_shaders.image();
         CHECK(largest(a) > 0.1);
-        // Where surfaces are seen edge-on, rounding moves the point that a pixel shows.
+        // Rounding moves the point that a pixel shows at grazing angles.
         const bool at_pixels = actual.pixels_shaded > 0;
         CHECK(largest_difference(a, b) <= (at_pixels ? 1e-4 : 1e-5) * largest(a));
         CHECK(rms_difference(a, b) <= 3e-6 * rms(a));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Device memory stays what the present scene and image need.
+// Tests that device memory is limited to what the present scene and image need.
 #include "gl/contexts.hpp"
 #include "render/scenes.hpp"
 
@@ -42,7 +42,8 @@ GL_TEST_CASE("changes of scene, light, camera and options give back what they no
     scene.add({.mesh = test::coarse_sphere(3), .material = grey, .to_world = test::at(1, 1.4, 0.3)});
     Renderer renderer(context, 0);
     Framebuffer target(context, 24, 16, 3);
-    // Everything once, by every way; then the use is that of the last way, however often they change.
+    // After one round over all ways the memory use equals that of the last way, however often the ways
+    // change.
     std::array<Use, ways.size()> first{};
     std::array<Use, ways.size()> last{};
     for (int round = 0; round < 3; ++round) {
@@ -64,7 +65,7 @@ GL_TEST_CASE("changes of scene, light, camera and options give back what they no
             if (round == 0) first[w] = use;
             if (round > 1) CHECK(use == last[w]);
             last[w] = use;
-            // Normals and fractions may be left of the ways before, and nothing large.
+            // Small buffers of normals and fractions may remain from earlier ways, but no large ones.
             CHECK(use.buffers < 2 * first[w].buffers);
         }
     }
@@ -85,8 +86,8 @@ GL_TEST_CASE("an image of another size costs its own size alone") {
         };
         const Use small = use_at(20, 10);
         const Use large = use_at(200, 100);
-        // Three images of four floats and a depth of one; at pixels hits with their depth, and what they
-        // cover; on the device another three images and what they cover.
+        // A target has three images of four floats and a depth. Shading at pixels adds hits with depth and
+        // coverage, and the device another three images and coverage.
         constexpr std::uint64_t target_bytes = 3 * 16 + 4;
         const bool pixels = way.second == ShadeAt::pixels;
         const std::uint64_t pixel_bytes = 4 + 4 + 4 + (way.first == Executor::compute ? 3 * 16 + 4 : 0);

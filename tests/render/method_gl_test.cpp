@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The methods of transfer against each other.
+// Tests of the transfer methods against each other.
 #include "gl/contexts.hpp"
 #include "image_difference.hpp"
 #include "material/chiral_material.hpp"
@@ -11,14 +11,14 @@ using namespace nicol;
 
 namespace {
 
-/// The material as it is up to an order, on both sides.
+/// Returns the material truncated to an order on the incoming and outgoing sides.
 MaterialPtr truncated(const Material& material, int order) {
     std::vector<IsotropicMatrix> channels;
     for (int c = 0; c < material.channels(); ++c) channels.push_back(project_material(material, c, order));
     return psh_matrix_material(channels);
 }
 
-/// Close enough to shadow each other.
+/// Returns two spheres close enough to shadow each other.
 Scene two_spheres(const MaterialPtr& first, const MaterialPtr& second, int order) {
     Scene scene;
     const auto mesh = test::coarse_sphere(6);
@@ -46,14 +46,13 @@ IMAGE_TEST_CASE("dense equals factored where factored truncates the outgoing sid
             const StokesImage factored = render_factored(cut, options, some_camera);
             const double scale = test::rms(factored);
             CHECK(scale > 0.1);
-            // What remains is the linear interpolation between the angles of the response table, and
-            // single vertices whose matrices of shadow lose most to the 16 bits that their entries are
-            // kept in.
+            // The remaining difference is the linear interpolation between angles of the response table, plus
+            // single vertices whose shadow matrices lose most from storage in 16 bits.
             CHECK(test::rms_difference(factored, dense) < 1e-5 * scale);
             CHECK(largest_difference(factored, dense) < 3e-4 * scale);
         };
         check();
-        // Rotated light, then an object elsewhere: what depends on them follows.
+        // Rotates the light, then moves an object, and compares again.
         const glm::dmat3 rotation = theta_phi_frame(glm::normalize(glm::dvec3(1, 2, -1)));
         for (Scene* scene : {&exact, &cut}) scene->set_environment(scene->environment(), rotation, 0.5);
         check();

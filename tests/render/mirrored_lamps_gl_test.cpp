@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What smooth surfaces show of lights with a size, against the mirror image in closed form.
+// Tests of area lights reflected in smooth surfaces, against the mirror image in closed form.
 #include <functional>
 
 #include "gl/contexts.hpp"
@@ -13,15 +13,15 @@ namespace {
 
 const std::complex<double> kGold(0.4, -2.4);
 const PolarizationState kState{.dolp = 0.7, .aolp = 0.4, .docp = -0.5, .axis = {0.3, 1, 0.2}};
-constexpr double kMargin = 0.02;  // around edges, of what is compared
+constexpr double kMargin = 0.02;  // width around edges that is not compared
 
-/// Over a mirror in the plane y = 0, seen from above.
+/// A lamp over a mirror in the plane y = 0, seen from above.
 struct MirroredLamp {
     std::string name;
     Mesh mesh;
     Emission emission;
-    /// Of a point of its plane or its hull in its own axes: radiance over that of the emission; negative:
-    /// too near to an edge.
+    /// Radiance along a ray in the lamp's axes, relative to its emission, or a negative number close to an
+    /// edge.
     std::function<double(const glm::dvec3& origin, const glm::dvec3& direction)> radiance;
 };
 
@@ -74,7 +74,7 @@ const glm::dmat4 kLampPlace =
 const glm::dvec3 kBall(0.2, 0.9, -1.2);
 constexpr double kBallRadius = 0.25;
 
-/// How far the picture is from the closed form at the mirror's pixels, over the brightest.
+/// Largest difference from the closed form at the mirror's pixels, and the numbers of lit and hidden pixels.
 struct Errors {
     double largest = 0;
     int lit = 0, hidden = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Spheres under an emissive surface, a point light and an environment, against Mitsuba's references of its
-// own render tests.
+// Tests of spheres under an emissive surface, a point light and an environment, against reference images of
+// Mitsuba's own render tests.
 #include "gl/contexts.hpp"
 #include "image/exr_colors.hpp"
 #include "image_difference.hpp"
@@ -16,14 +16,14 @@ namespace {
 
 constexpr const char* kFolder = "mitsuba_scenes/tests/scenes/bsdf_spheres";
 
-/// RMSE of s0 over the RMS of the reference, whose own noise is about 0.01.
+/// Limits of the RMSE of s0 divided by the RMS of the reference, whose own noise is about 0.01.
 struct Limits {
     const char* name;
     double reference_method;
-    /// The default method: one sample a pixel, whose outlines are jagged and normals a mean. 0: not rendered,
-    /// as its environment takes long.
+    /// Limit of the default method with one sample per pixel, whose outlines are jagged and normals averaged.
+    /// 0: not rendered, because its environment takes long.
     double pixels;
-    double samples;  ///< the same with 25 samples of a pixel
+    double samples;  ///< limit of the default method with 25 samples per pixel
 };
 
 void check_spheres(const std::filesystem::path& folder, const Limits& limits) {
@@ -34,11 +34,11 @@ void check_spheres(const std::filesystem::path& folder, const Limits& limits) {
         unpolarized_image(read_exr_colors(folder / "refs" / ("test_" + name + "_ref_rgb.exr")));
     REQUIRE(loaded.width == expected.width);
     REQUIRE(loaded.height == expected.height);
-    // What is drawn does not depend on the backend.
+    // One backend is enough, because the image does not depend on it.
     Studio render(gl::make_context(gl::Backend::osmesa), loaded.width, loaded.height);
     const auto error = [&](const RenderOptions& options) {
         StokesImage image = render(loaded.scene, options, loaded.camera);
-        // The references have s0 alone.
+        // The references have only s0.
         for (std::size_t i = 0; i < image.data.size(); ++i)
             if (i % 4 != 0) image.data[i] = 0;
         return rms(minus(image, expected)) / rms(expected);
@@ -59,9 +59,9 @@ TEST_CASE("spheres with textures look as in Mitsuba's references") {
     for (const Limits& limits :
          {Limits{"textured_diffuse", 0.012, 0.055, 0.02}, Limits{"normalmap", 0.025, 0.095, 0.04},
           Limits{"bumpmap", 0.025, 0.09, 0.035}, Limits{"textured_roughconductor", 0.03, 0.4, 0.1},
-          // Squares smaller than a pixel, and a highlight of a few.
+          // The squares are smaller than a pixel, and the highlight covers a few pixels.
           Limits{"texturedprincipled1", 0.02, 0.4, 0.18}, Limits{"texturedprincipled2", 0.02, 0.37, 0.12},
-          // Of a normal map under a point light the mean normal of a pixel has one highlight or none.
+          // Under a point light the mean of a pixel's mapped normals has one highlight or none.
           Limits{"normalmap_identity_roughconductor", 0.02, 0.15, 0.09},
           Limits{"normalmap_roughconductor", 0.06, 1.3, 0.26}})
         check_spheres(folder, limits);
@@ -71,9 +71,9 @@ TEST_CASE("spheres of plastic, glass, metal and cut-out leaves look as in Mitsub
     const std::filesystem::path folder = test_data(kFolder);
     if (folder.empty()) return;
     for (const Limits& limits :
-         // One highlight, part of a pixel, has nearly all that the first errs.
+         // One highlight smaller than a pixel causes nearly all of the first error.
          {Limits{"pointlight", 0.025, 0.15, 0.15}, Limits{"constant", 0.008, 0.08, 0.018},
-          // Mirrored lamps a pixel wide, which one sample meets or not.
+          // The mirrored lamps are a pixel wide, and a single sample hits them or not.
           Limits{"arealight", 0.12, 1.3, 0.2}, Limits{"roughplastic_nonlinear", 0.02, 0, 0},
           Limits{"roughdielectric", 0.03, 0, 0}})
         check_spheres(folder, limits);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Orders that are chosen for an error, and the error they then have.
+// Tests of orders chosen for a tolerance, and of the resulting error.
 #include "render/order_selector.hpp"
 
 #include "render/memory_estimate.hpp"
@@ -12,7 +12,7 @@ namespace {
 
 constexpr int truth = 16;
 
-/// Power falls with the order, as natural light's does.
+/// Returns light whose power falls with the order like that of natural light.
 EnvironmentPtr natural_light(bool polarized, int order = truth) {
     PshVector light(order, 3);
     std::mt19937 random(3);
@@ -42,17 +42,17 @@ Projection from(const glm::dvec3& eye) {
     return project(test::camera_at(eye), 64, 64);
 }
 
-/// Images of a scene's vertices from some views, by all orders of its light and by those that a tolerance
-/// asks for.
+/// Images of a scene's vertices from several views, with all orders of its light and with the orders chosen
+/// for a tolerance.
 class Comparison {
 public:
     Comparison(const Scene& scene, bool shadows) : scene_(scene), shadows_(shadows) {}
 
     struct Result {
-        double measured = 0;  ///< the largest relative RMSE of s0, s1 and s2
+        double measured = 0;  ///< largest relative RMSE of s0, s1 and s2
         Statistics statistics;
     };
-    /// Vertices count as much as they cover of an image.
+    /// Weights each vertex by the area that it covers in an image.
     Result run(double tolerance, HighOrders form) {
         const RenderOptions all{.shadows = shadows_, .order_low = truth, .order_high = truth};
         const RenderOptions chosen{
@@ -157,7 +157,7 @@ TEST_CASE("a tolerance that cannot be reached is reported, and the least error t
     CHECK(orders.low == OrderSelector::kHighestLow);
     options.high_orders = HighOrders::split;
     CHECK(selector.choose(scene, scene.environment(), unshadowed, options, all_memory).error < orders.error);
-    // As far as memory goes, but never below what the options have.
+    // The memory limits the order, but never below that of the options.
     RenderOptions fitting = options;
     fitting.order_low = 8;
     const std::uint64_t bytes = estimate_memory(scene, fitting).total();

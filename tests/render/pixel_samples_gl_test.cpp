@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Several samples of a pixel, and jitter of the camera.
+// Tests of several samples per pixel, and of camera jitter.
 #include <algorithm>
 #include <bit>
 #include <glm/geometric.hpp>
@@ -28,7 +28,7 @@ RenderOptions with(int samples, ShadeAt where) {
 
 constexpr std::array kPlaces{ShadeAt::vertices, ShadeAt::pixels};
 
-/// A dark sphere over a bright plate.
+/// Returns a dark sphere over a bright plate.
 Scene sphere_on_plate() {
     Scene scene;
     scene.add({.mesh = test::coarse_sphere(16), .material = diffuse({0.1})});
@@ -39,7 +39,7 @@ Scene sphere_on_plate() {
     return scene;
 }
 
-/// The mean of images whose camera is jittered by the centres of a grid of side x side in a pixel.
+/// Returns the mean of images whose camera is jittered over the centres of a grid of side x side in a pixel.
 StokesImage mean_of_jittered(Studio& render, const Scene& scene, const RenderOptions& options, int side) {
     StokesImage mean(render.width, render.height, scene.channels());
     Camera camera = test::some_camera();
@@ -69,7 +69,7 @@ TEST_CASE("samples lie in their pixel around its centre, one in each row and col
             for (int i = 0; i < samples; ++i) CHECK(cells[static_cast<std::size_t>(i)] == i);
         }
         for (const glm::dvec2& at : pattern) sum += at;
-        // Others than powers of two are rounded.
+        // Sums are exact for powers of two and rounded for other numbers.
         CHECK(glm::length(sum) <= (std::has_single_bit(pattern.size()) ? 0.0 : 1e-9));
     }
     for (const int samples : {-1, 0, 2, 3, 5, 16}) {
@@ -80,7 +80,8 @@ TEST_CASE("samples lie in their pixel around its centre, one in each row and col
 
 TEST_CASE("samples that are drawn one by one fill their pixel evenly") {
     for (const int samples : {2, 16, 64, 1024}) {
-        // Every box of a corner of the pixel holds its share of them, to little more than their discrepancy.
+        // Every box at a corner of the pixel holds its share of the samples, up to little more than their
+        // discrepancy.
         double worst = 0;
         for (double x = -0.5; x <= 0.5; x += 0.0625)
             for (double y = -0.5; y <= 0.5; y += 0.0625) {
@@ -103,7 +104,7 @@ IMAGE_TEST_CASE("a number that is not drawn together is the mean of images of a 
         StokesImage expected(render.width, render.height, scene.channels());
         Camera camera = test::some_camera();
         for (int s = 0; s < samples; ++s) {
-            // To the right and down in both.
+            // Both offsets point to the right and down.
             camera.jitter = sample_place(s, samples);
             const StokesImage image = render(scene, with(1, where), camera);
             for (std::size_t i = 0; i < expected.data.size(); ++i)
@@ -126,7 +127,7 @@ IMAGE_TEST_CASE("a straight edge covers a pixel to half a sample") {
                 for (const double fraction : {0.03, 0.2, 0.4, 0.55, 0.7, 0.95}) {
                     CAPTURES(where, samples, upright, fraction);
                     Scene scene;
-                    // Pixels are 0.25 wide; one half of the image and a fraction of the next pixel are black.
+                    // Pixels are 0.25 wide. One half of the image and a fraction of the next pixel are black.
                     const double over = 0.25 * fraction - 2;
                     scene.add({.mesh = test::rectangle(1),
                                .material = diffuse({0.0}),
@@ -156,7 +157,7 @@ IMAGE_TEST_CASE("outlines are as of 64 images of a jittered camera, the closer t
             return rms(minus(render(scene, with(samples, where)), expected));
         };
         const double one = error(1);
-        // Straight edges in all directions: 0.377 and 0.235.
+        // Straight edges in all directions would give 0.377 and 0.235.
         CHECK(error(4) < 0.42 * one);
         CHECK(error(8) < 0.26 * one);
     }
@@ -240,7 +241,7 @@ IMAGE_TEST_CASE("AOVs are of the nearest sample, normals their mean and alpha th
         const glm::vec3 mean = glm::normalize(glm::make_vec3(&expected.normals[3 * p]));
         CHECK(glm::distance(glm::make_vec3(&aovs.normals[3 * p]), mean) < 1e-5F);
     }
-    // Each alone, without the depth that tells which sample is the nearest.
+    // Each plane is also correct alone, without the depth that selects the nearest sample.
     CHECK(aovs_of(test::some_camera(), aov_instances).instances == aovs.instances);
     CHECK(aovs_of(test::some_camera(), aov_positions).positions == aovs.positions);
     CHECK(aovs_of(test::some_camera(), aov_normals).normals == aovs.normals);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Triangles that the bake splits for shadows.
+// Tests of triangles that the bake splits for shadows.
 #include <limits>
 
 #include "gl/contexts.hpp"
@@ -22,7 +22,7 @@ RenderOptions options_of(double tolerance, ShadeAt where = ShadeAt::pixels) {
             .shade_at = where};
 }
 
-/// A box (id 0) and a ball (1) that stand on a floor (2) with one side or two.
+/// Returns a box (id 0) and a ball (id 1) on a floor (id 2) with one side or two.
 Scene things_on_floor(int floor_cells, bool two_sided = false) {
     const MaterialPtr grey = diffuse({0.5});
     Scene scene;
@@ -89,7 +89,7 @@ IMAGE_TEST_CASE("changes of refined scenes end where a fresh start does") {
                 CAPTURES(what, where, method);
                 Studio fresh(context, 32, 24);
                 const StokesImage image = render(scene, options);
-                // Tables of materials are made anew by threads, whose rounding differs.
+                // Threads recompute the material tables, whose rounding differs slightly.
                 CHECK(test::rms_difference(image, fresh(scene, options)) < 1e-6 * test::rms(image));
                 CHECK(render.statistics.vertices_added == fresh.statistics.vertices_added);
             };

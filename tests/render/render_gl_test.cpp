@@ -24,12 +24,12 @@ StokesImage render(const std::shared_ptr<gl::Context>& context, const Scene& sce
     return test::Studio(context, width, height)(scene, {.order_low = order, .order_high = order}, camera);
 }
 
-/// s0 or another component of the middle of an image.
+/// Returns a component, by default s0, at the middle of an image.
 float middle(const StokesImage& image, int channel = 0, std::size_t component = 0) {
     return image.at(channel, height / 2, width / 2)[component];
 }
 
-// The world's direction of a pixel's ray, written out once more.
+// Returns the world direction of a pixel's ray, computed independently.
 glm::dvec3 ray_of(const Camera& camera, int x, int y) {
     const double half = std::tan(camera.fov * pi / 360);
     const double right = (2 * (x + 0.5) / width - 1) * half;
@@ -98,7 +98,7 @@ GL_TEST_CASE("a diffuse surface under constant light has its albedo's radiance, 
 GL_TEST_CASE("a two-sided surface is lit on both sides, each by the light it faces") {
     Scene scene;
     scene.add({.mesh = test::rectangle(2), .material = twosided(diffuse({0.5}))});
-    // Brighter towards +z: s0 = 1 + z over the directions light comes from.
+    // The light is brighter towards +z: s0 = 1 + z by the direction towards the light.
     EquirectImage image(64, 33, 1);
     for (int y = 0; y < 33; ++y) {
         for (int x = 0; x < 64; ++x) {
@@ -108,7 +108,7 @@ GL_TEST_CASE("a two-sided surface is lit on both sides, each by the light it fac
         }
     }
     scene.set_environment(image_environment(std::move(image)), glm::dmat3(1.0), 1);
-    // Lambert under 1 + c z, facing +-z: albedo (1 +- 2/3 c).
+    // A Lambertian surface under 1 + c z facing +-z reflects albedo (1 +- 2/3 c).
     const StokesImage front = render(context, scene, camera_at({0, 0, 1}), 8);
     CHECK(middle(front) == doctest::Approx(0.5 * (1 + 2.0 / 3)).epsilon(2e-3));
     const StokesImage back = render(context, scene, camera_at({0, 0, -1}), 8);
@@ -147,13 +147,13 @@ TEST_CASE("what needs no work is counted, and another image or framebuffer is dr
     CHECK(first.relight_ms > 0);
     CHECK(first.vertices == 14442);
     CHECK(first.vertices_skipped > first.vertices / 3);
-    CHECK(first.light_columns_skipped == 3);  // one channel of grey light, of which s0 alone exists
+    CHECK(first.light_columns_skipped == 3);  // a single channel of grey light with only s0
     CHECK(first.channels_shared == 2);
-    CHECK(first.response_rows_skipped == 3);  // no s3, in three channels
+    CHECK(first.response_rows_skipped == 3);  // three channels without s3
 
     const StokesImage image = target.image();
     CHECK(run(camera_at({0, 0, 3})).draw_ms == 0);
-    // Another image in the framebuffer is a change, too, and so is another framebuffer.
+    // Another image in the framebuffer and another framebuffer both require drawing.
     Framebuffer other(context, width, height, 3);
     renderer.render(scene, camera_at({0, 0, 3}), {}, other);
     CHECK(other.statistics().draw_ms > 0);

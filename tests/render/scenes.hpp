@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Parts of small scenes: a mesh that is quickly baked, light of all orders, cameras, and their images.
+// Parts of small test scenes: a mesh that bakes quickly, light of all orders, cameras, and their images.
 #pragma once
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -11,7 +11,8 @@
 
 namespace nicol::test {
 
-/// A sphere of few vertices: a cube's, moved out to unit length. cells: along an edge of the cube.
+/// Returns a sphere of few vertices: those of a cube, projected to unit length. `cells` is their number along
+/// a cube edge.
 inline std::shared_ptr<const Mesh> coarse_sphere(int cells) {
     Mesh mesh = make_cube(cells);
     for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
@@ -33,17 +34,17 @@ inline glm::dmat4 at(double x, double y, double z, double size = 1) {
     return glm::scale(glm::translate(glm::dmat4(1), {x, y, z}), glm::dvec3(size));
 }
 
-/// Places a rectangle horizontally.
+/// Returns the matrix of a horizontal rectangle.
 inline glm::dmat4 plate_at(double y, double half) {
     return at(0, y, 0, half) * glm::rotate(glm::dmat4(1), glm::radians(-90.0), glm::dvec3(1, 0, 0));
 }
 
-/// An absorbing metal of one index for all channels.
+/// Returns an absorbing metal with one index for all channels.
 inline MaterialPtr some_metal(double alpha) {
     return rough_conductor({.eta = {{0.2, -3.0}}, .alpha = alpha});
 }
 
-/// Light of all orders up to the last, falling as that of images does.
+/// Returns light of all orders up to `order`, whose power falls as that of images.
 inline EnvironmentPtr falling_light(int order, LightKind kind, int channels = 3) {
     PshVector light(order, channels);
     for (int c = 0; c < channels; ++c) {
@@ -63,7 +64,7 @@ inline EnvironmentPtr falling_light(int order, bool polarized, int channels = 3)
     return falling_light(order, polarized ? LightKind::full : LightKind::unpolarized, channels);
 }
 
-/// A lamp in the dark: its low orders ring.
+/// Returns a lamp in darkness, whose low orders ring.
 inline EnvironmentPtr lamp() {
     EquirectImage image(64, 33, 3);
     for (int c = 0; c < 3; ++c) image.at(c, 8, 20)[0] = 500;
@@ -82,7 +83,7 @@ inline Camera some_camera() {
     return camera;
 }
 
-/// Renders images by one renderer.
+/// A renderer of test images.
 struct Studio {
     explicit Studio(std::shared_ptr<gl::Context> with, int across = 64, int down = 48)
         : context(std::move(with)), renderer(context, 0), width(across), height(down) {}
@@ -98,7 +99,7 @@ struct Studio {
     std::shared_ptr<gl::Context> context;
     Renderer renderer;
     int width, height;
-    Statistics statistics;  ///< of the last image
+    Statistics statistics;  ///< statistics of the last image
 };
 
 }  // namespace nicol::test

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Shading at pixels.
+// Tests of shading at pixels.
 #include "gl/contexts.hpp"
 #include "image_difference.hpp"
 #include "render/scenes.hpp"
@@ -17,7 +17,7 @@ RenderOptions at(ShadeAt where, Executor executor = Executor::cpu) {
         .executor = executor, .bake_directions = 1024, .order_low = 4, .order_high = 9, .shade_at = where};
 }
 
-/// A metal sphere over a plastic plate that has two sides.
+/// Returns a metal sphere over a two-sided plastic plate.
 Scene sphere_on_plate(const EnvironmentPtr& light, const std::shared_ptr<const Mesh>& sphere, int cells) {
     static const MaterialPtr plastic = twosided(pplastic({.diffuse_reflectance = {0.4}, .alpha = 0.3}));
     Scene scene;
@@ -27,7 +27,7 @@ Scene sphere_on_plate(const EnvironmentPtr& light, const std::shared_ptr<const M
     return scene;
 }
 
-/// Each triangle in four, on the same plane, with normals as shading interpolates them.
+/// Splits each triangle into four in the same plane, with normals as shading interpolates them.
 Mesh split(const Mesh& mesh) {
     Mesh out = mesh;
     out.triangles.clear();
@@ -57,7 +57,7 @@ void check_changes(const std::shared_ptr<gl::Context>& context, Executor executo
     const auto as_fresh = [&](const RenderOptions& options, const Camera& camera) {
         const StokesImage image = render(scene, options, camera);
         RenderOptions fresh = options;
-        fresh.executor = Executor::cpu;  // which starts sooner
+        fresh.executor = Executor::cpu;  // starts faster
         CHECK(rms(minus(image, Studio(context)(scene, fresh, camera))) < 1e-5 * rms(image));
     };
     RenderOptions pixels = at(ShadeAt::pixels, executor);
@@ -116,7 +116,7 @@ IMAGE_TEST_CASE("where vertices are dense, pixels make what they make") {
         HighOrders form;
         bool shadows;
         bool orthographic;
-        double least;  // of the difference, relative
+        double least;  // upper limit of the relative difference
     };
     for (const Case& one : {Case{1, true, Method::factored, HighOrders::none, false, false, 2e-3},
                             {3, false, Method::factored, HighOrders::none, true, false, 2e-3},
@@ -169,7 +169,7 @@ IMAGE_TEST_CASE("at pixels a coarse mesh looks as its triangles split in sixteen
 IMAGE_TEST_CASE("shadows dim high orders at pixels as they dim them at vertices") {
     Studio render(context);
     const Scene scene = sphere_on_plate(falling_light(9, false), test::coarse_sphere(23), 40);
-    // What the high orders add, with and without shadows.
+    // Returns the contribution of the high orders, with or without shadows.
     const auto high = [&](ShadeAt where, bool shadows) {
         RenderOptions options = at(where);
         options.shadows = shadows;
@@ -183,7 +183,7 @@ IMAGE_TEST_CASE("shadows dim high orders at pixels as they dim them at vertices"
     const StokesImage at_vertices = minus(high(ShadeAt::vertices, false), high(ShadeAt::vertices, true));
     CHECK(rms(shadow) > 0.2 * rms(plain));
     CHECK(rms(minus(shadow, at_vertices)) < 0.1 * rms(shadow));
-    // A fraction takes away and never adds.
+    // A visible fraction only reduces light.
     const double most = largest(plain);
     for (std::size_t i = 0; i < plain.data.size(); i += 4) {
         REQUIRE(std::abs(shadowed.data[i]) <= std::abs(plain.data[i]) + 0.02 * most);
@@ -210,7 +210,7 @@ IMAGE_TEST_CASE("the physically realizable range is that of the sum of all order
         const StokesImage physical = render(scene, options);
         CHECK(unphysical(physical) == 0);
         CHECK(render.statistics.vertices_unphysical == 0);
-        // What was physical is as it was.
+        // Physically realizable values stay unchanged.
         for (std::size_t i = 0; i < plain.data.size(); i += 4) {
             const float* s = &plain.data[i];
             if (s[0] < 0 || std::hypot(s[1], s[2], s[3]) > 0.999F * s[0]) continue;

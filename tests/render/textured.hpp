@@ -11,7 +11,7 @@
 
 namespace nicol::test {
 
-/// A normal map that leaves normals as they are, though it does not say so.
+/// Returns a normal map that leaves normals unchanged but does not count as constant.
 inline TexturePtr flat_normals() {
     return texture_of([](const TexturePoint&) { return glm::vec4(0.5F, 0.5F, 1, 1); });
 }
@@ -20,8 +20,8 @@ inline TexturePtr mesh_colors(ColorsOf of) {
         [](const TexturePoint& point) { return glm::vec4(point.color, 1); }, 3, glm::vec2(0, 1), of);
 }
 
-/// A mesh with texture coordinates that are linear in x and y: of a rectangle or cube 0 to 1, v downwards.
-/// Every triangle has its own.
+/// Returns the mesh with texture coordinates linear in x and y: 0 to 1 over a rectangle or cube, v downwards.
+/// Every triangle has separate ones.
 inline std::shared_ptr<const Mesh> with_texcoords(const Mesh& mesh) {
     Mesh out = mesh;
     out.texcoords.clear();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Materials that vary by textures, shaded at pixels.
+// Tests of textured materials shaded at pixels.
 #include "gl/contexts.hpp"
 #include "image_difference.hpp"
 #include "material/chiral_material.hpp"
@@ -24,14 +24,14 @@ RenderOptions options(int order_high = 9, bool shadows = true) {
             .shade_at = ShadeAt::pixels};
 }
 
-/// The same at every point, though it does not say so.
+/// Returns a texture of equal values that does not count as constant.
 TexturePtr even(const glm::vec4& value, int channels = 3) {
     return texture_of([value](const TexturePoint&) { return value; }, channels);
 }
 TexturePtr ramp() {
     return texture_of([](const TexturePoint& p) { return glm::vec4(p.uv.x); }, 1);
 }
-/// 0 and 1, eight squares across.
+/// Returns 0 or 1 in a checkerboard of eight squares across.
 float check(const glm::vec2& uv) {
     const glm::ivec2 cell(glm::floor(8.0F * uv));
     return (cell.x + cell.y) % 2 == 0 ? 0 : 1;
@@ -45,7 +45,7 @@ std::shared_ptr<const Mesh> textured_floor() {
     return mesh;
 }
 
-/// A ball over a floor of two triangles, whose shadow splits them.
+/// Returns a ball over a floor of two triangles, which its shadow splits.
 Scene ball_over(const MaterialPtr& floor, bool polarized = true,
                 const glm::dmat4& floor_to_world = test::plate_at(-1, 2)) {
     static const MaterialPtr grey = diffuse({0.5});
@@ -61,7 +61,7 @@ MaterialPtr plastic(double alpha = 0.3) {
     return pplastic({.diffuse_reflectance = {0.6, 0.3, 0.1}, .alpha = alpha});
 }
 
-/// An image, and where its pixels are on the floor: texture coordinates, negative elsewhere.
+/// An image, and its pixels' texture coordinates on the floor (negative elsewhere).
 struct Seen {
     StokesImage image;
     std::vector<glm::vec2> uv;
@@ -82,7 +82,7 @@ Seen see(const std::shared_ptr<gl::Context>& context, const Scene& scene, Render
     return out;
 }
 
-/// The floor's pixels that shade_at, at their centres, is sure to shade on the floor.
+/// Calls body(x, y, uv) for every pixel of the floor.
 template <class Body>
 void for_floor(const Seen& seen, const Body& body) {
     const int width = seen.image.width;
@@ -117,7 +117,7 @@ IMAGE_TEST_CASE("textures of one value give the picture without any") {
             }
 }
 
-// Of one lobe width: the visible fractions of high orders are a surface's, not a layer's.
+// Both have one lobe width, because visible fractions of high orders belong to surfaces, not to layers.
 IMAGE_TEST_CASE("a checkerboard of two materials is one or the other") {
     const MaterialPtr first = plastic(0.3);
     const MaterialPtr second = test::some_metal(0.3);
@@ -126,7 +126,7 @@ IMAGE_TEST_CASE("a checkerboard of two materials is one or the other") {
     const StokesImage b = see(context, ball_over(second), options()).image;
     double worst = 0;
     for_floor(seen, [&](int x, int y, const glm::vec2& uv) {
-        // Positions are rounded.
+        // Pixels at square borders are skipped, because positions are rounded.
         if (check(uv - 1e-4F) != check(uv + 1e-4F)) return;
         for (int c = 0; c < 3; ++c) {
             const StokesImage& expected = check(uv) == 0 ? a : b;
@@ -148,7 +148,7 @@ IMAGE_TEST_CASE("a blend of 0.3 is 0.7 of one and 0.3 of the other") {
     };
     for (const auto& [second, shadows] : {Case{test::some_metal(0.3), false},
                                           {test::some_metal(0.3), true},
-                                          // Rows of two pairings beside rows of one.
+                                          // The materials have two pairings and one.
                                           {test::chiral(test::some_metal(0.3)), false}}) {
         const RenderOptions with_shadows = options(9, shadows);
         const auto image = [&](const MaterialPtr& floor) { return render(ball_over(floor), with_shadows); };
@@ -213,7 +213,7 @@ IMAGE_TEST_CASE("colours of faces are the same across each, by every method") {
     const glm::vec3 colors[] = {{1, 0.25F, 0.5F}, {0.125F, 1, 0.75F}};
     Mesh mesh = *textured_floor();
     mesh.face_colors.assign(std::begin(colors), std::end(colors));
-    mesh.colors.resize(mesh.positions.size(), glm::vec3(0));  // which are those of another texture
+    mesh.colors.resize(mesh.positions.size(), glm::vec3(0));  // colours of another kind of texture
     const auto colored = std::make_shared<const Mesh>(std::move(mesh));
     RenderOptions reference = options(4);
     reference.method = Method::reference;
@@ -261,7 +261,7 @@ IMAGE_TEST_CASE("a roughness texture of a few values is exact, and smooth betwee
     });
     CHECK(worst < 1e-5 * rms(a));
 
-    // Every pixel of a ramp is about what it is without a texture; the layers are 20 % apart.
+    // Pixels of the ramp are close to those of a constant roughness. The layers are 20 % apart.
     const TexturePtr alphas =
         texture_of([](const TexturePoint& p) { return glm::vec4(0.2F + 0.2F * p.uv.x); }, 1);
     const StokesImage ramped = see(context, ball_over(with_roughness(rough, alphas)), options(4)).image;
@@ -282,7 +282,7 @@ IMAGE_TEST_CASE("a roughness texture of a few values is exact, and smooth betwee
 }
 
 IMAGE_TEST_CASE("a map or a bump of one slope is the picture of normals that are tilted so") {
-    // In the rectangle's axes u grows along x and v falls along y.
+    // u grows along x and v falls along y in the rectangle's axes.
     const glm::vec3 tilted = glm::normalize(glm::vec3(0.3F, -0.2F, 1));
     Mesh mesh = *textured_floor();
     for (glm::vec3& normal : mesh.normals) normal = tilted;
@@ -297,7 +297,7 @@ IMAGE_TEST_CASE("a map or a bump of one slope is the picture of normals that are
     for (glm::vec2& uv : mirrored.texcoords) uv.x = 1 - uv.x;
     const auto mirrored_mesh = std::make_shared<const Mesh>(std::move(mirrored));
     const TexturePtr map = even(glm::vec4(0.5F + 0.5F * tilted, 1));
-    // Half a unit of u or v is a unit of length in the mesh's axes, and two in the world's.
+    // Half a unit of u or v is one unit of length in the mesh's axes and two in the world's.
     const TexturePtr heights = texture_of(
         [&](const TexturePoint& p) {
             return glm::vec4(4 * (-tilted.x / tilted.z * p.uv.x + tilted.y / tilted.z * p.uv.y));
@@ -318,7 +318,7 @@ IMAGE_TEST_CASE("a map or a bump of one slope is the picture of normals that are
             check(textured_floor(), normal_mapped(plain, map));
             check(textured_floor(), normal_mapped(plain, map, true));
             check(textured_floor(), bump_mapped(plain, heights, 1));
-            // Where u falls along x, the map's x does, and y with it in a right-handed frame alone.
+            // u falls along x here, so the map's x falls, and y in a right-handed frame.
             check(mirrored_mesh,
                   normal_mapped(plain, even(glm::vec4(0.5F - 0.5F * tilted.x, 0.5F - 0.5F * tilted.y,
                                                       0.5F + 0.5F * tilted.z, 1))));
@@ -328,7 +328,7 @@ IMAGE_TEST_CASE("a map or a bump of one slope is the picture of normals that are
                                                true));
         }
 
-    // The back is the front's mirror image in the surface.
+    // The back is the mirror image of the front in the surface.
     Camera below = test::camera_at({2, -5, 4});
     const MaterialPtr sheet = twosided(plastic());
     Mesh back = *textured_floor();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Materials that vary by textures, shaded at pixels by compute shaders: the threads' pictures.
+// Tests of textured materials shaded at pixels by compute shaders, against the images of threads.
 #include <random>
 
 #include "gl/contexts.hpp"
@@ -30,7 +30,7 @@ TexturePtr image(int channels, TextureSampling::Filter filter, TextureSampling::
     return image_texture(noise(channels), {.filter = filter, .wrap = wrap, .to_uv = to_uv});
 }
 
-/// A mesh with texture coordinates, and a colour of its own at each vertex and of each triangle.
+/// Returns a mesh with texture coordinates and a separate colour at each vertex and on each triangle.
 std::shared_ptr<const Mesh> colored(const Mesh& mesh) {
     Mesh out = *test::with_texcoords(mesh);
     for (const glm::vec3& p : out.positions) out.colors.push_back(glm::abs(glm::fract(0.37F * p + 0.2F)));
@@ -106,7 +106,7 @@ IMAGE_TEST_CASE("compute shaders texture as threads do") {
             const StokesImage actual = device(scene, options);
             CHECK(device.statistics.compute);
             CHECK(device.statistics.pixels_shaded == threads.statistics.pixels_shaded);
-            // Single pixels lie on the two sides of an edge of texels or of roundings of the ray.
+            // Single pixels may fall on different sides of a texel edge or of a rounding of the ray.
             CHECK(rms_difference(actual, expected) < 3e-6 * rms(expected));
         }
 }

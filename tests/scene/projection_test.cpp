@@ -7,7 +7,7 @@ using doctest::Approx;
 
 namespace {
 
-// Position in the image, -1 to 1 to the right and up, and depth.
+// Returns the position in the image (-1 to 1, to the right and up) and the depth.
 glm::dvec3 in_image(const Projection& p, const glm::dvec3& world) {
     const glm::dvec4 clip = p.world_to_clip * glm::dvec4(world, 1);
     return glm::dvec3(clip) / clip.w;
@@ -32,11 +32,11 @@ TEST_CASE("a perspective camera puts the edge of its horizontal field of view at
     camera.near_clip = 0.5;
     camera.far_clip = 100;
     const Projection p = project(camera, 200, 100);
-    CHECK(in_image(p, {3, 2, 1}).x == Approx(1));  // two to the right, two ahead
+    CHECK(in_image(p, {3, 2, 1}).x == Approx(1));  // two units to the right, two ahead
     CHECK(in_image(p, {1, 3, 1}).y == Approx(1));  // the height is half the width
     CHECK(in_image(p, {-1, 2, 1}).x == Approx(-1));
-    CHECK(in_image(p, {1, 2, 2.5}).z == Approx(-1));  // near
-    CHECK(in_image(p, {1, 2, -97}).z == Approx(1));   // far
+    CHECK(in_image(p, {1, 2, 2.5}).z == Approx(-1));  // at the near clip
+    CHECK(in_image(p, {1, 2, -97}).z == Approx(1));   // at the far clip
     CHECK(p.half_width == Approx(1));
     CHECK(p.half_height == Approx(0.5));
     CHECK(glm::distance(p.view.right, glm::dvec3(1, 0, 0)) < 1e-15);

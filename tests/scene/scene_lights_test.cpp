@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A scene's local lights and emissive surfaces: ids, versions and what is refused.
+// Tests of a scene's local lights and emissive surfaces: ids, versions and refusals.
 #include "function_texture.hpp"
 #include "scene/scene.hpp"
 #include "test.hpp"

@@ -85,7 +85,7 @@ TEST_CASE("of a cube in front of the camera only the near face can be visible") 
     for (std::size_t v = 0; v < visible.size(); ++v) {
         CHECK((visible[v] != 0) == (world.normals[v].z > 0.5F));
     }
-    // From inside every face shows its back.
+    // Every face shows its back from inside.
     CHECK(find_visible(world, from_z(0.5), visible) == world.positions.size());
 }
 
@@ -97,7 +97,7 @@ TEST_CASE("triangles outside one side of the view are skipped, those that stradd
         return find_visible(world_geometry(scene), from_z(camera), visible);
     };
     CHECK(skipped(test::at(100, 0, 0), 5) == 4);
-    // Larger than the image on every side: no vertex is in view, yet the middle is.
+    // The square exceeds the image on every side: no vertex is in view, but its middle is.
     CHECK(skipped(test::at(0, 0, 0, 100), 5) == 0);
     CHECK(skipped(test::at(0, 0, 0, 100), -5) == 4);  // behind the camera
 }
@@ -112,7 +112,7 @@ TEST_CASE("instances are removed and their materials swapped by ids that are not
     CHECK_THROWS_AS(scene.set_material(first, nullptr), Error);
     CHECK_THROWS_AS(scene.set_material(7, diffuse({0.1})), Error);
     CHECK(scene.material_version() == materials);
-    // The only one with three channels may get others.
+    // The only instance with three channels may change its number of channels.
     const MaterialPtr two = diffuse({0.1, 0.2});
     scene.set_material(second, two);
     CHECK(scene.at(second).material == two);

@@ -5,10 +5,10 @@
 
 namespace {
 
-/// A dispatcher whose workers are this test.
+/// A dispatcher whose workers are simulated by the test.
 struct Fixture {
     std::vector<std::pair<int, std::uint64_t>> started, cancelled;
-    std::vector<std::pair<std::string, int>> answers;  ///< who got which status
+    std::vector<std::pair<std::string, int>> answers;  ///< client and status of each answer
     Dispatcher dispatcher;
 
     explicit Fixture(std::size_t queue = 2)
@@ -47,7 +47,7 @@ TEST_CASE("a worker takes the oldest request") {
     CHECK(f.dispatcher.running() == 1);
     f.done(0);
     CHECK(f.answers == Answers{{"a", 200}});
-    CHECK(f.started.size() == 1);  // not before it is idle
+    CHECK(f.started.size() == 1);  // a worker starts a request only once it is idle
     f.dispatcher.worker_idle(0);
     f.done(1);
     CHECK(f.answers == Answers{{"a", 200}, {"b", 200}});
@@ -59,7 +59,7 @@ TEST_CASE("the queue is bounded, and an idle worker is no queue") {
     CHECK(f.ask("a", "a"));
     CHECK(f.ask("b", "b"));
     CHECK(!f.ask("c", "c"));
-    CHECK(f.ask("b", "b2"));  // joins
+    CHECK(f.ask("b", "b2"));  // joins the queued request
     CHECK(f.dispatcher.queued() == 1);
     Fixture none(0);
     CHECK(!none.ask("a", "a"));
@@ -89,7 +89,7 @@ TEST_CASE("who leaves is told nothing") {
     CHECK(f.cancelled.empty());
     f.done(0);
     CHECK(f.answers == Answers{{"2", 200}});
-    f.dispatcher.leave(*two);  // too late, and harmless
+    f.dispatcher.leave(*two);  // has no effect after the answer
 }
 
 TEST_CASE("where nobody waits any more nothing is rendered") {
@@ -104,7 +104,7 @@ TEST_CASE("where nobody waits any more nothing is rendered") {
     f.dispatcher.leave(*running);
     REQUIRE(f.cancelled.size() == 1);
     CHECK(f.cancelled[0] == f.started[0]);
-    // The same asked again does not join what was given up.
+    // An equal new request does not join the abandoned one.
     CHECK(!f.ask("b", "3")->joined);
     f.done(0);
     CHECK(f.answers.empty());

@@ -36,7 +36,7 @@ TEST_CASE("planes hold every half, and s3 where there is one") {
         for (const std::uint32_t components : {3u, 4u}) {
             std::vector<std::uint16_t> halves(channels * pixels * 4);
             for (std::size_t i = 0; i < halves.size(); ++i) {
-                const std::uint16_t zero = i % 8 == 3 ? 0x8000 : 0;  // also with a sign
+                const std::uint16_t zero = i % 8 == 3 ? 0x8000 : 0;  // a negative zero also counts as zero
                 halves[i] = i % 4 < components ? static_cast<std::uint16_t>(i * i * 7919) : zero;
             }
             const Planes planes = planes_of({reinterpret_cast<const char*>(halves.data()), halves.size() * 2},
@@ -60,7 +60,7 @@ TEST_CASE("rounded planes hold the nearest multiples of a part of s0") {
             exponent == 0 ? std::ldexp(half & 1023u, -24) : std::ldexp(1024 + (half & 1023u), exponent - 25);
         return (half & 0x8000u) != 0 ? -magnitude : magnitude;
     };
-    // Every half there is but infinities and NaN, as s1 to s3 beside s0 that are as large, or larger.
+    // All finite halves as s1 to s3, beside s0 values that are as large or larger.
     std::vector<std::uint16_t> halves;
     for (unsigned magnitude = 0; magnitude < 0x7c00; ++magnitude)
         for (const unsigned above : {0u, 1u << 10u, 5u << 10u, 11u << 10u, 12u << 10u})
@@ -78,7 +78,7 @@ TEST_CASE("rounded planes hold the nearest multiples of a part of s0") {
                 value = (value + byte[i] + 256u * byte[pixels + i]) % 65536;
                 const double s0 = std::max(number(halves[4 * i]), 0x1p-14), given = number(halves[4 * i + s]);
                 const double step = std::ldexp(1.0, std::ilogb(s0) - static_cast<int>(bits));
-                // A half holds no multiple of less than 2^-24, and nothing beyond 65504.
+                // The smallest step of halves is 2^-24, and their largest value is 65504.
                 const double least = std::max(step, 0x1p-24), found = number(static_cast<unsigned>(value));
                 const bool beyond = std::abs(std::round(given / least) * least) > 65504;
                 if (found != (beyond ? given : std::round(given / least) * least)) ++wrong;

@@ -68,7 +68,7 @@ TEST_CASE("equal requests have one text") {
     CHECK(base == text("size=064x64&azimuth=3e1&elevation=5&distance=4&target=0,1,-0"));
     CHECK(base == text("azimuth=30&size=64x64&observer=s0&exposure=0&light=360"));
     CHECK(base == text("azimuth=30&size=64x64&expires=99"));
-    // Without effect on s0.
+    // The scale has no effect on s0.
     CHECK(base == text("azimuth=30&size=64x64&scale=3"));
     CHECK(text("polarizer=10") == text("observer=polarizer&polarizer=190"));
     CHECK(text("observer=s1&exposure=3") == text("observer=s1"));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a function refuses.
+// The problem that a refusing function reports.
 #pragma once
 
 #include <doctest/doctest.h>

@@ -23,7 +23,7 @@ TEST_CASE("the least recently used goes first") {
     CHECK(cache.find("b") == nullptr);
     CHECK(cache.find("c") != nullptr);
     CHECK(cache.bytes() == 8);
-    cache.keep("c", answer(9));  // known
+    cache.keep("c", answer(9));  // the key is known, so the answer is not replaced
     CHECK(cache.bytes() == 8);
     cache.clear();
     CHECK(cache.bytes() == 0);

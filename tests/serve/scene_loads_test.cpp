@@ -12,7 +12,7 @@ SceneInfo info_of(const std::string& id, const std::string& digest) {
     return {.id = id, .digest = digest, .orbit = {}};
 }
 
-/// Two scenes, two workers that serve and the spare one.
+/// Loads of two scenes by two serving workers and a spare one.
 struct Fixture {
     SceneLoads loads{3};
     SceneLoads::Time now;
@@ -46,7 +46,7 @@ TEST_CASE("each scene is ready by itself") {
 
 TEST_CASE("a slow scene is left to the spare worker, which then serves") {
     Fixture f;
-    // The first worker was loading it, and becomes the spare one.
+    // The first worker was loading the scene and becomes the spare worker.
     f.loads.set_aside(kSlow);
     f.loads.exchange(f.first);
     CHECK(f.next(f.spare) == kQuick);
@@ -55,7 +55,7 @@ TEST_CASE("a slow scene is left to the spare worker, which then serves") {
     CHECK(f.loads.condition(kQuick) == Condition::ready);
     CHECK(f.loads.condition(kSlow) == Condition::preparing);
     f.loaded(f.first, kSlow);
-    // It serves nobody before it has the others too.
+    // The worker serves no scene before it has loaded the others, too.
     CHECK(f.loads.condition(kSlow) == Condition::preparing);
     CHECK(f.next(f.first) == kQuick);
     f.loaded(f.first, kQuick);
@@ -65,7 +65,7 @@ TEST_CASE("a slow scene is left to the spare worker, which then serves") {
     f.loads.forget(place);
     f.loads.exchange(place);
     CHECK(f.loads.condition(kSlow) == Condition::ready);
-    CHECK(f.loads.spare_due());  // another one lacks it still
+    CHECK(f.loads.spare_due());  // another worker still lacks the scene
 }
 
 TEST_CASE("a scene that ends its worker twice is set aside, and tried again later") {
@@ -96,7 +96,7 @@ TEST_CASE("a scene that has changed is loaded again by all") {
     CHECK(!f.loads.has(f.second, kSlow));
     CHECK(f.loaded(f.first, kQuick, ""));
     CHECK(f.loads.condition(kQuick) == Condition::broken);
-    // Only a worker that starts anew tries it again.
+    // Only a restarted worker tries the broken scene again.
     f.loaded(f.second, kSlow, "2");
     CHECK(!f.next(f.second));
     f.loads.forget(f.second);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The background of pixels against what environments say of single directions.
+// Tests of pixel backgrounds against the radiance of environments in single directions.
 #include "shading/background.hpp"
 
 #include "polarization/viewpoint.hpp"
@@ -9,7 +9,7 @@ using namespace nicol;
 
 namespace {
 
-/// Of columns x rows random texels; components: 1 (unpolarized) or 4.
+/// Returns light of columns x rows random texels with 1 (unpolarized) or 4 components.
 std::shared_ptr<const Environment> random_light(int columns, int rows, int channels, int components) {
     std::mt19937 random(7);
     std::uniform_real_distribution<float> number(-0.5F, 0.5F);
@@ -33,7 +33,7 @@ TEST_CASE("the background of a pixel is the environment's light in the camera's 
                 CAPTURES(components, of_light, channels, pitch);
                 const auto light = random_light(24, 13, of_light, components);
                 const Background background(*light, channels);
-                // About the horizon, to and beyond the poles, and behind.
+                // The views are about the horizon, near and beyond the poles, and backwards.
                 Viewpoint view{.forward = {0.3, std::sin(pitch), std::cos(pitch)}, .up = {0, 1, 0.1}};
                 view.forward = glm::normalize(view.forward);
                 view.right = glm::normalize(glm::cross(view.forward, view.up));

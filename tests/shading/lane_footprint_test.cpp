@@ -12,7 +12,7 @@ namespace {
 struct Plane {
     glm::dvec3 origin, by_u, by_v;
 
-    /// Texture coordinates of where a ray meets it.
+    /// Returns the texture coordinates of the point where a ray hits the plane.
     [[nodiscard]] glm::dvec2 meet(const glm::dvec3& from, const glm::dvec3& ray) const {
         const glm::dvec3 normal = glm::cross(by_u, by_v);
         const glm::dvec3 at = from + glm::dot(origin - from, normal) / glm::dot(ray, normal) * ray - origin;
@@ -29,7 +29,7 @@ TEST_CASE("a footprint leads to where the rays of neighbouring pixels meet the t
     const auto vector = [&] { return glm::dvec3(number(random), number(random), number(random)); };
     for (const bool orthographic : {false, true}) {
         const glm::dvec3 forward = glm::normalize(vector()), right = glm::normalize(cross(forward, vector()));
-        // First order only: the steps are small, and what they lead to is in double precision.
+        // Footprints are of first order, so the steps are small and the expected values in double precision.
         const double step = 1e-5;
         const glm::dvec3 moves[2] = {step * right, 2 * step * glm::cross(forward, right)};
         LaneTextureAxes axes;
@@ -77,6 +77,6 @@ TEST_CASE("a footprint is finite edge on, and 0 without axes") {
             CHECK(t[0] == 0);
             CHECK(std::isfinite(t[1]));
         }
-    // A step to the right leaves the plane by 0.02 at a distance of 2, along rays that fall by 1e-4 of them.
+    // A step to the right leaves the plane by 0.02 at distance 2. The rays descend by 1e-4 per unit length.
     CHECK(std::abs(points.du[0][1]) == doctest::Approx(200));
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Points of triangles behind pixels.
+// Tests of points on triangles behind pixels.
 #include "shading/lane_surface.hpp"
 #include "test.hpp"
 
@@ -66,7 +66,7 @@ TEST_CASE("triangles without extent, points beside them and normals that cancel 
     const glm::vec3 up(0, 0, 1);
     for (const Triangle& triangle :
          {Triangle{{{0, 0, 1}, {0, 0, 1}, {0, 0, 1}}, {up, up, up}},
-          {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {up, up, up}},  // the camera lies in it
+          {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {up, up, up}},  // the camera lies in its plane
           {{{-1, 0, 1}, {1, 0, 1}, {0, 0, 3}}, {up, -up, {0, 0, 0}}},
           {{{1e30F, 0, 1}, {1, 1e30F, 1}, {0, 0, 1e30F}}, {up, up, up}},
           {{{1e-30F, 0, 1}, {0, 1e-30F, 1}, {0, 0, 1}}, {up, up, up}}}) {

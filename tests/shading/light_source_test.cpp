@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Local lights: what their places add up to.
+// Tests of local lights: sums over their light samples.
 #include "shading/light_source.hpp"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -29,8 +29,8 @@ LaneVectors lanes(const glm::vec3& v) {
     return out;
 }
 
-/// The mean over many places of the irradiance, Stokes vectors of channel 0 in frames with x = put_axes', on
-/// a surface at `point` with this normal.
+/// Returns the mean irradiance over many light samples at a surface point with this normal: the Stokes vector
+/// of a channel, in frames with the light's x.
 Stokes irradiance(const LightSource& source, const glm::vec3& point, const glm::dvec3& normal,
                   std::uint32_t samples = 4096, std::size_t channel = 0, std::uint32_t seed = 17) {
     const std::uint32_t seeds[] = {seed};
@@ -49,7 +49,7 @@ Stokes irradiance(const LightSource& source, const glm::vec3& point, const glm::
     return sum / static_cast<double>(samples);
 }
 
-/// Of a polygon of radiance 1 (Lambert 1760), at the origin.
+/// Returns the irradiance at the origin by a polygon of radiance 1 (Lambert 1760).
 double of_polygon(const std::vector<glm::dvec3>& corners, const glm::dvec3& normal) {
     double sum = 0;
     for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -62,7 +62,7 @@ double of_polygon(const std::vector<glm::dvec3>& corners, const glm::dvec3& norm
 
 using Triangles = std::vector<std::array<glm::vec3, 3>>;
 
-/// The same as irradiance() by what rays in a cone about `axis` meet.
+/// Computes the irradiance from rays in a cone about `axis` that hit the light.
 Stokes irradiance_of_rays(const LightSource& source, const glm::vec3& point, const glm::dvec3& normal,
                           const glm::dvec3& axis, double angle) {
     constexpr int groups = 20000;
@@ -161,7 +161,7 @@ TEST_CASE("points, spots and projectors fall off with distance and angle") {
 
 TEST_CASE("emissive surfaces are Lambert's polygons") {
     const glm::vec3 a(-1, -1, 2), b(1, -1, 2.5), c(1, 1, 2.5), d(-1, 1, 2);
-    const Triangles quad{{a, c, b}, {a, d, c}};  // which faces the origin
+    const Triangles quad{{a, c, b}, {a, d, c}};  // faces the origin
     const Triangles away{{a, b, c}, {a, c, d}};
     const glm::dvec3 normal = glm::normalize(glm::dvec3(0.2, 0.1, 1));
     const double expected = of_polygon({a, b, c, d}, normal);
@@ -240,7 +240,7 @@ TEST_CASE("emissive spheres shed the light of the cone that they fill, by few pl
     const double expected = 2 * kPi * 0.25 / 30;  // pi L (r / d)^2
     CHECK(at(triangles, 4)[0] == doctest::Approx(expected).epsilon(3e-3));
     CHECK(at(triangles, 4)[1] == doctest::Approx(0.5 * expected).epsilon(3e-3));
-    CHECK(at(inwards, 4096)[0] > 0);  // of its far side
+    CHECK(at(inwards, 4096)[0] > 0);  // from the far side of the sphere
     CHECK(at(inwards, 4096)[0] == doctest::Approx(expected).epsilon(0.02));
     CHECK(at(half, 4096)[0] == doctest::Approx(expected).epsilon(0.05));
 
@@ -254,7 +254,7 @@ TEST_CASE("emissive spheres shed the light of the cone that they fill, by few pl
         double{light.distance[0]} * glm::dvec3(light.towards.x[0], light.towards.y[0], light.towards.z[0]);
     CHECK(glm::distance(place, glm::dvec3(1, 2, 5)) == doctest::Approx(0.5).epsilon(1e-2));
     source->sample(lanes({1, 2, 5.1F}), middle, middle, light);
-    CHECK(light.points == 0);  // inside
+    CHECK(light.points == 0);  // inside the sphere
 }
 
 TEST_CASE("frames of polarized light have the axis across the light") {
@@ -318,7 +318,7 @@ TEST_CASE("a sphere of few triangles does not hide its own light") {
 
 TEST_CASE("what rays meet of a light adds up to what its places shed") {
     const glm::vec3 a(-1, -1, 2), b(1, -1, 2.5), c(1, 1, 2.5), d(-1, 1, 2);
-    const Triangles quad{{a, c, b}, {a, d, c}};  // which faces the origin
+    const Triangles quad{{a, c, b}, {a, d, c}};  // faces the origin
     const Triangles away{{a, b, c}, {a, c, d}};
     const PolarizationState state{.dolp = 0.6, .aolp = 0.2, .docp = 0.3};
     const TexturePtr slope =
@@ -337,14 +337,14 @@ TEST_CASE("what rays meet of a light adds up to what its places shed") {
         const float s0 = i % 4 == 0 ? 0.0F : static_cast<float>(i);
         pixels.insert(pixels.end(), {s0, 0.5F * s0, -0.3F * s0, 0.2F * s0});
     }
-    // Across the seam of the image.
+    // The lamp crosses the seam of the image.
     const auto lamp = std::make_shared<const ExtractedLight>(
         EquirectWindow{.width = 64, .height = 33, .top = 9, .left = 62, .rows = 2, .columns = 4}, 1, pixels);
     const glm::dmat3 axes(glm::rotate(glm::dmat4(1), 0.7, {1, 2, 3}));
     struct Row {
         const char* name;
         LightSourcePtr source;
-        glm::dvec3 axis;  ///< of a cone that holds it
+        glm::dvec3 axis;  ///< axis of a cone that contains the light
         double angle;
     };
     std::vector<Row> rows;
@@ -372,13 +372,13 @@ TEST_CASE("what rays meet of a light adds up to what its places shed") {
         for (int p = 0; p < 4; ++p)
             CHECK(got[p] == doctest::Approx(expected[p]).epsilon(0.01).scale(expected[0]));
     }
-    // Its own back hides it, and a light of one place is nowhere.
+    // A back-facing light emits nothing towards the point, and a point light cannot be hit.
     LaneLight light;
     light_source({plain, {1, 0, 0}, away, {}})->intersect(lanes({0, 0, 0}), lanes({0, 0, 1}), light);
     CHECK(light.points == 0);
     light_source(LocalLight{}, glm::dmat4(1))->intersect(lanes({0, 0, -1}), lanes({0, 0, 1}), light);
     CHECK(light.points == 0);
-    // Where they meet it.
+    // Checks the distances of the hits.
     rows[0].source->intersect(lanes({0, 0, 0}), lanes({0, 0, 1}), light);
     CHECK(light.points == 0xFFFF);
     CHECK(light.distance[5] == doctest::Approx(2.25));

@@ -38,7 +38,8 @@ TEST_CASE("sixteen normals are turned as each of them is, and face the viewer") 
             LaneVectors towards_viewer, normals;
             for (std::size_t i = 0; i < kLanes; ++i) {
                 for (Lanes& t : points.uv) t[i] = number(random);
-                // One triangle has no axes; one no length along u, where bumps have no side.
+                // One triangle has no texture axes. Another has no length along u, for which bump maps are
+                // undefined.
                 const bool flat = i < (variation.kind == Kind::map ? 2 : 1);
                 put(axes.by_u, i, flat ? glm::vec3(0) : vector());
                 put(axes.by_v, i, i < 1 ? glm::vec3(0) : vector());

@@ -47,8 +47,8 @@ TEST_CASE("light as weak as its noise is less polarized, bright light as before"
 }
 
 TEST_CASE("the factor is that of the least squared error, and never worse than none") {
-    // True light of the strength of s0, half polarized at random, and noise of the same kind in all
-    // components.
+    // True light of intensity `strength`, half linearly polarized at varying angles, plus random noise in the
+    // linear components.
     std::mt19937 random(2);
     std::normal_distribution<float> normal;
     for (const float strength : {0.3F, 1.0F, 3.0F}) {

@@ -27,7 +27,7 @@ glm::dvec3 lane(const LaneVectors& lanes, std::size_t i) {
 /// Unit normals that mostly face the viewer, and lights that mostly lie above them.
 struct Points {
     std::vector<glm::vec3> positions, normals;
-    std::vector<glm::vec3> tangents;  ///< of any angle to the normals
+    std::vector<glm::vec3> tangents;  ///< at any angle to the normals
     LaneLight light;
 
     [[nodiscard]] std::span<const glm::vec3> tangents_for(const Material& material) const {
@@ -44,7 +44,7 @@ Points some_points(Random& random, const Viewpoint& view, std::size_t components
     for (std::size_t i = 0; i < kLanes; ++i) {
         const glm::vec3 position(random_direction(random));
         const glm::dvec3 viewer = view.towards(position);
-        // Some seen and lit along the normal, in the mirror direction, and at grazing angles.
+        // Some points are seen and lit along the normal, in the mirror direction, and at grazing angles.
         glm::dvec3 normal = i == 0 ? viewer : glm::normalize(viewer + 0.9 * random_direction(random));
         if (i == 1) normal = -normal;
         normal = glm::normalize(glm::dvec3(glm::vec3(normal)));
@@ -66,7 +66,7 @@ Points some_points(Random& random, const Viewpoint& view, std::size_t components
                     irradiance[0][i] * static_cast<float>(polarized[p - 1]);
         }
     }
-    // What nobody may read.
+    // Unused components hold kNothing, because they must not be read.
     for (std::array<Lanes, 4>& irradiance : out.light.irradiance)
         for (std::size_t p = 0; p < 4; ++p)
             if (p == 3 ? components < 4 : p > 0 && components == 1) irradiance[p].value.fill(kNothing);
@@ -169,7 +169,7 @@ TEST_CASE("sixteen points reflect as the sum over Mueller matrices says, in ever
                                     }
                                     const double error =
                                         std::abs(static_cast<double>(value) - 0.25 - factor * expected[q]);
-                                    // Besides, the sum loses digits of what is added.
+                                    // The tolerance also covers rounding of the accumulated sum.
                                     CHECK(std::isfinite(error));
                                     worst = std::max(worst, (error - 1e-7) / (factor * scale));
                                 }
@@ -200,7 +200,7 @@ TEST_CASE("smooth terms are mirrors and reflect no light from elsewhere") {
     const struct {
         const char* name;
         MaterialPtr smooth;
-        MaterialPtr base;  ///< without the mirror; null: nothing
+        MaterialPtr base;  ///< material without the mirror term; null: none
         std::complex<double> index;
         bool polarizes;
     } rows[] = {{"gold", conductor({gold}), nullptr, gold, true},
@@ -238,7 +238,7 @@ TEST_CASE("smooth terms are mirrors and reflect no light from elsewhere") {
                 const glm::dvec3 mirrored = 2 * glm::dot(normal, viewer) * normal - viewer;
                 CHECK(glm::distance(lane(p.light.towards, i), mirrored) < 1e-6);
                 if (!(glm::dot(viewer, normal) > 0.03)) continue;
-                // Both frames with x along the s-axis, as Fresnel's.
+                // Both frames have x along the s-axis, as in Fresnel's formulas.
                 const glm::dvec3 s_axis = frame_with_x(viewer, glm::cross(mirrored, viewer))[0];
                 Stokes incident(0.0);
                 for (std::size_t q = 0; q < components; ++q)

@@ -80,11 +80,11 @@ TEST_CASE("relight and shade equal the reflection integral in the angular domain
                         const glm::dvec3 towards = view.towards(glm::dvec3(positions[v]));
                         if (glm::dot(normal, towards) < 0.05) continue;
                         ++seen;
-                        // Any frame about the normal must do.
+                        // Any frame about the normal is valid.
                         const Frame surface = frame_with_x(normal, {0.6, 0.7, -0.5});
                         for (int c = 0; c < 2; ++c) {
                             Stokes expected = test::reflected(*material, c, light, surface, towards, 64, 128);
-                            // x of the camera's frame is ray x up, written out once more.
+                            // x of the camera's frame is ray x up, computed independently.
                             const glm::dvec3 x = glm::normalize(glm::cross(-towards, view.up));
                             const Frame camera(x, glm::cross(towards, x), towards);
                             expected = rotated(expected, angle_between(theta_phi_frame(towards), camera));
@@ -104,7 +104,7 @@ TEST_CASE("straight above and below the camera the frame is still a frame") {
         CHECK(glm::distance(f[0], view.right) < 1e-12);
         CHECK(glm::distance(glm::cross(f[0], f[1]), d) < 1e-12);
     }
-    // In the middle of the image x is image right and y image up.
+    // At the middle of the image x points right and y up.
     const Frame middle = view.frame(-view.forward);
     CHECK(glm::distance(middle[0], view.right) < 1e-12);
     CHECK(glm::distance(middle[1], view.up) < 1e-12);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// High orders against the full transfer.
+// Tests of high orders against the full transfer.
 #include "light/environment.hpp"
 #include "material/brute_force.hpp"
 #include "material/material_projection.hpp"
@@ -17,7 +17,7 @@ namespace {
 
 constexpr int l_low = 4;
 
-// A blurring mirror that polarizes as a convolution can: with every band of the kernel.
+// Returns a blurring mirror that polarizes as a convolution can, with every band of the kernel.
 MaterialPtr mirrored_convolution(int order) {
     ConvolutionKernel kernel(static_cast<std::size_t>(order) + 1);
     for (int l = 0; l <= order; ++l) {
@@ -65,7 +65,7 @@ TEST_CASE("of a material that is a convolution about the mirror direction, convo
         return test::relative_error(
             sphere.with(images[0], HighOrder(mirror, {.central = &map}, glm::dmat3(1.0))), images[1]);
     };
-    // What is left is the interpolation in the map.
+    // Only the interpolation in the map remains.
     const auto fine = error(2e-4);
     const auto usual = error(LobeMap::kTolerance);
     for (std::size_t p = 0; p < 4; ++p) {
@@ -166,7 +166,7 @@ TEST_CASE("the split form keeps what breaks mirror symmetry in measured gold") {
     const auto local = sphere.local(light, LightKind::unpolarized);
     const auto images = sphere.reflected(*whole, local, {l_low, order});
     const auto error = [&](const Material& material) {
-        // Of the RMS of s0: gold polarizes little.
+        // Errors are relative to the RMS of s0, because gold polarizes little.
         const test::Image found = split(sphere, material, light, images[0], order, false);
         glm::dvec4 sum(0);
         double s0 = 0;

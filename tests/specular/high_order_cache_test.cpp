@@ -35,7 +35,7 @@ TEST_CASE("fitted factors come back from the cache as they were, and files that 
     CHECK(fitted.has_base());
     CHECK(fitted.spread() > 0);
     CHECK(same(HighOrderFactors(material, 4, 9, 3), fitted));
-    // Other orders and other materials have files of their own.
+    // Other orders and other materials have separate files.
     static_cast<void>(load_or_fit(material, 4, 10, 3, scratch.path()));
     static_cast<void>(load_or_fit(material, 3, 9, 3, scratch.path()));
     static_cast<void>(load_or_fit(Counting("another"), 4, 9, 3, scratch.path()));

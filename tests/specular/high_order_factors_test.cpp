@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Filters, kernels and factors of high orders.
+// Tests of the filters, kernels and factors of high orders.
 #include "specular/high_order_factors.hpp"
 #include "harmonics/grid.hpp"
 #include "harmonics/random_operators.hpp"
@@ -17,7 +17,7 @@ namespace {
 
 using Elements = std::array<float, HighOrderFactors::kElements>;
 
-// An ideal mirror that blurs: light filtered by `gains`, attenuated per component, mirrored.
+// Returns an ideal blurring mirror: light filtered by `gains`, attenuated per component and mirrored.
 MaterialPtr blurring_mirror(const OrderGains& gains) {
     ConvolutionKernel kernel(gains.size());
     for (std::size_t l = 0; l < gains.size(); ++l) {
@@ -30,7 +30,7 @@ MaterialPtr blurring_mirror(const OrderGains& gains) {
     return psh_matrix_material({compose(reflection_matrix(order), kernel_matrix(kernel))});
 }
 
-// Between the two angles about a cosine.
+// Interpolates the elements between the two table angles around a cosine.
 Elements elements_at(const HighOrderFactors& factors, float cosine, std::size_t channel,
                      std::size_t pairing = 0) {
     const HighOrderFactors::Position at = HighOrderFactors::position(cosine);
@@ -88,7 +88,7 @@ TEST_CASE("the factors of a mirror that blurs by one of the lobes are the mirror
     Elements f{};
     for (const float cosine : {1.0F, 0.77F, 0.3F}) {
         f = elements_at(factors, cosine, 0);
-        // A tap beside the centre counts for the part of light that it has in common with it.
+        // A tap beside the centre counts by the part of its light that it shares with the centre.
         const auto sum = [&](std::size_t first, std::size_t stride) {
             return f[first] + f[first + stride] + f[first + 2 * stride] + 2 * f[first + 3 * stride];
         };
@@ -105,7 +105,7 @@ TEST_CASE("the factors of a mirror that blurs by one of the lobes are the mirror
 }
 
 TEST_CASE("factors from samples of a material and from its rows agree") {
-    // The matrix is cut at the same order on the outgoing side, which a smooth material hardly notices.
+    // The matrix is truncated at the same order on the outgoing side, which hardly affects a smooth material.
     const MaterialPtr plastic = pplastic({.diffuse_reflectance = {0.3}, .alpha = 0.5});
     for (const MaterialPtr& sampled : {plastic, test::chiral(plastic)}) {
         const MaterialPtr by_rows = psh_matrix_material({project_material(*sampled, 0, 24)});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A sphere seen along -z, and what it reflects by response rows at the exact angles.
+// A sphere seen along -z, and its reflected light by response rows at the exact angles.
 #pragma once
 
 #include <array>
@@ -38,7 +38,7 @@ inline MaterialPtr gold(double alpha) {
     return rough_conductor({.eta = metal_index("Au"), .alpha = alpha, .distribution = Distribution::ggx});
 }
 
-/// One vertex at the origin, [channel].
+/// Evaluates the high orders at one vertex at the origin: [channel].
 inline std::vector<glm::vec4> look_up(const HighOrder& high, const Viewpoint& view, const glm::vec3& normal,
                                       const glm::vec2& visible_fraction, std::size_t channels) {
     std::vector<glm::vec4> out(channels, glm::vec4(0));
@@ -51,7 +51,7 @@ inline std::vector<glm::vec4> look_up(const HighOrder& high, const Viewpoint& vi
     return out;
 }
 
-/// Points on rings, so that few outgoing angles occur, evenly over the disc of radius 0.95.
+/// Points on rings, so that few outgoing angles occur, spread evenly over the disc of radius 0.95.
 struct SphereView {
     SphereView(int rings, int per_ring) {
         view.orthographic = true;
@@ -71,7 +71,7 @@ struct SphereView {
         visible.assign(normals.size(), 1);
     }
 
-    /// A light in the frames of the vertices, each with the viewer at azimuth 0.
+    /// Light in the frames of the vertices, each with the viewer at azimuth 0.
     struct LocalLight {
         LightLayout layout;
         int channels;
@@ -87,7 +87,7 @@ struct SphereView {
         return out;
     }
 
-    /// The reflected light of orders 0..top, for top = each of `tops`.
+    /// Returns the reflected light of orders 0..top for each top in `tops`.
     [[nodiscard]] std::vector<Image> reflected(const Material& material, const LocalLight& light,
                                                const std::vector<int>& tops) const {
         const LightLayout& layout = light.layout;
@@ -119,7 +119,7 @@ struct SphereView {
         return Image(static_cast<std::size_t>(channels), std::vector<glm::vec4>(normals.size()));
     }
 
-    /// `low` and the high orders on top.
+    /// Returns `low` plus the high orders.
     [[nodiscard]] Image with(const Image& low, const HighOrder& high) const {
         Image out = low;
         std::vector<std::span<glm::vec4>> channels(out.begin(), out.end());
@@ -128,15 +128,15 @@ struct SphereView {
     }
 
     Viewpoint view;
-    std::vector<double> angles;      // of the rings
-    std::vector<std::size_t> ring;   // of the vertices
-    std::vector<glm::vec3> normals;  // and positions
+    std::vector<double> angles;      // outgoing angle of each ring, in radians
+    std::vector<std::size_t> ring;   // ring of each vertex
+    std::vector<glm::vec3> normals;  // normals, which are also the positions
     std::vector<std::uint8_t> visible;
 
 private:
     static Frame surface(const glm::vec3& normal) { return frame_with_x(glm::dvec3(normal), {0, 0, 1}); }
 
-    // [ring][channel][p][pairing][j]
+    // Returns the rows [ring][channel][p][pairing][j].
     [[nodiscard]] std::vector<std::vector<double>> response_rows(const Material& material,
                                                                  const LightLayout& layout,
                                                                  int channels) const {
@@ -165,7 +165,7 @@ private:
     }
 };
 
-/// Root of the mean square difference of each Stokes component over that of `truth`, all channels together.
+/// Returns the RMS difference of each Stokes component relative to that of `truth`, over all channels.
 inline std::array<double, 4> relative_error(const Image& found, const Image& truth) {
     std::array<double, 4> error{};
     for (int p = 0; p < 4; ++p) {

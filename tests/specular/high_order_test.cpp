@@ -37,7 +37,7 @@ TEST_CASE("unpolarized light has the same look-up in maps of either kind") {
     }
     CHECK(difference < 1e-5F * largest);
     CHECK(full.bytes() == 5 * plain.bytes());
-    // One light for materials of several colours.
+    // One light serves materials of several colours.
     const HighOrderFactors coloured(*gold(0.2), l_low, 20, 3);
     HighOrderLight grey(test::random_light(20, 1, 1, 2), l_low, 20, false);
     const auto c = sphere.with(sphere.black(3), HighOrder(coloured, grey.maps(coloured), glm::dmat3(1.0)));

@@ -9,7 +9,7 @@ using namespace nicol;
 
 namespace {
 
-/// Vertices whose visibility has these coefficients.
+/// Returns vertices whose visibility has these coefficients.
 VisibilityBlocks seen_of(std::span<const double> coefficients, int order, std::size_t vertices) {
     static const DirectionSet set(DirectionSet::kFewest);
     VisibilityBlocks out(Visibility(set.size(), vertices), order);
@@ -19,7 +19,7 @@ VisibilityBlocks seen_of(std::span<const double> coefficients, int order, std::s
     return out;
 }
 
-/// The fractions of a vertex whose normal is z, for a lobe about d.
+/// Returns the visible fractions of a vertex with normal z, for a lobe about d.
 glm::vec2 at(const HighOrderVisibility& fraction, const VisibilityBlocks& seen, const glm::vec3& d) {
     Viewpoint view;
     view.orthographic = true;
@@ -49,7 +49,7 @@ TEST_CASE("unoccluded lobes are visible as a whole, and occluded ones are dark")
 }
 
 TEST_CASE("the fraction is the visibility filtered by the lobe, and by the cosine about the normal") {
-    // A wall on the +x side, seen from below: light that travels towards -x is blocked.
+    // A wall on the +x side blocks light that travels towards -x.
     constexpr int order = 12;
     const auto wall = test::project_scalar(order, [](const glm::dvec3& d) { return d.x < 0 ? 0.0 : 1.0; });
     const HighOrderVisibility fraction(order, 0.3);
@@ -77,14 +77,14 @@ TEST_CASE("every vertex is evaluated along its mirrored view direction") {
     constexpr int order = 12;
     const auto wall = test::project_scalar(order, [](const glm::dvec3& d) { return d.x < 0 ? 0.0 : 1.0; });
     const HighOrderVisibility fraction(order, 0.2);
-    // All have the same wall in their own frames, whose axes are theta-hat and phi-hat.
+    // All vertices have the same wall in their frames, whose axes are theta-hat and phi-hat.
     const std::vector<glm::vec3> normals{{1, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 0, 0}};
     const VisibilityBlocks visibility = seen_of(wall, order, normals.size());
     const std::vector<glm::vec3> positions(normals.size(), glm::vec3(0));
     const std::vector<std::uint8_t> visible{1, 0, 1, 1};
     std::vector<glm::vec2> out(normals.size(), glm::vec2(7));
     Viewpoint view;
-    // theta-hat is -z at the equator: light that comes from below z = 0 travels upwards, against it.
+    // theta-hat is -z at the equator, so light from below z = 0 travels upwards, against theta-hat.
     view.eye = {5, 0, 5};
     fraction.run(view, positions, normals, visible, visibility, 0, 3, out);
     CHECK(out[0][0] < 0.1F);
@@ -131,7 +131,7 @@ TEST_CASE("coefficients are kept small, where they are not known beforehand") {
     after.take_over(2, blocks);
     for (std::size_t i = 0; i < numbers * kLanes; ++i) CHECK(after.block(2)[i] == blocks.block(2)[i]);
     CHECK(after.block(0)[0] == 0);
-    // What hides nothing dims nothing, in either kind of block.
+    // Unoccluded vertices are not dimmed in either kind of block.
     const std::vector<std::uint8_t> visible(vertices, 1);
     std::vector<glm::vec2> out(vertices);
     HighOrderVisibility(order, 0.2)

@@ -10,7 +10,7 @@ using test::look_up;
 
 namespace {
 
-/// Light with a spectrum between those of a studio's lamps (flat) and of nature (1 / l^2).
+/// Returns light whose spectrum lies between those of studio lamps (flat) and of nature (1 / l^2).
 PshVector decaying_field(int order, int channels) {
     PshVector field = random_field(order, channels, 5);
     std::vector<double> gains;
@@ -19,7 +19,7 @@ PshVector decaying_field(int order, int channels) {
     return field;
 }
 
-/// Poles, their surroundings, the seam at phi = 0, and all over the sphere.
+/// Returns directions at the poles, near them, at the seam phi = 0, and all over the sphere.
 std::vector<glm::dvec3> directions() {
     std::vector<glm::dvec3> out{{0, 0, 1}, {0, 0, -1}, {1, 0, 0}, {0, -1, 0}};
     for (const double theta : {1e-4, 0.01, pi - 0.01, pi - 1e-4})
@@ -76,7 +76,7 @@ TEST_CASE("grids are as fine as the filtered light needs") {
     CHECK(fine > 2 * coarse);
     CHECK(fine <= LobeMap::kMostRows);
     CHECK(coarse >= LobeMap::kLeastRows);
-    // Darkness, and lobes that end below or beyond the light's order.
+    // Darkness needs the smallest map, and lobes may end below or above the light's order.
     const LobeMap dark(PshVector(9, 1), gains, true);
     CHECK(dark.rows() == LobeMap::kLeastRows);
     CHECK(look_up(dark, 0, {0, 0.6, 0.8}, {1, 0, 0}) == Stokes(0));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Maps of filtered light, read in double precision.
+// Lookups in maps of filtered light, in double precision.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 
 namespace nicol::test {
 
-/// The Stokes vector of a channel at a direction, bilinear between texels, with x for the frame.
+/// Returns the Stokes vector of a channel at a direction, bilinear between texels, in the frame with this x.
 inline Stokes look_up(const LobeMap& map, int channel, const glm::dvec3& d, const glm::dvec3& x) {
     constexpr double pi = std::numbers::pi;
     const double phi = std::atan2(d.y, d.x);

@@ -17,12 +17,12 @@ namespace {
 
 struct Case {
     std::size_t channels;
-    bool equal;   // weights are the same for every channel ...
-    bool shared;  // ... and so are rows
+    bool equal;   // whether weights are equal for every channel
+    bool shared;  // whether rows are equal for every channel
     std::size_t first, count;
 };
 
-constexpr std::size_t kSize = 40;  // of a sum
+constexpr std::size_t kSize = 40;  // numbers per row
 constexpr std::size_t kEntries = 5;
 
 // One layer whose table has kEntries entries of `channels` rows.
@@ -76,14 +76,14 @@ TEST_CASE("Sums of layers' rows are those of their definition") {
         CAPTURE(of.equal);
         CAPTURE(of.shared);
         CAPTURE(of.count);
-        // With some that are shorter; of the first two all channels have the same.
+        // Some layers have shorter rows. The first two layers have equal values in all channels.
         std::vector<Layer> layers;
         layers.reserve(4);
         for (const std::size_t size : {kSize, std::size_t{20}, kSize, std::size_t{40}}) {
             const bool as_first = layers.size() < 2;
             layers.emplace_back(as_first || of.shared ? 1 : of.channels, size, as_first || of.equal, random);
         }
-        // Numbers that do not count are 0 in tables.
+        // Numbers beyond a layer's size are 0 in tables.
         for (Layer& layer : layers)
             for (std::size_t k = 0; k < layer.table.size(); ++k)
                 if (k % kSize >= layer.size) layer.table[k] = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The look-ups of high orders.
+// Lookups of high orders in double precision.
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -19,7 +19,7 @@ double mix(double low, double high, double fraction) {
     return low + fraction * (high - low);
 }
 
-// The elements of a pairing of the factors as they are stored, between two angles.
+// The stored factor elements of one pairing, interpolated between two angles.
 class Elements {
 public:
     Elements(const HighOrderFactors& factors, int channel, std::size_t pairing, double cosine) {
@@ -34,7 +34,7 @@ public:
         for (std::size_t e = 0; e < elements_.size(); ++e)
             elements_[e] = mix(at(angle, e), at(angle + 1, e), x - angle);
     }
-    // Of central, up, down and sum.
+    // Applies the elements of tap 0 to 3: central, up, down and sum.
     [[nodiscard]] Stokes even(std::size_t tap, const Stokes& s) const {
         const double* a = &elements_[2 * tap];
         const double* b = &elements_[HighOrderFactors::kUnpolarized + 6 * tap];
@@ -69,8 +69,8 @@ Image high_orders_in_double(const Vertices& vertices, const HighOrderFactors& fa
         const glm::dvec3 v = vertices.view.towards(glm::dvec3(vertices.positions[i]));
         const Frame camera = vertices.view.frame(v);
         const double cosine = glm::dot(n, v);
-        // From behind a vertex counts as seen at 90 degrees; straight from behind or in front, any plane
-        // serves.
+        // A vertex seen from behind counts as seen at 90 degrees. From straight behind or straight ahead any
+        // plane is valid.
         glm::dvec3 seen = v;
         if (cosine < 0) {
             const glm::dvec3 flat = v - cosine * n;
@@ -129,7 +129,7 @@ glm::dvec2 fractions_in_double(const Vertices& vertices, std::size_t vertex,
             for (int m = -l; m <= l; ++m)
                 seen += gains[static_cast<std::size_t>(l)] * visibility[psh_index(l, m)] *
                         scalar[psh_index(l, m)];
-        // Over what nothing hides, which is 1 everywhere.
+        // The result is relative to the filtered visibility of an unoccluded vertex, which is 1 everywhere.
         return std::clamp(seen / gains[0], 0.0, 1.0);
     };
     return {sum(lobe, d), sum(cosine, {0, 0, -1})};

@@ -33,11 +33,11 @@ glm::dvec3 towards_at(const glm::dvec3& n, double zenith, double azimuth) {
     return std::cos(zenith) * n + std::sin(zenith) * (std::cos(azimuth) * x + std::sin(azimuth) * y);
 }
 
-// V f for one V after another.
+// Products of visibility and light, for one visibility after another.
 class Product {
 public:
     explicit Product(int order) : order_(order) {
-        // From triple products where a table of them is affordable, else through a grid.
+        // Uses triple products if their table is affordable, else a grid.
         if (order <= 9) {
             triples_ = std::make_unique<ShadowMatrix>(2 * order, order, order);
         } else {
@@ -121,7 +121,7 @@ Vertices::Vertices(const DirectionSet& directions, double unit, std::size_t norm
 
 namespace {
 
-// The direction from a vertex to the viewer.
+// The direction from a vertex to the viewer, in the vertex's frame.
 struct Sight {
     Sight(const Viewpoint& view, const glm::vec3& position, const Frame& surface) {
         const glm::dvec3 world = view.towards(glm::dvec3(position));
@@ -133,7 +133,7 @@ struct Sight {
     }
     double zenith;
     double azimuth;
-    double angle;  // to the camera's frame
+    double angle;  // to the camera's frame, in radians
 };
 
 Stokes respond(const ResponseTable& response, int channel, const LightLayout& layout,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The size of the scene changes nothing.
+// Tests that the size of a scene changes nothing.
 #include "gl/contexts.hpp"
 #include "image_difference.hpp"
 #include "render/renderer.hpp"
@@ -26,7 +26,7 @@ EnvironmentPtr light() {
     return psh_environment(test::random_light(9, 3, 4, 1));
 }
 
-// A sphere over a plate with shadows, low and high orders, all lengths times `unit`.
+// Renders a sphere over a plate with shadows, low and high orders, with all lengths times `unit`.
 StokesImage image(const std::shared_ptr<gl::Context>& context, double unit, Executor executor) {
     const glm::dmat4 grow = glm::scale(glm::dmat4(1), glm::dvec3(unit));
     Scene scene;
@@ -53,11 +53,11 @@ TEST_CASE("a scene of a millionth or a million of its size looks the same") {
     for_all({Executor::cpu, Executor::compute}, {1e-7, 1e-6, 1e6, 1e7}, [&](Executor executor, double unit) {
         CAPTURES(unit, executor);
         const StokesImage found = image(context, unit, executor);
-        CHECK(largest(found) <= 2 * most);  // and so finite
+        CHECK(largest(found) <= 2 * most);  // also implies finite values
         std::size_t apart = 0;
         for (std::size_t i = 0; i < truth.data.size(); ++i)
             apart += std::abs(found.data[i] - truth.data[i]) > 1e-4 * most ? 1 : 0;
-        // Rays and edges that just miss may go either way.
+        // Rays and edges that just miss may fall to either side.
         CHECK(static_cast<double>(apart) < 0.002 * static_cast<double>(truth.data.size()));
     });
 }
@@ -74,7 +74,7 @@ TEST_CASE("normals that point straight away from the camera make no holes in the
     Camera camera;
     camera.orthographic = true;
     camera.to_world = look_at({0, 0, 3}, {0, 0, 0}, {0, 1, 0});
-    // Seen so, s0 of order 0 does not depend on the azimuth that rounding makes of it.
+    // In this view s0 of order 0 does not depend on the azimuth, which rounding decides.
     const StokesImage threads = rendered(context, scene, camera, Executor::cpu, 0);
     const StokesImage shaders = rendered(context, scene, camera, Executor::compute, 0);
     CHECK(std::isfinite(largest(threads)));

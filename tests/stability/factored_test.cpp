@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Low orders: relight and shade in floats against doubles.
+// Tests of low orders: relight and shade in floats against doubles.
 #include "material/conductor.hpp"
 #include "shading/shade.hpp"
 #include "stability/double_transfer.hpp"
@@ -32,15 +32,15 @@ std::vector<std::vector<glm::vec4>> shaded(const test::Vertices& vertices, const
     return out;
 }
 
-// Sums of some hundred products, each term rounded a few times to 2^-24 of itself: ten thousand times less
-// than what the truncation to low orders costs.
+// Bound for sums of some hundred products with terms rounded a few times to 2^-24, ten thousand times below
+// the truncation error of low orders.
 constexpr double bound = 2e-6;
-// Numbers of the shadow's matrix are off by up to 3.1e-5 where 16 bits keep them, 25 in a row of order 4.
+// Bound for shadow matrices stored in 16 bits, whose numbers are off by up to 3.1e-5, 25 in a row of order 4.
 constexpr double fixed_bound = 4e-4;
 
 struct Worst {
     double floats = 0;
-    double shadows = 0;  // as the renderer keeps them, in 16 bits
+    double shadows = 0;  // with shadows in 16 bits, as the renderer stores them
 };
 
 double compare(const test::Vertices& vertices, const LightLayout& layout, const test::Lights& lights,
@@ -68,7 +68,7 @@ double compare(const test::Vertices& vertices, const LightLayout& layout, const 
     return worst;
 }
 
-// Where all vertices are unoccluded, and where they are not.
+// Compares with the given occlusion, then with all vertices unoccluded.
 Worst compare(test::Vertices vertices, const LightLayout& layout, const test::Lights& lights,
               const std::vector<MaterialPtr>& materials) {
     Worst worst;
@@ -109,7 +109,7 @@ TEST_CASE("low orders: floats stay with doubles, under any light, at any size an
              {"stress lights", 4, full, vertices, test::stress_lights(4), materials()},
              {"small", 4, full, test::Vertices(directions(), 1e-6, 0), random(4, 3, 4, 1), materials()},
              {"large", 4, full, test::Vertices(directions(), 1e6, 0), random(4, 3, 4, 1), materials()},
-             // The highest orders that are rendered with their full detail.
+             // These are the highest orders rendered with full detail.
              {"high", 16, LightKind::linear, few, random(16, 1, 3, 5), plastic},
              {"high", 32, LightKind::linear, few, random(32, 1, 3, 5), plastic}}) {
         CAPTURES(row.name, row.order);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// High orders: look-ups in floats against doubles.
+// Tests of high orders: lookups in floats against doubles.
 #include <optional>
 
 #include "material/chiral_material.hpp"
@@ -23,8 +23,8 @@ const DirectionSet& directions() {
     return set;
 }
 
-// The texture coordinate of a float is off by 2^-24 of the map's width, 1e-4 texels of the largest map, times
-// the field's change from texel to texel, a tenth of its size.
+// Texture coordinates in floats are off by 2^-24 of the map's width, 1e-4 texels of the largest map. The
+// field changes by a tenth of its size per texel.
 constexpr double bound = 2e-5;
 
 test::Deviation compare(const test::Vertices& vertices, const Material& material, const PshVector& light,
@@ -44,7 +44,7 @@ test::Deviation compare(const test::Vertices& vertices, const Material& material
                       std::min(kLanes, count - first), lanes.data());
         seen.set(first / kLanes, lanes.data());
     }
-    // Of the coefficients as they are kept: what 16 bits leave of them is another matter.
+    // The truth uses the stored coefficients, so that the loss of 16 bits does not count.
     std::vector<float> kept(psh_count(visibility_order));
     std::vector<glm::dvec2> fractions_truth;
     for (std::size_t v = 0; v < count; ++v) {
@@ -85,7 +85,7 @@ TEST_CASE("high orders: floats stay with doubles, under any light and at any siz
     for (const int high : {9, 32})
         for (const MaterialPtr& material : {plastic, gold, test::chiral(gold)})
             for (const auto& [name, light] : test::usual_lights(high))
-                if (name != "even light") check(name, vertices, material, light, high);  // has no high orders
+                if (name != "even light") check(name, vertices, material, light, high);  // no high orders
     for (const auto& [name, light] : test::stress_lights(9)) check(name, vertices, plastic, light, 9);
     for (const double unit : {1e-6, 1e6})
         check("unit " + std::to_string(unit), test::Vertices(directions(), unit), plastic,

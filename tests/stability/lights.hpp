@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lights for tests of stability, by name.
+// Named lights for the stability tests.
 #pragma once
 
 #include <map>
@@ -12,7 +12,7 @@ namespace nicol::test {
 
 using Lights = std::map<std::string, PshVector>;
 
-/// An image of `background` with one pixel of `pixel` in it.
+/// Returns an image of `background` with one pixel of value `pixel`.
 inline EnvironmentPtr hot_pixel(const Stokes& background, const Stokes& pixel) {
     EquirectImage image(64, 33, 3);
     for (std::size_t i = 0; i < image.data.size(); ++i)

@@ -25,7 +25,7 @@ TEST_CASE("a rotation and a shift are found between placements") {
     CHECK(largest(*motion - some_motion()) < 1e-12);
     CHECK(largest(inverse_motion(*motion) * some_motion() - glm::dmat4(1)) < 1e-12);
     CHECK(*rigid_motion(before, before) == glm::dmat4(1));
-    // As an engine has them.
+    // Engines store matrices in single precision.
     const auto coarse = rigid_motion(before, glm::dmat4(glm::mat4(some_motion() * before)));
     REQUIRE(coarse);
     CHECK(largest(*coarse - some_motion()) < 2e-5);
@@ -51,7 +51,7 @@ TEST_CASE("the rotation in a matrix rotates with it, mirrored or not") {
         CHECK(glm::determinant(rotation) > 0);
         const glm::dmat3 more(some_motion());
         CHECK(largest(rotate_in(more * m) - more * rotation) < 1e-9);
-        // What is left is symmetric.
+        // The remaining factor is symmetric.
         const glm::dmat3 rest = glm::transpose(rotation) * m;
         CHECK(largest(rest - glm::transpose(rest)) < 1e-9);
     }

@@ -56,7 +56,7 @@ TEST_CASE("the largest instance carries the axes") {
     for (int i = 0; i < 3; ++i)
         CHECK(glm::distance(fresh.own_axes()[i], glm::dmat3(motion) * axes[i]) < 1e-12);
 
-    // Scaled, it is another shape; the other one is where it was.
+    // Scaling changes the shape of the largest instance, while the other one stays.
     scene.set_transform(0, glm::scale(motion, glm::dvec3(1.1)));
     surfaces.update(scene);
     CHECK(surfaces.version() > first);
@@ -89,7 +89,7 @@ TEST_CASE("a change reports what is kept and where the rest is") {
     surfaces.update(scene);
     REQUIRE(surfaces.geometry().ranges.size() == 1);
     CHECK(surfaces.geometry().ranges[0].instance == 1);
-    // It is the largest now, and was kept in other axes.
+    // The remaining instance is now the largest, but was stored in other axes.
     CHECK(surfaces.to_world() == glm::dmat4(1));
     scene.remove(1);
     surfaces.update(scene);

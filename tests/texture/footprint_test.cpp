@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Mipmaps against means over what a pixel covers.
+// Tests of mipmaps against means over pixel footprints.
 #include "texture/footprint.hpp"
 
 #include <glm/geometric.hpp>
@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kSide = 64;
 
-/// Waves of 9 texels and more in several directions, of standard deviation 1.
+/// Returns waves of 9 texels and more in several directions, with standard deviation 1.
 TextureImage waves() {
     TextureImage image{.width = kSide, .height = kSide, .channels = 1};
     constexpr int crests[6][2] = {{7, 0}, {0, 7}, {3, 3}, {-4, 5}, {6, 2}, {-2, 3}};
@@ -33,7 +33,7 @@ glm::vec2 rotated(const glm::vec2& v, float angle) {
     return {std::cos(angle) * v.x - std::sin(angle) * v.y, std::sin(angle) * v.x + std::cos(angle) * v.y};
 }
 
-/// What a pixel covers, in texels: a rectangle, or a parallelogram of the same second moments, whose longer
+/// Returns a pixel footprint in texels: a rectangle, or a parallelogram of equal second moments, whose longer
 /// axis has this angle.
 TexturePoint covering(const glm::vec2& uv, float shorter, float ratio, float angle, float shear) {
     const auto side = [&](float a) {
@@ -42,7 +42,7 @@ TexturePoint covering(const glm::vec2& uv, float shorter, float ratio, float ang
     return {.uv = uv, .du = side(shear), .dv = side(shear + glm::radians(90.0F))};
 }
 
-/// Of value(point) over the parallelogram.
+/// Returns the mean of value(point) over the parallelogram.
 template <class Value>
 auto mean(const TexturePoint& over, const Value& value) {
     constexpr int count = 32;
@@ -87,7 +87,7 @@ TEST_CASE("a mipmap's value and slope are the means over the footprint, however 
                         slope_error += glm::dot(wrong_slope, wrong_slope) / points;
                     }
                     CHECK(std::sqrt(error) < (ratio < 4 ? 0.02F : 0.09F));
-                    // Of slopes of 35.
+                    // Typical slopes are 35.
                     CHECK(std::sqrt(slope_error) < (ratio > 8 ? 8 : 4.5F));
                 }
     }
@@ -114,7 +114,7 @@ TEST_CASE("as many places as a footprint is stretched have its second moments") 
                                     uv) < 1e-6F);
                 const float longer = row.shorter * row.ratio, shorter = std::max(row.shorter, longer / 16);
                 const float width = shorter / rows;
-                // The longer axis of a square may lie anywhere.
+                // The longer axis of a square is arbitrary.
                 const float turned = row.ratio > 1 ? angle : std::atan2(taps.step.y, taps.step.x);
                 const glm::vec2 step = float{kSide} * rotated(taps.step, -turned);
                 const glm::vec2 side = float{kSide} * rotated(taps.side, -turned);

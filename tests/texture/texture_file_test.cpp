@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Images of textures from files.
+// Tests of texture images from files.
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
@@ -14,7 +14,7 @@ using namespace nicol;
 
 namespace {
 
-/// A file of floats, interleaved as they are named.
+/// Writes a file of floats, interleaved in the order of their names.
 void write_channels(const std::filesystem::path& path, int width, int height,
                     const std::vector<std::string>& names, const std::vector<float>& values,
                     int sampling = 1) {
@@ -31,7 +31,7 @@ void write_channels(const std::filesystem::path& path, int width, int height,
     file.writePixels(height);
 }
 
-/// IEC 61966-2-1.
+/// Decodes sRGB by IEC 61966-2-1.
 double linear_from_srgb(double encoded) {
     return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
 }
@@ -126,7 +126,7 @@ TEST_CASE("colours are decoded from sRGB, coverage is not") {
 
 TEST_CASE("grey with coverage has four channels") {
     const TemporaryFolder folder;
-    // TGA of 16 bits: grey, alpha; 2 x 1, from the top.
+    // A 16-bit TGA of grey and alpha, 2 x 1 pixels, from the top.
     const std::string head("\0\0\3\0\0\0\0\0\0\0\0\0\2\0\1\0\x10\x28", 18);
     const auto file = folder.write("a.tga", head + std::string("\x33\x66\xff\0", 4));
     const TextureImage raw = load_texture_image(file, true);

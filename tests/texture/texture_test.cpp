@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Textures against direct formulas.
+// Tests of textures against direct formulas.
 #include "texture/texture.hpp"
 
 #include "test.hpp"
@@ -33,7 +33,7 @@ double texel(const TextureImage& image, int x, int y, int channel, Wrap wrap) {
         image.values[static_cast<std::size_t>(at * image.channels + std::min(channel, image.channels - 1))]);
 }
 
-/// By the definition: tents of one texel about texel centres.
+/// Interpolates by definition: tents of one texel about texel centres.
 double bilinear(const TextureImage& image, double u, double v, int channel, Wrap wrap) {
     const double x = u * image.width - 0.5, y = v * image.height - 0.5;
     double sum = 0;
@@ -62,7 +62,7 @@ std::vector<glm::vec2> random_points(int count) {
 TexturePoint at(const glm::vec2& uv) {
     return {.uv = uv};
 }
-/// A pixel that covers this many texels of an image each way.
+/// Returns a pixel that covers this many texels of an image in each direction.
 TexturePoint covering(const glm::vec2& uv, float texels, const TextureImage& image) {
     return {.uv = uv,
             .du = {texels / static_cast<float>(image.width), 0},
@@ -193,7 +193,7 @@ TEST_CASE("the gradient is the slope of the interpolated image") {
                     return (texture->at(at(uv + by)).x - texture->at(at(uv - by)).x) / (2 * step);
                 };
                 const glm::vec2 differences(difference({step, 0}), difference({0, step}));
-                // The slope jumps where the differences reach into the next cell.
+                // The slope jumps where a difference reaches into the next cell.
                 if (!(glm::distance(slope, differences) < 0.02F)) ++corners;
                 CHECK(blocks->gradient(at(uv)) == slope);
             }
@@ -217,7 +217,7 @@ TEST_CASE("levels halve an image, and every one has its mean") {
                   doctest::Approx(static_cast<double>(image_texture(image)->mean().y)).epsilon(1e-5));
         }
     }
-    // What a texel covers, of five texels 0 1 2 3 4 in two.
+    // Each of two texels covers half of the five texels 0 1 2 3 4.
     const TextureImage five{.width = 5, .height = 1, .channels = 1, .values = {0, 1, 2, 3, 4}};
     const std::vector<float> halves = image_levels(five)[1].values;
     CHECK(halves[0] == doctest::Approx((0 + 1 + 0.5 * 2) / 2.5));
@@ -225,12 +225,12 @@ TEST_CASE("levels halve an image, and every one has its mean") {
 }
 
 TEST_CASE("a mipmap shows what a pixel covers") {
-    // Squares of one texel: grey from afar, without levels whatever a pixel's centre hits.
+    // Squares of one texel look grey from afar. Without levels the pixel's centre would decide.
     TextureImage squares{.width = 64, .height = 64, .channels = 1};
     for (int i = 0; i < 64 * 64; ++i) squares.values.push_back(static_cast<float>((i + i / 64) % 2));
     const TexturePtr far = image_texture(squares, {.filter = Filter::mipmap});
     for (const glm::vec2& uv : random_points(20)) {
-        // The mean itself differs by a thirtieth from place to place.
+        // The mean varies by a thirtieth from place to place.
         CHECK(far->at(covering(uv, 2.5F, squares)).x == doctest::Approx(0.5).epsilon(0.05));
         CHECK(far->at(covering(uv, 5.0F, squares)).x == doctest::Approx(0.5));
     }
@@ -243,7 +243,7 @@ TEST_CASE("a mipmap shows what a pixel covers") {
         CHECK(texture->at(at(uv)) == flat->at(at(uv)));
         CHECK(texture->at(covering(uv, 0.3F, image)) == flat->at(at(uv)));
         CHECK(texture->gradient(covering(uv, 0.3F, image)) == flat->gradient(at(uv)));
-        // Four places, a quarter of the way from level 1 to level 2.
+        // The footprint takes four places, a quarter of the way from level 1 to level 2.
         const float covered = 2 * std::sqrt(2 * (4 * 10.0F / 7 - 0.875F));
         const glm::vec4 between = texture->at(covering(uv, covered, image));
         for (int c = 0; c < 4; ++c) {
@@ -278,7 +278,7 @@ TEST_CASE("what is said of a whole image is true of its values") {
         CHECK_FALSE(texture->needs_colors(ColorsOf::vertices));
     }
     CHECK(image_texture(random_image(9, 9, 1), {.filter = Filter::nearest})->values().empty());
-    // One value in the first channel, but not in the others.
+    // The first channel has one value, but the other channels vary.
     const TextureImage red{.width = 2, .height = 1, .channels = 3, .values = {3, 1, 0, 3, 2, 0}};
     CHECK(image_texture(red)->values() == std::vector<float>{3});
     CHECK_FALSE(image_texture(red)->constant());
@@ -326,7 +326,7 @@ TEST_CASE("a checkerboard has four squares a unit, the first of color0") {
     CHECK(board->values() == std::vector<float>{0.1F, 0.8F});
     CHECK(board->range() == glm::vec2(0.1F, 0.8F));
     CHECK(board->needs_texcoords());
-    // Colours that share their first channel.
+    // Both colours have equal first channels.
     CHECK(checkerboard_texture({1, 0, 0}, {1, 1, 0}, 3)->values() == std::vector<float>{1});
 }
 
@@ -382,7 +382,7 @@ TEST_CASE("a tint is a colour over its luminance") {
     const TexturePtr image =
         image_texture({.width = 2, .height = 1, .channels = 3, .values = {0.2F, 0.8F, 0.1F, 0, 0, 0}},
                       {.filter = TextureSampling::Filter::nearest});
-    // Their first square or pixel, black, and their second.
+    // Each texture has a black and a coloured part.
     for (const auto& [texture, black, colored] : {std::tuple(board, glm::vec2(0.1F), glm::vec2(0.6F, 0.1F)),
                                                   {image, glm::vec2(0.75F, 0.5F), glm::vec2(0.25F, 0.5F)}}) {
         const TexturePtr tint = tint_texture(texture);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Contexts, and objects of one context, used from several threads at once. Without a sanitizer it tells wrong
-// images, with ThreadSanitizer every unordered access.
+// Tests of contexts, and of objects of one context, used from several threads at once. Without a sanitizer
+// they detect wrong images, and with ThreadSanitizer every unordered access.
 #include <atomic>
 #include <thread>
 
@@ -8,8 +8,8 @@
 
 #ifdef __SANITIZE_THREAD__
 #include <tbb/global_control.h>
-// oneTBB is not instrumented: how it hands work to threads of its own looks like a race. Here every loop runs
-// on the thread that began it.
+// oneTBB is not instrumented, so handing work to its threads looks like a race. With this limit every loop
+// runs on the thread that started it.
 static const tbb::global_control no_workers(tbb::global_control::max_allowed_parallelism, 1);
 #endif
 
@@ -26,8 +26,8 @@ nicol_context context_of(nicol_backend backend, std::uint32_t threads) {
     return nicol_context_create(&options, &context) == NICOL_OK ? context : nullptr;
 }
 
-/// A cube under a sky, and every call that a program makes each frame. Answers whether all went well;
-/// doctest's own checks stay out of the threads.
+/// A cube under a sky, with every call that a program makes each frame. Results are booleans, because
+/// doctest's checks must stay out of the threads.
 class Painting {
 public:
     explicit Painting(nicol_context context) {
@@ -56,7 +56,8 @@ public:
     Painting(const Painting&) = delete;
     Painting& operator=(const Painting&) = delete;
 
-    /// The image with the light rotated this many quarters about the vertical axis; empty on failure.
+    /// Renders with the light rotated by this many quarter turns about the vertical axis. Returns the image,
+    /// or nothing on failure.
     std::vector<float> frame(int quarters) {
         constexpr double cosines[] = {1, 0, -1, 0};
         const double c = cosines[quarters % 4], s = cosines[(quarters + 3) % 4];
@@ -86,7 +87,7 @@ private:
     bool good_ = false;
 };
 
-/// Runs body(i) on a thread each and counts those that answered false.
+/// Runs body(i) on one thread each and counts the calls that returned false.
 template <class Body>
 int failures(int threads, Body body) {
     std::atomic<int> failed = 0;
@@ -156,7 +157,7 @@ TEST_CASE("threads fail, log and cancel at once") {
     nicol_context_options options = NICOL_CONTEXT_OPTIONS_INIT;
     options.backend = NICOL_BACKEND_EGL;
     options.threads = 1;
-    options.cache_folder = "/proc/no/such/folder";  // a notice for every table that is not kept
+    options.cache_folder = "/proc/no/such/folder";  // causes a notice for every table that cannot be kept
     options.log = [](void* user, std::uint32_t, nicol_result, const char*) {
         ++*static_cast<std::atomic<int>*>(user);
     };

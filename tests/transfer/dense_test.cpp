@@ -28,7 +28,8 @@ std::vector<double> some_visibility(int order, unsigned seed) {
     return visibility;
 }
 
-/// One step after another, in double precision: into the vertex's frame, shadow, material.
+/// Applies the steps one after another in double precision: rotation into the vertex's frame, shadow,
+/// material.
 PshVector reflected(const PshVector& light, const Frame& frame, const CoefficientMatrix* shadow,
                     const std::vector<IsotropicMatrix>& material) {
     PshVector local = rotated(light, glm::transpose(frame));
@@ -81,7 +82,7 @@ TEST_CASE("a dense matrix is rotation, shadow and material one after another") {
                         const auto got = out.block((v + 1) / kLanes, c);
                         for (std::size_t j = 0; j < numbers.size(); ++j)
                             error = std::max(error, std::abs(got[j][(v + 1) % kLanes] - numbers[j]));
-                        // What does not come out is zero.
+                        // Components that the material cannot produce must be zero.
                         for (std::size_t i = 0; i < expected.channel(c).size(); ++i)
                             if (i % 4 >= components)
                                 error = std::max(error, std::abs(expected.channel(c)[i]));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lights of their own at every vertex, into its frame and back.
+// Tests of rotating a separate light at every vertex into its frame and back.
 #include "transfer/frame_rotation.hpp"
 #include "harmonics/light_coefficients.hpp"
 #include "material/brute_force.hpp"

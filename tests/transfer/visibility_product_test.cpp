@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Visibility times light at vertices: every form equals the product of harmonics.
+// Tests of visibility times light at vertices: every form equals the product of harmonics.
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -20,7 +20,7 @@ const DirectionSet& directions() {
     return set;
 }
 
-// Vertices that see what lies on one side of a random plane, here and there one that sees all.
+// Vertices that see the environment on one side of a random plane. Some see all of it.
 struct Scene {
     explicit Scene(std::size_t vertices) : visibility(directions().size(), vertices) {
         std::mt19937 random(11);
@@ -49,7 +49,7 @@ struct Scene {
     std::vector<glm::vec3> normals;
 };
 
-// Other light at every vertex.
+// Returns a different light for every vertex.
 PshVector light_at(std::size_t vertex, int order, int channels, LightKind kind) {
     return test::random_light(order, channels, static_cast<int>(kind), static_cast<unsigned>(vertex) + 1);
 }
@@ -73,7 +73,7 @@ std::vector<float> numbers_at(const VertexLight& light, std::size_t vertex, int 
     return out;
 }
 
-// The largest difference from the product of harmonics, in units of the largest coefficient.
+// Returns the largest difference from the product of harmonics, relative to the largest coefficient.
 double error_of(const Scene& scene, const LightLayout& layout, int channels, const VertexLight& have) {
     const int order = layout.order();
     const VisibilityHarmonics harmonics(directions(), 2 * order);
@@ -140,11 +140,11 @@ TEST_CASE("unoccluded vertices keep their light, and blocks of them are not stor
         if (difference > 0.01F) ++shadowed;
     }
     CHECK(shadowed > 25);
-    // None in shadow.
+    // No vertex is in shadow.
     for (std::size_t v = 0; v < 56; ++v) scene.visibility.set_unoccluded(v, true);
     const VisibilityProduct none = scene.product(layout);
     CHECK(none.blocks() == 0);
-    CHECK(none.bytes() == 4 * sizeof(std::uint32_t));  // which block is stored: none of the four
+    CHECK(none.bytes() == 4 * sizeof(std::uint32_t));  // the index of stored blocks, all absent
 }
 
 TEST_CASE("the product is the same to the last bit in place, in pieces and beside other threads") {

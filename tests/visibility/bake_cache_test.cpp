@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Visibility kept on disk.
+// Tests of visibility kept on disk.
 #include "visibility/bake_cache.hpp"
 
 #include "files/cache_checks.hpp"
@@ -11,7 +11,7 @@ using namespace nicol;
 
 namespace {
 
-// Two sheets, one above the other.
+// Returns two sheets, one above the other.
 Mesh scene() {
     Mesh mesh = make_rectangle(2);
     const std::size_t count = mesh.positions.size();

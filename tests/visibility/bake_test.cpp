@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What vertices see of the environment past the triangles of the scene.
+// Tests of the environment that vertices see past the triangles of the scene.
 #include "visibility/bake.hpp"
 
 #include <tbb/task_arena.h>
@@ -22,7 +22,7 @@ const DirectionSet& few() {
     return set;
 }
 
-// A cone of height 2 with its tip up; the tip is one vertex with the axis for a normal, or one a face.
+// Returns a cone of height 2 with its tip up. The normal at the tip is the axis, or that of each face.
 Mesh make_cone(bool shared_tip) {
     constexpr int sides = 24;
     Mesh mesh;
@@ -54,7 +54,7 @@ void append(Mesh& to, const Mesh& mesh) {
     for (const glm::uvec3& t : mesh.triangles) to.triangles.push_back(t + first);
 }
 
-// One vertex at the origin that looks up, and a tiny triangle to hold it.
+// Returns one vertex at the origin that faces up, with a tiny triangle to hold it.
 Mesh lookout() {
     return {.positions = {{0, 0, 0}, {0.01F, 0, 0}, {0, 0.01F, 0}},
             .normals = std::vector<glm::vec3>(3, {0, 0, 1}),
@@ -125,7 +125,7 @@ TEST_CASE("a sphere above a plane blocks the cone that it fills") {
         for (std::size_t i = 0; i < set.size(); ++i) {
             const glm::dvec3 d(set.directions()[i]);
             const double angle = std::acos(std::clamp(glm::dot(d, glm::normalize(center)), -1.0, 1.0));
-            // The sphere's flat triangles lie a little inside of it.
+            // The sphere's flat triangles lie slightly inside the sphere.
             if (d.z < 1e-4 || std::abs(angle - half_angle) < 1e-3) continue;
             inside += angle < half_angle ? 1 : 0;
             CHECK(visibility.seen(0, i) == (angle > half_angle));
@@ -137,7 +137,7 @@ TEST_CASE("a sphere above a plane blocks the cone that it fills") {
 
 TEST_CASE("a far, large ground does not lift the shadow of what stands near") {
     Mesh scene = lookout();
-    // A lid 0.001 above the vertex, and a ground whose corners are 1e5 away.
+    // A lid lies 0.001 above the vertex, and the corners of the ground are 1e5 away.
     append(scene, placed(make_rectangle(1), 0.05, glm::dvec3(0, 0, 0.02)));
     append(scene, placed(make_rectangle(1), 1e5, glm::dvec3(0, 0, -1e-4)));
     const Visibility visibility = bake(geometry_of(scene), few());
@@ -170,7 +170,7 @@ TEST_CASE("each side of a two-sided surface has a visibility of its own") {
 
 TEST_CASE("a hole lets the environment in, and faces that are there twice make no difference") {
     Mesh box = make_cube(1);
-    // Corners of the top, which is the side that looks up.
+    // Removes the top, whose corners have upward normals.
     std::erase_if(box.triangles, [&](const glm::uvec3& t) { return box.normals[t.x].z > 0.5F; });
     flip_normals(box);
     const Visibility once = bake(geometry_of(box), few());
@@ -181,7 +181,8 @@ TEST_CASE("a hole lets the environment in, and faces that are there twice make n
     CHECK(std::ranges::equal(once.bits(), again.bits()));
     for (std::size_t v = 0; v < box.positions.size(); ++v) {
         if (box.normals[v].z < 0.5F) continue;
-        // A corner of the floor: the opening is a square two above, from straight up to one corner.
+        // Seen from a corner of the floor, the opening is a square two units above, with one corner straight
+        // overhead.
         for (std::size_t i = 0; i < few().size(); ++i) {
             const glm::vec3 d = few().directions()[i];
             if (d.z <= 0.01F) continue;

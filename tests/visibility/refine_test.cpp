@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Vertices where shadows change.
+// Tests of vertices added where shadows change.
 #include "visibility/refine.hpp"
 
 #include "geometry/mesh.hpp"
@@ -16,8 +16,8 @@ void append(Mesh& to, const Mesh& mesh, float scale, const glm::vec3& offset) {
     for (const glm::uvec3& t : mesh.triangles) to.triangles.push_back(t + first);
 }
 
-/// A floor of two triangles as wide as given each way, and a cube of half its width 0.2 that stands on it,
-/// away from all of the floor's edges.
+/// Returns a floor of two triangles of half width `half`, and a cube of half width 0.2 standing on it away
+/// from all edges of the floor.
 Mesh cube_on_floor(float half) {
     Mesh mesh;
     append(mesh, make_rectangle(1), half, {0, 0, 0});
@@ -47,7 +47,7 @@ Refined refine(const Mesh& mesh, const RefineOptions& options) {
     return out;
 }
 
-/// The cosine-weighted part of the hemisphere about +z that is seen.
+/// Returns the visible cosine-weighted part of the hemisphere about +z.
 double seen_from(const Visibility& visibility, std::size_t vertex) {
     double sum = 0;
     for (std::size_t i = 0; i < directions().size(); ++i) {
@@ -66,7 +66,7 @@ struct Surface {
             positions.push_back(0.5F * positions[p.x] + 0.5F * positions[p.y]);
     }
 
-    /// What is seen from a point of the floor, interpolated.
+    /// Returns the interpolated visible part at a point of the floor.
     double seen(double x, double y) const {
         for (std::size_t i = 0; i < refinement.triangles.size(); ++i) {
             if (refinement.sources[i] > 1) break;
@@ -96,7 +96,7 @@ TEST_CASE("interpolation meets what rays find between vertices, on floors of any
         const Surface surface(mesh, refined.refinement);
         CAPTURES(half, surface.positions.size());
         CHECK(surface.positions.size() < 4000);
-        // Points beside the cube, of a floor that is fine there.
+        // Probes lie beside the cube on a floor that is finely divided there.
         Mesh probes = mesh;
         constexpr int across = 12;
         append(probes, make_rectangle(across), 0.5F, {0.4512F, -0.4031F, 0});
@@ -139,7 +139,7 @@ TEST_CASE("added vertices see what a bake of the refined mesh finds") {
             bits += baked.seen(v, i) ? 1 : 0;
         }
     }
-    // Rays start beside their vertices by rounding, and in other directions.
+    // Rounding moves the start of rays beside their vertices, in different directions.
     CHECK(static_cast<double>(differing) < 2e-3 * static_cast<double>(bits));
 }
 
@@ -171,7 +171,8 @@ TEST_CASE("nothing is added where nothing is hidden, and no ray is traced") {
 }
 
 TEST_CASE("any triangles come to an end") {
-    // Many at an edge, slivers, none of any extent, vertices in one place, far away and tiny.
+    // The mesh has many triangles at one edge, slivers, triangles without extent, coincident vertices, and
+    // distant and tiny parts.
     Mesh bad = cube_on_floor(1e3F);
     append(bad, make_rectangle(1), 1e-6F, {0, 0, 1e-6F});
     append(bad, make_rectangle(1), 1, {0, 0, 0});

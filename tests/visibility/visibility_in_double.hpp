@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Visibility as harmonics by its definition, in double precision.
+// Visibility as harmonics by definition, in double precision.
 #pragma once
 
 #include "harmonics/scalar_harmonics.hpp"
@@ -9,8 +9,8 @@
 
 namespace nicol::test {
 
-/// Coefficients of a vertex's mirrored visibility over real harmonics, [psh_index(l, m)]: directions that are
-/// seen count 1, the others 0, and the part that is seen is exact in order 0.
+/// Returns coefficients of a vertex's mirrored visibility over real harmonics, [psh_index(l, m)]. Visible
+/// directions count 1 and others 0. The visible part is exact in order 0.
 inline std::vector<double> visibility_in_double(const Visibility& visibility, std::size_t vertex,
                                                 const glm::vec3& normal, const DirectionSet& directions,
                                                 int order) {

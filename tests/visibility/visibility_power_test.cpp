@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What shadows do to spectra, in the mean over all orientations.
+// Tests of the mean effect of shadows on spectra over all orientations.
 #include "visibility/visibility_power.hpp"
 
 #include <numeric>
@@ -13,7 +13,7 @@ namespace {
 
 const glm::vec3 up(0, 1, 0);
 
-// One vertex that sees what lies within a cone about a direction, of that cosine, above its horizon.
+// Returns a vertex that sees a cone about `axis`, with this cosine of its half angle, above its horizon.
 Visibility cone(const DirectionSet& directions, const glm::vec3& axis, float cosine) {
     Visibility visibility(directions.size(), 1);
     for (std::size_t i = 0; i < directions.size(); ++i) {
@@ -24,7 +24,7 @@ Visibility cone(const DirectionSet& directions, const glm::vec3& axis, float cos
     return visibility;
 }
 
-/// A spectrum after it is multiplied by the visibility.
+/// Returns a spectrum after multiplication with the visibility.
 std::vector<double> shadowed(const VisibilityPower& power, const std::vector<double>& response, int spin) {
     const std::size_t size = response.size();
     const std::vector<double> coupling = power.coupling(static_cast<int>(size) - 1, spin);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The directions of visibility, and visibility as harmonics.
+// Tests of visibility directions, and of visibility as harmonics.
 #include "directions.hpp"
 #include "files/npz.hpp"
 #include "geometry/mesh.hpp"
@@ -14,7 +14,7 @@ using namespace nicol;
 
 namespace {
 
-// What is seen by `sees`, above the horizon of one vertex.
+// Returns the visibility of one vertex: directions above its horizon that `sees` accepts.
 template <class Sees>
 Visibility visibility_of(const DirectionSet& set, const glm::vec3& normal, Sees sees) {
     Visibility out(set.size(), 1);
@@ -32,7 +32,8 @@ std::vector<float> projected(const DirectionSet& set, const Visibility& visibili
     return out;
 }
 
-// ((1 + axis . d) / 2)^8, which is of order 8 and nearly nothing more than 90 degrees off its axis.
+// Returns coefficients of ((1 + axis . d) / 2)^8, which has order 8 and nearly vanishes more than 90 degrees
+// off its axis.
 std::vector<double> lobe(const glm::dvec3& axis) {
     return test::project_scalar(
         8, [&](const glm::dvec3& d) { return std::pow((1 + glm::dot(axis, d)) / 2, 8); });
@@ -73,7 +74,7 @@ TEST_CASE("every stratum of the sphere holds about as many directions as any oth
     std::mt19937 random(5);
     for (int k = 0; k < 50; ++k) {
         const glm::vec3 axis(random_direction(random));
-        // A cap of a fiftieth of the sphere.
+        // The cap is a fiftieth of the sphere.
         const auto inside = std::ranges::count_if(
             set.directions(), [&](const glm::vec3& d) { return glm::dot(d, axis) > 0.96F; });
         CHECK(std::abs(static_cast<double>(inside) - 0.02 * 2048) < 6);
@@ -136,8 +137,8 @@ TEST_CASE("the visibility of a vertex of the authors' data equals theirs") {
     const Mesh mesh = load_mesh(file.parent_path() / "buddha.obj");
     const DirectionSet set(512);
     const Visibility visibility = bake({mesh.positions, mesh.normals, mesh.triangles}, set);
-    // They count vertices in another order, and keep what is below the normal's horizon: compared is what
-    // lobes about directions near the normal see of it.
+    // The authors number vertices differently and keep directions below the horizon. The test therefore
+    // compares what lobes about directions near the normal see.
     constexpr std::size_t vertex = 17473;
     const glm::vec3 normal = mesh.normals[vertex];
     const Frame frame = theta_phi_frame(glm::dvec3(normal));
@@ -154,6 +155,6 @@ TEST_CASE("the visibility of a vertex of the authors' data equals theirs") {
         CHECK(std::abs(want - have) < 0.015);
         least = std::min(least, want);
     }
-    // Seeing all would not do.
+    // Full visibility would fail this test.
     CHECK(least < 0.96);
 }

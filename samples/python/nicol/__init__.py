@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Nicol: polarized light in real time.
 
-Every function of the C headers is here without its prefix, as a method where it begins with the name of a handle or struct:
-nicol_scene_load is Scene.load, nicol_render is render. What C returns through pointers is returned, failures raise Error.
+Every function of the C headers is here without its prefix. A function that begins with the name of a handle or struct is a
+method: nicol_scene_load is Scene.load, nicol_render is render. Results through pointers are returned, failures raise Error.
 """
 
 import math
@@ -24,10 +24,10 @@ class Framebuffer(_abi.Framebuffer):
     __doc__ = _abi.Framebuffer.__doc__
 
     def plane(self, plane=_abi.PLANE_STOKES, channel=0, out=None):
-        """One plane as an array (height, width), with three numbers a pixel of normals and positions, four of Stokes
-        vectors and their variance: a numpy array, without numpy a memoryview. channel ALL_CHANNELS: (height, width, channels) and so on.
-        Numbers are 32-bit floats, of PLANE_INSTANCE unsigned integers. The library writes straight into `out` where it
-        is given, which may be of 16-bit floats, and a part of a larger array as long as its rows are in one piece."""
+        """Returns one plane as an array (height, width), with three numbers per pixel for normals and positions, and four for
+        Stokes vectors and their variance. It is a numpy array, or a memoryview without numpy. channel ALL_CHANNELS: (height, width,
+        channels) and so on. Numbers are 32-bit floats, for PLANE_INSTANCE unsigned integers. If `out` is given, the library writes
+        into it: it may hold 16-bit floats, and may be part of a larger array if its rows are contiguous."""
         width, height, channels = self.get_size()
         shape = (height, width)
         if channel == _abi.ALL_CHANNELS:
@@ -62,7 +62,8 @@ _FORMATS = {"f": _abi.FORMAT_FLOAT32, "e": _abi.FORMAT_FLOAT16, "I": _abi.FORMAT
 def mesh_data(
     positions, indices, normals=None, texcoords=None, texcoord_indices=None, colors=None, face_colors=None
 ):
-    """For Mesh.create, from arrays of three numbers a vertex and a triangle, of texture coordinates two."""
+    """Returns MeshData for Mesh.create, from arrays of three numbers per vertex or triangle, and two per texture
+    coordinate."""
     fields = {"positions": positions, "indices": indices, "normals": normals, "texcoords": texcoords,
               "texcoord_indices": texcoord_indices, "colors": colors, "face_colors": face_colors}  # fmt: skip
     counts = {}
@@ -85,8 +86,8 @@ def mesh_data(
 
 
 def texture_image(pixels):
-    """For Texture.create_image, from numbers of shape (height, width) or (height, width, channels): unsigned of 8 or
-    16 bits, or 32-bit floats."""
+    """Returns TextureImage for Texture.create_image, from numbers of shape (height, width) or (height, width, channels):
+    unsigned with 8 or 16 bits, or 32-bit floats."""
     view = memoryview(pixels)
     if view.ndim not in (2, 3):
         raise ValueError(f"pixels have the shape {view.shape}; it must be (height, width) or (height, width, channels)")
@@ -104,8 +105,8 @@ _TEXELS = {"B": _abi.TEXEL_UINT8, "H": _abi.TEXEL_UINT16, "f": _abi.TEXEL_FLOAT3
 
 
 def image(pixels):
-    """For Environment.create_image, from numbers of shape (height, width, channels), or (height, width, channels, 4)
-    for Stokes vectors."""
+    """Returns Image for Environment.create_image, from numbers of shape (height, width, channels), or (height, width,
+    channels, 4) for Stokes vectors."""
     view = memoryview(pixels)
     if view.ndim not in (3, 4):
         raise ValueError(f"pixels have the shape {view.shape}; it must be (height, width, channels) or (..., channels, 4)")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What the functions of _abi.py stand on: the shared library, errors, handles, structs and buffers."""
+"""Runtime of _abi.py: the shared library, errors, handles, structs and buffers."""
 
 import ctypes
 import ctypes.util
@@ -31,20 +31,20 @@ def declare(name, result, *parameters):
 
 
 class Error(Exception):
-    """A call that failed; code is one of ERROR_..., the text says what would be right."""
+    """A failure of the library; code is one of ERROR_..., the text states the valid values."""
 
     def __init__(self, code, message):
         super().__init__(message)
         self.code = code
 
 
-_raised = []  # by callbacks, whose calls then end with ERROR_CANCELLED
+_raised = []  # exceptions of callbacks, whose calls then end with ERROR_CANCELLED
 _cancelled = 9
 _last_error = declare("nicol_last_error", ctypes.c_char_p)
 
 
 def check(result):
-    """Raises what a callback raised, or the library's error."""
+    """Raises the exception of a callback, or the library's error."""
     if result == _cancelled and _raised:
         error = _raised[0]
         _raised.clear()
@@ -63,8 +63,8 @@ def texts(values):
 
 
 class Handle(ctypes.c_void_p):
-    """An object of the library. It is released by `with`, release(), or with its last reference in Python; the
-    library keeps what other objects need."""
+    """An object of the library. `with`, release(), or the end of its last reference in Python releases it; the library
+    keeps everything that other objects need."""
 
     @classmethod
     def from_param(cls, value):
@@ -91,11 +91,11 @@ class Handle(ctypes.c_void_p):
 
 
 class Callback:
-    """A kind of C function that a Python function can stand in for. It is called without C's `user`; arrays arrive as
-    such, strings as str. To answer None or True is to go on."""
+    """A type of C function that a Python function can implement. The Python function is called without C's `user`; arrays
+    arrive as arrays, strings as str. The return value None or True means to continue."""
 
     def __init__(self, result, *parameters):
-        # (type, its place, how Python sees it) of all but void* user.
+        # Position and conversion of each parameter except void* user.
         self.seen = [(place, see) for place, (_, see) in enumerate(parameters) if see]
         self.result = result
         self.type = ctypes.CFUNCTYPE(result, *[type_ for type_, _ in parameters])
@@ -130,7 +130,7 @@ def decoded(value):
 
 
 def flat(value):
-    """The numbers of a sequence, of nested rows, or of a numpy array as a list."""
+    """Returns the numbers of a sequence, of nested rows, or of a numpy array as a list."""
     numbers = list(value)
     while numbers and hasattr(numbers[0], "__len__"):
         numbers = list(itertools.chain.from_iterable(numbers))
@@ -138,8 +138,8 @@ def flat(value):
 
 
 class Buffer:
-    """Memory of C numbers in Python's hands: a numpy array, array.array, memoryview, or a sequence to copy. What the
-    library only reads is converted where it holds other numbers of the same kind, or none in one piece."""
+    """Python's memory of C numbers: a numpy array, array.array, memoryview, or a sequence to copy. Input of the library
+    is converted if it holds other numbers of the same kind or is not contiguous."""
 
     def __init__(self, value, type_, writable=False, rows=False):
         self.pointer, self.count, self.nbytes, self.stride = None, 0, 0, 0
@@ -193,7 +193,7 @@ class Buffer:
 
 
 class Memory:
-    """Memory of any numbers in Python's hands that the library writes to, or only reads."""
+    """Python's memory of any numbers that the library writes to, or only reads."""
 
     def __init__(self, value, writable=True):
         view = memoryview(value)
@@ -212,14 +212,14 @@ class Memory:
 
 
 def counted(*buffers):
-    """The count that buffers share."""
+    """Returns the common count of buffers."""
     if len({buffer.count for buffer in buffers}) > 1:
         raise ValueError(f"buffers of {', '.join(str(buffer.count) for buffer in buffers)} values; they must agree")
     return buffers[0].count
 
 
 def array(value, type_, count):
-    """A C array of this length from a sequence; nested rows and numpy arrays are flattened."""
+    """Returns a C array of this length from a sequence; nested rows and numpy arrays are flattened."""
     if value is None:
         return None
     numbers = flat(value)
@@ -229,11 +229,11 @@ def array(value, type_, count):
 
 
 class Struct(ctypes.Structure):
-    """A descriptor. Keywords set its fields, all others have their defaults; a spectrum takes a number or one
-    a channel; pointers take buffers, callbacks take functions, both kept alive as long as they are in use."""
+    """A descriptor. Keywords set its fields, all other fields have their defaults. A spectrum accepts a number or one per
+    channel. Pointers accept buffers and callbacks accept functions, both kept alive while they are in use."""
 
     _callbacks_ = {}
-    _read_only_ = {}  # fields of memory that the library does not write to
+    _read_only_ = {}  # pointer fields whose memory the library only reads
     _defaults_ = {}
 
     def __init__(self, **fields):
@@ -278,7 +278,7 @@ class Struct(ctypes.Structure):
 
     @classmethod
     def of(cls, value):
-        """A spectrum from a number or numbers."""
+        """Returns a spectrum from a number or numbers."""
         if "values" not in cls._types_:
             raise TypeError(f"a nicol.{cls.__name__} is wanted, not {value!r}")
         values = list(value) if hasattr(value, "__len__") else [value]
@@ -295,7 +295,7 @@ class Struct(ctypes.Structure):
         return f"nicol.{type(self).__name__}({', '.join(fields)})"
 
 
-_lent = {}  # what the library still uses: number -> objects
+_lent = {}  # objects that the library still uses, by number
 _numbers = itertools.count(1)
 
 
@@ -307,8 +307,8 @@ _give_back_callback = ctypes.CFUNCTYPE(None, ctypes.c_void_p)(_give_back)
 
 
 def lend(struct):
-    """The struct, for a call after which the library goes on using its buffers and functions. They live until it calls
-    `release`, which is set here; without such a field they live for ever."""
+    """Returns the struct for a call after which the library continues to use its buffers and functions. These live until
+    the library calls `release`, which is set here, or forever if there is no such field."""
     if struct is not None and any(struct._kept.values()):
         number = next(_numbers)
         _lent[number] = list(struct._kept.values())

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// What the pointer and the keys do. Each calls change() with what becomes different, or move() for the camera and light.
+// Actions of the pointer and the keys. Each calls change() with the differences, or move() for the camera and light.
 
 const clamp = (value, least, most) => Math.max(least, Math.min(most, value));
-// Into -180 to 180, so that limits of the service never are met.
+// Wraps an angle into -180 to 180, so that it never exceeds limits of the service.
 const rotated = (angle) => ((((angle + 180) % 360) + 360) % 360) - 180;
 
 export function orbit(state, dx, dy) {
@@ -15,7 +15,7 @@ export function zoom(state, factor) {
   return { distance: clamp(state.distance * factor, state.nearest, state.farthest) };
 }
 
-// Drags on the image; `hover` gets pixels of it.
+// Handles drags on the image; `hover` gets pixel coordinates.
 export function listenToImage(canvas, { state, move, hover }) {
   const fingers = new Map();
   let spread = 0;

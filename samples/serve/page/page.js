@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The page: what is shown, when it is fetched again, and where each number stands.
+// The page: state, requests for images, and display of numbers.
 import { listenToDial, listenToKeys, listenToImage } from "/controls.js";
 import { showProbe } from "/probe.js";
 import { Stokes } from "/stokes.js";
@@ -12,7 +12,7 @@ const state = {
   scene: null, azimuth: 0, elevation: 0, distance: 1, nearest: 0.1, farthest: 10, moved: false, light: 0, light_tilt: 0,
   polarizer: 0, view: "polarizer", exposure: 0, split: false, dragLight: false, probe: [0.5, 0.5],
 };
-// "half" the resolution while something moves; a scene's first image "rounded"; else "all".
+// detail: "half" the resolution during movement; "rounded" for a scene's first image; else "all".
 let view, stokes, limits, scenes, detail = "all", wanted = 0, shown = -1, fetching = false;
 
 function say(text) {
@@ -39,7 +39,7 @@ function target([width, height]) {
 
 const pause = (seconds) => new Promise((resolve) => setTimeout(resolve, 1000 * seconds));
 
-// One request at a time; what changes meanwhile is asked for next, and what lies between is never rendered.
+// Runs one request at a time. Changes meanwhile are requested next, and intermediate states are never rendered.
 async function refresh() {
   if (fetching) return;
   fetching = true;
@@ -119,7 +119,7 @@ function nudge(dx, dy) {
 
 function choose(scene) {
   const { azimuth, elevation, distance } = scene;
-  // Its own camera may do what an orbit cannot, such as roll: it holds until something moves.
+  // The scene's camera may do things that an orbit cannot, such as roll, so it is used until something moves.
   Object.assign(state, { scene, azimuth, elevation, distance, moved: false });
   ask({ nearest: distance / 10, farthest: distance * 10, light: 0, light_tilt: 0 }, "rounded");
   ask({}, "all");

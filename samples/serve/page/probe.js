@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The numbers and the polarization ellipse of one pixel.
+// Numbers and polarization ellipse of one pixel.
 import { polarization } from "/stokes.js";
 
 const element = (id) => document.getElementById(id);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// An image of Stokes vectors, from what the service sends as stokes.planes: [component][channel][byte][row][column], each
-// 16-bit number as its difference to the one to its left.
+// An image of Stokes vectors, decoded from stokes.planes: [component][channel][byte][row][column], each 16-bit number
+// as its difference to its left neighbour.
 
 const numbers = new Float32Array(65536);
 for (let bits = 0; bits < 65536; ++bits) {
@@ -17,7 +17,7 @@ export class Stokes {
     this.width = width;
     this.height = height;
     this.channels = bytes.length / (2 * components * pixels);
-    // Half precision, [channel][row][column][4].
+    // Numbers in half precision, [channel][row][column][4].
     this.halves = new Uint16Array(4 * this.channels * pixels);
     let from = 0;
     for (let component = 0; component < components; ++component)
@@ -31,13 +31,13 @@ export class Stokes {
       }
   }
 
-  // The three planes that are shown as red, green and blue, as halves.
+  // Returns the three planes shown as red, green and blue, as halves.
   colours() {
     const size = 4 * this.width * this.height, last = this.channels - 1;
     return [0, Math.floor(last / 2), last].map((c) => this.halves.subarray(c * size, (c + 1) * size));
   }
 
-  // The mean of the channels at a pixel, counted from the top left.
+  // Returns the mean of the channels at a pixel, counted from the top left.
   at(x, y) {
     const size = 4 * this.width * this.height, place = 4 * (y * this.width + x), sum = [0, 0, 0, 0];
     for (let c = 0; c < this.channels; ++c)
@@ -45,7 +45,7 @@ export class Stokes {
     return sum;
   }
 
-  // The largest magnitude of s1, s2 and s3 each, or 1 where there is none; at index 0 that of s0.
+  // Returns the largest magnitude of each component, or 1 if all values are 0.
   largest() {
     const found = [0, 0, 0, 0];
     for (let i = 0; i < this.halves.length; ++i) {
@@ -56,8 +56,8 @@ export class Stokes {
   }
 }
 
-// What a Stokes vector says: degree and angle (radians from the right, counter-clockwise) of linear polarization, and
-// the ellipticity angle (above 0: right-handed, seen against the light).
+// Returns the degree and angle (radians from the right, counter-clockwise) of linear polarization, the degree of
+// polarization, and the ellipticity angle (above 0: right-handed, seen against the light).
 export function polarization([s0, s1, s2, s3]) {
   const polarized = Math.hypot(s1, s2, s3);
   return {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Draws a Stokes image as an observer sees it. Rotating the polarizer draws again; nothing is fetched.
+// Drawing of a Stokes image for an observer. Rotating the polarizer draws again without fetching.
 
 export const VIEWS = ["polarizer", "s0", "s1", "s2", "s3", "DoLP", "AoLP"];
 
@@ -97,7 +97,7 @@ export class View {
   }
 }
 
-// The colours of AoLP as a half wheel drawn twice, as angles and angles + 180 degrees are one.
+// Draws the colours of AoLP as a half wheel twice, because angles and angles + 180 degrees are equivalent.
 export function drawWheel(canvas) {
   const context = canvas.getContext("2d"), side = canvas.width, image = context.createImageData(side, side);
   for (let y = 0; y < side; ++y)
