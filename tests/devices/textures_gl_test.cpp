@@ -2,16 +2,13 @@
 // Tests of textured materials shaded at pixels by compute shaders, against the images of threads.
 #include <random>
 
+#include "devices/both_executors.hpp"
 #include "gl/contexts.hpp"
-#include "image_difference.hpp"
-#include "render/scenes.hpp"
 #include "render/textured.hpp"
 
 using namespace nicol;
+using test::BothExecutors;
 using test::falling_light;
-using test::rms;
-using test::rms_difference;
-using test::Studio;
 
 namespace {
 
@@ -52,7 +49,6 @@ Scene ball_over(const MaterialPtr& ball, const MaterialPtr& floor) {
 }  // namespace
 
 IMAGE_TEST_CASE("compute shaders texture as threads do") {
-    if (!GlExecutor::obstacle(*context).empty()) return;
     using Filter = TextureSampling::Filter;
     using Wrap = TextureSampling::Wrap;
     const MaterialPtr grey = diffuse({0.5});
@@ -94,19 +90,8 @@ IMAGE_TEST_CASE("compute shaders texture as threads do") {
             CAPTURE(row.name);
             CAPTURE(high);
             const Scene scene = ball_over(row.ball, row.floor);
-            RenderOptions options{.executor = Executor::cpu,
-                                  .bake_directions = 512,
-                                  .order_low = 4,
-                                  .order_high = high,
-                                  .shade_at = ShadeAt::pixels};
-            Studio threads(context);
-            const StokesImage expected = threads(scene, options);
-            options.executor = Executor::compute;
-            Studio device(context);
-            const StokesImage actual = device(scene, options);
-            CHECK(device.statistics.compute);
-            CHECK(device.statistics.pixels_shaded == threads.statistics.pixels_shaded);
-            // Single pixels may fall on different sides of a texel edge or of a rounding of the ray.
-            CHECK(rms_difference(actual, expected) < 3e-6 * rms(expected));
+            BothExecutors(context, 3)
+                .run(scene, {.order_low = 4, .order_high = high, .shade_at = ShadeAt::pixels},
+                     test::some_camera(), true);
         }
 }

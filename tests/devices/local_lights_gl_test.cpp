@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Tests of local lights and emissive surfaces with compute shaders, against the images of threads.
+#include "devices/both_executors.hpp"
 #include "gl/contexts.hpp"
-#include "image_difference.hpp"
-#include "render/scenes.hpp"
 #include "render/textured.hpp"
 
 using namespace nicol;
+using test::BothExecutors;
 using test::rms;
 using test::rms_difference;
 
@@ -59,44 +59,6 @@ Scene plain_still() {
     return still(pplastic({.diffuse_reflectance = {0.6}, .alpha = 0.25}), test::some_metal(0.3));
 }
 
-/// Renders with both executors and compares the images and the statistics of local lights.
-struct Comparison {
-    explicit Comparison(const std::shared_ptr<gl::Context>& context, int channels)
-        : threads(context, 0),
-          shaders(context, 0),
-          by_threads(context, 40, 30, channels),
-          by_shaders(context, 40, 30, channels) {}
-
-    void run(const Scene& scene, RenderOptions options, const Camera& camera = test::some_camera()) {
-        options.bake_directions = 256;
-        options.light_samples = 4;
-        options.executor = Executor::cpu;
-        threads.render(scene, camera, options, by_threads);
-        options.executor = Executor::compute;
-        shaders.render(scene, camera, options, by_shaders);
-        const Statistics& expected = by_threads.statistics();
-        const Statistics& actual = by_shaders.statistics();
-        CHECK_FALSE(expected.compute);
-        CHECK(actual.compute);
-        CHECK(actual.pixels_shaded == expected.pixels_shaded);
-        CHECK(actual.local_lights == expected.local_lights);
-        CHECK((actual.light_ms > 0) == (actual.local_lights > 0));
-        const StokesImage& a = by_threads.image();
-        const StokesImage& b = by_shaders.image();
-        CHECK(largest(a) > 0.1);
-        // Rounding moves the point that a pixel shows at grazing angles.
-        const bool at_pixels = actual.pixels_shaded > 0;
-        CHECK(largest_difference(a, b) <= (at_pixels ? 1e-4 : 1e-5) * largest(a));
-        CHECK(rms_difference(a, b) <= 3e-6 * rms(a));
-    }
-    [[nodiscard]] std::uint64_t rays() { return by_shaders.statistics().light_rays; }
-
-    Renderer threads;
-    Renderer shaders;
-    Framebuffer by_threads;
-    Framebuffer by_shaders;
-};
-
 }  // namespace
 
 IMAGE_TEST_CASE("beside compute shaders local lights are what they are beside threads") {
@@ -123,7 +85,7 @@ IMAGE_TEST_CASE("beside compute shaders local lights are what they are beside th
         scene.add(panel({.radiance = std::vector<double>(static_cast<std::size_t>(row.channels), 3),
                          .state = some_state()},
                         {-0.5, 0.5, -1.5}));
-        Comparison comparison(context, row.channels);
+        BothExecutors comparison(context, row.channels);
         RenderOptions options{.method = row.method,
                               .shadows = row.shadows,
                               .order_low = 3,
@@ -158,7 +120,7 @@ IMAGE_TEST_CASE("beside compute shaders local lights emit light on materials tha
         scene.add_light(sun({1, 3, 1.5}));
         scene.add_light(spot(3));
         scene.add(panel({.radiance = {3}, .texture = slope(3)}, {-0.5, 0.5, -1.5}));
-        Comparison comparison(context, 3);
+        BothExecutors comparison(context, 3);
         for (const int samples : {1, 4}) {
             comparison.run(
                 scene,
@@ -170,7 +132,7 @@ IMAGE_TEST_CASE("beside compute shaders local lights emit light on materials tha
 IMAGE_TEST_CASE("beside compute shaders local lights follow changes") {
     for (const ShadeAt shade_at : {ShadeAt::vertices, ShadeAt::pixels}) {
         CAPTURES(static_cast<int>(shade_at));
-        Comparison comparison(context, 3);
+        BothExecutors comparison(context, 3);
         const RenderOptions options{.order_low = 3, .order_high = 6, .shade_at = shade_at};
         Scene scene = plain_still();
         scene.set_environment(test::falling_light(6, LightKind::full, 3), glm::dmat3(1), 0.3);
@@ -214,7 +176,7 @@ IMAGE_TEST_CASE("beside compute shaders lamps of an environment are split off") 
     Scene scene = plain_still();
     scene.set_environment(image_environment(room), theta_phi_frame(glm::normalize(glm::dvec3(1, 2, -1))),
                           0.7);
-    Comparison comparison(context, 3);
+    BothExecutors comparison(context, 3);
     for (const ShadeAt shade_at : {ShadeAt::vertices, ShadeAt::pixels}) {
         comparison.run(scene, {.order_low = 3, .order_high = 6, .shade_at = shade_at});
         CHECK(comparison.by_shaders.statistics().lights_split == 2);
@@ -224,7 +186,7 @@ IMAGE_TEST_CASE("beside compute shaders lamps of an environment are split off") 
 
 IMAGE_TEST_CASE("the hits that threads read beside compute shaders are in the prediction of memory") {
     Scene scene = plain_still();
-    Comparison comparison(context, 1);
+    BothExecutors comparison(context, 1);
     for (const int samples : {1, 4}) {
         CAPTURES(samples);
         const RenderOptions options{.executor = Executor::compute,

@@ -1,19 +1,16 @@
 // SPDX-License-Identifier: MIT
 // Tests of compute shaders against threads.
+#include "devices/both_executors.hpp"
 #include "gl/contexts.hpp"
-#include "image_difference.hpp"
-#include "render/scenes.hpp"
-#include "temporary_folder.hpp"
 
 using namespace nicol;
 using test::at;
+using test::BothExecutors;
 using test::falling_light;
 
 namespace {
 
-constexpr double tolerance = 1e-5;  // relative to the largest value
-
-const Camera some_camera = test::camera_at({2, 4, 6}, {0, 0.5, 0});
+const Camera above = test::camera_at({2, 4, 6}, {0, 0.5, 0});
 
 /// Returns a coloured sphere on a metal plate, with this number of channels.
 Scene sphere_on_plate(const EnvironmentPtr& light, int channels) {
@@ -28,47 +25,6 @@ Scene sphere_on_plate(const EnvironmentPtr& light, int channels) {
     scene.set_environment(light, glm::dmat3(1), 0.7);
     return scene;
 }
-
-void check_alike(const StokesImage& a, const StokesImage& b, ShadeAt where = ShadeAt::vertices) {
-    CHECK(largest(a) > 0.1);
-    if (where == ShadeAt::vertices) {
-        CHECK(largest_difference(a, b) <= tolerance * largest(a));
-    } else {  // at grazing angles rounding moves the point that a pixel shows
-        CHECK(test::rms_difference(a, b) <= 0.3 * tolerance * test::rms(a));
-        CHECK(largest_difference(a, b) <= 10 * tolerance * largest(a));
-    }
-}
-
-/// Renders with both executors and compares the images.
-struct Comparison {
-    Comparison(const std::shared_ptr<gl::Context>& context, int channels, int width = 40, int height = 30)
-        : threads(context, 0),
-          shaders(context, 0),
-          by_threads(context, width, height, channels),
-          by_shaders(context, width, height, channels) {
-        // The backends share results that take long to prepare.
-        static const TemporaryFolder shared;
-        threads.set_cache(shared.path(), {});
-        shaders.set_cache(shared.path(), {});
-    }
-
-    void run(const Scene& scene, RenderOptions options, const Camera& camera = some_camera) {
-        options.bake_directions = 256;
-        options.executor = Executor::cpu;
-        threads.render(scene, camera, options, by_threads);
-        CHECK_FALSE(by_threads.statistics().compute);
-        options.executor = Executor::compute;
-        shaders.render(scene, camera, options, by_shaders);
-        CHECK(by_shaders.statistics().compute);
-        CHECK(by_shaders.statistics().pixels_shaded == by_threads.statistics().pixels_shaded);
-        check_alike(by_threads.image(), by_shaders.image(), options.shade_at);
-    }
-
-    Renderer threads;  // one per executor, because a renderer drops the other executor's results
-    Renderer shaders;
-    Framebuffer by_threads;
-    Framebuffer by_shaders;
-};
 
 }  // namespace
 
@@ -94,17 +50,19 @@ IMAGE_TEST_CASE(
                                 {factored, HighOrders::convolution, {1, 6}, two, {{3, 9}}, {false, true}}};
     for (const auto& row : rows) {
         for (const int channels : row.channels) {
-            Comparison comparison(context, channels);
+            BothExecutors comparison(context, channels);
             for (const LightKind kind : row.kinds) {
                 for (const auto& [low, high] : row.orders) {
                     const Scene scene = sphere_on_plate(falling_light(high, kind, channels), channels);
                     for (const bool shadows : row.shadows) {
                         CAPTURES(&row - rows.data(), channels, low);
-                        comparison.run(scene, {.method = row.method,
-                                               .shadows = shadows,
-                                               .order_low = low,
-                                               .order_high = high,
-                                               .high_orders = row.form});
+                        comparison.run(scene,
+                                       {.method = row.method,
+                                        .shadows = shadows,
+                                        .order_low = low,
+                                        .order_high = high,
+                                        .high_orders = row.form},
+                                       above);
                         const Statistics& here = comparison.by_shaders.statistics();
                         // Threads also keep the light at vertices if shadows use a grid.
                         if (low > 9)
@@ -143,8 +101,8 @@ IMAGE_TEST_CASE(
         {factored, HighOrders::convolution, 3, LightKind::full, 2, 9, false, 1, false}};
     for (const Row& row : rows) {
         CAPTURES(&row - rows.data());
-        Comparison comparison(context, row.channels);
-        Camera camera = some_camera;
+        BothExecutors comparison(context, row.channels);
+        Camera camera = above;
         camera.orthographic = row.orthographic;
         if (row.orthographic) camera.to_world = camera.to_world * glm::dmat4(glm::dmat3(2.5));
         for (const bool physical : {false, true}) {
@@ -165,44 +123,44 @@ IMAGE_TEST_CASE(
 
 IMAGE_TEST_CASE("options and changes reach compute shaders") {
     const EnvironmentPtr light = falling_light(6, LightKind::linear, 3);
-    Comparison comparison(context, 3);
+    BothExecutors comparison(context, 3);
     Scene scene = sphere_on_plate(light, 3);
     for (const Method method : {Method::factored, Method::dense}) {
         RenderOptions options{.method = method, .order_low = 3, .order_high = 6};
-        comparison.run(scene, options);
-        Comparison fresh(context, 3);
-        fresh.run(scene, options);
-        check_alike(fresh.by_threads.image(), comparison.by_threads.image());
-        check_alike(fresh.by_shaders.image(), comparison.by_shaders.image());
+        comparison.run(scene, options, above);
+        BothExecutors fresh(context, 3);
+        fresh.run(scene, options, above);
+        BothExecutors::check_alike(fresh.by_threads.image(), comparison.by_threads.image());
+        BothExecutors::check_alike(fresh.by_shaders.image(), comparison.by_shaders.image());
         options.physical = true;
         options.dering = 1e-3;
-        comparison.run(scene, options);
-        Camera camera = some_camera;
+        comparison.run(scene, options, above);
+        Camera camera = above;
         camera.orthographic = true;
         comparison.run(scene, options, camera);
         CHECK(comparison.by_shaders.statistics().relight_ms == 0);
 
         scene.set_environment(light, theta_phi_frame(glm::normalize(glm::dvec3(1, 2, -1))), 0.4);
-        comparison.run(scene, options);
+        comparison.run(scene, options, above);
         scene.set_transform(0, at(-0.5, 1.2, 0.3));
-        comparison.run(scene, options);
+        comparison.run(scene, options, above);
         scene.set_environment(falling_light(5, LightKind::full, 1), glm::dmat3(1), 1);
-        comparison.run(scene, options);
+        comparison.run(scene, options, above);
         scene.set_environment(light, glm::dmat3(1), 0.7);
     }
 }
 
 TEST_CASE("compute shaders take more vertices than one buffer of light holds") {
-    Comparison comparison(gl::make_context(gl::Backend::osmesa), 3);
+    BothExecutors comparison(gl::make_context(gl::Backend::osmesa), 3);
     Scene scene = sphere_on_plate(falling_light(2, LightKind::linear, 3), 3);
     scene.add({.mesh = test::rectangle(264), .material = diffuse({0.5}), .to_world = at(0, 0, -2, 3)});
     for (const ShadeAt where : {ShadeAt::vertices, ShadeAt::pixels})
-        comparison.run(scene, {.order_low = 2, .order_high = 2, .shade_at = where});
+        comparison.run(scene, {.order_low = 2, .order_high = 2, .shade_at = where}, above);
     CHECK(comparison.by_shaders.statistics().vertices > 65536 + 1000);
 }
 
 TEST_CASE("compute shaders take more pixels than are listed at once") {
-    Comparison comparison(gl::make_context(gl::Backend::osmesa), 1, 400, 300);
+    BothExecutors comparison(gl::make_context(gl::Backend::osmesa), 1, 400, 300);
     const Scene scene = sphere_on_plate(falling_light(1, LightKind::unpolarized, 1), 1);
     comparison.run(scene, {.shadows = false, .order_low = 1, .order_high = 1, .shade_at = ShadeAt::pixels},
                    test::camera_at({1, 4, 2}));
