@@ -10,7 +10,7 @@
 namespace nicol {
 namespace {
 
-/// The best first; every context can have the last.
+/// All devices, the best first. Every context can have the last.
 constexpr std::array kDevices{&kGlDevice, &kCpuDevice};
 
 }  // namespace

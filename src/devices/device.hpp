@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The executors that there are, and which of them a render gets.
+// The available executors, and the choice of one for a render.
 #pragma once
 
 #include <memory>
@@ -12,20 +12,20 @@
 
 namespace nicol {
 
-/// A folder below devices/ defines one.
+/// Kind of executor; each folder below devices/ defines one.
 struct Device {
     Executor executor;
-    const char* name;  ///< as messages have it
-    /// Why a context cannot have it; empty where it can.
+    const char* name;  ///< name in messages
+    /// Returns why a context cannot have the device; empty if it can.
     std::string (*obstacle)(const gl::Context& context);
-    /// Whether a context that can have it should, where users leave the choice.
+    /// Returns whether a context that can have the device should, if users leave the choice open.
     bool (*preferred)(const gl::Context& context);
-    /// The vertex buffers must outlive the executor.
+    /// Makes the executor. The vertex buffers must outlive it.
     std::unique_ptr<RenderExecutor> (*make)(const std::shared_ptr<gl::Context>& context,
                                             VertexBuffers& buffers);
 };
 
-/// Throws Error(unsupported) where the context cannot have the device that is wanted.
+/// Returns the device for a wanted executor. Throws Error(unsupported) if the context cannot have it.
 [[nodiscard]] const Device& device_for(Executor wanted, const gl::Context& context);
 
 }  // namespace nicol

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Local lights alone at pixels, on threads, for an image whose other light is shaded elsewhere.
+// Image of local lights alone, by threads, for an image whose other light is shaded elsewhere.
 #pragma once
 
 #include <cstddef>
@@ -10,8 +10,9 @@
 
 namespace nicol {
 
-/// out[c][i - first] becomes what pixel first <= i < last shows of local lights and of emissive surfaces in
-/// channel c: the mean over its samples. The input's hits are on the host. Adds to the statistics.
+/// Sets out[c][i - first] to channel c of the light that pixel first <= i < last shows of local lights and
+/// emissive surfaces: the mean over the pixel's samples. The input's hits must be on the host. Adds rays and
+/// time to the statistics.
 void find_light_image(const PixelInput& input, std::size_t first, std::size_t last, RenderRun& run,
                       std::vector<std::vector<glm::vec4>>& out);
 

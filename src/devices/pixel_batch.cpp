@@ -20,16 +20,17 @@ bool share_corner(const glm::uvec3& a, const glm::uvec3& b) {
 // Samples of one smooth surface in one pixel.
 struct Patch {
     std::array<std::uint32_t, kMostPixelSamples> triangles;
-    std::array<glm::vec2, kMostPixelSamples> at;  // from the pixel's centre
+    std::array<glm::vec2, kMostPixelSamples> at;  // relative to the pixel's centre
     std::size_t samples = 0;
 };
 
-// `range`: that of the patch before, which is often the same.
+// Returns the point of a patch. range: the previous patch's range, which is often the same; becomes this
+// patch's range.
 PixelPoint point_of(const Patch& patch, const PixelInput& input, std::size_t pixel, std::size_t& range) {
     glm::vec2 mean(0);
     for (const glm::vec2& at : std::span(patch.at).first(patch.samples)) mean += at;
     mean /= static_cast<float>(patch.samples);
-    // The mean may lie between triangles; the nearest sample's then stands for all.
+    // The mean may lie between triangles, so the triangle of the nearest sample represents the patch.
     std::size_t nearest = 0;
     for (std::size_t s = 1; s < patch.samples; ++s) {
         const glm::vec2 d = patch.at[s] - mean;
@@ -69,7 +70,7 @@ public:
           footprint_(variation.needs_footprint()),
           axes_(footprint_ || variation.normal.kind != NormalVariation::Kind::none) {}
 
-    // triangles: up to sixteen. Other lanes repeat the first.
+    // Sets the input at points of up to sixteen triangles; the other lanes repeat the first.
     void set(std::span<const std::uint32_t> triangles, const LaneSurface& surface) {
         const WorldGeometry& geometry = view_.geometry;
         const Viewpoint& camera = view_.projection.view;
@@ -115,7 +116,7 @@ private:
     const TextureView& view_;
     PixelSteps steps_;
     bool footprint_, axes_;
-    std::uint32_t known_ = ~std::uint32_t{0};  // the triangle before, which is often the same
+    std::uint32_t known_ = ~std::uint32_t{0};  // previous triangle, which is often the same
     TextureAxes triangle_axes_;
 };
 

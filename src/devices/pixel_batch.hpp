@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Points that the pixels of an image show, and batches of them that are shaded together, on threads.
+// Points that the pixels of an image show, and batches of points that are shaded together, on threads.
 #pragma once
 
 #include <array>
@@ -18,66 +18,68 @@
 
 namespace nicol {
 
-/// A pixel, or the part of it that shows one surface.
+/// Pixel, or the part of a pixel that shows one surface.
 struct PixelPoint {
-    std::uint32_t range;     ///< number of one of the geometry's
-    std::uint32_t occluded;  ///< 1 where a corner of the triangle is
+    std::uint32_t range;     ///< index of the geometry's range
+    std::uint32_t occluded;  ///< 1: a corner of the triangle is occluded; else 0
     std::uint32_t triangle;
-    std::uint32_t pixel;  ///< row by row
-    float weight;         ///< the fraction of the pixel's samples
-    glm::vec2 at;         ///< their mean from the pixel's centre, in pixels
+    std::uint32_t pixel;  ///< index, row by row
+    float weight;         ///< fraction of the pixel's samples
+    glm::vec2 at;         ///< mean position of the point's samples, relative to the pixel's centre, in pixels
 
-    /// Points of one group are shaded alike.
+    /// Returns the group. Points of one group are shaded by the same data.
     [[nodiscard]] std::uint64_t group() const { return std::uint64_t{2} * range + occluded; }
 };
 
-/// The points of pixels first <= i < last, those of a group side by side; and into coverage[i - first] the
-/// fraction of the samples that show a surface, from its back as well. Samples of triangles that share a
-/// corner are of one smooth surface, which has one point, at their mean. The input's hits are on the host.
+/// Lists the points of pixels first <= i < last; the points of a group are consecutive. Also writes the
+/// fraction of the samples that show a surface, its back included, to coverage[i - first]. Samples of
+/// triangles that share a corner belong to one smooth surface, which has one point at their mean. The input's
+/// hits must be on the host.
 void list_points(const PixelInput& input, std::size_t first, std::size_t last, std::vector<PixelPoint>& out,
                  std::span<float> coverage);
 
-/// The view in which points are seen.
+/// View of the points.
 struct TextureView {
     const WorldGeometry& geometry;
-    const Projection& projection;  ///< of the geometry's axes
-    int width, height;             ///< of the image, in pixels
+    const Projection& projection;  ///< projection of the geometry's axes
+    int width, height;             ///< size of the image, in pixels
 };
 
-/// Textures at a batch of pixels of one surface. Holds results; one object a thread.
+/// Textures at a batch of pixels of one surface. Holds results, so each thread needs its own object.
 class TexturedPixels {
 public:
-    /// Finds the textures at points of triangles and turns their normals: surfaces[block of sixteen]. back:
-    /// the surface is the second side of a two-sided instance; it is its front's mirror image.
+    /// Finds the textures at points of triangles, and perturbs the normals of surfaces[block of sixteen].
+    /// back: whether the surface is the second side of a two-sided instance, the mirror image of the front.
     void find(const SpatialVariation& variation, bool back, const TextureView& view,
               std::span<const std::uint32_t> triangles, std::span<LaneSurface> surfaces);
 
-    /// [block of sixteen][layer].
+    /// Returns the weights: [block of sixteen][layer].
     [[nodiscard]] std::span<const LayerWeights> weights() const { return weights_; }
 
 private:
     std::vector<LayerWeights> weights_;
 };
 
-/// Points of one group: where they lie, and what textures are there. Holds results; one object a thread.
+/// Points of one group, with their positions and textures. Holds results, so each thread needs its own
+/// object.
 class PixelBatch {
 public:
-    /// Points, so that what every call costs counts for many.
+    /// Largest number of points, which spreads the fixed cost of each call over many points.
     static constexpr std::size_t kMost = 16 * kLanes;
 
-    /// Takes the first of the points: those of one group, as many as there is room for.
+    /// Takes the first points: points of one group, at most kMost.
     void take(const PixelInput& input, std::span<const PixelPoint> points);
 
     [[nodiscard]] std::span<const PixelPoint> points() const { return points_; }
-    /// Surfaces of sixteen points each; their normals are those of textures.
+    /// Returns surfaces of sixteen points each, with normals perturbed by textures.
     [[nodiscard]] std::span<const LaneSurface> surfaces() const {
         return std::span(surfaces_).first((points_.size() + kLanes - 1) / kLanes);
     }
-    /// [sixteen points][layer] of a material that varies; empty: it does not.
+    /// Returns the weights of a textured material's layers, [sixteen points][layer]; empty: no textures.
     [[nodiscard]] std::span<const LayerWeights> weights() const { return weights_; }
 
-    /// Adds to out[c][pixel - first] the points' stokes[c][point], times their weights: the first so many
-    /// components.
+    /// Adds to out[c][pixel - first] the points' stokes[c][point] times their weights, for the first
+    /// `components` Stokes components.
     void gather(std::span<const std::span<glm::vec4>> stokes, std::size_t components, std::size_t first,
                 std::span<const std::span<glm::vec4>> out) const;
 
@@ -88,7 +90,7 @@ private:
     std::span<const PixelPoint> points_;
     std::array<LaneSurface, kMost / kLanes> surfaces_;
     std::span<const LayerWeights> weights_;
-    // Textures, if the material varies.
+    // Textures of a textured material.
     TexturedPixels textures_;
     std::vector<std::uint32_t> triangles_;
 };

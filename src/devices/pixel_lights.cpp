@@ -15,7 +15,7 @@ namespace {
 
 glm::vec3 facet_of(const WorldGeometry& geometry, std::uint32_t triangle, const glm::vec3& otherwise) {
     const glm::uvec3& t = geometry.triangles[triangle];
-    // In double precision, as squares of very small or large edges are no floats.
+    // Double precision, because squares of very small or large edges exceed the range of floats.
     const glm::dvec3 corner(geometry.positions[t.x]);
     const glm::dvec3 normal = glm::cross(glm::dvec3(geometry.positions[t.y]) - corner,
                                          glm::dvec3(geometry.positions[t.z]) - corner);

@@ -15,11 +15,11 @@ namespace nicol {
 
 class PixelLights {
 public:
-    /// Both must outlive this.
+    /// Keeps references to both arguments, which must outlive the object.
     PixelLights(const LocalLights& lights, const PixelInput& input) : lights_(lights), input_(input) {}
 
-    /// Adds to out[c][point] what the batch's points reflect of local lights, and what they emit. Returns the
-    /// number of rays.
+    /// Adds to out[c][point] the batch's reflection of local lights and its emission. Returns the number of
+    /// rays.
     std::uint64_t add(const PixelBatch& batch, std::span<const std::span<glm::vec4>> out) const;
 
 private:

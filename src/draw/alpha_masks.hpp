@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// draw: surfaces that are not there everywhere.
+// Alpha masks of surfaces, for draw.
 #pragma once
 
 #include <memory>
@@ -12,31 +12,34 @@
 
 namespace nicol {
 
-/// What fragment shaders with ALPHA_MASK defined read (glsl/alpha_mask.glsl). All members inside run() of the
-/// context.
+/// Alpha masks on the device, as fragment shaders with ALPHA_MASK defined read them (glsl/alpha_mask.glsl).
+/// All members must be called inside run() of the context.
 class AlphaMasks {
 public:
     explicit AlphaMasks(std::shared_ptr<gl::Context> context) : context_(std::move(context)) {}
 
-    /// Copies what the geometry's materials have of opacity, as far as changes make it necessary; `buffers`
-    /// are of it. Throws Error(unsupported) for more than the driver lets a shader reach.
+    /// Copies the opacity of the geometry's materials; repeats only what changes require. `buffers` must
+    /// belong to the geometry. Throws Error(unsupported) if there is more than the driver lets a shader
+    /// reach.
     void update(const WorldGeometry& geometry, Version geometry_version, Version material_version,
                 VertexBuffers& buffers);
 
-    /// Changes with what is cut out.
+    /// Returns a version that changes with the alpha masks.
     [[nodiscard]] Version version() const noexcept { return version_; }
-    /// Number of textures, for the define TEXTURES, that a range's opacity is made of; 0: it is whole.
+    /// Returns the number of textures in a range's opacity, for the define TEXTURES; 0: the range has no
+    /// alpha mask.
     [[nodiscard]] int textures(std::size_t range) const;
-    /// Of programs that draw with so many textures.
+    /// Returns the defines of programs that draw with this number of textures.
     [[nodiscard]] static std::vector<gl::Define> defines(int textures);
-    /// For a draw of triangles of this range, which is not whole.
+    /// Binds the alpha mask of a range, which must have one, for a draw of its triangles.
     void bind(gl::Program& program, std::size_t range) const;
 
 private:
     std::shared_ptr<gl::Context> context_;
     Stage<Version, Version> copying_;
     Version version_ = 0;
-    std::vector<std::shared_ptr<const VariationBuffers>> opacities_;  // by range, or empty
+    // By range; empty: no range has an alpha mask.
+    std::vector<std::shared_ptr<const VariationBuffers>> opacities_;
     VertexBuffers* buffers_ = nullptr;
 };
 

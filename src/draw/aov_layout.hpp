@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where AOVs lie in the attachments they are drawn into.
+// Layout of AOVs in the attachments that they are drawn into.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +10,8 @@
 namespace nicol {
 
 /// AOVs packed one after another into as few RGBA32F attachments as hold them. Each member is the index of
-/// the AOV's first float in a pixel, -1 where the AOV is absent; float i is component i % 4 of attachment i
-/// / 4. Ids take two floats, the lower and the upper 16 bits.
+/// the AOV's first float in a pixel, -1 if the AOV is absent. Float i is component i % 4 of attachment i / 4.
+/// Ids take two floats, the lower and the upper 16 bits.
 struct AovLayout {
     int normals = -1;
     int depth = -1;
@@ -33,7 +33,7 @@ struct AovLayout {
         place(instances, aov_instances, 2);
     }
     [[nodiscard]] int attachments() const noexcept { return (floats + 3) / 4; }
-    /// An attachment without surfaces.
+    /// Returns the value of an attachment's pixels without surfaces.
     [[nodiscard]] glm::vec4 background(int attachment) const;
 };
 

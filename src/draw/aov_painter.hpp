@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// draw: depth, normals, positions, instances and coverage beside a Stokes image.
+// Drawing of AOVs beside a Stokes image: depth, normals, positions, instances and coverage.
 #pragma once
 
 #include <cstdint>
@@ -21,17 +21,17 @@
 
 namespace nicol {
 
-/// Holds memory on the device only while AOVs are requested. All
-/// members inside run() of the context.
+/// Painter of AOVs, which holds memory on the device only while AOVs are requested. All members must be
+/// called inside run() of the context.
 class AovPainter {
 public:
     explicit AovPainter(std::shared_ptr<gl::Context> context) : context_(std::move(context)) {}
 
-    /// Allocates all that draw() needs; the framebuffer keeps its content. `mask`: bits of AovBit. `samples`:
-    /// of a pixel, as sample_pattern() has them.
+    /// Allocates everything that draw() needs; the framebuffer keeps its content. mask: bits of AovBit.
+    /// samples: offsets of a pixel's samples, as in sample_pattern().
     void prepare(const WorldGeometry& geometry, VertexBuffers& buffers, const AlphaMasks& alpha_masks,
                  std::uint32_t mask, std::span<const glm::dvec2> samples, Framebuffer& target);
-    /// Draws what was prepared. `projection` is of the world, to which the rigid motion `to_world` takes the
+    /// Draws the prepared AOVs. `projection` is of the world, to which the rigid motion `to_world` takes the
     /// geometry.
     void draw(const AlphaMasks& alpha_masks, const Projection& projection, const glm::dmat4& to_world,
               Framebuffer& target);
@@ -45,24 +45,24 @@ private:
 
     void bind(const WorldGeometry& geometry, VertexBuffers& buffers);
     void prepare_sample();
-    // textures: of an opacity.
+    // textures: number of textures of an opacity.
     gl::Program& program(const char* vertex, const char* fragment, int textures = 0);
     void clear(gl::RenderTarget& image) const;
     void draw_surfaces(const AlphaMasks& alpha_masks, const Projection& projection,
                        const glm::dmat4& to_world, gl::RenderTarget& image);
-    // Adds what sample_ has to the attachments.
+    // Adds the content of sample_ to the attachments.
     void merge(std::size_t sample);
 
     std::shared_ptr<gl::Context> context_;
-    // By fragment shader, mask, textures of an opacity.
+    // Programs by fragment shader, mask, number of textures of an opacity.
     std::map<std::tuple<std::string, std::uint32_t, int>, gl::Program> programs_;
     std::optional<gl::VertexArray> vertices_;
     std::vector<Batch> batches_;
     Stage<Version> binding_;  // buffers
     std::uint32_t mask_ = 0;
-    std::uint32_t drawn_ = 0;  // those and the depth, where it tells which sample is the nearest
+    std::uint32_t drawn_ = 0;  // mask_, and the depth if it decides which sample is nearest
     std::span<const glm::dvec2> samples_;
-    std::optional<gl::RenderTarget> sample_;  // one sample of every pixel, where there are several
+    std::optional<gl::RenderTarget> sample_;  // one sample of every pixel; none: pixels have one sample
     std::shared_ptr<gl::RenderTarget> attachments_;
 };
 

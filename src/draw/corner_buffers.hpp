@@ -11,17 +11,17 @@
 
 namespace nicol {
 
-/// All members inside run() of the context.
+/// Buffer of triangles' corners. All members must be called inside run() of the context.
 class CornerBuffers {
 public:
     explicit CornerBuffers(std::shared_ptr<gl::Context> context) : context_(std::move(context)) {}
 
-    /// Copies a geometry's, as far as changes make it necessary. Throws Error(unsupported) for more triangles
-    /// than the driver lets a shader reach.
+    /// Copies a geometry's corners; repeats only what changes require. Throws Error(unsupported) for more
+    /// triangles than the driver lets a shader reach.
     void update(const WorldGeometry& geometry, Version geometry_version, Version material_version);
 
-    /// By triangle, numbers() floats: u and v of corners; how a point moves as u, and as v, grows; colours of
-    /// corners, where there are any.
+    /// Binds the buffer, which has numbers() floats per triangle: u and v of the corners; the shifts of a
+    /// point as u and as v grows; the colours of the corners, if colored().
     void bind(unsigned binding) const { buffer_->bind_storage(binding); }
     [[nodiscard]] int numbers() const noexcept { return colored_ ? 21 : 12; }
     [[nodiscard]] bool colored() const noexcept { return colored_; }

@@ -16,7 +16,7 @@
 namespace nicol {
 namespace {
 
-// As glsl/elements.frag has it.
+// Element in the layout of glsl/elements.frag.
 struct DeviceElement {
     glm::vec4 x, y, z;
     glm::vec4 axis;
@@ -87,7 +87,7 @@ gl::Program& ElementPainter::program(int channels, int samples) {
 void ElementPainter::draw(const VertexBuffers& buffers, const VisibilityBuffer& hits, int components,
                           Framebuffer& target) {
     const glm::dvec2 size(target.width(), target.height());
-    // Of one ray, whose distances become depths.
+    // Depth per distance along one ray, which converts the distances of the clip planes to depths.
     const Ray ray = CameraRays(projection_, target.width(), target.height()).through(size.x / 2, size.y / 2);
     const double depth = glm::dot(ray.direction, projection_.view.forward);
     const std::span offsets = hits.offsets();

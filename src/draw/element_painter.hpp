@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// draw: polarization elements before an image.
+// Drawing of polarization elements in front of an image.
 #pragma once
 
 #include <cstdint>
@@ -18,22 +18,22 @@
 
 namespace nicol {
 
-/// All members inside run() of the context.
+/// Painter of polarization elements. All members must be called inside run() of the context.
 class ElementPainter {
 public:
     explicit ElementPainter(std::shared_ptr<gl::Context> context) : context_(std::move(context)) {}
 
-    /// Of the context's memory.
+    /// Bytes of the context's memory per element.
     static constexpr std::uint64_t kBytesPerElement = 80;
 
-    /// Allocates what draw() needs. `projection`: of the world; the scene has elements. Throws
+    /// Allocates everything that draw() needs. The scene must have elements. projection: of the world. Throws
     /// Error(unsupported) for more vertices than the driver lets a shader reach.
     void prepare(const Scene& scene, const RefinedSurfaces& surfaces, const Projection& projection,
                  int samples, const Framebuffer& target);
 
-    /// Each pixel's light becomes what the elements let through of it, the mean over its samples. `hits` show
-    /// what the image shows, on the device; `buffers` are of the surfaces. Of the image, which must have all
-    /// Stokes components, the first `components` stay.
+    /// Replaces each pixel's light by the light that the elements transmit, the mean over the pixel's
+    /// samples. hits: visibility buffer of the image, on the device. buffers: of the surfaces. The image must
+    /// have all Stokes components; its first `components` are kept.
     void draw(const VertexBuffers& buffers, const VisibilityBuffer& hits, int components,
               Framebuffer& target);
 
@@ -41,9 +41,10 @@ private:
     gl::Program& program(int channels, int samples);
 
     std::shared_ptr<gl::Context> context_;
-    std::map<std::pair<int, int>, gl::Program> programs_;  // by channels that are drawn at once, samples
+    // By number of channels that are drawn at once, and of samples.
+    std::map<std::pair<int, int>, gl::Program> programs_;
     std::optional<gl::Buffer> elements_;
-    Projection projection_;  // of the surfaces' axes
+    Projection projection_;  // projection of the surfaces' axes
 };
 
 }  // namespace nicol

@@ -14,7 +14,7 @@
 namespace nicol {
 namespace {
 
-// What was drawn by a layout, one attachment after the other.
+// Reads the AOVs of a layout back, one attachment after the other.
 void unpack(const gl::RenderTarget& attachments, const AovLayout& layout, Aovs& aovs) {
     const std::size_t pixels = static_cast<std::size_t>(aovs.width) * static_cast<std::size_t>(aovs.height);
     std::vector<float> packed(4 * pixels);

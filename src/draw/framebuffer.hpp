@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The Stokes image of the last render into it.
+// Framebuffer: the Stokes image of the last render.
 #pragma once
 
 #include <cstdint>
@@ -14,13 +14,14 @@
 
 namespace nicol {
 
-/// One RGBA32F texture a colour channel, whose texel is the Stokes vector in the camera's frame field.
-/// Channels go in groups of at most kGroup, since a driver draws into few textures at once.
+/// Stokes image on the device: one RGBA32F texture per colour channel, whose texels are Stokes vectors in the
+/// camera's frame field. Channels form groups of at most kGroup, because a driver draws into few textures at
+/// once.
 class Framebuffer {
 public:
     static constexpr int kGroup = 4;
 
-    /// Throws Error(invalid_argument) for sizes or channels out of range, Error(out_of_memory).
+    /// Throws Error(invalid_argument) for sizes or channels out of range, and Error(out_of_memory).
     Framebuffer(std::shared_ptr<gl::Context> context, int width, int height, int channels);
 
     [[nodiscard]] int width() const noexcept { return width_; }
@@ -28,32 +29,33 @@ public:
     [[nodiscard]] int channels() const noexcept { return channels_; }
     [[nodiscard]] const std::shared_ptr<gl::Context>& context() const noexcept { return context_; }
 
-    /// Channels group * kGroup and following.
+    /// Returns the groups. A group has the channels from group * kGroup on.
     [[nodiscard]] std::vector<gl::RenderTarget>& groups() noexcept { return groups_; }
 
-    /// The image in memory, read back on first use after a render.
+    /// Returns the image in memory, read back on first use after a render.
     [[nodiscard]] const StokesImage& image();
 
-    /// Which AOVs the last render made, as bits of AovBit.
+    /// Returns the AOVs that the last render made, as bits of AovBit.
     [[nodiscard]] std::uint32_t aov_mask() const noexcept { return aov_mask_; }
-    /// These AOVs in memory, read back on first use after a render.
+    /// Returns the AOVs of the last render in memory, read back on first use after a render.
     [[nodiscard]] const Aovs& aovs();
 
-    /// Takes an image that was made without drawing, and its AOVs. Throws
+    /// Replaces the content by an image that was made without drawing, and its AOVs. Throws
     /// Error(invalid_argument) unless they have this size and these channels.
     void show(StokesImage image, const Statistics& statistics, Aovs aovs = {});
 
-    /// Where to draw these AOVs, as AovLayout says: attachments that an earlier render left, or new ones.
-    /// Inside run().
+    /// Returns attachments for drawing AOVs in the order of AovLayout: those of an earlier render, or new
+    /// ones. Must be called inside run() of the context.
     [[nodiscard]] std::shared_ptr<gl::RenderTarget> aov_attachments(std::uint32_t drawn) const;
-    /// To be called once they are drawn; null: no AOVs. `mask`: those of the drawn ones that were asked for.
-    /// Inside run().
+    /// Records that AOVs have been drawn; null: no AOVs. mask: the requested AOVs among the drawn ones. Must
+    /// be called inside run() of the context.
     void drew_aovs(std::uint32_t mask, std::uint32_t drawn, std::shared_ptr<gl::RenderTarget> attachments);
 
-    /// To be called once a render has drawn.
+    /// Records that a render has drawn.
     void rendered(const Statistics& statistics);
     [[nodiscard]] Statistics& statistics() noexcept { return statistics_; }
-    /// Names what it holds: another number after each render, which no other framebuffer ever has.
+    /// Returns a number that identifies the content. The number is new after each render, and no other
+    /// framebuffer ever has it.
     [[nodiscard]] std::uint64_t content() const noexcept { return content_; }
 
 private:
@@ -65,7 +67,7 @@ private:
     std::optional<StokesImage> image_;
     std::uint32_t aov_mask_ = 0;
     std::uint32_t aovs_drawn_ = 0;
-    std::shared_ptr<gl::RenderTarget> aov_attachments_;  // of aovs_drawn_; null where they were not drawn
+    std::shared_ptr<gl::RenderTarget> aov_attachments_;  // attachments of aovs_drawn_; null: not drawn
     std::optional<Aovs> aovs_;
     Statistics statistics_;
     std::uint64_t content_ = 0;

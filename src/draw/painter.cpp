@@ -24,7 +24,8 @@ gl::TextureDescription equirect(const EquirectImage& image) {
             .wrap_y = gl::Wrap::clamp};
 }
 
-// A background of all components covers what the surfaces leave.
+// Clears the depth alone if a background of all components covers all pixels without surfaces, else
+// everything.
 void clear(gl::RenderTarget& image, bool background, int components) {
     if (background && components == 4) {
         image.clear_depth();
@@ -91,7 +92,7 @@ void Painter::draw_samples(const Scene& scene, const RefinedSurfaces& surfaces, 
         const Projection moved = jittered(projection, wanted.samples[s]);
         draw_surface(scene, surfaces.geometry(), wanted.components, in_axes(moved, surfaces.to_world()),
                      group, channels, drawn);
-        // The environment is as smooth as its image is: a pixel has that of its centre.
+        // The environment is as smooth as its image, so a pixel has the environment of its centre.
         if (scene.background())
             draw_background(scene, wanted.components, projection, false, group, channels, drawn);
         if (sample_) add_sample(s, wanted, channels, image);
@@ -121,7 +122,7 @@ void Painter::draw_surface(const Scene& scene, const WorldGeometry& geometry, in
         gl::draw(image, surface, *groups_[group].vertices, 3 * first, 3 * (last - first),
                  {.cull = cull, .components = components});
     };
-    // Materials without a back are drawn black from behind, the others have triangles for each side.
+    // One-sided materials are drawn black from behind; two-sided materials have triangles for each side.
     draw_some(0, geometry.one_sided, gl::Cull::none);
     draw_some(geometry.one_sided, geometry.triangles.size(), gl::Cull::back);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// draw: shaded vertices and the environment into a framebuffer.
+// Drawing of shaded vertices and the environment into a framebuffer.
 #pragma once
 
 #include <map>
@@ -23,21 +23,21 @@
 
 namespace nicol {
 
-/// Keeps a scene's environment's images and the programs on the device.
+/// Painter of images, which keeps the textures of a scene's environment and the programs on the device.
 class Painter {
 public:
     explicit Painter(std::shared_ptr<gl::Context> context);
 
     struct Wanted {
         int components = 4;      ///< Stokes components that are drawn; the others are 0
-        std::uint32_t aovs = 0;  ///< bits of AovBit
-        std::span<const glm::dvec2> samples = sample_pattern(1);  ///< of a pixel
+        std::uint32_t aovs = 0;  ///< AOVs to draw, bits of AovBit
+        std::span<const glm::dvec2> samples = sample_pattern(1);  ///< offsets of a pixel's samples
     };
 
-    /// `buffers` and `alpha_masks` are of `surfaces`; `projection` is of the world. `pixels`, where not null,
-    /// has shaded the image's pixels, and vertices are not drawn. With several samples vertices are drawn as
-    /// often, and averaged: that gives every driver the same samples. All memory is allocated before the
-    /// framebuffer is touched.
+    /// Draws an image. `buffers` and `alpha_masks` must belong to `surfaces`; `projection` is of the world.
+    /// If `pixels` is not null, it has shaded the image's pixels, and vertices are not drawn. With several
+    /// samples, vertices are drawn once per sample and averaged, which gives every driver the same samples.
+    /// All memory is allocated before the framebuffer is touched.
     void draw(const Scene& scene, const RefinedSurfaces& surfaces, VertexBuffers& buffers,
               const AlphaMasks& alpha_masks, const RenderExecutor* pixels, const Wanted& wanted,
               const Projection& projection, Framebuffer& target);
@@ -46,24 +46,25 @@ private:
     // Channels that are drawn at once.
     struct Group {
         std::optional<gl::VertexArray> vertices;
-        std::vector<gl::Texture2D> environment;  // one of all s0, or one Stokes texture a channel
+        std::vector<gl::Texture2D> environment;  // one texture of all s0, or one Stokes texture per channel
     };
 
     gl::Program& program(const char* vertex, const char* fragment, int channels,
                          const std::set<std::string>& features);
     void bind_vertices(VertexBuffers& buffers, int channels);
-    // `projection` is of the surfaces' axes.
+    // projection: of the surfaces' axes.
     void draw_surface(const Scene& scene, const WorldGeometry& geometry, int components,
                       const Projection& projection, std::size_t group, int channels, gl::RenderTarget& image);
     void prepare_sample(bool several, const Framebuffer& target);
     void draw_samples(const Scene& scene, const RefinedSurfaces& surfaces, const Wanted& wanted,
                       const Projection& projection, std::size_t group, Framebuffer& target);
-    // Adds what was drawn to the mean of the samples, which `image` becomes.
+    // Adds the drawn sample to `image`, which becomes the mean of the samples.
     void add_sample(std::size_t sample, const Wanted& wanted, int channels, gl::RenderTarget& image);
     void draw_around_pixels(const Scene& scene, int components, const Projection& projection,
                             std::size_t group, Framebuffer& target);
     void upload_environment(const Environment& environment, int channels);
-    // Behind what `image` has or, with `shaded`, around its pixels, which are bound.
+    // Draws the background behind the content of `image` or, if `shaded` is true, around its pixels, which
+    // must be bound.
     void draw_background(const Scene& scene, int components, const Projection& projection, bool shaded,
                          std::size_t group, int channels, gl::RenderTarget& image);
 
@@ -72,7 +73,7 @@ private:
     std::vector<Group> groups_;
     Stage<Version, int> binding_;             // buffers, channels
     Stage<EnvironmentPtr, int> uploading_;    // environment, channels
-    std::optional<gl::RenderTarget> sample_;  // one sample of every pixel, where there are several
+    std::optional<gl::RenderTarget> sample_;  // one sample of every pixel; none: pixels have one sample
     PixelImage pixels_;
     AovPainter aovs_;
 };

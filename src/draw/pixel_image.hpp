@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// shade at pixels: where its results lie on the device.
+// Results of shading at pixels, on the device.
 #pragma once
 
 #include <cstdint>
@@ -12,21 +12,23 @@
 
 namespace nicol {
 
-/// The Stokes vectors of an image's surfaces, by pixel, times the fraction of the pixel that they cover; and
-/// this fraction. The former lie in the framebuffer itself, where the environment is added to them.
+/// Stokes vectors of an image's surfaces, by pixel, times the fraction of the pixel that the surfaces cover;
+/// and this fraction. The Stokes vectors lie in the framebuffer itself, where the environment is added to
+/// them.
 class PixelImage {
 public:
     explicit PixelImage(std::shared_ptr<gl::Context> context) : context_(std::move(context)) {}
 
-    /// Beside the framebuffer's.
+    /// Bytes per pixel in addition to the framebuffer's.
     static constexpr std::uint64_t kBytesPerPixel = sizeof(float);
 
-    /// Inside run() of the context, as all below. The content is unspecified. `target` must outlive the use.
+    /// Begins an image in `target`, which must outlive its use. The content is unspecified. Must be called
+    /// inside run() of the context, as all functions below.
     void begin(Framebuffer& target);
     [[nodiscard]] gl::Texture2D& channel(int c);
-    /// Of one float a texel.
+    /// Returns the coverage, one float per texel.
     [[nodiscard]] gl::Texture2D& coverage() { return coverage_.value(); }
-    /// Gives all memory back.
+    /// Frees all memory.
     void clear() { coverage_.reset(); }
     [[nodiscard]] int channels() const noexcept { return target_->channels(); }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where the samples of a pixel are.
+// Positions of the samples of a pixel.
 #pragma once
 
 #include <array>
@@ -13,12 +13,14 @@
 
 namespace nicol {
 
-/// That are drawn and shaded together: 1, 4 or 8. Any other number is drawn as that many images.
+/// Largest number of samples that are drawn and shaded together, which are 1, 4 or 8. Any other number of
+/// samples is drawn as that many images.
 inline constexpr std::size_t kMostPixelSamples = 8;
 inline constexpr int kMostDrawnSamples = 1024;
 
-/// Offsets from the pixel's centre in pixels, right and down; empty unless there are 1, 4 or 8 samples. They
-/// are those of Direct3D and Vulkan: no two share a row or a column of a grid, and their mean is 0.
+/// Returns the offsets of samples from the pixel's centre, in pixels, right and down; empty unless there are
+/// 1, 4 or 8 samples. The offsets are those of Direct3D and Vulkan: no two share a row or a column of a grid,
+/// and their mean is 0.
 [[nodiscard]] inline std::span<const glm::dvec2> sample_pattern(int samples) {
     static constexpr std::array<glm::dvec2, 1> one{{{0, 0}}};
     static constexpr std::array<glm::dvec2, 4> four{
@@ -43,15 +45,16 @@ inline constexpr int kMostDrawnSamples = 1024;
     }
 }
 
-/// How many of so many are drawn together at most; where the others are drawn one by one, it is AOVs that
-/// are.
+/// Returns the largest number of samples that are drawn together. If the samples of an image are drawn one by
+/// one, this is the number of samples of its AOVs.
 [[nodiscard]] inline std::size_t samples_at_once(int samples) {
     const std::size_t together = sample_pattern(samples).size();
     return together != 0 ? together : kMostPixelSamples;
 }
 
-/// Of so many samples that are drawn one by one, the offset of one: a lattice, which has one of them in each
-/// row and column of a grid, so that their mean is 0 here as well. Golden steps spread them evenly.
+/// Returns the offset of one of `samples` samples that are drawn one by one. The samples form a lattice,
+/// which has one of them in each row and column of a grid, so that their mean is 0. Golden steps spread the
+/// samples evenly.
 [[nodiscard]] inline glm::dvec2 sample_place(int sample, int samples) {
     auto step = static_cast<int>(std::lround(samples / std::numbers::phi));
     while (std::gcd(step, samples) != 1) ++step;

@@ -15,7 +15,7 @@
 namespace nicol {
 namespace {
 
-// As in glsl/texture.glsl and glsl/pixel_texture.comp.
+// Sizes of the layout of glsl/texture.glsl and glsl/pixel_texture.comp.
 constexpr std::size_t kHeaderWords = 8;
 constexpr std::size_t kTextureWords = 24;
 
@@ -23,7 +23,7 @@ std::uint32_t word(float value) {
     return std::bit_cast<std::uint32_t>(value);
 }
 
-// Textures before those that are made of them.
+// List of textures, in which a texture's factors precede it.
 class Textures {
 public:
     std::uint32_t number_of(const TexturePtr& texture) {
@@ -41,7 +41,7 @@ public:
 
     [[nodiscard]] std::size_t count() const { return textures_.size(); }
 
-    // Appends words that begin at `begin`, and texels.
+    // Appends the textures' words, which begin at `begin`, and their texels.
     void write(std::size_t begin, std::vector<std::uint32_t>& table, std::vector<float>& texels) const {
         table.resize(begin + kTextureWords * count());
         for (std::size_t t = 0; t < count(); ++t) {
@@ -119,7 +119,7 @@ VariationBuffers::VariationBuffers(const std::shared_ptr<gl::Context>& context,
                     "compute shaders of " + context->info().renderer + " reach " + std::to_string(most) +
                         " numbers of a material's textures, which have " + std::to_string(texels.size()) +
                         "; use smaller images, or set executor to cpu");
-    // A shader has an array of this many.
+    // A shader declares an array of this size, which must not be 0.
     textures_ = static_cast<int>(std::max<std::size_t>(textures.count(), 1));
     table_.emplace(gl::storage(context, table));
     texels_.emplace(gl::storage(context, texels));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How a material varies, on the device.
+// Textures and layers of a material, on the device.
 #pragma once
 
 #include <cstddef>
@@ -12,16 +12,16 @@
 
 namespace nicol {
 
-/// Its textures and layers as glsl/texture.glsl and glsl/pixel_texture.comp read them. All members inside
-/// run().
+/// Textures and layers of a material as glsl/texture.glsl and glsl/pixel_texture.comp read them. All members
+/// must be called inside run() of the context.
 class VariationBuffers {
 public:
     /// Throws Error(unsupported) for textures of more texels than the driver lets a shader reach.
     VariationBuffers(const std::shared_ptr<gl::Context>& context, const SpatialVariation& variation);
 
-    /// To the bindings of texture.glsl's words and texels.
+    /// Binds the buffers of texture.glsl's words and texels.
     void bind(unsigned table, unsigned texels) const;
-    /// Of TEXTURES.
+    /// Returns the value of the define TEXTURES.
     [[nodiscard]] int textures() const noexcept { return textures_; }
     [[nodiscard]] std::size_t layers() const noexcept { return layers_; }
 

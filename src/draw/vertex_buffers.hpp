@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A scene's vertices on the device: what shading writes and drawing reads.
+// A scene's vertices on the device, which shading writes and drawing reads.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -15,35 +15,35 @@
 
 namespace nicol {
 
-/// All members inside run() of the context.
+/// Buffers of a scene's vertices. All members must be called inside run() of the context.
 class VertexBuffers {
 public:
     explicit VertexBuffers(std::shared_ptr<gl::Context> context)
         : context_(std::move(context)), corners_(context_) {}
 
-    /// Makes the buffers for this geometry and these channels, as far as changes make it necessary.
+    /// Makes the buffers for a geometry and a number of channels; repeats only what changes require.
     void update(const WorldGeometry& geometry, Version geometry_version, int channels);
-    /// Stokes vectors made on the host.
+    /// Uploads Stokes vectors that were computed on the host.
     void upload(const VertexStokes& stokes);
 
-    /// Whether there is nothing to draw; then the buffers below do not exist.
+    /// Returns whether there is nothing to draw. If so, the buffers below do not exist.
     [[nodiscard]] bool empty() const noexcept { return indices_ == nullptr; }
-    /// Changes each time that the buffers are made anew.
+    /// Returns a version that changes each time the buffers are made anew.
     [[nodiscard]] Version version() const noexcept { return version_; }
 
     [[nodiscard]] const std::shared_ptr<const gl::IndexBuffer>& indices() const noexcept { return indices_; }
-    /// Three floats a vertex.
+    /// Returns the positions, three floats per vertex.
     [[nodiscard]] const std::shared_ptr<const gl::Buffer>& positions() const noexcept { return positions_; }
-    /// Likewise; uploaded on first use.
+    /// Returns the normals, three floats per vertex. Uploaded on first use.
     [[nodiscard]] const std::shared_ptr<const gl::Buffer>& normals(const WorldGeometry& geometry);
-    /// A vec4 a vertex.
+    /// Returns the Stokes vectors of a channel, one vec4 per vertex.
     [[nodiscard]] const std::shared_ptr<gl::Buffer>& stokes(int channel) const {
         return stokes_[static_cast<std::size_t>(channel)];
     }
-    /// A vec2 a vertex: the visible fractions of the lobes of high orders. Made on first use.
+    /// Returns the visible fractions of the lobes of high orders, one vec2 per vertex. Made on first use.
     [[nodiscard]] const std::shared_ptr<gl::Buffer>& fractions();
 
-    /// Of triangles; uploaded by their own update().
+    /// Returns the buffers of triangles' corners, which their own update() uploads.
     [[nodiscard]] CornerBuffers& corners() noexcept { return corners_; }
 
 private:
@@ -59,7 +59,7 @@ private:
     std::shared_ptr<gl::Buffer> fractions_;
 };
 
-/// Sets those uniforms of glsl/vertex_view.glsl that the program uses.
+/// Sets the uniforms of glsl/vertex_view.glsl that the program uses.
 void set_view_uniforms(gl::Program& program, const Viewpoint& view);
 
 }  // namespace nicol

@@ -38,7 +38,7 @@ void VisibilityBuffer::draw(const WorldGeometry& geometry, VertexBuffers& buffer
     }
 }
 
-// Those of whole surfaces together, as few draws as there can be.
+// Merges the batches of surfaces without alpha masks, for as few draws as possible.
 void VisibilityBuffer::find_batches(const WorldGeometry& geometry, const AlphaMasks& alpha_masks) {
     batches_.clear();
     for (const TriangleBatch& batch : triangle_batches(geometry)) {
@@ -73,7 +73,7 @@ void VisibilityBuffer::draw_sample(const AlphaMasks& alpha_masks, const glm::dma
         program.set("to_clip", glm::mat4(to_clip));
         program.set("first", static_cast<std::uint32_t>(batch.first));
         if (textures > 0) alpha_masks.bind(program, batch.range);
-        // Of two-sided surfaces each side has triangles of its own.
+        // Each side of a two-sided surface has its own triangles.
         gl::draw(target, program, *vertices_, 3 * batch.first, 3 * (batch.last - batch.first),
                  {.cull = batch.two_sided ? gl::Cull::back : gl::Cull::none});
     }

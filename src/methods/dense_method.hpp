@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The dense method: the paper's transfer matrices, one a vertex.
+// The dense method: the paper's transfer matrices, one per vertex.
 #pragma once
 
 #include <map>
@@ -15,7 +15,7 @@ namespace nicol {
 
 class DenseMethod final : public TransferMethod {
 public:
-    /// The vertices of one of the geometry's ranges.
+    /// Transfer matrices and response of the vertices of one range.
     struct Run {
         std::size_t first;
         DenseTransfer matrices;
@@ -29,13 +29,13 @@ public:
     void shade_pixels(const PixelInput& input, RenderExecutor& executor, RenderRun& run) const override;
     void count(const TransferInput& input, Statistics& statistics) const override;
 
-    /// One for each of the geometry's ranges.
+    /// Returns one run per range of the geometry.
     [[nodiscard]] const Versioned<std::vector<Run>>& runs() const noexcept { return runs_; }
 
 private:
     struct Projected {
         std::vector<IsotropicMatrix> channels;
-        LightKind kind = LightKind::unpolarized;  // of the light that the others are for
+        LightKind kind = LightKind::unpolarized;  // kind of the light that the other members are for
         std::shared_ptr<const DenseMaterial> material;
         std::shared_ptr<const ResponseTable> response;
     };
@@ -48,10 +48,10 @@ private:
     Stage<int> sizing_;  // order
     Stage<Version, int, LightKind> projecting_;
     Materials materials_;
-    // Order, kind.
+    // Inputs: order, kind of the light.
     VertexStage<int, LightKind> baking_{{.on_materials = true}};
     Versioned<std::vector<Run>> runs_;
-    // Executor, light, for pixels.
+    // Inputs: executor, light, whether pixels are shaded.
     VertexStage<Version, Version, bool> relighting_{{.on_materials = true}};
 };
 

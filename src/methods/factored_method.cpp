@@ -63,7 +63,7 @@ void FactoredMethod::bake(const TransferInput& input, VisibilityRequest* request
 }
 
 void FactoredMethod::relight(const TransferInput& input, RenderExecutor& executor, RenderRun& run) {
-    if (input.at_pixels && !*shadows_) return;  // the same light everywhere
+    if (input.at_pixels && !*shadows_) return;  // all points have the same light
     if (!relighting_.update(input, executor.version(), input.light_version, input.at_pixels)) return;
     const Stopwatch watch;
     run.statistics.vertices_relit += executor.relight(*this, input, relighting_.current(), run);

@@ -15,7 +15,7 @@ namespace nicol {
 
 class FactoredMethod final : public TransferMethod {
 public:
-    /// Keeps response tables in a folder, see load_or_build().
+    /// Sets the cache folder of response tables, see load_or_build().
     void set_cache(std::filesystem::path folder, CacheNotice notice);
 
     void project(const TransferInput& input, RenderRun& run) override;
@@ -25,10 +25,10 @@ public:
     void shade_pixels(const PixelInput& input, RenderExecutor& executor, RenderRun& run) const override;
     void count(const TransferInput& input, Statistics& statistics) const override;
 
-    /// Of plain_materials().
+    /// Response tables of plain_materials().
     using Tables = std::map<MaterialPtr, ResponseTable>;
     [[nodiscard]] const Versioned<Tables>& tables() const noexcept { return tables_; }
-    /// None where nothing casts shadows.
+    /// Returns the visibility product; none if nothing casts shadows.
     [[nodiscard]] const Versioned<std::optional<VisibilityProduct>>& shadows() const noexcept {
         return shadows_;
     }
@@ -36,14 +36,14 @@ public:
 private:
     std::filesystem::path folder_;
     CacheNotice notice_;
-    // Channels, order, kind.
+    // Inputs: channels, order, kind of the light.
     Stage<int, int, LightKind> sizing_;
     Stage<Version, int, int, LightKind> projecting_;
     Versioned<Tables> tables_;
-    // Order, kind.
+    // Inputs: order, kind of the light.
     VertexStage<int, LightKind> baking_{{}};
     Versioned<std::optional<VisibilityProduct>> shadows_;
-    // Executor, light, for pixels.
+    // Inputs: executor, light, whether pixels are shaded.
     VertexStage<Version, Version, bool> relighting_{{}};
 };
 

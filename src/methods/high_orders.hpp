@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The orders of light above order_low: the light filtered, materials fitted, visibility expanded.
+// The light's orders above order_low: filtered light, fitted materials, expanded visibility.
 #pragma once
 
 #include <filesystem>
@@ -18,11 +18,11 @@
 
 namespace nicol {
 
-/// Distant light to a high order, in its own axes: filtering commutes with rotation, so that a rotation costs
-/// nothing.
+/// Distant light up to a high order, in its own axes. Filtering commutes with rotation, so a rotation of the
+/// light costs nothing.
 struct DistantLight {
-    const PshVector& coefficients;  ///< of order `high`, scaled
-    Version version;                ///< of the coefficients
+    const PshVector& coefficients;  ///< scaled coefficients of order `high`
+    Version version;                ///< version of the coefficients
     int low;
     int high;  ///< above low
     bool polarized;
@@ -30,31 +30,33 @@ struct DistantLight {
 
 class HighOrderTransfer {
 public:
-    /// Where to keep what takes long to fit; an empty folder: nowhere.
+    /// Sets the cache folder of results that are slow to fit; an empty folder disables the cache.
     void set_cache(std::filesystem::path folder, CacheNotice notice);
 
-    /// project: filters the light and fits the materials, as far as changes make it necessary.
+    /// Filters the light and fits the materials (project). Repeats only what changes require.
     void project(const TransferInput& input, const DistantLight& light, HighOrders form, RenderRun& run);
-    /// The visibility that bake() would compute for all vertices; none where it has what it needs of them.
+    /// Returns a request for the visibility that bake() would compute for all vertices; none if nothing casts
+    /// shadows or the visibility of any vertex is current.
     [[nodiscard]] std::optional<VisibilityRequest> request(const TransferInput& input, int low);
-    /// bake: coefficients of visibility, those of a request that has been filled.
+    /// Computes the coefficients of visibility (bake), or takes those of a request that has been filled.
     void bake(const TransferInput& input, int low, std::optional<VisibilityRequest> request, RenderRun& run);
-    /// Adds what it keeps to the statistics.
+    /// Adds the memory of the kept results to the statistics.
     void count(Statistics& statistics) const;
 
-    /// A material without variation with the maps and factors for its high orders.
+    /// Maps and factors for the high orders of a plain material.
     struct Part {
         HighOrderFactors factors;
-        std::optional<LobeMap> convolved;  ///< of the published form
-        bool filtered = false;             ///< the maps are there
+        std::optional<LobeMap> convolved;  ///< map of HighOrders::convolution
+        bool filtered = false;             ///< whether `maps` is set
         HighOrderMaps maps;
     };
     using Parts = std::map<MaterialPtr, Part>;
     [[nodiscard]] const Versioned<Parts>& parts() const noexcept { return parts_; }
-    /// Of twice the order that high orders begin above; empty where nothing casts shadows.
+    /// Returns the visibility up to twice the order that high orders begin above; empty if nothing casts
+    /// shadows.
     [[nodiscard]] const Versioned<VisibilityBlocks>& visibility() const noexcept { return visibility_; }
-    /// Of a material's lobe about the mirror direction, radians, where it varies of the middle one of its
-    /// layers; visible fractions are computed for this lobe.
+    /// Returns the width, in radians, of a material's lobe about the mirror direction; for a textured
+    /// material, the median width of its layers. Visible fractions are computed for this lobe.
     [[nodiscard]] double lobe_width(const MaterialPtr& material) const;
 
 private:
@@ -64,11 +66,12 @@ private:
 
     std::filesystem::path folder_;
     CacheNotice notice_;
-    // Form, low and high order, channels, whether the light is polarized.
+    // Inputs: form, low and high order, channels, whether the light is polarized. fitting_ also depends on
+    // the materials.
     Stage<HighOrders, int, int, int, bool> sizing_;
     Stage<Version, HighOrders, int, int, int, bool> fitting_;
     Versioned<Parts> parts_;
-    Version fitted_ = 0;  // of the parts without what is filtered for them
+    Version fitted_ = 0;  // version of the parts without their filtered maps
     std::map<MaterialPtr, std::vector<ConvolutionKernel>> kernels_;
     Stage<Version> lighting_;
     Stage<Version, Version> filtering_;

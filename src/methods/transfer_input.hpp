@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What every method of transfer starts from.
+// Input of every transfer method.
 #pragma once
 
 #include <cstddef>
@@ -13,22 +13,22 @@
 
 namespace nicol {
 
-/// A scene as numbers.
+/// Surfaces, and the distant light's coefficients.
 struct TransferInput : SurfaceState {
     const LightLayout& layout;
-    const PshVector& light;  ///< in the geometry's axes, scaled; one channel where all are equal
-    Version light_version;   ///< another for each layout, too
-    int channels;            ///< of the image
-    /// Pixels are shaded, not vertices: relight leaves light in the geometry's axes, which can be
-    /// interpolated.
+    const PshVector& light;  ///< scaled coefficients in the geometry's axes; one channel if all are equal
+    Version light_version;   ///< version of `light` and `layout`
+    int channels;            ///< channels of the image
+    /// Whether pixels are shaded instead of vertices. If so, relight leaves light in the geometry's axes,
+    /// which can be interpolated.
     bool at_pixels = false;
-    /// Of reflected light: the first so many components are shaded even where they are zero ...
+    /// Number of leading components of reflected light that are shaded even if they are zero.
     std::size_t least_components = 1;
-    /// ... and so many where they are not.
+    /// Number of leading components of reflected light that are shaded if they are not zero.
     std::size_t most_components = 4;
 };
 
-/// One Stokes vector a vertex for each channel of the image.
+/// Stokes vectors of vertices, [channel of the image][vertex].
 using VertexStokes = std::vector<std::vector<glm::vec4>>;
 
 }  // namespace nicol

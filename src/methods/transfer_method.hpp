@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How incident light becomes reflected light: the data that project and bake prepare and executors compute
-// with.
+// Interface of the transfer methods: data that project and bake prepare and executors compute with.
 #pragma once
 
 #include <cstdint>
@@ -14,30 +13,32 @@
 
 namespace nicol {
 
-/// Coefficients of visibility that are needed beside what a method needs.
+/// Coefficients of visibility that are needed in addition to a method's own.
 struct VisibilityRequest {
     VisibilityBlocks blocks;
     bool filled = false;
 };
 
-/// Every function computes as far as changes of its input make it necessary, and adds its times and counts to
-/// the statistics. They are called in this order, each with the same input.
+/// Method that turns incident light into reflected light. Every function computes only what changes of its
+/// input require, and adds its times and counts to the statistics. The functions are called in this order,
+/// each with the same input.
 class TransferMethod {
 public:
     virtual ~TransferMethod() = default;
 
-    /// project: the response of the materials.
+    /// Projects the response of the materials.
     virtual void project(const TransferInput& input, RenderRun& run) = 0;
-    /// bake: shadows. Fills `request`, which may be null, where it computes all of its vertices.
+    /// Bakes shadows. Fills `request`, which may be null, if the shadows of all vertices are computed.
     virtual void bake(const TransferInput& input, VisibilityRequest* request, RenderRun& run) = 0;
-    /// relight: the light of all vertices, kept by the executor.
+    /// Relights all vertices; the executor keeps their light.
     virtual void relight(const TransferInput& input, RenderExecutor& executor, RenderRun& run) = 0;
-    /// shade: the Stokes vectors of the vertices with chosen[v] != 0, by the executor that has relit them.
+    /// Shades the vertices with chosen[v] != 0: computes their Stokes vectors, by the executor that has relit
+    /// them.
     virtual void shade(const ShadeInput& input, RenderExecutor& executor, RenderRun& run) const = 0;
-    /// Likewise of pixels.
+    /// Shades pixels: computes their Stokes vectors, by the executor that has relit the vertices.
     virtual void shade_pixels(const PixelInput& input, RenderExecutor& executor, RenderRun& run) const = 0;
 
-    /// Adds what it keeps to the statistics.
+    /// Adds the memory and counts of the kept results to the statistics.
     virtual void count(const TransferInput& input, Statistics& statistics) const = 0;
 };
 

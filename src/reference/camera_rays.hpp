@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The rays of an image.
+// Camera rays of an image.
 #pragma once
 
 #include "geometry/ray_scene.hpp"
@@ -12,9 +12,9 @@ class CameraRays {
 public:
     CameraRays(const Projection& projection, int width, int height);
 
-    /// Through the image at (x, y) in pixels from its upper left corner.
+    /// Returns the ray through the image at (x, y), in pixels from the image's upper left corner.
     [[nodiscard]] Ray through(double x, double y) const;
-    /// The frame in which the light along the ray is measured.
+    /// Returns the frame in which the light along a ray is measured.
     [[nodiscard]] Frame frame(const Ray& ray) const { return projection_.view.frame(-ray.direction); }
 
 private:

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kSky = std::numeric_limits<double>::infinity();
 
-// Of the points; one each for discs and area lights follows.
+// Streams of the points. One more stream follows for each disc and each area light's sample.
 constexpr std::uint32_t kEnvironmentStream = DirectLight::kFirstStream;
 constexpr std::uint32_t kSurfaceStream = kEnvironmentStream + 1;
 constexpr std::uint32_t kDiscStream = kSurfaceStream + 1;
@@ -26,7 +26,7 @@ glm::dvec3 axis_in_world(const glm::dmat4& to_world, const PolarizationState& st
 
 }  // namespace
 
-/// At a point of a surface; directions towards the light are in its frame.
+/// Reflection at a point of a surface. Directions towards the light are in the surface's frame.
 struct DirectLight::Reflection {
     const SurfaceHit& hit;
     const Frame& received;
@@ -36,11 +36,12 @@ struct DirectLight::Reflection {
     [[nodiscard]] glm::dvec3 in_world(const glm::dvec3& towards_light) const {
         return glm::normalize(hit.frame * towards_light);
     }
-    /// In the world, of the light that comes from there.
+    /// Returns the frame, in the world, of the light from a direction.
     [[nodiscard]] Frame incident_frame(const glm::dvec3& towards_light) const {
         return hit.frame * theta_phi_frame(-towards_light);
     }
-    /// A perturbed normal sees light from below the surface, which hides it.
+    /// Returns whether light from a direction can reach the surface. A perturbed normal may face light from
+    /// below the surface, which the surface hides.
     [[nodiscard]] bool lit_from(const glm::dvec3& towards_light) const {
         return towards_light.z > 0 && glm::dot(in_world(towards_light), hit.unturned) > 0;
     }
@@ -172,14 +173,14 @@ void DirectLight::weigh_layers(const SurfaceHit& hit, Workspace& workspace) cons
     for (double& share : workspace.shares) share = sum > 0 ? share / sum : 1 / static_cast<double>(layers);
 }
 
-// The first coordinate chooses the layer, and what is left of it samples.
+// Samples a direction. The first coordinate chooses the layer, and its remainder samples the layer.
 glm::dvec3 DirectLight::sample(const SurfaceHit& hit, const glm::dvec2& point,
                                const Workspace& workspace) const {
     double x = point.x;
     std::size_t chosen = 0;
     while (chosen + 1 < workspace.shares.size() && x >= workspace.shares[chosen])
         x -= workspace.shares[chosen++];
-    // What rounding leaves may reach a layer that has no share.
+    // A remainder from rounding may reach a layer that has no share.
     while (chosen > 0 && workspace.shares[chosen] == 0) --chosen;
     const double within = std::min(x / workspace.shares[chosen], 1 - 1e-16);
     return hit.surface.layers[chosen].sampler->sample(hit.towards_viewer, {within, point.y});
@@ -231,8 +232,8 @@ void DirectLight::add_sampled_area_light(Reflection& at, const RayHit& place) co
     const glm::dvec3 towards_light = way / distance * at.hit.frame;
     if (!at.lit_from(towards_light)) return;
     if (!area_light.emitted(place, at.incident_frame(towards_light), at.workspace.incident)) return;
-    // As the ray starts off the surface, it meets the area light's plane that much earlier, or more at a
-    // slant.
+    // The ray starts off the surface, so it meets the area light's plane earlier by this offset, or by more
+    // at a slant.
     if (hidden(at, towards_light, distance - 2 * rays_->offset() / cosine)) return;
     add_reflected(at, towards_light, pdf(at, towards_light, area_light_pdf(at, place)));
 }
@@ -283,8 +284,8 @@ void DirectLight::add_disc(Reflection& at, const SkyDisc& disc, const glm::dvec3
     add_reflected(at, towards_light, pdf(at, towards_light, of_light));
 }
 
-// Adds emissive surfaces, up to the first of all surfaces if they hide what is beyond; returns whether one
-// does.
+// Adds the reflection of emissive surfaces. With shadows, only the first surface of all counts. Returns
+// whether a surface hides the light beyond.
 bool DirectLight::add_area_lights(Reflection& at, const glm::dvec3& towards_light) const {
     if (shadows_) ++at.workspace.shadow_rays;
     Ray ray = rays_->leaving(at.hit.position, at.hit.geometric_normal, at.in_world(towards_light));
@@ -305,7 +306,7 @@ bool DirectLight::hidden(Reflection& at, const glm::dvec3& towards_light, double
                            std::max(0.0, distance));
 }
 
-// Of the places that the area lights' samples would choose, at this one, per steradian.
+// Returns the density, per steradian, of the area lights' samples at a place.
 double DirectLight::area_light_pdf(const Reflection& at, const RayHit& place) const {
     const TracedSurface& area_light = surfaces_[place.surface];
     const glm::dvec3 way = area_light.position(place) - at.hit.position;
@@ -335,7 +336,8 @@ void DirectLight::add_reflected(Reflection& at, const glm::dvec3& towards_light,
                 reflected +=
                     weight * (workspace.terms[static_cast<std::size_t>(t)] * workspace.incident[channel]);
             }
-            // Textures of colours are for three channels; of others all three weights are equal.
+            // Colour textures require three channels. With other numbers of channels all three weights are
+            // equal.
             const double weight = workspace.weights[l][channels_ == 3 ? c : 0];
             at.sum[channel] += rotated(weight * towards_light.z / pdf * reflected, rotate_out);
         }

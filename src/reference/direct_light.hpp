@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The light that reaches the camera along a ray: of the environment and of emissive surfaces, and what a
-// surface reflects once, all of it through the elements before.
+// Light that reaches the camera along a ray, through polarization elements: from the environment, from
+// emissive surfaces, and by one reflection.
 #pragma once
 
 #include <cstdint>
@@ -19,75 +19,77 @@
 
 namespace nicol {
 
-/// Which directions the reflection of lights with a size is estimated from. Each alone is unbiased; together
-/// (weighted by the balance heuristic) they are the least noisy. Lights without a size have one direction.
+/// Directions from which the reflection of lights with a size is estimated. Each strategy alone is unbiased;
+/// both together, weighted by the balance heuristic, have the least noise. Lights without a size have one
+/// direction.
 enum class Strategy { both, light, surface };
 
-/// A scene made ready for rays. Immutable; its scene must not change meanwhile.
+/// Scene prepared for rays. Immutable; the scene must not change during the object's lifetime.
 class DirectLight {
 public:
-    /// Throws what RayScene throws.
+    /// Throws the errors of RayScene.
     DirectLight(const Scene& scene, Strategy strategy, bool shadows);
 
-    /// What one thread needs: room for one reflection, and its count.
+    /// Work space of one thread for one reflection, and the thread's count of rays.
     struct Workspace {
         std::vector<Mueller> terms;
-        std::vector<glm::vec3> weights;  ///< of the layers of the surface's material
-        std::vector<double> shares;      ///< the chance of each to be sampled
-        std::vector<Stokes> incident;    ///< radiance of each channel
-        std::vector<double> irradiance;  ///< likewise
-        std::vector<Stokes> behind;      ///< elements
+        std::vector<glm::vec3> weights;  ///< weights of the layers of the surface's material
+        std::vector<double> shares;      ///< probability of each layer to be sampled
+        std::vector<Stokes> incident;    ///< incident radiance of each channel
+        std::vector<double> irradiance;  ///< irradiance of each channel
+        std::vector<Stokes> behind;      ///< light behind the elements
         std::uint64_t shadow_rays = 0;
     };
 
     [[nodiscard]] int channels() const noexcept { return channels_; }
     [[nodiscard]] std::uint64_t triangles() const noexcept { return triangles_; }
 
-    /// The point where a ray first meets a surface.
+    /// Point where a ray first meets a surface.
     struct Surfel {
-        std::uint32_t instance;  ///< id
+        std::uint32_t instance;  ///< id of the instance
         glm::dvec3 position;
-        glm::dvec3
-            normal;  ///< shading, unit, by its texture too; of a two-sided material on the viewer's side
+        /// Unit shading normal, perturbed by textures; on the viewer's side for a two-sided material.
+        glm::dvec3 normal;
     };
     [[nodiscard]] std::optional<Surfel> first_surface(const Ray& ray) const;
 
-    /// add() takes points of this stream and of those that follow.
+    /// First stream of the points that add() takes; add() uses later streams, too.
     static constexpr std::uint32_t kFirstStream = 1;
     /// Adds, for each channel, an estimate of the Stokes vector of the light that travels against the ray, in
-    /// `received`, whose z is -ray.direction. The points of this index choose the directions towards the
-    /// light. Returns whether the ray meets a surface.
+    /// the frame `received`, whose z is -ray.direction. The points of this index choose the directions
+    /// towards the light. Returns whether the ray meets a surface.
     bool add(const Ray& ray, const Frame& received, const LowDiscrepancy& points, std::uint32_t index,
              std::span<Stokes> sum, Workspace& workspace) const;
 
 private:
     struct Reflection;
 
-    // As add(), without elements; `found`: where the ray meets a surface.
+    // Adds light like add(), but without elements. found: the place where the ray meets a surface.
     void add_behind_elements(const Ray& ray, const std::optional<RayHit>& found, const Frame& received,
                              const LowDiscrepancy& points, std::uint32_t index, std::span<Stokes> sum,
                              Workspace& workspace) const;
     void weigh_layers(const SurfaceHit& hit, Workspace& workspace) const;
     [[nodiscard]] glm::dvec3 sample(const SurfaceHit& hit, const glm::dvec2& point,
                                     const Workspace& workspace) const;
-    /// Of the strategy, where sampling the light has `of_light`; per steradian.
+    /// Returns the strategy's density per steradian. of_light: the density of sampling the light.
     [[nodiscard]] double pdf(const Reflection& at, const glm::dvec3& towards_light, double of_light) const;
     void add_background(const glm::dvec3& direction, const Frame& received, std::span<Stokes> sum) const;
     void add_emitted(const RayHit& hit, const Frame& received, std::span<Stokes> sum,
                      Workspace& workspace) const;
 
-    // Each adds what the surface reflects of a light, unless that is hidden.
+    // Each function adds the surface's reflection of a light, unless the light is hidden.
     void add_sampled_environment(Reflection& at, const glm::dvec2& point) const;
     void add_sampled_disc(Reflection& at, const SkyDisc& disc, const glm::dvec2& point) const;
     void add_sampled_area_light(Reflection& at, const RayHit& place) const;
     void add_without_size(Reflection& at, const LocalLight& light) const;
     void add_sampled_surface(Reflection& at, const glm::dvec2& point) const;
 
-    // Each adds what the surface reflects of a light in a direction, which nothing hides.
+    // Each function adds the surface's reflection of a light in a direction. Nothing hides the light.
     void add_environment(Reflection& at, const glm::dvec3& towards_light) const;
     void add_disc(Reflection& at, const SkyDisc& disc, const glm::dvec3& towards_light) const;
     [[nodiscard]] bool add_area_lights(Reflection& at, const glm::dvec3& towards_light) const;
-    /// `sized`: of a light with a size; of others smooth terms reflect nothing.
+    /// Adds the reflection of light. sized: whether the light has a size; smooth terms do not reflect other
+    /// lights.
     void add_reflected(Reflection& at, const glm::dvec3& towards_light, double pdf, bool sized = true) const;
 
     [[nodiscard]] bool hidden(Reflection& at, const glm::dvec3& towards_light, double distance) const;
@@ -96,7 +98,8 @@ private:
 
     const Environment* environment_;
     bool emitters_hidden_;
-    std::unique_ptr<const Environment> table_;  ///< what environment_ points to, where it had to be made
+    /// Environment that environment_ points to, if it had to be made.
+    std::unique_ptr<const Environment> table_;
     glm::dmat3 light_to_world_;
     double light_scale_;
     Strategy strategy_;
@@ -104,7 +107,7 @@ private:
     int channels_;
     std::uint64_t triangles_ = 0;
     std::vector<TracedSurface> surfaces_;
-    std::vector<std::uint32_t> ids_;  // of their instances
+    std::vector<std::uint32_t> ids_;  // ids of the surfaces' instances
     std::map<const Material*, SurfaceSampler> samplers_;
     std::unique_ptr<LightSampler> light_sampler_;
     std::vector<const LocalLight*> without_size_;

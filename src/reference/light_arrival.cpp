@@ -41,7 +41,8 @@ std::optional<LightArrival> light_arrival(const LocalLight& light, const glm::dv
             if (factor == 0) return std::nullopt;
         } else {
             if (uv.x < 0 || uv.x > 1 || uv.y < 0 || uv.y > 1) return std::nullopt;
-            // On the plane z = 1 the distance is 1 / cosine, and so is the cosine itself.
+            // On the plane z = 1, the distance 1 / cosine contributes cosine^2, and the angle of incidence
+            // contributes cosine.
             factor /= cosine * cosine * cosine;
         }
         if (light.texture != nullptr) texel = light.texture->at({.uv = glm::vec2(uv)});

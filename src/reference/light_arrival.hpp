@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What lights without a size send to a point.
+// Light that reaches a point from lights without a size.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -10,16 +10,17 @@
 
 namespace nicol {
 
-/// Whether all its light reaches a point from one direction.
+/// Returns whether all light of a local light reaches a point from one direction.
 [[nodiscard]] bool without_size(const LocalLight& light) noexcept;
 
 struct LightArrival {
-    glm::dvec3 towards_light;  ///< unit, in the world
-    double distance;           ///< to the light; infinite from the sky
+    glm::dvec3 towards_light;  ///< unit vector in the world
+    double distance;           ///< distance to the light; infinite for light from the sky
 };
 
-/// For a light without a size. `irradiance`, of each channel, becomes that of a surface at the point
-/// `position` of the world that faces the light. None where no light reaches it.
+/// Returns the arrival of a light without a size at the point `position` of the world; none if no light
+/// reaches the point. Sets `irradiance`, for each channel, to the irradiance of a surface at the point that
+/// faces the light.
 [[nodiscard]] std::optional<LightArrival> light_arrival(const LocalLight& light, const glm::dvec3& position,
                                                         std::span<double> irradiance);
 

@@ -29,15 +29,15 @@ Choice choose(std::span<const double> cumulative, double u) {
             share > 0 ? std::clamp((wanted - before) / share, 0.0, 1.0) : 0.5};
 }
 
-/// x in [0, 1] with density proportional to (1 - x) a + x b.
+/// Samples x in [0, 1] with a density proportional to (1 - x) a + x b.
 double linear_sample(double u, double a, double b) {
     if (!(a + b > 0)) return u;
     return u * (a + b) / (a + std::sqrt(std::lerp(a * a, b * b, u)));
 }
 
-/// The index whose share of a cumulative sum holds x; x becomes where in that share.
+/// Returns the index whose share of a cumulative sum contains x. x becomes the position inside this share.
 std::size_t choose_index(const std::vector<double>& cumulative, double& x) {
-    // Below the last sum, so that an index without a share is never chosen.
+    // The value stays below the last sum, so that an index without a share is never chosen.
     const double at = std::min(x * cumulative.back(), std::nextafter(cumulative.back(), 0.0));
     const auto found = std::upper_bound(cumulative.begin(), cumulative.end() - 1, at);
     const double before = found == cumulative.begin() ? 0 : *(found - 1);
@@ -56,7 +56,7 @@ std::vector<double> cumulative_areas(const Mesh& mesh) {
     return areas;
 }
 
-/// Mean radiance over the surface and the channels.
+/// Returns the mean radiance over the surface and the channels.
 double brightness(const Emission& emission) {
     const glm::vec4 mean = emission.texture != nullptr ? emission.texture->mean() : glm::vec4(1);
     double sum = 0;

@@ -16,22 +16,24 @@
 namespace nicol {
 
 struct LightSample {
-    glm::dvec3 towards_light;  ///< unit, in the light's own axes
-    double pdf;                ///< per steradian, above 0
+    glm::dvec3 towards_light;  ///< unit vector in the light's own axes
+    double pdf;                ///< density per steradian, above 0
 };
 
-/// Samples directions in proportion to |s0|, mean over the channels, of an environment's image. Between the
-/// image's rows and columns the density is bilinear in azimuth and height (the cosine of the zenith angle),
-/// so that each cell's share is exact, and zero only where the bilinear look-up of the light is.
+/// Sampler of directions in proportion to |s0| of an environment's image, averaged over the channels. Between
+/// the image's rows and columns the density is bilinear in azimuth and height (the cosine of the zenith
+/// angle), so that each cell's share is exact. The density is zero only where the bilinear look-up of the
+/// light is zero.
 class LightSampler {
 public:
     explicit LightSampler(const Environment& environment);
 
-    /// The image is black: there is nothing to sample and the density is 0 everywhere.
+    /// Returns whether the image is black. If so, there is nothing to sample, and the density is 0
+    /// everywhere.
     [[nodiscard]] bool dark() const noexcept { return !(total_ > 0); }
-    /// `point` in [0, 1)^2; not for dark light.
+    /// Samples a direction. The light must not be dark. point: in [0, 1)^2.
     [[nodiscard]] LightSample sample(const glm::dvec2& point) const;
-    /// The density of a unit direction, per steradian.
+    /// Returns the density of a unit direction, per steradian.
     [[nodiscard]] double pdf(const glm::dvec3& towards_light) const;
 
 private:
@@ -40,62 +42,63 @@ private:
         double ul, ur, ll, lr;
     };
     [[nodiscard]] Corners corners(int row, int column) const;
-    /// sin^2 of half the zenith angle of an image row: linear in solid angle, exact near the zenith.
+    /// Returns sin^2 of half the zenith angle of an image row, which is linear in solid angle and exact near
+    /// the zenith.
     [[nodiscard]] double depth(int row) const;
 
     int width_, height_;
     std::vector<float> values_;  ///< [row][column]
     std::vector<double> cells_;  ///< [row][column], cumulative within the row
-    std::vector<double> rows_;   ///< cumulative
+    std::vector<double> rows_;   ///< sums of the rows, cumulative
     double total_ = 0;           ///< integral over the sphere
 };
 
-/// A directional light with a size, a disc of the sky: even radiance in the directions up to an angle from
+/// Directional light with a size, a disc of the sky: constant radiance in the directions up to an angle from
 /// the middle. All directions are in the world.
 class SkyDisc {
 public:
-    /// Refers to a directional light with an angular radius above 0.
+    /// Keeps a reference to `light`, a directional light with an angular radius above 0.
     explicit SkyDisc(const LocalLight& light);
 
     [[nodiscard]] const LocalLight& light() const noexcept { return *light_; }
-    /// A unit direction towards the light, evenly by solid angle; `point` in [0, 1)^2.
+    /// Samples a unit direction towards the light, uniformly by solid angle. point: in [0, 1)^2.
     [[nodiscard]] glm::dvec3 sample(const glm::dvec2& point) const;
-    /// The density of a unit direction, per steradian: 0 outside.
+    /// Returns the density of a unit direction, per steradian; 0 outside the disc.
     [[nodiscard]] double pdf(const glm::dvec3& towards_light) const;
     [[nodiscard]] double radiance(int channel) const;
 
 private:
     const LocalLight* light_;
-    glm::dmat3 axes_;        ///< z towards the middle
-    double sin_half_;        ///< of half the radius: exact for the smallest
-    double per_irradiance_;  ///< radiance of the irradiance 1
+    glm::dmat3 axes_;        ///< z points towards the middle
+    double sin_half_;        ///< sine of half the angular radius, exact for the smallest radii
+    double per_irradiance_;  ///< radiance per irradiance
 };
 
-/// Samples places evenly by area: of every emissive surface while there are few of them, else of one that
-/// is chosen in proportion to its power.
+/// Sampler of places on emissive surfaces, uniform by area. Few surfaces are all sampled; of more surfaces,
+/// one is chosen in proportion to its power.
 class AreaLightSampler {
 public:
-    /// More area lights than this share one sample.
+    /// Largest number of area lights that have samples of their own. More area lights share one sample.
     static constexpr std::size_t kFew = 16;
 
-    /// Black surfaces are left out.
+    /// Leaves out black surfaces.
     explicit AreaLightSampler(std::span<const TracedSurface> surfaces);
 
-    /// Samples to take for each point that is lit.
+    /// Returns the number of samples for each lit point.
     [[nodiscard]] std::size_t samples() const noexcept;
-    /// A place for the sample with this index, `point` in [0, 1)^2: a hit without its distance.
+    /// Samples a place for the sample with this index: a hit without its distance. point: in [0, 1)^2.
     [[nodiscard]] RayHit sample(std::size_t index, glm::dvec2 point) const;
-    /// The density of all samples together on a surface, by area; 0 where none are taken.
+    /// Returns the density by area of all samples together on a surface; 0 if the surface has no samples.
     [[nodiscard]] double density(std::uint32_t surface) const { return densities_[surface]; }
 
 private:
     struct AreaLight {
         std::uint32_t surface;
-        std::vector<double> areas;  ///< of triangles, cumulative
+        std::vector<double> areas;  ///< areas of triangles, cumulative
         double power;
     };
     std::vector<AreaLight> area_lights_;
-    std::vector<double> powers_;     ///< cumulative
+    std::vector<double> powers_;     ///< powers of the area lights, cumulative
     std::vector<double> densities_;  ///< by surface
 };
 

@@ -14,8 +14,8 @@ std::uint32_t reversed(std::uint32_t x) {
     return ((x >> 1) & 0x55555555U) | ((x & 0x55555555U) << 1);
 }
 
-/// Sobol's second dimension, most significant bit first. Column k of its matrix is row k of Pascal's triangle
-/// modulo 2, so each column is the one before xor itself moved by one bit.
+/// Returns Sobol's second dimension, most significant bit first. Column k of its matrix is row k of Pascal's
+/// triangle modulo 2, so each column is the previous one xor itself moved by one bit.
 std::uint32_t sobol_second(std::uint32_t index) {
     std::uint32_t result = 0;
     for (std::uint32_t column = 1U << 31; index != 0; index >>= 1, column ^= column >> 1) {
@@ -24,9 +24,10 @@ std::uint32_t sobol_second(std::uint32_t index) {
     return result;
 }
 
-/// Owen's scrambling of a number given with its bits reversed: whether a bit flips depends on the seed and on
-/// the bits below it alone, as in every step here (sums and products carry upwards only; the multipliers in
-/// the xor steps are even, so that no bit decides about itself). The numbers are digits of square roots.
+/// Returns Owen's scrambling of a number given with its bits reversed. Whether a bit flips depends only on
+/// the seed and on the bits below it. Every step here has this property: sums and products carry upwards
+/// only, and the multipliers in the xor steps are even, so that no bit decides about itself. The numbers are
+/// digits of square roots.
 std::uint32_t scrambled_reversed(std::uint32_t x, std::uint64_t seed) {
     const auto low = static_cast<std::uint32_t>(seed);
     const auto high = static_cast<std::uint32_t>(seed >> 32);
@@ -41,7 +42,7 @@ std::uint32_t scrambled_reversed(std::uint32_t x, std::uint64_t seed) {
     return x;
 }
 
-/// `bits` / 2^32, with the digits below taken from `rest`.
+/// Returns `bits` / 2^32, with the lower digits taken from `rest`.
 double fraction(std::uint32_t bits, std::uint64_t rest) {
     const std::uint64_t digits = (std::uint64_t{bits} << 20) | (rest >> 44);
     return std::ldexp(static_cast<double>(digits), -52);
@@ -60,8 +61,8 @@ std::uint64_t mixed(std::uint64_t a, std::uint64_t b) {
 
 glm::dvec2 LowDiscrepancy::point(std::uint32_t index, std::uint32_t stream) const {
     const std::uint64_t key = mixed(seed_, stream);
-    // Streams take the points in orders of their own, so that they do not correlate. Scrambled orders: an
-    // aligned run of 2^k points stays one.
+    // Each stream takes the points in its own order, so that streams do not correlate. The orders are
+    // scrambled, because an aligned run of 2^k points then stays an aligned run.
     const std::uint32_t order = reversed(scrambled_reversed(reversed(index), key));
     const std::uint64_t rest = mixed(key, index);
     const std::uint32_t x = reversed(scrambled_reversed(order, mixed(key, ~std::uint64_t{1})));

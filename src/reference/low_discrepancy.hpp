@@ -7,12 +7,12 @@
 
 namespace nicol {
 
-/// A well-mixed 64-bit function of two numbers.
+/// Returns a well-mixed 64-bit function of two numbers.
 [[nodiscard]] std::uint64_t mixed(std::uint64_t a, std::uint64_t b);
 
-/// Points of one pixel. Each `stream` is a sequence of its own of points in [0, 1)^2: of its first 2^k
-/// points, one lies in every box of area 2^-k whose sides are powers of 1/2. Streams of one index are
-/// independent of each other, as are streams of different seeds.
+/// Points of one pixel. Each `stream` is a separate sequence of points in [0, 1)^2: one of its first 2^k
+/// points lies in every box of area 2^-k whose sides are powers of 1/2. Streams of one index are independent
+/// of each other, and so are streams of different seeds.
 class LowDiscrepancy {
 public:
     explicit LowDiscrepancy(std::uint64_t seed) : seed_(seed) {}

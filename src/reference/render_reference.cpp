@@ -26,7 +26,7 @@ namespace nicol {
 namespace {
 
 constexpr int kTileSide = 8;
-// Samples between two calls of the progress callback.
+// Number of samples between two calls of the progress callback.
 constexpr int kSamplesPerReport = 512;
 
 void check(const ReferenceOptions& options) {
@@ -50,12 +50,12 @@ Stokes luminance(std::span<const Stokes> rgb) {
     return sum;
 }
 
-/// Counts samples on all threads; the thread that made it passes the count on.
+/// Counter of samples on all threads. The thread that made it reports the count.
 class SharedProgress {
 public:
     SharedProgress(const Progress::Callback& callback, double total) : progress_(callback), total_(total) {}
 
-    /// Throws Error(cancelled).
+    /// Adds samples to the count. Throws Error(cancelled).
     void add(std::uint64_t samples) {
         const std::uint64_t done = done_ += samples;
         if (std::this_thread::get_id() == caller_)
@@ -112,10 +112,10 @@ public:
     [[nodiscard]] std::uint64_t shadow_rays() const { return shadow_rays_; }
 
 private:
-    /// Counts the samples with a surface. False where the render has been stopped.
+    /// Samples a pixel, and counts the samples with a surface. Returns false if the render has been stopped.
     bool sample_pixel(int x, int y, std::span<Stokes> sum, PixelEstimate& estimate, std::uint64_t& hits,
                       DirectLight::Workspace& workspace) {
-        // Every pixel has points of its own, so neither tiles nor threads show.
+        // Every pixel has its own points, so the image does not depend on tiles or threads.
         const std::uint64_t pixel = static_cast<std::uint64_t>(y) << 32 | static_cast<std::uint64_t>(x);
         const LowDiscrepancy points(mixed(mixed(options_.seed, 0), pixel));
         std::ranges::fill(sum, Stokes(0.0));
@@ -138,7 +138,7 @@ private:
         return true;
     }
 
-    // Whether its ray meets a surface.
+    // Adds a sample. Returns whether its ray meets a surface.
     bool add_sample(int x, int y, const LowDiscrepancy& points, int i, std::span<Stokes> sum,
                     DirectLight::Workspace& workspace) const {
         const auto index = static_cast<std::uint32_t>(i);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The reference method: an image by rays and the integral of light over directions, without harmonics; every
-// error of the real-time methods is measured against it.
+// The reference method: an image by rays and the integral of light over directions, without harmonics. The
+// errors of the real-time methods are measured against this image.
 #pragma once
 
 #include <cstdint>
@@ -14,23 +14,24 @@
 
 namespace nicol {
 
-/// Most samples a pixel.
+/// Largest number of samples per pixel.
 inline constexpr int kMaxReferenceSamples = 1 << 20;
 
 struct ReferenceOptions {
-    /// Camera rays a pixel, 1..kMaxReferenceSamples; each that hits a surface sends one ray towards the
-    /// environment, one towards each local light (of more than 16 emissive surfaces, to one of them) and
-    /// one into the surface's lobe. Powers of two are stratified best.
+    /// Camera rays per pixel, 1..kMaxReferenceSamples. Each ray that hits a surface sends one ray towards the
+    /// environment, one towards each local light (towards one of the emissive surfaces if there are more than
+    /// 16) and one into the surface's lobe. Powers of two are stratified best.
     int samples = 256;
     bool shadows = true;  ///< whether surfaces hide light from each other
-    /// The image has one channel, the luminance of three.
+    /// Whether the image has one channel, the luminance of three.
     bool luminance = false;
-    /// The same seed gives the same image whatever the number of threads; another one gives other noise.
+    /// Seed of the noise. Equal seeds give equal images for any number of threads; other seeds give other
+    /// noise.
     std::uint64_t seed = 0;
-    int threads = 0;         ///< 0: one a core, which is also the most
-    std::uint32_t aovs = 0;  ///< to make, bits of AovBit (image/aovs.hpp)
-    /// Called about ten times a second on the calling thread with "trace" and the fraction done; false stops
-    /// the render with Error(cancelled).
+    int threads = 0;         ///< number of threads; 0: one per core, which is also the maximum
+    std::uint32_t aovs = 0;  ///< AOVs to make, bits of AovBit (image/aovs.hpp)
+    /// Callback, called about ten times a second on the calling thread with "trace" and the fraction done. If
+    /// it returns false, the render stops with Error(cancelled).
     std::function<bool(const char* verb, double fraction)> progress;
 };
 
@@ -38,20 +39,21 @@ struct ReferenceStatistics {
     std::uint64_t triangles = 0;
     std::uint64_t camera_rays = 0;
     std::uint64_t shadow_rays = 0;
-    double build_ms = 0;  ///< the ray hierarchy and the table of the light
+    double build_ms = 0;  ///< time for the ray hierarchy and the table of the light
     double trace_ms = 0;
 };
 
-/// For each pixel the mean, over the pixel's square, of the light towards the camera in the frame field of
-/// the viewpoint. Where a ray meets a surface this is the integral over the hemisphere about the interpolated
-/// normal of M(towards light, towards viewer) L(towards light) cos, L being that of the environment, of small
-/// lights and of emissive surfaces, where no triangle is in the way if shadows are asked for; 0 where the
-/// viewer is behind that normal, unless the material is two-sided; and what the surface emits itself.
-/// Elsewhere it is the environment. Elements before that act on it. `projection` must have been made for this
-/// width and height. Throws Error(invalid_argument) for options or sizes out of range, the variance of a
-/// single sample among them, Error(out_of_memory), Error(cancelled), and what the environment and the
-/// materials throw. `aovs`, where not null, gets the AOVs of the options: the variance as PixelEstimate has
-/// it, the others by the rays through the pixels' centres.
+/// Returns, for each pixel, the mean over the pixel's square of the light towards the camera, in the frame
+/// field of the viewpoint. If a ray meets no surface, the light is that of the environment. If a ray meets a
+/// surface, the light is the surface's own emission plus the integral over the hemisphere about the
+/// interpolated normal of M(towards light, towards viewer) L(towards light) cos. L is the light of the
+/// environment, of local lights and of emissive surfaces; with shadows, only where no triangle is in the way.
+/// The integral is 0 if the viewer is behind the normal, unless the material is two-sided. Polarization
+/// elements in front act on the light. `projection` must have been made for this width and height. Throws
+/// Error(invalid_argument) for options or sizes out of range, including the variance of a single sample,
+/// Error(out_of_memory), Error(cancelled), and the errors of the environment and the materials. `aovs`, if
+/// not null, gets the AOVs of the options: the variance as in PixelEstimate, the others by rays through the
+/// pixels' centres.
 [[nodiscard]] StokesImage render_reference(const Scene& scene, const Projection& projection, int width,
                                            int height, const ReferenceOptions& options,
                                            ReferenceStatistics& statistics,

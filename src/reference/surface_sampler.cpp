@@ -14,7 +14,7 @@ namespace {
 
 using std::numbers::pi;
 
-// Narrower lobes than this are sampled as if they had this width.
+// Smallest width of a sampled lobe. Narrower lobes are sampled as if they had this width.
 constexpr double kNarrowest = 1e-3;
 
 glm::dvec3 cosine_sample(const glm::dvec2& point) {
@@ -23,9 +23,9 @@ glm::dvec3 cosine_sample(const glm::dvec2& point) {
     return {radius * std::cos(phi), radius * std::sin(phi), std::sqrt(1 - point.x)};
 }
 
-/// The normal of a facet that is visible to the viewer, after Dupuy and Benyoub 2023: stretched until the
-/// roughness is 1, the facets are a hemisphere, whose reflections of the viewer fill a cap of the sphere
-/// evenly.
+/// Samples the normal of a facet that is visible to the viewer, after Dupuy and Benyoub 2023. If space is
+/// stretched until the roughness is 1, the facets are a hemisphere, whose reflections of the viewer fill a
+/// cap of the sphere uniformly.
 glm::dvec3 visible_facet(const glm::dvec2& roughness, const glm::dvec3& viewer, const glm::dvec2& point) {
     const glm::dvec3 stretched = glm::normalize(viewer * glm::dvec3(roughness, 1));
     const double z = (1 - point.x) * (1 + stretched.z) - stretched.z;
@@ -56,14 +56,15 @@ SurfaceSampler::SurfaceSampler(const Material& material) {
         if (width < 1 && std::ranges::none_of(lobes_, same)) lobes_.push_back({roughness, 0});
     }
     if (lobes_.empty()) return;
-    // Half for a diffuse base, though its share of s0 is mostly larger: s1 and s2 come from the lobes. Some
-    // in any case, for what a measured lobe has far from its peak.
+    // A diffuse base gets half of the samples, although its share of s0 is mostly larger, because s1 and s2
+    // come from the lobes. Other materials get some cosine-weighted samples, too, because a measured lobe may
+    // extend far from its peak.
     cosine_share_ = wide ? 0.5 : 0.1;
     for (Lobe& lobe : lobes_) lobe.share = (1 - cosine_share_) / static_cast<double>(lobes_.size());
 }
 
 glm::dvec3 SurfaceSampler::sample(const glm::dvec3& towards_viewer, const glm::dvec2& point) const {
-    // The first coordinate chooses, and what is left of it samples.
+    // The first coordinate chooses a lobe or the hemisphere; the coordinate's remainder samples the choice.
     double x = point.x;
     for (const Lobe& lobe : lobes_) {
         if (x < lobe.share) {

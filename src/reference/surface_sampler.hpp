@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Directions towards the light, where the surface's lobes are more often.
+// Sampler of directions towards the light, denser in the surface's lobes.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -10,18 +10,18 @@
 
 namespace nicol {
 
-/// A mixture of the cosine-weighted hemisphere and, for each lobe width of the material below 1, reflection
-/// off the visible facets of a GGX surface of that roughness, which may be another along y than along x. All
+/// Mixture of the cosine-weighted hemisphere and, for each lobe width of the material below 1, of reflections
+/// off the visible facets of a GGX surface of that roughness, which may differ between x and y. All
 /// directions are in the surface's frame with the normal along z.
 class SurfaceSampler {
 public:
     explicit SurfaceSampler(const Material& material);
 
-    /// A unit direction towards the light for a unit `towards_viewer` above the horizon; `point` in [0, 1)^2.
-    /// A facet may reflect below the horizon: such directions carry no light, and their share is part of the
-    /// density.
+    /// Samples a unit direction towards the light for a unit `towards_viewer` above the horizon. point: in
+    /// [0, 1)^2. A facet may reflect below the horizon. Such directions carry no light, and the density
+    /// includes their share.
     [[nodiscard]] glm::dvec3 sample(const glm::dvec3& towards_viewer, const glm::dvec2& point) const;
-    /// Per steradian, over the whole sphere; above 0 everywhere above the horizon.
+    /// Returns the density per steradian over the whole sphere; above 0 everywhere above the horizon.
     [[nodiscard]] double pdf(const glm::dvec3& towards_viewer, const glm::dvec3& towards_light) const;
 
 private:

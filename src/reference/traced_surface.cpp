@@ -34,7 +34,7 @@ TextureAxes texture_axes(const Mesh& mesh, std::uint32_t triangle) {
                                corners_of(mesh.texcoords, mesh.texcoord_triangles[triangle]));
 }
 
-// The frame of a shading normal, which a texture may have turned, for what the surface is made of.
+// Returns the frame of a shading normal, which a texture may have perturbed, for the surface's material.
 Frame surface_frame(const TracedSurface& surface, std::uint32_t triangle, const glm::dvec3& unturned,
                     const glm::dvec3& normal) {
     if (!surface.material->anisotropic()) return theta_phi_frame(normal);
@@ -58,7 +58,7 @@ Presence TracedSurface::presence() const {
 }
 
 glm::dvec3 TracedSurface::position(const RayHit& hit) const {
-    // From the corners rather than along the ray, which is known to single precision only.
+    // The position is computed from the corners rather than along the ray, which has only single precision.
     const auto corners = corners_of(mesh.positions, mesh.triangles[hit.triangle]);
     return glm::dmat3(corners[0], corners[1], corners[2]) * weights_of(hit);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a ray meets: an instance in the world, and a point of it.
+// Surfaces that rays meet: an instance in the world, and a point of the instance.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -17,38 +17,40 @@ struct TracedSurface {
         const Material* material;
         const SurfaceSampler* sampler;
     };
-    Mesh mesh;  ///< in the world
+    Mesh mesh;  ///< mesh in the world
     const Material* material;
-    std::vector<Layer> layers;   ///< of a material that varies; else itself
-    const Emission* emission;    ///< null: it emits no light
-    glm::dvec3 emission_axis{};  ///< of its polarization, in the world
+    std::vector<Layer> layers;   ///< layers of a textured material; otherwise the material itself
+    const Emission* emission;    ///< null: the surface emits no light
+    glm::dvec3 emission_axis{};  ///< axis of the emission's polarization, in the world
 
-    /// Valid as long as the surface stays where it is.
+    /// Returns the alpha mask, or none if the surface has no alpha mask. Valid as long as the surface stays
+    /// at its address.
     [[nodiscard]] Presence presence() const;
-    /// Of the hit's triangle and weights.
+    /// Returns the position of a hit, from its triangle and weights.
     [[nodiscard]] glm::dvec3 position(const RayHit& hit) const;
-    /// Unit, of the triangle itself, to its front.
+    /// Returns the unit normal of the triangle itself, towards its front.
     [[nodiscard]] glm::dvec3 geometric_normal(const RayHit& hit) const;
-    /// Unit, interpolated between the corners'.
+    /// Returns the unit normal, interpolated between the corners' normals.
     [[nodiscard]] glm::dvec3 normal(const RayHit& hit) const;
-    /// The Stokes vectors, in each channel, of what it emits at a hit along z of `frame`. False where it is
-    /// not there or emits no light that way, and `radiance` is left as it is.
+    /// Sets `radiance` to the Stokes vectors, in each channel, of the emission at a hit along z of `frame`.
+    /// Returns false, and leaves `radiance` as it is, if the surface is not present at the hit or emits no
+    /// light in this direction.
     [[nodiscard]] bool emitted(const RayHit& hit, const Frame& frame, std::span<Stokes> radiance) const;
 };
 
-/// Where light is reflected.
+/// Point of a surface where light is reflected.
 struct SurfaceHit {
     const TracedSurface& surface;
     glm::dvec3 position;
     glm::dvec3 geometric_normal;
-    glm::dvec3 unturned;  ///< the interpolated normal, on the side of the shading normal
-    /// z = the shading normal, of a two-sided material on the viewer's side; of an anisotropic one x = where
-    /// texture coordinate u grows.
+    glm::dvec3 unturned;  ///< interpolated normal, on the side of the shading normal
+    /// Frame whose z is the shading normal, on the viewer's side for a two-sided material. For an anisotropic
+    /// material, x is the direction of growing texture coordinate u.
     Frame frame;
-    glm::dvec3 towards_viewer;  ///< in that frame
+    glm::dvec3 towards_viewer;  ///< unit vector in `frame`
     TexturePoint point;
 };
-/// `towards_viewer` in the world, unit.
+/// Returns the point of a hit. towards_viewer: unit vector in the world.
 [[nodiscard]] SurfaceHit surface_hit(const TracedSurface& surface, const RayHit& hit,
                                      const glm::dvec3& towards_viewer);
 

@@ -12,7 +12,7 @@
 namespace nicol {
 namespace {
 
-// The first channel alone where all are equal.
+// Returns the first channel alone if all channels are equal.
 PshVector without_repeats(PshVector light) {
     for (int c = 1; c < light.channels(); ++c) {
         if (!std::ranges::equal(light.channel(c), light.channel(0))) return light;
@@ -31,7 +31,7 @@ void suppress_ringing(PshVector& light, double strength) {
     scale_orders(light, gains);
 }
 
-// The last order with anything in it but rounding.
+// Returns the last order with coefficients above rounding errors.
 int last_order_of(const PshVector& light) {
     const auto largest = [](std::span<const double> coefficients) {
         double most = 0;

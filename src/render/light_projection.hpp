@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// project: a scene's distant light as coefficients.
+// Projection of a scene's distant light to coefficients.
 #pragma once
 
 #include <cstdint>
@@ -14,33 +14,34 @@
 
 namespace nicol {
 
-/// The Stokes components that a light has; null: no light.
+/// Returns the Stokes components that a light has; null: no light.
 [[nodiscard]] LightKind light_kind(const Environment* light);
 
-/// Low orders are kept in the axes of the scene's geometry, for the methods of transfer; all orders in the
-/// light's own, for the high orders. Both are scaled, and have one channel where all are equal.
+/// Coefficients of the distant light. Low orders are kept in the axes of the scene's geometry, for the
+/// transfer methods; all orders are kept in the light's own axes, for the high orders. Both are scaled, and
+/// have one channel if all channels are equal.
 class LightProjection {
 public:
-    /// As far as changes make it necessary. `environment`: the scene's, or a part of it; `rotation`: from the
-    /// light's axes to the geometry's. Adds its times and counts to `statistics`.
+    /// Projects the light; repeats only what changes require. environment: the scene's environment, or a part
+    /// of it. rotation: from the light's axes to the geometry's. Adds times and counts to `statistics`.
     void update(const EnvironmentPtr& environment, double scale, const RenderOptions& options,
                 const glm::dmat3& rotation, Statistics& statistics);
 
-    /// Of the low orders.
+    /// Returns the layout of the low orders.
     [[nodiscard]] const LightLayout& layout() const { return *layout_; }
-    /// Another layout means another version, too.
+    /// Returns the low orders in the geometry's axes. Another layout means another version, too.
     [[nodiscard]] const Versioned<PshVector>& rotated() const noexcept { return rotated_; }
     [[nodiscard]] const Versioned<PshVector>& distant() const noexcept { return distant_; }
-    /// The last order of distant() that is not zero; at least order_low.
+    /// Returns the last order of distant() that is not zero, but at least order_low.
     [[nodiscard]] int last_order() const noexcept { return last_order_; }
 
 private:
     void project(const Environment* environment, int low, int high, LightKind kind,
                  const RenderOptions& options);
 
-    // Environment, low and high order, kind, dering, disabled optimisations.
+    // Inputs: environment, low and high order, kind, dering, disabled optimisations.
     Stage<EnvironmentPtr, int, int, LightKind, double, std::uint32_t> projecting_;
-    Versioned<PshVector> light_;  // in the environment's axes, unscaled, windowed
+    Versioned<PshVector> light_;  // coefficients in the environment's axes, unscaled, windowed
     std::optional<LightLayout> layout_;
     int last_order_ = -1;
     Stage<Version, double> scaling_;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// project, first of all: the extracted lights of a scene's environment, and the rest that becomes
-// coefficients.
+// Split of a scene's environment into extracted lights and a rest that becomes coefficients.
 #pragma once
 
 #include "light/extract_lights.hpp"
@@ -12,10 +11,12 @@ namespace nicol {
 
 class LightSplit {
 public:
-    /// As far as changes make it necessary. Null is darkness. Adds its times and counts to `statistics`.
+    /// Splits the environment (the first step of project) if the environment or the options have changed. A
+    /// null environment is dark. Adds times and counts to `statistics`.
     void update(const EnvironmentPtr& environment, const RenderOptions& options, Statistics& statistics);
 
-    /// The same pointers as long as update() has nothing to do.
+    /// Returns the rest. This pointer and the lights' pointers stay the same as long as update() has nothing
+    /// to do.
     [[nodiscard]] const EnvironmentPtr& rest() const noexcept { return split_.rest; }
     [[nodiscard]] const std::vector<std::shared_ptr<const ExtractedLight>>& extracted_lights()
         const noexcept {
@@ -23,7 +24,7 @@ public:
     }
 
 private:
-    Stage<EnvironmentPtr, int> splitting_;  // environment, extracted lights at most
+    Stage<EnvironmentPtr, int> splitting_;  // environment, largest number of extracted lights
     SplitLight split_;
 };
 

@@ -26,10 +26,10 @@ namespace {
 struct Size {
     std::uint64_t vertices = 0;
     std::uint64_t triangles = 0;
-    std::uint64_t corner = 0;  // bytes of what textures need of one
+    std::uint64_t corner = 0;  // bytes per corner that textures need
 };
 
-// With both sides of two-sided surfaces.
+// Returns a scene's size, including both sides of two-sided surfaces.
 Size size_of(const Scene& scene) {
     Size size;
     for (const Instance& instance : scene.instances()) {
@@ -46,7 +46,7 @@ LightKind kind_of(const Scene& scene, const RenderOptions& options) {
     return light_kind(scene.environment().get());
 }
 
-// Vertices are kept by sixteen: all take a multiple of what sixteen do.
+// Vertices per block. Vertices are stored in blocks, so the memory of all is a multiple of a block's.
 constexpr std::uint64_t kBlock = 16;
 
 std::uint64_t blocks(std::uint64_t vertices) {
@@ -60,7 +60,8 @@ std::uint64_t shadows_of_block(const LightLayout& layout) {
     return VisibilityProduct(nothing, directions, normals, layout).bytes();
 }
 
-// Matrices from the numbers of the light to those of four reflected components, and the reflected light.
+// Returns the bytes of the matrices, from the light's numbers to those of four reflected components, and of
+// the reflected light.
 std::uint64_t dense(const Scene& scene, const LightLayout& layout) {
     constexpr std::uint64_t vector = 8;
     const LightLayout outgoing(layout.order(), LightKind::full);
@@ -78,8 +79,8 @@ std::uint64_t dense(const Scene& scene, const LightLayout& layout) {
     return bytes;
 }
 
-// Threads shade local lights, of which the environment's extracted lights may become some; the device draws
-// elements.
+// Returns the location of hits. Threads shade local lights, which may include the environment's extracted
+// lights; the device draws elements.
 VisibilityBuffer::Kept hits_of(const Scene& scene, const RenderOptions& options) {
     if (options.executor != Executor::compute)
         return scene.elements().empty() ? VisibilityBuffer::Kept::on_host : VisibilityBuffer::Kept::on_both;
@@ -89,7 +90,7 @@ VisibilityBuffer::Kept hits_of(const Scene& scene, const RenderOptions& options)
 }
 
 MemoryEstimate reference_memory(const Scene& scene) {
-    // Embree's own measure for its robust mode, corners and boxes together.
+    // Embree's own measure in its robust mode, for corners and boxes together.
     constexpr std::uint64_t hierarchy_of_triangle = 200;
     MemoryEstimate estimate;
     for (const Instance& instance : scene.instances()) {
@@ -112,7 +113,7 @@ MemoryEstimate estimate_memory(const Scene& scene, const RenderOptions& options)
     if (shadows) {
         const auto directions = static_cast<std::uint64_t>(std::max(options.bake_directions, 0));
         estimate.visibility = size.vertices * ((directions + 63) / 64 * sizeof(std::uint64_t) + 1);
-        // Shadows of unoccluded vertices, too, are a second set of bits.
+        // Shadows of unoccluded vertices need a second set of bits.
         if ((options.disabled_optimisations & skip_unoccluded) != 0) estimate.visibility *= 2;
     }
     estimate.transfer =
@@ -120,7 +121,7 @@ MemoryEstimate estimate_memory(const Scene& scene, const RenderOptions& options)
     estimate.buffers = in_world + size.vertices * channels * sizeof(glm::vec4);
     if (size.vertices == 0) return estimate;
 
-    // The render refuses what is out of range.
+    // An order out of range is refused by the render.
     const int order = std::clamp(options.order_low, 0, kMaxRenderOrder);
     const LightLayout layout(order, kind_of(scene, options));
     if (options.method == Method::dense) {
@@ -160,12 +161,13 @@ std::uint64_t image_memory(const Scene& scene, const RenderOptions& options, int
     if (options.shade_at != ShadeAt::pixels) bytes = at_vertices;
     if (options.shade_at != ShadeAt::vertices) bytes = std::max(bytes, at_pixels);
     if (options.aovs != 0) {
-        // Of one sample, and of those before, with the depth that tells which is the nearest.
+        // Attachments of one sample and of the earlier samples, with the depth that decides which sample is
+        // nearest.
         const auto attachments =
             static_cast<std::uint64_t>(AovLayout(options.aovs | aov_depth).attachments());
         bytes += (several ? 2 : 1) * (attachments * texel + depth);
     }
-    if (sample_pattern(options.pixel_samples).empty()) bytes += planes * texel;  // of one of them
+    if (sample_pattern(options.pixel_samples).empty()) bytes += planes * texel;  // image of one sample
     return bytes * static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height) +
            scene.elements().size() * ElementPainter::kBytesPerElement;
 }
@@ -191,7 +193,8 @@ std::uint64_t MemoryLimit::max_vertices(const RenderOptions& options) const {
     const std::uint64_t wanted =
         options.max_vertices != 0 ? options.max_vertices : std::max<std::uint64_t>(4 * vertices_, 65536);
     if (bytes_ == kNone || estimate_.total() == 0) return wanted;
-    // All of it grows with the vertices; the bake of those that were given stays for the next change.
+    // All memory grows with the vertices. The bake of the vertices before refinement stays for the next
+    // change.
     const double times =
         static_cast<double>(for_scene() - estimate_.visibility) / static_cast<double>(estimate_.total());
     return std::min(wanted, static_cast<std::uint64_t>(times * static_cast<double>(vertices_)));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How much memory a scene will take, before it takes it.
+// Estimate of the memory that a scene will take.
 #pragma once
 
 #include <cstdint>
@@ -13,43 +13,45 @@
 
 namespace nicol {
 
-/// Bytes at most where no vertices are added, as Statistics counts them. Where orders are chosen, those of
-/// the options are assumed.
+/// Largest number of bytes if no vertices are added, counted as in Statistics. If orders are chosen, the
+/// estimate assumes the orders of the options.
 struct MemoryEstimate {
     std::uint64_t visibility = 0;
     std::uint64_t transfer = 0;
-    std::uint64_t buffers = 0;  ///< of vertices and triangles, without what compute shaders work on
+    /// Buffers of vertices and triangles, without the work space of compute shaders.
+    std::uint64_t buffers = 0;
 
     [[nodiscard]] std::uint64_t total() const noexcept { return visibility + transfer + buffers; }
 };
 
-/// Takes milliseconds and allocates little, whatever the scene's size. Of the reference method: the hierarchy
-/// of triangles and the triangles themselves.
+/// Returns the estimate for a scene. Takes milliseconds and allocates little, whatever the scene's size. For
+/// the reference method, the estimate includes the ray hierarchy and the triangles themselves.
 [[nodiscard]] MemoryEstimate estimate_memory(const Scene& scene, const RenderOptions& options);
 
-/// Bytes that samples and shading at pixels take at most beside a framebuffer of this size and the scene's
-/// channels, as Statistics counts them.
+/// Returns the largest number of bytes that samples and shading at pixels take beside a framebuffer of this
+/// size with the scene's channels, counted as in Statistics.
 [[nodiscard]] std::uint64_t image_memory(const Scene& scene, const RenderOptions& options, int width,
                                          int height);
 
-/// What a scene and its image may take at most.
+/// Limit of the memory of a scene and its image.
 class MemoryLimit {
 public:
     static constexpr std::uint64_t kNone = std::numeric_limits<std::uint64_t>::max();
 
     explicit MemoryLimit(std::uint64_t bytes = kNone) : bytes_(bytes) {}
 
-    /// Throws Error(out_of_memory) with both numbers where the estimate exceeds the limit. Estimates again
-    /// only where something that the estimate depends on has changed since the last call.
+    /// Throws Error(out_of_memory) with both numbers if the estimate exceeds the limit. Estimates again only
+    /// if an input of the estimate has changed since the last call.
     void check(const Scene& scene, const RenderOptions& options, int width, int height);
 
-    /// What the image that was last checked leaves to the scene.
+    /// Returns the number of bytes that the last checked image leaves to the scene.
     [[nodiscard]] std::uint64_t for_scene() const noexcept {
         return bytes_ == kNone ? kNone : bytes_ - image_;
     }
 
-    /// How many vertices the scene that was last checked may be refined to: as the option says, or where that
-    /// leaves it open 65536 or four times as many as there are; but no more than fit beside their bake.
+    /// Returns the largest number of vertices that the last checked scene may be refined to: the option's
+    /// number, or, if the option leaves it open, 65536 or four times the present number, whichever is more;
+    /// but no more than fit beside their bake.
     [[nodiscard]] std::uint64_t max_vertices(const RenderOptions& options) const;
 
 private:
@@ -57,7 +59,7 @@ private:
     std::uint64_t vertices_ = 0;
     MemoryEstimate estimate_;
     std::uint64_t image_ = 0;
-    // Geometry, channels, components of the light, the options that matter, and the image's bytes.
+    // Inputs: geometry, channels, components of the light, the options that matter, the image's bytes.
     Stage<Version, int, LightKind, Method, int, int, HighOrders, bool, bool, int, std::uint32_t,
           std::uint64_t>
         checking_;

@@ -16,20 +16,20 @@ namespace {
 
 constexpr std::array<int, 4> kSplitOrders{9, 16, 32, 64};
 
-// Below, visibility has too few orders to shadow high orders with.
+// Lowest low order with high orders. Below it, visibility has too few orders to shadow high orders.
 constexpr int kLowestSplit = 3;
 
-// Of which a fit takes the best, or a better.
+// Usual stencils. A fit takes the best of them, or a better one.
 constexpr std::array<SplitStencil, 3> kUsualStencils{{{0, 1, 0.05}, {1, 2, 0.1}, {2, 3, 0.2}}};
 
-// Time of a frame in which the light rotates, over an order's part of it: the power of its size, and what
-// looking up filtered light costs (nicol-bench frame).
+// Returns the relative time of a frame in which the light rotates: the cube of low + 1, plus the cost of
+// looking up filtered light (nicol-bench frame).
 double cost(int low, bool split) {
     return std::pow(low + 1.0, 3) + (split ? 60 : 0);
 }
 
-// Energies by order of the parts of a light: s0, (s1, s2), s3, of each channel. With s1 and s2 complex, half
-// of their products with a response are real.
+// Energies by order of the parts of a light, s0, (s1, s2) and s3, for each channel. With s1 and s2 complex,
+// half of their products with a response are real.
 using Spectra = std::array<ResponsePower::Spectrum, ResponsePower::kParts>;
 std::vector<Spectra> energies(const PshVector& light) {
     std::vector<Spectra> out;
@@ -45,7 +45,8 @@ std::vector<Spectra> energies(const PshVector& light) {
     return out;
 }
 
-// Of light with these energies, reflected with those; `coupling`: VisibilityPower's.
+// Returns the energy of the reflection of light with the energies `light` by a response with the energies
+// `power`. coupling: of VisibilityPower.
 double reflected(const ResponsePower::Spectrum& light, const ResponsePower::Spectrum& power,
                  std::span<const double> coupling) {
     double sum = 0;
@@ -171,7 +172,7 @@ void OrderSelector::add_part(const Spectrum& light, const Spectrum& power, std::
     const std::size_t size = power.size();
     for (std::size_t l = 0; l < light.size(); ++l) {
         const std::span row = coupling.subspan(l * size, size);
-        // Of responses above each order, from the last down.
+        // Sum over the responses above each order, from the last order down.
         double above = 0;
         for (std::size_t from = size; from-- > 0;) {
             if (from >= l && from <= kHighestLow) share.left[output][from] += light[l] * above;
@@ -196,11 +197,11 @@ double OrderSelector::error(int low, int high) {
             }
         }
     }
-    // s1 and s2 have half of what they have together.
+    // s1 and s2 each have half of their joint energy.
     return std::sqrt(std::max(sum[0], sum[1] / 2) / mean_square_);
 }
 
-// Of natural light.
+// Returns the missed fractions for natural light, the light of SplitFit::prior().
 const std::array<double, OrderSelector::kOutputs>& OrderSelector::missed(const Share& share, int low,
                                                                          int high) {
     const auto [found, fresh] = share.response->missed.try_emplace({low, high});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The orders that an image needs for a given error.
+// Selection of the orders that an image needs for a given error.
 #pragma once
 
 #include <array>
@@ -17,27 +17,30 @@
 
 namespace nicol {
 
-/// Predicts the error of omitted orders from the spectra of light, materials and visibility: the mean square
-/// over all rotations between them, with equal weights for all vertices. It does not include interpolation
-/// between vertices or the sampling of visibility.
+/// Selector of orders, by the predicted error of the omitted orders. The error is predicted from the spectra
+/// of light, materials and visibility: the mean square over all rotations between them, with equal weights
+/// for all vertices. The prediction does not include interpolation between vertices or the sampling of
+/// visibility.
 class OrderSelector {
 public:
     /// Orders of light above this one count as zero.
     static constexpr int kOrder = 64;
-    /// The highest low order that is chosen: up to which response tables are accurate to 1e-4.
+    /// Highest low order that is chosen. Response tables are accurate to 1e-4 up to this order.
     static constexpr int kHighestLow = 16;
 
     struct Orders {
         int low = 0;
-        int high = 0;      ///< equals low where there are no high orders
-        double error = 0;  ///< of s0, or of s1 and s2 where that is more; relative to the RMS of s0
-        double rms = 0;    ///< of s0, at the vertices, of light of scale 1
+        int high = 0;  ///< equals low if there are no high orders
+        /// Predicted error of s0, or of s1 and s2 if it is larger; relative to the RMS of s0.
+        double error = 0;
+        double rms = 0;  ///< RMS of s0 at the vertices, for light of scale 1
     };
 
-    /// The fastest orders for the factored method with a predicted error of at most the options' tolerance,
-    /// or where there are none those of the least error; high ones where they are split. A low order above
-    /// that of the options needs no more than memory_limit bytes in all, nor than kMostBytes of transfer.
-    /// `projected`: the part of the scene's environment that has orders; the error is relative to all of it.
+    /// Returns the fastest orders for the factored method with a predicted error of at most the options'
+    /// tolerance or, if there are none, the orders of least error. High orders are chosen if their form is
+    /// split. A low order above the options' needs no more than memory_limit bytes in all, and no more than
+    /// kMostBytes of transfer. projected: the part of the scene's environment that has orders; the error is
+    /// relative to the whole environment.
     Orders choose(const Scene& scene, const EnvironmentPtr& projected, const SurfaceState& surfaces,
                   const RenderOptions& options, std::uint64_t memory_limit);
 
@@ -47,20 +50,20 @@ private:
     static constexpr std::size_t kOutputs = ResponsePower::kOutputs;
     using Spectrum = ResponsePower::Spectrum;
 
-    // A material, whatever its light and shadows.
+    // Response of a material, independent of light and shadows.
     struct Response {
         ResponsePower power;
-        // By low and high order, the part of the energy that high orders do not catch.
+        // Fraction of the energy that high orders do not catch, by low and high order.
         std::map<std::pair<int, int>, std::array<double, kOutputs>> missed;
     };
 
-    // What a material has in the mean square of the image's Stokes components, by order of the light.
+    // Share of a material in the mean square of the image's Stokes components, by order of the light.
     struct Share {
         MaterialPtr material;
         Response* response;
         std::array<Spectrum, kOutputs> all;
-        std::array<Spectrum, kOutputs> seen;  // without what shadows move here from other orders
-        // By low order, of light up to it: what shadows leave to responses above it.
+        std::array<Spectrum, kOutputs> seen;  // without the energy that shadows move here from other orders
+        // Energy that shadows move from light up to a low order to responses above this order, by low order.
         std::array<std::array<double, kHighestLow + 1>, kOutputs> left;
     };
 
@@ -68,8 +71,8 @@ private:
     [[nodiscard]] static int highest_low(const Scene& scene, RenderOptions options,
                                          std::uint64_t memory_limit);
     void measure(const Scene& scene, const EnvironmentPtr& projected, const SurfaceState& surfaces);
-    // Adds what a part of the light has, its energies by order, reflected with these energies; `coupling`:
-    // VisibilityPower's.
+    // Adds a part of the light to a share. light: its energies by order. power: energies of its reflection by
+    // order. coupling: of VisibilityPower.
     static void add_part(const Spectrum& light, const Spectrum& power, std::span<const double> coupling,
                          double fraction, std::size_t output, Share& share);
     double error(int low, int high);
@@ -79,15 +82,15 @@ private:
     LightKind kind_ = LightKind::unpolarized;
     Stage<LightKind, int> responding_;  // kind and channels
     std::map<MaterialPtr, Response> responses_;
-    // Energies by order, of each channel: of the light that is projected, and of all light.
+    // Energies by order, of each channel: of the projected light, and of all light.
     using LightPower = std::vector<std::array<Spectrum, ResponsePower::kParts>>;
     Stage<EnvironmentPtr, EnvironmentPtr> projecting_;
     LightPower light_;
     LightPower all_light_;
     std::vector<Share> shares_;
-    double mean_square_ = 0;  // of s0, times `values_`
+    double mean_square_ = 0;  // mean square of s0, times `values_`
     double values_ = 0;       // vertices times channels
-    // Geometry, light, the options that matter for memory, and its limit.
+    // Inputs: geometry, light, the options that affect memory, the memory limit.
     Stage<Version, EnvironmentPtr, bool, bool, int, HighOrders, std::uint64_t> limiting_;
     int highest_low_ = kHighestLow;
     Stage<double, bool, int> choosing_;

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t kMostTriangles = 4096;
 
-// Share of reflected light that varies with the direction at all, as measured on coarse meshes in light of
+// Fraction of reflected light that varies with the direction at all, measured on coarse meshes in light of
 // extracted lights and of photographs (nicol-bench coarse).
 constexpr double kVarying = 0.3;
 
@@ -28,11 +28,11 @@ double highest_order(const Material& material, int order) {
 }
 
 /// Predicts the error of shading at vertices instead of pixels, relative to the RMS of s0, in a view of
-/// surfaces in light up to an order. From corner to corner of a triangle the mirrored view direction turns by
-/// an angle a, by its normals and by its size; what a lobe of angular radius w reflects has orders up to l =
-/// min(1 / w, order), of which linear interpolation misses about l (l + 1) a^2 / sqrt(120). The mean is over
-/// triangles that face the viewer, by the solid angles under which they are seen; of many, some thousands are
-/// looked at.
+/// surfaces in light up to an order. From corner to corner of a triangle, the mirrored view direction rotates
+/// by an angle a, because of the triangle's normals and size. The reflection of a lobe of angular radius w
+/// has orders up to l = min(1 / w, order), of which linear interpolation misses about l (l + 1) a^2 /
+/// sqrt(120). The result is the mean over triangles that face the viewer, weighted by the solid angles under
+/// which they are seen. Only some thousands of a large mesh's triangles are examined.
 double interpolation_error(const WorldGeometry& geometry, const Viewpoint& view, int order) {
     std::vector<double> orders;
     for (const VertexRange& range : geometry.ranges) orders.push_back(highest_order(*range.material, order));
@@ -83,13 +83,13 @@ void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderO
                    RenderExecutor& executor, RenderRun& run, const DrawHits& draw_hits) {
     TransferMethod& method = method_for(given.method);
 
-    // bake, first half: the orders below may depend on it.
+    // First half of bake, because the choice of orders may depend on it.
     surfaces_.update(scene);
     visibility_.update(surfaces_, rays_, scene.environment() != nullptr, given, run.workers, run.progress,
                        run.statistics);
     const SurfaceState surfaces = visibility_.state();
 
-    // project. That the scene is rotated as a whole is a rotation of light and camera the other way.
+    // project: a rotation of the whole scene is the opposite rotation of light and camera.
     split_.update(scene.environment(), given, run.statistics);
     const RenderOptions options = choose_orders(scene, given, run);
     const Projection projection = in_axes(of_world, surfaces_.to_world());
@@ -121,7 +121,7 @@ void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderO
     method.project(input, run);
     if (high_orders) high_orders_.project(input, distant, options.high_orders, run);
 
-    // bake, second half.
+    // Second half of bake.
     TransferInput high_input = input;
     if (!options.high_order_shadows) {
         high_input.visibility = nullptr;
@@ -153,11 +153,12 @@ TransferMethod& Pipeline::method_for(Method method) {
 }
 
 RenderOptions Pipeline::choose_orders(const Scene& scene, const RenderOptions& options, RenderRun& run) {
-    // Dark places, where polarization is told from noise, err less than the whole.
+    // Error of dark places, where polarization must be distinguished from noise, relative to the error of the
+    // image.
     constexpr double of_dark = 1.0 / 3;
     RenderOptions chosen = options;
     noise_ = 0;
-    if (scene.environment() == nullptr) {  // what local lights light has no orders
+    if (scene.environment() == nullptr) {  // the reflection of local lights has no orders
         chosen.order_low = chosen.order_high = 0;
         return chosen;
     }
@@ -172,7 +173,7 @@ RenderOptions Pipeline::choose_orders(const Scene& scene, const RenderOptions& o
         chosen.order_high = orders.high;
         run.statistics.predicted_error = orders.error;
         const double noise = of_dark * orders.error * orders.rms * scene.light_scale();
-        // In steps, so that it stays when an object moves.
+        // Rounded to steps, so that the noise stays the same when an object moves.
         if (noise > 0) noise_ = static_cast<float>(std::exp2(std::round(2 * std::log2(noise)) / 2));
     });
     run.statistics.project_ms += watch.milliseconds();
@@ -201,7 +202,7 @@ void Pipeline::shade(ShadeInput input, const Projection& projection, const Rende
     run.statistics.vertices_shaded += static_cast<std::uint64_t>(std::ranges::count(chosen_, 1));
     if (local_lights_.any()) {
         const Stopwatch lighting;
-        // It has shaded all vertices; rays are for those that can be seen.
+        // The executor has shaded all vertices; rays are traced only for vertices that can be seen.
         if (!executor.can_choose()) find_seen(input.geometry, projection, options, run);
         executor.illuminate(local_lights_, input, run);
         run.statistics.light_ms += lighting.milliseconds();
@@ -219,7 +220,7 @@ void Pipeline::shade_pixels(const Scene& scene, ShadeInput input, const Projecti
     run.statistics.draw_ms += drawing.milliseconds();
 
     const Stopwatch watch;
-    shading_.reset();  // what vertices have is of another render then
+    shading_.reset();  // the vertices' results then belong to another render
     chosen_.assign(input.geometry.positions.size(), 1);
     input.chosen = chosen_;
     const bool behind = scene.background() != nullptr && executor.adds_background();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What lies between a scene and its shaded vertices: project, bake, relight and shade, each computed again
-// only where what it depends on has changed.
+// Pipeline from a scene to its shaded vertices: project, bake, relight and shade. Each step runs again only
+// if its inputs have changed.
 #pragma once
 
 #include <cstddef>
@@ -31,27 +31,27 @@ namespace nicol {
 
 class Pipeline {
 public:
-    /// Where to keep what takes long to compute; an empty folder: nowhere.
+    /// Sets the cache folder of results that are slow to compute; an empty folder disables the cache.
     void set_cache(const std::filesystem::path& folder, const CacheNotice& notice);
 
-    /// Which triangles of surfaces() are at the pixels of an image; on_host: whatever the executor, the host
-    /// needs them, too.
+    /// Function that draws the triangles of surfaces() at the pixels of an image. on_host: whether the host
+    /// needs the hits as well, whatever the executor.
     using DrawHits = std::function<const VisibilityBuffer&(bool on_host)>;
 
-    /// Shades every vertex that can be seen, or every pixel that shows a surface;
-    /// `executor` keeps the results. Adds times and counts to the statistics. `projection`: of the world.
-    /// After an exception the next call computes what was not completed.
+    /// Shades every vertex that can be seen, or every pixel that shows a surface. `executor` keeps the
+    /// results. projection: of the world. Adds times and counts to the statistics. After an exception, the
+    /// next call computes everything that was not completed.
     void run(const Scene& scene, const Projection& projection, const RenderOptions& options,
              RenderExecutor& executor, RenderRun& run, const DrawHits& draw_hits);
 
-    /// What is drawn, in axes of its own.
+    /// Returns the surfaces that are drawn, in their own axes.
     [[nodiscard]] const RefinedSurfaces& surfaces() const noexcept { return visibility_.surfaces(); }
-    /// Whether the last run() shaded pixels.
+    /// Returns whether the last run() shaded pixels.
     [[nodiscard]] bool shaded_pixels() const noexcept { return pixels_; }
 
 private:
     [[nodiscard]] TransferMethod& method_for(Method method);
-    /// The options with the orders that their tolerance allows.
+    /// Returns the options with the orders that their tolerance allows.
     RenderOptions choose_orders(const Scene& scene, const RenderOptions& options, RenderRun& run);
     void shade(ShadeInput input, const Projection& projection, const RenderOptions& options,
                const DistantLight& distant, RenderExecutor& executor, RenderRun& run);
@@ -77,10 +77,10 @@ private:
     HighOrderTransfer high_orders_;
     LocalLights local_lights_;
     bool pixels_ = false;
-    float noise_ = 0;  // see make_physical()
+    float noise_ = 0;  // noise for make_physical()
 
-    // Executor, method, view, light of low and high orders, local lights, form of the high orders, with
-    // shadows, physical, noise, channels, least and most components.
+    // Inputs: executor, method, view, light of low and high orders, local lights, form of the high orders,
+    // with shadows, physical, noise, channels, least and most components.
     VertexStage<Version, Method, Viewpoint, Version, Version, Version, HighOrders, bool, bool, float, int,
                 std::size_t, std::size_t>
         shading_{{.on_places = true, .on_materials = true}};

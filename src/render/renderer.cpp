@@ -17,7 +17,7 @@ namespace nicol {
 namespace {
 
 void check(const RenderOptions& options) {
-    if (options.method == Method::reference) return;  // which checks its own
+    if (options.method == Method::reference) return;  // the reference method checks its own options
     if (options.order_low < 0 || options.order_low > kMaxRenderOrder) {
         refuse("order_low is " + std::to_string(options.order_low) + "; it must lie in 0 to " +
                std::to_string(kMaxRenderOrder));
@@ -64,7 +64,7 @@ void check(const RenderOptions& options) {
     }
 }
 
-// Of a scene with a material that varies.
+// Throws Error(unsupported) if the options do not allow a textured material.
 void check_varying(const RenderOptions& options) {
     const auto refuse_unsupported = [](const std::string& message) {
         throw Error(ErrorCode::unsupported, "a material of the scene varies by a texture: " + message);
@@ -76,7 +76,8 @@ void check_varying(const RenderOptions& options) {
         refuse_unsupported("the dense method has no textures; set method to factored or reference");
 }
 
-// Which triangle each sample shows is kept while pixels are shaded, and for elements.
+// Throws if the image has too many samples for the visibility buffer, which shading at pixels and elements
+// need.
 void check_size(const Scene& scene, const RenderOptions& options, const Framebuffer& target) {
     constexpr std::uint64_t most = std::uint64_t{1} << 27;
     if (options.method == Method::reference) return;
@@ -91,9 +92,9 @@ void check_size(const Scene& scene, const RenderOptions& options, const Framebuf
            " that shading at pixels and polarization elements can keep");
 }
 
-/// Traces an image of the framebuffer's size, on `threads` threads (0: one a core), and puts it there; the
-/// luminance of three channels in a framebuffer of one. Throws what render_reference() throws; the
-/// framebuffer then holds what it held.
+/// Traces an image of the framebuffer's size on `threads` threads (0: one per core), and puts it into the
+/// framebuffer. A framebuffer of one channel gets the luminance of three. Throws the errors of
+/// render_reference(); the framebuffer then keeps its content.
 void render_by_reference(const Scene& scene, const Camera& camera, const RenderOptions& options, int threads,
                          Framebuffer& target) {
     const int width = target.width();
@@ -138,7 +139,7 @@ Renderer::Renderer(std::shared_ptr<gl::Context> context, int threads)
 RenderExecutor& Renderer::executor_for(const RenderOptions& options) {
     const Device& device = device_for(options.executor, *context_);
     if (device_ != &device) {
-        executor_.reset();  // and with it all that it alone works on
+        executor_.reset();  // frees the data of the former executor as well
         device_ = nullptr;
         executor_ = device.make(context_, buffers_);
         device_ = &device;
@@ -209,7 +210,7 @@ void Renderer::draw_one_by_one(const Scene& scene, const Projection& projection,
     RenderOptions one = options;
     one.progress = nullptr;
     if (options.aovs != 0) {
-        // Which surfaces a pixel shows is averaged by the most samples that are drawn together.
+        // AOVs are averaged over the largest number of samples that are drawn together.
         one.pixel_samples = kMostPixelSamples;
         draw(scene, projection, one, sample);
         aovs = sample.aovs();
@@ -246,7 +247,7 @@ void Renderer::draw(const Scene& scene, const Projection& projection, const Rend
     RenderOptions chosen = options;
     chosen.max_vertices = memory_limit_.max_vertices(options);
     const bool elements = !scene.elements().empty();
-    if (elements) chosen.components = 4;  // any of them may become any other
+    if (elements) chosen.components = 4;  // elements may turn any component into any other
     RenderRun run{.workers = workers_,
                   .progress = progress,
                   .statistics = statistics,

@@ -58,7 +58,7 @@ void SceneVisibility::update(const SceneGeometry& surfaces, SurfaceRays& rays, b
     if (versions_ == former) return;
     before_.reset();
     if (former.geometry == 0 || former.geometry != surfaces_.change().before) return;
-    // Shadows that were not there before, or no longer are, change everything.
+    // All vertices change if shadows appear or disappear.
     if (shadowed ? !(had_bake && carried) : former.visibility != 0) return;
     before_ = former;
     same_field_ = surfaces_.change().same_normals;

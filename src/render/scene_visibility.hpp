@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// bake: vertices where shadows need them, what of the environment each sees, and where a change keeps that.
+// Bake of a scene: vertices added for shadows, the visibility of all vertices, and the parts that a change
+// keeps.
 #pragma once
 
 #include <cstdint>
@@ -24,20 +25,20 @@ namespace nicol {
 
 class SceneVisibility {
 public:
-    /// Where to keep bakes; an empty folder: nowhere.
+    /// Sets the cache folder of bakes; an empty folder disables the cache.
     void set_cache(std::filesystem::path folder, CacheNotice notice);
 
-    /// Bakes and refines the surfaces, unless nothing casts shadows or `lit` is false, as far as changes make
-    /// it necessary. `rays` are the surfaces'. Adds its times and counts to `statistics`.
+    /// Bakes and refines the surfaces, unless nothing casts shadows or `lit` is false; repeats only what
+    /// changes require. rays: of the surfaces. Adds times and counts to `statistics`.
     void update(const SceneGeometry& surfaces, SurfaceRays& rays, bool lit, const RenderOptions& options,
                 Workers& workers, Progress& progress, Statistics& statistics);
 
-    /// Of the last update().
+    /// Returns the state of the last update().
     [[nodiscard]] SurfaceState state() const;
     [[nodiscard]] const RefinedSurfaces& surfaces() const noexcept { return surfaces_; }
 
 private:
-    /// Of the surfaces as they are. Returns whether the former bake was carried over.
+    /// Bakes the surfaces before refinement. Returns whether the former bake was carried over.
     bool bake(const SceneGeometry& surfaces, SurfaceRays& rays, const RenderOptions& options,
               Workers& workers, Progress& progress, Statistics& statistics);
     void refine(const SceneGeometry& surfaces, SurfaceRays& rays, const RenderOptions& options,
@@ -48,20 +49,20 @@ private:
     Stage<int> spreading_;
     std::optional<DirectionSet> lattice_;
     Stage<int, glm::dmat3> rotating_;
-    std::optional<DirectionSet> directions_;  // the lattice along the surfaces' own axes
-    // Geometry, number of directions, their axes.
+    std::optional<DirectionSet> directions_;  // lattice_ along the surfaces' own axes
+    // Inputs: geometry, number of directions, their axes.
     Stage<Version, int, glm::dmat3> baking_;
     Versioned<std::shared_ptr<const Visibility>> baked_;
-    Version baked_geometry_ = 0;  // that it belongs to
-    // Bake, tolerance, bound, whether unoccluded vertices count as occluded.
+    Version baked_geometry_ = 0;  // version of the geometry that baked_ belongs to
+    // Inputs: bake, tolerance, largest number of vertices, whether unoccluded vertices count as occluded.
     Stage<Version, double, std::uint64_t, bool> refining_;
-    std::shared_ptr<WorldGeometry> refined_;                // null: nothing was split
-    std::vector<TrianglePart> parts_;                       // its triangles
-    Versioned<std::shared_ptr<const Visibility>> visible_;  // from surfaces_
+    std::shared_ptr<WorldGeometry> refined_;                // null: no triangle was split
+    std::vector<TrianglePart> parts_;                       // triangles of refined_
+    Versioned<std::shared_ptr<const Visibility>> visible_;  // visibility of the vertices of surfaces_
     RefinedSurfaces surfaces_;
 
     SurfaceVersions versions_;
-    std::optional<SurfaceVersions> before_;  // that the vertices below are compared with
+    std::optional<SurfaceVersions> before_;  // versions that same_field_ compares with
     std::vector<std::uint8_t> same_field_;
 };
 

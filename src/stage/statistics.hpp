@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a render did, and what its image is made of.
+// Statistics of a render: its work, and the contents of its image.
 #pragma once
 
 #include <array>
@@ -7,59 +7,61 @@
 
 namespace nicol {
 
-/// Times and counts of what a render computed; 0 where all could be kept.
+/// Times and counts of a render's computations; 0 if all results could be kept.
 struct RenderWork {
     double project_ms = 0;
     double bake_ms = 0;
-    double bake_trace_ms = 0;  ///< of bake_ms, the rays alone
+    double bake_trace_ms = 0;  ///< part of bake_ms: tracing rays
     double relight_ms = 0;
     double shade_ms = 0;
-    double light_ms = 0;  ///< of shade_ms, local lights and their shadows
+    double light_ms = 0;  ///< part of shade_ms: local lights and their shadows
     double draw_ms = 0;
     double observe_ms = 0;
-    double trace_ms = 0;                    ///< of the reference method
-    std::uint64_t camera_rays = 0;          ///< of the reference method
-    std::uint64_t shadow_rays = 0;          ///< of the reference method
-    std::uint64_t bake_rays = 0;            ///< from vertices, for the visibility of the environment
-    std::uint64_t light_rays = 0;           ///< from shading points to local lights
-    std::uint64_t lights_projected = 0;     ///< environments to coefficients
-    std::uint64_t materials_projected = 0;  ///< their tables, matrices and sets of lobes, also from a cache
-    std::uint64_t vertices_traced = 0;      ///< from which the bake traced rays
-    std::uint64_t matrices_baked = 0;       ///< dense: of vertices
-    std::uint64_t vertices_relit = 0;       ///< into whose frames light was brought
-    std::uint64_t vertices_shaded = 0;      ///< whose Stokes vectors were computed
-    std::uint64_t pixels_shaded = 0;        ///< whose Stokes vectors were computed
+    double trace_ms = 0;                 ///< time of the reference method
+    std::uint64_t camera_rays = 0;       ///< camera rays of the reference method
+    std::uint64_t shadow_rays = 0;       ///< shadow rays of the reference method
+    std::uint64_t bake_rays = 0;         ///< rays from vertices, for the visibility of the environment
+    std::uint64_t light_rays = 0;        ///< rays from shading points to local lights
+    std::uint64_t lights_projected = 0;  ///< environments projected to coefficients
+    /// Materials whose tables, matrices and sets of lobes were computed or read from a cache.
+    std::uint64_t materials_projected = 0;
+    std::uint64_t vertices_traced = 0;  ///< vertices from which the bake traced rays
+    std::uint64_t matrices_baked = 0;   ///< matrices of vertices, by the dense method
+    std::uint64_t vertices_relit = 0;   ///< vertices into whose frames light was rotated
+    std::uint64_t vertices_shaded = 0;  ///< vertices whose Stokes vectors were computed
+    std::uint64_t pixels_shaded = 0;    ///< pixels whose Stokes vectors were computed
 
     RenderWork& operator+=(const RenderWork& other);
     bool operator==(const RenderWork&) const = default;
 };
 
 struct Statistics : RenderWork {
-    int order_low = 0;           ///< of the light that was rendered
-    int order = 0;               ///< the highest of it
-    double predicted_error = 0;  ///< where orders were chosen
-    bool compute = false;        ///< compute shaders made it
+    int order_low = 0;           ///< order_low of the rendered light
+    int order = 0;               ///< highest order of the rendered light
+    double predicted_error = 0;  ///< predicted error of the chosen orders
+    bool compute = false;        ///< whether compute shaders made the image
     std::uint64_t vertices = 0;
     std::uint64_t triangles = 0;
-    std::uint64_t vertices_added = 0;       ///< of these vertices, by refinement
-    std::uint64_t vertices_skipped = 0;     ///< of no triangle that faces the camera inside the view
-    std::uint64_t vertices_unoccluded = 0;  ///< nothing hides the environment from them
-    std::uint64_t vertices_unphysical =
-        0;  ///< moved into the physically realizable range, times channels; not pixels
+    std::uint64_t vertices_added = 0;       ///< part of `vertices`: added by refinement
+    std::uint64_t vertices_skipped = 0;     ///< vertices of no triangle that faces the camera inside the view
+    std::uint64_t vertices_unoccluded = 0;  ///< vertices from which nothing hides the environment
+    /// Vertices moved into the physically realizable range, times channels; pixels are not counted.
+    std::uint64_t vertices_unphysical = 0;
     std::uint64_t light_columns_skipped = 0;  ///< Stokes components that the light lacks, times its channels
     std::uint64_t response_rows_skipped = 0;  ///< Stokes components that no material makes, times channels
     std::uint64_t channels_shared = 0;        ///< colour channels of light that equal another
-    std::uint64_t local_lights = 0;  ///< the scene's, each emissive surface as one, and those split off
-    std::uint64_t lights_split = 0;  ///< of them, extracted lights of the environment
+    /// Local lights of the scene, each emissive surface counted as one, and extracted lights.
+    std::uint64_t local_lights = 0;
+    std::uint64_t lights_split = 0;  ///< part of local_lights: extracted lights of the environment
     std::uint64_t response_bytes = 0;
     std::uint64_t visibility_bytes = 0;
     std::uint64_t transfer_bytes = 0;
     std::uint64_t buffer_bytes = 0;
     std::uint64_t texture_bytes = 0;
 
-    /// For a render that could keep all.
+    /// Sets the work to 0, for a render that could keep all results.
     void nothing_ran() { static_cast<RenderWork&>(*this) = {}; }
-    /// Adds the work for another render of the scene; the rest becomes that one's.
+    /// Adds the work of another render of the scene, and takes over its other values.
     void add(const Statistics& other) {
         RenderWork sum = *this;
         sum += other;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The threads that a renderer computes with.
+// Worker threads of a renderer.
 #pragma once
 
 #include <tbb/blocked_range.h>
@@ -29,8 +29,8 @@ public:
         arena().execute(function);
     }
 
-    /// Calls body(begin, end) for pieces that cover first <= i < last, side by side, and reports progress as
-    /// fractions of `all` between chunks of them. Pieces begin at multiples of sixteen. Throws
+    /// Calls body(begin, end) in parallel for pieces that cover first <= i < last, and reports progress
+    /// between chunks of pieces as fractions of `all`. Pieces begin at multiples of sixteen. Throws
     /// Error(cancelled).
     template <class Body>
     void for_vertices(std::size_t first, std::size_t last, std::size_t all, const char* verb,
@@ -41,7 +41,8 @@ public:
                        body(std::max(first, begin * kLanes), std::min(last, end * kLanes));
                    });
     }
-    /// The same for blocks of sixteen vertices.
+    /// Calls body(begin, end) in parallel for pieces that cover `count` blocks of sixteen vertices, and
+    /// reports progress. Throws Error(cancelled).
     template <class Body>
     void for_blocks(std::size_t count, const char* verb, Progress& progress, const Body& body) {
         for_chunks(0, count, count, verb, progress, body);
@@ -65,7 +66,8 @@ private:
         }
     }
 
-    /// An arena that is opened by execute() waits for ever in the next one if memory was short in the first.
+    /// Returns the arena, initialised here because an arena that execute() initialises waits forever in the
+    /// next execute() if memory ran out in the first.
     tbb::task_arena& arena() {
         if (!arena_.is_active()) arena_.initialize(count());
         return arena_;
@@ -74,12 +76,12 @@ private:
     tbb::task_arena arena_;
 };
 
-/// What the steps of one render work with, report to and count in.
+/// Threads, progress and statistics for the steps of one render.
 struct RenderRun {
     Workers& workers;
     Progress& progress;
     Statistics& statistics;
-    /// Bytes that a scene may take, where orders are chosen.
+    /// Largest number of bytes that a scene may take, if orders are chosen.
     std::uint64_t memory_limit = std::numeric_limits<std::uint64_t>::max();
 };
 

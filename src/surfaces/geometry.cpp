@@ -49,7 +49,7 @@ std::size_t find_visible(const WorldGeometry& geometry, const Projection& projec
     using Range = tbb::blocked_range<std::size_t>;
     constexpr std::size_t grain = 4096;
     const std::size_t vertices = geometry.positions.size();
-    // Which sides of the view a vertex is outside of, as bits.
+    // Bits for the sides of the view that each vertex is outside of.
     std::vector<std::uint8_t> outside(vertices);
     visible.resize(vertices);
     const glm::mat4 clip(projection.world_to_clip);
@@ -73,13 +73,14 @@ std::size_t find_visible(const WorldGeometry& geometry, const Projection& projec
             const glm::vec3& a = geometry.positions[t.x];
             const glm::vec3 normal = glm::cross(geometry.positions[t.y] - a, geometry.positions[t.z] - a);
             const glm::vec3 towards = projection.view.orthographic ? backward : eye - a;
-            // Edge-on triangles count as facing: rounding here must not lose what the rasteriser keeps.
+            // Edge-on triangles count as facing, because rounding here must not drop triangles that the
+            // rasteriser keeps.
             const float facing = glm::dot(normal, towards);
             if (facing < 0 &&
                 facing * facing > 1e-8F * glm::dot(normal, normal) * glm::dot(towards, towards)) {
                 continue;
             }
-            // Neighbours share vertices, and may be in another thread's hands.
+            // Neighbouring triangles share vertices, and another thread may process them.
             for (glm::length_t corner = 0; corner < 3; ++corner) {
                 std::atomic_ref(visible[t[corner]]).store(1, std::memory_order_relaxed);
             }

@@ -15,30 +15,32 @@
 
 namespace nicol {
 
-/// A run of vertices of one instance.
+/// Consecutive vertices of one instance.
 struct VertexRange {
     std::size_t first;
     std::size_t last;
     MaterialPtr material;
-    std::uint32_t instance;          ///< id
-    EmissionPtr emission = nullptr;  ///< null: it emits no light
+    std::uint32_t instance;          ///< id of the instance
+    EmissionPtr emission = nullptr;  ///< null: the instance emits no light
     bool operator==(const VertexRange&) const = default;
 };
 
-/// An instance of a two-sided material appears twice, the second time with reversed winding and normals, so
-/// that each side has vertices of its own; only the fronts of these triangles may be drawn.
+/// Vertices and triangles of all instances. An instance of a two-sided material appears twice, the second
+/// time with reversed winding and normals, so that each side has its own vertices. Only the front sides of
+/// these triangles may be drawn.
 struct WorldGeometry {
     std::vector<glm::vec3> positions;
     std::vector<glm::vec3> normals;
-    std::vector<glm::uvec3> triangles;  ///< one-sided ones first
-    std::size_t one_sided = 0;          ///< how many of them
+    std::vector<glm::uvec3> triangles;  ///< one-sided triangles first
+    std::size_t one_sided = 0;          ///< number of one-sided triangles
     std::vector<VertexRange> ranges;
 
-    /// Of the corners of triangles, in their order, 0 for meshes without any; empty unless materials that
-    /// vary or are anisotropic need them.
+    /// Texture coordinates of the triangles' corners, in the order of `triangles`; 0 for meshes without
+    /// texture coordinates. Empty unless a textured or anisotropic material or a textured emission needs
+    /// them.
     std::vector<std::array<glm::vec2, 3>> texcoords;
-    /// Likewise the mesh's colours that the material takes, of vertices or of faces; 1 for meshes without
-    /// any.
+    /// Mesh colours at the triangles' corners, of vertices or of faces as the material needs, in the order of
+    /// `triangles`; 1 for meshes without such colours. Empty unless a material needs them.
     std::vector<std::array<glm::vec3, 3>> colors;
 
     [[nodiscard]] std::size_t bytes() const noexcept {
@@ -48,30 +50,32 @@ struct WorldGeometry {
     }
 };
 
-/// Whether a range is the second side of a two-sided instance.
+/// Returns whether a range is the second side of a two-sided instance.
 [[nodiscard]] inline bool is_back(const WorldGeometry& geometry, const VertexRange& range) {
     const auto* const first = geometry.ranges.data();
     return &range != first && (&range)[-1].instance == range.instance;
 }
 
-/// The number of the range that a vertex is in.
+/// Returns the index of the range that contains a vertex.
 [[nodiscard]] std::size_t range_of(const WorldGeometry& geometry, std::size_t vertex);
 
 /// Consecutive triangles of one range.
 struct TriangleBatch {
-    std::size_t range;  ///< its number
+    std::size_t range;  ///< index of the range
     bool two_sided;
     std::size_t first;
     std::size_t last;
 };
 [[nodiscard]] std::vector<TriangleBatch> triangle_batches(const WorldGeometry& geometry);
 
-/// Where the geometry's triangles are, for rays; it must outlive the result. Empty where all are whole.
+/// Returns the alpha masks of the geometry's triangles, for rays; empty if no material has an alpha mask. The
+/// geometry must outlive the result.
 [[nodiscard]] Presence presence_of(const WorldGeometry& geometry);
 
-/// 1 for each vertex of a triangle that faces the viewpoint and is not wholly outside one side of the view by
-/// half a pixel, as far as samples are from centres; the others cannot reach the image. Resizes `visible`;
-/// returns how many are 0. Runs on the calling thread's TBB arena.
+/// Sets visible[v] to 1 for each vertex of a triangle that faces the viewpoint and is not wholly outside one
+/// side of the view by more than half a pixel, the distance of samples from pixel centres. Sets visible[v] to
+/// 0 for the other vertices, which cannot reach the image. Resizes `visible`. Returns the number of zeros.
+/// Runs on the calling thread's TBB arena.
 std::size_t find_visible(const WorldGeometry& geometry, const Projection& projection,
                          std::vector<std::uint8_t>& visible);
 

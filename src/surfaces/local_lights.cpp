@@ -56,7 +56,7 @@ void LocalLights::update(const Scene& scene, const ExtractedLights& split, const
     making_.run(scene.local_light_version(), scene.emission_version(), scene.geometry_version(),
                 surfaces.to_world(), rays_.version(), mirrors_, options.light_samples, split.extracted_lights,
                 split.rotation, scene.light_scale(), [&] {
-                    if (!lit && !any()) return;  // vertices keep what they have
+                    if (!lit && !any()) return;  // the lighting of vertices stays as it is
                     std::vector<LightSourcePtr> sources = make_sources(scene, split, surfaces.to_world());
                     lights_ = sources.size();
                     std::optional<LocalLighting>& lighting = lighting_.change();

@@ -21,36 +21,37 @@
 
 namespace nicol {
 
-/// Local lights and emissive surfaces in the axes of the surfaces as they are drawn, and the hierarchy that
-/// their shadow rays need.
+/// Local lights and emissive surfaces in the axes of the surfaces as drawn, and the ray hierarchy for their
+/// shadow rays.
 class LocalLights {
 public:
-    /// Extracted lights that were split off the scene's environment, and the rotation of its axes to the
-    /// surfaces'.
+    /// Extracted lights of the scene's environment, and the rotation from the environment's axes to the
+    /// surfaces' axes.
     struct ExtractedLights {
         const std::vector<std::shared_ptr<const ExtractedLight>>& extracted_lights;
         const glm::dmat3& rotation;
     };
-    /// Takes over changes. `unrefined` are the surfaces of which `surfaces` are the refinement; `rays` are
-    /// theirs, and cleared where no local light casts a shadow.
+    /// Takes over changes of the scene and the surfaces. `surfaces` is the refinement of `unrefined`, and
+    /// `rays` belongs to `unrefined`. Clears `rays` if no local light casts a shadow.
     void update(const Scene& scene, const ExtractedLights& split, const SceneGeometry& unrefined,
                 const RefinedSurfaces& surfaces, SurfaceRays& rays, const RenderOptions& options,
                 Statistics& statistics);
 
-    /// Another whenever vertices get other light.
+    /// Returns a version that changes whenever the lighting changes.
     [[nodiscard]] Version version() const noexcept { return lighting_.version(); }
     [[nodiscard]] bool any() const { return lighting_->has_value(); }
-    /// Where there are any.
+    /// Returns the lighting. any() must be true.
     [[nodiscard]] const LocalLighting& lighting() const { return **lighting_; }
 
-    /// Where shadow rays start: so far from a triangle, in the direction of its normal, ...
+    /// Returns the distance of shadow rays' start points from a triangle, in the direction of its normal.
     [[nodiscard]] float offset() const { return offset_; }
-    /// ... and beside each vertex.
+    /// Returns the start points of shadow rays beside each vertex.
     [[nodiscard]] std::span<const glm::vec3> vertex_origins() const { return vertex_origins_; }
-    /// Where texture coordinate u grows, by vertex; empty: no material is anisotropic.
+    /// Returns the direction of growing texture coordinate u at each vertex. Empty: no material is
+    /// anisotropic.
     [[nodiscard]] std::span<const glm::vec3> vertex_tangents() const { return vertex_tangents_; }
 
-    /// Of the polarization of what an instance emits.
+    /// Returns the axis of the polarization of an instance's emission.
     [[nodiscard]] const glm::dvec3& axis_of(std::uint32_t instance) const { return axes_.at(instance); }
 
 private:
@@ -63,14 +64,14 @@ private:
     std::vector<glm::vec3> vertex_origins_;
     Stage<Version, Version> materials_;  // vertices and triangles, materials
     std::vector<glm::vec3> vertex_tangents_;
-    bool mirrors_ = false;  // a material has smooth terms
-    // Lights, emission, where instances are, the axes, rays, mirrors, samples of a light; extracted lights,
-    // their axes and scale.
+    bool mirrors_ = false;  // whether a material has smooth terms
+    // Inputs: lights, emission, placements of instances, the axes, rays, mirrors, light samples; extracted
+    // lights, their axes and scale.
     Stage<Version, Version, Version, glm::dmat4, Version, bool, int,
           std::vector<std::shared_ptr<const ExtractedLight>>, glm::dmat3, double>
         making_;
     Versioned<std::optional<LocalLighting>> lighting_;
-    std::map<std::uint32_t, glm::dvec3> axes_;  // by instance that emits light
+    std::map<std::uint32_t, glm::dvec3> axes_;  // by id of the emissive instance
     std::uint64_t lights_ = 0;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What surfaces are shaded by.
+// Plain materials: the materials without spatial variation that surfaces consist of.
 #pragma once
 
 #include <set>
@@ -11,8 +11,8 @@
 
 namespace nicol {
 
-/// The materials that are the same everywhere of which a surface's is made: those of its layers, in their
-/// order, or itself.
+/// Returns the plain materials of a material: the materials of its layers, in their order, or the material
+/// itself if it has no spatial variation.
 [[nodiscard]] inline std::vector<MaterialPtr> plain_materials(const MaterialPtr& material) {
     const SpatialVariation* const variation = material->variation();
     if (variation == nullptr) return {material};
@@ -21,7 +21,7 @@ namespace nicol {
     return out;
 }
 
-/// Those of all ranges, each once.
+/// Returns the plain materials of all ranges, without duplicates.
 [[nodiscard]] inline std::vector<MaterialPtr> plain_materials(std::span<const VertexRange> ranges) {
     std::vector<MaterialPtr> out;
     std::set<MaterialPtr> known;

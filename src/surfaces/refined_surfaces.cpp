@@ -18,12 +18,13 @@ std::vector<std::uint8_t> same(const std::vector<glm::vec3>& before, const std::
     return out;
 }
 
-// Where the triangles of a refinement lie in those that were given.
+// Returns the position of each refined triangle in its source triangle.
 std::vector<TrianglePart> parts_of(const WorldGeometry& geometry, const Refinement& refinement) {
     const std::size_t given = geometry.positions.size();
     std::vector<TrianglePart> parts;
     parts.reserve(refinement.triangles.size());
-    // Vertices of the same source, whose parts follow one another. Parents have smaller numbers.
+    // Weights of vertices in the current source triangle. The parts of one source are consecutive, and
+    // parents have smaller indices.
     std::map<std::uint32_t, glm::vec3> known;
     const std::function<glm::vec3(std::uint32_t, const glm::uvec3&)> weights = [&](std::uint32_t vertex,
                                                                                    const glm::uvec3& source) {
@@ -63,7 +64,7 @@ std::vector<std::array<Value, 3>> of_parts(const std::vector<std::array<Value, 3
 }  // namespace
 
 RefinedGeometry refined(const WorldGeometry& geometry, const Refinement& refinement) {
-    // As the refinement numbers them: those given, then those added.
+    // Vertices in the refinement's order: the given vertices, then the added vertices.
     std::vector<glm::vec3> positions = geometry.positions;
     std::vector<glm::vec3> normals = geometry.normals;
     std::vector<std::uint32_t> range_of(positions.size());

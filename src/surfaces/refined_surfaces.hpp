@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A scene's surfaces as they are drawn: with the vertices that the bake added.
+// A scene's surfaces as drawn, including the vertices that the bake added.
 #pragma once
 
 #include <array>
@@ -17,43 +17,43 @@
 
 namespace nicol {
 
-/// Where a triangle of a refinement lies in the triangle it is a part of.
+/// Position of a refined triangle in the source triangle that contains it.
 struct TrianglePart {
     std::uint32_t source;
-    std::array<glm::vec3, 3> corners;  ///< barycentric
+    std::array<glm::vec3, 3> corners;  ///< barycentric weights in the source triangle
 };
 
-/// A geometry with the triangles of a refinement of it, and the visibility of its vertices. Added vertices
-/// follow those of the range that they lie in; positions and normals are interpolated, the normals then made
-/// unit length. Corners have neither texture coordinates nor colours: RefinedSurfaces interpolates these.
+/// Geometry after refinement, and the visibility of its vertices. Added vertices follow the other vertices of
+/// their range. Their positions and normals are interpolated, and the normals are then made unit length.
+/// Corners have neither texture coordinates nor colours, because RefinedSurfaces interpolates these.
 struct RefinedGeometry {
     WorldGeometry geometry;
     Visibility visibility;
-    std::vector<TrianglePart> parts;  ///< by triangle
+    std::vector<TrianglePart> parts;  ///< one per triangle
 };
 [[nodiscard]] RefinedGeometry refined(const WorldGeometry& geometry, const Refinement& refinement);
 
 class RefinedSurfaces {
 public:
-    /// Takes over changes of the surfaces and of their refinement; null: there is none. Materials and what
-    /// corners have are set in `refined`.
+    /// Takes over changes of the surfaces and of their refinement (null: none). Sets the materials, texture
+    /// coordinates and colours of `refined`.
     void update(const SceneGeometry& surfaces, const std::shared_ptr<WorldGeometry>& refined,
                 std::span<const TrianglePart> parts);
 
     [[nodiscard]] const WorldGeometry& geometry() const noexcept { return *geometry_; }
-    /// Of vertices and triangles.
+    /// Returns the version of vertices and triangles.
     [[nodiscard]] Version version() const noexcept { return version_; }
-    /// Of the ranges and their materials, and of what corners have.
+    /// Returns the version of the ranges, their materials, and the corners' texture coordinates and colours.
     [[nodiscard]] Version material_version() const noexcept { return material_version_; }
-    /// From geometry()'s axes to the world's: a rotation and a shift.
+    /// Returns the rigid motion (a rotation and a shift) from geometry()'s axes to the world's.
     [[nodiscard]] const glm::dmat4& to_world() const noexcept { return to_world_; }
 
-    /// From the version before to this one.
+    /// Change from the previous version to the current one, with one number per vertex of the current
+    /// version.
     struct Change {
-        Version before = 0;  ///< 0: there was none
-        /// 1 for vertices of this version that had the same normal, or place, under the same number.
-        std::vector<std::uint8_t> same_normals;
-        std::vector<std::uint8_t> same_places;
+        Version before = 0;                      ///< previous version; 0: none
+        std::vector<std::uint8_t> same_normals;  ///< 1: the normal at the vertex's index is unchanged
+        std::vector<std::uint8_t> same_places;   ///< 1: the position at the vertex's index is unchanged
     };
     [[nodiscard]] const Change& change() const noexcept { return change_; }
 
@@ -63,7 +63,7 @@ private:
     glm::dmat4 to_world_{1.0};
     Version version_ = 0;
     Version material_version_ = new_version();
-    Version corners_ = 0;  // of the surfaces' materials that the corners are of
+    Version corners_ = 0;  // version of the surfaces' materials that the corners belong to
     Change change_;
 };
 

@@ -18,8 +18,8 @@ double largest(const glm::dmat3& m) {
 }  // namespace
 
 glm::dmat3 rotate_in(const glm::dmat3& m) {
-    // Newton's iteration for the polar decomposition; halves logarithms of singular values until they are
-    // small, then their error squares.
+    // Newton's iteration for the polar decomposition. It halves the logarithms of the singular values until
+    // they are small; then each step squares their error.
     constexpr int most_steps = 200;
     glm::dmat3 rotation = m / largest(m);
     if (glm::determinant(rotation) < 0) rotation = -rotation;

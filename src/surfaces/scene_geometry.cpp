@@ -33,8 +33,8 @@ Ball ball_around(std::span<const glm::vec3> points) {
     return {.centre = centre, .radius = static_cast<float>(1.00001 * radius)};
 }
 
-// Whether two placements of one mesh differ by no more than rounding. Shifts were found as differences of
-// numbers as large as `shift`.
+// Returns whether two placements of one mesh differ by no more than rounding. The placements' shifts were
+// computed as differences of numbers as large as `shift`.
 bool near(const glm::dmat4& a, const glm::dmat4& b, const Ball& ball, double shift) {
     double size = 0;
     double linear = 0;
@@ -58,7 +58,8 @@ void append_triangles(const Mesh& mesh, bool flipped, std::size_t first, std::ve
     }
 }
 
-// What the corners of a mesh's triangles have: `values` by `triangles`, or `missing` where there are none.
+// Appends the values at the corners of a mesh's triangles: `values` indexed by `triangles`, or `missing` if
+// there are no values.
 template <class Value>
 void append_corners(const std::vector<Value>& values, const std::vector<glm::uvec3>& triangles,
                     std::size_t count, const Value& missing, bool flipped,
@@ -100,8 +101,8 @@ void SceneGeometry::find_axes(const Scene& scene, std::size_t largest) {
     largest_ = scene.ids()[largest];
     largest_placement_ = instance.to_world;
     to_world_ = glm::dmat4(1.0);
-    // Not aligned with the mesh: directions of a bake that lie in a mesh's own planes of symmetry would be
-    // above the horizons of its vertices or not as rounding has it.
+    // The axes are not aligned with the mesh. Otherwise bake directions could lie in a mesh's planes of
+    // symmetry, and rounding would decide whether they are above the horizons of its vertices.
     const glm::dmat3 askew = glm::mat3_cast(glm::normalize(glm::dquat(0.9, 0.31, 0.17, 0.23)));
     own_axes_ = rotate_in(glm::dmat3(instance.to_world)) * mesh_axes_ * askew;
 }
@@ -207,7 +208,7 @@ void SceneGeometry::set_materials(const Scene& scene) {
     bool changed = false;
     for (VertexRange& range : geometry_->ranges) {
         const Instance& instance = scene.at(range.instance);
-        // The back of a two-sided material emits where its emission has two sides, too.
+        // The back of a two-sided material emits only if its emission is two-sided as well.
         const bool emits = instance.emission != nullptr && !scene.emitters_hidden() &&
                            (instance.emission->two_sided || !is_back(*geometry_, range));
         const EmissionPtr emission = emits ? instance.emission : nullptr;

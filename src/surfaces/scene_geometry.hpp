@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A scene's surfaces, and which of them a change leaves as they were.
+// A scene's surfaces, and the parts of them that a change keeps.
 #pragma once
 
 #include <cstdint>
@@ -15,47 +15,48 @@
 
 namespace nicol {
 
-/// Keeps surfaces in axes that move with the scene's largest instance, that with the most vertices. In these
-/// axes a scene that is rotated and shifted as a whole does not change, so all that was computed for it stays
-/// valid: light and camera move instead. The axes are the world's when an instance becomes the largest or
-/// changes its shape.
+/// Surfaces in axes that move with the scene's largest instance, the instance with the most vertices. In
+/// these axes a scene that is rotated and shifted as a whole does not change, so all results computed for it
+/// stay valid: light and camera move instead. The axes are the world's when an instance becomes the largest
+/// or changes its shape.
 class SceneGeometry {
 public:
-    /// Takes over the scene's changes. Throws Error(invalid_argument) where there are more than 2^32
-    /// vertices; the next call then starts from nothing.
+    /// Takes over the scene's changes. Throws Error(invalid_argument) if there are more than 2^32 vertices;
+    /// the next call then starts from nothing.
     void update(const Scene& scene);
 
     [[nodiscard]] const WorldGeometry& geometry() const noexcept { return *geometry_; }
-    /// Its ranges get other materials in place, and its corners what these need; for other vertices or
-    /// triangles there is a new object.
+    /// Returns the geometry. A change of materials changes the ranges and corners of this object in place; a
+    /// change of vertices or triangles makes a new object.
     [[nodiscard]] std::shared_ptr<const WorldGeometry> shared_geometry() const noexcept { return geometry_; }
-    /// Of vertices and triangles.
+    /// Returns the version of vertices and triangles.
     [[nodiscard]] Version version() const noexcept { return version_; }
-    /// Of the ranges, their materials and emission, and of what corners have.
+    /// Returns the version of the ranges, their materials and emission, and the corners' texture coordinates
+    /// and colours.
     [[nodiscard]] Version material_version() const noexcept { return material_version_; }
 
-    /// From geometry()'s axes to the world's: a rotation and a shift.
+    /// Returns the rigid motion (a rotation and a shift) from geometry()'s axes to the world's.
     [[nodiscard]] const glm::dmat4& to_world() const noexcept { return to_world_; }
-    /// The axes of the largest instance, which rotate with its transform and its vertices.
+    /// Returns the axes of the largest instance, which rotate with its transform and its vertices.
     [[nodiscard]] const glm::dmat3& own_axes() const noexcept { return own_axes_; }
 
-    /// From the version before to this one.
+    /// Change from the previous version to the current one.
     struct Change {
-        Version before = 0;              ///< 0: there was none
+        Version before = 0;              ///< previous version; 0: none
         std::vector<VertexRun> kept;     ///< vertices of instances that have not moved
-        std::vector<Ball> disturbances;  ///< all other triangles of both versions lie in these
+        std::vector<Ball> disturbances;  ///< balls that contain all other triangles of both versions
     };
     [[nodiscard]] const Change& change() const noexcept { return change_; }
 
 private:
-    // One instance in geometry_.
+    // Instance in geometry_.
     struct Piece {
         std::uint32_t id;
         std::shared_ptr<const Mesh> mesh;
         bool twosided;
-        TexturePtr opacity;    // which shadows depend on
+        TexturePtr opacity;    // alpha mask, which shadows depend on
         glm::dmat4 placement;  // in geometry()'s axes
-        std::size_t first;     // vertex
+        std::size_t first;     // index of the first vertex
         std::size_t last;
         Ball ball;
         std::size_t former;  // index among the former pieces if it has not moved, or kNone
@@ -72,14 +73,14 @@ private:
     std::vector<Piece> pieces_;
     glm::dmat4 to_world_{1.0};
     glm::dmat3 own_axes_{1.0};
-    glm::dmat3 mesh_axes_{1.0};  // of largest_mesh_ alone
+    glm::dmat3 mesh_axes_{1.0};  // axes of largest_mesh_, without its placement
     std::shared_ptr<const Mesh> largest_mesh_;
-    std::uint32_t largest_ = 0;          // its id
+    std::uint32_t largest_ = 0;          // id of the largest instance
     glm::dmat4 largest_placement_{1.0};  // in geometry()'s axes
     Version version_ = 0;
     Version material_version_ = 0;
-    Stage<Version> placing_;             // of the scene's geometry
-    Stage<Version, Version> assigning_;  // of its materials and emission
+    Stage<Version> placing_;             // version of the scene's geometry
+    Stage<Version, Version> assigning_;  // versions of the scene's materials and emission
     Stage<Version, Version> completing_;
     Change change_;
 };

@@ -11,13 +11,14 @@
 
 namespace nicol {
 
-/// Builds the hierarchy once per version of the geometry, when it is first asked for. A refinement divides
-/// triangles and moves none, so the hierarchy of the surfaces as given serves it too.
+/// Ray hierarchy, built once per version of the geometry, when it is first requested. A refinement divides
+/// triangles and moves none, so the hierarchy of the unrefined surfaces also serves their refinement.
 class SurfaceRays {
 public:
-    /// Returns the hierarchy of the surfaces' triangles, in their axes. Throws what RayScene throws.
+    /// Returns the hierarchy of the surfaces' triangles, in the surfaces' axes. Throws the errors of
+    /// RayScene.
     [[nodiscard]] std::shared_ptr<const RayScene> of(const SceneGeometry& surfaces);
-    /// Gives the memory back once the last user of the hierarchy lets go.
+    /// Releases the hierarchy. Its memory is freed once the last user releases it, too.
     void clear() noexcept;
 
 private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A scene's vertices after bake, and which of them have not changed since an earlier state.
+// A scene's vertices after bake, and the vertices that have not changed since an earlier state.
 #pragma once
 
 #include <cstdint>
@@ -12,27 +12,28 @@
 
 namespace nicol {
 
-/// Versions of all that a vertex's light depends on except the light itself.
+/// Versions of everything that a vertex's light depends on, except the light itself.
 struct SurfaceVersions {
-    Version geometry = 0;    ///< of vertices and triangles
-    Version visibility = 0;  ///< 0: nothing casts shadows
+    Version geometry = 0;    ///< version of vertices and triangles
+    Version visibility = 0;  ///< version of the visibility; 0: nothing casts shadows
     bool operator==(const SurfaceVersions&) const = default;
 };
 
-/// What vertices have in common with those of an earlier state. Both spans have a number for each vertex of
-/// the state now: 1 for vertices that then had under the same number ...
+/// Vertices that have not changed since an earlier state. Both spans have one number per vertex of the
+/// current state.
 struct SurfaceChange {
     SurfaceVersions before;
-    std::span<const std::uint8_t> same_field;   ///< ... the same normal and visibility
-    std::span<const std::uint8_t> same_places;  ///< ... the same place
+    /// 1: the normal and visibility at the vertex's index are unchanged.
+    std::span<const std::uint8_t> same_field;
+    std::span<const std::uint8_t> same_places;  ///< 1: the position at the vertex's index is unchanged
 };
 
 struct SurfaceState {
     const WorldGeometry& geometry;
-    const Visibility* visibility;    ///< of the vertices; null where nothing casts shadows
-    const DirectionSet* directions;  ///< of the visibility
+    const Visibility* visibility;    ///< visibility of the vertices; null: nothing casts shadows
+    const DirectionSet* directions;  ///< directions of the visibility
     SurfaceVersions versions;
-    Version materials;  ///< of the geometry's ranges and their materials
+    Version materials;  ///< version of the geometry's ranges and their materials
     std::optional<SurfaceChange> change;
 };
 

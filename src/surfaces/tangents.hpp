@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The directions that anisotropic materials follow.
+// Tangents: the directions that anisotropic materials follow.
 #pragma once
 
 #include <cstdint>
@@ -10,12 +10,14 @@
 
 namespace nicol {
 
-/// Where texture coordinate u grows at a point of a triangle, across the interpolated normal there: unit, or
-/// 0 where it does not grow. `weights`: barycentric. The geometry has texture coordinates.
+/// Returns the direction of growing texture coordinate u at a point of a triangle, perpendicular to the
+/// interpolated normal: unit, or 0 if u does not grow. weights: barycentric weights of the point. The
+/// geometry must have texture coordinates.
 [[nodiscard]] glm::vec3 tangent(const WorldGeometry& geometry, std::uint32_t triangle,
                                 const glm::vec3& weights);
 
-/// By vertex the mean over its triangles, unit or 0. Empty where no material is anisotropic.
+/// Returns, for each vertex, the mean direction of growing u over its triangles, unit or 0. Empty if no
+/// material is anisotropic.
 [[nodiscard]] std::vector<glm::vec3> vertex_tangents(const WorldGeometry& geometry);
 
 }  // namespace nicol

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A stage whose result has a part for each vertex.
+// Stage whose result has a part for each vertex.
 #pragma once
 
 #include <cstdint>
@@ -12,22 +12,22 @@
 
 namespace nicol {
 
-/// The vertices whose part of a result is still valid: those that a change of the surfaces left as they were.
+/// Vertices whose part of a result is still valid because a change of the surfaces did not affect them.
 class CurrentVertices {
 public:
-    /// 1 for each vertex whose part of the result is current.
+    /// Returns, for each vertex, 1 if its part of the result is current, else 0.
     [[nodiscard]] std::span<const std::uint8_t> current() const noexcept { return current_; }
     [[nodiscard]] bool any_current() const;
 
-    /// To be called once the parts of the vertices that were not current have been computed, all of them or
-    /// those with computed[v] != 0.
+    /// Marks vertices as current. Must be called once their parts have been computed: the parts of all
+    /// vertices, or of those with computed[v] != 0.
     void complete();
     void complete(std::span<const std::uint8_t> computed);
-    /// No vertex is current.
+    /// Marks all vertices as not current.
     void reset() noexcept { surfaces_.reset(); }
 
 protected:
-    /// What a vertex' part depends on beside its normal and visibility.
+    /// Inputs of a vertex's part besides its normal and visibility.
     struct Dependence {
         bool on_places = false;
         bool on_materials = false;
@@ -47,7 +47,7 @@ private:
     bool complete_ = false;
 };
 
-/// As Stage, for results with a part for each vertex that depends on that vertex alone and on inputs that all
+/// Stage whose result has a part for each vertex. A part depends on its vertex alone and on inputs that all
 /// vertices share.
 template <class... Inputs>
 class VertexStage : public CurrentVertices {
@@ -56,9 +56,9 @@ public:
 
     explicit VertexStage(Dependence dependence) : CurrentVertices(dependence) {}
 
-    /// Determines current(). Returns whether there is anything to compute: the caller then computes the parts
-    /// of the vertices with current()[v] == 0 and calls complete(). If it throws instead, the parts of the
-    /// other vertices must still be valid.
+    /// Determines current(). Returns whether there is anything to compute. If so, the caller computes the
+    /// parts of the vertices with current()[v] == 0 and calls complete(). If the caller throws instead, the
+    /// parts of the other vertices must still be valid.
     bool update(const SurfaceState& surfaces, const Inputs&... inputs) {
         const bool same = inputs_ && *inputs_ == std::tie(inputs...);
         if (!same) inputs_.emplace(inputs...);

@@ -33,7 +33,7 @@ void for_runs(std::size_t first, std::size_t last, const Stale& stale, const Bod
     }
 }
 
-// Light in the frames of vertices becomes rows in the geometry's axes.
+// Rotates light from the vertices' frames into the geometry's axes, and stores it as rows.
 void leave_for_pixels(const FrameRotation& back, std::span<const glm::vec3> normals, std::size_t first,
                       std::size_t last, VertexLight& light) {
     for (std::size_t block = first; block < last; ++block) {
@@ -106,7 +106,7 @@ std::uint64_t CpuExecutor::relight(const DenseMethod& method, const TransferInpu
         const std::size_t count = matrices.vertices();
         const int channels = std::max(input.light.channels(), matrices.material().channels());
         light.resize(matrices.material().outgoing(), channels, count);
-        // Rows are made of all or of none.
+        // leave_for_pixels() converts the light of all vertices, so all of it must be computed anew.
         const auto stale = [&](std::size_t v) { return input.at_pixels || current[runs[i].first + v] == 0; };
         run.workers.for_vertices(0, count, count, "relight", run.progress,
                                  [&](std::size_t first, std::size_t last) {
@@ -171,7 +171,7 @@ void CpuExecutor::shade_pixels(const FactoredMethod& method, const PixelInput& i
     const FrameRotation rotation(input.layout);
     const Relight unoccluded(input.layout, input.light);
     std::vector<PixelSurface> surfaces;
-    std::deque<TexturedSurface> textured;  // which stay where they are
+    std::deque<TexturedSurface> textured;  // a deque, because pointers to its elements must stay valid
     for (const VertexRange& range : input.geometry.ranges) {
         PixelSurface& surface = surfaces.emplace_back(PixelSurface{.shade = &shade,
                                                                    .textures = nullptr,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// relight, shade and specular on threads.
+// CPU executor: relight, shade and specular on threads.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -36,20 +36,21 @@ public:
     void store(PixelImage& image) const override;
     void count(Statistics& statistics) const override;
 
-    /// Results of the last shade(), specular() and make_physical().
+    /// Returns the results of the last shade(), specular() and make_physical().
     [[nodiscard]] const VertexStokes& stokes() const noexcept { return stokes_; }
 
 private:
-    /// Makes room; vertices that are not shaded keep what they had.
+    /// Allocates Stokes vectors; vertices that are not shaded keep their values.
     void resize(const ShadeInput& input);
     void compute_fractions(const HighOrderTransfer& high_orders, const ShadeInput& input, RenderRun& run);
     void run_pixels(const PixelInput& input, std::span<PixelSurface> surfaces, RenderRun& run);
 
-    VertexLight light_;                  // of the factored method
-    std::vector<VertexLight> outgoing_;  // of the dense method, one for each of its runs
+    VertexLight light_;                  // light for the factored method
+    std::vector<VertexLight> outgoing_;  // reflected light of the dense method, one per run
     VertexStokes stokes_;
-    std::vector<std::vector<glm::vec4>> pixels_;  // of the last image that was shaded at pixels, by channel
-    /// Of the lobe about the mirror direction and of the hemisphere; empty where nothing casts shadows.
+    std::vector<std::vector<glm::vec4>> pixels_;  // last image that was shaded at pixels, by channel
+    /// Visible fractions of the lobe about the mirror direction and of the hemisphere, by vertex; empty if
+    /// nothing casts shadows.
     std::vector<glm::vec2> fractions_;
 };
 

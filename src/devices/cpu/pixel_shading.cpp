@@ -24,7 +24,7 @@ constexpr std::array<std::uint8_t, kMost> kAll = [] {
 
 }  // namespace
 
-// Of the points of a batch.
+// Work space for the points of a batch.
 struct PixelShading::Work {
     std::array<glm::vec3, kMost> positions;
     std::array<glm::vec3, kMost> normals;
@@ -41,7 +41,7 @@ PixelShading::PixelShading(const PixelInput& input, std::span<const PixelSurface
 
 PixelCounts PixelShading::run(std::size_t first, std::size_t last,
                               std::span<const std::span<glm::vec4>> out) const {
-    // Backs of surfaces are black.
+    // Backs of surfaces are black, so they keep this value.
     for (const std::span<glm::vec4> channel : out)
         std::ranges::fill(channel.subspan(first, last - first), glm::vec4(0));
     thread_local std::vector<PixelPoint> points;

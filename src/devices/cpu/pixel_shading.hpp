@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// shade at pixels on threads.
+// Shading at pixels on threads.
 #pragma once
 
 #include <cstddef>
@@ -21,40 +21,41 @@
 
 namespace nicol {
 
-/// A material that varies.
+/// Data for shading a textured material.
 struct TexturedSurface {
-    std::vector<const ResponseTable*> responses;  ///< of the layers
+    std::vector<const ResponseTable*> responses;  ///< response tables of the layers
     std::optional<HighOrderLayers> high_orders;
 };
 
-/// What the pixels of a range are shaded by.
+/// Data for shading the pixels of one range.
 struct PixelSurface {
     const Shade* shade;
-    const TexturedSurface* textures;  ///< of a material that varies, instead of the next; or null
+    const TexturedSurface* textures;  ///< textured material, in place of response and high_orders; or null
     const ResponseTable* response;
-    const HighOrder* high_orders;   ///< or null
-    const VertexLight* light;       ///< as rows
-    std::size_t first_row;          ///< the vertex that its first row is of
-    const FrameRotation* rotation;  ///< of the light
-    const Relight* unoccluded;      ///< for pixels between unoccluded vertices, or null
+    const HighOrder* high_orders;   ///< high orders of the material, or null
+    const VertexLight* light;       ///< light as rows
+    std::size_t first_row;          ///< index of the vertex of the light's first row
+    const FrameRotation* rotation;  ///< rotation of the light
+    const Relight* unoccluded;      ///< relight for pixels between unoccluded vertices, or null
 };
 
-/// What it took to shade pixels.
+/// Counts and times of shading pixels.
 struct PixelCounts {
-    std::size_t shaded = 0;    ///< Stokes vectors, times channels
-    std::uint64_t rays = 0;    ///< to local lights
-    double light_seconds = 0;  ///< of one thread, for local lights
+    std::size_t shaded = 0;    ///< number of shaded points
+    std::uint64_t rays = 0;    ///< rays to local lights
+    double light_seconds = 0;  ///< time of one thread for local lights, in seconds
 };
 
-/// Shades the pixels of an image that show a surface. Calls for different pixels may run side by side.
+/// Shading of the pixels of an image that show a surface. Calls for different pixels may run in parallel.
 class PixelShading {
 public:
-    /// `surfaces`: of the geometry's ranges. `fractions`: of the vertices' lobes of high orders, or empty.
+    /// surfaces: one per range of the geometry. fractions: visible fractions of the vertices' lobes of high
+    /// orders, or empty.
     PixelShading(const PixelInput& input, std::span<const PixelSurface> surfaces,
                  std::span<const glm::vec2> fractions);
 
-    /// For first <= pixel < last writes to out[c][pixel] the mean of channel c's Stokes vectors over the
-    /// samples, those without a surface showing the background.
+    /// Writes to out[c][pixel], for first <= pixel < last, the mean of channel c's Stokes vectors over the
+    /// samples. Samples without a surface show the background.
     PixelCounts run(std::size_t first, std::size_t last, std::span<const std::span<glm::vec4>> out) const;
 
 private:

@@ -14,30 +14,30 @@
 
 namespace nicol {
 
-/// Holds copies of the matrices of a DenseMethod and the outgoing light of its vertices. All members inside
-/// run().
+/// Copies of a DenseMethod's matrices, and the outgoing light of its vertices. All members must be called
+/// inside run() of the context.
 class DeviceDense {
 public:
     explicit DeviceDense(std::shared_ptr<gl::Context> context) : context_(std::move(context)) {}
 
-    /// relight of all vertices.
+    /// Relights all vertices.
     void relight(const DenseMethod& method, const TransferInput& input, Progress& progress,
                  VertexBuffers& buffers);
     void shade(DeviceShade& shade, const DevicePoints& vertices);
 
-    /// The most points that shading at pixels takes at once.
+    /// Returns the largest number of points that shading at pixels takes at once.
     [[nodiscard]] std::size_t prepare_pixels(const DenseMethod& method, const PixelInput& input);
-    /// The light that leaves a run's points.
+    /// Computes the light that leaves a run's points.
     void light_pixels(const PixelInput& input, const PixelRun& run, DevicePixels& pixels);
     void shade_pixels(const MaterialPtr& material, const PixelInput& input, const PixelRun& run,
                       DevicePixels& pixels, DeviceShade& shade, const DevicePoints& points);
 
 private:
-    // Vertices of one instance whose matrices one binding reaches.
+    // Vertices of one instance whose matrices fit into one binding.
     struct Piece {
         const DenseMaterial* material;
         const DeviceTable* table;
-        int rows;  // of a matrix, with padding
+        int rows;  // rows of a matrix, including padding
         gl::Buffer matrices;
         DeviceLight light;
     };
@@ -50,7 +50,7 @@ private:
     std::optional<gl::Program> program_;
     std::map<std::shared_ptr<const ResponseTable>, DeviceTable> tables_;
     std::vector<Piece> pieces_;
-    std::optional<DeviceRotation> rotation_;  // where pixels are shaded
+    std::optional<DeviceRotation> rotation_;  // for shading at pixels
     Stage<Version, int> copying_;             // runs, channels of the light
 };
 

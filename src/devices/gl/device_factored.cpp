@@ -11,8 +11,8 @@
 namespace nicol {
 namespace {
 
-// For each number of a light: the first element of its matrix, its row, the size of the matrix and where the
-// numbers that it multiplies begin in a light.
+// Returns for each number of a light: the first element of its matrix, its row, the size of the matrix, and
+// the index in a light where the numbers that it multiplies begin.
 std::vector<std::array<std::int32_t, 4>> matrix_rows(const ShadowMatrices& matrices, std::size_t numbers) {
     std::vector<std::array<std::int32_t, 4>> rows(numbers);
     std::size_t element = 0;
@@ -65,7 +65,8 @@ void DeviceShadowMatrices::run(DeviceLight& light) {
             light.bind(2, c);
             rows_.bind_storage(3);
             product_->bind_storage(4, 0, bytes);
-            gl::dispatch(multiply_, gl::groups_for(last - first), static_cast<unsigned>(light.coefficients()));
+            gl::dispatch(multiply_, gl::groups_for(last - first),
+                         static_cast<unsigned>(light.coefficients()));
             product_->bind_storage(1, 0, bytes);
             gl::dispatch(store_, gl::groups_for(last - first), static_cast<unsigned>(light.coefficients()));
         }

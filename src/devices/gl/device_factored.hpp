@@ -19,13 +19,14 @@
 
 namespace nicol {
 
-/// relight, second half: light times the shadow matrices of its vertices. All members inside run().
+/// Shadow matrices for the second half of relight, on the device. All members must be called inside run() of
+/// the context.
 class DeviceShadowMatrices {
 public:
-    /// The same matrices as the host's; `shadows` has some.
+    /// Copies the host's matrices; `shadows` must have some.
     DeviceShadowMatrices(const std::shared_ptr<gl::Context>& context, const VisibilityProduct& shadows);
 
-    /// light = V light for its vertices that are not in unoccluded blocks.
+    /// Multiplies light by its vertices' shadow matrices: light = V light, except in unoccluded blocks.
     void run(DeviceLight& light);
 
 private:
@@ -37,22 +38,23 @@ private:
     std::optional<gl::Buffer> product_;
 };
 
-/// Holds copies of what a FactoredMethod made and the light of its vertices. All members inside run().
+/// Copies of a FactoredMethod's results, and the light of its vertices. All members must be called inside
+/// run() of the context.
 class DeviceFactored {
 public:
     explicit DeviceFactored(std::shared_ptr<gl::Context> context) : context_(std::move(context)) {}
 
-    /// relight of all vertices.
+    /// Relights all vertices.
     void relight(const FactoredMethod& method, const TransferInput& input, Progress& progress,
                  VertexBuffers& buffers);
     void shade(const FactoredMethod& method, const TransferInput& input, DeviceShade& shade,
                const DevicePoints& vertices);
 
-    /// Copies what shading at pixels needs. Returns the most points that it takes at once.
+    /// Copies what shading at pixels needs. Returns the largest number of points that it takes at once.
     std::size_t prepare_pixels(const FactoredMethod& method, const PixelInput& input);
-    /// The light of a run's points.
+    /// Computes the light of a run's points.
     void light_pixels(const PixelInput& input, const PixelRun& run, DevicePixels& pixels);
-    /// What a material, one that is the same everywhere, reflects of it.
+    /// Shades a run's points with a plain material: computes the reflection of the points' light.
     void shade_pixels(const MaterialPtr& material, const PixelInput& input, const PixelRun& run,
                       DevicePixels& pixels, DeviceShade& shade, const DevicePoints& points);
 
@@ -68,7 +70,7 @@ private:
     std::map<MaterialPtr, DeviceTable> tables_;
     std::optional<DeviceRotation> rotation_;
     Stage<Version> copying_shadows_;
-    std::optional<DeviceShadowMatrices> shadow_matrices_;  // of shadows, one form or the other
+    std::optional<DeviceShadowMatrices> shadow_matrices_;  // shadows as matrices, or as the grid below
     std::optional<DeviceShadowGrid> shadow_grid_;
     std::vector<DeviceLight> light_;
 };

@@ -22,7 +22,8 @@ int group_size(int channels, int group) {
     return std::min(kGroup, channels - group * kGroup);
 }
 
-// The layers that glsl/high_order.glsl wants of a group; a map of one channel serves all.
+// Returns the layers of a group of channels as glsl/high_order.glsl reads them. A map of one channel serves
+// all channels.
 gl::Texture2D texture_of(const std::shared_ptr<gl::Context>& context, const LobeMap& map, int group,
                          int channels) {
     const bool single = map.channels() == 1;
@@ -60,7 +61,7 @@ void HighOrderTextures::copy(const HighOrderTransfer& transfer, int channels) {
                   .base = textures(from.maps.base, channels),
                   .spread = static_cast<float>(from.factors.spread()),
                   .has_base = from.maps.base != nullptr};
-        // A sampler wants a texture, used or not.
+        // A sampler needs a texture even if it is not used.
         if (part.outer == nullptr) part.outer = part.central;
         if (part.base == nullptr) part.base = part.central;
         for (int g = 0; g < group_count(channels); ++g) {

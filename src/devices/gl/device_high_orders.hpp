@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The orders of light above order_low on the device.
+// The light's orders above order_low, on the device.
 #pragma once
 
 #include <map>
@@ -15,8 +15,8 @@
 
 namespace nicol {
 
-/// Filtered light and the materials' factors as the textures of glsl/high_order.glsl. All members inside
-/// run() of the context.
+/// Filtered light and the materials' factors as the textures of glsl/high_order.glsl. All members must be
+/// called inside run() of the context.
 class HighOrderTextures {
 public:
     using Textures = std::vector<gl::Texture2D>;  ///< by group of Framebuffer::kGroup channels
@@ -32,15 +32,15 @@ public:
 
     explicit HighOrderTextures(std::shared_ptr<gl::Context> context) : context_(std::move(context)) {}
 
-    /// Copies an image's channels of the maps and factors, as far as changes make it necessary.
+    /// Copies the channels of an image from the maps and factors; repeats only what changes require.
     void update(const HighOrderTransfer& transfer, int channels);
 
-    /// The part of a material that the last update() saw.
+    /// Returns a material's part as of the last update().
     [[nodiscard]] const Part& part(const MaterialPtr& material) const { return parts_.at(material); }
-    /// Whether programs need HIGH_ORDER_POLARIZED.
+    /// Returns whether programs need the define HIGH_ORDER_POLARIZED.
     [[nodiscard]] bool polarized() const noexcept { return polarized_; }
 
-    /// Binds a part to texture units 0 to 3 of a program, with its uniforms but to_light.
+    /// Binds a part to texture units 0 to 3 of a program, and sets its uniforms except to_light.
     static void bind(gl::Program& program, const Part& part, std::size_t group);
 
 private:
@@ -54,16 +54,17 @@ private:
     bool polarized_ = false;
 };
 
-/// Holds a copy of the visibility of a HighOrderTransfer. All members inside run().
+/// Reflection of high orders, with a copy of a HighOrderTransfer's visibility. All members must be called
+/// inside run() of the context.
 class DeviceHighOrders {
 public:
     explicit DeviceHighOrders(std::shared_ptr<gl::Context> context)
         : context_(context), textures_(std::move(context)) {}
 
-    /// Fills buffers.fractions() where anything casts shadows.
+    /// Fills buffers.fractions() if anything casts shadows.
     void compute_fractions(const HighOrderTransfer& transfer, const ShadeInput& input,
                            VertexBuffers& buffers);
-    /// Adds to the Stokes vectors of points first <= i < last, of one material.
+    /// Adds the high orders to the Stokes vectors of points first <= i < last, which have one material.
     void add(const HighOrderTransfer& transfer, const MaterialPtr& material, std::size_t first,
              std::size_t last, const ShadeInput& input, const DevicePoints& points);
 
@@ -78,7 +79,7 @@ private:
     std::map<std::tuple<int, bool, bool>, gl::Program> programs_;
     std::optional<gl::Program> fraction_;
     Stage<Version> copying_;
-    std::vector<DeviceLight> visibility_;  // coefficients instead of light
+    std::vector<DeviceLight> visibility_;  // coefficients of visibility instead of light
     std::map<double, gl::Buffer> lobes_;   // by width
 };
 

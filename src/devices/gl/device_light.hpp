@@ -14,18 +14,18 @@
 
 namespace nicol {
 
-/// Light of the vertices, or points, first .. first + count - 1 of all: [channel][coefficient][vertex].
+/// Light of the vertices, or points, first .. first + count - 1: [channel][coefficient][vertex].
 class DeviceLight {
 public:
-    /// The most vertices that one holds: what the context lets a shader reach, and no more than keeps its
-    /// work space small.
+    /// Returns the largest number of vertices in one object: as many as the context lets a shader reach, and
+    /// no more than keeps the work space small.
     [[nodiscard]] static std::size_t most_vertices(const gl::Context& context, std::size_t coefficients) {
         const std::size_t fit = context.limits().storage_bytes / (coefficients * sizeof(float));
         return std::clamp(fit / gl::kGroupOfVertices * gl::kGroupOfVertices, gl::kGroupOfVertices,
                           std::size_t{65536});
     }
 
-    /// coefficients: of a vertex in a channel.
+    /// coefficients: number per vertex and channel.
     DeviceLight(const std::shared_ptr<gl::Context>& context, std::size_t first, std::size_t count,
                 std::size_t coefficients, int channels)
         : first_(first),
@@ -36,7 +36,7 @@ public:
           buffer_(context, gl::BufferUse::storage, static_cast<std::size_t>(channels) * channel_bytes(),
                   gl::BufferUpdate::dynamic) {}
 
-    /// Copies from the host: coefficients_of(vertex, channel) is a span of coefficients().
+    /// Copies light from the host: coefficients_of(vertex, channel) returns a span of coefficients() numbers.
     template <class CoefficientsOf>
     void upload(const CoefficientsOf& coefficients_of) {
         std::vector<float> data(static_cast<std::size_t>(channels_) * coefficients_ * stride_);
@@ -50,7 +50,8 @@ public:
         buffer_.update(0, std::as_bytes(std::span(data)));
     }
 
-    /// Becomes the light of other points, at most as many as at first; the content is unspecified.
+    /// Makes the object hold the light of other points, at most as many as at first. The content is
+    /// unspecified.
     void place(std::size_t first, std::size_t count) noexcept {
         first_ = first;
         count_ = count;
@@ -63,13 +64,15 @@ public:
     [[nodiscard]] std::size_t first() const noexcept { return first_; }
     [[nodiscard]] std::size_t count() const noexcept { return count_; }
     [[nodiscard]] std::size_t last() const noexcept { return first_ + count_; }
-    /// Vertices from coefficient to coefficient.
+    /// Returns the distance between coefficients, in vertices.
     [[nodiscard]] std::size_t stride() const noexcept { return stride_; }
     [[nodiscard]] std::size_t coefficients() const noexcept { return coefficients_; }
     [[nodiscard]] int channels() const noexcept { return channels_; }
 
 private:
-    [[nodiscard]] std::size_t channel_bytes() const noexcept { return coefficients_ * stride_ * sizeof(float); }
+    [[nodiscard]] std::size_t channel_bytes() const noexcept {
+        return coefficients_ * stride_ * sizeof(float);
+    }
 
     std::size_t first_;
     std::size_t count_;

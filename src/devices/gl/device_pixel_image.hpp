@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// shade at pixels on the device: its results, until the image is drawn.
+// Results of shading at pixels on the device, until the image is drawn.
 #pragma once
 
 #include <memory>
@@ -13,14 +13,15 @@
 
 namespace nicol {
 
-/// What a PixelImage gets. The framebuffer itself is not touched before all of an image is there.
+/// Content for a PixelImage. The framebuffer itself is not touched before an image is complete.
 class DevicePixelImage {
 public:
     explicit DevicePixelImage(std::shared_ptr<gl::Context> context) : context_(std::move(context)) {}
 
-    /// Inside run() of the context, as all below. The content is unspecified.
+    /// Allocates an image, whose content is unspecified. Must be called inside run() of the context, as all
+    /// functions below.
     void resize(int width, int height, int channels);
-    /// No surface anywhere.
+    /// Clears the image: no pixel shows a surface.
     void clear();
     [[nodiscard]] gl::Texture2D& channel(int c) { return channels_[static_cast<std::size_t>(c)]; }
     [[nodiscard]] gl::Texture2D& coverage() { return coverage_.value(); }

@@ -18,13 +18,13 @@ namespace {
 
 constexpr std::size_t kPixelsOfBlock = 8192;  // pixels whose points are counted together
 constexpr std::size_t kMostBlocks = 128;
-constexpr std::size_t kMostPoints = 65536;  // of a chunk of several blocks
+constexpr std::size_t kMostPoints = 65536;  // limit for a chunk of several blocks
 
 std::size_t in_whole_groups(std::size_t points) {
     return (points + gl::kGroupOfVertices - 1) / gl::kGroupOfVertices * gl::kGroupOfVertices;
 }
 
-// Chunks of blocks that follow each other, from the numbers of points, [block][group].
+// Returns chunks of consecutive blocks. counts: numbers of points, [block][group].
 std::vector<DevicePixelList::Chunk> chunks_of(std::span<const std::uint32_t> counts, std::size_t groups,
                                               std::size_t pixels) {
     std::vector<DevicePixelList::Chunk> chunks;
@@ -121,7 +121,7 @@ void DevicePixelList::bind_hits(gl::Program& program, std::size_t first, std::si
         input_->hits.texture(s).bind(static_cast<unsigned>(s));
 }
 
-// Writes the coverage on the way.
+// Counts the points, [block][group], and writes the coverage, too.
 std::vector<std::uint32_t> DevicePixelList::count(std::size_t pixels) {
     const std::size_t groups = 2 * input_->geometry.ranges.size();
     std::vector<std::uint32_t> counts((pixels + kPixelsOfBlock - 1) / kPixelsOfBlock * groups);
@@ -195,7 +195,7 @@ std::uint64_t DevicePixels::run(const PixelInput& input, VertexBuffers& buffers,
     const auto height = static_cast<std::size_t>(input.hits.height());
     sizing_.run(width, height, input.channels, [&] { release(); });
     std::uint64_t shaded = 0;
-    std::vector<std::vector<glm::vec4>> local_lights;  // of the pixels of a chunk, by channel
+    std::vector<std::vector<glm::vec4>> local_lights;  // light at the pixels of a chunk, by channel
     for (const DevicePixelList::Chunk& chunk : list_.find(input, buffers, image_)) {
         render.progress.report("shade",
                                static_cast<double>(chunk.first) / static_cast<double>(width * height));
@@ -214,7 +214,7 @@ std::uint64_t DevicePixels::run(const PixelInput& input, VertexBuffers& buffers,
             }
             shaded += chunk.counts[g];
         }
-        // Threads work beside the device, which has what it needs of this chunk.
+        // Threads compute local lights while the device, which has all of its input, shades this chunk.
         if (input.local_lights != nullptr) {
             gl::flush(*context_);
             find_light_image(input, chunk.first, chunk.last, render, local_lights);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// shade at pixels on the device: the points that pixels show are shaded like vertices.
+// Shading at pixels on the device: the points that pixels show are shaded like vertices.
 #pragma once
 
 #include <cstdint>
@@ -18,10 +18,11 @@
 
 namespace nicol {
 
-/// Which points the pixels of an image show, and the image from what was made of them.
-/// The points are those that PixelShading of threads finds. They are listed for some pixels at a time, those
-/// of a group side by side: of one of the geometry's surfaces, with or without an occluded corner. Only the
-/// numbers of points come back to the host. All members inside run() of the context.
+/// List of the points that an image's pixels show, and the image made from them. The points equal those that
+/// PixelShading finds on threads. Points are listed for some pixels at a time. The points of a group are
+/// consecutive; a group has the points of one range of the geometry, either with or without an occluded
+/// corner. Only the numbers of points come back to the host. All members must be called inside run() of the
+/// context.
 class DevicePixelList {
 public:
     explicit DevicePixelList(std::shared_ptr<gl::Context> context) : context_(std::move(context)) {}
@@ -30,26 +31,26 @@ public:
     struct Chunk {
         std::size_t first;
         std::size_t last;
-        /// By group, twice the surface and 1 where a corner is occluded: its first point in the list, a
-        /// multiple of gl::kGroupOfVertices; and how many points it has.
+        /// First point of each group in the list, a multiple of gl::kGroupOfVertices. A group's index is
+        /// twice the range's index, plus 1 if a corner is occluded.
         std::vector<std::uint32_t> begin;
-        std::vector<std::uint32_t> counts;
-        std::size_t size;  ///< of the list
+        std::vector<std::uint32_t> counts;  ///< number of points of each group
+        std::size_t size;                   ///< length of the list
     };
 
-    /// Counts the points of an image and writes its coverage. What is passed must live until the last
-    /// gather().
+    /// Counts the points of an image and writes its coverage. Returns the image's chunks. The arguments must
+    /// live until the last gather().
     [[nodiscard]] std::vector<Chunk> find(const PixelInput& input, VertexBuffers& buffers,
                                           DevicePixelImage& image);
-    /// Makes the list of a chunk.
+    /// Makes the list of a chunk's points.
     void list(const Chunk& chunk);
-    /// The listed points, as glsl/pixel_points.glsl has them.
+    /// Returns the listed points in the layout of glsl/pixel_points.glsl.
     [[nodiscard]] const gl::Buffer& points() const { return points_.value(); }
-    /// Makes the chunk's pixels: `stokes` are its points', by channel. `local_lights`, where the input has
-    /// any: what they add to each pixel, by channel.
+    /// Makes a chunk's pixels. stokes: Stokes vectors of the chunk's points, by channel. local_lights, if the
+    /// input has any: Stokes vectors that they add to each pixel, by channel.
     void gather(const Chunk& chunk, std::span<const gl::Buffer* const> stokes,
                 std::span<const std::vector<glm::vec4>> local_lights);
-    /// Gives the memory of the last list back.
+    /// Frees the memory of the last list.
     void release();
 
 private:
@@ -67,44 +68,47 @@ private:
     std::optional<gl::Program> count_;
     std::optional<gl::Program> list_;
     std::optional<gl::Program> gather_;
-    std::optional<gl::Buffer> offsets_;  // of samples
+    std::optional<gl::Buffer> offsets_;  // offsets of the samples
     Stage<Version, Version> grouping_;   // geometry, visibility
-    std::optional<gl::Buffer> groups_;   // of triangles
+    std::optional<gl::Buffer> groups_;   // groups of the triangles
     std::optional<gl::Buffer> points_;
     std::optional<gl::Buffer> shares_;
 };
 
-/// Points of one surface, side by side.
+/// Consecutive points of one surface.
 struct PixelRun {
     const VertexRange& surface;
-    bool occluded;      ///< else nothing hides the light from the corners of their triangles
-    std::size_t first;  ///< a multiple of gl::kGroupOfVertices
+    bool occluded;      ///< false: nothing hides the light from the corners of the points' triangles
+    std::size_t first;  ///< index of the first point, a multiple of gl::kGroupOfVertices
     std::size_t last;
 };
 
-/// All members inside run() of the context.
+/// Shading of the points that pixels show. All members must be called inside run() of the context.
 class DevicePixels {
 public:
-    /// `image` must outlive the object, and have the size of an image before it is shaded.
+    /// image: must outlive the object, and have an image's size before the image is shaded.
     DevicePixels(std::shared_ptr<gl::Context> context, DevicePixelImage& image);
 
     using Shade = std::function<void(const PixelRun&)>;
-    /// Calls shade(run) until it was called for all points, at most `most` at once; it fills points().stokes,
-    /// from which the image is made; local lights are added to it. Returns the number of points. Throws
-    /// Error(unsupported) for more triangles or vertices than the driver lets a shader reach.
+    /// Calls shade(run) until all points are shaded, at most `most` points at once. shade() must fill
+    /// points().stokes. The image is made from these Stokes vectors, and local lights are added to it.
+    /// Returns the number of points. Throws Error(unsupported) for more triangles or vertices than the driver
+    /// lets a shader reach.
     std::uint64_t run(const PixelInput& input, VertexBuffers& buffers, std::size_t most, RenderRun& render,
                       const Shade& shade);
 
-    /// While shade() runs: the points.
+    /// Returns the points while shade() runs.
     [[nodiscard]] const DevicePoints& points() const noexcept { return points_; }
-    /// The same points, as glsl/pixel_points.glsl has them.
+    /// Returns the points in the layout of glsl/pixel_points.glsl while shade() runs.
     [[nodiscard]] const gl::Buffer& listed() const { return list_.points(); }
-    /// A vec2 a point: the weights of its triangle's second and third corner.
+    /// Returns one vec2 per point: the weights of the second and third corner of the point's triangle.
     [[nodiscard]] const gl::Buffer& barycentric() const { return weights_.value(); }
-    /// Memory for the light of its points, until the next call. Coefficients: of a point in a channel.
+    /// Returns memory for the light of a run's points, valid until the next call. coefficients: number per
+    /// point and channel.
     [[nodiscard]] DeviceLight& light(const PixelRun& run, std::size_t coefficients, int channels);
-    /// light = that of the vertices between which its points are, for all vertices of the surface after calls
-    /// for all lights that have some of them, in ascending order. Others change nothing.
+    /// Interpolates the light of vertices at a run's points. The vertices of a surface may lie in several
+    /// lights. `light` is complete after calls, in ascending order, for all lights that have some of these
+    /// vertices. Other lights change nothing.
     void interpolate(const DeviceLight& vertices, const PixelRun& run, DeviceLight& light);
 
 private:
@@ -121,7 +125,7 @@ private:
     gl::Program surface_;
     gl::Program interpolate_;
 
-    // Input of the image in work.
+    // Input of the image that is being shaded.
     const PixelInput* input_ = nullptr;
     VertexBuffers* buffers_ = nullptr;
 

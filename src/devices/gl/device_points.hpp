@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Points to be shaded, on the device: vertices, or what pixels show.
+// Points to be shaded, on the device: vertices, or points that pixels show.
 #pragma once
 
 #include <vector>
@@ -9,14 +9,14 @@
 namespace nicol {
 
 struct DevicePoints {
-    const gl::Buffer* positions;  ///< three floats a point
-    const gl::Buffer* normals;    ///< likewise
-    const gl::Buffer*
-        fractions;  ///< two floats, of the lobes of high orders that are visible; null: all of them
-    std::vector<const gl::Buffer*> stokes;  ///< by channel: a vec4, which shading writes
+    const gl::Buffer* positions;  ///< three floats per point
+    const gl::Buffer* normals;    ///< three floats per point
+    /// Visible fractions of the lobes of high orders, two floats per point; null: lobes are not shadowed.
+    const gl::Buffer* fractions;
+    std::vector<const gl::Buffer*> stokes;  ///< by channel: one vec4 per point, which shading writes
 };
 
-/// A scene's vertices; `fractions`: of the buffers.
+/// Returns a scene's vertices. fractions: whether to take the fractions of the buffers.
 [[nodiscard]] inline DevicePoints vertex_points(VertexBuffers& buffers, const WorldGeometry& geometry,
                                                 int channels, bool fractions) {
     DevicePoints points{.positions = buffers.positions().get(),

@@ -15,7 +15,7 @@ std::size_t field_count(const LightLayout& layout) {
     return layout.kind() == LightKind::unpolarized ? 1 : 2;
 }
 
-// As in rotation.glsl.
+// Returns the entries in the layout of rotation.glsl.
 std::vector<std::array<std::int32_t, 8>> entries_of(const LightLayout& layout) {
     std::vector<std::array<std::int32_t, 8>> entries;
     std::vector<std::size_t> places(2 * psh_count(layout.order()));  // [field][psh_index] in entries

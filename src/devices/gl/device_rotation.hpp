@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Light between the geometry's axes and the frames of points, on the device.
+// Rotation of light between the geometry's axes and the frames of points, on the device.
 #pragma once
 
 #include <map>
@@ -14,24 +14,26 @@
 
 namespace nicol {
 
-/// Rotates the coefficients of LightLayout as Relight and FrameRotation do. `normals`: of all points, three floats
-/// each. The lights of points have the layout.
+/// Rotation of the coefficients of LightLayout, as in Relight and FrameRotation. normals: three floats per
+/// point, for all points. All lights of points must have the layout.
 class DeviceRotation {
 public:
     explicit DeviceRotation(const std::shared_ptr<gl::Context>& context);
 
-    /// Of the lights below.
+    /// Sets the layout of the lights below.
     void set_layout(const LightLayout& layout);
-    /// A distant light: coefficients in the geometry's axes, of at least the layout's order.
+    /// Sets the distant light: coefficients in the geometry's axes, of at least the layout's order.
     void set_light(const PshVector& light);
 
-    /// Fills `out`, which has the distant light's channels, with it.
+    /// Fills `out`, which must have the distant light's channels, with the distant light in the points'
+    /// frames.
     void run(const gl::Buffer& normals, DeviceLight& out);
-    /// Rotates each point's own light.
+    /// Rotates each point's own light from the geometry's axes into the point's frame.
     void into_frames(const gl::Buffer& normals, DeviceLight& light);
+    /// Rotates each point's own light from the point's frame into the geometry's axes.
     void into_world(const gl::Buffer& normals, DeviceLight& light);
 
-    /// Floats a point of the work space.
+    /// Returns the size of the work space, in floats per point.
     [[nodiscard]] static std::size_t work_space(const LightLayout& layout);
 
 private:
@@ -48,7 +50,7 @@ private:
     std::shared_ptr<gl::Context> context_;
     gl::Program azimuth_;
     gl::Program zenith_;
-    std::map<LightKind, Tables> tables_;  // of one order
+    std::map<LightKind, Tables> tables_;  // tables of one order
     const Tables* current_ = nullptr;
     std::vector<gl::Buffer> distant_;  // by channel
     std::optional<gl::Buffer> work_;

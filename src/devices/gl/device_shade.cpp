@@ -11,7 +11,7 @@ namespace nicol {
 
 namespace {
 
-// As in shade.comp.
+// Returns a layout's runs in the layout of shade.comp.
 std::vector<std::array<std::int32_t, 4>> runs_of(const LightLayout& layout) {
     std::vector<std::array<std::int32_t, 4>> runs;
     for (const LightLayout::Run& run : layout.runs()) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// shade on the device, for every method: light dotted with rows of a table.
+// Shading on the device for every method: light dotted with rows of a table.
 #pragma once
 
 #include <memory>
@@ -14,7 +14,7 @@
 
 namespace nicol {
 
-/// A ResponseTable.
+/// ResponseTable on the device.
 class DeviceTable {
 public:
     DeviceTable(const std::shared_ptr<gl::Context>& context, const LightLayout& layout,
@@ -23,14 +23,14 @@ public:
 private:
     friend class DeviceShade;
 
-    int row_size_;  // of all pairings
-    int pairs_;     // of one
+    int row_size_;  // size of a row, all pairings
+    int pairs_;     // size of one pairing
     int runs_;
     int angles_;
     bool makes_linear_;
     bool makes_circular_;
     gl::Buffer run_buffer_;
-    std::vector<gl::Buffer> channels_;  // one, or one each
+    std::vector<gl::Buffer> channels_;  // one buffer for all channels, or one per channel
 };
 
 class DeviceShade {
@@ -38,7 +38,8 @@ public:
     explicit DeviceShade(const std::shared_ptr<gl::Context>& context);
 
     void set_view(const Viewpoint& view);
-    /// The Stokes vectors of points first <= i < last, which `light` holds, in the camera's frame field.
+    /// Computes the Stokes vectors of points first <= i < last, which `light` must hold, in the camera's
+    /// frame field.
     void run(const DeviceTable& table, const DeviceLight& light, std::size_t first, std::size_t last,
              const DevicePoints& points);
 

@@ -17,7 +17,7 @@
 
 namespace nicol {
 
-/// The numbers() of a VisibilityProduct with at least one block, in pieces that one binding reaches.
+/// The numbers() of a VisibilityProduct with at least one block, in pieces that fit into one binding.
 class DeviceShadowCoefficients {
 public:
     DeviceShadowCoefficients(const std::shared_ptr<gl::Context>& context, const VisibilityProduct& shadows)
@@ -35,12 +35,12 @@ public:
         }
     }
 
-    /// The scene's numbers of shadowed vertices.
+    /// Returns the scene's indices of the shadowed vertices.
     [[nodiscard]] const gl::Buffer& vertices() const noexcept { return vertex_buffer_; }
     [[nodiscard]] std::size_t count() const noexcept { return vertices_.size(); }
 
-    /// visit(first, last, first_block, numbers) for shadowed vertices first <= s < last, which `light` holds:
-    /// at most so many, whose blocks from first_block on `numbers` holds.
+    /// Calls visit(first, last, first_block, numbers) for the shadowed vertices first <= s < last that
+    /// `light` holds, at most `most` at once. `numbers` holds their blocks, from first_block on.
     template <class Visit>
     void for_chunks(const DeviceLight& light, std::size_t most, const Visit& visit) const {
         for (const Piece& piece : pieces_) {

@@ -12,7 +12,7 @@ namespace {
 
 using Slots = ShadowGrid::Slots;
 
-// As in glsl/sums.comp.
+// Sum in the layout of glsl/sums.comp.
 struct Sum {
     std::int32_t first = 0;
     std::int32_t second = -1;
@@ -24,24 +24,26 @@ std::int32_t index(std::size_t i) {
     return static_cast<std::int32_t>(i);
 }
 
-// Each Stokes component has an even and an odd part.
+// Returns the number of components: an even and an odd part of each Stokes component.
 std::size_t components(const ShadowGrid& grid) {
     return 2 * grid.pairs_in().size();
 }
-// Numbers of a vertex: four sums a component, row and column; and a component, row and slot.
+// Returns the numbers per vertex: four sums per component, row and column.
 std::size_t numbers_on_columns(const ShadowGrid& grid) {
     return 4 * components(grid) * grid.rows() * grid.columns();
 }
+// Returns the numbers per vertex: one per component, row and slot.
 std::size_t numbers_on_slots(const ShadowGrid& grid) {
     return components(grid) * grid.rows() * grid.slots().begin[4];
 }
 
-// Rows times columns times Stokes components.
+// Returns rows times columns times Stokes components.
 unsigned points(const ShadowGrid& grid) {
     return static_cast<unsigned>(grid.pairs_in().size() * grid.rows() * grid.columns());
 }
 
-// As many vertices as keep the work space small; work groups are many even where that is a few.
+// Returns the vertices of a chunk, few enough to keep the work space small. Work groups are many even if
+// these vertices are few.
 std::size_t chunk(const ShadowGrid& grid, std::size_t vertices) {
     constexpr std::size_t work_bytes = std::size_t{1} << 25;
     const std::size_t groups = work_bytes / (numbers_on_columns(grid) * sizeof(float) * gl::kGroupOfVertices);
@@ -141,11 +143,11 @@ DeviceShadowGrid::Sums DeviceShadowGrid::over_columns(const ShadowGrid& grid) co
     return {gl::storage(context_, sums), gl::storage(context_, factors), static_cast<unsigned>(sums.size())};
 }
 
-// Harmonics of linear polarization are in s1 and in s2.
+// Harmonics of linear polarization have parts in s1 and in s2.
 DeviceShadowGrid::Sums DeviceShadowGrid::over_rows(const ShadowGrid& grid, std::size_t size) const {
     std::vector<Sum> sums(size);
     std::vector<float> factors(2 * size * grid.rows());
-    std::size_t begin = 0;  // of a component's slots
+    std::size_t begin = 0;  // first of a component's slots
     for (const ShadowGrid::Pair& pair : grid.pairs_out()) {
         for (const ShadowGrid::Component& component : pair) {
             for (const ShadowGrid::Run& run : component.runs) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// relight, second half, on the device: light times the visibility of its vertices, on a grid.
+// Second half of relight on the device: light times the visibility of its vertices, on a grid.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace nicol {
 
-/// ShadowGrid in passes over all vertices of a chunk, each from the one work space into the other:
+/// ShadowGrid on the device, in passes over all vertices of a chunk, each from one work space into the other:
 ///   light            [harmonic]
 ///   sums over l      [component][row][slot]
 ///   sums over m      [component][cosines of even, odd m, sines of even, odd m][row][column]
@@ -23,14 +23,14 @@ namespace nicol {
 /// A component is the even or odd part of a Stokes component; rows, columns and slots are ShadowGrid's.
 class DeviceShadowGrid {
 public:
-    /// The same samples as the host's; `shadows` has a grid.
+    /// Copies the host's samples; `shadows` must have a grid.
     DeviceShadowGrid(const std::shared_ptr<gl::Context>& context, const VisibilityProduct& shadows);
 
-    /// light = V light for its vertices that are not in unoccluded blocks.
+    /// Multiplies light by its vertices' visibility: light = V light, except in unoccluded blocks.
     void run(DeviceLight& light);
 
 private:
-    // Numbers that are each a sum of products of consecutive others with fixed factors.
+    // Numbers, each of which is a sum of products of consecutive other numbers with fixed factors.
     struct Sums {
         gl::Buffer rows;
         gl::Buffer factors;
@@ -49,7 +49,7 @@ private:
     gl::Program store_;
     DeviceShadowCoefficients samples_;
     unsigned points_;    // rows times columns times Stokes components
-    std::size_t chunk_;  // vertices
+    std::size_t chunk_;  // vertices of a chunk
     Sums orders_;
     Sums degrees_;
     Sums columns_;

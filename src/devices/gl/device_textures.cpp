@@ -77,7 +77,7 @@ void DeviceTextures::add(std::size_t layer, const PixelRun& run, const DevicePoi
     add_->set("add", layer > 0 ? 1 : 0);
     weights_->bind_storage(1);
     for (std::size_t c = 0; c < points.stokes.size(); ++c) {
-        // Three equal ones where there are not three channels.
+        // A point's three weights are equal if the image does not have three channels.
         add_->set("channel", static_cast<int>(std::min<std::size_t>(c, 2)));
         std::ignore = gl::bind_vertices(*stokes_[c], 0, 4, run.first, run.last);
         std::ignore = gl::bind_vertices(*points.stokes[c], 2, 4, run.first, run.last);

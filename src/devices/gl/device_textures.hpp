@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// shade at pixels on the device: surfaces whose materials vary.
+// Shading at pixels on the device: surfaces with textured materials.
 #pragma once
 
 #include <map>
@@ -14,28 +14,28 @@
 
 namespace nicol {
 
-/// All members inside run() of the context.
+/// Textures of a scene's materials. All members must be called inside run() of the context.
 class DeviceTextures {
 public:
     explicit DeviceTextures(std::shared_ptr<gl::Context> context) : context_(std::move(context)) {}
 
-    /// Copies what the scene has of textures, as far as changes make it necessary. Throws Error(unsupported)
-    /// for more of it than the driver lets a shader reach.
+    /// Copies the scene's textures; repeats only what changes require. Throws Error(unsupported) if there are
+    /// more than the driver lets a shader reach.
     void prepare(const PixelInput& input, VertexBuffers& buffers);
 
-    /// For the points of a run, whose material varies: finds the weights of its layers, and turns the points'
-    /// normals.
+    /// Finds the layers' weights at the points of a run, whose material must be textured, and perturbs the
+    /// points' normals.
     void find(const PixelInput& input, const PixelRun& run, const DevicePixels& pixels);
-    /// The points, with memory of their own for the Stokes vectors of one layer.
+    /// Returns the points with separate memory for the Stokes vectors of one layer.
     [[nodiscard]] const DevicePoints& layer_points(const DevicePoints& points);
-    /// Adds a layer's Stokes vectors to those of the points; the first replaces them.
+    /// Adds a layer's Stokes vectors to the points' Stokes vectors; the first layer replaces them.
     void add(std::size_t layer, const PixelRun& run, const DevicePoints& points);
 
 private:
     [[nodiscard]] gl::Program& program(int textures);
 
     std::shared_ptr<gl::Context> context_;
-    std::map<int, gl::Program> programs_;  // by textures
+    std::map<int, gl::Program> programs_;  // by number of textures
     std::optional<gl::Program> add_;
     const CornerBuffers* corners_ = nullptr;
     Stage<Version> copying_;  // materials

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kStep = std::size_t{1} << 20;  // Stokes vectors of one dispatch
 
-/// Why a context cannot compute.
+/// Returns why a context cannot run compute shaders; empty if it can.
 std::string obstacle(const gl::Context& context) {
     constexpr int bindings = 8;
     const gl::Limits& limits = context.limits();
@@ -22,7 +22,7 @@ std::string obstacle(const gl::Context& context) {
         return context.info().renderer + " binds " + std::to_string(limits.storage_bindings) +
                " storage buffers at once; " + std::to_string(bindings) + " are needed";
     }
-    constexpr std::size_t least = std::size_t{1} << 27;  // as OpenGL guarantees
+    constexpr std::size_t least = std::size_t{1} << 27;  // the size that OpenGL guarantees
     if (limits.storage_bytes < least) {
         return context.info().renderer + " binds storage buffers of " + std::to_string(limits.storage_bytes) +
                " bytes at most; " + std::to_string(least) + " are needed";
@@ -180,7 +180,7 @@ void GlExecutor::make_physical(const DevicePoints& points, std::size_t first, st
 }
 
 void GlExecutor::illuminate(const LocalLights& lights, const ShadeInput& input, RenderRun& run) {
-    // Threads work beside the device, which still shades.
+    // Threads compute local lights while the device still shades.
     context_->run([&] { gl::flush(*context_); });
     const std::size_t vertices = input.geometry.positions.size();
     VertexStokes sums(static_cast<std::size_t>(input.channels), std::vector<glm::vec4>(vertices));

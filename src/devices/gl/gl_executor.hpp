@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// relight, shade and specular as compute shaders: what the methods make is copied to the device, where the
-// results stay. What local lights add is found on threads.
+// OpenGL executor: relight, shade and specular as compute shaders. The methods' data are copied to the
+// device, and the results stay there. Threads compute local lights.
 #pragma once
 
 #include <memory>
@@ -21,7 +21,7 @@ extern const Device kGlDevice;
 
 class GlExecutor final : public RenderExecutor {
 public:
-    /// Stokes vectors of vertices go into `buffers`, which must outlive the object.
+    /// Puts the Stokes vectors of vertices into `buffers`, which must outlive the object.
     GlExecutor(std::shared_ptr<gl::Context> context, VertexBuffers& buffers);
 
     [[nodiscard]] bool can_choose() const noexcept override { return false; }
@@ -45,17 +45,18 @@ public:
     void count(Statistics& /*statistics*/) const override {}
 
 private:
-    /// Makes buffers of the size of the input; false where there is nothing in it.
+    /// Makes buffers of the input's size. Returns false if the input has no vertices.
     bool prepare(const TransferInput& input);
     DeviceShade& shade_for(const Viewpoint& view);
     [[nodiscard]] DevicePoints vertices(const ShadeInput& input, bool fractions);
     template <class Method, class Device>
     void shade_pixels_by(const Method& method, Device& device, const PixelInput& input, RenderRun& run);
-    /// first: a multiple of gl::kGroupOfVertices. Adds the number of those that were moved to `counter`.
+    /// Moves the Stokes vectors of points first <= i < last into the physically realizable range. first: a
+    /// multiple of gl::kGroupOfVertices. Adds the number of moved vectors to `counter`.
     void make_physical(const DevicePoints& points, std::size_t first, std::size_t last, float noise,
                        const gl::Buffer& counter);
 
-    /// stokes += more.
+    /// Adds `more` to `stokes`.
     void add(const std::vector<glm::vec4>& more, const gl::Buffer& stokes);
 
     std::shared_ptr<gl::Context> context_;
