@@ -1,28 +1,33 @@
 /* SPDX-License-Identifier: MIT
- * Nicol: polarized light in real time, offscreen. Contexts, scenes, rendering, and reading of images;
- * nicol_psh.h has the mathematics, nicol_files.h conversion and reports of files, nicol.hpp C++ classes over
- * all of them. */
+ * Nicol: polarized light in real time, offscreen. Contexts, scenes, rendering, and reading of images.
+ * nicol_psh.h has the mathematics, nicol_files.h the conversion and reports of files, and nicol.hpp the C++
+ * classes for all three headers. */
 
 /* clang-format off */
-/* Conventions, everywhere:
- *   Objects    are opaque, counted handles. Creation gives one reference; _retain adds one, _release drops one;
- *              releasing NULL does nothing. Objects keep what they need alive: any release order is legal.
- *   Results    Every function that can fail returns a nicol_result and, on failure, leaves its outputs untouched.
- *              nicol_last_error() then has the message, per thread.
- *   Structs    begin with struct_size = sizeof(the struct). NICOL_<TYPE>_INIT makes one with the defaults that the
- *              comments name; every number means itself, and 0 stands for "automatic" or "none" only where a comment
- *              says so. Fields that a caller built with an older header does not have get their defaults.
- *   Threads    Any function may be called from any thread (but see "inside a host's OpenGL"). Calls on objects of one
- *              context lock it; calls on different contexts run in parallel. Callbacks run on the calling thread unless
- *              stated otherwise.
- *   Numbers    Calls and the callbacks that they make run in the default floating-point environment: rounding to
- *              nearest, no traps, subnormal numbers kept. The caller's environment is as before when a call returns.
- *   Strings    are UTF-8 and copied. Strings returned are owned by the library; each says for how long.
- *   Matrices   are row-major: a point's image is M * (x, y, z, 1)^T. The default is the identity.
- *   World      right-handed, y up, units are the scene's own. Angles of the interface are degrees.
- *   Light      is radiance, linear, per colour channel. A Stokes vector (s0, s1, s2, s3) is defined for a receiver that
- *              faces the source: s1 > 0 along the frame's x, s2 > 0 at +45 degrees from x to y, s3 > 0 right circular.
- *              In an image x points to the image's right and y up, as Mitsuba 3's stokes integrator.
+/* Conventions of all functions:
+ *   Objects    Objects are opaque, counted handles. Creation gives one reference, _retain adds one, and _release drops
+ *              one. Releasing NULL does nothing. An object keeps alive what it needs: any release order is legal.
+ *   Results    Every function that can fail returns a nicol_result and leaves its outputs untouched on failure.
+ *              nicol_last_error() then returns the message, per thread. Every function may return
+ *              NICOL_ERROR_INVALID_ARGUMENT, _INVALID_HANDLE, _OUT_OF_MEMORY and _INTERNAL. A function that reads files
+ *              may also return _FILE_NOT_FOUND, _INVALID_FILE, _UNSUPPORTED and _CANCELLED, a function that writes files
+ *              _WRITE_FAILED, and a function that uses OpenGL _OPENGL. Comments name all other codes.
+ *   Structs    A struct begins with struct_size = sizeof(the struct). NICOL_<TYPE>_INIT makes a struct with the defaults
+ *              that the comments name. Every number means itself; 0 stands for "automatic" or "none" only where a
+ *              comment says so. Fields that a caller built with an older header does not have get their defaults.
+ *   Threads    Any function may be called from any thread, except as "inside a host's OpenGL" says. Calls on objects of
+ *              one context lock the context; calls on different contexts run in parallel. Callbacks run on the calling
+ *              thread unless stated otherwise.
+ *   Numbers    Calls and their callbacks run in the default floating-point environment: rounding to nearest, no traps,
+ *              subnormal numbers kept. Each call restores the caller's environment before it returns.
+ *   Strings    Strings in arguments are UTF-8 and copied. Returned strings belong to the library; each comment says how
+ *              long they live.
+ *   Matrices   Matrices are row-major: the image of a point is M * (x, y, z, 1)^T. The default is the identity.
+ *   World      The world is right-handed, with y up and the scene's own units. Angles are degrees unless a comment says
+ *              radians.
+ *   Light      Light is linear radiance per colour channel. A Stokes vector (s0, s1, s2, s3) is defined for a receiver
+ *              that faces the source: s1 > 0 along the frame's x, s2 > 0 at +45 degrees from x to y, s3 > 0 right
+ *              circular. In an image x points to the image's right and y up, as in Mitsuba 3's stokes integrator.
  */
 /* clang-format on */
 #ifndef NICOL_H
@@ -51,73 +56,76 @@ extern "C" {
 #define NICOL_VERSION_PATCH 0
 #define NICOL_VERSION (NICOL_VERSION_MAJOR * 10000 + NICOL_VERSION_MINOR * 100 + NICOL_VERSION_PATCH)
 
-/* Of the library that runs: major * 10000 + minor * 100 + patch. */
+/* Returns the version of the running library: major * 10000 + minor * 100 + patch. */
 NICOL_API uint32_t nicol_version(void);
-/* "0.1.0"; lives as long as the library. */
+/* Returns the version of the running library as text, such as "0.1.0". The string lives as long as the
+ * library. */
 NICOL_API const char* nicol_version_string(void);
-/* Properties of this build as "key=value" (source, compiler, backends, methods, max_order, ...), index 0, 1,
- * ...; NULL past the last one. Lives as long as the library. */
+/* Returns a property of this build as "key=value" (source, compiler, backends, methods, max_order, ...).
+ * index counts from 0; an index past the last property gives NULL. The string lives as long as the
+ * library. */
 NICOL_API const char* nicol_build_info(uint32_t index);
 
 /* ---------------------------------------------------------------- results */
 
-/* Functions that return a nicol_result never let an exception out, and may be called on any thread. In a
- * child made by fork() after the first of these calls they all fail with NICOL_ERROR_UNSUPPORTED; a child
- * made before it, and every process that was started anew, may use the library. Any child may end by exit().
- */
+/* Result code of a function. Functions that return a nicol_result never let an exception out and may be
+ * called on any thread. In a child that fork() made after the first of these calls, all of them fail with
+ * NICOL_ERROR_UNSUPPORTED. A child made before the first call, and every newly started process, may use the
+ * library. Any child may end by exit(). */
 typedef int32_t nicol_result;
 #define NICOL_OK 0
-#define NICOL_ERROR_INVALID_ARGUMENT 1 /* a value, size or pointer outside its documented range */
-#define NICOL_ERROR_INVALID_HANDLE 2   /* NULL, released, of another kind or of another context */
+#define NICOL_ERROR_INVALID_ARGUMENT 1 /* value, size or pointer outside its documented range */
+#define NICOL_ERROR_INVALID_HANDLE 2   /* handle that is NULL, released, or of another kind or context */
 #define NICOL_ERROR_OUT_OF_MEMORY 3
-#define NICOL_ERROR_FILE_NOT_FOUND 4 /* cannot be opened for reading */
-#define NICOL_ERROR_INVALID_FILE 5   /* truncated, malformed, or values out of range */
-#define NICOL_ERROR_WRITE_FAILED 6   /* an output could not be written; nothing half-written remains */
-#define NICOL_ERROR_UNSUPPORTED 7    /* well-formed, but beyond this build, or a library is absent */
-#define NICOL_ERROR_NO_BACKEND 8     /* no OpenGL context could be made; the message lists every attempt */
-#define NICOL_ERROR_CANCELLED 9      /* a progress callback returned 0 */
-#define NICOL_ERROR_OPENGL 10        /* the driver failed after the context was made */
-#define NICOL_ERROR_INTERNAL 11      /* a defect in Nicol */
+#define NICOL_ERROR_FILE_NOT_FOUND 4 /* file that cannot be opened for reading */
+#define NICOL_ERROR_INVALID_FILE 5   /* file that is truncated, malformed, or has values out of range */
+#define NICOL_ERROR_WRITE_FAILED 6   /* output that could not be written; no part of the output remains */
+#define NICOL_ERROR_UNSUPPORTED 7    /* well-formed input that is beyond this build, or a missing library */
+#define NICOL_ERROR_NO_BACKEND 8     /* no OpenGL context could be created; the message lists every attempt */
+#define NICOL_ERROR_CANCELLED 9      /* a callback returned 0, or the job was cancelled */
+#define NICOL_ERROR_OPENGL 10        /* failure of the driver after the context was created */
+#define NICOL_ERROR_INTERNAL 11      /* defect in Nicol */
 #define NICOL_ERROR_NOT_CURRENT 12   /* the host's OpenGL context is not current on the calling thread */
 #define NICOL_ERROR_TIMEOUT 13       /* the timeout expired */
-#define NICOL_ERROR_BUSY 14          /* NICOL_MAX_JOBS jobs wait already */
+#define NICOL_ERROR_BUSY 14          /* NICOL_MAX_JOBS jobs are queued already */
 
-/* The message of the last failed call on this thread: one line that names the file, line, field or argument
- * and what is expected. Never NULL; "" before the first failure. Valid until this thread's next failed call.
- */
+/* Returns the message of the last failed call on this thread: one line that names the file, line, field or
+ * argument and what is expected. The message is never NULL, and "" before the first failure. The string is
+ * valid until this thread's next failed call. */
 NICOL_API const char* nicol_last_error(void);
-/* "out of memory" and the like for a code; lives as long as the library. */
+/* Returns a name such as "out of memory" for a result code. The string lives as long as the library. */
 NICOL_API const char* nicol_result_name(nicol_result result);
 
-#define NICOL_LOG_INFO 0    /* what a new context opened */
-#define NICOL_LOG_NOTICE 1  /* a request without effect, or a cache that was rebuilt */
-#define NICOL_LOG_WARNING 2 /* a fallback, such as the CPU after a device failed */
-/* message is one line that lives as long as the call; code is NICOL_OK, or the error that a call would have
- * returned for what was worked round. It must not call Nicol with objects of the context. */
+#define NICOL_LOG_INFO 0    /* device that a new context opened */
+#define NICOL_LOG_NOTICE 1  /* request without effect, or cache that was rebuilt */
+#define NICOL_LOG_WARNING 2 /* fallback, such as the CPU after a device failed */
+/* Receives a message of the log. message is one line that lives as long as the call. code is NICOL_OK, or the
+ * result that a call would have returned for the problem that Nicol worked around. The callback must not call
+ * Nicol with objects of the context. */
 typedef void (*nicol_log_callback)(void* user, uint32_t severity, nicol_result code, const char* message);
 
-/* Called about ten times a second on the thread that called; fraction runs from 0 to 1. Return 1 to continue,
- * 0 to cancel: the call then returns NICOL_ERROR_CANCELLED. It must not call Nicol with objects of the same
- * context. */
+/* Receives the progress of a call about ten times a second, on the calling thread; fraction runs from 0 to 1.
+ * Returns 1 to continue, or 0 to cancel: the call then returns NICOL_ERROR_CANCELLED. The callback must not
+ * call Nicol with objects of the same context. */
 typedef int32_t (*nicol_progress_callback)(void* user, const char* verb, double fraction);
 
 /* ---------------------------------------------------------------- objects */
 
-typedef struct nicol_context_impl* nicol_context;         /* an OpenGL context on a thread of its own */
+typedef struct nicol_context_impl* nicol_context;         /* OpenGL context on its own thread, or a host's */
 typedef struct nicol_environment_impl* nicol_environment; /* light from infinitely far; immutable */
 typedef struct nicol_texture_impl* nicol_texture;         /* values that vary over a surface; immutable */
-typedef struct nicol_material_impl* nicol_material;       /* a polarimetric BRDF; immutable */
+typedef struct nicol_material_impl* nicol_material;       /* polarimetric BRDF (pBRDF); immutable */
 typedef struct nicol_mesh_impl* nicol_mesh;               /* triangles; immutable */
-typedef struct nicol_scene_impl* nicol_scene;             /* what is rendered, and by which light */
-typedef struct nicol_framebuffer_impl* nicol_framebuffer; /* the Stokes image of the last render into it */
+typedef struct nicol_scene_impl* nicol_scene;             /* instances, light and polarization elements */
+typedef struct nicol_framebuffer_impl* nicol_framebuffer; /* Stokes image of the last render into it */
 
 #define NICOL_MAX_CHANNELS 16
 #define NICOL_MAX_ORDER 32
-#define NICOL_ORDER_AUTOMATIC 0xffffffffu /* orders are chosen, see nicol_render_options */
+#define NICOL_ORDER_AUTOMATIC 0xffffffffu /* automatic choice of an order, see nicol_render_options */
 #define NICOL_MAX_SIZE 16384
 
-/* One value a colour channel. count 0: not given, the default of where it is used; 1: the same in every
- * channel; else the scene's channel count. */
+/* Values per colour channel. count 0: not given, so that the default of the field or argument applies; 1: one
+ * value for every channel; else the scene's number of channels. */
 typedef struct nicol_spectrum {
     uint32_t count;
     float values[NICOL_MAX_CHANNELS];
@@ -132,68 +140,80 @@ typedef struct nicol_spectrum {
 /* ---------------------------------------------------------------- context */
 
 typedef uint32_t nicol_backend;
-/* The environment variable NICOL_BACKEND (egl, osmesa), else the first that works: EGL hardware, EGL
- * software, OSMesa. */
+/* Backend that the environment variable NICOL_BACKEND names (egl, osmesa). If the variable is not set: the
+ * first of EGL on hardware, EGL on software and OSMesa that works. */
 #define NICOL_BACKEND_AUTOMATIC 0
 #define NICOL_BACKEND_EGL 1
 #define NICOL_BACKEND_OSMESA 2
-#define NICOL_BACKEND_HOST 3 /* a context of nicol_context_create_host */
+#define NICOL_BACKEND_HOST 3 /* backend of a context of nicol_context_create_host */
 
-/* The number of devices for nicol_context_options.device: those that EGL lists, in its order, which is
- * neither CUDA's nor the kernel's. 0 if there is no EGL. The list may change when devices or drivers are
- * added or removed. */
+/* Gets the number of devices for nicol_context_options.device. The devices are those that EGL lists, in EGL's
+ * order, which is neither CUDA's nor the kernel's. Without EGL the number is 0. The list may change when
+ * devices or drivers are added or removed. */
 NICOL_API nicol_result nicol_device_count(uint32_t* count);
 
 typedef struct nicol_device_info {
     uint32_t struct_size;
-    uint32_t software;  /* 1 where OpenGL would run on the CPU */
-    const char* name;   /* the driver's, or another that identifies it; valid as long as the library, like all
-                           strings here */
-    const char* vendor; /* "" if EGL does not report it */
+    uint32_t software; /* 1 if OpenGL would run on the CPU, else 0 */
+    /* Name from the driver, or another name that identifies the device. This string, vendor and file are
+     * valid as long as the library. */
+    const char* name;
+    const char* vendor; /* vendor; "" if EGL does not report one */
     const char* file;   /* device file, such as /dev/dri/renderD128; "" if none */
 } nicol_device_info;
 #define NICOL_DEVICE_INFO_INIT \
     { sizeof(nicol_device_info), 0, 0, 0, 0 }
 
-/* device from 1 to nicol_device_count's. No context is made, so that making one may still fail. */
+/* Gets the properties of a device; device is 1 to the number of nicol_device_count. Creating a context on the
+ * device may still fail, because this function does not create one. */
 NICOL_API nicol_result nicol_device_get_info(uint32_t device, nicol_device_info* info);
 
 typedef struct nicol_context_options {
     uint32_t struct_size;
-    nicol_backend backend;  /* an explicit choice never falls back to another */
-    uint32_t device;        /* 0: automatic; n: that of nicol_device_get_info, EGL's n - 1; at most 1024 */
-    uint32_t threads;       /* 0: automatic, one per core, which is also the maximum; at most 1024 */
-    nicol_log_callback log; /* NULL: silent. May be called on any thread. */
+    nicol_backend backend; /* backend, default automatic; an explicit choice never falls back to another */
+    /* Device, at most 1024. 0, the default: automatic; n: the device n of nicol_device_get_info, EGL's n -
+     * 1. */
+    uint32_t device;
+    /* Number of threads, at most 1024. 0, the default: one per core, which is also the largest number
+     * used. */
+    uint32_t threads;
+    nicol_log_callback log; /* log callback, may be called on any thread; NULL, the default: silent */
     void* log_user;
-    /* The folder in which material tables and baked visibility are kept between runs; created if missing.
-     * Processes may share it, and it may be emptied at any time. Beyond the bytes of the environment variable
-     * NICOL_CACHE_LIMIT (default 4 GiB; 0: no limit) what was used longest ago is removed. NULL or "": that
-     * of the environment variable NICOL_CACHE, or if it is not set or empty, no cache. A folder that cannot
-     * be used is a notice to the log, not an error. */
+    /* Folder in which material tables and baked visibility are kept between runs; created if missing. NULL,
+     * the default, or "": the folder of the environment variable NICOL_CACHE, or no cache if the variable is
+     * not set or empty. Processes may share the folder, and the folder may be emptied at any time. The
+     * environment variable NICOL_CACHE_LIMIT limits the folder's bytes (default 4 GiB; 0: no limit): beyond
+     * the limit, the least recently used files are removed. A folder that cannot be used causes a notice to
+     * the log, not an error. */
     const char* cache_folder;
-    /* Limit of the bytes that each scene keeps at run time, on the device too: the statistics'
-     * visibility_bytes and transfer_bytes, the OpenGL buffers of its vertices without compute shaders'
-     * work space, and what AOVs, several samples and shading at pixels take beside the framebuffer; by the
-     * reference method, its triangles. An upper bound is computed before a render bakes or
-     * allocates; if it exceeds the limit, the render fails with NICOL_ERROR_OUT_OF_MEMORY, and the message
-     * has both numbers. Where orders are automatic, the bound is for 4 and 9. Default NICOL_NO_LIMIT
-     */
+    /* Limit of the bytes that each scene keeps at run time, including those on the device; default
+     * NICOL_NO_LIMIT. The limit covers visibility_bytes and transfer_bytes of the statistics, the OpenGL
+     * buffers of the scene's vertices (without the work space of compute shaders), and the memory beside the
+     * framebuffer for AOVs, several samples and shading at pixels; with the reference method, the scene's
+     * triangles. A render computes an upper bound before it bakes or allocates. If the bound exceeds the
+     * limit, the render fails with NICOL_ERROR_OUT_OF_MEMORY, and the message has both numbers. If orders are
+     * automatic, the bound is for the orders 4 and 9. */
     uint64_t memory_limit;
-    /* Limits of each call that loads from files, 1 or more, or NICOL_NO_LIMIT; beyond them it fails with
-     * NICOL_ERROR_UNSUPPORTED, and the message names the option. */
-    /* Bytes of all files together and of what is decoded from them, which is counted before it is decoded:
-     * images, 4 for each value; textures 16 more for each pixel; environments 16 for each pixel and channel;
-     * inflated meshes and arrays; tables of materials. Default 8 GiB. */
+    /* Limit of the bytes of each call that loads from files: 1 or more, or NICOL_NO_LIMIT; default 8 GiB. The
+     * limit covers all files together and the data decoded from the files, counted before they are decoded: 4
+     * bytes per value of an image, 16 more per pixel of a texture, 16 per pixel and channel of an
+     * environment, inflated meshes and arrays, and tables of materials. Beyond this limit or one of the next
+     * three, the call fails with NICOL_ERROR_UNSUPPORTED, and the message names the option. */
     uint64_t load_bytes_limit;
-    uint64_t vertex_limit;   /* of a mesh, or of all instances of a scene together; default 2^26 */
-    uint64_t triangle_limit; /* likewise; default 2^27 */
-    /* Seconds of each call, checked all the time while files are read and what they hold is prepared; only
-     * the decoding of one PNG or JPEG and the parsing of one glTF file's JSON are not interrupted. Above 0,
-     * default 600. */
+    /* Limit of the vertices of each call that loads from files, for a mesh or for all instances of a scene
+     * together: 1 or more, or NICOL_NO_LIMIT; default 2^26. */
+    uint64_t vertex_limit;
+    /* Limit of the triangles of each call that loads from files, for a mesh or for all instances of a scene
+     * together: 1 or more, or NICOL_NO_LIMIT; default 2^27. */
+    uint64_t triangle_limit;
+    /* Limit of the seconds of each call that loads from files; above 0, default 600. The time is checked
+     * continually while files are read and their content is prepared. Only the decoding of one PNG or JPEG
+     * and the parsing of one glTF file's JSON are not interrupted. */
     double load_seconds_limit;
-    /* Called about ten times a second while a call loads, on its thread, with the verb "load" and the
-     * fraction 0; the call ends with NICOL_ERROR_CANCELLED where it returns 0. Threads that load at the same
-     * time call it at the same time. NULL: none. */
+    /* Progress callback of calls that load; NULL, the default: none. The loading thread calls the function
+     * about ten times a second with the verb "load" and the fraction 0. If the function returns 0, the load
+     * ends with NICOL_ERROR_CANCELLED. Threads that load at the same time call the function at the same
+     * time. */
     nicol_progress_callback load_progress;
     void* load_progress_user;
 } nicol_context_options;
@@ -205,14 +225,16 @@ typedef struct nicol_context_options {
 typedef struct nicol_context_info {
     uint32_t struct_size;
     nicol_backend backend;
-    uint32_t software;    /* 1 where OpenGL itself runs on the CPU */
-    uint32_t threads;     /* used for the mathematics */
-    const char* renderer; /* OpenGL's names; they live as long as the context */
-    const char* vendor;
-    const char* version;
-    uint32_t max_framebuffer_size; /* the longest side: NICOL_MAX_SIZE, or less where the driver has less */
-    uint32_t reserved;             /* 0 */
-    /* The limits that hold, as in the options. */
+    uint32_t software;    /* 1 if OpenGL itself runs on the CPU, else 0 */
+    uint32_t threads;     /* number of threads for the mathematics */
+    const char* renderer; /* GL_RENDERER; lives as long as the context */
+    const char* vendor;   /* GL_VENDOR; lives as long as the context */
+    const char* version;  /* GL_VERSION; lives as long as the context */
+    /* Largest width and height of a framebuffer, pixels: NICOL_MAX_SIZE, or less if the driver allows
+     * less. */
+    uint32_t max_framebuffer_size;
+    uint32_t reserved; /* 0 */
+    /* Limits in effect: this field and the next four, see nicol_context_options. */
     uint64_t memory_limit;
     uint64_t load_bytes_limit;
     uint64_t vertex_limit;
@@ -222,51 +244,56 @@ typedef struct nicol_context_info {
 #define NICOL_CONTEXT_INFO_INIT \
     { sizeof(nicol_context_info), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 }
 
-/* options may be NULL: all defaults. NICOL_ERROR_NO_BACKEND if no such OpenGL context can be made. */
+/* Creates a context. options may be NULL: all defaults. Returns NICOL_ERROR_NO_BACKEND if no such OpenGL
+ * context can be created. */
 NICOL_API nicol_result nicol_context_create(const nicol_context_options* options, nicol_context* context);
 NICOL_API nicol_result nicol_context_retain(nicol_context context);
 NICOL_API nicol_result nicol_context_release(nicol_context context);
-/* What was opened, and the limits that hold in it. */
+/* Gets the properties of the OpenGL context, and the limits in effect. */
 NICOL_API nicol_result nicol_context_get_info(nicol_context context, nicol_context_info* info);
 
 /* ---------------------------------------------------------------- environment */
 
-/* An equirectangular image over the directions light comes FROM, in Mitsuba 3's layout: column u = atan2(x,
- * -z) / 2 pi (pixel-centred), row v = acos(y) / pi (row 0 is the pole itself, the last row the other pole).
- */
+/* Equirectangular image over the directions that light comes FROM, in Mitsuba 3's layout: column u = atan2(x,
+ * -z) / 2 pi (pixel-centred), row v = acos(y) / pi (row 0 is the pole itself, the last row the other
+ * pole). */
 typedef struct nicol_image {
     uint32_t struct_size;
-    uint32_t width, height; /* 1 to NICOL_MAX_SIZE, height at least 2 */
-    uint32_t channels;      /* colour channels, 1 to NICOL_MAX_CHANNELS */
-    uint32_t components; /* 1: s0 alone; 4: s0..s3 in the frame z = propagation, x = horizontal, along growing
-                            u as seen from the scene's centre, y = z cross x */
-    /* [row][column][channel][component]; finite, s0 >= 0, sqrt(s1^2 + s2^2 + s3^2) up to s0 (Eq. 70) */
+    uint32_t width, height; /* size, pixels, 1 to NICOL_MAX_SIZE; height at least 2 */
+    uint32_t channels;      /* number of colour channels, 1 to NICOL_MAX_CHANNELS */
+    /* Number of Stokes components. 1: s0 alone; 4: s0..s3 in the frame z = propagation, x = horizontal, along
+     * growing u as seen from the scene's centre, y = z cross x. */
+    uint32_t components;
+    /* Values [row][column][channel][component]: finite, s0 >= 0, sqrt(s1^2 + s2^2 + s3^2) up to s0
+     * (Eq. 70). */
     const float* pixels;
-    uint64_t row_stride; /* bytes from row to row; 0: tightly packed */
-    uint64_t byte_size;  /* of all that pixels points to; checked */
-    /* NULL, or called once the library no longer reads pixels, on failure too. */
+    uint64_t row_stride; /* bytes from row to row; 0, the default: tightly packed */
+    uint64_t byte_size;  /* size of the memory that pixels points to, bytes; checked */
+    /* Release callback; NULL, the default: none. Called once the library no longer reads pixels, on failure
+     * too. */
     void (*release)(void* user);
     void* release_user;
 } nicol_image;
 #define NICOL_IMAGE_INIT \
     { sizeof(nicol_image), 0, 0, 0, 0, 0, 0, 0, 0, 0 }
 
-/* A clear sky; the sun's own disc is not part of it. At the angle g from the sun its degree of polarization
- * is dop_max sin^2 g / (1 + cos^2 g), the E-vector along sun x view, without s3.
+/* Clear sky without the sun's own disc. At the angle g from the sun, the degree of linear polarization is
+ * dop_max sin^2 g / (1 + cos^2 g), the electric field is along sun x view, and s3 is 0.
  *
- * With turbidity 0 light is scattered once: radiance * 3/4 (1 + cos^2 g) over the whole sphere, below the
+ * Turbidity 0: light is scattered once, with radiance * 3/4 (1 + cos^2 g) over the whole sphere, below the
  * horizon too.
  *
- * With a turbidity of 1.7 (very clear) to 10 (hazy) brightness and, in three channels, colour follow Perez's
- * formula, mean luminance over the upper half 1, times radiance. Below the horizon is an unpolarized, uniform
- * ground that reflects ground_albedo of each channel's irradiance. The sun must not be below the horizon. */
+ * Turbidity 1.7 (very clear) to 10 (hazy): brightness and, in three channels, colour follow Perez's formula,
+ * scaled so that the mean luminance over the upper half is 1, times radiance. Below the horizon is an
+ * unpolarized, uniform ground that reflects ground_albedo of each channel's irradiance. The sun must not be
+ * below the horizon. */
 typedef struct nicol_sky {
     uint32_t struct_size;
-    float dop_max;           /* 0 to 1, default 0.8; 0: an unpolarized sky */
-    float sun_direction[3];  /* towards the sun, of any length but 0; default straight up, (0, 1, 0) */
-    nicol_spectrum radiance; /* default 1 in three channels; finite, not negative */
-    float turbidity;         /* 1.7 to 10, or, which is the default, 0: light is scattered once */
-    float ground_albedo;     /* 0 to 1, default 0.2; without effect where turbidity is 0 */
+    float dop_max;           /* largest degree of linear polarization, 0 (unpolarized) to 1, default 0.8 */
+    float sun_direction[3];  /* direction to the sun, of any length but 0; default (0, 1, 0), straight up */
+    nicol_spectrum radiance; /* factor on the radiance, finite, not negative; default 1 in three channels */
+    float turbidity;         /* turbidity, 1.7 to 10, or 0, the default: light is scattered once */
+    float ground_albedo;     /* albedo of the ground, 0 to 1, default 0.2; without effect if turbidity is 0 */
 } nicol_sky;
 /* clang-format off */
 #define NICOL_SKY_INIT \
@@ -275,44 +302,45 @@ typedef struct nicol_sky {
 
 typedef struct nicol_environment_load_options {
     uint32_t struct_size;
-    uint32_t reserved;          /* 0 */
-    double scale;               /* multiplies the radiance, default 1; finite and not negative */
-    nicol_spectrum wavelengths; /* for spectral OpenEXR files: the channels nearest to these, nm, in this
-                                   order; within the file's range. count 0: all channels of the file */
+    uint32_t reserved; /* 0 */
+    double scale;      /* factor on the radiance, finite and not negative, default 1 */
+    /* Wavelengths to read from a spectral OpenEXR file, nm, within the file's range: the nearest channels of
+     * the file, in this order. count 0, the default: all channels of the file. */
+    nicol_spectrum wavelengths;
 } nicol_environment_load_options;
 #define NICOL_ENVIRONMENT_LOAD_OPTIONS_INIT \
     { sizeof(nicol_environment_load_options), 0, 1, NICOL_SPECTRUM_INIT }
 
 /* clang-format off */
-/* By the path:
+/* Loads an environment from files in the format that the path names:
  *   NAME.exr      OpenEXR, equirectangular as nicol_image: R, G, B or Y are unpolarized light; S0.<colour> to
- *                 S3.<colour> are polarized, in nicol_image's frames; spectral files (S0.550,000000nm and so on)
- *                 have a channel a wavelength.
- *   NAME_s0.exr   to NAME_s3.exr, any of them, or NAME alone: a cube map as a cross of 4 x 3 faces, a file for
- *                 each Stokes component, as the Python package polarsh has them.
- *   NAME.hdr      Radiance HDR; or NAME.png, .jpg, .bmp, .tga, whose colours are decoded from sRGB to 0 to 1: unpolarized
- *                 light, equirectangular.
+ *                 S3.<colour> are polarized light, in nicol_image's frames. Spectral files (S0.550,000000nm and so on)
+ *                 have one channel per wavelength.
+ *   NAME_s0.exr   to NAME_s3.exr, any of the four, or NAME alone: a cube map as a cross of 4 x 3 faces, one file per
+ *                 Stokes component, as the Python package polarsh writes them.
+ *   NAME.hdr      Radiance HDR, equirectangular, unpolarized light.
+ *   NAME.png      or NAME.jpg, .bmp, .tga: equirectangular, unpolarized light, decoded from sRGB to 0 to 1.
  *   NAME.npz      PSH coefficients as polarsh writes them (SHVec).
  * options may be NULL: all defaults. */
 /* clang-format on */
 NICOL_API nicol_result nicol_environment_load(nicol_context context, const char* path,
                                               const nicol_environment_load_options* options,
                                               nicol_environment* environment);
-/* From memory. */
+/* Creates an environment from an image in memory. */
 NICOL_API nicol_result nicol_environment_create_image(nicol_context context, const nicol_image* image,
                                                       nicol_environment* environment);
-/* Unpolarized and the same from all directions; radiance NULL or not given: 1 in one channel; finite, not
- * negative. */
+/* Creates an environment of unpolarized light that is equal from all directions. radiance is finite and not
+ * negative; NULL or not given: 1 in one channel. */
 NICOL_API nicol_result nicol_environment_create_constant(nicol_context context,
                                                          const nicol_spectrum* radiance,
                                                          nicol_environment* environment);
-/* A clear sky, without its sun. */
+/* Creates a clear sky without the sun's own disc. */
 NICOL_API nicol_result nicol_environment_create_sky(nicol_context context, const nicol_sky* sky,
                                                     nicol_environment* environment);
-/* Light given by PSH coefficients over PROPAGATION directions in the world's axes, [channel][l*l + l + m][4]
- * as nicol_psh.h says; order up to NICOL_PSH_MAX_ORDER (4096), channels 1 to NICOL_MAX_CHANNELS, count =
- * channels * 4 (order+1)^2. p = 1, 2 below l = 2 must be 0. The light is band-limited: it may ring, with s0
- * below 0 and more polarization than light. */
+/* Creates an environment from PSH coefficients over PROPAGATION directions in the world's axes,
+ * [channel][l*l + l + m][4] as nicol_psh.h defines. order is up to NICOL_PSH_MAX_ORDER (4096), channels 1 to
+ * NICOL_MAX_CHANNELS, and count = channels * 4 (order+1)^2. Coefficients p = 1, 2 below l = 2 must be 0. The
+ * light is band-limited and may ring: s0 may be below 0, and the polarization above s0. */
 NICOL_API nicol_result nicol_environment_create_psh(nicol_context context, uint32_t order, uint32_t channels,
                                                     const double* coefficients, uint64_t count,
                                                     nicol_environment* environment);
@@ -320,18 +348,18 @@ NICOL_API nicol_result nicol_environment_create_psh(nicol_context context, uint3
 typedef struct nicol_environment_info {
     uint32_t struct_size;
     uint32_t channels;
-    uint32_t polarized;                     /* 1 where some s1, s2 or s3 is not 0 */
-    uint32_t circular;                      /* 1 where some s3 is not 0 */
-    uint32_t wavelength_count;              /* of spectral light: channels; else 0 */
+    uint32_t polarized;                     /* 1 if some s1, s2 or s3 is not 0, else 0 */
+    uint32_t circular;                      /* 1 if some s3 is not 0, else 0 */
+    uint32_t wavelength_count;              /* number of wavelengths: channels for spectral light, else 0 */
     uint32_t reserved;                      /* 0 */
-    double wavelengths[NICOL_MAX_CHANNELS]; /* nm */
+    double wavelengths[NICOL_MAX_CHANNELS]; /* wavelengths of spectral light, nm */
 } nicol_environment_info;
 /* clang-format off */
 #define NICOL_ENVIRONMENT_INFO_INIT \
     { sizeof(nicol_environment_info), 0, 0, 0, 0, 0, {0} }
 /* clang-format on */
 
-/* Properties of the light. */
+/* Gets the properties of the light. */
 NICOL_API nicol_result nicol_environment_get_info(nicol_environment environment,
                                                   nicol_environment_info* info);
 NICOL_API nicol_result nicol_environment_retain(nicol_environment environment);
@@ -339,17 +367,18 @@ NICOL_API nicol_result nicol_environment_release(nicol_environment environment);
 
 /* ---------------------------------------------------------------- texture */
 
-/* Values over a surface, by the texture coordinates u and v or the colours of its mesh. v points down: the
- * first row of an image begins at v = 0. An image covers u and v from 0 to 1, the centre of a texel is at (i
- * + 0.5) / width. Values are linear, of one channel, of red, green and blue, or of these and coverage. */
+/* Textures are values over a surface, given by the texture coordinates u and v or by the colours of the mesh.
+ * v points down: the first row of an image begins at v = 0. An image covers u and v from 0 to 1, and the
+ * centre of texel i is at (i + 0.5) / width. Values are linear and have one channel, three (red, green and
+ * blue), or four (and coverage). */
 
 typedef uint32_t nicol_texture_filter;
 #define NICOL_TEXTURE_FILTER_NEAREST 0
 #define NICOL_TEXTURE_FILTER_BILINEAR 1
 #define NICOL_TEXTURE_FILTER_MIPMAP \
-    2 /* as bilinear, of ever smaller images where a pixel covers many texels, sharp also at a slant */
+    2 /* bilinear on smaller images where a pixel covers many texels, which is sharp also at a slant */
 
-typedef uint32_t nicol_texture_wrap; /* beyond 0 to 1 */
+typedef uint32_t nicol_texture_wrap; /* continuation of an image beyond u and v of 0 to 1 */
 #define NICOL_TEXTURE_WRAP_REPEAT 0
 #define NICOL_TEXTURE_WRAP_MIRROR 1
 #define NICOL_TEXTURE_WRAP_CLAMP 2
@@ -362,73 +391,81 @@ typedef uint32_t nicol_texel;
 typedef struct nicol_texture_image {
     uint32_t struct_size;
     nicol_texel type;
-    uint32_t width, height; /* 1 to 32768 each, and at most 3 * 2^26 pixels */
-    uint32_t channels;      /* 1, 3 (red, green, blue) or 4 (and coverage) */
+    uint32_t width, height; /* size, pixels, 1 to 32768 each, and at most 3 * 2^26 pixels in all */
+    uint32_t channels;      /* number of channels: 1, 3 (red, green, blue) or 4 (and coverage) */
     uint32_t reserved;      /* 0 */
-    const void* pixels;     /* [row][column][channel], first row at the top; finite */
-    uint64_t row_stride;    /* bytes from row to row; 0: tightly packed */
-    uint64_t byte_size;     /* of all that pixels points to; checked */
+    const void* pixels;     /* values [row][column][channel], first row at the top; finite */
+    uint64_t row_stride;    /* bytes from row to row; 0, the default: tightly packed */
+    uint64_t byte_size;     /* size of the memory that pixels points to, bytes; checked */
 } nicol_texture_image;
 #define NICOL_TEXTURE_IMAGE_INIT \
     { sizeof(nicol_texture_image), 0, 0, 0, 0, 0, 0, 0, 0 }
 
 typedef struct nicol_texture_options {
     uint32_t struct_size;
-    nicol_texture_filter filter; /* default bilinear */
-    nicol_texture_wrap wrap;     /* default repeat */
-    /* 0, the default: numbers of 8 and 16 bits are decoded from sRGB, coverage apart. 1: they are values as
-     * they are, as for roughness, normals and heights. Floats always are. */
+    nicol_texture_filter filter; /* filter, default bilinear */
+    nicol_texture_wrap wrap;     /* wrap mode, default repeat */
+    /* Encoding of integers. 0, the default: integers of 8 and 16 bits are decoded from sRGB, except coverage.
+     * 1: integers are linear values, as for roughness, normals and heights. Floats are always linear
+     * values. */
     uint32_t raw;
-    double to_uv[9]; /* 3 x 3: (u, v, 1) of the surface to that of the texture, last row 0 0 1 */
+    /* 3 x 3 transform from (u, v, 1) of the surface to that of the texture; last row 0 0 1; default the
+     * identity. */
+    double to_uv[9];
 } nicol_texture_options;
 /* clang-format off */
 #define NICOL_TEXTURE_OPTIONS_INIT \
     { sizeof(nicol_texture_options), NICOL_TEXTURE_FILTER_BILINEAR, 0, 0, { 1, 0, 0, 0, 1, 0, 0, 0, 1 } }
 /* clang-format on */
 
-/* Copies the pixels. options may be NULL: all defaults. */
+/* Creates a texture from an image in memory and copies the pixels. options may be NULL: all defaults. */
 NICOL_API nicol_result nicol_texture_create_image(nicol_context context, const nicol_texture_image* image,
                                                   const nicol_texture_options* options,
                                                   nicol_texture* texture);
-/* PNG, JPEG, BMP, TGA, Radiance HDR, or OpenEXR with R G B or Y; with A as coverage. options may be NULL: all
- * defaults. */
+/* Loads a texture from a file of PNG, JPEG, BMP, TGA, Radiance HDR, or OpenEXR with R G B or Y; A is the
+ * coverage. options may be NULL: all defaults. */
 NICOL_API nicol_result nicol_texture_load(nicol_context context, const char* path,
                                           const nicol_texture_options* options, nicol_texture* texture);
-/* Mitsuba 3's checkerboard of colours: four squares a unit of u and v, color0 at u = v = 0. Colours of 1 or 3
- * values; NULL or not given: 0.4 and 0.2. to_uv as of nicol_texture_options, NULL: identity. */
+/* Creates Mitsuba 3's checkerboard of colours: four squares per unit square of u and v, color0 at u = v = 0.
+ * Colours have 1 or 3 values; NULL or not given: 0.4 and 0.2. to_uv is that of nicol_texture_options; NULL:
+ * identity. */
 NICOL_API nicol_result nicol_texture_create_checkerboard(nicol_context context, const nicol_spectrum* color0,
                                                          const nicol_spectrum* color1, const double to_uv[9],
                                                          nicol_texture* texture);
-/* The colours of the mesh's vertices, interpolated. */
+/* Creates a texture of the colours of the mesh's vertices, interpolated. */
 NICOL_API nicol_result nicol_texture_create_vertex_colors(nicol_context context, nicol_texture* texture);
-/* The colours of the mesh's triangles. A material takes these or those of vertices, not both. */
+/* Creates a texture of the colours of the mesh's triangles. A material may use colours of triangles or of
+ * vertices, not both. */
 NICOL_API nicol_result nicol_texture_create_face_colors(nicol_context context, nicol_texture* texture);
 NICOL_API nicol_result nicol_texture_retain(nicol_texture texture);
 NICOL_API nicol_result nicol_texture_release(nicol_texture texture);
 
 /* ---------------------------------------------------------------- material */
 
-/* Where a material takes a texture, each point of a surface has its own value. Its instance then needs a mesh
- * with texture coordinates, or with colours. */
+/* Textures give each point of a surface its own value of a material's parameter. Instances of a material with
+ * textures need a mesh with texture coordinates, or with colours. */
 
 typedef uint32_t nicol_distribution;
 #define NICOL_DISTRIBUTION_BECKMANN 0
 #define NICOL_DISTRIBUTION_GGX 1
 
-/* Mitsuba 3's pplastic: rough Fresnel reflection over a diffuse base, both polarizing. Front side only. */
+/* Plastic as Mitsuba 3's pplastic: rough Fresnel reflection over a diffuse base, both polarizing. Only the
+ * front side reflects. */
 typedef struct nicol_pplastic {
     uint32_t struct_size;
-    nicol_distribution distribution;
-    nicol_spectrum diffuse_reflectance;  /* default 0.5; 0 to 1 */
-    nicol_spectrum specular_reflectance; /* default 1; 0 to 1 */
-    float int_ior;                       /* default 1.49 */
-    float ext_ior;                       /* default 1.000277 */
-    float alpha;                         /* 0.001 to 1, default 0.1 */
+    nicol_distribution distribution;     /* distribution of the facets, default Beckmann */
+    nicol_spectrum diffuse_reflectance;  /* reflectance of the base, 0 to 1, default 0.5 */
+    nicol_spectrum specular_reflectance; /* factor on the Fresnel reflection, 0 to 1, default 1 */
+    float int_ior;                       /* refractive index inside, above 0, default 1.49 */
+    float ext_ior;                       /* refractive index outside, above 0, default 1.000277 */
+    float alpha;                         /* roughness, 0.001 to 1, default 0.1 */
     uint32_t reserved;                   /* 0 */
-    /* Each stands for the number of its name; NULL: the number holds. */
+    /* Texture that replaces diffuse_reflectance; NULL, the default: none. */
     nicol_texture diffuse_reflectance_texture;
+    /* Texture that replaces specular_reflectance; NULL, the default: none. */
     nicol_texture specular_reflectance_texture;
-    nicol_texture alpha_texture; /* of it the first channel, moved to 0.01 to 1 */
+    /* Texture whose first channel, clamped to 0.01 to 1, replaces alpha; NULL, the default: none. */
+    nicol_texture alpha_texture;
 } nicol_pplastic;
 /* clang-format off */
 #define NICOL_PPLASTIC_INIT                                                                        \
@@ -436,26 +473,29 @@ typedef struct nicol_pplastic {
       0, 0, 0, 0 }
 /* clang-format on */
 
-/* NICOL_ERROR_INVALID_ARGUMENT names the field that is out of range. */
+/* Creates a material from nicol_pplastic. The message of NICOL_ERROR_INVALID_ARGUMENT names the field that is
+ * out of range. */
 NICOL_API nicol_result nicol_material_create_pplastic(nicol_context context, const nicol_pplastic* parameters,
                                                       nicol_material* material);
 
-/* Mitsuba 3's plastic and roughplastic: Fresnel reflection over a diffuse base, both depolarizing;
- * nicol_pplastic is the model that polarizes. Front side only. */
+/* Plastic as Mitsuba 3's plastic and roughplastic: Fresnel reflection over a diffuse base, both depolarizing.
+ * nicol_pplastic is the model that polarizes. Only the front side reflects. */
 typedef struct nicol_plastic {
     uint32_t struct_size;
-    nicol_distribution distribution;     /* of rough surfaces */
-    nicol_spectrum diffuse_reflectance;  /* default 0.5; 0 to 1 */
-    nicol_spectrum specular_reflectance; /* default 1; 0 to 1 */
-    float int_ior;                       /* default 1.49 */
-    float ext_ior;                       /* default 1.000277 */
-    float alpha; /* roughness, 0.001 to 1; 0, the default: smooth, as of nicol_conductor */
-    /* 1: light that the surface returns to the base takes the base's colour each time, which makes colours
-     * deeper; 0, the default: it does not. */
+    nicol_distribution distribution;     /* distribution of the facets of a rough surface, default Beckmann */
+    nicol_spectrum diffuse_reflectance;  /* reflectance of the base, 0 to 1, default 0.5 */
+    nicol_spectrum specular_reflectance; /* factor on the Fresnel reflection, 0 to 1, default 1 */
+    float int_ior;                       /* refractive index inside, above 0, default 1.49 */
+    float ext_ior;                       /* refractive index outside, above 0, default 1.000277 */
+    float alpha; /* roughness, 0.001 to 1; 0, the default: smooth, see alpha of nicol_conductor */
+    /* Whether light that the surface returns to the base takes the base's colour each time, which makes
+     * colours deeper: 0, the default, or 1. */
     uint32_t nonlinear;
-    /* As of nicol_pplastic; with a texture alpha has no effect. */
+    /* Texture that replaces diffuse_reflectance; NULL, the default: none. */
     nicol_texture diffuse_reflectance_texture;
+    /* Texture that replaces specular_reflectance; NULL, the default: none. */
     nicol_texture specular_reflectance_texture;
+    /* Texture whose first channel, clamped to 0.01 to 1, replaces alpha; NULL, the default: none. */
     nicol_texture alpha_texture;
 } nicol_plastic;
 /* clang-format off */
@@ -464,32 +504,38 @@ typedef struct nicol_plastic {
       0, 0, 0, 0 }
 /* clang-format on */
 
-/* Likewise. */
+/* Creates a material from nicol_plastic. The message of NICOL_ERROR_INVALID_ARGUMENT names the field that is
+ * out of range. */
 NICOL_API nicol_result nicol_material_create_plastic(nicol_context context, const nicol_plastic* parameters,
                                                      nicol_material* material);
 
-/* Mitsuba 3's principled, Disney's material, without what it transmits. It depolarizes. Front side only.
- * Numbers are 0 to 1, by default 0. */
+/* Disney's material as Mitsuba 3's principled, without the light that it transmits. The material depolarizes.
+ * Only the front side reflects. Numbers are 0 to 1, default 0, unless stated otherwise. */
 typedef struct nicol_principled {
     uint32_t struct_size;
-    /* Relative index of the facets, 0.001 to 1000, default 1.5; 1: there are none, not even of a metal. For
-     * Disney's `specular` it is 2 / (1 - sqrt(0.08 specular)) - 1. */
+    /* Relative refractive index of the facets, 0.001 to 1000, default 1.5. 1: no facets, not even of a metal.
+     * Disney's `specular` corresponds to the index 2 / (1 - sqrt(0.08 specular)) - 1. */
     float eta;
-    nicol_spectrum base_color; /* default 0.5; 0 to 1 */
-    float roughness;           /* default 0.5; GGX facets have alpha = roughness^2 */
-    float anisotropic;         /* alpha where u grows is that across it over 1 - 0.9 anisotropic */
+    nicol_spectrum base_color; /* colour of the base, 0 to 1, default 0.5 */
+    float roughness;           /* roughness, 0 to 1, default 0.5; GGX facets have alpha = roughness^2 */
+    /* Anisotropy: the facets' alpha along growing u is 1 / (1 - 0.9 anisotropic) times the alpha across
+     * u. */
+    float anisotropic;
     float metallic;
-    float spec_trans; /* the share of the diffuse base that lets light through in its place */
-    float spec_tint; /* from white reflection to one in the tint of the base, its colour over its luminance */
+    float spec_trans; /* fraction of the diffuse base that transmits light instead of reflecting it */
+    /* Tint of the reflection, from white (0) to the tint of the base (1), which is its colour over its
+     * luminance. */
+    float spec_tint;
     float sheen;
-    float sheen_tint; /* likewise */
-    float flatness;   /* from a diffuse base to one like subsurface scattering */
+    float sheen_tint; /* tint of the sheen, from white (0) to the tint of the base (1) */
+    float flatness;   /* shape of the base, from diffuse (0) to one like subsurface scattering (1) */
     float clearcoat;
     float clearcoat_gloss;
     uint32_t reserved; /* 0 */
-    /* Each stands for the number of its name; NULL: the number holds. Of those but base_color the first
-     * channel, moved to 0 to 1, of roughness to 0.1 to 1, of anisotropic and clearcoat_gloss to 0.01 to 1.
-     * Beside a tint that of base_color must not have the colours of a mesh. */
+    /* Textures: each replaces the number of its name; NULL, the default: the number is used.
+     * base_color_texture gives colours, and must not have the colours of a mesh beside spec_tint or
+     * sheen_tint. The other textures give their first channel, clamped to 0 to 1; roughness is clamped to 0.1
+     * to 1, anisotropic and clearcoat_gloss to 0.01 to 1. */
     nicol_texture base_color_texture;
     nicol_texture roughness_texture;
     nicol_texture anisotropic_texture;
@@ -508,45 +554,57 @@ typedef struct nicol_principled {
       0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 }
 /* clang-format on */
 
-/* Likewise; NICOL_ERROR_UNSUPPORTED for a tint of a mesh's colours. */
+/* Creates a material from nicol_principled. The message of NICOL_ERROR_INVALID_ARGUMENT names the field that
+ * is out of range. Returns NICOL_ERROR_UNSUPPORTED for a tint of a mesh's colours. */
 NICOL_API nicol_result nicol_material_create_principled(nicol_context context,
                                                         const nicol_principled* parameters,
                                                         nicol_material* material);
-/* Lambertian and depolarizing; reflectance NULL or not given: 0.5. Front side only. */
+/* Creates a Lambertian, depolarizing material. reflectance is 0 to 1; NULL or not given: 0.5. Only the front
+ * side reflects. */
 NICOL_API nicol_result nicol_material_create_diffuse(nicol_context context, const nicol_spectrum* reflectance,
                                                      nicol_material* material);
 
-/* Mitsuba 3's conductor and roughconductor: single reflection off the facets of an opaque metal. The complex
- * index is eta - i k, relative to air. With k 0 and eta the index of a dielectric it is what the surface of
- * that reflects, as of glass whose inside is not seen. Front side only. */
+/* Metal as Mitsuba 3's conductor and roughconductor: single reflection off the facets of an opaque metal. The
+ * complex index is eta - i k, relative to air. With k = 0 and the index of a dielectric as eta, the material
+ * reflects like the surface of the dielectric, such as glass whose inside is not seen. Only the front side
+ * reflects. */
 typedef struct nicol_conductor {
     uint32_t struct_size;
-    nicol_distribution distribution; /* of rough surfaces */
-    /* Roughness, 0.001 to 1. 0: smooth, for which Beckmann's facets of 0.01 stand, a blur of one degree; in
-     * real time lights with a size, also those split off the environment, are mirrored without it.
-     * Smooth surfaces reflect nothing of lights without a size: points, spots, projectors and directional
-     * lights whose angular_radius is 0, which would be seen in a mirror as points. */
+    nicol_distribution distribution; /* distribution of the facets of a rough surface, default Beckmann */
+    /* Roughness, 0.001 to 1; 0, the default: smooth. Beckmann's facets of roughness 0.01 stand for a smooth
+     * surface, which is a blur of one degree. The real-time methods mirror local lights with a size,
+     * including extracted lights, without this blur. A smooth surface does not reflect lights without a size
+     * (points, spots, projectors, and directional lights whose angular_radius is 0), because a mirror would
+     * show them as points. */
     float alpha;
     uint32_t reserved; /* 0 */
-    /* A name of Mitsuba's list as "Au", "Ag", "Cu", "Al", "W" or "TiN_palik", or "gold", "silver", "copper"
-     * or "aluminium", with measured values; eta and k must be empty then. NULL or "": eta and k hold. */
+    /* Name of a metal with measured values: a name of Mitsuba's list such as "Au", "Ag", "Cu", "Al", "W" or
+     * "TiN_palik", or "gold", "silver", "copper" or "aluminium". eta and k must be empty beside a name. NULL,
+     * the default, or "": eta and k are used. */
     const char* metal;
-    nicol_spectrum eta; /* default 0; 0 to 100 */
-    nicol_spectrum k;   /* default 1, with eta 0 a perfect mirror; 0 to 100; eta^2 + k^2 is 1e-6 or more */
-    /* Of a named metal, a channel each, nm, 380 to 800. count 0: red, green and blue as Mitsuba takes them,
-     * the colours of light of the spectra of eta and of k; a constant one is white of equal energy. */
+    nicol_spectrum eta; /* real part of the index, 0 to 100, default 0 */
+    /* Extinction coefficient of the index, 0 to 100, default 1, which is a perfect mirror with eta = 0; eta^2
+     * + k^2 must be 1e-6 or more. */
+    nicol_spectrum k;
+    /* Wavelengths of a named metal, one per channel, nm, 380 to 800. count 0, the default: red, green and
+     * blue as in Mitsuba, the colours of light with the spectra of eta and of k. A constant spectrum is white
+     * of equal energy. */
     nicol_spectrum wavelengths;
-    nicol_spectrum specular_reflectance; /* default 1; 0 to 1 */
-    /* As of nicol_pplastic; with a texture alpha has no effect. */
+    nicol_spectrum specular_reflectance; /* factor on the reflection, 0 to 1, default 1 */
+    /* Texture that replaces specular_reflectance; NULL, the default: none. */
     nicol_texture specular_reflectance_texture;
+    /* Texture whose first channel, clamped to 0.01 to 1, replaces alpha; NULL, the default: none. */
     nicol_texture alpha_texture;
-    /* Roughness along texture coordinates u and v, 0.001 to 1, as of brushed metal; 0: alpha. Where they
-     * differ, local lights and NICOL_METHOD_REFERENCE follow the direction, any where a mesh has no texture
-     * coordinates; other light is reflected as by sqrt(alpha_u alpha_v). A texture stands for the number of
-     * its name; NULL with the number 0: alpha_texture. */
+    /* Roughness along texture coordinate u, 0.001 to 1, as of brushed metal; 0, the default: alpha. If
+     * alpha_u and alpha_v differ, local lights and NICOL_METHOD_REFERENCE follow the direction of u, which is
+     * arbitrary for a mesh without texture coordinates. Other light is reflected with the roughness
+     * sqrt(alpha_u alpha_v). */
     float alpha_u;
+    /* Roughness along texture coordinate v, 0.001 to 1; 0, the default: alpha. */
     float alpha_v;
+    /* Texture that replaces alpha_u; NULL, the default: none, but alpha_texture if alpha_u is 0. */
     nicol_texture alpha_u_texture;
+    /* Texture that replaces alpha_v; NULL, the default: none, but alpha_texture if alpha_v is 0. */
     nicol_texture alpha_v_texture;
 } nicol_conductor;
 /* clang-format off */
@@ -555,103 +613,114 @@ typedef struct nicol_conductor {
       NICOL_SPECTRUM_INIT, NICOL_SPECTRUM_INIT, 0, 0, 0, 0, 0, 0 }
 /* clang-format on */
 
-/* Likewise; a metal that is not known is refused with the names of those that are. */
+/* Creates a material from nicol_conductor. The message of NICOL_ERROR_INVALID_ARGUMENT names the field that
+ * is out of range or, for an unknown metal, the known metals. */
 NICOL_API nicol_result nicol_material_create_conductor(nicol_context context,
                                                        const nicol_conductor* parameters,
                                                        nicol_material* material);
 
 typedef uint32_t nicol_wavelength_sampling;
 #define NICOL_WAVELENGTH_LINEAR 0  /* linear between the measured wavelengths, constant beyond them */
-#define NICOL_WAVELENGTH_NEAREST 1 /* the nearest measured wavelength */
+#define NICOL_WAVELENGTH_NEAREST 1 /* nearest measured wavelength */
 
 typedef struct nicol_measured {
     uint32_t struct_size;
-    nicol_wavelength_sampling sampling; /* between measured wavelengths; of the chosen ones alone */
-    /* A channel each, nm, 100 to 5000. count 0: red, green and blue by the CIE 1931 observer under D65, or
-     * one channel where the file has one wavelength. */
+    /* Interpolation between measured wavelengths, default linear; used only for the wavelengths of the next
+     * field. */
+    nicol_wavelength_sampling sampling;
+    /* Wavelengths, one per channel, nm, 100 to 5000. count 0, the default: red, green and blue by the CIE
+     * 1931 observer under D65, or one channel if the file has one wavelength. */
     nicol_spectrum wavelengths;
-    /* 1: without what breaks mirror symmetry, in which noise of the measurement is; 0, the default: all. */
+    /* Whether the part that breaks mirror symmetry, which contains noise of the measurement, is removed: 0,
+     * the default, or 1. */
     uint32_t symmetrize;
 } nicol_measured;
 #define NICOL_MEASURED_INIT \
     { sizeof(nicol_measured), 0, NICOL_SPECTRUM_INIT, 0 }
 
-/* Mitsuba 3's measured_polarized: a .pbsdf file, as the KAIST data set has them. It is streamed: about 102 MB
- * stay in memory for each channel at the data set's resolution, half of that where symmetrized. options may
- * be NULL: all defaults. Front side only. */
+/* Loads a material as Mitsuba 3's measured_polarized from a .pbsdf file, such as the KAIST data set has. The
+ * file is streamed: about 102 MB per channel stay in memory at the data set's resolution, or half as much if
+ * symmetrized. options may be NULL: all defaults. Only the front side reflects. */
 NICOL_API nicol_result nicol_material_load_measured(nicol_context context, const char* path,
                                                     const nicol_measured* options, nicol_material* material);
 
 typedef struct nicol_psh_matrix {
     uint32_t struct_size;
-    uint32_t symmetrize;  /* as of nicol_measured */
-    nicol_spectrum scale; /* multiplies; default 1; not negative */
+    uint32_t symmetrize;  /* whether the part that breaks mirror symmetry is removed: 0, the default, or 1 */
+    nicol_spectrum scale; /* factor on the matrix, not negative, default 1 */
 } nicol_psh_matrix;
 #define NICOL_PSH_MATRIX_INIT \
     { sizeof(nicol_psh_matrix), 0, NICOL_SPECTRUM_INIT }
 
-/* A PSH coefficient matrix a channel, cosine included, of an isotropic material: the .npz files of the Python
- * package polarsh (SHMat in the layout ISOBI2). Light of orders above the matrix's is not reflected. options
- * may be NULL: all defaults. Front side only. */
+/* Loads an isotropic material from one PSH coefficient matrix per channel, cosine included: the .npz files of
+ * the Python package polarsh (SHMat in the layout ISOBI2). The material does not reflect light of orders
+ * above the matrix's. options may be NULL: all defaults. Only the front side reflects. */
 NICOL_API nicol_result nicol_material_load_psh(nicol_context context, const char* path,
                                                const nicol_psh_matrix* options, nicol_material* material);
-/* The back of a surface reflects as its front. `front` may be released afterwards. */
+/* Creates a material whose back side reflects as its front side. `front` may be released afterwards. */
 NICOL_API nicol_result nicol_material_create_twosided(nicol_context context, nicol_material front,
                                                       nicol_material* material);
 
-/* A material times a texture: a diffuse one of reflectance 1 then has the texture's colours. The handles
- * given may be released afterwards, here and below. */
+/* Creates the product of a material and a texture: a diffuse material of reflectance 1 gets the texture's
+ * colours. The given handles may be released afterwards. */
 NICOL_API nicol_result nicol_material_create_scaled(nicol_context context, nicol_material base,
                                                     nicol_texture scale, nicol_material* material);
-/* first (1 - t) + second t, t the weight's first channel, moved to 0 to 1: Mitsuba 3's blendbsdf. Both must
- * be two-sided, or neither. */
+/* Creates the mixture first (1 - t) + second t, with t = the weight's first channel, clamped to 0 to 1
+ * (Mitsuba 3's blendbsdf). Both materials must be two-sided, or neither. The given handles may be released
+ * afterwards. */
 NICOL_API nicol_result nicol_material_create_blend(nicol_context context, nicol_material first,
                                                    nicol_material second, nicol_texture weight,
                                                    nicol_material* material);
-/* Shading normals 2 t - 1 in the frame of the surface, x along growing u: Mitsuba 3's normalmap. The texture
- * is raw. y completes a right-handed frame; with mirrored_y 1 it points to where v falls, which differs where
- * texture coordinates are mirrored, as in glTF. */
+/* Creates a material with perturbed normals from a raw texture with values t: shading normals 2 t - 1 in the
+ * frame of the surface, with x along growing u (Mitsuba 3's normalmap). mirrored_y 0: y completes a
+ * right-handed frame; 1: y points to where v falls, as in glTF. The two values differ where texture
+ * coordinates are mirrored. The given handles may be released afterwards. */
 NICOL_API nicol_result nicol_material_create_normal_map(nicol_context context, nicol_material base,
                                                         nicol_texture normals, uint32_t mirrored_y,
                                                         nicol_material* material);
-/* Shading normals of a surface that is displaced along its normal by scale times the texture's first channel,
- * in the scene's units: Mitsuba 3's bumpmap. */
+/* Creates a material with perturbed normals from heights: shading normals of a surface that is displaced
+ * along its normal by scale times the texture's first channel, in the scene's units (Mitsuba 3's bumpmap).
+ * The given handles may be released afterwards. */
 NICOL_API nicol_result nicol_material_create_bump_map(nicol_context context, nicol_material base,
                                                       nicol_texture heights, double scale,
                                                       nicol_material* material);
-/* Cut out where the texture's coverage, or of fewer than four channels its first one, is below 0.5: Mitsuba
- * 3's mask of opacities 0 and 1. */
+/* Creates a material with an alpha mask: the surface is cut out where the opacity is below 0.5 (Mitsuba 3's
+ * mask of opacities 0 and 1). The opacity is the texture's coverage or, with fewer than four channels, the
+ * first channel. The given handles may be released afterwards. */
 NICOL_API nicol_result nicol_material_create_mask(nicol_context context, nicol_material base,
                                                   nicol_texture opacity, nicol_material* material);
 
-/* Writes the Mueller matrix of one colour channel, 16 row-major doubles, 1/sr and without the cosine, for
- * light from the direction `towards_light` into the direction `towards_viewer`: unit vectors in the surface's
- * frame, whose normal is z; both have z > 0. Both Stokes frames have x along the s-axis towards_light x
- * towards_viewer and z along the propagation, y = z cross x, as Fresnel's matrices do (where the directions
- * are equal, x is any perpendicular direction, the same for both). Return 1 to continue, 0 to end the call
- * that needs it with NICOL_ERROR_CANCELLED. It is called by nicol_material_create_callback and nicol_render,
- * on several threads at once, and must not call Nicol with objects of the material's context. */
+/* Writes the Mueller matrix of one colour channel: 16 row-major doubles, 1/sr, without the cosine. The light
+ * comes from the direction `towards_light` and goes into the direction `towards_viewer`: unit vectors with
+ * z > 0 in the surface's frame, whose normal is z. Both Stokes frames have x along the s-axis towards_light x
+ * towards_viewer, z along the propagation and y = z cross x, as Fresnel's matrices do. If the directions are
+ * equal, x is any perpendicular direction, the same for both frames. Returns 1 to continue, or 0 to end the
+ * call that needs the matrix with NICOL_ERROR_CANCELLED. nicol_material_create_callback and nicol_render call
+ * the function, on several threads at once. The function must not call Nicol with objects of the material's
+ * context. */
 typedef int32_t (*nicol_mueller_callback)(void* user, uint32_t channel, const double towards_light[3],
                                           const double towards_viewer[3], double mueller[16]);
 
 typedef struct nicol_callback_material {
     uint32_t struct_size;
-    uint32_t channels; /* 1, the default, to NICOL_MAX_CHANNELS */
+    uint32_t channels; /* number of colour channels, 1 to NICOL_MAX_CHANNELS, default 1 */
     nicol_mueller_callback mueller;
-    void* user;
-    /* NULL, or called once, when `user` is no longer needed: on failure before the call returns, else when
-     * the material and all its users are released, on the thread of the last release. */
+    void* user; /* first argument of mueller, and the argument of release */
+    /* Release callback; NULL, the default: none. Called once, when `user` is no longer needed: on failure
+     * before the call returns, else when the material and all its users are released, on the thread of the
+     * last release. */
     void (*release)(void* user);
-    /* Angular radius in radians of the narrowest feature about the mirror direction, 0.001 to 1, the default.
-     * A value that is too large loses highlights, one that is too small costs time. */
+    /* Angular radius of the narrowest feature about the mirror direction, radians, 0.001 to 1, default 1. A
+     * value that is too large loses highlights; a value that is too small costs time. */
     float lobe_width;
     uint32_t reserved; /* 0 */
 } nicol_callback_material;
 #define NICOL_CALLBACK_MATERIAL_INIT \
     { sizeof(nicol_callback_material), 1, 0, 0, 0, 1, 0 }
 
-/* The function must be isotropic, mirror symmetric about every plane through the normal, and finite. It is
- * tested at some directions and refused with NICOL_ERROR_INVALID_ARGUMENT otherwise. Front side only. */
+/* Creates a material from a function, which must be isotropic, mirror symmetric about every plane through the
+ * normal, and finite. Returns NICOL_ERROR_INVALID_ARGUMENT if a test at some directions shows that the
+ * function is not. Only the front side reflects. */
 NICOL_API nicol_result nicol_material_create_callback(nicol_context context,
                                                       const nicol_callback_material* parameters,
                                                       nicol_material* material);
@@ -660,48 +729,58 @@ NICOL_API nicol_result nicol_material_release(nicol_material material);
 
 /* ---------------------------------------------------------------- mesh */
 
-/* All numbers must be finite, indices valid. Triangles without area are left out, and logged once. */
+/* Triangles in memory. All numbers must be finite and all indices valid. Triangles without area are left out,
+ * and logged once. */
 typedef struct nicol_mesh_data {
     uint32_t struct_size;
-    uint32_t vertex_count;   /* 1 or more */
-    uint32_t triangle_count; /* 1 or more */
-    uint32_t texcoord_count; /* of texcoords; 0: vertex_count, where there are texcoords */
-    const float* positions;  /* 3 a vertex */
-    const float* normals;    /* 3 a vertex, of any length; 0 means the smooth normal. NULL: made from the
-                                triangles, smooth across edges whose faces share vertices */
-    const uint32_t* indices; /* 3 a triangle, counter-clockwise from the front */
-    const float* texcoords;  /* u, v, see nicol_texture_image; NULL: none */
-    /* 3 a triangle, of texcoords, so that a seam of these splits no vertex. NULL: indices, with texcoords of
-     * each vertex */
+    uint32_t vertex_count;   /* number of vertices, 1 or more */
+    uint32_t triangle_count; /* number of triangles, 1 or more */
+    /* Number of pairs in texcoords; 0, the default: vertex_count if texcoords is not NULL. */
+    uint32_t texcoord_count;
+    const float* positions; /* positions, 3 numbers per vertex */
+    /* Normals, 3 numbers per vertex, of any length; a normal of length 0 stands for the smooth normal. NULL,
+     * the default: normals made from the triangles, smooth across edges whose faces share vertices. */
+    const float* normals;
+    const uint32_t* indices; /* vertex indices, 3 per triangle, counter-clockwise from the front */
+    const float* texcoords;  /* texture coordinates u, v, see nicol_texture_image; NULL, the default: none */
+    /* Indices into texcoords, 3 per triangle, so that a seam of texture coordinates splits no vertex. NULL,
+     * the default: indices is used, with one pair of texture coordinates per vertex. */
     const uint32_t* texcoord_indices;
-    const float* colors;      /* 3 a vertex, linear, see nicol_texture_create_vertex_colors; NULL: none */
-    const float* face_colors; /* 3 a triangle, linear, see nicol_texture_create_face_colors; NULL: none */
+    /* Linear colours, 3 per vertex, see nicol_texture_create_vertex_colors; NULL, the default: none. */
+    const float* colors;
+    /* Linear colours, 3 per triangle, see nicol_texture_create_face_colors; NULL, the default: none. */
+    const float* face_colors;
 } nicol_mesh_data;
 #define NICOL_MESH_DATA_INIT \
     { sizeof(nicol_mesh_data), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 }
 
-/* OBJ, PLY, OFF, STL or the first mesh of Mitsuba's .serialized, by the file's suffix. Polygons may be
- * concave. Triangles without area, vertices of no face and what is not followed (materials) are left out; one
- * line of the log counts them. Texture coordinates and colours of vertices and faces are kept; v of OBJ,
- * which points up there, becomes 1 - v. NICOL_ERROR_INVALID_FILE names the line, vertex or face. */
+/* Loads a mesh from OBJ, PLY, OFF, STL or the first mesh of Mitsuba's .serialized, by the file's suffix.
+ * Polygons may be concave. Triangles without area, vertices without a face, and elements that the reader
+ * ignores (materials) are left out; one line of the log counts them. Texture coordinates and colours of
+ * vertices and faces are kept. v of OBJ, which points up, becomes 1 - v. The message of
+ * NICOL_ERROR_INVALID_FILE names the line, vertex or face. */
 NICOL_API nicol_result nicol_mesh_load(nicol_context context, const char* path, nicol_mesh* mesh);
-/* Copies the arrays. A render adds vertices where shadows need them, see refine_tolerance. */
+/* Creates a mesh from arrays and copies the arrays. A render adds vertices where shadows need them, see
+ * refine_tolerance of nicol_render_options. */
 NICOL_API nicol_result nicol_mesh_create(nicol_context context, const nicol_mesh_data* data,
                                          nicol_mesh* mesh);
-/* The unit sphere, finely enough divided for per-vertex shading. Here and below texture coordinates are those
- * of Mitsuba 3's shapes. */
+/* Creates the unit sphere, divided finely enough for per-vertex shading, with the texture coordinates of
+ * Mitsuba 3's sphere. */
 NICOL_API nicol_result nicol_mesh_create_sphere(nicol_context context, nicol_mesh* mesh);
-/* [-1, 1]^2 in the plane z = 0, facing +z. */
+/* Creates the rectangle [-1, 1]^2 in the plane z = 0, facing +z, with the texture coordinates of Mitsuba 3's
+ * rectangle. */
 NICOL_API nicol_result nicol_mesh_create_rectangle(nicol_context context, nicol_mesh* mesh);
-/* [-1, 1]^3. */
+/* Creates the cube [-1, 1]^3, with the texture coordinates of Mitsuba 3's cube. */
 NICOL_API nicol_result nicol_mesh_create_cube(nicol_context context, nicol_mesh* mesh);
-/* Radius 1 in the plane z = 0, facing +z: 128 sectors of 16 rings. */
+/* Creates the disk of radius 1 in the plane z = 0, facing +z: 180 sectors of 16 rings, with the texture
+ * coordinates of Mitsuba 3's disk. */
 NICOL_API nicol_result nicol_mesh_create_disk(nicol_context context, nicol_mesh* mesh);
-/* Of this radius around the line from p0 to p1, in the scene's units, without its ends: 180 sides. The front
- * is outside. radius is above 0, p0 and p1 must differ. */
+/* Creates the cylinder of this radius around the line from p0 to p1, in the scene's units, without its ends:
+ * 180 sides, with the texture coordinates of Mitsuba 3's cylinder. The front is outside. radius must be above
+ * 0, and p0 and p1 must differ. */
 NICOL_API nicol_result nicol_mesh_create_cylinder(nicol_context context, const double p0[3],
                                                   const double p1[3], double radius, nicol_mesh* mesh);
-/* Of its vertices and triangles. */
+/* Gets the numbers of vertices and triangles of a mesh. */
 NICOL_API nicol_result nicol_mesh_get_size(nicol_mesh mesh, uint32_t* vertices, uint32_t* triangles);
 NICOL_API nicol_result nicol_mesh_retain(nicol_mesh mesh);
 NICOL_API nicol_result nicol_mesh_release(nicol_mesh mesh);
@@ -714,47 +793,52 @@ typedef uint32_t nicol_projection;
 
 typedef struct nicol_camera {
     uint32_t struct_size;
-    nicol_projection projection;
-    double to_world[16]; /* camera space, as Mitsuba's: +z forward, +y up, +x to the image's LEFT; axes at
-                            right angles, right-handed. A scale in x, y is the half extent of an orthographic
-                            image. */
-    double fov; /* perspective: the horizontal field of view in degrees; above 0, default 45, below 180 */
-    double near_clip; /* distance along +z, in the scene's units; above 0, default 0.01 */
-    double far_clip;  /* above near_clip, default 10000 */
-    double jitter[2]; /* pixels to the right and down, -0.5 to 0.5 each, default 0: what is that far from a
-                         pixel's centre is at its centre. Images of different jitter, averaged, are
-                         anti-aliased */
-    double shift[2];  /* how far the middle of the image is from the view direction (its principal point),
-                         right  and down, in widths and heights of the image; -1e5 to 1e5 each, default 0. A
-                         crop of a  larger image is its own fov and shift */
+    nicol_projection projection; /* projection, default perspective */
+    /* Transform from camera space to the world, with axes at right angles and right-handed; default the
+     * identity. Camera space is Mitsuba's: +z forward, +y up, +x to the image's LEFT. A scale in x and y is
+     * the half extent of an orthographic image. */
+    double to_world[16];
+    double fov;       /* horizontal field of view if perspective, degrees, above 0, below 180, default 45 */
+    double near_clip; /* near distance along +z, in the scene's units, above 0, default 0.01 */
+    double far_clip;  /* far distance along +z, in the scene's units, above near_clip, default 10000 */
+    /* Sample point inside each pixel, relative to its centre, in pixels to the right and down, -0.5 to 0.5
+     * each, default 0. The mean of images with different jitter is anti-aliased. */
+    double jitter[2];
+    /* Offset of the image's middle from the view direction (the principal point), right and down, in widths
+     * and heights of the image, -1e5 to 1e5 each, default 0. A crop of a larger image has its own fov and
+     * shift. */
+    double shift[2];
 } nicol_camera;
 /* clang-format off */
 #define NICOL_CAMERA_INIT \
     { sizeof(nicol_camera), 0, NICOL_IDENTITY_4X4, 45, 0.01, 10000, { 0, 0 }, { 0, 0 } }
 /* clang-format on */
 
-/* A camera at `origin` that looks at `target`; sets to_world alone. `up` must not lie along the view. */
+/* Sets to_world, and no other field, to that of a camera at `origin` that looks at `target`. `up` must not
+ * lie along the view. */
 NICOL_API nicol_result nicol_camera_look_at(nicol_camera* camera, const double origin[3],
                                             const double target[3], const double up[3]);
 
 /* ---------------------------------------------------------------- light */
 
 /* clang-format off */
-/* How what a light emits is polarized, all of it the same. Its frame, seen by who looks into the light:
+/* Polarization of the emission of a light, equal in all directions. The frame, as seen by a viewer who looks into the
+ * light:
  *
  *  y|  / E-vector
- *   | /    z  comes towards the viewer, along the light
- *   |/     x  is the part of axis across z (of an axis along z, the direction of growing angle from the light's own +z)
+ *   | /    z  points towards the viewer, along the light
+ *   |/     x  is the part of axis perpendicular to z (for an axis along z: growing angle from the light's own +z)
  *   +---x  y  = z cross x; the AoLP counts from x to y, counter-clockwise
  *
- * A sheet polarizer before the light that absorbs along `axis` is dolp 1 and aolp pi / 2, seen from anywhere; a
- * quarter-wave plate behind it docp 1 or -1. */
+ * A sheet polarizer before the light that absorbs along `axis` is dolp 1 and aolp pi / 2, seen from anywhere. A
+ * quarter-wave plate behind this polarizer gives docp 1 or -1. */
 /* clang-format on */
 typedef struct nicol_polarization {
-    double dolp;    /* degree of linear polarization, 0, the default, to 1 */
-    double aolp;    /* angle of linear polarization, radians as NICOL_PLANE_AOLP; finite, default 0 */
-    double docp;    /* s3 / s0: -1 (left circular) to 1 (right); default 0. dolp^2 + docp^2 may be 1 */
-    double axis[3]; /* where AoLP is 0, in the light's own axes, of any length but 0; default (1, 0, 0) */
+    double dolp; /* degree of linear polarization, 0 to 1, default 0 */
+    double aolp; /* angle of linear polarization, radians as NICOL_PLANE_AOLP, finite, default 0 */
+    /* Ratio s3 / s0, -1 (left circular) to 1 (right), default 0; dolp^2 + docp^2 may be up to 1. */
+    double docp;
+    double axis[3]; /* direction of AoLP 0, in the light's own axes, of any length but 0; default (1, 0, 0) */
 } nicol_polarization;
 /* clang-format off */
 #define NICOL_POLARIZATION_INIT { 0, 0, 0, { 1, 0, 0 } }
@@ -762,32 +846,35 @@ typedef struct nicol_polarization {
 
 typedef uint32_t nicol_light_kind;
 #define NICOL_LIGHT_DIRECTIONAL 0 /* parallel light from infinitely far, or from a disc of the sky */
-#define NICOL_LIGHT_POINT 1       /* in all directions */
-#define NICOL_LIGHT_SPOT 2        /* within a cone */
-#define NICOL_LIGHT_PROJECTOR 3   /* a texture, or one colour, onto a rectangle */
+#define NICOL_LIGHT_POINT 1       /* light in all directions */
+#define NICOL_LIGHT_SPOT 2        /* light within a cone */
+#define NICOL_LIGHT_PROJECTOR 3   /* texture, or one colour, projected onto a rectangle */
 
-/* A light without a surface, beside the environment. In its own axes it emits light along +z, from the origin
- * where it has a place; +y is up and +x to the left of who looks along +z, as of cameras. Fields of other
- * kinds have no effect. */
+/* Local light without a surface, beside the environment. In its own axes the light emits along +z, from the
+ * origin unless it is directional. +y is up, and +x is to the left of a viewer who looks along +z, as for
+ * cameras. Fields of other kinds have no effect. */
 typedef struct nicol_light {
     uint32_t struct_size;
-    nicol_light_kind kind; /* default point */
-    /* Default 1; finite, not negative. Directional: irradiance on a surface that faces the light. Point and
-     * spot: radiant intensity, power per solid angle, of a spot on its axis. Projector: irradiance on the
-     * plane at distance 1. A directional light of a size has this irradiance over all of its disc. */
+    nicol_light_kind kind; /* kind of light, default point */
+    /* Brightness, finite and not negative, default 1. Directional: irradiance on a surface that faces the
+     * light, which is the irradiance from the whole disc for a light with a size. Point and spot: radiant
+     * intensity, power per solid angle; for a spot, the intensity on the axis. Projector: irradiance on the
+     * plane at distance 1. */
     nicol_spectrum value;
     uint32_t reserved;     /* 0 */
-    double to_world[16];   /* a rotation and a shift */
-    double angular_radius; /* directional: of the disc, degrees, 0, the default, to 90. The sun's is 0.27 */
-    double cutoff_angle;   /* spot: from the axis to where it ends, degrees, 0.01 to 90, default 20 */
-    double beam_width; /* spot: degrees, 0 to cutoff_angle, default 15: from here the intensity falls to 0 at
-                          cutoff_angle, linearly in the angle */
-    double fov;        /* projector: of the rectangle's width, degrees, 0.01 to 179.98, default 45 */
-    double aspect;     /* projector: the rectangle's width over its height; above 0, default 1 */
-    /* Spot: times the intensity, over the square around the cone; projector: times value, over the rectangle.
-     * 1 or 3 channels, not negative, no colours of a mesh; NULL, the default: 1. The image's top is up. */
+    double to_world[16];   /* rotation and translation of the light, default the identity */
+    double angular_radius; /* directional: disc's radius, degrees, 0 to 90, default 0; the sun's is 0.27 */
+    double cutoff_angle;   /* spot: angle from the axis to the edge, degrees, 0.01 to 90, default 20 */
+    /* Spot: angle from the axis at which the intensity begins to fall, degrees, 0 to cutoff_angle, default
+     * 15. The intensity reaches 0 at cutoff_angle, linearly in the angle. */
+    double beam_width;
+    double fov;    /* projector: angle of the rectangle's width, degrees, 0.01 to 179.98, default 45 */
+    double aspect; /* projector: width over height of the rectangle, above 0, default 1 */
+    /* Spot: factor on the intensity, over the square around the cone. Projector: factor on value, over the
+     * rectangle. The texture has 1 or 3 channels, is not negative, and has no colours of a mesh; the image's
+     * top is up. NULL, the default: 1. */
     nicol_texture texture;
-    nicol_polarization polarization;
+    nicol_polarization polarization; /* polarization of the emission, default unpolarized */
 } nicol_light;
 /* clang-format off */
 #define NICOL_LIGHT_INIT \
@@ -795,15 +882,15 @@ typedef struct nicol_light {
       NICOL_POLARIZATION_INIT }
 /* clang-format on */
 
-/* What an instance emits, beside what it reflects. */
+/* Emission of an instance, in addition to its reflection. */
 typedef struct nicol_emission {
     uint32_t struct_size;
-    uint32_t two_sided;      /* 1: from both sides; 0, the default: from the front */
-    nicol_spectrum radiance; /* default 1; finite, not negative */
+    uint32_t two_sided;      /* whether both sides emit: 1, or 0, the default: the front alone */
+    nicol_spectrum radiance; /* radiance, finite and not negative, default 1 */
     uint32_t reserved;       /* 0 */
-    /* Times radiance; 1 or 3 channels, not negative, no colours of a mesh; NULL, the default: 1. */
+    /* Factor on radiance: 1 or 3 channels, not negative, no colours of a mesh; NULL, the default: 1. */
     nicol_texture texture;
-    nicol_polarization polarization; /* its axis is in the mesh's axes */
+    nicol_polarization polarization; /* polarization of the emission, whose axis is in the mesh's axes */
 } nicol_emission;
 /* clang-format off */
 #define NICOL_EMISSION_INIT \
@@ -814,41 +901,46 @@ typedef struct nicol_emission {
 
 typedef uint32_t nicol_polarization_element_kind;
 /* clang-format off */
-#define NICOL_POLARIZATION_ELEMENT_POLARIZER 0      /* linear: lets through what is polarized along its axis */
-#define NICOL_POLARIZATION_ELEMENT_RETARDER 1       /* a wave plate: delays what is polarized across its fast axis */
-#define NICOL_POLARIZATION_ELEMENT_RIGHT_CIRCULAR 2 /* lets right circular light through; it has no axis */
-#define NICOL_POLARIZATION_ELEMENT_LEFT_CIRCULAR 3  /* lets left circular light through; it has no axis */
+#define NICOL_POLARIZATION_ELEMENT_POLARIZER 0      /* linear polarizer: transmits light that is polarized along its axis */
+#define NICOL_POLARIZATION_ELEMENT_RETARDER 1       /* wave plate: delays light that is polarized across its fast axis */
+#define NICOL_POLARIZATION_ELEMENT_RIGHT_CIRCULAR 2 /* circular polarizer: transmits right circular light; has no axis */
+#define NICOL_POLARIZATION_ELEMENT_LEFT_CIRCULAR 3  /* circular polarizer: transmits left circular light; has no axis */
 /* clang-format on */
 
 typedef uint32_t nicol_polarization_element_outline;
 #define NICOL_POLARIZATION_ELEMENT_RECTANGLE 0 /* |x| <= 1, |y| <= 1 */
-#define NICOL_POLARIZATION_ELEMENT_DISK 1      /* of radius 1 */
+#define NICOL_POLARIZATION_ELEMENT_DISK 1      /* radius 1 */
 
 /* clang-format off */
-/* An ideal, infinitely thin sheet. The camera sees what is behind it through its Mueller matrix; several along a ray
- * act in their order. It casts no shadow, and light passes it unchanged on its way to surfaces.
- * In its own axes it lies in the plane z = 0 about the origin; light passes both ways alike.
+/* Ideal, infinitely thin polarization element. The camera sees what is behind the element through its Mueller matrix.
+ * Several elements along a ray act in their order. An element casts no shadow, and light passes it unchanged on its way
+ * to surfaces. In its own axes an element lies in the plane z = 0 about the origin; light passes in both directions with
+ * equal effect.
  *
  *   y
  *   |  / axis   x  is where to_world takes the element's x, z its normal, and y = z cross x
  *   | /) angle
  *   +------x
  *
- * Light at an angle to the normal is treated as by Mitsuba 3: a polarizer absorbs along what is across the ray of the
- * direction that it absorbs, retardance is times the cosine of that angle. A fast axis is what is across the ray of it,
- * where Mitsuba 3.9 rotates it with the tilt. */
+ * Light at an angle to the normal is treated as in Mitsuba 3. A polarizer absorbs along the part of its absorbing axis
+ * that is perpendicular to the ray. The retardance is multiplied by the cosine of the angle. The effective fast axis of
+ * a retarder is the part of its fast axis that is perpendicular to the ray, whereas Mitsuba 3.9 rotates the fast axis
+ * with the tilt. */
 /* clang-format on */
 typedef struct nicol_polarization_element {
     uint32_t struct_size;
-    nicol_polarization_element_kind kind;       /* default polarizer */
-    nicol_polarization_element_outline outline; /* default rectangle */
+    nicol_polarization_element_kind kind;       /* kind of element, default polarizer */
+    nicol_polarization_element_outline outline; /* outline, default rectangle */
     uint32_t reserved;                          /* 0 */
-    double to_world[16];                        /* any invertible affine transform; its last row is 0 0 0 1 */
-    /* Of the axis that a polarizer lets through or of a retarder's fast axis, degrees from x to y; finite,
-     * default 0. Without effect on circular ones, which have none. */
+    /* Transform from the element's axes to the world: affine, invertible, last row 0 0 0 1; default the
+     * identity. */
+    double to_world[16];
+    /* Angle of a polarizer's transmission axis or of a retarder's fast axis, degrees from x to y; finite,
+     * default 0. The angle has no effect on circular polarizers, which have no axis. */
     double angle;
-    double retardance; /* retarder: degrees, at normal incidence; finite, default 90, a quarter-wave plate */
-    double transmittance; /* times what is ideal, 0 to 1, the default */
+    /* Retardance of a retarder at normal incidence, degrees; finite, default 90, a quarter-wave plate. */
+    double retardance;
+    double transmittance; /* factor on the transmittance of the ideal element, 0 to 1, default 1 */
 } nicol_polarization_element;
 /* clang-format off */
 #define NICOL_POLARIZATION_ELEMENT_INIT \
@@ -863,120 +955,136 @@ typedef struct nicol_instance {
     uint32_t reserved; /* 0 */
     nicol_mesh mesh;
     nicol_material material;
-    double to_world[16]; /* any invertible affine transform; its last row is 0 0 0 1 */
+    /* Transform from the mesh's axes to the world: affine, invertible, last row 0 0 0 1; default the
+     * identity. */
+    double to_world[16];
 } nicol_instance;
 /* clang-format off */
 #define NICOL_INSTANCE_INIT \
     { sizeof(nicol_instance), 0, 0, 0, NICOL_IDENTITY_4X4 }
 /* clang-format on */
 
-/* Empty and dark. */
+/* Creates an empty, dark scene. */
 NICOL_API nicol_result nicol_scene_create(nicol_context context, nicol_scene* scene);
-/* A Mitsuba 3 XML file, or glTF 2.0 where the name ends in .gltf or .glb (the subsets that
- * samples/render/README.md lists); definitions are "name=value" strings that override <default>s of the XML.
- * glTF has no environment, and may have lights. Lights of a file that polarization elements of it cover have
- * the state and the brightness of their light behind these. */
+/* Loads a scene from a Mitsuba 3 XML file, or from glTF 2.0 if the name ends in .gltf or .glb (the subsets
+ * that samples/render/README.md lists). definitions are "name=value" strings that override <default>s of the
+ * XML. A glTF file has no environment, and may have lights. Lights that polarization elements of the file
+ * cover get the polarization state and the brightness that their light has behind the elements. */
 NICOL_API nicol_result nicol_scene_load(nicol_context context, const char* path,
                                         const char* const* definitions, uint32_t definition_count,
                                         nicol_scene* scene);
-/* id may be NULL; ids count up from 0, past those of removed instances too. A mesh must have the texture
- * coordinates and colours that its material needs, here and in nicol_scene_set_material. Materials and
- * environment must have one colour channel or the same number of them, here and in
- * nicol_scene_set_environment. */
+/* Adds an instance. id may be NULL; ids count up from 0, past those of removed instances too. The mesh must
+ * have the texture coordinates and colours that the material needs. Materials and environment of a scene must
+ * have one colour channel or the same number of channels. */
 NICOL_API nicol_result nicol_scene_add_instance(nicol_scene scene, const nicol_instance* instance,
                                                 uint32_t* id);
-/* id as nicol_scene_add_instance gave it; to_world as nicol_instance's. The next render bakes again the
- * vertices that the instance may shadow, before or now; a scene that rotates and moves as a whole is only
+/* Sets the transform of an instance; to_world is that of nicol_instance. The next render bakes again the
+ * vertices that the instance may shadow, before or now. A scene that rotates and moves as a whole is only
  * relit. */
 NICOL_API nicol_result nicol_scene_set_transform(nicol_scene scene, uint32_t id, const double to_world[16]);
-/* The next render projects the material, if it is new to the scene, and shades its instance. */
+/* Sets the material of an instance, under the conditions of nicol_scene_add_instance. The next render
+ * projects the material, if it is new to the scene, and shades the instance. */
 NICOL_API nicol_result nicol_scene_set_material(nicol_scene scene, uint32_t id, nicol_material material);
-/* Its id is not used again; the others keep theirs. */
+/* Removes an instance. The id is not used again; other instances keep their ids. */
 NICOL_API nicol_result nicol_scene_remove_instance(nicol_scene scene, uint32_t id);
-/* The parts of an instance: mesh and material as handles to release. Each of the three may be NULL. */
+/* Gets the parts of an instance: mesh and material as handles to release, and the transform. Each of the
+ * three may be NULL. */
 NICOL_API nicol_result nicol_scene_get_instance(nicol_scene scene, uint32_t id, nicol_mesh* mesh,
                                                 nicol_material* material, double to_world[16]);
+/* Gets the number of instances. */
 NICOL_API nicol_result nicol_scene_get_instance_count(nicol_scene scene, uint32_t* instances);
-/* The ids of all instances, ascending; count: of the instances. */
+/* Gets the ids of all instances, ascending. count must be the number of instances. */
 NICOL_API nicol_result nicol_scene_get_instance_ids(nicol_scene scene, uint32_t* ids, uint64_t count);
-/* environment NULL: darkness. to_world rotates it (NULL: identity; must be a proper rotation), scale
- * multiplies (1 leaves it; 0: darkness; finite, not negative). */
+/* Sets the environment; NULL: darkness. to_world is a proper rotation of the environment; NULL: identity.
+ * scale is a factor on the radiance, finite and not negative; 1: no change; 0: darkness. */
 NICOL_API nicol_result nicol_scene_set_environment(nicol_scene scene, nicol_environment environment,
                                                    const double to_world[16], double scale);
-/* The arguments of nicol_scene_set_environment: the environment, as a handle to release, its rotation and
- * scale. to_world and scale may be NULL. In darkness, also that of a file's scale of 0, *environment is NULL,
- * to_world the identity and scale 1. */
+/* Gets the arguments of nicol_scene_set_environment: the environment, as a handle to release, its rotation
+ * and scale. to_world and scale may be NULL. In darkness, including a file's scale of 0, *environment is
+ * NULL, to_world the identity and scale 1. */
 NICOL_API nicol_result nicol_scene_get_environment(nicol_scene scene, nicol_environment* environment,
                                                    double to_world[16], double* scale);
-/* hide 1: no light goes straight to the camera from the environment, which leaves black (alpha 0), or from
- * instances that emit, which show what they reflect alone; both light the scene as before. 0: they are seen,
- * unless the scene's file has hide_emitters. */
+/* Sets whether emitters are hidden from the camera. hide 1: no light goes straight to the camera from the
+ * environment, which leaves black (alpha 0), or from instances that emit, which show only their reflection;
+ * both light the scene as before. hide 0: the camera sees emitters, unless the scene's file has
+ * hide_emitters. */
 NICOL_API nicol_result nicol_scene_hide_emitters(nicol_scene scene, uint32_t hide);
-/* Adds a light, with an id of its own: lights are counted from 0, apart from instances. id may be NULL. A
- * light must have one colour channel or as many as the scene; so must what an instance emits. The handle of
- * the texture may be released afterwards. NICOL_ERROR_INVALID_ARGUMENT names the field that is out of range,
- * here and below. */
+/* Adds a light. id may be NULL; ids of lights count up from 0, independently of instances. Lights, and the
+ * emission of instances, must have one colour channel or as many as the scene. The handle of the texture may
+ * be released afterwards. The message of NICOL_ERROR_INVALID_ARGUMENT names the field that is out of
+ * range. */
 NICOL_API nicol_result nicol_scene_add_light(nicol_scene scene, const nicol_light* light, uint32_t* id);
-/* All of the light of this id. The next render bakes nothing. */
+/* Replaces all fields of a light. The next render bakes nothing. The message of NICOL_ERROR_INVALID_ARGUMENT
+ * names the field that is out of range. */
 NICOL_API nicol_result nicol_scene_set_light(nicol_scene scene, uint32_t id, const nicol_light* light);
-/* Its id is not used again; the others keep theirs. */
+/* Removes a light. The id is not used again; other lights keep their ids. */
 NICOL_API nicol_result nicol_scene_remove_light(nicol_scene scene, uint32_t id);
-/* The light as it was given; its texture, as a handle to release, in *texture (NULL: it has none) and not in
- * light->texture. texture may be NULL. */
+/* Gets a light as it was given. *texture, and not light->texture, is the light's texture as a handle to
+ * release, or NULL if the light has none. texture may be NULL. */
 NICOL_API nicol_result nicol_scene_get_light(nicol_scene scene, uint32_t id, nicol_light* light,
                                              nicol_texture* texture);
+/* Gets the number of lights. */
 NICOL_API nicol_result nicol_scene_get_light_count(nicol_scene scene, uint32_t* lights);
-/* The ids of all lights, ascending; count: of the lights. */
+/* Gets the ids of all lights, ascending. count must be the number of lights. */
 NICOL_API nicol_result nicol_scene_get_light_ids(nicol_scene scene, uint32_t* ids, uint64_t count);
-/* Makes an instance emit light, emission NULL: stop it. id is the instance's. A texture needs texture
- * coordinates of the mesh. */
+/* Sets the emission of the instance `id`; NULL: the instance emits no light. A texture needs texture
+ * coordinates of the mesh. The message of NICOL_ERROR_INVALID_ARGUMENT names the field that is out of
+ * range. */
 NICOL_API nicol_result nicol_scene_set_emission(nicol_scene scene, uint32_t id,
                                                 const nicol_emission* emission);
-/* What an instance emits, its texture as of nicol_scene_get_light. Of one that emits no light the radiance
- * is 0. */
+/* Gets the emission of an instance, with its texture as nicol_scene_get_light does. The radiance is 0 for an
+ * instance that emits no light. */
 NICOL_API nicol_result nicol_scene_get_emission(nicol_scene scene, uint32_t id, nicol_emission* emission,
                                                 nicol_texture* texture);
-/* Adds an element, with an id of its own: elements are counted from 0, apart from instances and lights. id
- * may be NULL. NICOL_ERROR_INVALID_ARGUMENT names the field that is out of range. */
+/* Adds a polarization element. id may be NULL; ids of elements count up from 0, independently of instances
+ * and lights. The message of NICOL_ERROR_INVALID_ARGUMENT names the field that is out of range. */
 NICOL_API nicol_result nicol_scene_add_polarization_element(nicol_scene scene,
                                                             const nicol_polarization_element* element,
                                                             uint32_t* id);
-/* All of the element of this id. */
+/* Replaces all fields of a polarization element. The message of NICOL_ERROR_INVALID_ARGUMENT names the field
+ * that is out of range. */
 NICOL_API nicol_result nicol_scene_set_polarization_element(nicol_scene scene, uint32_t id,
                                                             const nicol_polarization_element* element);
-/* Its id is not used again; the others keep theirs. */
+/* Removes a polarization element. The id is not used again; other elements keep their ids. */
 NICOL_API nicol_result nicol_scene_remove_polarization_element(nicol_scene scene, uint32_t id);
-/* The element as it was given. */
+/* Gets a polarization element as it was given. */
 NICOL_API nicol_result nicol_scene_get_polarization_element(nicol_scene scene, uint32_t id,
                                                             nicol_polarization_element* element);
+/* Gets the number of polarization elements. */
 NICOL_API nicol_result nicol_scene_get_polarization_element_count(nicol_scene scene, uint32_t* elements);
-/* The ids of all elements, ascending; count: of the elements. */
+/* Gets the ids of all polarization elements, ascending. count must be the number of elements. */
 NICOL_API nicol_result nicol_scene_get_polarization_element_ids(nicol_scene scene, uint32_t* ids,
                                                                 uint64_t count);
-/* The camera and film size of a loaded file, and the AOVs that its integrators ask for, a sum of
- * NICOL_AOV_... for nicol_render_options; NICOL_ERROR_UNSUPPORTED for a scene that was not loaded. */
+/* Gets the camera of a loaded file. Returns NICOL_ERROR_UNSUPPORTED for a scene that was not loaded. */
 NICOL_API nicol_result nicol_scene_get_camera(nicol_scene scene, nicol_camera* camera);
+/* Gets the film size of a loaded file, in pixels. Returns NICOL_ERROR_UNSUPPORTED for a scene that was not
+ * loaded. */
 NICOL_API nicol_result nicol_scene_get_film_size(nicol_scene scene, uint32_t* width, uint32_t* height);
+/* Gets the AOVs that the integrators of a loaded file ask for, a sum of NICOL_AOV_... for
+ * nicol_render_options. Returns NICOL_ERROR_UNSUPPORTED for a scene that was not loaded. */
 NICOL_API nicol_result nicol_scene_get_aovs(nicol_scene scene, uint32_t* aovs);
 
 typedef struct nicol_scene_file {
     uint32_t struct_size;
     uint32_t reserved;
-    const char* path;   /* as it was opened; the strings live as long as the scene */
-    const char* digest; /* of the bytes that were read: 32 hexadecimal digits, not a cryptographic hash */
+    const char* path; /* path with which the file was opened; lives as long as the scene */
+    /* Digest of the bytes that were read: 32 hexadecimal digits, not a cryptographic hash; lives as long as
+     * the scene. */
+    const char* digest;
     uint64_t bytes;
 } nicol_scene_file;
 #define NICOL_SCENE_FILE_INIT \
     { sizeof(nicol_scene_file), 0, 0, 0, 0 }
 
-/* The files that nicol_scene_load has read, each once: the scene file, those that it includes (of glTF, its
- * buffers), then light, materials and meshes. With equal digests the scene is the same. None for a scene that
- * was not loaded. */
+/* Gets the number of files that nicol_scene_load has read, or 0 for a scene that was not loaded. Each file
+ * counts once: the scene file, the files that it includes (the buffers of glTF), then light, materials and
+ * meshes. Scenes whose files have equal digests are equal. */
 NICOL_API nicol_result nicol_scene_get_file_count(nicol_scene scene, uint32_t* count);
-/* index from 0; beyond the last, NICOL_ERROR_INVALID_ARGUMENT */
+/* Gets a file that nicol_scene_load has read; index counts from 0. Returns NICOL_ERROR_INVALID_ARGUMENT for
+ * an index beyond the last file. */
 NICOL_API nicol_result nicol_scene_get_file(nicol_scene scene, uint32_t index, nicol_scene_file* file);
-/* Colour channels of its images: those of everything in it, 1 (all grey) or more, and 1 if the film of a
- * loaded file is luminance. */
+/* Gets the number of colour channels of the scene's images: the number of everything in the scene, 1 (all
+ * grey) or more, and 1 if the film of a loaded file is luminance. */
 NICOL_API nicol_result nicol_scene_get_channels(nicol_scene scene, uint32_t* channels);
 NICOL_API nicol_result nicol_scene_retain(nicol_scene scene);
 NICOL_API nicol_result nicol_scene_release(nicol_scene scene);
@@ -984,45 +1092,47 @@ NICOL_API nicol_result nicol_scene_release(nicol_scene scene);
 /* ---------------------------------------------------------------- render */
 
 typedef uint32_t nicol_method;
-/* Real time. Light up to order_low is kept in each vertex's frame and multiplied by a table of the material's
- * response at each view angle. */
+/* Real-time method that stores light up to order_low in each vertex's frame and multiplies the light by a
+ * table of the material's response at each view angle. */
 #define NICOL_METHOD_FACTORED 0
-/* Real time: the paper's transfer matrix for each vertex, baked from shadow and material. Outgoing light is
- * truncated at order_low too. Slower and larger, for comparison. */
+/* Real-time method of the paper, with a transfer matrix per vertex, baked from shadow and material. Outgoing
+ * light is truncated at order_low too. The method is slower and larger, for comparison. */
 #define NICOL_METHOD_DENSE 1
-/* Monte Carlo integration of the light at each pixel, with shadows, without harmonics. Slow, noisy and
- * unbiased: the reference for the other methods. */
+/* Monte Carlo integration of the light at each pixel, with shadows, without harmonics. The method is slow,
+ * noisy and unbiased: the reference for the other methods. */
 #define NICOL_METHOD_REFERENCE 2
 
-/* How the light's orders above order_low become reflected light: prefiltered by lobes and looked up at the
- * mirrored view direction, times the visible fraction of the lobe. */
+/* Reflection of the light's orders above order_low: the light is prefiltered by lobes, looked up at the
+ * mirrored view direction, and multiplied by the visible fraction of the lobe. */
 typedef uint32_t nicol_high_orders;
 #define NICOL_HIGH_ORDERS_SPLIT 0       /* lobes times Mueller matrices of the view angle */
-#define NICOL_HIGH_ORDERS_CONVOLUTION 1 /* a kernel a material (Eq. 68): no polarization by reflection */
-#define NICOL_HIGH_ORDERS_NONE 2        /* left out */
+#define NICOL_HIGH_ORDERS_CONVOLUTION 1 /* one kernel per material (Eq. 68): reflection does not polarize */
+#define NICOL_HIGH_ORDERS_NONE 2        /* no high orders */
 
-/* Where light becomes the Stokes vector of an image. */
+/* Place where light becomes the Stokes vector of an image. */
 typedef uint32_t nicol_shade_at;
-/* Pixels, where Stokes vectors between vertices are predicted to err by more than the tolerance: where
- * normals or view directions change much across triangles, for the lobes of the materials; and for several
- * samples of a pixel by threads, which cost less there. Also where a material varies by a texture. */
+/* Pixels if the interpolation of Stokes vectors between vertices is predicted to err by more than the
+ * tolerance, because normals or view directions change much across triangles for the lobes of the materials.
+ * Also pixels for local lights, for a material that varies by a texture, and for several samples per pixel by
+ * threads, which cost less there. Otherwise vertices. */
 #define NICOL_SHADE_AT_AUTOMATIC 0
-/* Stokes vectors are interpolated across triangles: fast, and right where triangles cover few pixels. Not for
- * materials that vary by textures: NICOL_ERROR_UNSUPPORTED. */
+/* Vertices: Stokes vectors are interpolated across triangles, which is fast, and right where triangles cover
+ * few pixels. Materials that vary by textures give NICOL_ERROR_UNSUPPORTED. */
 #define NICOL_SHADE_AT_VERTICES 1
-/* The light that arrives is interpolated, in the world's axes; normal, view angle, response and high orders
- * are those of the pixel. For coarse meshes. */
+/* Pixels, for coarse meshes: the light that arrives is interpolated, in the world's axes; normal, view angle,
+ * response and high orders are those of the pixel. */
 #define NICOL_SHADE_AT_PIXELS 2
 
-/* What runs relight and shade. The images agree to 1e-5 of their largest value; shaded at pixels, to 1e-4
- * where a surface is seen edge-on. */
+/* Device that runs relight and shade. The images of both devices agree to 1e-5 of their largest value; shaded
+ * at pixels, to 1e-4 where a surface is seen edge-on. */
 typedef uint32_t nicol_executor;
 #define NICOL_EXECUTOR_AUTOMATIC 0 /* compute, unless OpenGL runs on the CPU or lacks features */
 #define NICOL_EXECUTOR_CPU 1       /* threads */
-#define NICOL_EXECUTOR_COMPUTE 2   /* compute shaders, also where OpenGL runs on the CPU and is slow at it */
+#define NICOL_EXECUTOR_COMPUTE 2   /* compute shaders, also if OpenGL runs on the CPU, where they are slow */
 
-/* Work that a render skips because the image is the same without it; all enabled by default. */
-#define NICOL_OPTIMISATION_UNCHANGED 1u        /* everything, where nothing changed */
+/* Work that a render skips because the image is the same without it. All optimisations are enabled by
+ * default. */
+#define NICOL_OPTIMISATION_UNCHANGED 1u        /* everything, if nothing changed */
 #define NICOL_OPTIMISATION_LIGHT_COMPONENTS 2u /* Stokes components that the light lacks */
 #define NICOL_OPTIMISATION_CHANNELS 4u         /* colour channels of light that equal another */
 #define NICOL_OPTIMISATION_ORDERS 8u           /* orders that the light lacks */
@@ -1031,21 +1141,21 @@ typedef uint32_t nicol_executor;
 #define NICOL_OPTIMISATION_UNOCCLUDED 64u      /* shadows of vertices with nothing above their horizon */
 #define NICOL_OPTIMISATION_ALL 127u
 
-/* AOVs that a render makes beside the image, by any method; see NICOL_PLANE_DEPTH, _NORMAL, _POSITION,
- * _INSTANCE and _ALPHA. Those of surfaces are of the first on the ray through a pixel's centre; with
- * pixel_samples, of the nearest that the samples show, and the normal is the mean of theirs.
- * NICOL_AOV_ALL: these five. */
+/* AOVs that a render makes beside the image, with any method; see NICOL_PLANE_DEPTH, _NORMAL, _POSITION,
+ * _INSTANCE and _ALPHA. AOVs of surfaces describe the first surface on the ray through a pixel's centre. With
+ * pixel_samples, AOVs describe the nearest surface that the samples show, and the normal is the mean of the
+ * samples' normals. NICOL_AOV_ALL is the sum of the five. */
 #define NICOL_AOV_DEPTH 1u
 #define NICOL_AOV_NORMAL 2u
 #define NICOL_AOV_POSITION 4u
 #define NICOL_AOV_INSTANCE 8u
 #define NICOL_AOV_ALPHA 32u
 #define NICOL_AOV_ALL 47u
-/* The noise of the image, by the reference method with 2 samples or more alone; others refuse it. See
- * NICOL_PLANE_VARIANCE. */
+/* Noise of the image, see NICOL_PLANE_VARIANCE. Only the reference method with 2 samples or more makes the
+ * variance; other methods refuse it. */
 #define NICOL_AOV_VARIANCE 16u
 
-/* Stokes components that an image has; the others are 0. */
+/* Stokes components of an image; the others are 0. */
 typedef uint32_t nicol_components;
 #define NICOL_COMPONENTS_ALL 0
 #define NICOL_COMPONENTS_S0 1     /* s0 */
@@ -1056,70 +1166,81 @@ typedef uint32_t nicol_components;
 #define NICOL_SPLIT_AUTOMATIC (-1)
 #define NICOL_MAX_SPLIT_LIGHTS 64
 
+/* Options of a render. The reference method uses only samples, seed, shadows, aovs, progress and
+ * NICOL_OPTIMISATION_UNCHANGED; the other options are those of the factored and the dense method. */
 typedef struct nicol_render_options {
     uint32_t struct_size;
-    nicol_method method;
-    /* Options of the factored and the dense method; the reference method uses samples, seed, `shadows` and
-     * NICOL_OPTIMISATION_UNCHANGED only. */
-    uint32_t order_low; /* light up to this order is shaded with the material's full response; at most
-                           NICOL_MAX_ORDER. NICOL_ORDER_AUTOMATIC, the default: see tolerance */
-    uint32_t
-        order_high; /* light of the orders above order_low, up to this one, is rendered by high_orders; at
-                       most 64. At order_low or below there are none. NICOL_ORDER_AUTOMATIC, the default */
-    nicol_high_orders high_orders; /* default split */
-    uint32_t shadows;         /* whether surfaces shadow each other and themselves: 1, the default, or 0 */
-    uint32_t bake_directions; /* directions of rays at each vertex; 256 to 65536. More take more time and
-                                 memory to bake and leave less noise in the shadows.
-                                 NICOL_DIRECTIONS_AUTOMATIC, the default: 2048; where orders are chosen, 1024
-                                 for a tolerance of 0.03 or more, which leaves noise of about a tenth of that,
-                                 2048 down to 0.015, 4096 down to 0.0075, else 8192 */
-    /* 1, the default: Stokes vectors are made physically realizable (Eq. 70), s0 >= 0 and no more polarized
-     * than s0, which truncated light may violate: at vertices, or at pixels if these are shaded. Where orders
-     * are chosen, light that is as weak as the predicted error becomes less polarized: no false DoLP in the
-     * dark. 0: they are not. */
+    nicol_method method; /* method, default factored */
+    /* Highest order of the light that is shaded with the material's full response, 0 to NICOL_MAX_ORDER;
+     * default NICOL_ORDER_AUTOMATIC, see tolerance. */
+    uint32_t order_low;
+    /* Highest order of the light that is rendered, at most 64; default NICOL_ORDER_AUTOMATIC, see tolerance.
+     * high_orders renders the orders above order_low; there are none if order_high is order_low or
+     * below. */
+    uint32_t order_high;
+    nicol_high_orders high_orders; /* reflection of the orders above order_low, default split */
+    /* Whether surfaces shadow each other and themselves: 1, the default, or 0. */
+    uint32_t shadows;
+    /* Number of directions of rays at each vertex, 256 to 65536. More directions take more time and memory to
+     * bake and leave less noise in the shadows. NICOL_DIRECTIONS_AUTOMATIC, the default: 2048. If orders are
+     * chosen, the automatic number is 1024 for a tolerance of 0.03 or more, which leaves noise of about a
+     * tenth of 0.03, 2048 down to 0.015, 4096 down to 0.0075, else 8192. */
+    uint32_t bake_directions;
+    /* Whether Stokes vectors are made physically realizable (Eq. 70), 1, the default, or 0: s0 >= 0, and no
+     * more polarization than s0, which truncated light may violate. The correction is made at vertices, or at
+     * pixels if pixels are shaded. If orders are chosen, light that is as weak as the predicted error becomes
+     * less polarized, so that there is no false DoLP in the dark. */
     uint32_t physical;
-    double dering; /* against ringing: the light's order l is multiplied by 1 / (1 + dering (l (l +
-                      1))^2). 0: not at all; 0.0001 to 0.01 are of use; finite, not negative */
-    nicol_progress_callback progress; /* NULL: none. Of the verbs project, bake, relight, shade, draw; of the
-                                         reference method trace */
+    /* Strength of the window against ringing, finite and not negative, default 0 (no window); 0.0001 to 0.01
+     * are of use. The light's order l is multiplied by 1 / (1 + dering (l (l + 1))^2). */
+    double dering;
+    /* Progress callback; NULL, the default: none. The verbs are project, bake, relight, shade and draw; the
+     * reference method has the verb trace. */
+    nicol_progress_callback progress;
     void* progress_user;
-    uint32_t
-        samples; /* reference: camera rays a pixel, 1 to 2^20, default 256. Powers of two are spread best */
-    nicol_executor executor; /* default automatic */
-    uint64_t seed; /* of the reference method and of samples of local lights: equal seeds give equal images,
-                      whatever the threads */
-    /* Where both orders are automatic: the largest predicted error of the orders left out, as RMSE of s0, s1
-     * and s2 relative to the RMS of s0; the fastest orders that keep it are taken, order_low up to 16. Errors
-     * are mostly a half to a third of the prediction, and that of the DoLP, as the mean over pixels, is no
-     * larger than it. Where what vertices keep would exceed 1 GiB, or the context's memory_limit, orders
-     * are as high as fits. The dense method and convolution have no prediction: automatic orders are 4 and 9
-     * there, and where tolerance is 0, or one of the orders is given. Default 0.03; finite, not negative */
+    /* Number of camera rays per pixel of the reference method, 1 to 2^20, default 256. Powers of two are
+     * spread best. */
+    uint32_t samples;
+    nicol_executor executor; /* device that runs relight and shade, default automatic */
+    /* Seed of the reference method and of the samples of local lights, default 0. Equal seeds give equal
+     * images, whatever the number of threads. */
+    uint64_t seed;
+    /* Largest predicted error of the orders left out if both orders are automatic, finite and not negative,
+     * default 0.03: the RMSE of s0, s1 and s2 relative to the RMS of s0. The fastest orders that keep the
+     * tolerance are chosen, order_low up to 16. Errors are mostly a half to a third of the prediction, and
+     * the error of the DoLP, as the mean over pixels, is no larger than the prediction. Orders are as high as
+     * fits if the data of vertices would exceed 1 GiB or the context's memory_limit. Automatic orders are 4
+     * and 9 without a prediction: for the dense method, for convolution, for a tolerance of 0, and beside an
+     * order that is given. */
     double tolerance;
-    nicol_components components; /* default all */
-    uint32_t
-        disabled_optimisations;  /* sum of NICOL_OPTIMISATION_... to disable, in order to measure what they
-                                    save. Compute shaders shade all vertices and rows in any case. 0: none */
-    uint32_t high_order_shadows; /* whether high orders are multiplied by the visible fraction of their lobe:
-                                    1, the default, or 0: unshadowed highlights */
-    uint32_t aovs;               /* sum of NICOL_AOV_... to make. 0: none */
-    nicol_shade_at shade_at;     /* default automatic */
-    uint32_t pixel_samples;      /* real-time methods: samples of a pixel, 1 to 1024; 0, the default, is 1. A
-                                    pixel is the mean of surfaces and environment by the number of samples
-                                    that show them. 4 and 8 are drawn together: shade_at pixels shades each
-                                    surface once a pixel, at the mean of its samples. Other numbers are
-                                    drawn and shaded one by one, each at the cost of an image, which also
-                                    averages normal maps and soft shadows; AOVs are those of 8 */
-    double refine_tolerance; /* the bake splits triangles where shadows change faster than the mesh is fine,
-                                until what interpolation errs by in the hidden part of an even light is at
-                                most this part of all of it; 0: none is split. 0 to 1, default 0.02 */
-    uint64_t max_vertices;   /* that splitting may lead to; 0, the default: 65536, or four times as many as
-                                there were where that is more. A memory_limit lowers it */
-    /* factored: bright parts of the environment, such as a sun, that are taken out of it and rendered as
-     * local lights, at most: 0 to NICOL_MAX_SPLIT_LIGHTS. NICOL_SPLIT_AUTOMATIC, the default: those that the
-     * orders would miss. */
+    nicol_components components; /* Stokes components of the image, default all */
+    /* Sum of NICOL_OPTIMISATION_... to disable, in order to measure what the optimisations save; default 0:
+     * none. Compute shaders shade all vertices and rows in any case. */
+    uint32_t disabled_optimisations;
+    /* Whether high orders are multiplied by the visible fraction of their lobe: 1, the default, or 0
+     * (unshadowed highlights). */
+    uint32_t high_order_shadows;
+    uint32_t aovs;           /* sum of NICOL_AOV_... to make, default 0: none */
+    nicol_shade_at shade_at; /* place of shading, default automatic */
+    /* Number of samples per pixel of the real-time methods, 1 to 1024; 0, the default, is 1. A pixel is the
+     * mean of surfaces and environment, weighted by the number of samples that show them. 4 and 8 samples are
+     * drawn together: shading at pixels shades each surface once per pixel, at the mean of its samples. Other
+     * numbers are drawn and shaded one by one, each sample at the cost of an image, which also averages
+     * normal maps and soft shadows; AOVs are then those of 8 samples. */
+    uint32_t pixel_samples;
+    /* Largest interpolation error of shadows, as a fraction of the light, 0 to 1, default 0.02; 0: no
+     * triangle is split. The bake splits triangles where shadows change faster than the mesh is fine, until
+     * the error in the hidden part of uniform light is at most this fraction of all of the light. */
+    double refine_tolerance;
+    /* Largest number of vertices after splitting; 0, the default: 65536, or four times the original number if
+     * that is more. A memory_limit lowers the number. */
+    uint64_t max_vertices;
+    /* Largest number of extracted lights of the factored method: bright parts of the environment, such as a
+     * sun, that are taken out of the environment and rendered as local lights. 0 to NICOL_MAX_SPLIT_LIGHTS;
+     * default NICOL_SPLIT_AUTOMATIC: the lights that the orders would miss. */
     int32_t split_lights;
-    /* Real-time methods: samples of each light with a size that light a point or a pixel, 1 to 1024, default
-     * 16. Fewer are faster, and leave steps in soft shadows. */
+    /* Number of light samples of the real-time methods, per local light with a size and per point or pixel, 1
+     * to 1024, default 16. Fewer samples are faster, and leave steps in soft shadows. */
     uint32_t light_samples;
 } nicol_render_options;
 /* clang-format off */
@@ -1128,41 +1249,43 @@ typedef struct nicol_render_options {
       0.03, 0, 0, 1, 0, 0, 0, 0.02, 0, NICOL_SPLIT_AUTOMATIC, 16 }
 /* clang-format on */
 
-/* width, height: 1 to NICOL_MAX_SIZE (the driver may allow less), at most 2^26 pixels. channels: as the
- * scene's, or 1 for the luminance of a scene of three: 0.2126 R + 0.7152 G + 0.0722 B of each Stokes
- * component. */
+/* Creates a framebuffer. width and height are 1 to NICOL_MAX_SIZE pixels (the driver may allow less), and at
+ * most 2^26 pixels in all. channels is the scene's number, or 1 for the luminance of a scene of three
+ * channels: 0.2126 R + 0.7152 G + 0.0722 B of each Stokes component. */
 NICOL_API nicol_result nicol_framebuffer_create(nicol_context context, uint32_t width, uint32_t height,
                                                 uint32_t channels, nicol_framebuffer* framebuffer);
-/* As it was created. */
+/* Gets the width, height and channels with which the framebuffer was created. */
 NICOL_API nicol_result nicol_framebuffer_get_size(nicol_framebuffer framebuffer, uint32_t* width,
                                                   uint32_t* height, uint32_t* channels);
 NICOL_API nicol_result nicol_framebuffer_retain(nicol_framebuffer framebuffer);
 NICOL_API nicol_result nicol_framebuffer_release(nicol_framebuffer framebuffer);
 
-/* options may be NULL: all defaults. Results that a change of the scene, the camera or the options does not
- * affect are kept from the scene's last render; if nothing changed, nothing runs. On failure or cancellation
- * the framebuffer keeps its content and statistics. NICOL_ERROR_INVALID_ARGUMENT for options and cameras out
- * of range and channels that do not fit, NICOL_ERROR_UNSUPPORTED for an unknown method, for compute shaders
- * if the driver lacks features, and, where a material varies by a texture, for the dense method and for
- * shading at vertices, NICOL_ERROR_CANCELLED, NICOL_ERROR_OUT_OF_MEMORY. */
+/* Renders a scene into a framebuffer. options may be NULL: all defaults. Results that a change of the scene,
+ * the camera or the options does not affect are kept from the scene's last render; if nothing changed,
+ * nothing runs. On failure or cancellation the framebuffer keeps its content and statistics. Returns
+ * NICOL_ERROR_INVALID_ARGUMENT for options and cameras out of range and for channels that do not fit. Returns
+ * NICOL_ERROR_UNSUPPORTED for an unknown method, for compute shaders if the driver lacks features, and, if a
+ * material varies by a texture, for the dense method and for shading at vertices. Returns
+ * NICOL_ERROR_CANCELLED if a callback returned 0, and NICOL_ERROR_OUT_OF_MEMORY also beyond the context's
+ * memory_limit. */
 NICOL_API nicol_result nicol_render(nicol_scene scene, const nicol_camera* camera,
                                     const nicol_render_options* options, nicol_framebuffer framebuffer);
 
-/* An asynchronous render. Jobs of one context run one after another, in the order of submission, on a thread
- * of the context. A running job locks the context: calls that render, create, read and write its framebuffers
- * wait for it, but not for queued jobs. Calls that change or query scenes or make lights, materials and
- * meshes do not wait. May be used from any thread; nicol_job_poll and nicol_job_cancel from callbacks too.
- * What is different inside a host's OpenGL is told there. */
+/* Asynchronous render. Jobs of one context run one after another, in the order of submission, on a thread of
+ * the context. A running job locks the context: calls that render, create, read and write its framebuffers
+ * wait for the job, but not for queued jobs. Calls that change or query scenes, or make lights, materials and
+ * meshes, do not wait. A job may be used from any thread; nicol_job_poll and nicol_job_cancel may also be
+ * called from callbacks. "Inside a host's OpenGL" says how jobs differ there. */
 typedef struct nicol_job_impl* nicol_job;
 
-#define NICOL_MAX_JOBS 256 /* queued in one context */
+#define NICOL_MAX_JOBS 256 /* largest number of queued jobs of a context */
 
-/* nicol_render as a job. Copies the scene's state: later changes affect later renders only. The framebuffer
- * keeps its content until the job has run. Scene, framebuffer and all they need are kept alive; the caller
- * may release them, and the job too, which runs all the same. The progress callback runs on the context's
- * thread, and progress_user must live until the job is done. Invalid arguments are refused at once where
- * possible; other errors are the job's result. NICOL_ERROR_BUSY if NICOL_MAX_JOBS are queued. A process that
- * exits cancels its jobs. */
+/* Submits nicol_render as a job. The job copies the scene's state: later changes affect later renders only.
+ * The framebuffer keeps its content until the job has run. Scene, framebuffer and all they need are kept
+ * alive. The caller may release them, and the job too, which runs all the same. The progress callback runs on
+ * the context's thread, and progress_user must live until the job is done. Invalid arguments are refused at
+ * once if possible; other errors are the job's result. Returns NICOL_ERROR_BUSY if NICOL_MAX_JOBS jobs are
+ * queued. A process that exits cancels its jobs. */
 NICOL_API nicol_result nicol_render_async(nicol_scene scene, const nicol_camera* camera,
                                           const nicol_render_options* options, nicol_framebuffer framebuffer,
                                           nicol_job* job);
@@ -1175,26 +1298,29 @@ typedef uint32_t nicol_job_state;
 typedef struct nicol_job_status {
     uint32_t struct_size;
     nicol_job_state state;
-    nicol_result result; /* of a job that is done: what nicol_render would have returned. Else NICOL_OK */
+    nicol_result result; /* result of a job that is done, as nicol_render would return it; else NICOL_OK */
     uint32_t reserved;   /* 0 */
-    double fraction;     /* of the current verb, 0 to 1; 1 after success */
-    const char* verb; /* as a progress callback's; "" while it waits and once it is done. Lives as long as the
-                         library */
+    double fraction;     /* fraction of the current verb, 0 to 1; 1 after success */
+    /* Verb of a progress callback, "" before the job runs and once it is done; lives as long as the
+     * library. */
+    const char* verb;
 } nicol_job_status;
 #define NICOL_JOB_STATUS_INIT \
     { sizeof(nicol_job_status), 0, 0, 0, 0, 0 }
 
-/* The job's progress; never waits for it. */
+/* Gets the job's progress, and never waits for the job. */
 NICOL_API nicol_result nicol_job_poll(nicol_job job, nicol_job_status* status);
 
 #define NICOL_WAIT_FOREVER 0xffffffffu
-/* Waits until the job is done, at most this long (0: not at all), and returns its result; after a failure
- * nicol_last_error() has its message. NICOL_ERROR_TIMEOUT if it is not done by then, NICOL_ERROR_NOT_CURRENT
- * where the job needs a host's OpenGL context that is not current on the calling thread.
- * NICOL_ERROR_INVALID_ARGUMENT inside a callback of the context, which would be a deadlock. */
+/* Waits until the job is done, at most timeout_ms milliseconds (0: not at all), and returns the job's result.
+ * After a failure of the job, nicol_last_error() has its message. Returns NICOL_ERROR_TIMEOUT if the job is
+ * not done in time, and NICOL_ERROR_NOT_CURRENT if the job needs a host's OpenGL context that is not current
+ * on the calling thread. Returns NICOL_ERROR_INVALID_ARGUMENT inside a callback of the context, because
+ * waiting there would be a deadlock. */
 NICOL_API nicol_result nicol_job_wait(nicol_job job, uint32_t timeout_ms);
-/* Cancels a queued job at once, and a running one where it would next call a progress callback; its result is
- * NICOL_ERROR_CANCELLED. No effect on a job that is done or almost done. Does not wait. */
+/* Cancels a queued job at once, or a running job when it would next call a progress callback. The job's
+ * result is NICOL_ERROR_CANCELLED. A job that is done or almost done is not affected. The function does not
+ * wait. */
 NICOL_API nicol_result nicol_job_cancel(nicol_job job);
 NICOL_API nicol_result nicol_job_retain(nicol_job job);
 NICOL_API nicol_result nicol_job_release(nicol_job job);
@@ -1203,51 +1329,52 @@ NICOL_API nicol_result nicol_job_release(nicol_job job);
 /* Statistics of the last render into a framebuffer. Milliseconds are 0 for verbs that did not run. */
 typedef struct nicol_statistics {
     uint32_t struct_size;
-    uint32_t order;                 /* highest order of the light that was rendered: order_high, or less where the light
-                                       has no more, but at least order_low; 0 by the reference method */
-    uint64_t vertices;              /* of all instances, vertices_added among them */
-    uint64_t triangles;             /* likewise */
-    double project_ms;              /* light and materials to coefficients, tables and lobes */
-    double bake_ms;                 /* visibility at the vertices, and the dense method's matrices; of the
-                                       reference method its hierarchy of triangles and table of light */
-    double relight_ms;              /* light, times shadows, into the vertices' frames */
-    double shade_ms;                /* light times response, at the view, high orders included */
-    double draw_ms;                 /* rasterisation, or copying the image into the framebuffer */
-    double observe_ms;              /* reading and writing images since that render */
-    double bake_trace_ms;           /* of bake_ms, tracing rays; 0 where the bake came from the cache */
-    uint64_t bake_rays;             /* traced by the bake; 0 likewise */
-    uint64_t vertices_skipped;      /* not shaded: facing away or outside the view */
-    uint64_t vertices_unoccluded;   /* nothing above their horizon: no shadow to compute */
-    uint64_t vertices_unphysical;   /* that `physical` moved into the physically realizable range, times channels; pixels are not counted */
+    uint32_t order;                 /* highest order of the rendered light: order_high, or less if the light has no more,
+                                       but at least order_low; 0 with the reference method */
+    uint64_t vertices;              /* number of vertices of all instances, including vertices_added */
+    uint64_t triangles;             /* number of triangles of all instances */
+    double project_ms;              /* time of projecting light and materials to coefficients, tables and lobes */
+    double bake_ms;                 /* time of baking visibility at the vertices, and the dense method's matrices; with the
+                                       reference method, its hierarchy of triangles and table of light */
+    double relight_ms;              /* time of bringing light, times shadows, into the vertices' frames */
+    double shade_ms;                /* time of multiplying light by the response at the view, high orders included */
+    double draw_ms;                 /* time of rasterisation, or of copying the image into the framebuffer */
+    double observe_ms;              /* time of reading and writing images since the last render */
+    double bake_trace_ms;           /* part of bake_ms that traced rays; 0 if the bake came from the cache */
+    uint64_t bake_rays;             /* rays that the bake traced; 0 if the bake came from the cache */
+    uint64_t vertices_skipped;      /* vertices not shaded because they face away or lie outside the view */
+    uint64_t vertices_unoccluded;   /* vertices with nothing above their horizon, and so no shadow to compute */
+    uint64_t vertices_unphysical;   /* vertices, times channels, that `physical` moved into the physically realizable range;
+                                       pixels are not counted */
     uint64_t light_columns_skipped; /* Stokes components of the light that are zero everywhere, times channels */
     uint64_t response_rows_skipped; /* Stokes components that no material reflects, times channels */
     uint64_t channels_shared;       /* colour channels of light that equal another and are not computed again */
-    uint64_t response_bytes;        /* material tables */
-    uint64_t visibility_bytes;      /* visibility by direction at each vertex */
-    uint64_t transfer_bytes;        /* per-vertex light, shadows, matrices and geometry kept for relight and shade, and of
-                                       pixels that are shaded what they show and how */
-    uint64_t buffer_bytes;          /* OpenGL buffers: vertices and triangles, and what compute shaders work on */
-    uint64_t texture_bytes;         /* OpenGL textures, framebuffer included */
+    uint64_t response_bytes;        /* bytes of material tables */
+    uint64_t visibility_bytes;      /* bytes of visibility by direction at each vertex */
+    uint64_t transfer_bytes;        /* bytes kept for relight and shade: light, shadows, matrices and geometry per vertex,
+                                       and the visible surfaces and the shading of shaded pixels */
+    uint64_t buffer_bytes;          /* bytes of OpenGL buffers: vertices, triangles, and work space of compute shaders */
+    uint64_t texture_bytes;         /* bytes of OpenGL textures, framebuffer included */
     uint64_t camera_rays;           /* reference: rays from the camera */
     uint64_t shadow_rays;           /* reference: rays towards the light */
-    double trace_ms;                /* reference: tracing rays */
-    uint32_t compute;               /* 1: compute shaders relight and shade, 0: threads do */
-    uint32_t order_low;             /* of the light that was rendered, as the option says or as was chosen */
-    double predicted_error;         /* where a tolerance was given: of the orders left out; may exceed it where no orders
-                                       reach it. Interpolation between vertices is not in it */
-    /* What this render recomputed; 0 if all was kept from the one before. */
-    uint64_t lights_projected;      /* environments to coefficients */
-    uint64_t materials_projected;   /* tables, matrices and sets of lobes of materials, from the cache folder too */
-    uint64_t vertices_traced;       /* that the bake traced rays from */
-    uint64_t matrices_baked;        /* dense: of vertices */
-    uint64_t vertices_relit;        /* into whose frames light was brought */
-    uint64_t vertices_shaded;       /* whose Stokes vectors were computed */
-    uint64_t pixels_shaded;         /* likewise */
-    uint64_t vertices_added;        /* where the bake split triangles; as they are, recomputed or not */
-    uint64_t local_lights;          /* lights beside the environment: the scene's, each instance that emits light, and ... */
-    uint64_t lights_split;          /* ... those that were taken out of the environment */
-    uint64_t light_rays;            /* real-time methods: rays from vertices and pixels to these lights */
-    double light_ms;                /* of shade_ms: these lights and their shadows */
+    double trace_ms;                /* reference: time of tracing rays */
+    uint32_t compute;               /* 1 if compute shaders relit and shaded, 0 if threads did */
+    uint32_t order_low;             /* order_low of the rendered light, as the option says or as it was chosen */
+    double predicted_error;         /* predicted error of the orders left out, if a tolerance was given; may exceed a tolerance
+                                       that no orders reach; interpolation between vertices is not included */
+    /* Counts of recomputed work, up to pixels_shaded; 0 if all was kept from the render before. */
+    uint64_t lights_projected;      /* environments projected to coefficients */
+    uint64_t materials_projected;   /* tables, matrices and sets of lobes of materials, also from the cache folder */
+    uint64_t vertices_traced;       /* vertices from which the bake traced rays */
+    uint64_t matrices_baked;        /* dense: matrices of vertices */
+    uint64_t vertices_relit;        /* vertices into whose frames light was brought */
+    uint64_t vertices_shaded;       /* vertices whose Stokes vectors were computed */
+    uint64_t pixels_shaded;         /* pixels whose Stokes vectors were computed */
+    uint64_t vertices_added;        /* vertices that the bake added by splitting triangles, whether recomputed or kept */
+    uint64_t local_lights;          /* local lights: the scene's, each instance that emits light, and lights_split */
+    uint64_t lights_split;          /* extracted lights that were taken out of the environment */
+    uint64_t light_rays;            /* real-time methods: rays from vertices and pixels to local lights */
+    double light_ms;                /* part of shade_ms for local lights and their shadows */
 } nicol_statistics;
 /* clang-format on */
 #define NICOL_STATISTICS_INIT                                                                                \
@@ -1256,7 +1383,7 @@ typedef struct nicol_statistics {
             0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0                                                      \
     }
 
-/* All zeros before the first render. */
+/* Gets the statistics of the last render into a framebuffer: all zeros before the first render. */
 NICOL_API nicol_result nicol_framebuffer_get_statistics(nicol_framebuffer framebuffer,
                                                         nicol_statistics* statistics);
 
@@ -1267,46 +1394,47 @@ typedef uint32_t nicol_plane;
 #define NICOL_PLANE_S1 1
 #define NICOL_PLANE_S2 2
 #define NICOL_PLANE_S3 3
-#define NICOL_PLANE_STOKES 4 /* four floats a pixel */
+#define NICOL_PLANE_STOKES 4 /* Stokes vector, four floats per pixel */
 #define NICOL_PLANE_DOLP 5   /* degree of linear polarization; 0 where s0 <= 0 */
 /* Angle of linear polarization, radians in (-pi/2, pi/2], counter-clockwise from image right. */
 #define NICOL_PLANE_AOLP 6
-/* The following exist only if the last render into the framebuffer made them (NICOL_AOV_...), and but for
- * NICOL_PLANE_VARIANCE have no colour channels. */
-#define NICOL_PLANE_DEPTH 7 /* distance along the camera's +z; +infinity where there is no surface */
-#define NICOL_PLANE_NORMAL                                                                              \
-    8 /* three numbers a pixel: the unit shading normal in the world, of a surface with two             \
-         sides on the one that is seen, of others on the front; 0 without a surface, and where those of \
-         samples cancel */
-#define NICOL_PLANE_POSITION 9  /* three numbers a pixel: the point in the world; 0 without a surface */
-#define NICOL_PLANE_INSTANCE 10 /* a uint32_t a pixel: the instance's id, or NICOL_NO_INSTANCE */
+/* Depth: distance along the camera's +z; +infinity without a surface. This plane and all planes below exist
+ * only if the last render into the framebuffer made them (NICOL_AOV_...), and only NICOL_PLANE_VARIANCE has
+ * colour channels. */
+#define NICOL_PLANE_DEPTH 7
+/* Unit shading normal in the world: on the visible side of a two-sided surface, else on the front. */
+#define NICOL_PLANE_NORMAL \
+    8 /* three floats per pixel; 0 without a surface, and where the normals of a pixel's samples cancel */
+#define NICOL_PLANE_POSITION 9  /* point in the world, three floats per pixel; 0 without a surface */
+#define NICOL_PLANE_INSTANCE 10 /* id of the instance, one uint32_t per pixel, or NICOL_NO_INSTANCE */
 #define NICOL_NO_INSTANCE 0xffffffffu
-/* Four floats a pixel and colour channel: the variance of each Stokes component of the pixel over seeds,
- * whose square root is its standard error; in framebuffers of luminance that of the luminance. It is
- * estimated from the means of four groups of the pixel's samples (as many as there are samples below four),
- * so that it is itself noisy, as a chi-square of 3 degrees of freedom is. On average it is an upper bound,
- * since all samples of a pixel together are spread better than those of a group: 1 to 2 times the variance on
- * most surfaces and 3 times at outlines under smooth light, where measured. At most the largest float. */
+/* Variance of each Stokes component of a pixel over seeds, whose square root is the standard error: four
+ * floats per pixel and colour channel, at most the largest float. Framebuffers of luminance have the variance
+ * of the luminance. The variance is estimated from the means of four groups of the pixel's samples (as many
+ * groups as samples below four), so that the estimate itself is as noisy as a chi-square of 3 degrees of
+ * freedom. On average the estimate is an upper bound, because all samples of a pixel together are spread
+ * better than those of a group: in measurements, 1 to 2 times the variance on most surfaces, and 3 times at
+ * outlines under smooth light. */
 #define NICOL_PLANE_VARIANCE 11
-/* Coverage: the fraction of a pixel's samples (of the reference method: of its rays) that show a surface,
- * seen from the front or from behind; 1 or 0 with one sample. The Stokes image is not multiplied by it: it
- * has the environment behind the surfaces, weighted by 1 - alpha, and without an environment black. */
+/* Coverage: the fraction of a pixel's samples (with the reference method, of its rays) that show a surface,
+ * from the front or from behind; 1 or 0 with one sample. The Stokes image is not multiplied by the coverage,
+ * and has the environment behind the surfaces, weighted by 1 - alpha, or black without an environment. */
 #define NICOL_PLANE_ALPHA 12
 
-/* Copies one plane of one colour channel, first row at the top. row_stride in bytes, 0: tightly packed;
- * byte_size is what pixels has room for. NICOL_ERROR_INVALID_ARGUMENT for a plane that is not there and for
- * NICOL_PLANE_INSTANCE, which holds no floats. */
+/* Copies one plane of one colour channel, first row at the top. row_stride is in bytes; 0: tightly packed.
+ * byte_size is the room at pixels, in bytes. Returns NICOL_ERROR_INVALID_ARGUMENT for a plane that does not
+ * exist, and for NICOL_PLANE_INSTANCE, which holds no floats. */
 NICOL_API nicol_result nicol_framebuffer_read(nicol_framebuffer framebuffer, nicol_plane plane,
                                               uint32_t channel, float* pixels, uint64_t row_stride,
                                               uint64_t byte_size);
 
 typedef uint32_t nicol_format;
-#define NICOL_FORMAT_AUTOMATIC 0 /* float32, and uint32 of NICOL_PLANE_INSTANCE */
+#define NICOL_FORMAT_AUTOMATIC 0 /* float32; uint32 for NICOL_PLANE_INSTANCE */
 #define NICOL_FORMAT_FLOAT32 1
-#define NICOL_FORMAT_FLOAT16                                                               \
-    2 /* IEEE 754 half precision, rounded to the nearest, ties to even; beyond 65504 it is \
-         infinite, below 2^-24 in steps of that: scale the light where that matters */
-#define NICOL_FORMAT_UINT32 3 /* of NICOL_PLANE_INSTANCE alone */
+/* IEEE 754 half precision, rounded to the nearest, ties to even. */
+#define NICOL_FORMAT_FLOAT16 \
+    2 /* infinite beyond 65504 and in steps of 2^-24 for small values: scale the light if this matters */
+#define NICOL_FORMAT_UINT32 3 /* for NICOL_PLANE_INSTANCE alone */
 
 #define NICOL_ALL_CHANNELS 0xffffffffu
 
@@ -1314,90 +1442,95 @@ typedef struct nicol_plane_buffer {
     uint32_t struct_size;
     nicol_plane plane;
     nicol_format format;
-    uint32_t channel;    /* counted from 0; NICOL_ALL_CHANNELS: every one, interleaved. 0 of planes without
-                            channels */
-    void* pixels;        /* [row][column][channel][component], first row at the top; aligned to its numbers */
-    uint64_t row_stride; /* bytes from row to row, a multiple of a number's; 0: tightly packed */
-    uint64_t byte_size;  /* of what pixels has room for; checked */
+    /* Colour channel, counted from 0, or NICOL_ALL_CHANNELS: every channel, interleaved; default 0. Planes
+     * without channels need 0. */
+    uint32_t channel;
+    /* Room for [row][column][channel][component], first row at the top; aligned to its numbers. */
+    void* pixels;
+    /* Bytes from row to row, a multiple of a number's size; 0, the default: tightly packed. */
+    uint64_t row_stride;
+    uint64_t byte_size; /* room at pixels, bytes; checked */
 } nicol_plane_buffer;
 #define NICOL_PLANE_BUFFER_INIT \
     { sizeof(nicol_plane_buffer), 0, 0, 0, 0, 0, 0 }
 
-/* Copies a plane in the format and with the channels of `to`; bytes between rows are not written. A call that
+/* Copies a plane in the format and with the channels of `to`. Bytes between rows are not written. A call that
  * fails writes nothing. */
 NICOL_API nicol_result nicol_framebuffer_read_plane(nicol_framebuffer framebuffer,
                                                     const nicol_plane_buffer* to);
 /* clang-format off */
-/* Channels of 32-bit floats, named by the number of colour channels:
+/* Writes an OpenEXR file of 32-bit floats, whose channels are named by the number of colour channels:
  *   3             R G B (which are s0) and S0.R S0.G S0.B to S3.R S3.G S3.B, as Mitsuba 3's stokes integrator
  *   1             Y (which is s0) and S0.Y to S3.Y
  *   2, 4 to 16    S0.0 S0.1 ... to S3.0 S3.1 ...
- * and of the last render's AOVs Z (depth), N.X N.Y N.Z, P.X P.Y P.Z, id (32-bit unsigned), A (alpha; R G B still
- * have the environment) and, of each Stokes channel, variance.S0.R ... variance.S3.B. */
+ * AOVs of the last render are Z (depth), N.X N.Y N.Z, P.X P.Y P.Z, id (32-bit unsigned), A (alpha; R G B still have the
+ * environment) and, for each Stokes channel, variance.S0.R ... variance.S3.B. */
 /* clang-format on */
 NICOL_API nicol_result nicol_framebuffer_write_exr(nicol_framebuffer framebuffer, const char* path);
 
 typedef uint32_t nicol_observation_kind;
-#define NICOL_OBSERVATION_S0 0        /* tone-mapped with the sRGB curve */
-#define NICOL_OBSERVATION_S1 1        /* red negative, green positive, linear */
-#define NICOL_OBSERVATION_S2 2        /* likewise */
-#define NICOL_OBSERVATION_S3 3        /* likewise */
-#define NICOL_OBSERVATION_DOLP 4      /* black 0, white 1 */
-#define NICOL_OBSERVATION_AOLP 5      /* hue = angle / 180 degrees, value = DoLP */
-#define NICOL_OBSERVATION_POLARIZER 6 /* behind an ideal linear polarizer, tone-mapped like s0 */
+#define NICOL_OBSERVATION_S0 0        /* s0, tone-mapped with the sRGB curve */
+#define NICOL_OBSERVATION_S1 1        /* s1: red negative, green positive, linear */
+#define NICOL_OBSERVATION_S2 2        /* s2: red negative, green positive, linear */
+#define NICOL_OBSERVATION_S3 3        /* s3: red negative, green positive, linear */
+#define NICOL_OBSERVATION_DOLP 4      /* DoLP: black 0, white 1 */
+#define NICOL_OBSERVATION_AOLP 5      /* AoLP: hue = angle / 180 degrees, value = DoLP */
+#define NICOL_OBSERVATION_POLARIZER 6 /* light behind an ideal linear polarizer, tone-mapped as s0 */
 
 typedef struct nicol_observation {
     uint32_t struct_size;
     nicol_observation_kind kind;
-    float exposure; /* stops; s0 and polarizer */
-    float scale;    /* s1..s3: the value shown at full colour; 0: automatic, the largest in the image. Written
-                       into the file. */
-    float polarizer_angle; /* degrees counter-clockwise from image right */
+    float exposure; /* exposure of s0 and polarizer, stops, default 0 */
+    /* Value of s1..s3 that is shown at full colour; 0, the default: automatic, the largest value in the
+     * image. The file states the scale. */
+    float scale;
+    float polarizer_angle; /* angle of the polarizer, degrees counter-clockwise from image right, default 0 */
 } nicol_observation;
 #define NICOL_OBSERVATION_INIT \
     { sizeof(nicol_observation), 0, 0, 0, 0 }
 
-/* 8-bit RGB. S0 and POLARIZER need a framebuffer of 1 or 3 channels; the others show the mean of the
- * channels. */
+/* Writes a PNG file of 8-bit RGB. S0 and POLARIZER need a framebuffer of 1 or 3 channels; the other kinds
+ * show the mean of the channels. */
 NICOL_API nicol_result nicol_framebuffer_write_png(nicol_framebuffer framebuffer,
                                                    const nicol_observation* observation, const char* path);
 
 /* ---------------------------------------------------------------- inside a host's OpenGL */
 
 /* clang-format off */
-/* A context can be the caller's own, so that images stay on the device: no context is made current, no OpenGL thread
+/* A context can be the caller's own, so that images stay on the device. No context is then made current, no OpenGL thread
  * is started, and nicol_framebuffer_get_texture and nicol_framebuffer_draw_... give access to the images.
  *
- *   Current       That OpenGL context, and no other, must be current on the calling thread in nicol_context_create_host
- *                 and in every call that uses OpenGL: nicol_framebuffer_create, nicol_render, and what reads, writes
- *                 and draws images. Else they fail with NICOL_ERROR_NOT_CURRENT and touch nothing. It may move from
- *                 thread to thread.
- *   State         All of the host's OpenGL state is as before when a call returns: what Nicol changes it saves and
- *                 restores, and what it depends on (scissor, masks, pixel storage, ...) it sets and restores. Objects
- *                 are made with new names and others are left alone. Active queries of the host count what is drawn,
- *                 and its debug callback gets the driver's messages about Nicol's commands.
- *   Refused       with NICOL_ERROR_UNSUPPORTED are calls in states that cannot be restored, or in which nothing is
- *                 drawn: transform feedback that is not paused, conditional rendering, a current program that is
- *                 deleted or whose last link failed; in compatibility contexts also a display list that is compiled
- *                 and a render mode other than GL_RENDER.
- *   Errors        that the host left pending stay pending: glGetError returns after a call what it would have returned
- *                 before, and no error of Nicol's. For an error that cannot be made pending again, GL_STACK_OVERFLOW,
- *                 GL_STACK_UNDERFLOW or GL_CONTEXT_LOST, the call takes the error, fails with NICOL_ERROR_OPENGL and
- *                 names it. nicol_context_create_host leaves pending errors alone.
- *   Callbacks     that come while Nicol renders must not call OpenGL.
- *   Jobs          bake, project and shade on a thread of Nicol's, while the host goes on. The OpenGL commands that they
- *                 give wait until the host lends its context: a call of nicol_job_poll where it is current gives those
- *                 that are ready, and nicol_job_wait, or any call that waits for the job, gives them as they come.
- *                 Waiting where it is not current is NICOL_ERROR_NOT_CURRENT. A job that waits for the context after
- *                 the last handle of its objects was released is cancelled.
- *   Times         of verbs that work on the device are those of giving the commands, which the host's follow in order.
- *   Release       where the context is current deletes its OpenGL objects at once. Elsewhere they are deleted by the
- *                 next call while it is current, or with the host's context. Release everything before the OpenGL
- *                 library is unloaded.
+ *   Current       The host's OpenGL context, and no other, must be current on the calling thread in
+ *                 nicol_context_create_host and in every call that uses OpenGL: nicol_framebuffer_create, nicol_render,
+ *                 and calls that read, write and draw images. If the context is not current, such a call fails with
+ *                 NICOL_ERROR_NOT_CURRENT and touches nothing. The context may move from thread to thread.
+ *   State         All OpenGL state of the host is as before when a call returns. Nicol saves and restores the state that
+ *                 it changes, and sets and restores the state on which it depends (scissor, masks, pixel storage, ...).
+ *                 Nicol makes objects with new names and leaves other objects alone. Active queries of the host count
+ *                 what Nicol draws, and the host's debug callback gets the driver's messages about Nicol's commands.
+ *   Refused       Calls fail with NICOL_ERROR_UNSUPPORTED in states that cannot be restored, or in which nothing is
+ *                 drawn: transform feedback that is not paused, conditional rendering, a current program that is deleted
+ *                 or whose last link failed; in compatibility contexts also a display list that is being compiled and a
+ *                 render mode other than GL_RENDER.
+ *   Errors        Errors that the host left pending stay pending: glGetError returns after a call the error that it would
+ *                 have returned before, and no error of Nicol's. GL_STACK_OVERFLOW, GL_STACK_UNDERFLOW and
+ *                 GL_CONTEXT_LOST cannot be made pending again: the call takes the error, fails with NICOL_ERROR_OPENGL
+ *                 and names the error. nicol_context_create_host leaves pending errors alone.
+ *   Callbacks     Callbacks during a render must not call OpenGL.
+ *   Jobs          Jobs bake, project and shade on a thread of Nicol's, while the host goes on. The OpenGL commands of jobs
+ *                 wait until the host lends its context. A call of nicol_job_poll where the context is current gives the
+ *                 commands that are ready. nicol_job_wait, or any call that waits for the job, gives commands as they
+ *                 come, and fails with NICOL_ERROR_NOT_CURRENT where the context is not current. A job that waits for
+ *                 the context is cancelled when the last handle of the context's objects has been released.
+ *   Times         The time of a verb that works on the device is the time of giving its commands; the host's commands
+ *                 follow in order.
+ *   Release       A release where the context is current deletes the object's OpenGL objects at once. Otherwise the next
+ *                 call where the context is current deletes them, or the end of the host's context does. Release
+ *                 everything before the OpenGL library is unloaded.
  */
 /* clang-format on */
-/* The address of an OpenGL function by its name, as from SDL_GL_GetProcAddress, eglGetProcAddress and others.
- */
+/* Returns the address of an OpenGL function by its name, as SDL_GL_GetProcAddress, eglGetProcAddress and
+ * others do. */
 typedef void* (*nicol_get_proc_address_callback)(void* user, const char* name);
 /* Returns 1 if the host's context is current on the calling thread, else 0. */
 typedef int32_t (*nicol_is_current_callback)(void* user);
@@ -1406,23 +1539,24 @@ typedef struct nicol_host {
     uint32_t struct_size;
     uint32_t reserved; /* 0 */
     nicol_get_proc_address_callback get_proc_address;
-    /* NULL: OpenGL is queried, which needs OpenGL functions that may be called without a context, as with
-     * libglvnd and Mesa. */
+    /* Callback that tells whether the context is current. NULL, the default: OpenGL is queried, which needs
+     * OpenGL functions that may be called without a context, as with libglvnd and Mesa. */
     nicol_is_current_callback is_current;
-    void* user; /* of both; used until the last object of the context is released */
+    void* user; /* argument of both callbacks; used until the last object of the context is released */
 } nicol_host;
 #define NICOL_HOST_INIT \
     { sizeof(nicol_host), 0, 0, 0, 0 }
 
-/* A context inside the one that is current: OpenGL 4.5 or newer, of the core or the compatibility profile.
- * options as of nicol_context_create, backend and device 0. NICOL_ERROR_NOT_CURRENT if is_current returns 0,
- * NICOL_ERROR_NO_BACKEND where there is no such OpenGL. */
+/* Creates a context inside the OpenGL context that is current: OpenGL 4.5 or newer, of the core or the
+ * compatibility profile. options are those of nicol_context_create, with backend and device 0. Returns
+ * NICOL_ERROR_NOT_CURRENT if is_current returns 0, and NICOL_ERROR_NO_BACKEND if there is no such
+ * OpenGL. */
 NICOL_API nicol_result nicol_context_create_host(const nicol_host* host, const nicol_context_options* options,
                                                  nicol_context* context);
 
 typedef struct nicol_gl_texture {
     uint32_t struct_size;
-    uint32_t name;            /* OpenGL's */
+    uint32_t name;            /* OpenGL's name of the texture */
     uint32_t target;          /* GL_TEXTURE_2D */
     uint32_t internal_format; /* GL_RGBA32F */
     uint32_t width;
@@ -1431,34 +1565,40 @@ typedef struct nicol_gl_texture {
 #define NICOL_GL_TEXTURE_INIT \
     { sizeof(nicol_gl_texture), 0, 0, 0, 0, 0 }
 
-/* The texture of a colour channel: a texel is the Stokes vector (s0, s1, s2, s3), row 0 is the image's TOP.
- * The name is valid, and stays the same, until the framebuffer is released; the content is that of the last
- * render. It may be sampled, and its filters and wrap modes changed, but not its swizzle; it must neither be
- * written nor deleted.
- * NICOL_ERROR_UNSUPPORTED for a framebuffer whose context is not a host's, as for the functions below. */
+/* Gets the texture of a colour channel: a texel is the Stokes vector (s0, s1, s2, s3), and row 0 is the
+ * image's TOP. The name is valid, and stays the same, until the framebuffer is released; the content is that
+ * of the last render. The host may sample the texture and change its filters and wrap modes, but not its
+ * swizzle, and must neither write nor delete the texture. Returns NICOL_ERROR_UNSUPPORTED for a framebuffer
+ * whose context is not a host's. */
 NICOL_API nicol_result nicol_framebuffer_get_texture(nicol_framebuffer framebuffer, uint32_t channel,
                                                      nicol_gl_texture* texture);
 
 typedef uint32_t nicol_encoding;
-#define NICOL_ENCODING_LINEAR 0 /* radiance; stored as far as the texture's format goes */
-#define NICOL_ENCODING_SRGB 1   /* clipped to 0 to 1 and through the sRGB curve, as in PNG files */
+#define NICOL_ENCODING_LINEAR 0 /* radiance, stored as far as the texture's format goes */
+#define NICOL_ENCODING_SRGB 1   /* radiance clipped to 0 to 1, through the sRGB curve, as in PNG files */
 
-/* A texture of the host's to draw into: level 0 of a GL_TEXTURE_2D of GL_RGBA8, GL_SRGB8_ALPHA8, GL_RGBA16F
- * or GL_RGBA32F, as large as the framebuffer. */
+/* Texture of the host's to draw into: level 0 of a GL_TEXTURE_2D of GL_RGBA8, GL_SRGB8_ALPHA8, GL_RGBA16F or
+ * GL_RGBA32F, as large as the framebuffer. */
 typedef struct nicol_texture_target {
     uint32_t struct_size;
-    uint32_t texture;
-    uint32_t bottom_up;      /* 0: row 0 is the image's top; 1: its bottom, as OpenGL's own images have it */
-    nicol_encoding encoding; /* of the images S0 and POLARIZER; SRGB8_ALPHA8 gets these numbers as they are */
+    uint32_t texture; /* OpenGL's name of the texture */
+    /* Meaning of row 0. 0, the default: the image's top; 1: the image's bottom, as in OpenGL's own
+     * images. */
+    uint32_t bottom_up;
+    /* Encoding of the images S0 and POLARIZER, default linear. SRGB8_ALPHA8 gets the encoded numbers
+     * unchanged. */
+    nicol_encoding encoding;
 } nicol_texture_target;
 #define NICOL_TEXTURE_TARGET_INIT \
     { sizeof(nicol_texture_target), 0, 0, 0 }
 
-/* Copies the Stokes vectors of a channel. Nothing is read back. */
+/* Copies the Stokes vectors of a channel into a texture; nothing is read back. Returns
+ * NICOL_ERROR_UNSUPPORTED for a framebuffer whose context is not a host's. */
 NICOL_API nicol_result nicol_framebuffer_draw_stokes(nicol_framebuffer framebuffer, uint32_t channel,
                                                      const nicol_texture_target* target);
-/* The image that nicol_framebuffer_write_png would write, as red, green, blue and alpha 1. s1 to s3 need a
- * scale above 0 here, since nothing is read back. */
+/* Draws the image of nicol_framebuffer_write_png into a texture, as red, green, blue and alpha 1. s1 to s3
+ * need a scale above 0, because nothing is read back. Returns NICOL_ERROR_UNSUPPORTED for a framebuffer whose
+ * context is not a host's. */
 NICOL_API nicol_result nicol_framebuffer_draw_observation(nicol_framebuffer framebuffer,
                                                           const nicol_observation* observation,
                                                           const nicol_texture_target* target);

@@ -20,7 +20,7 @@
 
 namespace nicol {
 
-/// A function that failed: its result, and nicol_last_error() as what().
+/// Failure of a function: result() is its result code, and what() the message of nicol_last_error().
 class Error : public std::runtime_error {
 public:
     Error(nicol_result result, const char* message) : std::runtime_error(message), result_(result) {}
@@ -30,8 +30,8 @@ private:
     nicol_result result_;
 };
 
-/// Throws Error unless the function succeeded. To be called on its thread, before the next function fails
-/// there.
+/// Throws Error unless `result` is NICOL_OK. Must be called on the thread of the function that returned
+/// `result`, before another function fails on this thread.
 inline void check(nicol_result result) {
     if (result != NICOL_OK) throw Error(result, nicol_last_error());
 }
@@ -44,8 +44,8 @@ struct Release {
     }
 };
 
-/// One reference to an object: moves, does not copy; get() is the C handle, release() gives the reference
-/// away.
+/// Owner of one reference to an object; movable, not copyable. get() returns the C handle, and release()
+/// gives the reference away.
 template <class Handle, auto release>
 using Owned = std::unique_ptr<std::remove_pointer_t<Handle>, Release<release>>;
 
@@ -59,7 +59,8 @@ using Framebuffer = Owned<nicol_framebuffer, nicol_framebuffer_release>;
 using Job = Owned<nicol_job, nicol_job_release>;
 using PshTransform = Owned<nicol_psh_transform, nicol_psh_transform_release>;
 
-/// Calls a function whose last parameter receives a new handle. Throws Error.
+/// Calls a function whose last parameter receives a new handle, and returns the handle's owner. Throws Error
+/// if the function fails.
 template <class Object, class... Parameters, class... Arguments>
 [[nodiscard]] Object create(nicol_result (*function)(Parameters...), Arguments&&... arguments) {
     typename Object::pointer handle = nullptr;

@@ -156,8 +156,8 @@ PshKernelCallback = Callback(c_int32, (c_void_p, None), (c_double, as_is), (POIN
 
 
 class Spectrum(Struct):
-    """One value a colour channel. count 0: not given, the default of where it is used; 1: the same in every
-    channel; else the scene's channel count."""
+    """Values per colour channel. count 0: not given, so that the default of the field or argument applies; 1: one
+    value for every channel; else the scene's number of channels."""
     _fields_ = [
         ("count", c_uint32),
         ("values", c_float * 16),
@@ -221,8 +221,9 @@ class ContextInfo(Struct):
 
 
 class Image(Struct):
-    """An equirectangular image over the directions light comes FROM, in Mitsuba 3's layout: column u = atan2(x,
-    -z) / 2 pi (pixel-centred), row v = acos(y) / pi (row 0 is the pole itself, the last row the other pole)."""
+    """Equirectangular image over the directions that light comes FROM, in Mitsuba 3's layout: column u = atan2(x,
+    -z) / 2 pi (pixel-centred), row v = acos(y) / pi (row 0 is the pole itself, the last row the other
+    pole)."""
     _callbacks_ = {"release": ReleaseCallback}
     _fields_ = [
         ("struct_size", c_uint32),
@@ -239,15 +240,16 @@ class Image(Struct):
 
 
 class Sky(Struct):
-    """A clear sky; the sun's own disc is not part of it. At the angle g from the sun its degree of polarization
-    is dop_max sin^2 g / (1 + cos^2 g), the E-vector along sun x view, without s3.
+    """Clear sky without the sun's own disc. At the angle g from the sun, the degree of linear polarization is
+    dop_max sin^2 g / (1 + cos^2 g), the electric field is along sun x view, and s3 is 0.
 
-    With turbidity 0 light is scattered once: radiance * 3/4 (1 + cos^2 g) over the whole sphere, below the
+    Turbidity 0: light is scattered once, with radiance * 3/4 (1 + cos^2 g) over the whole sphere, below the
     horizon too.
 
-    With a turbidity of 1.7 (very clear) to 10 (hazy) brightness and, in three channels, colour follow Perez's
-    formula, mean luminance over the upper half 1, times radiance. Below the horizon is an unpolarized, uniform
-    ground that reflects ground_albedo of each channel's irradiance. The sun must not be below the horizon."""
+    Turbidity 1.7 (very clear) to 10 (hazy): brightness and, in three channels, colour follow Perez's formula,
+    scaled so that the mean luminance over the upper half is 1, times radiance. Below the horizon is an
+    unpolarized, uniform ground that reflects ground_albedo of each channel's irradiance. The sun must not be
+    below the horizon."""
     _fields_ = [
         ("struct_size", c_uint32),
         ("dop_max", c_float),
@@ -317,7 +319,8 @@ class TextureOptions(Struct):
 
 
 class Pplastic(Struct):
-    """Mitsuba 3's pplastic: rough Fresnel reflection over a diffuse base, both polarizing. Front side only."""
+    """Plastic as Mitsuba 3's pplastic: rough Fresnel reflection over a diffuse base, both polarizing. Only the
+    front side reflects."""
     _fields_ = [
         ("struct_size", c_uint32),
         ("distribution", c_uint32),
@@ -339,8 +342,8 @@ class Pplastic(Struct):
 
 
 class Plastic(Struct):
-    """Mitsuba 3's plastic and roughplastic: Fresnel reflection over a diffuse base, both depolarizing;
-    nicol_pplastic is the model that polarizes. Front side only."""
+    """Plastic as Mitsuba 3's plastic and roughplastic: Fresnel reflection over a diffuse base, both depolarizing.
+    nicol_pplastic is the model that polarizes. Only the front side reflects."""
     _fields_ = [
         ("struct_size", c_uint32),
         ("distribution", c_uint32),
@@ -361,8 +364,8 @@ class Plastic(Struct):
 
 
 class Principled(Struct):
-    """Mitsuba 3's principled, Disney's material, without what it transmits. It depolarizes. Front side only.
-    Numbers are 0 to 1, by default 0."""
+    """Disney's material as Mitsuba 3's principled, without the light that it transmits. The material depolarizes.
+    Only the front side reflects. Numbers are 0 to 1, default 0, unless stated otherwise."""
     _fields_ = [
         ("struct_size", c_uint32),
         ("eta", c_float),
@@ -397,9 +400,10 @@ class Principled(Struct):
 
 
 class Conductor(Struct):
-    """Mitsuba 3's conductor and roughconductor: single reflection off the facets of an opaque metal. The complex
-    index is eta - i k, relative to air. With k 0 and eta the index of a dielectric it is what the surface of
-    that reflects, as of glass whose inside is not seen. Front side only."""
+    """Metal as Mitsuba 3's conductor and roughconductor: single reflection off the facets of an opaque metal. The
+    complex index is eta - i k, relative to air. With k = 0 and the index of a dielectric as eta, the material
+    reflects like the surface of the dielectric, such as glass whose inside is not seen. Only the front side
+    reflects."""
     _fields_ = [
         ("struct_size", c_uint32),
         ("distribution", c_uint32),
@@ -454,7 +458,8 @@ class CallbackMaterial(Struct):
 
 
 class MeshData(Struct):
-    """All numbers must be finite, indices valid. Triangles without area are left out, and logged once."""
+    """Triangles in memory. All numbers must be finite and all indices valid. Triangles without area are left out,
+    and logged once."""
     _fields_ = [
         ("struct_size", c_uint32),
         ("vertex_count", c_uint32),
@@ -489,21 +494,23 @@ class Camera(Struct):
     }
 
     def look_at(self, origin, target, up):
-        """A camera at `origin` that looks at `target`; sets to_world alone. `up` must not lie along the view."""
+        """Sets to_world, and no other field, to that of a camera at `origin` that looks at `target`. `up` must not
+        lie along the view."""
         check(_camera_look_at(byref(self), array(origin, c_double, 3), array(target, c_double, 3), array(up, c_double, 3)))
         return self
 
 
 class Polarization(Struct):
-    """How what a light emits is polarized, all of it the same. Its frame, seen by who looks into the light:
+    """Polarization of the emission of a light, equal in all directions. The frame, as seen by a viewer who looks into the
+    light:
 
      y|  / E-vector
-      | /    z  comes towards the viewer, along the light
-      |/     x  is the part of axis across z (of an axis along z, the direction of growing angle from the light's own +z)
+      | /    z  points towards the viewer, along the light
+      |/     x  is the part of axis perpendicular to z (for an axis along z: growing angle from the light's own +z)
       +---x  y  = z cross x; the AoLP counts from x to y, counter-clockwise
 
-    A sheet polarizer before the light that absorbs along `axis` is dolp 1 and aolp pi / 2, seen from anywhere; a
-    quarter-wave plate behind it docp 1 or -1."""
+    A sheet polarizer before the light that absorbs along `axis` is dolp 1 and aolp pi / 2, seen from anywhere. A
+    quarter-wave plate behind this polarizer gives docp 1 or -1."""
     _fields_ = [
         ("dolp", c_double),
         ("aolp", c_double),
@@ -516,9 +523,9 @@ class Polarization(Struct):
 
 
 class Light(Struct):
-    """A light without a surface, beside the environment. In its own axes it emits light along +z, from the origin
-    where it has a place; +y is up and +x to the left of who looks along +z, as of cameras. Fields of other
-    kinds have no effect."""
+    """Local light without a surface, beside the environment. In its own axes the light emits along +z, from the
+    origin unless it is directional. +y is up, and +x is to the left of a viewer who looks along +z, as for
+    cameras. Fields of other kinds have no effect."""
     _fields_ = [
         ("struct_size", c_uint32),
         ("kind", c_uint32),
@@ -545,7 +552,7 @@ class Light(Struct):
 
 
 class Emission(Struct):
-    """What an instance emits, beside what it reflects."""
+    """Emission of an instance, in addition to its reflection."""
     _fields_ = [
         ("struct_size", c_uint32),
         ("two_sided", c_uint32),
@@ -560,18 +567,20 @@ class Emission(Struct):
 
 
 class PolarizationElement(Struct):
-    """An ideal, infinitely thin sheet. The camera sees what is behind it through its Mueller matrix; several along a ray
-    act in their order. It casts no shadow, and light passes it unchanged on its way to surfaces.
-    In its own axes it lies in the plane z = 0 about the origin; light passes both ways alike.
+    """Ideal, infinitely thin polarization element. The camera sees what is behind the element through its Mueller matrix.
+    Several elements along a ray act in their order. An element casts no shadow, and light passes it unchanged on its way
+    to surfaces. In its own axes an element lies in the plane z = 0 about the origin; light passes in both directions with
+    equal effect.
 
       y
       |  / axis   x  is where to_world takes the element's x, z its normal, and y = z cross x
       | /) angle
       +------x
 
-    Light at an angle to the normal is treated as by Mitsuba 3: a polarizer absorbs along what is across the ray of the
-    direction that it absorbs, retardance is times the cosine of that angle. A fast axis is what is across the ray of it,
-    where Mitsuba 3.9 rotates it with the tilt."""
+    Light at an angle to the normal is treated as in Mitsuba 3. A polarizer absorbs along the part of its absorbing axis
+    that is perpendicular to the ray. The retardance is multiplied by the cosine of the angle. The effective fast axis of
+    a retarder is the part of its fast axis that is perpendicular to the ray, whereas Mitsuba 3.9 rotates the fast axis
+    with the tilt."""
     _fields_ = [
         ("struct_size", c_uint32),
         ("kind", c_uint32),
@@ -613,6 +622,8 @@ class SceneFile(Struct):
 
 
 class RenderOptions(Struct):
+    """Options of a render. The reference method uses only samples, seed, shadows, aovs, progress and
+    NICOL_OPTIMISATION_UNCHANGED; the other options are those of the factored and the dense method."""
     _callbacks_ = {"progress": ProgressCallback}
     _fields_ = [
         ("struct_size", c_uint32),
@@ -758,8 +769,8 @@ class GlTexture(Struct):
 
 
 class TextureTarget(Struct):
-    """A texture of the host's to draw into: level 0 of a GL_TEXTURE_2D of GL_RGBA8, GL_SRGB8_ALPHA8, GL_RGBA16F
-    or GL_RGBA32F, as large as the framebuffer."""
+    """Texture of the host's to draw into: level 0 of a GL_TEXTURE_2D of GL_RGBA8, GL_SRGB8_ALPHA8, GL_RGBA16F or
+    GL_RGBA32F, as large as the framebuffer."""
     _fields_ = [
         ("struct_size", c_uint32),
         ("texture", c_uint32),
@@ -817,8 +828,8 @@ class FileOptions(Struct):
 
 
 class LightReport(Struct):
-    """What a light is, by channel; means and parts are over the sphere by solid angle, of the image that would
-    be written."""
+    """Report of a light, by channel. Means and fractions are taken over the sphere, weighted by solid angle, for
+    the image that would be written."""
     _fields_ = [
         ("struct_size", c_uint32),
         ("kind", c_uint32),
@@ -842,7 +853,7 @@ class LightReport(Struct):
 
 
 class MaterialReport(Struct):
-    """What a material is, by channel, as far as coefficients up to `order` describe it."""
+    """Report of a material, by channel, as far as coefficients up to `order` describe the material."""
     _fields_ = [
         ("struct_size", c_uint32),
         ("kind", c_uint32),
@@ -864,27 +875,29 @@ class MaterialReport(Struct):
 
 
 class Context(Handle):
-    """an OpenGL context on a thread of its own"""
+    """OpenGL context on its own thread, or a host's"""
 
     @classmethod
     def create(cls, options=None):
-        """options may be NULL: all defaults. NICOL_ERROR_NO_BACKEND if no such OpenGL context can be made."""
+        """Creates a context. options may be NULL: all defaults. Returns NICOL_ERROR_NO_BACKEND if no such OpenGL
+        context can be created."""
         options = lend(options)
         context = cls()
         check(_context_create(byref(options) if options is not None else None, byref(context)))
         return context
 
     def get_info(self):
-        """What was opened, and the limits that hold in it."""
+        """Gets the properties of the OpenGL context, and the limits in effect."""
         info = ContextInfo()
         check(_context_get_info(self, byref(info)))
         return info
 
     @classmethod
     def create_host(cls, host, options=None):
-        """A context inside the one that is current: OpenGL 4.5 or newer, of the core or the compatibility profile.
-        options as of nicol_context_create, backend and device 0. NICOL_ERROR_NOT_CURRENT if is_current returns 0,
-        NICOL_ERROR_NO_BACKEND where there is no such OpenGL."""
+        """Creates a context inside the OpenGL context that is current: OpenGL 4.5 or newer, of the core or the
+        compatibility profile. options are those of nicol_context_create, with backend and device 0. Returns
+        NICOL_ERROR_NOT_CURRENT if is_current returns 0, and NICOL_ERROR_NO_BACKEND if there is no such
+        OpenGL."""
         host = lend(host)
         options = lend(options)
         context = cls()
@@ -897,14 +910,14 @@ class Environment(Handle):
 
     @classmethod
     def load(cls, context, path, options=None):
-        """By the path:
+        """Loads an environment from files in the format that the path names:
           NAME.exr      OpenEXR, equirectangular as nicol_image: R, G, B or Y are unpolarized light; S0.<colour> to
-                        S3.<colour> are polarized, in nicol_image's frames; spectral files (S0.550,000000nm and so on)
-                        have a channel a wavelength.
-          NAME_s0.exr   to NAME_s3.exr, any of them, or NAME alone: a cube map as a cross of 4 x 3 faces, a file for
-                        each Stokes component, as the Python package polarsh has them.
-          NAME.hdr      Radiance HDR; or NAME.png, .jpg, .bmp, .tga, whose colours are decoded from sRGB to 0 to 1: unpolarized
-                        light, equirectangular.
+                        S3.<colour> are polarized light, in nicol_image's frames. Spectral files (S0.550,000000nm and so on)
+                        have one channel per wavelength.
+          NAME_s0.exr   to NAME_s3.exr, any of the four, or NAME alone: a cube map as a cross of 4 x 3 faces, one file per
+                        Stokes component, as the Python package polarsh writes them.
+          NAME.hdr      Radiance HDR, equirectangular, unpolarized light.
+          NAME.png      or NAME.jpg, .bmp, .tga: equirectangular, unpolarized light, decoded from sRGB to 0 to 1.
           NAME.npz      PSH coefficients as polarsh writes them (SHVec).
         options may be NULL: all defaults."""
         environment = cls()
@@ -913,7 +926,7 @@ class Environment(Handle):
 
     @classmethod
     def create_image(cls, context, image):
-        """From memory."""
+        """Creates an environment from an image in memory."""
         image = lend(image)
         environment = cls()
         check(_environment_create_image(context, byref(image) if image is not None else None, byref(environment)))
@@ -921,8 +934,8 @@ class Environment(Handle):
 
     @classmethod
     def create_constant(cls, context, radiance):
-        """Unpolarized and the same from all directions; radiance NULL or not given: 1 in one channel; finite, not
-        negative."""
+        """Creates an environment of unpolarized light that is equal from all directions. radiance is finite and not
+        negative; NULL or not given: 1 in one channel."""
         radiance = radiance if radiance is None or isinstance(radiance, Spectrum) else Spectrum.of(radiance)
         environment = cls()
         check(_environment_create_constant(context, byref(radiance) if radiance is not None else None, byref(environment)))
@@ -930,30 +943,31 @@ class Environment(Handle):
 
     @classmethod
     def create_sky(cls, context, sky):
-        """A clear sky, without its sun."""
+        """Creates a clear sky without the sun's own disc."""
         environment = cls()
         check(_environment_create_sky(context, byref(sky) if sky is not None else None, byref(environment)))
         return environment
 
     @classmethod
     def create_psh(cls, context, order, channels, coefficients):
-        """Light given by PSH coefficients over PROPAGATION directions in the world's axes, [channel][l*l + l + m][4]
-        as nicol_psh.h says; order up to NICOL_PSH_MAX_ORDER (4096), channels 1 to NICOL_MAX_CHANNELS, count =
-        channels * 4 (order+1)^2. p = 1, 2 below l = 2 must be 0. The light is band-limited: it may ring, with s0
-        below 0 and more polarization than light."""
+        """Creates an environment from PSH coefficients over PROPAGATION directions in the world's axes,
+        [channel][l*l + l + m][4] as nicol_psh.h defines. order is up to NICOL_PSH_MAX_ORDER (4096), channels 1 to
+        NICOL_MAX_CHANNELS, and count = channels * 4 (order+1)^2. Coefficients p = 1, 2 below l = 2 must be 0. The
+        light is band-limited and may ring: s0 may be below 0, and the polarization above s0."""
         coefficients = Buffer(coefficients, c_double)
         environment = cls()
         check(_environment_create_psh(context, order, channels, coefficients.pointer, coefficients.count, byref(environment)))
         return environment
 
     def get_info(self):
-        """Properties of the light."""
+        """Gets the properties of the light."""
         info = EnvironmentInfo()
         check(_environment_get_info(self, byref(info)))
         return info
 
     def write(self, options, path):
-        """The same from objects; options without wavelengths."""
+        """Writes an environment to a file in the kind that the path says, as nicol_file_convert does. options may be
+        NULL, and must have no wavelengths."""
         check(_environment_write(self, byref(options) if options is not None else None, text(path)))
 
 
@@ -962,23 +976,24 @@ class Texture(Handle):
 
     @classmethod
     def create_image(cls, context, image, options=None):
-        """Copies the pixels. options may be NULL: all defaults."""
+        """Creates a texture from an image in memory and copies the pixels. options may be NULL: all defaults."""
         texture = cls()
         check(_texture_create_image(context, byref(image) if image is not None else None, byref(options) if options is not None else None, byref(texture)))
         return texture
 
     @classmethod
     def load(cls, context, path, options=None):
-        """PNG, JPEG, BMP, TGA, Radiance HDR, or OpenEXR with R G B or Y; with A as coverage. options may be NULL: all
-        defaults."""
+        """Loads a texture from a file of PNG, JPEG, BMP, TGA, Radiance HDR, or OpenEXR with R G B or Y; A is the
+        coverage. options may be NULL: all defaults."""
         texture = cls()
         check(_texture_load(context, text(path), byref(options) if options is not None else None, byref(texture)))
         return texture
 
     @classmethod
     def create_checkerboard(cls, context, color0, color1, to_uv):
-        """Mitsuba 3's checkerboard of colours: four squares a unit of u and v, color0 at u = v = 0. Colours of 1 or 3
-        values; NULL or not given: 0.4 and 0.2. to_uv as of nicol_texture_options, NULL: identity."""
+        """Creates Mitsuba 3's checkerboard of colours: four squares per unit square of u and v, color0 at u = v = 0.
+        Colours have 1 or 3 values; NULL or not given: 0.4 and 0.2. to_uv is that of nicol_texture_options; NULL:
+        identity."""
         color0 = color0 if color0 is None or isinstance(color0, Spectrum) else Spectrum.of(color0)
         color1 = color1 if color1 is None or isinstance(color1, Spectrum) else Spectrum.of(color1)
         texture = cls()
@@ -987,46 +1002,51 @@ class Texture(Handle):
 
     @classmethod
     def create_vertex_colors(cls, context):
-        """The colours of the mesh's vertices, interpolated."""
+        """Creates a texture of the colours of the mesh's vertices, interpolated."""
         texture = cls()
         check(_texture_create_vertex_colors(context, byref(texture)))
         return texture
 
     @classmethod
     def create_face_colors(cls, context):
-        """The colours of the mesh's triangles. A material takes these or those of vertices, not both."""
+        """Creates a texture of the colours of the mesh's triangles. A material may use colours of triangles or of
+        vertices, not both."""
         texture = cls()
         check(_texture_create_face_colors(context, byref(texture)))
         return texture
 
 
 class Material(Handle):
-    """a polarimetric BRDF; immutable"""
+    """polarimetric BRDF (pBRDF); immutable"""
 
     @classmethod
     def create_pplastic(cls, context, parameters):
-        """NICOL_ERROR_INVALID_ARGUMENT names the field that is out of range."""
+        """Creates a material from nicol_pplastic. The message of NICOL_ERROR_INVALID_ARGUMENT names the field that is
+        out of range."""
         material = cls()
         check(_material_create_pplastic(context, byref(parameters) if parameters is not None else None, byref(material)))
         return material
 
     @classmethod
     def create_plastic(cls, context, parameters):
-        """Likewise."""
+        """Creates a material from nicol_plastic. The message of NICOL_ERROR_INVALID_ARGUMENT names the field that is
+        out of range."""
         material = cls()
         check(_material_create_plastic(context, byref(parameters) if parameters is not None else None, byref(material)))
         return material
 
     @classmethod
     def create_principled(cls, context, parameters):
-        """Likewise; NICOL_ERROR_UNSUPPORTED for a tint of a mesh's colours."""
+        """Creates a material from nicol_principled. The message of NICOL_ERROR_INVALID_ARGUMENT names the field that
+        is out of range. Returns NICOL_ERROR_UNSUPPORTED for a tint of a mesh's colours."""
         material = cls()
         check(_material_create_principled(context, byref(parameters) if parameters is not None else None, byref(material)))
         return material
 
     @classmethod
     def create_diffuse(cls, context, reflectance):
-        """Lambertian and depolarizing; reflectance NULL or not given: 0.5. Front side only."""
+        """Creates a Lambertian, depolarizing material. reflectance is 0 to 1; NULL or not given: 0.5. Only the front
+        side reflects."""
         reflectance = reflectance if reflectance is None or isinstance(reflectance, Spectrum) else Spectrum.of(reflectance)
         material = cls()
         check(_material_create_diffuse(context, byref(reflectance) if reflectance is not None else None, byref(material)))
@@ -1034,87 +1054,95 @@ class Material(Handle):
 
     @classmethod
     def create_conductor(cls, context, parameters):
-        """Likewise; a metal that is not known is refused with the names of those that are."""
+        """Creates a material from nicol_conductor. The message of NICOL_ERROR_INVALID_ARGUMENT names the field that
+        is out of range or, for an unknown metal, the known metals."""
         material = cls()
         check(_material_create_conductor(context, byref(parameters) if parameters is not None else None, byref(material)))
         return material
 
     @classmethod
     def load_measured(cls, context, path, options=None):
-        """Mitsuba 3's measured_polarized: a .pbsdf file, as the KAIST data set has them. It is streamed: about 102 MB
-        stay in memory for each channel at the data set's resolution, half of that where symmetrized. options may
-        be NULL: all defaults. Front side only."""
+        """Loads a material as Mitsuba 3's measured_polarized from a .pbsdf file, such as the KAIST data set has. The
+        file is streamed: about 102 MB per channel stay in memory at the data set's resolution, or half as much if
+        symmetrized. options may be NULL: all defaults. Only the front side reflects."""
         material = cls()
         check(_material_load_measured(context, text(path), byref(options) if options is not None else None, byref(material)))
         return material
 
     @classmethod
     def load_psh(cls, context, path, options=None):
-        """A PSH coefficient matrix a channel, cosine included, of an isotropic material: the .npz files of the Python
-        package polarsh (SHMat in the layout ISOBI2). Light of orders above the matrix's is not reflected. options
-        may be NULL: all defaults. Front side only."""
+        """Loads an isotropic material from one PSH coefficient matrix per channel, cosine included: the .npz files of
+        the Python package polarsh (SHMat in the layout ISOBI2). The material does not reflect light of orders
+        above the matrix's. options may be NULL: all defaults. Only the front side reflects."""
         material = cls()
         check(_material_load_psh(context, text(path), byref(options) if options is not None else None, byref(material)))
         return material
 
     @classmethod
     def create_twosided(cls, context, front):
-        """The back of a surface reflects as its front. `front` may be released afterwards."""
+        """Creates a material whose back side reflects as its front side. `front` may be released afterwards."""
         material = cls()
         check(_material_create_twosided(context, front, byref(material)))
         return material
 
     @classmethod
     def create_scaled(cls, context, base, scale):
-        """A material times a texture: a diffuse one of reflectance 1 then has the texture's colours. The handles
-        given may be released afterwards, here and below."""
+        """Creates the product of a material and a texture: a diffuse material of reflectance 1 gets the texture's
+        colours. The given handles may be released afterwards."""
         material = cls()
         check(_material_create_scaled(context, base, scale, byref(material)))
         return material
 
     @classmethod
     def create_blend(cls, context, first, second, weight):
-        """first (1 - t) + second t, t the weight's first channel, moved to 0 to 1: Mitsuba 3's blendbsdf. Both must
-        be two-sided, or neither."""
+        """Creates the mixture first (1 - t) + second t, with t = the weight's first channel, clamped to 0 to 1
+        (Mitsuba 3's blendbsdf). Both materials must be two-sided, or neither. The given handles may be released
+        afterwards."""
         material = cls()
         check(_material_create_blend(context, first, second, weight, byref(material)))
         return material
 
     @classmethod
     def create_normal_map(cls, context, base, normals, mirrored_y):
-        """Shading normals 2 t - 1 in the frame of the surface, x along growing u: Mitsuba 3's normalmap. The texture
-        is raw. y completes a right-handed frame; with mirrored_y 1 it points to where v falls, which differs where
-        texture coordinates are mirrored, as in glTF."""
+        """Creates a material with perturbed normals from a raw texture with values t: shading normals 2 t - 1 in the
+        frame of the surface, with x along growing u (Mitsuba 3's normalmap). mirrored_y 0: y completes a
+        right-handed frame; 1: y points to where v falls, as in glTF. The two values differ where texture
+        coordinates are mirrored. The given handles may be released afterwards."""
         material = cls()
         check(_material_create_normal_map(context, base, normals, mirrored_y, byref(material)))
         return material
 
     @classmethod
     def create_bump_map(cls, context, base, heights, scale):
-        """Shading normals of a surface that is displaced along its normal by scale times the texture's first channel,
-        in the scene's units: Mitsuba 3's bumpmap."""
+        """Creates a material with perturbed normals from heights: shading normals of a surface that is displaced
+        along its normal by scale times the texture's first channel, in the scene's units (Mitsuba 3's bumpmap).
+        The given handles may be released afterwards."""
         material = cls()
         check(_material_create_bump_map(context, base, heights, scale, byref(material)))
         return material
 
     @classmethod
     def create_mask(cls, context, base, opacity):
-        """Cut out where the texture's coverage, or of fewer than four channels its first one, is below 0.5: Mitsuba
-        3's mask of opacities 0 and 1."""
+        """Creates a material with an alpha mask: the surface is cut out where the opacity is below 0.5 (Mitsuba 3's
+        mask of opacities 0 and 1). The opacity is the texture's coverage or, with fewer than four channels, the
+        first channel. The given handles may be released afterwards."""
         material = cls()
         check(_material_create_mask(context, base, opacity, byref(material)))
         return material
 
     @classmethod
     def create_callback(cls, context, parameters):
-        """The function must be isotropic, mirror symmetric about every plane through the normal, and finite. It is
-        tested at some directions and refused with NICOL_ERROR_INVALID_ARGUMENT otherwise. Front side only."""
+        """Creates a material from a function, which must be isotropic, mirror symmetric about every plane through the
+        normal, and finite. Returns NICOL_ERROR_INVALID_ARGUMENT if a test at some directions shows that the
+        function is not. Only the front side reflects."""
         parameters = lend(parameters)
         material = cls()
         check(_material_create_callback(context, byref(parameters) if parameters is not None else None, byref(material)))
         return material
 
     def write(self, options, path):
+        """Writes a material to a file in the kind that the path says, as nicol_file_convert does. options may be
+        NULL, and must have no wavelengths."""
         check(_material_write(self, byref(options) if options is not None else None, text(path)))
 
 
@@ -1123,60 +1151,65 @@ class Mesh(Handle):
 
     @classmethod
     def load(cls, context, path):
-        """OBJ, PLY, OFF, STL or the first mesh of Mitsuba's .serialized, by the file's suffix. Polygons may be
-        concave. Triangles without area, vertices of no face and what is not followed (materials) are left out; one
-        line of the log counts them. Texture coordinates and colours of vertices and faces are kept; v of OBJ,
-        which points up there, becomes 1 - v. NICOL_ERROR_INVALID_FILE names the line, vertex or face."""
+        """Loads a mesh from OBJ, PLY, OFF, STL or the first mesh of Mitsuba's .serialized, by the file's suffix.
+        Polygons may be concave. Triangles without area, vertices without a face, and elements that the reader
+        ignores (materials) are left out; one line of the log counts them. Texture coordinates and colours of
+        vertices and faces are kept. v of OBJ, which points up, becomes 1 - v. The message of
+        NICOL_ERROR_INVALID_FILE names the line, vertex or face."""
         mesh = cls()
         check(_mesh_load(context, text(path), byref(mesh)))
         return mesh
 
     @classmethod
     def create(cls, context, data):
-        """Copies the arrays. A render adds vertices where shadows need them, see refine_tolerance."""
+        """Creates a mesh from arrays and copies the arrays. A render adds vertices where shadows need them, see
+        refine_tolerance of nicol_render_options."""
         mesh = cls()
         check(_mesh_create(context, byref(data) if data is not None else None, byref(mesh)))
         return mesh
 
     @classmethod
     def create_sphere(cls, context):
-        """The unit sphere, finely enough divided for per-vertex shading. Here and below texture coordinates are those
-        of Mitsuba 3's shapes."""
+        """Creates the unit sphere, divided finely enough for per-vertex shading, with the texture coordinates of
+        Mitsuba 3's sphere."""
         mesh = cls()
         check(_mesh_create_sphere(context, byref(mesh)))
         return mesh
 
     @classmethod
     def create_rectangle(cls, context):
-        """[-1, 1]^2 in the plane z = 0, facing +z."""
+        """Creates the rectangle [-1, 1]^2 in the plane z = 0, facing +z, with the texture coordinates of Mitsuba 3's
+        rectangle."""
         mesh = cls()
         check(_mesh_create_rectangle(context, byref(mesh)))
         return mesh
 
     @classmethod
     def create_cube(cls, context):
-        """[-1, 1]^3."""
+        """Creates the cube [-1, 1]^3, with the texture coordinates of Mitsuba 3's cube."""
         mesh = cls()
         check(_mesh_create_cube(context, byref(mesh)))
         return mesh
 
     @classmethod
     def create_disk(cls, context):
-        """Radius 1 in the plane z = 0, facing +z: 128 sectors of 16 rings."""
+        """Creates the disk of radius 1 in the plane z = 0, facing +z: 180 sectors of 16 rings, with the texture
+        coordinates of Mitsuba 3's disk."""
         mesh = cls()
         check(_mesh_create_disk(context, byref(mesh)))
         return mesh
 
     @classmethod
     def create_cylinder(cls, context, p0, p1, radius):
-        """Of this radius around the line from p0 to p1, in the scene's units, without its ends: 180 sides. The front
-        is outside. radius is above 0, p0 and p1 must differ."""
+        """Creates the cylinder of this radius around the line from p0 to p1, in the scene's units, without its ends:
+        180 sides, with the texture coordinates of Mitsuba 3's cylinder. The front is outside. radius must be above
+        0, and p0 and p1 must differ."""
         mesh = cls()
         check(_mesh_create_cylinder(context, array(p0, c_double, 3), array(p1, c_double, 3), radius, byref(mesh)))
         return mesh
 
     def get_size(self):
-        """Of its vertices and triangles."""
+        """Gets the numbers of vertices and triangles of a mesh."""
         vertices = c_uint32()
         triangles = c_uint32()
         check(_mesh_get_size(self, byref(vertices), byref(triangles)))
@@ -1184,51 +1217,52 @@ class Mesh(Handle):
 
 
 class Scene(Handle):
-    """what is rendered, and by which light"""
+    """instances, light and polarization elements"""
 
     @classmethod
     def create(cls, context):
-        """Empty and dark."""
+        """Creates an empty, dark scene."""
         scene = cls()
         check(_scene_create(context, byref(scene)))
         return scene
 
     @classmethod
     def load(cls, context, path, definitions=()):
-        """A Mitsuba 3 XML file, or glTF 2.0 where the name ends in .gltf or .glb (the subsets that
-        samples/render/README.md lists); definitions are "name=value" strings that override <default>s of the XML.
-        glTF has no environment, and may have lights. Lights of a file that polarization elements of it cover have
-        the state and the brightness of their light behind these."""
+        """Loads a scene from a Mitsuba 3 XML file, or from glTF 2.0 if the name ends in .gltf or .glb (the subsets
+        that samples/render/README.md lists). definitions are "name=value" strings that override <default>s of the
+        XML. A glTF file has no environment, and may have lights. Lights that polarization elements of the file
+        cover get the polarization state and the brightness that their light has behind the elements."""
         definitions = texts(definitions)
         scene = cls()
         check(_scene_load(context, text(path), definitions, len(definitions), byref(scene)))
         return scene
 
     def add_instance(self, instance):
-        """id may be NULL; ids count up from 0, past those of removed instances too. A mesh must have the texture
-        coordinates and colours that its material needs, here and in nicol_scene_set_material. Materials and
-        environment must have one colour channel or the same number of them, here and in
-        nicol_scene_set_environment."""
+        """Adds an instance. id may be NULL; ids count up from 0, past those of removed instances too. The mesh must
+        have the texture coordinates and colours that the material needs. Materials and environment of a scene must
+        have one colour channel or the same number of channels."""
         id = c_uint32()
         check(_scene_add_instance(self, byref(instance) if instance is not None else None, byref(id)))
         return id.value
 
     def set_transform(self, id, to_world):
-        """id as nicol_scene_add_instance gave it; to_world as nicol_instance's. The next render bakes again the
-        vertices that the instance may shadow, before or now; a scene that rotates and moves as a whole is only
+        """Sets the transform of an instance; to_world is that of nicol_instance. The next render bakes again the
+        vertices that the instance may shadow, before or now. A scene that rotates and moves as a whole is only
         relit."""
         check(_scene_set_transform(self, id, array(to_world, c_double, 16)))
 
     def set_material(self, id, material):
-        """The next render projects the material, if it is new to the scene, and shades its instance."""
+        """Sets the material of an instance, under the conditions of nicol_scene_add_instance. The next render
+        projects the material, if it is new to the scene, and shades the instance."""
         check(_scene_set_material(self, id, material))
 
     def remove_instance(self, id):
-        """Its id is not used again; the others keep theirs."""
+        """Removes an instance. The id is not used again; other instances keep their ids."""
         check(_scene_remove_instance(self, id))
 
     def get_instance(self, id):
-        """The parts of an instance: mesh and material as handles to release. Each of the three may be NULL."""
+        """Gets the parts of an instance: mesh and material as handles to release, and the transform. Each of the
+        three may be NULL."""
         mesh = Mesh()
         material = Material()
         to_world = (c_double * 16)()
@@ -1236,24 +1270,25 @@ class Scene(Handle):
         return mesh if mesh.value else None, material if material.value else None, tuple(to_world)
 
     def get_instance_count(self):
+        """Gets the number of instances."""
         instances = c_uint32()
         check(_scene_get_instance_count(self, byref(instances)))
         return instances.value
 
     def get_instance_ids(self, ids):
-        """The ids of all instances, ascending; count: of the instances."""
+        """Gets the ids of all instances, ascending. count must be the number of instances."""
         ids = Buffer(ids, c_uint32, writable=True)
         check(_scene_get_instance_ids(self, ids.pointer, ids.count))
 
     def set_environment(self, environment, to_world, scale):
-        """environment NULL: darkness. to_world rotates it (NULL: identity; must be a proper rotation), scale
-        multiplies (1 leaves it; 0: darkness; finite, not negative)."""
+        """Sets the environment; NULL: darkness. to_world is a proper rotation of the environment; NULL: identity.
+        scale is a factor on the radiance, finite and not negative; 1: no change; 0: darkness."""
         check(_scene_set_environment(self, environment, array(to_world, c_double, 16), scale))
 
     def get_environment(self):
-        """The arguments of nicol_scene_set_environment: the environment, as a handle to release, its rotation and
-        scale. to_world and scale may be NULL. In darkness, also that of a file's scale of 0, *environment is NULL,
-        to_world the identity and scale 1."""
+        """Gets the arguments of nicol_scene_set_environment: the environment, as a handle to release, its rotation
+        and scale. to_world and scale may be NULL. In darkness, including a file's scale of 0, *environment is
+        NULL, to_world the identity and scale 1."""
         environment = Environment()
         to_world = (c_double * 16)()
         scale = c_double()
@@ -1261,144 +1296,154 @@ class Scene(Handle):
         return environment if environment.value else None, tuple(to_world), scale.value
 
     def hide_emitters(self, hide):
-        """hide 1: no light goes straight to the camera from the environment, which leaves black (alpha 0), or from
-        instances that emit, which show what they reflect alone; both light the scene as before. 0: they are seen,
-        unless the scene's file has hide_emitters."""
+        """Sets whether emitters are hidden from the camera. hide 1: no light goes straight to the camera from the
+        environment, which leaves black (alpha 0), or from instances that emit, which show only their reflection;
+        both light the scene as before. hide 0: the camera sees emitters, unless the scene's file has
+        hide_emitters."""
         check(_scene_hide_emitters(self, hide))
 
     def add_light(self, light):
-        """Adds a light, with an id of its own: lights are counted from 0, apart from instances. id may be NULL. A
-        light must have one colour channel or as many as the scene; so must what an instance emits. The handle of
-        the texture may be released afterwards. NICOL_ERROR_INVALID_ARGUMENT names the field that is out of range,
-        here and below."""
+        """Adds a light. id may be NULL; ids of lights count up from 0, independently of instances. Lights, and the
+        emission of instances, must have one colour channel or as many as the scene. The handle of the texture may
+        be released afterwards. The message of NICOL_ERROR_INVALID_ARGUMENT names the field that is out of
+        range."""
         id = c_uint32()
         check(_scene_add_light(self, byref(light) if light is not None else None, byref(id)))
         return id.value
 
     def set_light(self, id, light):
-        """All of the light of this id. The next render bakes nothing."""
+        """Replaces all fields of a light. The next render bakes nothing. The message of NICOL_ERROR_INVALID_ARGUMENT
+        names the field that is out of range."""
         check(_scene_set_light(self, id, byref(light) if light is not None else None))
 
     def remove_light(self, id):
-        """Its id is not used again; the others keep theirs."""
+        """Removes a light. The id is not used again; other lights keep their ids."""
         check(_scene_remove_light(self, id))
 
     def get_light(self, id):
-        """The light as it was given; its texture, as a handle to release, in *texture (NULL: it has none) and not in
-        light->texture. texture may be NULL."""
+        """Gets a light as it was given. *texture, and not light->texture, is the light's texture as a handle to
+        release, or NULL if the light has none. texture may be NULL."""
         light = Light()
         texture = Texture()
         check(_scene_get_light(self, id, byref(light), byref(texture)))
         return light, texture if texture.value else None
 
     def get_light_count(self):
+        """Gets the number of lights."""
         lights = c_uint32()
         check(_scene_get_light_count(self, byref(lights)))
         return lights.value
 
     def get_light_ids(self, ids):
-        """The ids of all lights, ascending; count: of the lights."""
+        """Gets the ids of all lights, ascending. count must be the number of lights."""
         ids = Buffer(ids, c_uint32, writable=True)
         check(_scene_get_light_ids(self, ids.pointer, ids.count))
 
     def set_emission(self, id, emission):
-        """Makes an instance emit light, emission NULL: stop it. id is the instance's. A texture needs texture
-        coordinates of the mesh."""
+        """Sets the emission of the instance `id`; NULL: the instance emits no light. A texture needs texture
+        coordinates of the mesh. The message of NICOL_ERROR_INVALID_ARGUMENT names the field that is out of
+        range."""
         check(_scene_set_emission(self, id, byref(emission) if emission is not None else None))
 
     def get_emission(self, id):
-        """What an instance emits, its texture as of nicol_scene_get_light. Of one that emits no light the radiance
-        is 0."""
+        """Gets the emission of an instance, with its texture as nicol_scene_get_light does. The radiance is 0 for an
+        instance that emits no light."""
         emission = Emission()
         texture = Texture()
         check(_scene_get_emission(self, id, byref(emission), byref(texture)))
         return emission, texture if texture.value else None
 
     def add_polarization_element(self, element):
-        """Adds an element, with an id of its own: elements are counted from 0, apart from instances and lights. id
-        may be NULL. NICOL_ERROR_INVALID_ARGUMENT names the field that is out of range."""
+        """Adds a polarization element. id may be NULL; ids of elements count up from 0, independently of instances
+        and lights. The message of NICOL_ERROR_INVALID_ARGUMENT names the field that is out of range."""
         id = c_uint32()
         check(_scene_add_polarization_element(self, byref(element) if element is not None else None, byref(id)))
         return id.value
 
     def set_polarization_element(self, id, element):
-        """All of the element of this id."""
+        """Replaces all fields of a polarization element. The message of NICOL_ERROR_INVALID_ARGUMENT names the field
+        that is out of range."""
         check(_scene_set_polarization_element(self, id, byref(element) if element is not None else None))
 
     def remove_polarization_element(self, id):
-        """Its id is not used again; the others keep theirs."""
+        """Removes a polarization element. The id is not used again; other elements keep their ids."""
         check(_scene_remove_polarization_element(self, id))
 
     def get_polarization_element(self, id):
-        """The element as it was given."""
+        """Gets a polarization element as it was given."""
         element = PolarizationElement()
         check(_scene_get_polarization_element(self, id, byref(element)))
         return element
 
     def get_polarization_element_count(self):
+        """Gets the number of polarization elements."""
         elements = c_uint32()
         check(_scene_get_polarization_element_count(self, byref(elements)))
         return elements.value
 
     def get_polarization_element_ids(self, ids):
-        """The ids of all elements, ascending; count: of the elements."""
+        """Gets the ids of all polarization elements, ascending. count must be the number of elements."""
         ids = Buffer(ids, c_uint32, writable=True)
         check(_scene_get_polarization_element_ids(self, ids.pointer, ids.count))
 
     def get_camera(self):
-        """The camera and film size of a loaded file, and the AOVs that its integrators ask for, a sum of
-        NICOL_AOV_... for nicol_render_options; NICOL_ERROR_UNSUPPORTED for a scene that was not loaded."""
+        """Gets the camera of a loaded file. Returns NICOL_ERROR_UNSUPPORTED for a scene that was not loaded."""
         camera = Camera()
         check(_scene_get_camera(self, byref(camera)))
         return camera
 
     def get_film_size(self):
+        """Gets the film size of a loaded file, in pixels. Returns NICOL_ERROR_UNSUPPORTED for a scene that was not
+        loaded."""
         width = c_uint32()
         height = c_uint32()
         check(_scene_get_film_size(self, byref(width), byref(height)))
         return width.value, height.value
 
     def get_aovs(self):
+        """Gets the AOVs that the integrators of a loaded file ask for, a sum of NICOL_AOV_... for
+        nicol_render_options. Returns NICOL_ERROR_UNSUPPORTED for a scene that was not loaded."""
         aovs = c_uint32()
         check(_scene_get_aovs(self, byref(aovs)))
         return aovs.value
 
     def get_file_count(self):
-        """The files that nicol_scene_load has read, each once: the scene file, those that it includes (of glTF, its
-        buffers), then light, materials and meshes. With equal digests the scene is the same. None for a scene that
-        was not loaded."""
+        """Gets the number of files that nicol_scene_load has read, or 0 for a scene that was not loaded. Each file
+        counts once: the scene file, the files that it includes (the buffers of glTF), then light, materials and
+        meshes. Scenes whose files have equal digests are equal."""
         count = c_uint32()
         check(_scene_get_file_count(self, byref(count)))
         return count.value
 
     def get_file(self, index):
-        """index from 0; beyond the last, NICOL_ERROR_INVALID_ARGUMENT"""
+        """Gets a file that nicol_scene_load has read; index counts from 0. Returns NICOL_ERROR_INVALID_ARGUMENT for
+        an index beyond the last file."""
         file = SceneFile()
         check(_scene_get_file(self, index, byref(file)))
         return file
 
     def get_channels(self):
-        """Colour channels of its images: those of everything in it, 1 (all grey) or more, and 1 if the film of a
-        loaded file is luminance."""
+        """Gets the number of colour channels of the scene's images: the number of everything in the scene, 1 (all
+        grey) or more, and 1 if the film of a loaded file is luminance."""
         channels = c_uint32()
         check(_scene_get_channels(self, byref(channels)))
         return channels.value
 
 
 class Framebuffer(Handle):
-    """the Stokes image of the last render into it"""
+    """Stokes image of the last render into it"""
 
     @classmethod
     def create(cls, context, width, height, channels):
-        """width, height: 1 to NICOL_MAX_SIZE (the driver may allow less), at most 2^26 pixels. channels: as the
-        scene's, or 1 for the luminance of a scene of three: 0.2126 R + 0.7152 G + 0.0722 B of each Stokes
-        component."""
+        """Creates a framebuffer. width and height are 1 to NICOL_MAX_SIZE pixels (the driver may allow less), and at
+        most 2^26 pixels in all. channels is the scene's number, or 1 for the luminance of a scene of three
+        channels: 0.2126 R + 0.7152 G + 0.0722 B of each Stokes component."""
         framebuffer = cls()
         check(_framebuffer_create(context, width, height, channels, byref(framebuffer)))
         return framebuffer
 
     def get_size(self):
-        """As it was created."""
+        """Gets the width, height and channels with which the framebuffer was created."""
         width = c_uint32()
         height = c_uint32()
         channels = c_uint32()
@@ -1406,167 +1451,180 @@ class Framebuffer(Handle):
         return width.value, height.value, channels.value
 
     def get_statistics(self):
-        """All zeros before the first render."""
+        """Gets the statistics of the last render into a framebuffer: all zeros before the first render."""
         statistics = Statistics()
         check(_framebuffer_get_statistics(self, byref(statistics)))
         return statistics
 
     def read(self, plane, channel, pixels):
-        """Copies one plane of one colour channel, first row at the top. row_stride in bytes, 0: tightly packed;
-        byte_size is what pixels has room for. NICOL_ERROR_INVALID_ARGUMENT for a plane that is not there and for
-        NICOL_PLANE_INSTANCE, which holds no floats."""
+        """Copies one plane of one colour channel, first row at the top. row_stride is in bytes; 0: tightly packed.
+        byte_size is the room at pixels, in bytes. Returns NICOL_ERROR_INVALID_ARGUMENT for a plane that does not
+        exist, and for NICOL_PLANE_INSTANCE, which holds no floats."""
         pixels = Buffer(pixels, c_float, writable=True, rows=True)
         check(_framebuffer_read(self, plane, channel, pixels.pointer, pixels.stride, pixels.nbytes))
 
     def read_plane(self, to):
-        """Copies a plane in the format and with the channels of `to`; bytes between rows are not written. A call that
+        """Copies a plane in the format and with the channels of `to`. Bytes between rows are not written. A call that
         fails writes nothing."""
         check(_framebuffer_read_plane(self, byref(to) if to is not None else None))
 
     def write_exr(self, path):
-        """Channels of 32-bit floats, named by the number of colour channels:
+        """Writes an OpenEXR file of 32-bit floats, whose channels are named by the number of colour channels:
           3             R G B (which are s0) and S0.R S0.G S0.B to S3.R S3.G S3.B, as Mitsuba 3's stokes integrator
           1             Y (which is s0) and S0.Y to S3.Y
           2, 4 to 16    S0.0 S0.1 ... to S3.0 S3.1 ...
-        and of the last render's AOVs Z (depth), N.X N.Y N.Z, P.X P.Y P.Z, id (32-bit unsigned), A (alpha; R G B still
-        have the environment) and, of each Stokes channel, variance.S0.R ... variance.S3.B."""
+        AOVs of the last render are Z (depth), N.X N.Y N.Z, P.X P.Y P.Z, id (32-bit unsigned), A (alpha; R G B still have the
+        environment) and, for each Stokes channel, variance.S0.R ... variance.S3.B."""
         check(_framebuffer_write_exr(self, text(path)))
 
     def write_png(self, observation, path):
-        """8-bit RGB. S0 and POLARIZER need a framebuffer of 1 or 3 channels; the others show the mean of the
-        channels."""
+        """Writes a PNG file of 8-bit RGB. S0 and POLARIZER need a framebuffer of 1 or 3 channels; the other kinds
+        show the mean of the channels."""
         check(_framebuffer_write_png(self, byref(observation) if observation is not None else None, text(path)))
 
     def get_texture(self, channel):
-        """The texture of a colour channel: a texel is the Stokes vector (s0, s1, s2, s3), row 0 is the image's TOP.
-        The name is valid, and stays the same, until the framebuffer is released; the content is that of the last
-        render. It may be sampled, and its filters and wrap modes changed, but not its swizzle; it must neither be
-        written nor deleted.
-        NICOL_ERROR_UNSUPPORTED for a framebuffer whose context is not a host's, as for the functions below."""
+        """Gets the texture of a colour channel: a texel is the Stokes vector (s0, s1, s2, s3), and row 0 is the
+        image's TOP. The name is valid, and stays the same, until the framebuffer is released; the content is that
+        of the last render. The host may sample the texture and change its filters and wrap modes, but not its
+        swizzle, and must neither write nor delete the texture. Returns NICOL_ERROR_UNSUPPORTED for a framebuffer
+        whose context is not a host's."""
         texture = GlTexture()
         check(_framebuffer_get_texture(self, channel, byref(texture)))
         return texture
 
     def draw_stokes(self, channel, target):
-        """Copies the Stokes vectors of a channel. Nothing is read back."""
+        """Copies the Stokes vectors of a channel into a texture; nothing is read back. Returns
+        NICOL_ERROR_UNSUPPORTED for a framebuffer whose context is not a host's."""
         check(_framebuffer_draw_stokes(self, channel, byref(target) if target is not None else None))
 
     def draw_observation(self, observation, target):
-        """The image that nicol_framebuffer_write_png would write, as red, green, blue and alpha 1. s1 to s3 need a
-        scale above 0 here, since nothing is read back."""
+        """Draws the image of nicol_framebuffer_write_png into a texture, as red, green, blue and alpha 1. s1 to s3
+        need a scale above 0, because nothing is read back. Returns NICOL_ERROR_UNSUPPORTED for a framebuffer whose
+        context is not a host's."""
         check(_framebuffer_draw_observation(self, byref(observation) if observation is not None else None, byref(target) if target is not None else None))
 
 
 class Job(Handle):
-    """An asynchronous render. Jobs of one context run one after another, in the order of submission, on a thread
-    of the context. A running job locks the context: calls that render, create, read and write its framebuffers
-    wait for it, but not for queued jobs. Calls that change or query scenes or make lights, materials and
-    meshes do not wait. May be used from any thread; nicol_job_poll and nicol_job_cancel from callbacks too.
-    What is different inside a host's OpenGL is told there."""
+    """Asynchronous render. Jobs of one context run one after another, in the order of submission, on a thread of
+    the context. A running job locks the context: calls that render, create, read and write its framebuffers
+    wait for the job, but not for queued jobs. Calls that change or query scenes, or make lights, materials and
+    meshes, do not wait. A job may be used from any thread; nicol_job_poll and nicol_job_cancel may also be
+    called from callbacks. "Inside a host's OpenGL" says how jobs differ there."""
 
     def poll(self):
-        """The job's progress; never waits for it."""
+        """Gets the job's progress, and never waits for the job."""
         status = JobStatus()
         check(_job_poll(self, byref(status)))
         return status
 
     def wait(self, timeout_ms):
-        """Waits until the job is done, at most this long (0: not at all), and returns its result; after a failure
-        nicol_last_error() has its message. NICOL_ERROR_TIMEOUT if it is not done by then, NICOL_ERROR_NOT_CURRENT
-        where the job needs a host's OpenGL context that is not current on the calling thread.
-        NICOL_ERROR_INVALID_ARGUMENT inside a callback of the context, which would be a deadlock."""
+        """Waits until the job is done, at most timeout_ms milliseconds (0: not at all), and returns the job's result.
+        After a failure of the job, nicol_last_error() has its message. Returns NICOL_ERROR_TIMEOUT if the job is
+        not done in time, and NICOL_ERROR_NOT_CURRENT if the job needs a host's OpenGL context that is not current
+        on the calling thread. Returns NICOL_ERROR_INVALID_ARGUMENT inside a callback of the context, because
+        waiting there would be a deadlock."""
         check(_job_wait(self, timeout_ms))
 
     def cancel(self):
-        """Cancels a queued job at once, and a running one where it would next call a progress callback; its result is
-        NICOL_ERROR_CANCELLED. No effect on a job that is done or almost done. Does not wait."""
+        """Cancels a queued job at once, or a running job when it would next call a progress callback. The job's
+        result is NICOL_ERROR_CANCELLED. A job that is done or almost done is not affected. The function does not
+        wait."""
         check(_job_cancel(self))
 
 
 class PshTransform(Handle):
-    """Between samples [vector][row][column][4], north to south, and coefficients, in O(order^3). Needs no
-    context; holds its work space: after creation no call allocates. Calls on one transform are serialised."""
+    """Transform between samples [vector][row][column][4], north to south, and coefficients, in O(order^3). The
+    transform needs no context and holds its work space: no call allocates after creation. Calls on one
+    transform are serialised."""
 
     @classmethod
     def create(cls, sampling):
-        """NICOL_ERROR_INVALID_ARGUMENT where the sampling is too coarse for the order."""
+        """Creates a transform. Returns NICOL_ERROR_INVALID_ARGUMENT if the sampling is too coarse for the
+        order."""
         transform = cls()
         check(_psh_transform_create(byref(sampling) if sampling is not None else None, byref(transform)))
         return transform
 
     def get_size(self):
-        """Of its grid."""
+        """Gets the numbers of rows and columns of the transform's grid."""
         rows = c_uint32()
         columns = c_uint32()
         check(_psh_transform_get_size(self, byref(rows), byref(columns)))
         return rows.value, columns.value
 
     def get_rows(self, theta, weight):
-        """theta of each row, and the weights of the integral over cos theta, which sum to 2; count = rows."""
+        """Gets theta of each row, and the rows' weights for the integral over cos theta, which sum to 2;
+        count = rows."""
         theta, weight = Buffer(theta, c_double, writable=True), Buffer(weight, c_double, writable=True)
         check(_psh_transform_get_rows(self, theta.pointer, weight.pointer, counted(theta, weight)))
 
 
 def version():
-    """Of the library that runs: major * 10000 + minor * 100 + patch."""
+    """Returns the version of the running library: major * 10000 + minor * 100 + patch."""
     return _version()
 
 
 def version_string():
-    """"0.1.0"; lives as long as the library."""
+    """Returns the version of the running library as text, such as "0.1.0". The string lives as long as the
+    library."""
     return decoded(_version_string())
 
 
 def build_info(index):
-    """Properties of this build as "key=value" (source, compiler, backends, methods, max_order, ...), index 0, 1,
-    ...; NULL past the last one. Lives as long as the library."""
+    """Returns a property of this build as "key=value" (source, compiler, backends, methods, max_order, ...).
+    index counts from 0; an index past the last property gives NULL. The string lives as long as the
+    library."""
     return decoded(_build_info(index))
 
 
 def last_error():
-    """The message of the last failed call on this thread: one line that names the file, line, field or argument
-    and what is expected. Never NULL; "" before the first failure. Valid until this thread's next failed call."""
+    """Returns the message of the last failed call on this thread: one line that names the file, line, field or
+    argument and what is expected. The message is never NULL, and "" before the first failure. The string is
+    valid until this thread's next failed call."""
     return decoded(_last_error())
 
 
 def result_name(result):
-    """"out of memory" and the like for a code; lives as long as the library."""
+    """Returns a name such as "out of memory" for a result code. The string lives as long as the library."""
     return decoded(_result_name(result))
 
 
 def device_count():
-    """The number of devices for nicol_context_options.device: those that EGL lists, in its order, which is
-    neither CUDA's nor the kernel's. 0 if there is no EGL. The list may change when devices or drivers are
-    added or removed."""
+    """Gets the number of devices for nicol_context_options.device. The devices are those that EGL lists, in EGL's
+    order, which is neither CUDA's nor the kernel's. Without EGL the number is 0. The list may change when
+    devices or drivers are added or removed."""
     count = c_uint32()
     check(_device_count(byref(count)))
     return count.value
 
 
 def device_get_info(device):
-    """device from 1 to nicol_device_count's. No context is made, so that making one may still fail."""
+    """Gets the properties of a device; device is 1 to the number of nicol_device_count. Creating a context on the
+    device may still fail, because this function does not create one."""
     info = DeviceInfo()
     check(_device_get_info(device, byref(info)))
     return info
 
 
 def render(scene, camera, options, framebuffer):
-    """options may be NULL: all defaults. Results that a change of the scene, the camera or the options does not
-    affect are kept from the scene's last render; if nothing changed, nothing runs. On failure or cancellation
-    the framebuffer keeps its content and statistics. NICOL_ERROR_INVALID_ARGUMENT for options and cameras out
-    of range and channels that do not fit, NICOL_ERROR_UNSUPPORTED for an unknown method, for compute shaders
-    if the driver lacks features, and, where a material varies by a texture, for the dense method and for
-    shading at vertices, NICOL_ERROR_CANCELLED, NICOL_ERROR_OUT_OF_MEMORY."""
+    """Renders a scene into a framebuffer. options may be NULL: all defaults. Results that a change of the scene,
+    the camera or the options does not affect are kept from the scene's last render; if nothing changed,
+    nothing runs. On failure or cancellation the framebuffer keeps its content and statistics. Returns
+    NICOL_ERROR_INVALID_ARGUMENT for options and cameras out of range and for channels that do not fit. Returns
+    NICOL_ERROR_UNSUPPORTED for an unknown method, for compute shaders if the driver lacks features, and, if a
+    material varies by a texture, for the dense method and for shading at vertices. Returns
+    NICOL_ERROR_CANCELLED if a callback returned 0, and NICOL_ERROR_OUT_OF_MEMORY also beyond the context's
+    memory_limit."""
     check(_render(scene, byref(camera) if camera is not None else None, byref(options) if options is not None else None, framebuffer))
 
 
 def render_async(scene, camera, options, framebuffer):
-    """nicol_render as a job. Copies the scene's state: later changes affect later renders only. The framebuffer
-    keeps its content until the job has run. Scene, framebuffer and all they need are kept alive; the caller
-    may release them, and the job too, which runs all the same. The progress callback runs on the context's
-    thread, and progress_user must live until the job is done. Invalid arguments are refused at once where
-    possible; other errors are the job's result. NICOL_ERROR_BUSY if NICOL_MAX_JOBS are queued. A process that
-    exits cancels its jobs."""
+    """Submits nicol_render as a job. The job copies the scene's state: later changes affect later renders only.
+    The framebuffer keeps its content until the job has run. Scene, framebuffer and all they need are kept
+    alive. The caller may release them, and the job too, which runs all the same. The progress callback runs on
+    the context's thread, and progress_user must live until the job is done. Invalid arguments are refused at
+    once if possible; other errors are the job's result. Returns NICOL_ERROR_BUSY if NICOL_MAX_JOBS jobs are
+    queued. A process that exits cancels its jobs."""
     options = lend(options)
     job = Job()
     check(_render_async(scene, byref(camera) if camera is not None else None, byref(options) if options is not None else None, framebuffer, byref(job)))
@@ -1574,22 +1632,25 @@ def render_async(scene, camera, options, framebuffer):
 
 
 def psh_project_image(image, order, coefficients):
-    """Coefficients of light, one vector a channel, in the world's axes; NICOL_ERROR_INVALID_ARGUMENT unless count
-    is channels * 4 (order+1)^2. An image counts as the bilinear function between its pixels. As an
-    environment, it must be physical: polarization up to s0."""
+    """Projects an image to coefficients, one vector per channel, in the world's axes. The image is the bilinear
+    function between its pixels and, as an environment, must be physically realizable: polarization up to s0.
+    Returns NICOL_ERROR_INVALID_ARGUMENT unless count is channels * 4 (order+1)^2."""
     image = lend(image)
     coefficients = Buffer(coefficients, c_double, writable=True)
     check(_psh_project_image(byref(image) if image is not None else None, order, coefficients.pointer, coefficients.count))
 
 
 def psh_project_environment(environment, order, coefficients):
+    """Projects an environment to coefficients, one vector per channel, in the world's axes. Returns
+    NICOL_ERROR_INVALID_ARGUMENT unless count is channels * 4 (order+1)^2."""
     coefficients = Buffer(coefficients, c_double, writable=True)
     check(_psh_project_environment(environment, order, coefficients.pointer, coefficients.count))
 
 
 def psh_project_file(path, order, coefficients=None):
-    """A file as nicol_environment_load reads it. channels may be NULL; coefficients NULL with count 0
-    gets the number of channels alone."""
+    """Projects a file that nicol_environment_load can read to coefficients, one vector per channel, in the
+    world's axes. channels may be NULL; coefficients NULL with count 0 gets only the number of channels.
+    Otherwise returns NICOL_ERROR_INVALID_ARGUMENT unless count is channels * 4 (order+1)^2."""
     channels = c_uint32()
     coefficients = Buffer(coefficients, c_double, writable=True)
     check(_psh_project_file(text(path), order, byref(channels), coefficients.pointer, coefficients.count))
@@ -1597,21 +1658,21 @@ def psh_project_file(path, order, coefficients=None):
 
 
 def psh_analyze(transform, vectors, samples, coefficients):
-    """Inner products with the basis (Eq. 32) by the rows' weights."""
+    """Computes coefficients from samples: inner products with the basis (Eq. 32) by the rows' weights."""
     samples = Buffer(samples, c_double)
     coefficients = Buffer(coefficients, c_double, writable=True)
     check(_psh_analyze(transform, vectors, samples.pointer, samples.count, coefficients.pointer, coefficients.count))
 
 
 def psh_synthesize(transform, vectors, coefficients, samples):
-    """The field of the coefficients (Eq. 30) at the samples."""
+    """Computes samples from coefficients: the field of the coefficients (Eq. 30) at the grid."""
     coefficients = Buffer(coefficients, c_double)
     samples = Buffer(samples, c_double, writable=True)
     check(_psh_synthesize(transform, vectors, coefficients.pointer, coefficients.count, samples.pointer, samples.count))
 
 
 def psh_evaluate(order, vectors, coefficients, directions, stokes):
-    """Stokes vectors [vector][direction][4] at directions [direction][3] of any length but 0."""
+    """Computes Stokes vectors [vector][direction][4] at directions [direction][3] of any length but 0."""
     coefficients = Buffer(coefficients, c_double)
     directions = Buffer(directions, c_double)
     stokes = Buffer(stokes, c_double, writable=True)
@@ -1619,23 +1680,24 @@ def psh_evaluate(order, vectors, coefficients, directions, stokes):
 
 
 def psh_rotate(order, vectors, in_, rotation, out):
-    """The rotated fields: (R f)(w) = R f(R^-1 w) (Eqs. 25, 36). The rotation must be
-    orthonormal to 1e-5 and right-handed. out may be in."""
+    """Rotates fields: (R f)(w) = R f(R^-1 w) (Eqs. 25, 36). The rotation must be orthonormal to 1e-5 and
+    right-handed. out may be in."""
     in_ = Buffer(in_, c_double)
     out = Buffer(out, c_double, writable=True)
     check(_psh_rotate(order, vectors, in_.pointer, in_.count, array(rotation, c_double, 9), out.pointer, out.count))
 
 
 def psh_reflect(order, vectors, in_, out):
-    """The fields' mirror images in the plane z = 0 (Eq. 214, with its conjugation). out may be in."""
+    """Mirrors fields in the plane z = 0 (Eq. 214, with its conjugation). out may be in."""
     in_ = Buffer(in_, c_double)
     out = Buffer(out, c_double, writable=True)
     check(_psh_reflect(order, vectors, in_.pointer, in_.count, out.pointer, out.count))
 
 
 def psh_multiply(scalar_order, scalar, order, vectors, in_, order_out, out):
-    """A scalar field ((scalar_order+1)^2 coefficients over real harmonics, such as visibility) times each field,
-    cut above order_out: exact, through a grid, in O(order^3). out may be in where the orders agree."""
+    """Multiplies each field by a scalar field, (scalar_order+1)^2 coefficients over real harmonics, such as
+    visibility, and cuts the product above order_out. The product is exact, through a grid, in O(order^3). out
+    may be in if the orders agree."""
     scalar = Buffer(scalar, c_double)
     in_ = Buffer(in_, c_double)
     out = Buffer(out, c_double, writable=True)
@@ -1643,21 +1705,22 @@ def psh_multiply(scalar_order, scalar, order, vectors, in_, order_out, out):
 
 
 def psh_shadow_matrix(scalar_order, scalar, order_out, order_in, matrix):
-    """The same product as a matrix (Eq. 54, by the triple products of Eqs. 215 and 216)."""
+    """Computes the matrix of nicol_psh_multiply for a scalar field (Eq. 54, by the triple products of Eqs. 215
+    and 216)."""
     scalar = Buffer(scalar, c_double)
     matrix = Buffer(matrix, c_double, writable=True)
     check(_psh_shadow_matrix(scalar_order, scalar.pointer, scalar.count, order_out, order_in, matrix.pointer, matrix.count))
 
 
 def psh_project_matrix(field, matrix):
-    """The operator "integrate the field times the light over the incoming directions" as a matrix (Eqs. 39, 40),
-    by quadrature."""
+    """Computes the matrix of the operator "integrate the field times the light over the incoming directions"
+    (Eqs. 39, 40), by quadrature."""
     matrix = Buffer(matrix, c_double, writable=True)
     check(_psh_project_matrix(byref(field) if field is not None else None, matrix.pointer, matrix.count))
 
 
 def psh_apply_matrix(order_out, order_in, matrix, vectors, in_, out):
-    """out = matrix * in, vector by vector (Eq. 41)."""
+    """Computes out = matrix * in, vector by vector (Eq. 41)."""
     matrix = Buffer(matrix, c_double)
     in_ = Buffer(in_, c_double)
     out = Buffer(out, c_double, writable=True)
@@ -1665,7 +1728,7 @@ def psh_apply_matrix(order_out, order_in, matrix, vectors, in_, out):
 
 
 def psh_compose_matrix(order_out, order_between, order_in, second, first, matrix):
-    """The matrix of `second` after `first`."""
+    """Computes the matrix of `second` after `first`."""
     second = Buffer(second, c_double)
     first = Buffer(first, c_double)
     matrix = Buffer(matrix, c_double, writable=True)
@@ -1673,13 +1736,15 @@ def psh_compose_matrix(order_out, order_between, order_in, second, first, matrix
 
 
 def psh_project_kernel(callback, order, rows, bands):
-    """Bands by quadrature on this many Gauss-Legendre rows, 0: 2 order + 2, at most 16384 (Eq. 68)."""
+    """Computes the bands of a kernel by quadrature (Eq. 68). rows is the number of Gauss-Legendre rows, at most
+    16384; 0: 2 order + 2."""
     bands = Buffer(bands, c_double, writable=True)
     check(_psh_project_kernel(PshKernelCallback(callback), None, order, rows, bands.pointer, bands.count))
 
 
 def psh_kernel_at(order, bands, theta, mueller):
-    """The inverse: Mueller matrices [angle][16] at angles in 0 to pi."""
+    """Computes Mueller matrices [angle][16] of a kernel at angles in 0 to pi, the inverse of
+    nicol_psh_project_kernel."""
     bands = Buffer(bands, c_double)
     theta = Buffer(theta, c_double)
     mueller = Buffer(mueller, c_double, writable=True)
@@ -1687,7 +1752,7 @@ def psh_kernel_at(order, bands, theta, mueller):
 
 
 def psh_convolve(order, bands, vectors, in_, out):
-    """The convolution of each field (Eq. 69). out may be in."""
+    """Convolves each field with a kernel (Eq. 69). out may be in."""
     bands = Buffer(bands, c_double)
     in_ = Buffer(in_, c_double)
     out = Buffer(out, c_double, writable=True)
@@ -1695,33 +1760,34 @@ def psh_convolve(order, bands, vectors, in_, out):
 
 
 def psh_kernel_matrix(order, bands, matrix):
-    """The convolution as a matrix, and the kernel nearest to a matrix in the Frobenius norm (supplement E.9);
-    both sides of the matrix have this order."""
+    """Computes the matrix of a convolution (supplement E.9); both sides of the matrix have this order."""
     bands = Buffer(bands, c_double)
     matrix = Buffer(matrix, c_double, writable=True)
     check(_psh_kernel_matrix(order, bands.pointer, bands.count, matrix.pointer, matrix.count))
 
 
 def psh_nearest_kernel(order, matrix, bands):
+    """Computes the kernel nearest to a matrix in the Frobenius norm (supplement E.9); both sides of the matrix
+    have this order."""
     matrix = Buffer(matrix, c_double)
     bands = Buffer(bands, c_double, writable=True)
     check(_psh_nearest_kernel(order, matrix.pointer, matrix.count, bands.pointer, bands.count))
 
 
 def file_identify(path):
-    """By suffix and headers alone: NICOL_ERROR_UNSUPPORTED for a suffix or an archive of another kind, and
-    the file may yet prove damaged."""
+    """Gets the kind of a file from its suffix and headers alone; the file may yet prove damaged. Returns
+    NICOL_ERROR_UNSUPPORTED for another suffix or an archive of another kind."""
     kind = c_uint32()
     check(_file_identify(text(path), byref(kind)))
     return kind.value
 
 
 def file_describe_light(path, options, energy=None):
-    """options may be NULL. energy, which may be NULL with count 0, has room for count doubles and gets
-    [channel][l][p], 4 (order + 1) a channel: squares of the coefficients summed over m. Scale and rotation
-    change the report as they would an output; what concerns images to write must be 0; the order limits the
-    energies of an image, and all of coefficients. An image that violates Eq. 70 is described, though it is
-    refused as a light."""
+    """Gets the report of a light, and its energies [channel][l][p], 4 (order + 1) per channel: squares of the
+    coefficients, summed over m. energy has room for count doubles, and may be NULL with count 0. options may
+    be NULL. Scale and rotation change the report as they would change an output. Options of images to write
+    must be 0. The order limits the energies of an image, and everything for coefficients. An image that
+    violates Eq. 70 is described, although it is refused as a light."""
     report = LightReport()
     energy = Buffer(energy, c_double, writable=True)
     check(_file_describe_light(text(path), byref(options) if options is not None else None, byref(report), energy.pointer, energy.count))
@@ -1729,8 +1795,8 @@ def file_describe_light(path, options, energy=None):
 
 
 def file_describe_material(path, options, energy):
-    """energy: [channel][l], order + 1 a channel: squares of the matrix' entries between orders of which the
-    larger is l."""
+    """Gets the report of a material, and its energies [channel][l], order + 1 per channel: squares of the matrix'
+    entries between two orders, the larger of which is l. options are those of nicol_file_describe_light."""
     report = MaterialReport()
     energy = Buffer(energy, c_double, writable=True)
     check(_file_describe_material(text(path), byref(options) if options is not None else None, byref(report), energy.pointer, energy.count))
@@ -1738,13 +1804,14 @@ def file_describe_material(path, options, energy):
 
 
 def file_convert(in_, options, out):
-    """Reads `in` and writes `out` in the kind that its name says: .exr, _s0.exr (all four files), .npz or a cache
-    folder. Light becomes light and a material a material. options may be NULL."""
+    """Reads the file `in` and writes `out` in the kind that the name of `out` says: .exr, _s0.exr (all four
+    files), .npz or a cache folder. Light becomes light, and a material becomes a material. options may be
+    NULL."""
     check(_file_convert(text(in_), byref(options) if options is not None else None, text(out)))
 
 
 def psh_write_file(path, order, vectors, coefficients):
-    """Coefficients of 1 to NICOL_MAX_CHANNELS vectors as a LIGHT_PSH file."""
+    """Writes coefficients of 1 to NICOL_MAX_CHANNELS vectors to a file of the kind NICOL_FILE_LIGHT_PSH."""
     coefficients = Buffer(coefficients, c_double)
     check(_psh_write_file(text(path), order, vectors, coefficients.pointer, coefficients.count))
 

@@ -144,20 +144,21 @@ pub const NICOL_FILE_ORDER_AUTOMATIC: u32 = 4294967295;
 
 pub type nicol_result = i32;
 
-/// message is one line that lives as long as the call; code is NICOL_OK, or the error that a call would have
-/// returned for what was worked round. It must not call Nicol with objects of the context.
+/// Receives a message of the log. message is one line that lives as long as the call. code is NICOL_OK, or the
+/// result that a call would have returned for the problem that Nicol worked around. The callback must not call
+/// Nicol with objects of the context.
 pub type nicol_log_callback = Option<unsafe extern "C" fn(user: *mut c_void, severity: u32, code: nicol_result, message: *const c_char)>;
 
-/// Called about ten times a second on the thread that called; fraction runs from 0 to 1. Return 1 to continue,
-/// 0 to cancel: the call then returns NICOL_ERROR_CANCELLED. It must not call Nicol with objects of the same
-/// context.
+/// Receives the progress of a call about ten times a second, on the calling thread; fraction runs from 0 to 1.
+/// Returns 1 to continue, or 0 to cancel: the call then returns NICOL_ERROR_CANCELLED. The callback must not
+/// call Nicol with objects of the same context.
 pub type nicol_progress_callback = Option<unsafe extern "C" fn(user: *mut c_void, verb: *const c_char, fraction: f64) -> i32>;
 
 #[repr(C)]
 pub struct nicol_context_impl {
     _private: [u8; 0],
 }
-/// an OpenGL context on a thread of its own
+/// OpenGL context on its own thread, or a host's
 pub type nicol_context = *mut nicol_context_impl;
 
 #[repr(C)]
@@ -178,7 +179,7 @@ pub type nicol_texture = *mut nicol_texture_impl;
 pub struct nicol_material_impl {
     _private: [u8; 0],
 }
-/// a polarimetric BRDF; immutable
+/// polarimetric BRDF (pBRDF); immutable
 pub type nicol_material = *mut nicol_material_impl;
 
 #[repr(C)]
@@ -192,18 +193,18 @@ pub type nicol_mesh = *mut nicol_mesh_impl;
 pub struct nicol_scene_impl {
     _private: [u8; 0],
 }
-/// what is rendered, and by which light
+/// instances, light and polarization elements
 pub type nicol_scene = *mut nicol_scene_impl;
 
 #[repr(C)]
 pub struct nicol_framebuffer_impl {
     _private: [u8; 0],
 }
-/// the Stokes image of the last render into it
+/// Stokes image of the last render into it
 pub type nicol_framebuffer = *mut nicol_framebuffer_impl;
 
-/// One value a colour channel. count 0: not given, the default of where it is used; 1: the same in every
-/// channel; else the scene's channel count.
+/// Values per colour channel. count 0: not given, so that the default of the field or argument applies; 1: one
+/// value for every channel; else the scene's number of channels.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct nicol_spectrum {
@@ -344,8 +345,9 @@ const _: () = {
 
 pub type nicol_release_callback = Option<unsafe extern "C" fn(user: *mut c_void)>;
 
-/// An equirectangular image over the directions light comes FROM, in Mitsuba 3's layout: column u = atan2(x,
-/// -z) / 2 pi (pixel-centred), row v = acos(y) / pi (row 0 is the pole itself, the last row the other pole).
+/// Equirectangular image over the directions that light comes FROM, in Mitsuba 3's layout: column u = atan2(x,
+/// -z) / 2 pi (pixel-centred), row v = acos(y) / pi (row 0 is the pole itself, the last row the other
+/// pole).
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct nicol_image {
@@ -382,15 +384,16 @@ const _: () = {
     assert!(offset_of!(nicol_image, release_user) == 56);
 };
 
-/// A clear sky; the sun's own disc is not part of it. At the angle g from the sun its degree of polarization
-/// is dop_max sin^2 g / (1 + cos^2 g), the E-vector along sun x view, without s3.
+/// Clear sky without the sun's own disc. At the angle g from the sun, the degree of linear polarization is
+/// dop_max sin^2 g / (1 + cos^2 g), the electric field is along sun x view, and s3 is 0.
 ///
-/// With turbidity 0 light is scattered once: radiance * 3/4 (1 + cos^2 g) over the whole sphere, below the
+/// Turbidity 0: light is scattered once, with radiance * 3/4 (1 + cos^2 g) over the whole sphere, below the
 /// horizon too.
 ///
-/// With a turbidity of 1.7 (very clear) to 10 (hazy) brightness and, in three channels, colour follow Perez's
-/// formula, mean luminance over the upper half 1, times radiance. Below the horizon is an unpolarized, uniform
-/// ground that reflects ground_albedo of each channel's irradiance. The sun must not be below the horizon.
+/// Turbidity 1.7 (very clear) to 10 (hazy): brightness and, in three channels, colour follow Perez's formula,
+/// scaled so that the mean luminance over the upper half is 1, times radiance. Below the horizon is an
+/// unpolarized, uniform ground that reflects ground_albedo of each channel's irradiance. The sun must not be
+/// below the horizon.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct nicol_sky {
@@ -543,7 +546,8 @@ const _: () = {
 };
 pub type nicol_distribution = u32;
 
-/// Mitsuba 3's pplastic: rough Fresnel reflection over a diffuse base, both polarizing. Front side only.
+/// Plastic as Mitsuba 3's pplastic: rough Fresnel reflection over a diffuse base, both polarizing. Only the
+/// front side reflects.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct nicol_pplastic {
@@ -585,8 +589,8 @@ const _: () = {
     assert!(offset_of!(nicol_pplastic, alpha_texture) == 176);
 };
 
-/// Mitsuba 3's plastic and roughplastic: Fresnel reflection over a diffuse base, both depolarizing;
-/// nicol_pplastic is the model that polarizes. Front side only.
+/// Plastic as Mitsuba 3's plastic and roughplastic: Fresnel reflection over a diffuse base, both depolarizing.
+/// nicol_pplastic is the model that polarizes. Only the front side reflects.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct nicol_plastic {
@@ -627,8 +631,8 @@ const _: () = {
     assert!(offset_of!(nicol_plastic, alpha_texture) == 176);
 };
 
-/// Mitsuba 3's principled, Disney's material, without what it transmits. It depolarizes. Front side only.
-/// Numbers are 0 to 1, by default 0.
+/// Disney's material as Mitsuba 3's principled, without the light that it transmits. The material depolarizes.
+/// Only the front side reflects. Numbers are 0 to 1, default 0, unless stated otherwise.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct nicol_principled {
@@ -697,9 +701,10 @@ const _: () = {
     assert!(offset_of!(nicol_principled, clearcoat_gloss_texture) == 200);
 };
 
-/// Mitsuba 3's conductor and roughconductor: single reflection off the facets of an opaque metal. The complex
-/// index is eta - i k, relative to air. With k 0 and eta the index of a dielectric it is what the surface of
-/// that reflects, as of glass whose inside is not seen. Front side only.
+/// Metal as Mitsuba 3's conductor and roughconductor: single reflection off the facets of an opaque metal. The
+/// complex index is eta - i k, relative to air. With k = 0 and the index of a dielectric as eta, the material
+/// reflects like the surface of the dielectric, such as glass whose inside is not seen. Only the front side
+/// reflects.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct nicol_conductor {
@@ -793,13 +798,14 @@ const _: () = {
     assert!(offset_of!(nicol_psh_matrix, scale) == 8);
 };
 
-/// Writes the Mueller matrix of one colour channel, 16 row-major doubles, 1/sr and without the cosine, for
-/// light from the direction `towards_light` into the direction `towards_viewer`: unit vectors in the surface's
-/// frame, whose normal is z; both have z > 0. Both Stokes frames have x along the s-axis towards_light x
-/// towards_viewer and z along the propagation, y = z cross x, as Fresnel's matrices do (where the directions
-/// are equal, x is any perpendicular direction, the same for both). Return 1 to continue, 0 to end the call
-/// that needs it with NICOL_ERROR_CANCELLED. It is called by nicol_material_create_callback and nicol_render,
-/// on several threads at once, and must not call Nicol with objects of the material's context.
+/// Writes the Mueller matrix of one colour channel: 16 row-major doubles, 1/sr, without the cosine. The light
+/// comes from the direction `towards_light` and goes into the direction `towards_viewer`: unit vectors with
+/// z > 0 in the surface's frame, whose normal is z. Both Stokes frames have x along the s-axis towards_light x
+/// towards_viewer, z along the propagation and y = z cross x, as Fresnel's matrices do. If the directions are
+/// equal, x is any perpendicular direction, the same for both frames. Returns 1 to continue, or 0 to end the
+/// call that needs the matrix with NICOL_ERROR_CANCELLED. nicol_material_create_callback and nicol_render call
+/// the function, on several threads at once. The function must not call Nicol with objects of the material's
+/// context.
 pub type nicol_mueller_callback = Option<unsafe extern "C" fn(user: *mut c_void, channel: u32, towards_light: *const [f64; 3], towards_viewer: *const [f64; 3], mueller: *mut [f64; 16]) -> i32>;
 
 #[repr(C)]
@@ -834,7 +840,8 @@ const _: () = {
     assert!(offset_of!(nicol_callback_material, reserved) == 36);
 };
 
-/// All numbers must be finite, indices valid. Triangles without area are left out, and logged once.
+/// Triangles in memory. All numbers must be finite and all indices valid. Triangles without area are left out,
+/// and logged once.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct nicol_mesh_data {
@@ -910,15 +917,16 @@ const _: () = {
     assert!(offset_of!(nicol_camera, shift) == 176);
 };
 
-/// How what a light emits is polarized, all of it the same. Its frame, seen by who looks into the light:
+/// Polarization of the emission of a light, equal in all directions. The frame, as seen by a viewer who looks into the
+/// light:
 ///
 ///  y|  / E-vector
-///   | /    z  comes towards the viewer, along the light
-///   |/     x  is the part of axis across z (of an axis along z, the direction of growing angle from the light's own +z)
+///   | /    z  points towards the viewer, along the light
+///   |/     x  is the part of axis perpendicular to z (for an axis along z: growing angle from the light's own +z)
 ///   +---x  y  = z cross x; the AoLP counts from x to y, counter-clockwise
 ///
-/// A sheet polarizer before the light that absorbs along `axis` is dolp 1 and aolp pi / 2, seen from anywhere; a
-/// quarter-wave plate behind it docp 1 or -1.
+/// A sheet polarizer before the light that absorbs along `axis` is dolp 1 and aolp pi / 2, seen from anywhere. A
+/// quarter-wave plate behind this polarizer gives docp 1 or -1.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct nicol_polarization {
@@ -944,9 +952,9 @@ const _: () = {
 };
 pub type nicol_light_kind = u32;
 
-/// A light without a surface, beside the environment. In its own axes it emits light along +z, from the origin
-/// where it has a place; +y is up and +x to the left of who looks along +z, as of cameras. Fields of other
-/// kinds have no effect.
+/// Local light without a surface, beside the environment. In its own axes the light emits along +z, from the
+/// origin unless it is directional. +y is up, and +x is to the left of a viewer who looks along +z, as for
+/// cameras. Fields of other kinds have no effect.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct nicol_light {
@@ -994,7 +1002,7 @@ const _: () = {
     assert!(offset_of!(nicol_light, polarization) == 256);
 };
 
-/// What an instance emits, beside what it reflects.
+/// Emission of an instance, in addition to its reflection.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct nicol_emission {
@@ -1026,18 +1034,20 @@ const _: () = {
 pub type nicol_polarization_element_kind = u32;
 pub type nicol_polarization_element_outline = u32;
 
-/// An ideal, infinitely thin sheet. The camera sees what is behind it through its Mueller matrix; several along a ray
-/// act in their order. It casts no shadow, and light passes it unchanged on its way to surfaces.
-/// In its own axes it lies in the plane z = 0 about the origin; light passes both ways alike.
+/// Ideal, infinitely thin polarization element. The camera sees what is behind the element through its Mueller matrix.
+/// Several elements along a ray act in their order. An element casts no shadow, and light passes it unchanged on its way
+/// to surfaces. In its own axes an element lies in the plane z = 0 about the origin; light passes in both directions with
+/// equal effect.
 ///
 ///   y
 ///   |  / axis   x  is where to_world takes the element's x, z its normal, and y = z cross x
 ///   | /) angle
 ///   +------x
 ///
-/// Light at an angle to the normal is treated as by Mitsuba 3: a polarizer absorbs along what is across the ray of the
-/// direction that it absorbs, retardance is times the cosine of that angle. A fast axis is what is across the ray of it,
-/// where Mitsuba 3.9 rotates it with the tilt.
+/// Light at an angle to the normal is treated as in Mitsuba 3. A polarizer absorbs along the part of its absorbing axis
+/// that is perpendicular to the ray. The retardance is multiplied by the cosine of the angle. The effective fast axis of
+/// a retarder is the part of its fast axis that is perpendicular to the ray, whereas Mitsuba 3.9 rotates the fast axis
+/// with the tilt.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct nicol_polarization_element {
@@ -1131,6 +1141,8 @@ pub type nicol_shade_at = u32;
 pub type nicol_executor = u32;
 pub type nicol_components = u32;
 
+/// Options of a render. The reference method uses only samples, seed, shadows, aovs, progress and
+/// NICOL_OPTIMISATION_UNCHANGED; the other options are those of the factored and the dense method.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct nicol_render_options {
@@ -1211,11 +1223,11 @@ const _: () = {
 pub struct nicol_job_impl {
     _private: [u8; 0],
 }
-/// An asynchronous render. Jobs of one context run one after another, in the order of submission, on a thread
-/// of the context. A running job locks the context: calls that render, create, read and write its framebuffers
-/// wait for it, but not for queued jobs. Calls that change or query scenes or make lights, materials and
-/// meshes do not wait. May be used from any thread; nicol_job_poll and nicol_job_cancel from callbacks too.
-/// What is different inside a host's OpenGL is told there.
+/// Asynchronous render. Jobs of one context run one after another, in the order of submission, on a thread of
+/// the context. A running job locks the context: calls that render, create, read and write its framebuffers
+/// wait for the job, but not for queued jobs. Calls that change or query scenes, or make lights, materials and
+/// meshes, do not wait. A job may be used from any thread; nicol_job_poll and nicol_job_cancel may also be
+/// called from callbacks. "Inside a host's OpenGL" says how jobs differ there.
 pub type nicol_job = *mut nicol_job_impl;
 pub type nicol_job_state = u32;
 
@@ -1405,7 +1417,8 @@ const _: () = {
     assert!(offset_of!(nicol_observation, polarizer_angle) == 16);
 };
 
-/// The address of an OpenGL function by its name, as from SDL_GL_GetProcAddress, eglGetProcAddress and others.
+/// Returns the address of an OpenGL function by its name, as SDL_GL_GetProcAddress, eglGetProcAddress and
+/// others do.
 pub type nicol_get_proc_address_callback = Option<unsafe extern "C" fn(user: *mut c_void, name: *const c_char) -> *mut c_void>;
 
 /// Returns 1 if the host's context is current on the calling thread, else 0.
@@ -1466,8 +1479,8 @@ const _: () = {
 };
 pub type nicol_encoding = u32;
 
-/// A texture of the host's to draw into: level 0 of a GL_TEXTURE_2D of GL_RGBA8, GL_SRGB8_ALPHA8, GL_RGBA16F
-/// or GL_RGBA32F, as large as the framebuffer.
+/// Texture of the host's to draw into: level 0 of a GL_TEXTURE_2D of GL_RGBA8, GL_SRGB8_ALPHA8, GL_RGBA16F or
+/// GL_RGBA32F, as large as the framebuffer.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct nicol_texture_target {
@@ -1527,13 +1540,14 @@ const _: () = {
 pub struct nicol_psh_transform_impl {
     _private: [u8; 0],
 }
-/// Between samples [vector][row][column][4], north to south, and coefficients, in O(order^3). Needs no
-/// context; holds its work space: after creation no call allocates. Calls on one transform are serialised.
+/// Transform between samples [vector][row][column][4], north to south, and coefficients, in O(order^3). The
+/// transform needs no context and holds its work space: no call allocates after creation. Calls on one
+/// transform are serialised.
 pub type nicol_psh_transform = *mut nicol_psh_transform_impl;
 
 /// Writes the Mueller matrix from the theta-phi frame of the propagation direction `in` to that of `out`,
-/// cosine factors included (Eq. 38). Return 1 to continue, 0 to stop with NICOL_ERROR_CANCELLED. Called on the
-/// calling thread. It may call Nicol.
+/// cosine factors included (Eq. 38). Returns 1 to continue, or 0 to stop with NICOL_ERROR_CANCELLED. The
+/// function is called on the calling thread, and may call Nicol.
 pub type nicol_psh_mueller_callback = Option<unsafe extern "C" fn(user: *mut c_void, r#in: *const [f64; 3], out: *const [f64; 3], mueller: *mut [f64; 16]) -> i32>;
 
 #[repr(C)]
@@ -1572,8 +1586,9 @@ const _: () = {
     assert!(offset_of!(nicol_psh_mueller_field, user) == 40);
 };
 
-/// Writes the Mueller matrix at the angle theta between input and output direction, frames with x along the
-/// great circle, from input to output at both ends (Eq. 62). Returns as nicol_psh_mueller_callback.
+/// Writes the Mueller matrix at the angle theta between input and output direction. Both frames have x along
+/// the great circle, from input to output (Eq. 62). Returns 1 to continue, or 0 to stop with
+/// NICOL_ERROR_CANCELLED. The function is called on the calling thread, and may call Nicol.
 pub type nicol_psh_kernel_callback = Option<unsafe extern "C" fn(user: *mut c_void, theta: f64, mueller: *mut [f64; 16]) -> i32>;
 pub type nicol_file_kind = u32;
 
@@ -1616,8 +1631,8 @@ const _: () = {
     assert!(offset_of!(nicol_file_options, reserved) == 172);
 };
 
-/// What a light is, by channel; means and parts are over the sphere by solid angle, of the image that would
-/// be written.
+/// Report of a light, by channel. Means and fractions are taken over the sphere, weighted by solid angle, for
+/// the image that would be written.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct nicol_light_report {
@@ -1670,7 +1685,7 @@ const _: () = {
     assert!(offset_of!(nicol_light_report, largest_excess) == 1440);
 };
 
-/// What a material is, by channel, as far as coefficients up to `order` describe it.
+/// Report of a material, by channel, as far as coefficients up to `order` describe the material.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct nicol_material_report {
@@ -1720,357 +1735,413 @@ const _: () = {
 };
 
 extern "C" {
-    /// Of the library that runs: major * 10000 + minor * 100 + patch.
+    /// Returns the version of the running library: major * 10000 + minor * 100 + patch.
     pub fn nicol_version() -> u32;
-    /// "0.1.0"; lives as long as the library.
+    /// Returns the version of the running library as text, such as "0.1.0". The string lives as long as the
+    /// library.
     pub fn nicol_version_string() -> *const c_char;
-    /// Properties of this build as "key=value" (source, compiler, backends, methods, max_order, ...), index 0, 1,
-    /// ...; NULL past the last one. Lives as long as the library.
+    /// Returns a property of this build as "key=value" (source, compiler, backends, methods, max_order, ...).
+    /// index counts from 0; an index past the last property gives NULL. The string lives as long as the
+    /// library.
     pub fn nicol_build_info(index: u32) -> *const c_char;
-    /// The message of the last failed call on this thread: one line that names the file, line, field or argument
-    /// and what is expected. Never NULL; "" before the first failure. Valid until this thread's next failed call.
+    /// Returns the message of the last failed call on this thread: one line that names the file, line, field or
+    /// argument and what is expected. The message is never NULL, and "" before the first failure. The string is
+    /// valid until this thread's next failed call.
     pub fn nicol_last_error() -> *const c_char;
-    /// "out of memory" and the like for a code; lives as long as the library.
+    /// Returns a name such as "out of memory" for a result code. The string lives as long as the library.
     pub fn nicol_result_name(result: nicol_result) -> *const c_char;
-    /// The number of devices for nicol_context_options.device: those that EGL lists, in its order, which is
-    /// neither CUDA's nor the kernel's. 0 if there is no EGL. The list may change when devices or drivers are
-    /// added or removed.
+    /// Gets the number of devices for nicol_context_options.device. The devices are those that EGL lists, in EGL's
+    /// order, which is neither CUDA's nor the kernel's. Without EGL the number is 0. The list may change when
+    /// devices or drivers are added or removed.
     pub fn nicol_device_count(count: *mut u32) -> nicol_result;
-    /// device from 1 to nicol_device_count's. No context is made, so that making one may still fail.
+    /// Gets the properties of a device; device is 1 to the number of nicol_device_count. Creating a context on the
+    /// device may still fail, because this function does not create one.
     pub fn nicol_device_get_info(device: u32, info: *mut nicol_device_info) -> nicol_result;
-    /// options may be NULL: all defaults. NICOL_ERROR_NO_BACKEND if no such OpenGL context can be made.
+    /// Creates a context. options may be NULL: all defaults. Returns NICOL_ERROR_NO_BACKEND if no such OpenGL
+    /// context can be created.
     pub fn nicol_context_create(options: *const nicol_context_options, context: *mut nicol_context) -> nicol_result;
     pub fn nicol_context_retain(context: nicol_context) -> nicol_result;
     pub fn nicol_context_release(context: nicol_context) -> nicol_result;
-    /// What was opened, and the limits that hold in it.
+    /// Gets the properties of the OpenGL context, and the limits in effect.
     pub fn nicol_context_get_info(context: nicol_context, info: *mut nicol_context_info) -> nicol_result;
-    /// By the path:
+    /// Loads an environment from files in the format that the path names:
     ///   NAME.exr      OpenEXR, equirectangular as nicol_image: R, G, B or Y are unpolarized light; S0.<colour> to
-    ///                 S3.<colour> are polarized, in nicol_image's frames; spectral files (S0.550,000000nm and so on)
-    ///                 have a channel a wavelength.
-    ///   NAME_s0.exr   to NAME_s3.exr, any of them, or NAME alone: a cube map as a cross of 4 x 3 faces, a file for
-    ///                 each Stokes component, as the Python package polarsh has them.
-    ///   NAME.hdr      Radiance HDR; or NAME.png, .jpg, .bmp, .tga, whose colours are decoded from sRGB to 0 to 1: unpolarized
-    ///                 light, equirectangular.
+    ///                 S3.<colour> are polarized light, in nicol_image's frames. Spectral files (S0.550,000000nm and so on)
+    ///                 have one channel per wavelength.
+    ///   NAME_s0.exr   to NAME_s3.exr, any of the four, or NAME alone: a cube map as a cross of 4 x 3 faces, one file per
+    ///                 Stokes component, as the Python package polarsh writes them.
+    ///   NAME.hdr      Radiance HDR, equirectangular, unpolarized light.
+    ///   NAME.png      or NAME.jpg, .bmp, .tga: equirectangular, unpolarized light, decoded from sRGB to 0 to 1.
     ///   NAME.npz      PSH coefficients as polarsh writes them (SHVec).
     /// options may be NULL: all defaults.
     pub fn nicol_environment_load(context: nicol_context, path: *const c_char, options: *const nicol_environment_load_options, environment: *mut nicol_environment) -> nicol_result;
-    /// From memory.
+    /// Creates an environment from an image in memory.
     pub fn nicol_environment_create_image(context: nicol_context, image: *const nicol_image, environment: *mut nicol_environment) -> nicol_result;
-    /// Unpolarized and the same from all directions; radiance NULL or not given: 1 in one channel; finite, not
-    /// negative.
+    /// Creates an environment of unpolarized light that is equal from all directions. radiance is finite and not
+    /// negative; NULL or not given: 1 in one channel.
     pub fn nicol_environment_create_constant(context: nicol_context, radiance: *const nicol_spectrum, environment: *mut nicol_environment) -> nicol_result;
-    /// A clear sky, without its sun.
+    /// Creates a clear sky without the sun's own disc.
     pub fn nicol_environment_create_sky(context: nicol_context, sky: *const nicol_sky, environment: *mut nicol_environment) -> nicol_result;
-    /// Light given by PSH coefficients over PROPAGATION directions in the world's axes, [channel][l*l + l + m][4]
-    /// as nicol_psh.h says; order up to NICOL_PSH_MAX_ORDER (4096), channels 1 to NICOL_MAX_CHANNELS, count =
-    /// channels * 4 (order+1)^2. p = 1, 2 below l = 2 must be 0. The light is band-limited: it may ring, with s0
-    /// below 0 and more polarization than light.
+    /// Creates an environment from PSH coefficients over PROPAGATION directions in the world's axes,
+    /// [channel][l*l + l + m][4] as nicol_psh.h defines. order is up to NICOL_PSH_MAX_ORDER (4096), channels 1 to
+    /// NICOL_MAX_CHANNELS, and count = channels * 4 (order+1)^2. Coefficients p = 1, 2 below l = 2 must be 0. The
+    /// light is band-limited and may ring: s0 may be below 0, and the polarization above s0.
     pub fn nicol_environment_create_psh(context: nicol_context, order: u32, channels: u32, coefficients: *const f64, count: u64, environment: *mut nicol_environment) -> nicol_result;
-    /// Properties of the light.
+    /// Gets the properties of the light.
     pub fn nicol_environment_get_info(environment: nicol_environment, info: *mut nicol_environment_info) -> nicol_result;
     pub fn nicol_environment_retain(environment: nicol_environment) -> nicol_result;
     pub fn nicol_environment_release(environment: nicol_environment) -> nicol_result;
-    /// Copies the pixels. options may be NULL: all defaults.
+    /// Creates a texture from an image in memory and copies the pixels. options may be NULL: all defaults.
     pub fn nicol_texture_create_image(context: nicol_context, image: *const nicol_texture_image, options: *const nicol_texture_options, texture: *mut nicol_texture) -> nicol_result;
-    /// PNG, JPEG, BMP, TGA, Radiance HDR, or OpenEXR with R G B or Y; with A as coverage. options may be NULL: all
-    /// defaults.
+    /// Loads a texture from a file of PNG, JPEG, BMP, TGA, Radiance HDR, or OpenEXR with R G B or Y; A is the
+    /// coverage. options may be NULL: all defaults.
     pub fn nicol_texture_load(context: nicol_context, path: *const c_char, options: *const nicol_texture_options, texture: *mut nicol_texture) -> nicol_result;
-    /// Mitsuba 3's checkerboard of colours: four squares a unit of u and v, color0 at u = v = 0. Colours of 1 or 3
-    /// values; NULL or not given: 0.4 and 0.2. to_uv as of nicol_texture_options, NULL: identity.
+    /// Creates Mitsuba 3's checkerboard of colours: four squares per unit square of u and v, color0 at u = v = 0.
+    /// Colours have 1 or 3 values; NULL or not given: 0.4 and 0.2. to_uv is that of nicol_texture_options; NULL:
+    /// identity.
     pub fn nicol_texture_create_checkerboard(context: nicol_context, color0: *const nicol_spectrum, color1: *const nicol_spectrum, to_uv: *const [f64; 9], texture: *mut nicol_texture) -> nicol_result;
-    /// The colours of the mesh's vertices, interpolated.
+    /// Creates a texture of the colours of the mesh's vertices, interpolated.
     pub fn nicol_texture_create_vertex_colors(context: nicol_context, texture: *mut nicol_texture) -> nicol_result;
-    /// The colours of the mesh's triangles. A material takes these or those of vertices, not both.
+    /// Creates a texture of the colours of the mesh's triangles. A material may use colours of triangles or of
+    /// vertices, not both.
     pub fn nicol_texture_create_face_colors(context: nicol_context, texture: *mut nicol_texture) -> nicol_result;
     pub fn nicol_texture_retain(texture: nicol_texture) -> nicol_result;
     pub fn nicol_texture_release(texture: nicol_texture) -> nicol_result;
-    /// NICOL_ERROR_INVALID_ARGUMENT names the field that is out of range.
+    /// Creates a material from nicol_pplastic. The message of NICOL_ERROR_INVALID_ARGUMENT names the field that is
+    /// out of range.
     pub fn nicol_material_create_pplastic(context: nicol_context, parameters: *const nicol_pplastic, material: *mut nicol_material) -> nicol_result;
-    /// Likewise.
+    /// Creates a material from nicol_plastic. The message of NICOL_ERROR_INVALID_ARGUMENT names the field that is
+    /// out of range.
     pub fn nicol_material_create_plastic(context: nicol_context, parameters: *const nicol_plastic, material: *mut nicol_material) -> nicol_result;
-    /// Likewise; NICOL_ERROR_UNSUPPORTED for a tint of a mesh's colours.
+    /// Creates a material from nicol_principled. The message of NICOL_ERROR_INVALID_ARGUMENT names the field that
+    /// is out of range. Returns NICOL_ERROR_UNSUPPORTED for a tint of a mesh's colours.
     pub fn nicol_material_create_principled(context: nicol_context, parameters: *const nicol_principled, material: *mut nicol_material) -> nicol_result;
-    /// Lambertian and depolarizing; reflectance NULL or not given: 0.5. Front side only.
+    /// Creates a Lambertian, depolarizing material. reflectance is 0 to 1; NULL or not given: 0.5. Only the front
+    /// side reflects.
     pub fn nicol_material_create_diffuse(context: nicol_context, reflectance: *const nicol_spectrum, material: *mut nicol_material) -> nicol_result;
-    /// Likewise; a metal that is not known is refused with the names of those that are.
+    /// Creates a material from nicol_conductor. The message of NICOL_ERROR_INVALID_ARGUMENT names the field that
+    /// is out of range or, for an unknown metal, the known metals.
     pub fn nicol_material_create_conductor(context: nicol_context, parameters: *const nicol_conductor, material: *mut nicol_material) -> nicol_result;
-    /// Mitsuba 3's measured_polarized: a .pbsdf file, as the KAIST data set has them. It is streamed: about 102 MB
-    /// stay in memory for each channel at the data set's resolution, half of that where symmetrized. options may
-    /// be NULL: all defaults. Front side only.
+    /// Loads a material as Mitsuba 3's measured_polarized from a .pbsdf file, such as the KAIST data set has. The
+    /// file is streamed: about 102 MB per channel stay in memory at the data set's resolution, or half as much if
+    /// symmetrized. options may be NULL: all defaults. Only the front side reflects.
     pub fn nicol_material_load_measured(context: nicol_context, path: *const c_char, options: *const nicol_measured, material: *mut nicol_material) -> nicol_result;
-    /// A PSH coefficient matrix a channel, cosine included, of an isotropic material: the .npz files of the Python
-    /// package polarsh (SHMat in the layout ISOBI2). Light of orders above the matrix's is not reflected. options
-    /// may be NULL: all defaults. Front side only.
+    /// Loads an isotropic material from one PSH coefficient matrix per channel, cosine included: the .npz files of
+    /// the Python package polarsh (SHMat in the layout ISOBI2). The material does not reflect light of orders
+    /// above the matrix's. options may be NULL: all defaults. Only the front side reflects.
     pub fn nicol_material_load_psh(context: nicol_context, path: *const c_char, options: *const nicol_psh_matrix, material: *mut nicol_material) -> nicol_result;
-    /// The back of a surface reflects as its front. `front` may be released afterwards.
+    /// Creates a material whose back side reflects as its front side. `front` may be released afterwards.
     pub fn nicol_material_create_twosided(context: nicol_context, front: nicol_material, material: *mut nicol_material) -> nicol_result;
-    /// A material times a texture: a diffuse one of reflectance 1 then has the texture's colours. The handles
-    /// given may be released afterwards, here and below.
+    /// Creates the product of a material and a texture: a diffuse material of reflectance 1 gets the texture's
+    /// colours. The given handles may be released afterwards.
     pub fn nicol_material_create_scaled(context: nicol_context, base: nicol_material, scale: nicol_texture, material: *mut nicol_material) -> nicol_result;
-    /// first (1 - t) + second t, t the weight's first channel, moved to 0 to 1: Mitsuba 3's blendbsdf. Both must
-    /// be two-sided, or neither.
+    /// Creates the mixture first (1 - t) + second t, with t = the weight's first channel, clamped to 0 to 1
+    /// (Mitsuba 3's blendbsdf). Both materials must be two-sided, or neither. The given handles may be released
+    /// afterwards.
     pub fn nicol_material_create_blend(context: nicol_context, first: nicol_material, second: nicol_material, weight: nicol_texture, material: *mut nicol_material) -> nicol_result;
-    /// Shading normals 2 t - 1 in the frame of the surface, x along growing u: Mitsuba 3's normalmap. The texture
-    /// is raw. y completes a right-handed frame; with mirrored_y 1 it points to where v falls, which differs where
-    /// texture coordinates are mirrored, as in glTF.
+    /// Creates a material with perturbed normals from a raw texture with values t: shading normals 2 t - 1 in the
+    /// frame of the surface, with x along growing u (Mitsuba 3's normalmap). mirrored_y 0: y completes a
+    /// right-handed frame; 1: y points to where v falls, as in glTF. The two values differ where texture
+    /// coordinates are mirrored. The given handles may be released afterwards.
     pub fn nicol_material_create_normal_map(context: nicol_context, base: nicol_material, normals: nicol_texture, mirrored_y: u32, material: *mut nicol_material) -> nicol_result;
-    /// Shading normals of a surface that is displaced along its normal by scale times the texture's first channel,
-    /// in the scene's units: Mitsuba 3's bumpmap.
+    /// Creates a material with perturbed normals from heights: shading normals of a surface that is displaced
+    /// along its normal by scale times the texture's first channel, in the scene's units (Mitsuba 3's bumpmap).
+    /// The given handles may be released afterwards.
     pub fn nicol_material_create_bump_map(context: nicol_context, base: nicol_material, heights: nicol_texture, scale: f64, material: *mut nicol_material) -> nicol_result;
-    /// Cut out where the texture's coverage, or of fewer than four channels its first one, is below 0.5: Mitsuba
-    /// 3's mask of opacities 0 and 1.
+    /// Creates a material with an alpha mask: the surface is cut out where the opacity is below 0.5 (Mitsuba 3's
+    /// mask of opacities 0 and 1). The opacity is the texture's coverage or, with fewer than four channels, the
+    /// first channel. The given handles may be released afterwards.
     pub fn nicol_material_create_mask(context: nicol_context, base: nicol_material, opacity: nicol_texture, material: *mut nicol_material) -> nicol_result;
-    /// The function must be isotropic, mirror symmetric about every plane through the normal, and finite. It is
-    /// tested at some directions and refused with NICOL_ERROR_INVALID_ARGUMENT otherwise. Front side only.
+    /// Creates a material from a function, which must be isotropic, mirror symmetric about every plane through the
+    /// normal, and finite. Returns NICOL_ERROR_INVALID_ARGUMENT if a test at some directions shows that the
+    /// function is not. Only the front side reflects.
     pub fn nicol_material_create_callback(context: nicol_context, parameters: *const nicol_callback_material, material: *mut nicol_material) -> nicol_result;
     pub fn nicol_material_retain(material: nicol_material) -> nicol_result;
     pub fn nicol_material_release(material: nicol_material) -> nicol_result;
-    /// OBJ, PLY, OFF, STL or the first mesh of Mitsuba's .serialized, by the file's suffix. Polygons may be
-    /// concave. Triangles without area, vertices of no face and what is not followed (materials) are left out; one
-    /// line of the log counts them. Texture coordinates and colours of vertices and faces are kept; v of OBJ,
-    /// which points up there, becomes 1 - v. NICOL_ERROR_INVALID_FILE names the line, vertex or face.
+    /// Loads a mesh from OBJ, PLY, OFF, STL or the first mesh of Mitsuba's .serialized, by the file's suffix.
+    /// Polygons may be concave. Triangles without area, vertices without a face, and elements that the reader
+    /// ignores (materials) are left out; one line of the log counts them. Texture coordinates and colours of
+    /// vertices and faces are kept. v of OBJ, which points up, becomes 1 - v. The message of
+    /// NICOL_ERROR_INVALID_FILE names the line, vertex or face.
     pub fn nicol_mesh_load(context: nicol_context, path: *const c_char, mesh: *mut nicol_mesh) -> nicol_result;
-    /// Copies the arrays. A render adds vertices where shadows need them, see refine_tolerance.
+    /// Creates a mesh from arrays and copies the arrays. A render adds vertices where shadows need them, see
+    /// refine_tolerance of nicol_render_options.
     pub fn nicol_mesh_create(context: nicol_context, data: *const nicol_mesh_data, mesh: *mut nicol_mesh) -> nicol_result;
-    /// The unit sphere, finely enough divided for per-vertex shading. Here and below texture coordinates are those
-    /// of Mitsuba 3's shapes.
+    /// Creates the unit sphere, divided finely enough for per-vertex shading, with the texture coordinates of
+    /// Mitsuba 3's sphere.
     pub fn nicol_mesh_create_sphere(context: nicol_context, mesh: *mut nicol_mesh) -> nicol_result;
-    /// [-1, 1]^2 in the plane z = 0, facing +z.
+    /// Creates the rectangle [-1, 1]^2 in the plane z = 0, facing +z, with the texture coordinates of Mitsuba 3's
+    /// rectangle.
     pub fn nicol_mesh_create_rectangle(context: nicol_context, mesh: *mut nicol_mesh) -> nicol_result;
-    /// [-1, 1]^3.
+    /// Creates the cube [-1, 1]^3, with the texture coordinates of Mitsuba 3's cube.
     pub fn nicol_mesh_create_cube(context: nicol_context, mesh: *mut nicol_mesh) -> nicol_result;
-    /// Radius 1 in the plane z = 0, facing +z: 128 sectors of 16 rings.
+    /// Creates the disk of radius 1 in the plane z = 0, facing +z: 180 sectors of 16 rings, with the texture
+    /// coordinates of Mitsuba 3's disk.
     pub fn nicol_mesh_create_disk(context: nicol_context, mesh: *mut nicol_mesh) -> nicol_result;
-    /// Of this radius around the line from p0 to p1, in the scene's units, without its ends: 180 sides. The front
-    /// is outside. radius is above 0, p0 and p1 must differ.
+    /// Creates the cylinder of this radius around the line from p0 to p1, in the scene's units, without its ends:
+    /// 180 sides, with the texture coordinates of Mitsuba 3's cylinder. The front is outside. radius must be above
+    /// 0, and p0 and p1 must differ.
     pub fn nicol_mesh_create_cylinder(context: nicol_context, p0: *const [f64; 3], p1: *const [f64; 3], radius: f64, mesh: *mut nicol_mesh) -> nicol_result;
-    /// Of its vertices and triangles.
+    /// Gets the numbers of vertices and triangles of a mesh.
     pub fn nicol_mesh_get_size(mesh: nicol_mesh, vertices: *mut u32, triangles: *mut u32) -> nicol_result;
     pub fn nicol_mesh_retain(mesh: nicol_mesh) -> nicol_result;
     pub fn nicol_mesh_release(mesh: nicol_mesh) -> nicol_result;
-    /// A camera at `origin` that looks at `target`; sets to_world alone. `up` must not lie along the view.
+    /// Sets to_world, and no other field, to that of a camera at `origin` that looks at `target`. `up` must not
+    /// lie along the view.
     pub fn nicol_camera_look_at(camera: *mut nicol_camera, origin: *const [f64; 3], target: *const [f64; 3], up: *const [f64; 3]) -> nicol_result;
-    /// Empty and dark.
+    /// Creates an empty, dark scene.
     pub fn nicol_scene_create(context: nicol_context, scene: *mut nicol_scene) -> nicol_result;
-    /// A Mitsuba 3 XML file, or glTF 2.0 where the name ends in .gltf or .glb (the subsets that
-    /// samples/render/README.md lists); definitions are "name=value" strings that override <default>s of the XML.
-    /// glTF has no environment, and may have lights. Lights of a file that polarization elements of it cover have
-    /// the state and the brightness of their light behind these.
+    /// Loads a scene from a Mitsuba 3 XML file, or from glTF 2.0 if the name ends in .gltf or .glb (the subsets
+    /// that samples/render/README.md lists). definitions are "name=value" strings that override <default>s of the
+    /// XML. A glTF file has no environment, and may have lights. Lights that polarization elements of the file
+    /// cover get the polarization state and the brightness that their light has behind the elements.
     pub fn nicol_scene_load(context: nicol_context, path: *const c_char, definitions: *const *const c_char, definition_count: u32, scene: *mut nicol_scene) -> nicol_result;
-    /// id may be NULL; ids count up from 0, past those of removed instances too. A mesh must have the texture
-    /// coordinates and colours that its material needs, here and in nicol_scene_set_material. Materials and
-    /// environment must have one colour channel or the same number of them, here and in
-    /// nicol_scene_set_environment.
+    /// Adds an instance. id may be NULL; ids count up from 0, past those of removed instances too. The mesh must
+    /// have the texture coordinates and colours that the material needs. Materials and environment of a scene must
+    /// have one colour channel or the same number of channels.
     pub fn nicol_scene_add_instance(scene: nicol_scene, instance: *const nicol_instance, id: *mut u32) -> nicol_result;
-    /// id as nicol_scene_add_instance gave it; to_world as nicol_instance's. The next render bakes again the
-    /// vertices that the instance may shadow, before or now; a scene that rotates and moves as a whole is only
+    /// Sets the transform of an instance; to_world is that of nicol_instance. The next render bakes again the
+    /// vertices that the instance may shadow, before or now. A scene that rotates and moves as a whole is only
     /// relit.
     pub fn nicol_scene_set_transform(scene: nicol_scene, id: u32, to_world: *const [f64; 16]) -> nicol_result;
-    /// The next render projects the material, if it is new to the scene, and shades its instance.
+    /// Sets the material of an instance, under the conditions of nicol_scene_add_instance. The next render
+    /// projects the material, if it is new to the scene, and shades the instance.
     pub fn nicol_scene_set_material(scene: nicol_scene, id: u32, material: nicol_material) -> nicol_result;
-    /// Its id is not used again; the others keep theirs.
+    /// Removes an instance. The id is not used again; other instances keep their ids.
     pub fn nicol_scene_remove_instance(scene: nicol_scene, id: u32) -> nicol_result;
-    /// The parts of an instance: mesh and material as handles to release. Each of the three may be NULL.
+    /// Gets the parts of an instance: mesh and material as handles to release, and the transform. Each of the
+    /// three may be NULL.
     pub fn nicol_scene_get_instance(scene: nicol_scene, id: u32, mesh: *mut nicol_mesh, material: *mut nicol_material, to_world: *mut [f64; 16]) -> nicol_result;
+    /// Gets the number of instances.
     pub fn nicol_scene_get_instance_count(scene: nicol_scene, instances: *mut u32) -> nicol_result;
-    /// The ids of all instances, ascending; count: of the instances.
+    /// Gets the ids of all instances, ascending. count must be the number of instances.
     pub fn nicol_scene_get_instance_ids(scene: nicol_scene, ids: *mut u32, count: u64) -> nicol_result;
-    /// environment NULL: darkness. to_world rotates it (NULL: identity; must be a proper rotation), scale
-    /// multiplies (1 leaves it; 0: darkness; finite, not negative).
+    /// Sets the environment; NULL: darkness. to_world is a proper rotation of the environment; NULL: identity.
+    /// scale is a factor on the radiance, finite and not negative; 1: no change; 0: darkness.
     pub fn nicol_scene_set_environment(scene: nicol_scene, environment: nicol_environment, to_world: *const [f64; 16], scale: f64) -> nicol_result;
-    /// The arguments of nicol_scene_set_environment: the environment, as a handle to release, its rotation and
-    /// scale. to_world and scale may be NULL. In darkness, also that of a file's scale of 0, *environment is NULL,
-    /// to_world the identity and scale 1.
+    /// Gets the arguments of nicol_scene_set_environment: the environment, as a handle to release, its rotation
+    /// and scale. to_world and scale may be NULL. In darkness, including a file's scale of 0, *environment is
+    /// NULL, to_world the identity and scale 1.
     pub fn nicol_scene_get_environment(scene: nicol_scene, environment: *mut nicol_environment, to_world: *mut [f64; 16], scale: *mut f64) -> nicol_result;
-    /// hide 1: no light goes straight to the camera from the environment, which leaves black (alpha 0), or from
-    /// instances that emit, which show what they reflect alone; both light the scene as before. 0: they are seen,
-    /// unless the scene's file has hide_emitters.
+    /// Sets whether emitters are hidden from the camera. hide 1: no light goes straight to the camera from the
+    /// environment, which leaves black (alpha 0), or from instances that emit, which show only their reflection;
+    /// both light the scene as before. hide 0: the camera sees emitters, unless the scene's file has
+    /// hide_emitters.
     pub fn nicol_scene_hide_emitters(scene: nicol_scene, hide: u32) -> nicol_result;
-    /// Adds a light, with an id of its own: lights are counted from 0, apart from instances. id may be NULL. A
-    /// light must have one colour channel or as many as the scene; so must what an instance emits. The handle of
-    /// the texture may be released afterwards. NICOL_ERROR_INVALID_ARGUMENT names the field that is out of range,
-    /// here and below.
+    /// Adds a light. id may be NULL; ids of lights count up from 0, independently of instances. Lights, and the
+    /// emission of instances, must have one colour channel or as many as the scene. The handle of the texture may
+    /// be released afterwards. The message of NICOL_ERROR_INVALID_ARGUMENT names the field that is out of
+    /// range.
     pub fn nicol_scene_add_light(scene: nicol_scene, light: *const nicol_light, id: *mut u32) -> nicol_result;
-    /// All of the light of this id. The next render bakes nothing.
+    /// Replaces all fields of a light. The next render bakes nothing. The message of NICOL_ERROR_INVALID_ARGUMENT
+    /// names the field that is out of range.
     pub fn nicol_scene_set_light(scene: nicol_scene, id: u32, light: *const nicol_light) -> nicol_result;
-    /// Its id is not used again; the others keep theirs.
+    /// Removes a light. The id is not used again; other lights keep their ids.
     pub fn nicol_scene_remove_light(scene: nicol_scene, id: u32) -> nicol_result;
-    /// The light as it was given; its texture, as a handle to release, in *texture (NULL: it has none) and not in
-    /// light->texture. texture may be NULL.
+    /// Gets a light as it was given. *texture, and not light->texture, is the light's texture as a handle to
+    /// release, or NULL if the light has none. texture may be NULL.
     pub fn nicol_scene_get_light(scene: nicol_scene, id: u32, light: *mut nicol_light, texture: *mut nicol_texture) -> nicol_result;
+    /// Gets the number of lights.
     pub fn nicol_scene_get_light_count(scene: nicol_scene, lights: *mut u32) -> nicol_result;
-    /// The ids of all lights, ascending; count: of the lights.
+    /// Gets the ids of all lights, ascending. count must be the number of lights.
     pub fn nicol_scene_get_light_ids(scene: nicol_scene, ids: *mut u32, count: u64) -> nicol_result;
-    /// Makes an instance emit light, emission NULL: stop it. id is the instance's. A texture needs texture
-    /// coordinates of the mesh.
+    /// Sets the emission of the instance `id`; NULL: the instance emits no light. A texture needs texture
+    /// coordinates of the mesh. The message of NICOL_ERROR_INVALID_ARGUMENT names the field that is out of
+    /// range.
     pub fn nicol_scene_set_emission(scene: nicol_scene, id: u32, emission: *const nicol_emission) -> nicol_result;
-    /// What an instance emits, its texture as of nicol_scene_get_light. Of one that emits no light the radiance
-    /// is 0.
+    /// Gets the emission of an instance, with its texture as nicol_scene_get_light does. The radiance is 0 for an
+    /// instance that emits no light.
     pub fn nicol_scene_get_emission(scene: nicol_scene, id: u32, emission: *mut nicol_emission, texture: *mut nicol_texture) -> nicol_result;
-    /// Adds an element, with an id of its own: elements are counted from 0, apart from instances and lights. id
-    /// may be NULL. NICOL_ERROR_INVALID_ARGUMENT names the field that is out of range.
+    /// Adds a polarization element. id may be NULL; ids of elements count up from 0, independently of instances
+    /// and lights. The message of NICOL_ERROR_INVALID_ARGUMENT names the field that is out of range.
     pub fn nicol_scene_add_polarization_element(scene: nicol_scene, element: *const nicol_polarization_element, id: *mut u32) -> nicol_result;
-    /// All of the element of this id.
+    /// Replaces all fields of a polarization element. The message of NICOL_ERROR_INVALID_ARGUMENT names the field
+    /// that is out of range.
     pub fn nicol_scene_set_polarization_element(scene: nicol_scene, id: u32, element: *const nicol_polarization_element) -> nicol_result;
-    /// Its id is not used again; the others keep theirs.
+    /// Removes a polarization element. The id is not used again; other elements keep their ids.
     pub fn nicol_scene_remove_polarization_element(scene: nicol_scene, id: u32) -> nicol_result;
-    /// The element as it was given.
+    /// Gets a polarization element as it was given.
     pub fn nicol_scene_get_polarization_element(scene: nicol_scene, id: u32, element: *mut nicol_polarization_element) -> nicol_result;
+    /// Gets the number of polarization elements.
     pub fn nicol_scene_get_polarization_element_count(scene: nicol_scene, elements: *mut u32) -> nicol_result;
-    /// The ids of all elements, ascending; count: of the elements.
+    /// Gets the ids of all polarization elements, ascending. count must be the number of elements.
     pub fn nicol_scene_get_polarization_element_ids(scene: nicol_scene, ids: *mut u32, count: u64) -> nicol_result;
-    /// The camera and film size of a loaded file, and the AOVs that its integrators ask for, a sum of
-    /// NICOL_AOV_... for nicol_render_options; NICOL_ERROR_UNSUPPORTED for a scene that was not loaded.
+    /// Gets the camera of a loaded file. Returns NICOL_ERROR_UNSUPPORTED for a scene that was not loaded.
     pub fn nicol_scene_get_camera(scene: nicol_scene, camera: *mut nicol_camera) -> nicol_result;
+    /// Gets the film size of a loaded file, in pixels. Returns NICOL_ERROR_UNSUPPORTED for a scene that was not
+    /// loaded.
     pub fn nicol_scene_get_film_size(scene: nicol_scene, width: *mut u32, height: *mut u32) -> nicol_result;
+    /// Gets the AOVs that the integrators of a loaded file ask for, a sum of NICOL_AOV_... for
+    /// nicol_render_options. Returns NICOL_ERROR_UNSUPPORTED for a scene that was not loaded.
     pub fn nicol_scene_get_aovs(scene: nicol_scene, aovs: *mut u32) -> nicol_result;
-    /// The files that nicol_scene_load has read, each once: the scene file, those that it includes (of glTF, its
-    /// buffers), then light, materials and meshes. With equal digests the scene is the same. None for a scene that
-    /// was not loaded.
+    /// Gets the number of files that nicol_scene_load has read, or 0 for a scene that was not loaded. Each file
+    /// counts once: the scene file, the files that it includes (the buffers of glTF), then light, materials and
+    /// meshes. Scenes whose files have equal digests are equal.
     pub fn nicol_scene_get_file_count(scene: nicol_scene, count: *mut u32) -> nicol_result;
-    /// index from 0; beyond the last, NICOL_ERROR_INVALID_ARGUMENT
+    /// Gets a file that nicol_scene_load has read; index counts from 0. Returns NICOL_ERROR_INVALID_ARGUMENT for
+    /// an index beyond the last file.
     pub fn nicol_scene_get_file(scene: nicol_scene, index: u32, file: *mut nicol_scene_file) -> nicol_result;
-    /// Colour channels of its images: those of everything in it, 1 (all grey) or more, and 1 if the film of a
-    /// loaded file is luminance.
+    /// Gets the number of colour channels of the scene's images: the number of everything in the scene, 1 (all
+    /// grey) or more, and 1 if the film of a loaded file is luminance.
     pub fn nicol_scene_get_channels(scene: nicol_scene, channels: *mut u32) -> nicol_result;
     pub fn nicol_scene_retain(scene: nicol_scene) -> nicol_result;
     pub fn nicol_scene_release(scene: nicol_scene) -> nicol_result;
-    /// width, height: 1 to NICOL_MAX_SIZE (the driver may allow less), at most 2^26 pixels. channels: as the
-    /// scene's, or 1 for the luminance of a scene of three: 0.2126 R + 0.7152 G + 0.0722 B of each Stokes
-    /// component.
+    /// Creates a framebuffer. width and height are 1 to NICOL_MAX_SIZE pixels (the driver may allow less), and at
+    /// most 2^26 pixels in all. channels is the scene's number, or 1 for the luminance of a scene of three
+    /// channels: 0.2126 R + 0.7152 G + 0.0722 B of each Stokes component.
     pub fn nicol_framebuffer_create(context: nicol_context, width: u32, height: u32, channels: u32, framebuffer: *mut nicol_framebuffer) -> nicol_result;
-    /// As it was created.
+    /// Gets the width, height and channels with which the framebuffer was created.
     pub fn nicol_framebuffer_get_size(framebuffer: nicol_framebuffer, width: *mut u32, height: *mut u32, channels: *mut u32) -> nicol_result;
     pub fn nicol_framebuffer_retain(framebuffer: nicol_framebuffer) -> nicol_result;
     pub fn nicol_framebuffer_release(framebuffer: nicol_framebuffer) -> nicol_result;
-    /// options may be NULL: all defaults. Results that a change of the scene, the camera or the options does not
-    /// affect are kept from the scene's last render; if nothing changed, nothing runs. On failure or cancellation
-    /// the framebuffer keeps its content and statistics. NICOL_ERROR_INVALID_ARGUMENT for options and cameras out
-    /// of range and channels that do not fit, NICOL_ERROR_UNSUPPORTED for an unknown method, for compute shaders
-    /// if the driver lacks features, and, where a material varies by a texture, for the dense method and for
-    /// shading at vertices, NICOL_ERROR_CANCELLED, NICOL_ERROR_OUT_OF_MEMORY.
+    /// Renders a scene into a framebuffer. options may be NULL: all defaults. Results that a change of the scene,
+    /// the camera or the options does not affect are kept from the scene's last render; if nothing changed,
+    /// nothing runs. On failure or cancellation the framebuffer keeps its content and statistics. Returns
+    /// NICOL_ERROR_INVALID_ARGUMENT for options and cameras out of range and for channels that do not fit. Returns
+    /// NICOL_ERROR_UNSUPPORTED for an unknown method, for compute shaders if the driver lacks features, and, if a
+    /// material varies by a texture, for the dense method and for shading at vertices. Returns
+    /// NICOL_ERROR_CANCELLED if a callback returned 0, and NICOL_ERROR_OUT_OF_MEMORY also beyond the context's
+    /// memory_limit.
     pub fn nicol_render(scene: nicol_scene, camera: *const nicol_camera, options: *const nicol_render_options, framebuffer: nicol_framebuffer) -> nicol_result;
-    /// nicol_render as a job. Copies the scene's state: later changes affect later renders only. The framebuffer
-    /// keeps its content until the job has run. Scene, framebuffer and all they need are kept alive; the caller
-    /// may release them, and the job too, which runs all the same. The progress callback runs on the context's
-    /// thread, and progress_user must live until the job is done. Invalid arguments are refused at once where
-    /// possible; other errors are the job's result. NICOL_ERROR_BUSY if NICOL_MAX_JOBS are queued. A process that
-    /// exits cancels its jobs.
+    /// Submits nicol_render as a job. The job copies the scene's state: later changes affect later renders only.
+    /// The framebuffer keeps its content until the job has run. Scene, framebuffer and all they need are kept
+    /// alive. The caller may release them, and the job too, which runs all the same. The progress callback runs on
+    /// the context's thread, and progress_user must live until the job is done. Invalid arguments are refused at
+    /// once if possible; other errors are the job's result. Returns NICOL_ERROR_BUSY if NICOL_MAX_JOBS jobs are
+    /// queued. A process that exits cancels its jobs.
     pub fn nicol_render_async(scene: nicol_scene, camera: *const nicol_camera, options: *const nicol_render_options, framebuffer: nicol_framebuffer, job: *mut nicol_job) -> nicol_result;
-    /// The job's progress; never waits for it.
+    /// Gets the job's progress, and never waits for the job.
     pub fn nicol_job_poll(job: nicol_job, status: *mut nicol_job_status) -> nicol_result;
-    /// Waits until the job is done, at most this long (0: not at all), and returns its result; after a failure
-    /// nicol_last_error() has its message. NICOL_ERROR_TIMEOUT if it is not done by then, NICOL_ERROR_NOT_CURRENT
-    /// where the job needs a host's OpenGL context that is not current on the calling thread.
-    /// NICOL_ERROR_INVALID_ARGUMENT inside a callback of the context, which would be a deadlock.
+    /// Waits until the job is done, at most timeout_ms milliseconds (0: not at all), and returns the job's result.
+    /// After a failure of the job, nicol_last_error() has its message. Returns NICOL_ERROR_TIMEOUT if the job is
+    /// not done in time, and NICOL_ERROR_NOT_CURRENT if the job needs a host's OpenGL context that is not current
+    /// on the calling thread. Returns NICOL_ERROR_INVALID_ARGUMENT inside a callback of the context, because
+    /// waiting there would be a deadlock.
     pub fn nicol_job_wait(job: nicol_job, timeout_ms: u32) -> nicol_result;
-    /// Cancels a queued job at once, and a running one where it would next call a progress callback; its result is
-    /// NICOL_ERROR_CANCELLED. No effect on a job that is done or almost done. Does not wait.
+    /// Cancels a queued job at once, or a running job when it would next call a progress callback. The job's
+    /// result is NICOL_ERROR_CANCELLED. A job that is done or almost done is not affected. The function does not
+    /// wait.
     pub fn nicol_job_cancel(job: nicol_job) -> nicol_result;
     pub fn nicol_job_retain(job: nicol_job) -> nicol_result;
     pub fn nicol_job_release(job: nicol_job) -> nicol_result;
-    /// All zeros before the first render.
+    /// Gets the statistics of the last render into a framebuffer: all zeros before the first render.
     pub fn nicol_framebuffer_get_statistics(framebuffer: nicol_framebuffer, statistics: *mut nicol_statistics) -> nicol_result;
-    /// Copies one plane of one colour channel, first row at the top. row_stride in bytes, 0: tightly packed;
-    /// byte_size is what pixels has room for. NICOL_ERROR_INVALID_ARGUMENT for a plane that is not there and for
-    /// NICOL_PLANE_INSTANCE, which holds no floats.
+    /// Copies one plane of one colour channel, first row at the top. row_stride is in bytes; 0: tightly packed.
+    /// byte_size is the room at pixels, in bytes. Returns NICOL_ERROR_INVALID_ARGUMENT for a plane that does not
+    /// exist, and for NICOL_PLANE_INSTANCE, which holds no floats.
     pub fn nicol_framebuffer_read(framebuffer: nicol_framebuffer, plane: nicol_plane, channel: u32, pixels: *mut f32, row_stride: u64, byte_size: u64) -> nicol_result;
-    /// Copies a plane in the format and with the channels of `to`; bytes between rows are not written. A call that
+    /// Copies a plane in the format and with the channels of `to`. Bytes between rows are not written. A call that
     /// fails writes nothing.
     pub fn nicol_framebuffer_read_plane(framebuffer: nicol_framebuffer, to: *const nicol_plane_buffer) -> nicol_result;
-    /// Channels of 32-bit floats, named by the number of colour channels:
+    /// Writes an OpenEXR file of 32-bit floats, whose channels are named by the number of colour channels:
     ///   3             R G B (which are s0) and S0.R S0.G S0.B to S3.R S3.G S3.B, as Mitsuba 3's stokes integrator
     ///   1             Y (which is s0) and S0.Y to S3.Y
     ///   2, 4 to 16    S0.0 S0.1 ... to S3.0 S3.1 ...
-    /// and of the last render's AOVs Z (depth), N.X N.Y N.Z, P.X P.Y P.Z, id (32-bit unsigned), A (alpha; R G B still
-    /// have the environment) and, of each Stokes channel, variance.S0.R ... variance.S3.B.
+    /// AOVs of the last render are Z (depth), N.X N.Y N.Z, P.X P.Y P.Z, id (32-bit unsigned), A (alpha; R G B still have the
+    /// environment) and, for each Stokes channel, variance.S0.R ... variance.S3.B.
     pub fn nicol_framebuffer_write_exr(framebuffer: nicol_framebuffer, path: *const c_char) -> nicol_result;
-    /// 8-bit RGB. S0 and POLARIZER need a framebuffer of 1 or 3 channels; the others show the mean of the
-    /// channels.
+    /// Writes a PNG file of 8-bit RGB. S0 and POLARIZER need a framebuffer of 1 or 3 channels; the other kinds
+    /// show the mean of the channels.
     pub fn nicol_framebuffer_write_png(framebuffer: nicol_framebuffer, observation: *const nicol_observation, path: *const c_char) -> nicol_result;
-    /// A context inside the one that is current: OpenGL 4.5 or newer, of the core or the compatibility profile.
-    /// options as of nicol_context_create, backend and device 0. NICOL_ERROR_NOT_CURRENT if is_current returns 0,
-    /// NICOL_ERROR_NO_BACKEND where there is no such OpenGL.
+    /// Creates a context inside the OpenGL context that is current: OpenGL 4.5 or newer, of the core or the
+    /// compatibility profile. options are those of nicol_context_create, with backend and device 0. Returns
+    /// NICOL_ERROR_NOT_CURRENT if is_current returns 0, and NICOL_ERROR_NO_BACKEND if there is no such
+    /// OpenGL.
     pub fn nicol_context_create_host(host: *const nicol_host, options: *const nicol_context_options, context: *mut nicol_context) -> nicol_result;
-    /// The texture of a colour channel: a texel is the Stokes vector (s0, s1, s2, s3), row 0 is the image's TOP.
-    /// The name is valid, and stays the same, until the framebuffer is released; the content is that of the last
-    /// render. It may be sampled, and its filters and wrap modes changed, but not its swizzle; it must neither be
-    /// written nor deleted.
-    /// NICOL_ERROR_UNSUPPORTED for a framebuffer whose context is not a host's, as for the functions below.
+    /// Gets the texture of a colour channel: a texel is the Stokes vector (s0, s1, s2, s3), and row 0 is the
+    /// image's TOP. The name is valid, and stays the same, until the framebuffer is released; the content is that
+    /// of the last render. The host may sample the texture and change its filters and wrap modes, but not its
+    /// swizzle, and must neither write nor delete the texture. Returns NICOL_ERROR_UNSUPPORTED for a framebuffer
+    /// whose context is not a host's.
     pub fn nicol_framebuffer_get_texture(framebuffer: nicol_framebuffer, channel: u32, texture: *mut nicol_gl_texture) -> nicol_result;
-    /// Copies the Stokes vectors of a channel. Nothing is read back.
+    /// Copies the Stokes vectors of a channel into a texture; nothing is read back. Returns
+    /// NICOL_ERROR_UNSUPPORTED for a framebuffer whose context is not a host's.
     pub fn nicol_framebuffer_draw_stokes(framebuffer: nicol_framebuffer, channel: u32, target: *const nicol_texture_target) -> nicol_result;
-    /// The image that nicol_framebuffer_write_png would write, as red, green, blue and alpha 1. s1 to s3 need a
-    /// scale above 0 here, since nothing is read back.
+    /// Draws the image of nicol_framebuffer_write_png into a texture, as red, green, blue and alpha 1. s1 to s3
+    /// need a scale above 0, because nothing is read back. Returns NICOL_ERROR_UNSUPPORTED for a framebuffer whose
+    /// context is not a host's.
     pub fn nicol_framebuffer_draw_observation(framebuffer: nicol_framebuffer, observation: *const nicol_observation, target: *const nicol_texture_target) -> nicol_result;
-    /// Coefficients of light, one vector a channel, in the world's axes; NICOL_ERROR_INVALID_ARGUMENT unless count
-    /// is channels * 4 (order+1)^2. An image counts as the bilinear function between its pixels. As an
-    /// environment, it must be physical: polarization up to s0.
+    /// Projects an image to coefficients, one vector per channel, in the world's axes. The image is the bilinear
+    /// function between its pixels and, as an environment, must be physically realizable: polarization up to s0.
+    /// Returns NICOL_ERROR_INVALID_ARGUMENT unless count is channels * 4 (order+1)^2.
     pub fn nicol_psh_project_image(image: *const nicol_image, order: u32, coefficients: *mut f64, count: u64) -> nicol_result;
+    /// Projects an environment to coefficients, one vector per channel, in the world's axes. Returns
+    /// NICOL_ERROR_INVALID_ARGUMENT unless count is channels * 4 (order+1)^2.
     pub fn nicol_psh_project_environment(environment: nicol_environment, order: u32, coefficients: *mut f64, count: u64) -> nicol_result;
-    /// A file as nicol_environment_load reads it. channels may be NULL; coefficients NULL with count 0
-    /// gets the number of channels alone.
+    /// Projects a file that nicol_environment_load can read to coefficients, one vector per channel, in the
+    /// world's axes. channels may be NULL; coefficients NULL with count 0 gets only the number of channels.
+    /// Otherwise returns NICOL_ERROR_INVALID_ARGUMENT unless count is channels * 4 (order+1)^2.
     pub fn nicol_psh_project_file(path: *const c_char, order: u32, channels: *mut u32, coefficients: *mut f64, count: u64) -> nicol_result;
-    /// NICOL_ERROR_INVALID_ARGUMENT where the sampling is too coarse for the order.
+    /// Creates a transform. Returns NICOL_ERROR_INVALID_ARGUMENT if the sampling is too coarse for the
+    /// order.
     pub fn nicol_psh_transform_create(sampling: *const nicol_psh_sampling, transform: *mut nicol_psh_transform) -> nicol_result;
     pub fn nicol_psh_transform_retain(transform: nicol_psh_transform) -> nicol_result;
     pub fn nicol_psh_transform_release(transform: nicol_psh_transform) -> nicol_result;
-    /// Of its grid.
+    /// Gets the numbers of rows and columns of the transform's grid.
     pub fn nicol_psh_transform_get_size(transform: nicol_psh_transform, rows: *mut u32, columns: *mut u32) -> nicol_result;
-    /// theta of each row, and the weights of the integral over cos theta, which sum to 2; count = rows.
+    /// Gets theta of each row, and the rows' weights for the integral over cos theta, which sum to 2;
+    /// count = rows.
     pub fn nicol_psh_transform_get_rows(transform: nicol_psh_transform, theta: *mut f64, weight: *mut f64, count: u64) -> nicol_result;
-    /// Inner products with the basis (Eq. 32) by the rows' weights.
+    /// Computes coefficients from samples: inner products with the basis (Eq. 32) by the rows' weights.
     pub fn nicol_psh_analyze(transform: nicol_psh_transform, vectors: u64, samples: *const f64, sample_count: u64, coefficients: *mut f64, coefficient_count: u64) -> nicol_result;
-    /// The field of the coefficients (Eq. 30) at the samples.
+    /// Computes samples from coefficients: the field of the coefficients (Eq. 30) at the grid.
     pub fn nicol_psh_synthesize(transform: nicol_psh_transform, vectors: u64, coefficients: *const f64, coefficient_count: u64, samples: *mut f64, sample_count: u64) -> nicol_result;
-    /// Stokes vectors [vector][direction][4] at directions [direction][3] of any length but 0.
+    /// Computes Stokes vectors [vector][direction][4] at directions [direction][3] of any length but 0.
     pub fn nicol_psh_evaluate(order: u32, vectors: u64, coefficients: *const f64, coefficient_count: u64, directions: *const f64, direction_count: u64, stokes: *mut f64, stokes_count: u64) -> nicol_result;
-    /// The rotated fields: (R f)(w) = R f(R^-1 w) (Eqs. 25, 36). The rotation must be
-    /// orthonormal to 1e-5 and right-handed. out may be in.
+    /// Rotates fields: (R f)(w) = R f(R^-1 w) (Eqs. 25, 36). The rotation must be orthonormal to 1e-5 and
+    /// right-handed. out may be in.
     pub fn nicol_psh_rotate(order: u32, vectors: u64, r#in: *const f64, in_count: u64, rotation: *const [f64; 9], out: *mut f64, out_count: u64) -> nicol_result;
-    /// The fields' mirror images in the plane z = 0 (Eq. 214, with its conjugation). out may be in.
+    /// Mirrors fields in the plane z = 0 (Eq. 214, with its conjugation). out may be in.
     pub fn nicol_psh_reflect(order: u32, vectors: u64, r#in: *const f64, in_count: u64, out: *mut f64, out_count: u64) -> nicol_result;
-    /// A scalar field ((scalar_order+1)^2 coefficients over real harmonics, such as visibility) times each field,
-    /// cut above order_out: exact, through a grid, in O(order^3). out may be in where the orders agree.
+    /// Multiplies each field by a scalar field, (scalar_order+1)^2 coefficients over real harmonics, such as
+    /// visibility, and cuts the product above order_out. The product is exact, through a grid, in O(order^3). out
+    /// may be in if the orders agree.
     pub fn nicol_psh_multiply(scalar_order: u32, scalar: *const f64, scalar_count: u64, order: u32, vectors: u64, r#in: *const f64, in_count: u64, order_out: u32, out: *mut f64, out_count: u64) -> nicol_result;
-    /// The same product as a matrix (Eq. 54, by the triple products of Eqs. 215 and 216).
+    /// Computes the matrix of nicol_psh_multiply for a scalar field (Eq. 54, by the triple products of Eqs. 215
+    /// and 216).
     pub fn nicol_psh_shadow_matrix(scalar_order: u32, scalar: *const f64, scalar_count: u64, order_out: u32, order_in: u32, matrix: *mut f64, matrix_count: u64) -> nicol_result;
-    /// The operator "integrate the field times the light over the incoming directions" as a matrix (Eqs. 39, 40),
-    /// by quadrature.
+    /// Computes the matrix of the operator "integrate the field times the light over the incoming directions"
+    /// (Eqs. 39, 40), by quadrature.
     pub fn nicol_psh_project_matrix(field: *const nicol_psh_mueller_field, matrix: *mut f64, matrix_count: u64) -> nicol_result;
-    /// out = matrix * in, vector by vector (Eq. 41).
+    /// Computes out = matrix * in, vector by vector (Eq. 41).
     pub fn nicol_psh_apply_matrix(order_out: u32, order_in: u32, matrix: *const f64, matrix_count: u64, vectors: u64, r#in: *const f64, in_count: u64, out: *mut f64, out_count: u64) -> nicol_result;
-    /// The matrix of `second` after `first`.
+    /// Computes the matrix of `second` after `first`.
     pub fn nicol_psh_compose_matrix(order_out: u32, order_between: u32, order_in: u32, second: *const f64, second_count: u64, first: *const f64, first_count: u64, matrix: *mut f64, matrix_count: u64) -> nicol_result;
-    /// Bands by quadrature on this many Gauss-Legendre rows, 0: 2 order + 2, at most 16384 (Eq. 68).
+    /// Computes the bands of a kernel by quadrature (Eq. 68). rows is the number of Gauss-Legendre rows, at most
+    /// 16384; 0: 2 order + 2.
     pub fn nicol_psh_project_kernel(callback: nicol_psh_kernel_callback, user: *mut c_void, order: u32, rows: u32, bands: *mut f64, band_count: u64) -> nicol_result;
-    /// The inverse: Mueller matrices [angle][16] at angles in 0 to pi.
+    /// Computes Mueller matrices [angle][16] of a kernel at angles in 0 to pi, the inverse of
+    /// nicol_psh_project_kernel.
     pub fn nicol_psh_kernel_at(order: u32, bands: *const f64, band_count: u64, theta: *const f64, theta_count: u64, mueller: *mut f64, mueller_count: u64) -> nicol_result;
-    /// The convolution of each field (Eq. 69). out may be in.
+    /// Convolves each field with a kernel (Eq. 69). out may be in.
     pub fn nicol_psh_convolve(order: u32, bands: *const f64, band_count: u64, vectors: u64, r#in: *const f64, in_count: u64, out: *mut f64, out_count: u64) -> nicol_result;
-    /// The convolution as a matrix, and the kernel nearest to a matrix in the Frobenius norm (supplement E.9);
-    /// both sides of the matrix have this order.
+    /// Computes the matrix of a convolution (supplement E.9); both sides of the matrix have this order.
     pub fn nicol_psh_kernel_matrix(order: u32, bands: *const f64, band_count: u64, matrix: *mut f64, matrix_count: u64) -> nicol_result;
+    /// Computes the kernel nearest to a matrix in the Frobenius norm (supplement E.9); both sides of the matrix
+    /// have this order.
     pub fn nicol_psh_nearest_kernel(order: u32, matrix: *const f64, matrix_count: u64, bands: *mut f64, band_count: u64) -> nicol_result;
-    /// By suffix and headers alone: NICOL_ERROR_UNSUPPORTED for a suffix or an archive of another kind, and
-    /// the file may yet prove damaged.
+    /// Gets the kind of a file from its suffix and headers alone; the file may yet prove damaged. Returns
+    /// NICOL_ERROR_UNSUPPORTED for another suffix or an archive of another kind.
     pub fn nicol_file_identify(path: *const c_char, kind: *mut nicol_file_kind) -> nicol_result;
-    /// options may be NULL. energy, which may be NULL with count 0, has room for count doubles and gets
-    /// [channel][l][p], 4 (order + 1) a channel: squares of the coefficients summed over m. Scale and rotation
-    /// change the report as they would an output; what concerns images to write must be 0; the order limits the
-    /// energies of an image, and all of coefficients. An image that violates Eq. 70 is described, though it is
-    /// refused as a light.
+    /// Gets the report of a light, and its energies [channel][l][p], 4 (order + 1) per channel: squares of the
+    /// coefficients, summed over m. energy has room for count doubles, and may be NULL with count 0. options may
+    /// be NULL. Scale and rotation change the report as they would change an output. Options of images to write
+    /// must be 0. The order limits the energies of an image, and everything for coefficients. An image that
+    /// violates Eq. 70 is described, although it is refused as a light.
     pub fn nicol_file_describe_light(path: *const c_char, options: *const nicol_file_options, report: *mut nicol_light_report, energy: *mut f64, count: u64) -> nicol_result;
-    /// energy: [channel][l], order + 1 a channel: squares of the matrix' entries between orders of which the
-    /// larger is l.
+    /// Gets the report of a material, and its energies [channel][l], order + 1 per channel: squares of the matrix'
+    /// entries between two orders, the larger of which is l. options are those of nicol_file_describe_light.
     pub fn nicol_file_describe_material(path: *const c_char, options: *const nicol_file_options, report: *mut nicol_material_report, energy: *mut f64, count: u64) -> nicol_result;
-    /// Reads `in` and writes `out` in the kind that its name says: .exr, _s0.exr (all four files), .npz or a cache
-    /// folder. Light becomes light and a material a material. options may be NULL.
+    /// Reads the file `in` and writes `out` in the kind that the name of `out` says: .exr, _s0.exr (all four
+    /// files), .npz or a cache folder. Light becomes light, and a material becomes a material. options may be
+    /// NULL.
     pub fn nicol_file_convert(r#in: *const c_char, options: *const nicol_file_options, out: *const c_char) -> nicol_result;
-    /// The same from objects; options without wavelengths.
+    /// Writes an environment to a file in the kind that the path says, as nicol_file_convert does. options may be
+    /// NULL, and must have no wavelengths.
     pub fn nicol_environment_write(environment: nicol_environment, options: *const nicol_file_options, path: *const c_char) -> nicol_result;
+    /// Writes a material to a file in the kind that the path says, as nicol_file_convert does. options may be
+    /// NULL, and must have no wavelengths.
     pub fn nicol_material_write(material: nicol_material, options: *const nicol_file_options, path: *const c_char) -> nicol_result;
-    /// Coefficients of 1 to NICOL_MAX_CHANNELS vectors as a LIGHT_PSH file.
+    /// Writes coefficients of 1 to NICOL_MAX_CHANNELS vectors to a file of the kind NICOL_FILE_LIGHT_PSH.
     pub fn nicol_psh_write_file(path: *const c_char, order: u32, vectors: u64, coefficients: *const f64, count: u64) -> nicol_result;
 }
