@@ -800,7 +800,9 @@ typedef struct nicol_camera {
     double to_world[16];
     double fov;       /* horizontal field of view if perspective, degrees, above 0, below 180, default 45 */
     double near_clip; /* near distance along +z, in the scene's units, above 0, default 0.01 */
-    double far_clip;  /* far distance along +z, in the scene's units, above near_clip, default 10000 */
+    /* Far distance along +z, in the scene's units, above near_clip, default 10000. INFINITY: a perspective
+     * camera has no far plane. */
+    double far_clip;
     /* Sample point inside each pixel, relative to its centre, in pixels to the right and down, -0.5 to 0.5
      * each, default 0. The mean of images with different jitter is anti-aliased. */
     double jitter[2];

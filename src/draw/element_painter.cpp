@@ -2,7 +2,6 @@
 #include "draw/element_painter.hpp"
 
 #include <algorithm>
-#include <glm/geometric.hpp>
 #include <string>
 #include <vector>
 
@@ -10,7 +9,6 @@
 #include "gl/context.hpp"
 #include "gl/draw.hpp"
 #include "gl/storage.hpp"
-#include "reference/camera_rays.hpp"
 #include "surfaces/rigid_motion.hpp"
 
 namespace nicol {
@@ -87,9 +85,6 @@ gl::Program& ElementPainter::program(int channels, int samples) {
 void ElementPainter::draw(const VertexBuffers& buffers, const VisibilityBuffer& hits, int components,
                           Framebuffer& target) {
     const glm::dvec2 size(target.width(), target.height());
-    // Depth per distance along one ray, which converts the distances of the clip planes to depths.
-    const Ray ray = CameraRays(projection_, target.width(), target.height()).through(size.x / 2, size.y / 2);
-    const double depth = glm::dot(ray.direction, projection_.view.forward);
     const std::span offsets = hits.offsets();
     elements_->bind_storage(0);
     if (!buffers.empty()) {
@@ -104,8 +99,8 @@ void ElementPainter::draw(const VertexBuffers& buffers, const VisibilityBuffer& 
         elements.set("half_size", glm::vec2(projection_.half_width, projection_.half_height));
         elements.set("shift", glm::vec2(projection_.shift));
         elements.set("pixel_size", glm::vec2(1.0 / size));
-        elements.set("near", static_cast<float>(ray.nearest * depth));
-        elements.set("far", static_cast<float>(ray.farthest * depth));
+        elements.set("near", static_cast<float>(projection_.near_clip));
+        elements.set("far", static_cast<float>(projection_.far_clip));
         elements.set("components", components);
         for (std::size_t s = 0; s < offsets.size(); ++s)
             elements.set("offsets[" + std::to_string(s) + "]", glm::vec2(offsets[s]));

@@ -209,7 +209,7 @@ void Painter::draw_background(const Scene& scene, int components, const Projecti
     const std::vector<gl::Texture2D>& environment = groups_[group].environment;
     for (std::size_t i = 0; i < environment.size(); ++i) environment[i].bind(static_cast<unsigned>(i));
     gl::draw_fullscreen(image, sky,
-                        {.depth_test = shaded ? gl::DepthTest::off : gl::DepthTest::less_equal,
+                        {.depth_test = shaded ? gl::DepthTest::off : gl::DepthTest::nearer_or_equal,
                          .depth_write = false,
                          .components = components});
 }

@@ -24,7 +24,7 @@ const GladGLContext& prepare(const char* what, RenderTarget& target, const Progr
         gl.Disable(GL_DEPTH_TEST);
     } else {
         gl.Enable(GL_DEPTH_TEST);
-        gl.DepthFunc(state.depth_test == DepthTest::less ? GL_LESS : GL_LEQUAL);
+        gl.DepthFunc(state.depth_test == DepthTest::nearer ? GL_GREATER : GL_GEQUAL);
     }
     gl.DepthMask(state.depth_write ? GL_TRUE : GL_FALSE);
     if (state.cull == Cull::none) {

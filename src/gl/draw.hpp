@@ -11,11 +11,13 @@
 
 namespace nicol::gl {
 
-enum class DepthTest { off, less, less_equal };
+/// Depth is reversed, 1 at the near plane and 0 at the far plane: floats near 0 are dense, so distance keeps
+/// about the same relative precision everywhere.
+enum class DepthTest { off, nearer, nearer_or_equal };
 enum class Cull { none, back, front };  ///< front faces are counter-clockwise in clip space
 
 struct DrawState {
-    DepthTest depth_test = DepthTest::less;  ///< `off` also leaves the depth buffer unchanged
+    DepthTest depth_test = DepthTest::nearer;  ///< `off` also leaves the depth buffer unchanged
     bool depth_write = true;
     Cull cull = Cull::none;
     int components = 4;  ///< 1..4: number of components of each texel that are written; the others are kept

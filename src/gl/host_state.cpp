@@ -146,7 +146,7 @@ void HostState::set() {
     gl_.FrontFace(GL_CCW);
     gl_.PolygonMode(GL_FRONT_AND_BACK, GL_FILL);
     gl_.ProvokingVertex(GL_LAST_VERTEX_CONVENTION);
-    gl_.ClipControl(GL_UPPER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
+    gl_.ClipControl(GL_UPPER_LEFT, GL_ZERO_TO_ONE);
     set_pixels();
     gl_.ActiveTexture(GL_TEXTURE0);
     // A host's sampler would override the filters of our textures.

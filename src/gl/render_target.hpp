@@ -36,7 +36,7 @@ public:
     /// Clears every colour attachment, and depth to 1. Integer attachments are always cleared to 0.
     void clear(const glm::vec4& colour = glm::vec4(0.0f));
     void clear_colour(int attachment, const glm::vec4& colour);
-    void clear_depth(float depth = 1.0f);
+    void clear_depth(float depth = 0.0f);
 
     /// Copies one attachment, top row first, as Texture2D::read() does.
     void read(int attachment, std::span<float> pixels) const;

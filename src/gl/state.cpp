@@ -69,7 +69,7 @@ void Context::State::open(std::unique_ptr<Platform> made, Backend backend, const
         gl.DebugMessageControl(GL_DONT_CARE, GL_DONT_CARE, quiet, 0, nullptr, GL_FALSE);
     gl.DebugMessageCallback(collect, this);
 
-    gl.ClipControl(GL_UPPER_LEFT, GL_NEGATIVE_ONE_TO_ONE);  // row 0 of every image is its top
+    gl.ClipControl(GL_UPPER_LEFT, GL_ZERO_TO_ONE);  // row 0 of every image is its top
     gl.Disable(GL_DITHER);
     check("opening the context");
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "reference/camera_rays.hpp"
 
-#include <algorithm>
 #include <glm/geometric.hpp>
 
 namespace nicol {
@@ -16,11 +15,9 @@ Ray CameraRays::through(double x, double y) const {
     Ray ray;
     ray.origin = view.orthographic ? view.eye + across : view.eye;
     ray.direction = view.orthographic ? view.forward : glm::normalize(view.forward + across);
-    // Clip z and w are linear along the ray. The clip planes are z = -w and z = w.
-    const glm::dvec4 start = projection_.world_to_clip * glm::dvec4(ray.origin, 1);
-    const glm::dvec4 step = projection_.world_to_clip * glm::dvec4(ray.direction, 0);
-    ray.nearest = std::max(0.0, -(start.z + start.w) / (step.z + step.w));
-    ray.farthest = (start.w - start.z) / (step.z - step.w);
+    const double along_view = glm::dot(ray.direction, view.forward);
+    ray.nearest = projection_.near_clip / along_view;
+    ray.farthest = projection_.far_clip / along_view;
     return ray;
 }
 

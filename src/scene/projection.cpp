@@ -68,9 +68,10 @@ Projection project(const Camera& camera, int width, int height) {
     check_axes(camera.to_world);
     const double near = camera.near_clip;
     const double far = camera.far_clip;
-    if (!(near > 0 && far > near && std::isfinite(far))) {
-        refuse_camera("near_clip is " + std::to_string(near) + " and far_clip " + std::to_string(far) +
-                      "; they must satisfy 0 < near_clip < far_clip");
+    if (!(near > 0 && far > near && (std::isfinite(far) || !camera.orthographic))) {
+        refuse_camera(
+            "near_clip is " + std::to_string(near) + " and far_clip " + std::to_string(far) +
+            "; they must satisfy 0 < near_clip < far_clip, which may be infinite for a perspective camera");
     }
     if (!(std::abs(camera.jitter.x) <= 0.5 && std::abs(camera.jitter.y) <= 0.5)) {
         refuse_camera("jitter is " + std::to_string(camera.jitter.x) + " " + std::to_string(camera.jitter.y) +
@@ -101,8 +102,8 @@ Projection project(const Camera& camera, int width, int height) {
         p.half_height = glm::length(axes[1]) / aspect;
         clip[0][0] = 1 / p.half_width;
         clip[1][1] = 1 / p.half_height;
-        clip[2][2] = 2 / (near - far);
-        clip[3][2] = (far + near) / (near - far);
+        clip[2][2] = 1 / (far - near);
+        clip[3][2] = far / (far - near);
         clip[3][3] = 1;
     } else {
         if (!(camera.fov > 0 && camera.fov < 180)) {
@@ -112,11 +113,13 @@ Projection project(const Camera& camera, int width, int height) {
         p.half_height = p.half_width / aspect;
         clip[0][0] = 1 / p.half_width;
         clip[1][1] = 1 / p.half_height;
-        clip[2][2] = (far + near) / (near - far);
-        clip[3][2] = 2 * far * near / (near - far);
+        clip[2][2] = std::isfinite(far) ? near / (far - near) : 0;
+        clip[3][2] = std::isfinite(far) ? far * near / (far - near) : near;
         clip[2][3] = -1;
     }
     p.world_to_clip = clip * world_to_eye;
+    p.near_clip = near;
+    p.far_clip = far;
     p.pixel = {2.0 / width, 2.0 / height};
     return jittered(p, camera.jitter + camera.shift * glm::dvec2(width, height));
 }

@@ -12,9 +12,12 @@ namespace nicol {
 
 struct Projection {
     Viewpoint view;
-    glm::dmat4 world_to_clip;  ///< OpenGL clip space, y up
-    double half_width;         ///< half the image's width at unit distance (perspective), or in the world
-                               ///< (orthographic)
+    /// Clip space, y up. Depth is reversed: 1 at the near plane and 0 at the far plane.
+    glm::dmat4 world_to_clip;
+    double near_clip;   ///< distances along the view direction
+    double far_clip;    ///< infinity: no far plane
+    double half_width;  ///< half the image's width at unit distance (perspective), or in the world
+                        ///< (orthographic)
     double half_height;
     glm::dvec2 pixel;  ///< size of one pixel in clip space
     /// Offset of the image on the image plane, in half widths to the right and half heights up.

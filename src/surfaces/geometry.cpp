@@ -59,7 +59,7 @@ std::size_t find_visible(const WorldGeometry& geometry, const Projection& projec
             const glm::vec4 p = clip * glm::vec4(geometry.positions[v], 1);
             outside[v] = static_cast<std::uint8_t>(
                 (p.x < -side.x * p.w ? 1 : 0) | (p.x > side.x * p.w ? 2 : 0) | (p.y < -side.y * p.w ? 4 : 0) |
-                (p.y > side.y * p.w ? 8 : 0) | (p.z < -p.w ? 16 : 0) | (p.z > p.w ? 32 : 0));
+                (p.y > side.y * p.w ? 8 : 0) | (p.z < 0 ? 16 : 0) | (p.z > p.w ? 32 : 0));
             visible[v] = 0;
         }
     });

@@ -80,7 +80,7 @@ GL_TEST_CASE("a triangle arrives exactly, the top row first") {
             const auto place = pixel(places, width, x, y);
             CHECK(place[0] == static_cast<float>(x) + 0.5f);
             CHECK(place[1] == static_cast<float>(y) + 0.5f);  // gl_FragCoord.y counts from the top
-            CHECK(place[2] == doctest::Approx(0.5f + 0.5f * depth_of_vertex));
+            CHECK(place[2] == doctest::Approx(depth_of_vertex));
             CHECK(place[3] == 1.0f);  // counter-clockwise in clip space is front-facing
         }
     CHECK(covered > 10);
@@ -106,7 +106,7 @@ GL_THREAD_TEST_CASE("the nearer triangle wins in either order, unless the test i
         return std::array{vertex(-3, -3, a, red),   vertex(3, -3, a, red),   vertex(0, 3, a, red),
                           vertex(-3, -3, b, green), vertex(3, -3, b, green), vertex(0, 3, b, green)};
     };
-    const std::array<Vertex, 6> two = triangles(-0.5f, 0.5f);
+    const std::array<Vertex, 6> two = triangles(0.75f, 0.25f);
     const std::uint32_t near_first[] = {0, 1, 2, 3, 4, 5}, far_first[] = {3, 4, 5, 0, 1, 2};
     const auto middle = [&](std::span<const std::uint32_t> order, const DrawState& state) {
         RenderTarget target(context, {3, 3, 1, true});
@@ -116,21 +116,21 @@ GL_THREAD_TEST_CASE("the nearer triangle wins in either order, unless the test i
     CHECK(middle(near_first, {}) == red);
     CHECK(middle(far_first, {}) == red);
     CHECK(middle(near_first, {DepthTest::off, true, Cull::none}) == green);
-    CHECK(middle(near_first, {DepthTest::less, false, Cull::none}) == green);
+    CHECK(middle(near_first, {DepthTest::nearer, false, Cull::none}) == green);
 
-    // At equal depth `less` keeps the first triangle, and `less_equal` takes the second.
+    // At equal depth `nearer` keeps the first triangle, and `nearer_or_equal` takes the second.
     RenderTarget target(context, {3, 3, 1, true});
-    const VertexArray vertices = interleaved(context, triangles(0, 0), near_first);
+    const VertexArray vertices = interleaved(context, triangles(0.5f, 0.5f), near_first);
     draw(target, program, vertices);
     CHECK(pixel(pixels_of(target, 0), 3, 1, 1) == red);
-    draw(target, program, vertices, {DepthTest::less_equal, true, Cull::none});
+    draw(target, program, vertices, {DepthTest::nearer_or_equal, true, Cull::none});
     CHECK(pixel(pixels_of(target, 0), 3, 1, 1) == green);
     // Clearing resets the depth, even after a draw that did not write depth.
-    draw(target, program, vertices, {DepthTest::less, false, Cull::none});
+    draw(target, program, vertices, {DepthTest::nearer, false, Cull::none});
     target.clear();
     draw(target, program, vertices, 0, 3);
     CHECK(pixel(pixels_of(target, 0), 3, 1, 1) == red);
-    target.clear_depth(0.1f);
+    target.clear_depth(0.9f);
     draw(target, program, vertices, 3, 3);
     CHECK(pixel(pixels_of(target, 0), 3, 1, 1) == red);
 }
@@ -198,11 +198,11 @@ GL_THREAD_TEST_CASE("the full-screen triangle samples a texture upright") {
 
     // The full-screen triangle lies at the far plane, behind everything drawn before it.
     RenderTarget behind(context, {width, height, 1, true});
-    draw_fullscreen(behind, program, {DepthTest::less_equal, false, Cull::none});
+    draw_fullscreen(behind, program, {DepthTest::nearer_or_equal, false, Cull::none});
     CHECK(pixels_of(behind, 0) == texels);
     behind.clear();
-    behind.clear_depth(0.999f);
-    draw_fullscreen(behind, program, {DepthTest::less_equal, false, Cull::none});
+    behind.clear_depth(0.001f);
+    draw_fullscreen(behind, program, {DepthTest::nearer_or_equal, false, Cull::none});
     CHECK(pixels_of(behind, 0) == std::vector<float>(texels.size(), 0.0f));
 }
 
