@@ -137,7 +137,8 @@ void DirectLight::add_behind_elements(const Ray& ray, const std::optional<RayHit
     }
     if (!emitters_hidden_) add_emitted(*found, received, sum, workspace);
     const SurfaceHit hit = surface_hit(surfaces_[found->surface], *found, -ray.direction);
-    if (!(hit.towards_viewer.z > 0)) return;
+    // A perturbed normal may face a viewer who is behind the surface.
+    if (!(hit.towards_viewer.z > 0 && glm::dot(hit.unturned, ray.direction) < 0)) return;
     weigh_layers(hit, workspace);
 
     Reflection at{.hit = hit, .received = received, .sum = sum, .workspace = workspace};
