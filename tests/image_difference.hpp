@@ -24,4 +24,19 @@ inline double rms_difference(const StokesImage& a, const StokesImage& b) {
     return rms(minus(a, b));
 }
 
+/// Returns the number of pixels with a component that differs by more than `most`.
+inline int differing_pixels(const StokesImage& a, const StokesImage& b, double most) {
+    const StokesImage difference = minus(a, b);
+    int count = 0;
+    for (int y = 0; y < a.height; ++y)
+        for (int x = 0; x < a.width; ++x) {
+            bool differs = false;
+            for (int c = 0; c < a.channels; ++c)
+                for (int p = 0; p < 4; ++p)
+                    differs = differs || std::abs(static_cast<double>(difference.at(c, y, x)[p])) > most;
+            count += differs ? 1 : 0;
+        }
+    return count;
+}
+
 }  // namespace nicol::test
