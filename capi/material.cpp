@@ -8,9 +8,9 @@
 #include "material/conductor.hpp"
 #include "material/measured.hpp"
 #include "material/mixture.hpp"
+#include "material/plastic.hpp"
 #include "material/principled.hpp"
 #include "material/psh_matrix_file.hpp"
-#include "material/textured.hpp"
 
 using namespace nicol;
 using namespace nicol::capi;
@@ -55,93 +55,83 @@ TexturePtr texture_of(nicol_texture given, const nicol_context_impl& context) {
     return texture.content;
 }
 
+// Parameters with the textures that replace them.
+NumberParameter number(float value, nicol_texture texture, const nicol_context_impl& context) {
+    return {static_cast<double>(value), texture_of(texture, context)};
+}
+ColorParameter color(const nicol_spectrum& value, double otherwise, const char* name, nicol_texture texture,
+                     const nicol_context_impl& context) {
+    return {spectrum(value, otherwise, 1, name), texture_of(texture, context)};
+}
+
 MaterialPtr make(const nicol_pplastic& given, const nicol_context_impl& context) {
     if (given.reserved != 0) refuse("parameters->reserved must be 0");
-    return pplastic(
-        {.diffuse_reflectance = spectrum(given.diffuse_reflectance, 0.5, 1, "diffuse_reflectance"),
-         .specular_reflectance = spectrum(given.specular_reflectance, 1, 1, "specular_reflectance"),
-         .int_ior = static_cast<double>(given.int_ior),
-         .ext_ior = static_cast<double>(given.ext_ior),
-         .alpha = static_cast<double>(given.alpha),
-         .distribution = distribution_of(given.distribution)},
-        {.diffuse_reflectance = texture_of(given.diffuse_reflectance_texture, context),
-         .specular_reflectance = texture_of(given.specular_reflectance_texture, context),
-         .alpha = texture_of(given.alpha_texture, context)});
+    return pplastic({.diffuse_reflectance = color(given.diffuse_reflectance, 0.5, "diffuse_reflectance",
+                                                  given.diffuse_reflectance_texture, context),
+                     .specular_reflectance = color(given.specular_reflectance, 1, "specular_reflectance",
+                                                   given.specular_reflectance_texture, context),
+                     .int_ior = static_cast<double>(given.int_ior),
+                     .ext_ior = static_cast<double>(given.ext_ior),
+                     .alpha = number(given.alpha, given.alpha_texture, context),
+                     .distribution = distribution_of(given.distribution)});
 }
 
 MaterialPtr make(const nicol_plastic& given, const nicol_context_impl& context) {
-    return plastic(
-        {.diffuse_reflectance = spectrum(given.diffuse_reflectance, 0.5, 1, "diffuse_reflectance"),
-         .specular_reflectance = spectrum(given.specular_reflectance, 1, 1, "specular_reflectance"),
-         .int_ior = static_cast<double>(given.int_ior),
-         .ext_ior = static_cast<double>(given.ext_ior),
-         .alpha = static_cast<double>(given.alpha),
-         .distribution = distribution_of(given.distribution),
-         .nonlinear = switch_from(given.nonlinear, "parameters->nonlinear")},
-        {.diffuse_reflectance = texture_of(given.diffuse_reflectance_texture, context),
-         .specular_reflectance = texture_of(given.specular_reflectance_texture, context),
-         .alpha = texture_of(given.alpha_texture, context)});
+    return plastic({.diffuse_reflectance = color(given.diffuse_reflectance, 0.5, "diffuse_reflectance",
+                                                 given.diffuse_reflectance_texture, context),
+                    .specular_reflectance = color(given.specular_reflectance, 1, "specular_reflectance",
+                                                  given.specular_reflectance_texture, context),
+                    .int_ior = static_cast<double>(given.int_ior),
+                    .ext_ior = static_cast<double>(given.ext_ior),
+                    .alpha = number(given.alpha, given.alpha_texture, context),
+                    .distribution = distribution_of(given.distribution),
+                    .nonlinear = switch_from(given.nonlinear, "parameters->nonlinear")});
 }
 
 MaterialPtr make(const nicol_principled& given, const nicol_context_impl& context) {
     if (given.reserved != 0) refuse("parameters->reserved must be 0");
-    const auto number = [](float value) { return static_cast<double>(value); };
-    const auto texture = [&](nicol_texture of) { return texture_of(of, context); };
-    return principled({.base_color = spectrum(given.base_color, 0.5, 1, "base_color"),
-                       .roughness = number(given.roughness),
-                       .anisotropic = number(given.anisotropic),
-                       .metallic = number(given.metallic),
-                       .spec_trans = number(given.spec_trans),
-                       .eta = number(given.eta),
-                       .spec_tint = number(given.spec_tint),
-                       .sheen = number(given.sheen),
-                       .sheen_tint = number(given.sheen_tint),
-                       .flatness = number(given.flatness),
-                       .clearcoat = number(given.clearcoat),
-                       .clearcoat_gloss = number(given.clearcoat_gloss)},
-                      {.base_color = texture(given.base_color_texture),
-                       .roughness = texture(given.roughness_texture),
-                       .anisotropic = texture(given.anisotropic_texture),
-                       .metallic = texture(given.metallic_texture),
-                       .spec_trans = texture(given.spec_trans_texture),
-                       .spec_tint = texture(given.spec_tint_texture),
-                       .sheen = texture(given.sheen_texture),
-                       .sheen_tint = texture(given.sheen_tint_texture),
-                       .flatness = texture(given.flatness_texture),
-                       .clearcoat = texture(given.clearcoat_texture),
-                       .clearcoat_gloss = texture(given.clearcoat_gloss_texture)});
+    const auto with = [&](float value, nicol_texture texture) { return number(value, texture, context); };
+    return principled(
+        {.base_color = color(given.base_color, 0.5, "base_color", given.base_color_texture, context),
+         .roughness = with(given.roughness, given.roughness_texture),
+         .anisotropic = with(given.anisotropic, given.anisotropic_texture),
+         .metallic = with(given.metallic, given.metallic_texture),
+         .spec_trans = with(given.spec_trans, given.spec_trans_texture),
+         .eta = static_cast<double>(given.eta),
+         .spec_tint = with(given.spec_tint, given.spec_tint_texture),
+         .sheen = with(given.sheen, given.sheen_texture),
+         .sheen_tint = with(given.sheen_tint, given.sheen_tint_texture),
+         .flatness = with(given.flatness, given.flatness_texture),
+         .clearcoat = with(given.clearcoat, given.clearcoat_texture),
+         .clearcoat_gloss = with(given.clearcoat_gloss, given.clearcoat_gloss_texture)});
 }
 
 // Roughness in one direction.
-struct Roughness {
-    double alpha;
-    TexturePtr texture;
-    [[nodiscard]] bool smooth() const { return alpha == 0 && texture == nullptr; }
-};
-Roughness roughness(const nicol_conductor& given, float alpha, nicol_texture texture,
-                    const nicol_context_impl& context) {
+NumberParameter roughness(const nicol_conductor& given, float alpha, nicol_texture texture,
+                          const nicol_context_impl& context) {
     const bool own = alpha != 0 || texture != nullptr;
-    return {.alpha = static_cast<double>(alpha != 0 ? alpha : given.alpha),
-            .texture = texture_of(own ? texture : given.alpha_texture, context)};
+    return number(alpha != 0 ? alpha : given.alpha, own ? texture : given.alpha_texture, context);
+}
+
+bool smooth(const NumberParameter& alpha) {
+    return alpha.value == 0 && alpha.texture == nullptr;
 }
 
 MaterialPtr make(const nicol_conductor& given, const nicol_context_impl& context) {
     if (given.reserved != 0) refuse("parameters->reserved must be 0");
-    const Roughness u = roughness(given, given.alpha_u, given.alpha_u_texture, context);
-    const Roughness v = roughness(given, given.alpha_v, given.alpha_v_texture, context);
-    if (u.smooth() != v.smooth())
-        refuse(std::string(u.smooth() ? "alpha_u" : "alpha_v") +
+    const NumberParameter u = roughness(given, given.alpha_u, given.alpha_u_texture, context);
+    const NumberParameter v = roughness(given, given.alpha_v, given.alpha_v_texture, context);
+    if (smooth(u) != smooth(v))
+        refuse(std::string(smooth(u) ? "alpha_u" : "alpha_v") +
                " and alpha are 0, and there is a roughness in the other direction; give both");
-    const bool alike = u.alpha == v.alpha && u.texture == v.texture;
+    const bool alike = u.value == v.value && u.texture == v.texture;
     return rough_conductor(
         {.eta = index_of(given),
-         .specular_reflectance = spectrum(given.specular_reflectance, 1, 1, "specular_reflectance"),
-         .alpha = u.alpha,
-         .alpha_v = alike ? 0 : v.alpha,
-         .distribution = distribution_of(given.distribution)},
-        {.specular_reflectance = texture_of(given.specular_reflectance_texture, context),
-         .alpha = u.texture,
-         .alpha_v = alike ? nullptr : v.texture});
+         .specular_reflectance = color(given.specular_reflectance, 1, "specular_reflectance",
+                                       given.specular_reflectance_texture, context),
+         .alpha = u,
+         .alpha_v = alike ? 0.0 : v,
+         .distribution = distribution_of(given.distribution)});
 }
 
 // Makes a material of another one and a texture: combine(base, texture).

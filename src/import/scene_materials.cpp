@@ -7,10 +7,11 @@
 #include <utility>
 
 #include "error.hpp"
+#include "material/conductor.hpp"
 #include "material/measured.hpp"
 #include "material/mixture.hpp"
+#include "material/plastic.hpp"
 #include "material/psh_matrix_file.hpp"
-#include "material/textured.hpp"
 
 namespace nicol::scene {
 namespace {
@@ -31,43 +32,30 @@ private:
     [[nodiscard]] MaterialPtr model(const MaterialDescription& d) const {
         switch (d.kind) {
             case MaterialDescription::Kind::diffuse:
-                return d.reflectance.texture ? times(diffuse({1.0}), d.reflectance.texture)
-                                             : diffuse(reflectance(d.reflectance, channels_));
+                return diffuse(color(d.reflectance));
             case MaterialDescription::Kind::pplastic:
-                return pplastic({.diffuse_reflectance = reflectance(d.diffuse_reflectance, channels_),
-                                 .specular_reflectance = reflectance(d.specular_reflectance, channels_),
+                return pplastic({.diffuse_reflectance = color(d.diffuse_reflectance),
+                                 .specular_reflectance = color(d.specular_reflectance),
                                  .int_ior = d.int_ior,
                                  .ext_ior = d.ext_ior,
-                                 .alpha = d.alpha,
-                                 .distribution = distribution(d)},
-                                {.diffuse_reflectance = color(d.diffuse_reflectance),
-                                 .specular_reflectance = color(d.specular_reflectance),
-                                 .alpha = number(d.alpha_texture)});
+                                 .alpha = number(d.alpha, d.alpha_texture),
+                                 .distribution = distribution(d)});
             case MaterialDescription::Kind::plastic:
-                return plastic({.diffuse_reflectance = reflectance(d.diffuse_reflectance, channels_),
-                                .specular_reflectance = reflectance(d.specular_reflectance, channels_),
+                return plastic({.diffuse_reflectance = color(d.diffuse_reflectance),
+                                .specular_reflectance = color(d.specular_reflectance),
                                 .int_ior = d.int_ior,
                                 .ext_ior = d.ext_ior,
-                                .alpha = d.alpha,
+                                .alpha = number(d.alpha, d.alpha_texture),
                                 .distribution = distribution(d),
-                                .nonlinear = d.nonlinear},
-                               {.diffuse_reflectance = color(d.diffuse_reflectance),
-                                .specular_reflectance = color(d.specular_reflectance),
-                                .alpha = number(d.alpha_texture)});
+                                .nonlinear = d.nonlinear});
             case MaterialDescription::Kind::conductor:
-                return d.specular_reflectance.texture
-                           ? times(conductor(index_of(d)), d.specular_reflectance.texture)
-                           : conductor(index_of(d), reflectance(d.specular_reflectance, channels_));
+                return conductor(index_of(d), color(d.specular_reflectance));
             case MaterialDescription::Kind::roughconductor:
-                return rough_conductor(
-                    {.eta = index_of(d),
-                     .specular_reflectance = reflectance(d.specular_reflectance, channels_),
-                     .alpha = d.alpha,
-                     .alpha_v = d.alpha_v,
-                     .distribution = distribution(d)},
-                    {.specular_reflectance = color(d.specular_reflectance),
-                     .alpha = number(d.alpha_texture),
-                     .alpha_v = number(d.alpha_v_texture)});
+                return rough_conductor({.eta = index_of(d),
+                                        .specular_reflectance = color(d.specular_reflectance),
+                                        .alpha = number(d.alpha, d.alpha_texture),
+                                        .alpha_v = number(d.alpha_v, d.alpha_v_texture),
+                                        .distribution = distribution(d)});
             case MaterialDescription::Kind::principled:
                 return make_principled(d.principled, channels_, textures_);
             case MaterialDescription::Kind::psh:
@@ -99,11 +87,12 @@ private:
         return masked(std::move(material), std::move(opacity));
     }
 
-    [[nodiscard]] TexturePtr color(const TexturedColor& color) const {
-        return color.texture ? textures_.color(*color.texture) : nullptr;
+    [[nodiscard]] ColorParameter color(const TexturedColor& color) const {
+        if (color.texture) return textures_.color(*color.texture);
+        return reflectance(color, channels_);
     }
-    [[nodiscard]] TexturePtr number(const TextureSpecificationPtr& texture) const {
-        return texture ? textures_.number(*texture) : nullptr;
+    [[nodiscard]] NumberParameter number(double value, const TextureSpecificationPtr& texture) const {
+        return {value, texture ? textures_.number(*texture) : nullptr};
     }
 
     static Distribution distribution(const MaterialDescription& d) {

@@ -12,6 +12,7 @@
 #include "material/lane_facets.hpp"
 #include "material/microfacet.hpp"
 #include "material/reflectance.hpp"
+#include "material/textured.hpp"
 #include "simd/dispatch.hpp"
 
 namespace nicol {
@@ -43,7 +44,7 @@ template <class Number>
 class RoughConductor final : public Material {
 public:
     explicit RoughConductor(RoughConductorParameters parameters)
-        : p_(std::move(parameters)), smooth_(take_smooth(p_.alpha, p_.distribution)) {
+        : p_(std::move(parameters)), smooth_(take_smooth(p_.alpha.value, p_.distribution)) {
         if (p_.eta.empty())
             throw Error(ErrorCode::invalid_argument, "eta has no value; give one, or one a channel");
         for (const std::complex<double> eta : p_.eta) {
@@ -53,13 +54,13 @@ public:
                 throw Error(ErrorCode::invalid_argument,
                             "eta and k are both 0 or close to it; eta^2 + k^2 of a metal is 1e-6 or more");
         }
-        check_reflectance(p_.specular_reflectance, "specular_reflectance");
-        check_range(p_.alpha, 0.001, 1, "alpha");
-        if (p_.alpha_v != 0) check_range(p_.alpha_v, 0.001, 1, "alpha_v");
-        alpha_ = {p_.alpha, p_.alpha_v != 0 ? p_.alpha_v : p_.alpha};
-        check_channels(p_.eta.size(), "eta", p_.specular_reflectance.size(), "specular_reflectance");
+        check_reflectance(p_.specular_reflectance.values, "specular_reflectance");
+        alpha_ = {p_.alpha.value, p_.alpha_v.value != 0 ? p_.alpha_v.value : p_.alpha.value};
+        check_range(alpha_.x, 0.001, 1, "alpha");
+        check_range(alpha_.y, 0.001, 1, "alpha_v");
+        check_channels(p_.eta.size(), "eta", p_.specular_reflectance.values.size(), "specular_reflectance");
         if (std::all_of(p_.eta.begin(), p_.eta.end(), [this](auto eta) { return eta == p_.eta.front(); }) &&
-            p_.specular_reflectance.size() > 1)
+            p_.specular_reflectance.values.size() > 1)
             p_.eta.resize(1);
         if (alpha_.x != alpha_.y) {
             RoughConductorParameters mean = p_;
@@ -70,11 +71,12 @@ public:
     }
 
     [[nodiscard]] int channels() const noexcept override {
-        return static_cast<int>(std::max(p_.eta.size(), p_.specular_reflectance.size()));
+        return static_cast<int>(std::max(p_.eta.size(), p_.specular_reflectance.values.size()));
     }
     [[nodiscard]] int terms() const noexcept override { return static_cast<int>(p_.eta.size()); }
     [[nodiscard]] double weight(int term, int channel) const override {
-        return p_.eta.size() == 1 || term == channel ? of_channel(p_.specular_reflectance, channel) : 0;
+        return p_.eta.size() == 1 || term == channel ? of_channel(p_.specular_reflectance.values, channel)
+                                                     : 0;
     }
     [[nodiscard]] double lobe_width(int) const noexcept override { return std::min(alpha_.x, alpha_.y); }
     [[nodiscard]] glm::dvec2 lobe_widths(int) const noexcept override { return alpha_; }
@@ -85,7 +87,7 @@ public:
     [[nodiscard]] std::string content_key() const override {
         return Key("roughconductor")
             .add("eta", p_.eta)
-            .add("specular_reflectance", p_.specular_reflectance)
+            .add("specular_reflectance", p_.specular_reflectance.values)
             .add("alpha", isotropic_ ? std::vector{alpha_.x, alpha_.y} : std::vector{alpha_.x})
             .add("distribution", p_.distribution == Distribution::ggx)
             .text();
@@ -132,21 +134,39 @@ private:
         SurfaceRotations rotations;
     };
 
-    RoughConductorParameters p_;
+    RoughConductorParameters p_;                       // without textures
     glm::dvec2 alpha_;                                 // along x and y
     std::unique_ptr<const RoughConductor> isotropic_;  // null: it is so itself
     bool smooth_;
 };
 
+TexturePtr texture_of(const NumberParameter& number) {
+    return number.texture ? number.texture : constant_texture(glm::vec4(static_cast<float>(number.value)), 1);
+}
+
 }  // namespace
 
 MaterialPtr rough_conductor(const RoughConductorParameters& parameters) {
-    return std::make_shared<RoughConductor>(parameters);
+    const NumberParameter &alpha = parameters.alpha, &alpha_v = parameters.alpha_v;
+    RoughConductorParameters facets = parameters;
+    facets.specular_reflectance = factor(parameters.specular_reflectance);
+    const auto make_facets = [&facets](double u, double v) -> MaterialPtr {
+        facets.alpha = u;
+        facets.alpha_v = v;
+        return std::make_shared<RoughConductor>(facets);
+    };
+    MaterialPtr material;
+    if (alpha_v.texture ? alpha_v.texture == alpha.texture : alpha_v.value == 0)
+        material = at_roughness([&](double both) { return make_facets(both, 0); }, alpha);
+    else if (textured(alpha, alpha_v))
+        material = with_roughness(make_facets, texture_of(alpha), texture_of(alpha_v));
+    else
+        material = make_facets(alpha.value, alpha_v.value);
+    return times(material, parameters.specular_reflectance);
 }
 
-MaterialPtr conductor(std::vector<std::complex<double>> eta, std::vector<double> specular_reflectance) {
-    return rough_conductor(
-        {.eta = std::move(eta), .specular_reflectance = std::move(specular_reflectance), .alpha = 0});
+MaterialPtr conductor(std::vector<std::complex<double>> eta, const ColorParameter& specular_reflectance) {
+    return rough_conductor({.eta = std::move(eta), .specular_reflectance = specular_reflectance, .alpha = 0});
 }
 
 }  // namespace nicol

@@ -19,14 +19,15 @@ struct RoughConductorParameters {
     /// Index n - ik relative to air, one value or one a channel: n and k in 0..100, at least
     /// kSmallestIndex long.
     std::vector<std::complex<double>> eta{{0.0, -1.0}};
-    std::vector<double> specular_reflectance{1.0};  ///< 0..1, one value or one a channel
-    double alpha = 0.1;  ///< roughness, 0.001..1; 0: smooth, kSmoothAlpha stands for it
-    /// Roughness along y where alpha is that along x, 0.001..1; 0: as alpha. One that differs makes the
-    /// material anisotropic; its isotropic() counterpart has the geometric mean of both.
-    double alpha_v = 0;
+    ColorParameter specular_reflectance{1.0};  ///< 0..1
+    /// Roughness, 0.001..1; 0: smooth, kSmoothAlpha stands for it. A texture is moved to 0.01..1.
+    NumberParameter alpha = 0.1;
+    /// Roughness along y where alpha is that along x, in the same range; 0: as alpha. One that differs makes
+    /// the material anisotropic; its isotropic() counterpart has the geometric mean of both.
+    NumberParameter alpha_v = 0.0;
     Distribution distribution = Distribution::beckmann;
 };
-/// Throws Error(invalid_argument) naming the parameter that is out of range.
+/// Throws as pplastic().
 [[nodiscard]] MaterialPtr rough_conductor(const RoughConductorParameters& parameters);
 
 /// Roughness of Beckmann's facets that stand for a smooth surface, see Material::smooth(). They blur by about
@@ -44,7 +45,7 @@ inline bool take_smooth(double& alpha, Distribution& distribution) {
 
 /// Mitsuba 3's `conductor`: rough_conductor() of alpha 0.
 [[nodiscard]] MaterialPtr conductor(std::vector<std::complex<double>> eta,
-                                    std::vector<double> specular_reflectance = {1.0});
+                                    const ColorParameter& specular_reflectance = {1.0});
 
 /// Index n - ik of a metal for red, green and blue: n and k are each the colour of light of that spectrum
 /// (rgb_emission_weights()), 0 where it was not measured, as in Mitsuba 3's modes without spectra. The red of

@@ -4,6 +4,7 @@
 #include "material/key.hpp"
 #include "material/material.hpp"
 #include "material/reflectance.hpp"
+#include "material/textured.hpp"
 
 namespace nicol {
 namespace {
@@ -42,8 +43,8 @@ private:
 
 }  // namespace
 
-MaterialPtr diffuse(const std::vector<double>& reflectance) {
-    return std::make_shared<Diffuse>(reflectance);
+MaterialPtr diffuse(const ColorParameter& reflectance) {
+    return times(std::make_shared<Diffuse>(factor(reflectance).values), reflectance);
 }
 
 }  // namespace nicol

@@ -11,6 +11,7 @@
 
 #include "harmonics/operator.hpp"
 #include "material/lane_mueller.hpp"
+#include "material/parameter.hpp"
 #include "polarization/lane_points.hpp"
 #include "polarization/mueller.hpp"
 
@@ -105,18 +106,19 @@ enum class Distribution { beckmann, ggx };
 
 /// Mitsuba 3's `pplastic`: a rough dielectric boundary over a diffuse base.
 struct PplasticParameters {
-    std::vector<double> diffuse_reflectance{0.5};   ///< 0..1, one value or one a channel
-    std::vector<double> specular_reflectance{1.0};  ///< 0..1, one value or one a channel
-    double int_ior = 1.49;                          ///< above 0
-    double ext_ior = 1.000277;                      ///< above 0
-    double alpha = 0.1;                             ///< roughness, 0.001..1
+    ColorParameter diffuse_reflectance{0.5};   ///< 0..1
+    ColorParameter specular_reflectance{1.0};  ///< 0..1
+    double int_ior = 1.49;                     ///< above 0
+    double ext_ior = 1.000277;                 ///< above 0
+    NumberParameter alpha = 0.1;               ///< roughness, 0.001..1; a texture is moved to 0.01..1
     Distribution distribution = Distribution::beckmann;
 };
-/// Throws Error(invalid_argument) naming the parameter that is out of range.
+/// Throws Error(invalid_argument) naming the parameter that is out of range, and what the functions of
+/// mixture.hpp throw for its textures.
 [[nodiscard]] MaterialPtr pplastic(const PplasticParameters& parameters);
 
-/// Lambertian and depolarizing, reflectance / pi. Throws as pplastic().
-[[nodiscard]] MaterialPtr diffuse(const std::vector<double>& reflectance);
+/// Lambertian and depolarizing, reflectance / pi, which lies in 0..1. Throws as pplastic().
+[[nodiscard]] MaterialPtr diffuse(const ColorParameter& reflectance);
 
 /// The material on both sides: twosided() is true.
 /// Throws Error(invalid_argument) for null.

@@ -14,6 +14,7 @@
 #include "material/lane_facets.hpp"
 #include "material/microfacet.hpp"
 #include "material/reflectance.hpp"
+#include "material/textured.hpp"
 #include "simd/dispatch.hpp"
 
 namespace nicol {
@@ -58,29 +59,32 @@ PlasticParameters checked(PlasticParameters p) {
 class Plastic final : public Material {
 public:
     explicit Plastic(PlasticParameters parameters)
-        : smooth_(take_smooth(parameters.alpha, parameters.distribution)),
+        : smooth_(take_smooth(parameters.alpha.value, parameters.distribution)),
           p_(checked(std::move(parameters))),
           eta_(p_.int_ior / p_.ext_ior),
           transmittance_(smooth_ ? BoundaryTransmittance(eta_)
-                                 : BoundaryTransmittance(eta_, p_.distribution, p_.alpha)) {}
+                                 : BoundaryTransmittance(eta_, p_.distribution, p_.alpha.value)) {}
 
     [[nodiscard]] int channels() const noexcept override {
-        return static_cast<int>(std::max(p_.diffuse_reflectance.size(), p_.specular_reflectance.size()));
+        return static_cast<int>(
+            std::max(p_.diffuse_reflectance.values.size(), p_.specular_reflectance.values.size()));
     }
     [[nodiscard]] int terms() const noexcept override { return 2; }
     [[nodiscard]] double weight(int term, int channel) const override {
-        if (term == 1) return of_channel(p_.specular_reflectance, channel);
-        const double r = of_channel(p_.diffuse_reflectance, channel);
+        if (term == 1) return of_channel(p_.specular_reflectance.values, channel);
+        const double r = of_channel(p_.diffuse_reflectance.values, channel);
         return r / (1 - (p_.nonlinear ? r : 1) * transmittance_.returned());
     }
-    [[nodiscard]] double lobe_width(int term) const noexcept override { return term == 0 ? 1 : p_.alpha; }
+    [[nodiscard]] double lobe_width(int term) const noexcept override {
+        return term == 0 ? 1 : p_.alpha.value;
+    }
     [[nodiscard]] bool smooth(int term) const noexcept override { return smooth_ && term == 1; }
     [[nodiscard]] std::string content_key() const override {
         return Key(smooth_ ? "plastic" : "roughplastic")
-            .add("diffuse_reflectance", p_.diffuse_reflectance)
-            .add("specular_reflectance", p_.specular_reflectance)
+            .add("diffuse_reflectance", p_.diffuse_reflectance.values)
+            .add("specular_reflectance", p_.specular_reflectance.values)
             .add("eta", eta_)
-            .add("alpha", p_.alpha)
+            .add("alpha", p_.alpha.value)
             .add("distribution", p_.distribution == Distribution::ggx)
             .add("nonlinear", p_.nonlinear)
             .text();
@@ -104,7 +108,7 @@ public:
         out[0] = out[1] = {};
         dispatch<reflect_depolarizing<FourLanes>, reflect_depolarizing<EightLanes>,
                  reflect_depolarizing<AllLanes>>(
-            DepolarizingLanes{.facets = {p_.distribution, static_cast<float>(p_.alpha)},
+            DepolarizingLanes{.facets = {p_.distribution, static_cast<float>(p_.alpha.value)},
                               .index = LaneIndex(eta_),
                               .base = static_cast<float>(base_scale()),
                               .in = in,
@@ -119,12 +123,12 @@ private:
     // Single reflection off the facets whose normal is the half vector.
     [[nodiscard]] double boundary(const glm::dvec3& light, const glm::dvec3& viewer) const {
         const glm::dvec3 half = glm::normalize(light + viewer);
-        return facet_reflection(p_.distribution, p_.alpha, light, viewer, half) *
+        return facet_reflection(p_.distribution, p_.alpha.value, light, viewer, half) *
                reflection_block(std::min(1.0, glm::dot(viewer, half)), eta_).a;
     }
 
     bool smooth_;
-    PlasticParameters p_;
+    PlasticParameters p_;  // without textures
     double eta_;
     BoundaryTransmittance transmittance_;
 };
@@ -132,7 +136,28 @@ private:
 }  // namespace
 
 MaterialPtr plastic(const PlasticParameters& parameters) {
-    return std::make_shared<Plastic>(parameters);
+    if (!textured(parameters.diffuse_reflectance, parameters.specular_reflectance, parameters.alpha))
+        return std::make_shared<Plastic>(parameters);
+    PlasticParameters base = parameters;
+    base.diffuse_reflectance = factor(parameters.diffuse_reflectance);
+    base.specular_reflectance = {0};
+    const auto make_base = [&](double alpha) {
+        base.alpha = alpha;
+        const MaterialPtr material = plastic(base);
+        if (!parameters.diffuse_reflectance.texture || !base.nonlinear)
+            return times(material, parameters.diffuse_reflectance);
+        // Light that returns to a white base makes the base 1 / (1 - returned) times as bright.
+        return scaled_again(material, parameters.diffuse_reflectance.texture, 1 - 1 / material->weight(0, 0));
+    };
+    PlasticParameters boundary = parameters;
+    boundary.diffuse_reflectance = {0};
+    boundary.specular_reflectance = factor(parameters.specular_reflectance);
+    const auto make_boundary = [&boundary](double alpha) {
+        boundary.alpha = alpha;
+        return plastic(boundary);
+    };
+    return sum(at_roughness(make_base, parameters.alpha),
+               times(at_roughness(make_boundary, parameters.alpha), parameters.specular_reflectance));
 }
 
 }  // namespace nicol

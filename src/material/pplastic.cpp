@@ -12,6 +12,7 @@
 #include "material/material.hpp"
 #include "material/microfacet.hpp"
 #include "material/reflectance.hpp"
+#include "material/textured.hpp"
 #include "polarization/fresnel.hpp"
 #include "simd/dispatch.hpp"
 
@@ -20,10 +21,10 @@ namespace {
 
 struct LanePlastic {
     LanePlastic(const PplasticParameters& p, double eta)
-        : facets{p.distribution, static_cast<float>(p.alpha)},
+        : facets{p.distribution, static_cast<float>(p.alpha.value)},
           index(eta),
-          base(!black(p.diffuse_reflectance)),
-          boundary(!black(p.specular_reflectance)) {}
+          base(!black(p.diffuse_reflectance.values)),
+          boundary(!black(p.specular_reflectance.values)) {}
     LaneFacets facets;
     LaneIndex index;
     bool base, boundary;  // have weight
@@ -75,19 +76,22 @@ public:
     }
 
     [[nodiscard]] int channels() const noexcept override {
-        return static_cast<int>(std::max(p_.diffuse_reflectance.size(), p_.specular_reflectance.size()));
+        return static_cast<int>(
+            std::max(p_.diffuse_reflectance.values.size(), p_.specular_reflectance.values.size()));
     }
     [[nodiscard]] int terms() const noexcept override { return 2; }
     [[nodiscard]] double weight(int term, int channel) const override {
-        return of_channel(term == 0 ? p_.diffuse_reflectance : p_.specular_reflectance, channel);
+        return of_channel((term == 0 ? p_.diffuse_reflectance : p_.specular_reflectance).values, channel);
     }
-    [[nodiscard]] double lobe_width(int term) const noexcept override { return term == 0 ? 1 : p_.alpha; }
+    [[nodiscard]] double lobe_width(int term) const noexcept override {
+        return term == 0 ? 1 : p_.alpha.value;
+    }
     [[nodiscard]] std::string content_key() const override {
         return Key("pplastic")
-            .add("diffuse_reflectance", p_.diffuse_reflectance)
-            .add("specular_reflectance", p_.specular_reflectance)
+            .add("diffuse_reflectance", p_.diffuse_reflectance.values)
+            .add("specular_reflectance", p_.specular_reflectance.values)
             .add("eta", eta_)
-            .add("alpha", p_.alpha)
+            .add("alpha", p_.alpha.value)
             .add("distribution", p_.distribution == Distribution::ggx)
             .text();
     }
@@ -119,12 +123,12 @@ private:
     // Single reflection off the facets whose normal is the half vector.
     [[nodiscard]] Mueller boundary(const glm::dvec3& light, const glm::dvec3& viewer) const {
         const glm::dvec3 half = glm::normalize(light + viewer);
-        return in_rotated_frames(facet_reflection(p_.distribution, p_.alpha, light, viewer, half),
+        return in_rotated_frames(facet_reflection(p_.distribution, p_.alpha.value, light, viewer, half),
                                  reflection_block(std::min(1.0, glm::dot(viewer, half)), eta_),
                                  rotations_from_s_frames(light, viewer));
     }
 
-    PplasticParameters p_;
+    PplasticParameters p_;  // without textures
     double eta_;
     LanePlastic lanes_;
 };
@@ -132,7 +136,22 @@ private:
 }  // namespace
 
 MaterialPtr pplastic(const PplasticParameters& parameters) {
-    return std::make_shared<Pplastic>(parameters);
+    if (!textured(parameters.diffuse_reflectance, parameters.specular_reflectance, parameters.alpha))
+        return std::make_shared<Pplastic>(parameters);
+    // The base does not depend on the roughness of the boundary above it.
+    PplasticParameters base = parameters;
+    base.diffuse_reflectance = factor(parameters.diffuse_reflectance);
+    base.specular_reflectance = {0};
+    base.alpha = parameters.alpha.value;
+    PplasticParameters boundary = parameters;
+    boundary.diffuse_reflectance = {0};
+    boundary.specular_reflectance = factor(parameters.specular_reflectance);
+    const auto make_boundary = [&boundary](double alpha) {
+        boundary.alpha = alpha;
+        return pplastic(boundary);
+    };
+    return sum(times(pplastic(base), parameters.diffuse_reflectance),
+               times(at_roughness(make_boundary, parameters.alpha), parameters.specular_reflectance));
 }
 
 }  // namespace nicol

@@ -8,32 +8,30 @@
 #include <string_view>
 #include <utility>
 
-#include "material/mixture.hpp"
 #include "material/principled_lobes.hpp"
 #include "material/reflectance.hpp"
+#include "material/textured.hpp"
 
 namespace nicol {
 namespace {
 
 using P = PrincipledParameters;
-using T = PrincipledTextures;
 using Lobe = PrincipledLobe;
 
 struct Number {
     std::string_view name;
-    double P::*value;
-    TexturePtr T::*texture;
+    NumberParameter P::*parameter;
 };
-constexpr Number kRoughness{"roughness", &P::roughness, &T::roughness};
-constexpr Number kAnisotropic{"anisotropic", &P::anisotropic, &T::anisotropic};
-constexpr Number kMetallic{"metallic", &P::metallic, &T::metallic};
-constexpr Number kSpecTrans{"spec_trans", &P::spec_trans, &T::spec_trans};
-constexpr Number kSpecTint{"spec_tint", &P::spec_tint, &T::spec_tint};
-constexpr Number kSheen{"sheen", &P::sheen, &T::sheen};
-constexpr Number kSheenTint{"sheen_tint", &P::sheen_tint, &T::sheen_tint};
-constexpr Number kFlatness{"flatness", &P::flatness, &T::flatness};
-constexpr Number kClearcoat{"clearcoat", &P::clearcoat, &T::clearcoat};
-constexpr Number kClearcoatGloss{"clearcoat_gloss", &P::clearcoat_gloss, &T::clearcoat_gloss};
+constexpr Number kRoughness{"roughness", &P::roughness};
+constexpr Number kAnisotropic{"anisotropic", &P::anisotropic};
+constexpr Number kMetallic{"metallic", &P::metallic};
+constexpr Number kSpecTrans{"spec_trans", &P::spec_trans};
+constexpr Number kSpecTint{"spec_tint", &P::spec_tint};
+constexpr Number kSheen{"sheen", &P::sheen};
+constexpr Number kSheenTint{"sheen_tint", &P::sheen_tint};
+constexpr Number kFlatness{"flatness", &P::flatness};
+constexpr Number kClearcoat{"clearcoat", &P::clearcoat};
+constexpr Number kClearcoatGloss{"clearcoat_gloss", &P::clearcoat_gloss};
 
 /// Those that lobes depend on not linearly.
 struct ShapeNumber {
@@ -103,30 +101,28 @@ struct Part {
 
 class Composer {
 public:
-    Composer(P parameters, T textures) : p_(std::move(parameters)), textures_(std::move(textures)) {
+    explicit Composer(P parameters) : p_(std::move(parameters)) {
         // What is the same everywhere is a number.
         for (const Number& n : {kRoughness, kAnisotropic, kMetallic, kSpecTrans, kSpecTint, kSheen,
                                 kSheenTint, kFlatness, kClearcoat, kClearcoatGloss}) {
-            TexturePtr& texture = textures_.*n.texture;
-            if (texture && texture->constant()) {
-                const auto value = static_cast<double>(std::exchange(texture, nullptr)->mean().x);
-                p_.*n.value = std::clamp(value, 0.0, 1.0);
-            }
-            if (!texture) check_range(p_.*n.value, 0, 1, n.name);
+            NumberParameter& number = p_.*n.parameter;
+            if (number.texture && number.texture->constant())
+                number = std::clamp(static_cast<double>(number.texture->mean().x), 0.0, 1.0);
+            if (!number.texture) check_range(number.value, 0, 1, n.name);
         }
-        if (textures_.base_color && textures_.base_color->constant()) {
-            const glm::vec4 mean = textures_.base_color->mean();
+        const TexturePtr color = p_.base_color.texture;
+        if (color && color->constant()) {
+            const glm::vec4 mean = color->mean();
             p_.base_color = {mean.x, mean.y, mean.z};
-            if (textures_.base_color->channels() == 1) p_.base_color.resize(1);
-            textures_.base_color = nullptr;
+            if (color->channels() == 1) p_.base_color.values.resize(1);
         } else {
-            check_reflectance(p_.base_color, "base_color");
+            check_reflectance(p_.base_color.values, "base_color");
         }
         check_range(p_.eta, 1e-3, 1e3, "eta");
-        shape_ = {.roughness = p_.roughness,
-                  .anisotropic = p_.anisotropic,
+        shape_ = {.roughness = p_.roughness.value,
+                  .anisotropic = p_.anisotropic.value,
                   .eta = p_.eta,
-                  .clearcoat_gloss = p_.clearcoat_gloss};
+                  .clearcoat_gloss = p_.clearcoat_gloss.value};
     }
 
     MaterialPtr run() {
@@ -147,16 +143,17 @@ private:
         Part part;
         double amount = 1;
         for (const auto& [number, rest] : product.factors) {
-            if (const TexturePtr& texture = textures_.*number.texture)
+            const auto& [value, texture] = p_.*number.parameter;
+            if (texture)
                 part.scales.push_back(
                     {rest ? LayerFactor::Kind::complement : LayerFactor::Kind::fraction, texture});
             else
-                amount *= rest ? 1 - p_.*number.value : p_.*number.value;
+                amount *= rest ? 1 - value : value;
         }
         if (amount == 0) return;
         const bool colored = multiply(product.color, part, amount);
         for (const ShapeNumber& n : kShapeNumbers)
-            if (textures_.*n.number.texture && product.lobe >= n.first && product.lobe <= n.last)
+            if ((p_.*n.number.parameter).texture && product.lobe >= n.first && product.lobe <= n.last)
                 part.shape.push_back(&n);
 
         auto same = std::ranges::find_if(parts_, [&](const Part& other) {
@@ -169,14 +166,13 @@ private:
     /// Whether the amount is one of base_color.
     bool multiply(Color color, Part& part, double& amount) {
         if (color == Color::white) return false;
-        if (textures_.base_color) {
-            if (color == Color::tint && !tint_) tint_ = tint_texture(textures_.base_color);
-            part.scales.push_back(
-                {LayerFactor::Kind::value, color == Color::base ? textures_.base_color : tint_});
+        if (const TexturePtr& base = p_.base_color.texture) {
+            if (color == Color::tint && !tint_) tint_ = tint_texture(base);
+            part.scales.push_back({LayerFactor::Kind::value, color == Color::base ? base : tint_});
             return false;
         }
         if (color == Color::base) return true;
-        const double light = luminance(p_.base_color);
+        const double light = luminance(p_.base_color.values);
         if (light > 0) amount /= light;
         return light > 0;
     }
@@ -189,8 +185,7 @@ private:
 
     [[nodiscard]] MaterialPtr shaped(const PrincipledMix& mix, const PrincipledShape& shape,
                                      std::span<const ShapeNumber* const> varying) const {
-        if (varying.empty())
-            return principled_lobes(shape, textures_.base_color ? std::vector{1.0} : p_.base_color, mix);
+        if (varying.empty()) return principled_lobes(shape, factor(p_.base_color).values, mix);
         const ShapeNumber& n = *varying.front();
         return with_number(
             [&](double value) {
@@ -198,11 +193,10 @@ private:
                 at.*n.value = value;
                 return shaped(mix, at, varying.subspan(1));
             },
-            textures_.*n.number.texture, n.least, n.ratio);
+            (p_.*n.number.parameter).texture, n.least, n.ratio);
     }
 
     P p_;
-    T textures_;
     TexturePtr tint_;
     PrincipledShape shape_;
     std::vector<Part> parts_;
@@ -210,8 +204,8 @@ private:
 
 }  // namespace
 
-MaterialPtr principled(const PrincipledParameters& parameters, const PrincipledTextures& textures) {
-    return Composer(parameters, textures).run();
+MaterialPtr principled(const PrincipledParameters& parameters) {
+    return Composer(parameters).run();
 }
 
 double index_of_specular(double specular) {

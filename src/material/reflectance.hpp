@@ -20,13 +20,13 @@ void check_channels(std::size_t a, std::string_view a_name, std::size_t b, std::
 /// Of a rough boundary over a base, PplasticParameters or PlasticParameters: throws as these do.
 template <class Parameters>
 void check_plastic(const Parameters& p) {
-    check_reflectance(p.diffuse_reflectance, "diffuse_reflectance");
-    check_reflectance(p.specular_reflectance, "specular_reflectance");
+    check_reflectance(p.diffuse_reflectance.values, "diffuse_reflectance");
+    check_reflectance(p.specular_reflectance.values, "specular_reflectance");
     check_range(p.int_ior, 1e-3, 1e3, "int_ior");
     check_range(p.ext_ior, 1e-3, 1e3, "ext_ior");
-    check_range(p.alpha, 0.001, 1, "alpha");
-    check_channels(p.diffuse_reflectance.size(), "diffuse_reflectance", p.specular_reflectance.size(),
-                   "specular_reflectance");
+    check_range(p.alpha.value, 0.001, 1, "alpha");
+    check_channels(p.diffuse_reflectance.values.size(), "diffuse_reflectance",
+                   p.specular_reflectance.values.size(), "specular_reflectance");
 }
 
 /// Whether all are 0.

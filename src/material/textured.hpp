@@ -1,33 +1,32 @@
 // SPDX-License-Identifier: MIT
-// Reflectance models whose parameters are textures.
+// Textures in place of the parameters of a model that has none itself.
 #pragma once
 
-#include "material/conductor.hpp"
-#include "material/material.hpp"
-#include "material/plastic.hpp"
-#include "texture/texture.hpp"
+#include "material/mixture.hpp"
+#include "material/parameter.hpp"
 
 namespace nicol {
 
-/// Each replaces the number of its name; null: the number holds. Reflectances take the texture's colours,
-/// which are meant to lie in 0..1 but may exceed it; alpha takes its first channel, moved to 0.01..1.
-struct PlasticTextures {
-    TexturePtr diffuse_reflectance;
-    TexturePtr specular_reflectance;
-    TexturePtr alpha;
-};
-/// Throws as pplastic() and as the functions of layered.hpp.
-[[nodiscard]] MaterialPtr pplastic(const PplasticParameters& parameters, const PlasticTextures& textures);
+/// Whether any of the parameters has a texture.
+template <class... Parameters>
+[[nodiscard]] bool textured(const Parameters&... parameters) {
+    return ((parameters.texture != nullptr) || ...);
+}
 
-/// Throws as plastic() and as the functions of layered.hpp.
-[[nodiscard]] MaterialPtr plastic(const PlasticParameters& parameters, const PlasticTextures& textures);
+/// The values of a colour; 1 in place of a texture, which times() multiplies by.
+[[nodiscard]] inline ColorParameter factor(const ColorParameter& color) {
+    return color.texture ? ColorParameter{1.0} : color;
+}
 
-struct ConductorTextures {
-    TexturePtr specular_reflectance;
-    TexturePtr alpha;
-    TexturePtr alpha_v;  ///< null, and alpha_v is 0: alpha is for both directions
-};
-[[nodiscard]] MaterialPtr rough_conductor(const RoughConductorParameters& parameters,
-                                          const ConductorTextures& textures);
+/// The material of factor(color), times the texture of the colour if it has one.
+[[nodiscard]] inline MaterialPtr times(const MaterialPtr& material, const ColorParameter& color) {
+    return color.texture ? scaled(material, color.texture) : material;
+}
+
+/// make(alpha) of a number, or an interpolation between roughnesses of its texture.
+[[nodiscard]] inline MaterialPtr at_roughness(const std::function<MaterialPtr(double alpha)>& make,
+                                              const NumberParameter& alpha) {
+    return alpha.texture ? with_roughness(make, alpha.texture) : make(alpha.value);
+}
 
 }  // namespace nicol

@@ -7,7 +7,6 @@
 #include "material/conductor.hpp"
 #include "material/microfacet.hpp"
 #include "material/spatial_variation.hpp"
-#include "material/textured.hpp"
 #include "polarization/fresnel.hpp"
 #include "test.hpp"
 
@@ -208,10 +207,10 @@ TEST_CASE("textures of plastic are its parameters at every point") {
                    glm::vec2(0.1F, 0.4F));
     for_all({false, true}, {false, true}, [&](bool nonlinear, bool varies) {
         CAPTURES(nonlinear, varies);
-        const PlasticParameters parameters{.alpha = 0.1, .nonlinear = nonlinear};
-        const MaterialPtr material = plastic(
-            parameters,
-            {.diffuse_reflectance = color, .specular_reflectance = color, .alpha = varies ? rough : nullptr});
+        const MaterialPtr material = plastic({.diffuse_reflectance = color,
+                                              .specular_reflectance = color,
+                                              .alpha = {0.1, varies ? rough : nullptr},
+                                              .nonlinear = nonlinear});
         CHECK(material->channels() == 3);
         const SpatialVariation& variation = *material->variation();
         std::vector<glm::vec3> weights(variation.layers.size());
@@ -219,8 +218,7 @@ TEST_CASE("textures of plastic are its parameters at every point") {
         for (const glm::vec2 uv : {glm::vec2(0.2, 0.9), glm::vec2(0.8, 0.3), glm::vec2(1, 0)}) {
             variation.weights({.uv = uv}, weights);
             const glm::vec4 at = u({.uv = uv});
-            PlasticParameters there = parameters;
-            if (varies && uv.x > 0.5F) there.alpha = 0.4;
+            PlasticParameters there{.alpha = varies && uv.x > 0.5F ? 0.4 : 0.1, .nonlinear = nonlinear};
             for (glm::length_t c = 0; c < 3; ++c) {
                 there.diffuse_reflectance = there.specular_reflectance = {static_cast<double>(at[c])};
                 double found = 0;

@@ -25,20 +25,18 @@ TexturePtr constant(double value) {
 /// A numeric parameter. The list below contains all but eta.
 struct Number {
     const char* name;
-    double PrincipledParameters::*value;
-    TexturePtr PrincipledTextures::*texture;
+    NumberParameter PrincipledParameters::*parameter;
 };
-const Number kNumbers[] = {
-    {"roughness", &PrincipledParameters::roughness, &PrincipledTextures::roughness},
-    {"anisotropic", &PrincipledParameters::anisotropic, &PrincipledTextures::anisotropic},
-    {"metallic", &PrincipledParameters::metallic, &PrincipledTextures::metallic},
-    {"spec_trans", &PrincipledParameters::spec_trans, &PrincipledTextures::spec_trans},
-    {"spec_tint", &PrincipledParameters::spec_tint, &PrincipledTextures::spec_tint},
-    {"sheen", &PrincipledParameters::sheen, &PrincipledTextures::sheen},
-    {"sheen_tint", &PrincipledParameters::sheen_tint, &PrincipledTextures::sheen_tint},
-    {"flatness", &PrincipledParameters::flatness, &PrincipledTextures::flatness},
-    {"clearcoat", &PrincipledParameters::clearcoat, &PrincipledTextures::clearcoat},
-    {"clearcoat_gloss", &PrincipledParameters::clearcoat_gloss, &PrincipledTextures::clearcoat_gloss}};
+const Number kNumbers[] = {{"roughness", &PrincipledParameters::roughness},
+                           {"anisotropic", &PrincipledParameters::anisotropic},
+                           {"metallic", &PrincipledParameters::metallic},
+                           {"spec_trans", &PrincipledParameters::spec_trans},
+                           {"spec_tint", &PrincipledParameters::spec_tint},
+                           {"sheen", &PrincipledParameters::sheen},
+                           {"sheen_tint", &PrincipledParameters::sheen_tint},
+                           {"flatness", &PrincipledParameters::flatness},
+                           {"clearcoat", &PrincipledParameters::clearcoat},
+                           {"clearcoat_gloss", &PrincipledParameters::clearcoat_gloss}};
 
 }  // namespace
 
@@ -158,21 +156,21 @@ TEST_CASE("nothing to reflect is black") {
 
 TEST_CASE("principled textures of one value are numbers") {
     PrincipledParameters numbers{.base_color = {0.3, 0.6, 0.8}};
-    PrincipledTextures textures{.base_color = constant_texture({0.3F, 0.6F, 0.8F, 1}, 3)};
+    PrincipledParameters textures{.base_color = constant_texture({0.3F, 0.6F, 0.8F, 1}, 3)};
     double value = 0.15;
     for (const Number& n : kNumbers) {
-        numbers.*n.value = value += 0.0625;
-        textures.*n.texture = constant(value);
+        numbers.*n.parameter = value += 0.0625;
+        textures.*n.parameter = constant(value);
     }
     const MaterialPtr expected = principled(numbers);
-    const MaterialPtr found = principled({}, textures);
+    const MaterialPtr found = principled(textures);
     CHECK(found->variation() == nullptr);
     CHECK(found->channels() == 3);
     for (int c = 0; c < 3; ++c)
         CHECK(evaluate(*found, c, direction(0.4, 1), direction(0.7, 3.9))(0, 0) ==
               Approx(evaluate(*expected, c, direction(0.4, 1), direction(0.7, 3.9))(0, 0)).epsilon(1e-6));
     // Texture values outside 0 to 1 are clamped.
-    CHECK(principled({}, {.sheen = constant(7)})->content_key() == principled({.sheen = 1})->content_key());
+    CHECK(principled({.sheen = constant(7)})->content_key() == principled({.sheen = 1})->content_key());
 }
 
 TEST_CASE("where its textures have a value, a principled material is the one of that value") {
@@ -190,17 +188,17 @@ TEST_CASE("where its textures have a value, a principled material is the one of 
                                    .clearcoat_gloss = 0.6};
     std::mt19937 random(3);
     std::uniform_real_distribution<float> unit(0, 1);
-    const auto check = [&](const PrincipledTextures& textures) {
-        const MaterialPtr material = principled(all, textures);
+    const auto check = [&](const PrincipledParameters& varying) {
+        const MaterialPtr material = principled(varying);
         REQUIRE(material->variation() != nullptr);
         for (int i = 0; i < 20; ++i) {
             const TexturePoint point{.uv = {unit(random), unit(random)}};
             PrincipledParameters there = all;
             for (const Number& n : kNumbers)
-                if (const TexturePtr& texture = textures.*n.texture)
-                    there.*n.value = static_cast<double>(texture->at(point).x);
-            if (textures.base_color) {
-                const glm::vec4 color = textures.base_color->at(point);
+                if (const TexturePtr& texture = (varying.*n.parameter).texture)
+                    there.*n.parameter = static_cast<double>(texture->at(point).x);
+            if (const TexturePtr& texture = varying.base_color.texture) {
+                const glm::vec4 color = texture->at(point);
                 there.base_color = {color.x, color.y, color.z};
             }
             const glm::dvec3 light = random_direction_within(random, 1.5);
@@ -210,37 +208,38 @@ TEST_CASE("where its textures have a value, a principled material is the one of 
                       Approx(evaluate(*principled(there), c, light, viewer)(0, 0)).epsilon(1e-5));
         }
     };
-    PrincipledTextures together{.base_color = colors};
+    PrincipledParameters together = all;
+    together.base_color = colors;
     check(together);
     double scale = 0.5;
     for (const Number& n : kNumbers) {
         CAPTURE(n.name);
-        PrincipledTextures textures;
-        textures.*n.texture = together.*n.texture = board(0.2F, 0.9F, scale += 0.35);
-        check(textures);
+        PrincipledParameters alone = all;
+        alone.*n.parameter = together.*n.parameter = board(0.2F, 0.9F, scale += 0.35);
+        check(alone);
     }
     check(together);
 }
 
 TEST_CASE("a principled material has as few layers as its textures allow") {
-    const auto layers = [](const PrincipledParameters& parameters, const PrincipledTextures& textures) {
-        const MaterialPtr material = principled(parameters, textures);
+    const auto layers = [](const PrincipledParameters& parameters) {
+        const MaterialPtr material = principled(parameters);
         return material->variation() == nullptr ? 1 : material->variation()->layers.size();
     };
     const TexturePtr a = board(0.2F, 0.7F, 1), b = board(0.3F, 0.8F, 2);
     const TexturePtr colors = checkerboard_texture(glm::vec3(0.2F, 0.8F, 0.1F), glm::vec3(1), 3);
-    CHECK(layers({}, {}) == 1);
+    CHECK(layers({}) == 1);
     // One layer is coloured and one white.
-    CHECK(layers({}, {.base_color = colors}) == 2);
+    CHECK(layers({.base_color = colors}) == 2);
     // There is one layer for each roughness.
-    CHECK(layers({}, {.roughness = a}) == 2);
-    CHECK(layers({.sheen = 1, .clearcoat = 1}, {.roughness = a}) == 3);
+    CHECK(layers({.roughness = a}) == 2);
+    CHECK(layers({.roughness = a, .sheen = 1, .clearcoat = 1}) == 3);
     // Metal and the rest are separate layers.
-    CHECK(layers({.spec_tint = 0.5, .sheen = 1}, {.metallic = a}) == 2);
-    CHECK(layers({.sheen = 1}, {.metallic = a, .clearcoat = b}) == 3);
+    CHECK(layers({.metallic = a, .spec_tint = 0.5, .sheen = 1}) == 2);
+    CHECK(layers({.metallic = a, .sheen = 1, .clearcoat = b}) == 3);
     // Textures without effect, because another parameter is 0 or 1, add no layers.
-    CHECK(layers({}, {.sheen_tint = a, .clearcoat_gloss = b}) == 1);
-    CHECK(layers({.metallic = 1}, {.spec_trans = a, .spec_tint = a, .sheen = b, .flatness = b}) == 1);
+    CHECK(layers({.sheen_tint = a, .clearcoat_gloss = b}) == 1);
+    CHECK(layers({.metallic = 1, .spec_trans = a, .spec_tint = a, .sheen = b, .flatness = b}) == 1);
 }
 
 TEST_CASE("principled parameters out of range are named") {
@@ -248,7 +247,7 @@ TEST_CASE("principled parameters out of range are named") {
     for (const Number& n : kNumbers) {
         for (const double value : {-0.1, 1.1, std::numeric_limits<double>::quiet_NaN()}) {
             PrincipledParameters parameters;
-            parameters.*n.value = value;
+            parameters.*n.parameter = value;
             check_error(bad, CALL(principled(parameters)), n.name);
         }
     }
@@ -257,7 +256,7 @@ TEST_CASE("principled parameters out of range are named") {
     check_error(bad, CALL(principled({.eta = 0})), "eta");
     check_error(bad, CALL(principled({.eta = -1.5})), "eta");
     check_error(ErrorCode::unsupported,
-                CALL(principled({.spec_tint = 1}, {.base_color = mesh_color_texture(ColorsOf::vertices)})),
+                CALL(principled({.base_color = mesh_color_texture(ColorsOf::vertices), .spec_tint = 1})),
                 "tint");
-    CHECK(principled({}, {.base_color = mesh_color_texture(ColorsOf::vertices)})->variation() != nullptr);
+    CHECK(principled({.base_color = mesh_color_texture(ColorsOf::vertices)})->variation() != nullptr);
 }
