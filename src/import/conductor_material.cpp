@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: MIT
-// <bsdf>s of metals.
+#include "import/conductor_material.hpp"
+
+#include <algorithm>
 #include <cmath>
 
+#include "error.hpp"
 #include "files/suffix.hpp"
 #include "import/material_readers.hpp"
 #include "import/values.hpp"
-#include "material/conductor.hpp"
 #include "material/metal_constants.hpp"
 
 namespace nicol::scene {
 namespace {
+
+using P = RoughConductorParameters;
 
 /// The name as named_metals() spells it, empty for none of these.
 std::string_view known_metal(const std::string& name) {
@@ -18,30 +22,62 @@ std::string_view known_metal(const std::string& name) {
     return {};
 }
 
-}  // namespace
-
-void read_conductor(const MaterialSource& source, MaterialDescription& material) {
-    Plugin& plugin = source.plugin;
-    const bool rough = plugin.type() == "roughconductor";
-    material.kind = rough ? MaterialDescription::Kind::roughconductor : MaterialDescription::Kind::conductor;
+void read_index(Plugin& plugin, MetalModel& model) {
     const std::string name = plugin.string("material", "none");
-    material.metal = known_metal(name);
-    if (material.metal.empty() && lower_case(name) != "none")
+    model.metal = known_metal(name);
+    if (model.metal.empty() && lower_case(name) != "none")
         plugin.fail("material", "is " + in_quotes(name) + "; expected none, eta and k instead, or one of " +
                                     metal_names());
-    material.eta = plugin.color("eta", material.eta, 100.0);
-    material.k = plugin.color("k", material.k, 100.0);
+    model.eta = plugin.color("eta", model.eta, 100.0);
+    model.k = plugin.color("k", model.k, 100.0);
     for (const char* part : {"eta", "k"})
-        if (!material.metal.empty() && plugin.has(part))
+        if (!model.metal.empty() && plugin.has(part))
             plugin.fail(part, "is given beside material; expected either");
-    if (material.eta.spectrum.empty() && material.k.spectrum.empty())
-        for (glm::length_t i = 0; i < 3; ++i)
-            if (std::hypot(material.eta.rgb[i], material.k.rgb[i]) < kSmallestIndex)
-                plugin.fail(plugin.has("k") ? "k" : "eta",
-                            "and the other part of the index are both 0 or close to it; eta^2 + k^2 of a "
-                            "metal is 1e-6 or more");
-    material.specular_reflectance = read_color(source.document, plugin, "specular_reflectance", 1.0, 1.0);
-    if (rough) read_anisotropic_facets(source, material);
+    if (!model.eta.spectrum.empty() || !model.k.spectrum.empty()) return;
+    for (glm::length_t i = 0; i < 3; ++i)
+        if (std::hypot(model.eta.rgb[i], model.k.rgb[i]) < kSmallestIndex)
+            plugin.fail(plugin.has("k") ? "k" : "eta",
+                        "and the other part of the index are both 0 or close to it; eta^2 + k^2 of a "
+                        "metal is 1e-6 or more");
+}
+
+}  // namespace
+
+MaterialPtr MetalModel::make(const MaterialMaker& maker) const {
+    std::vector<std::complex<double>> of_channels = index(maker.channels);
+    P conductor = with(maker);
+    conductor.eta = std::move(of_channels);
+    return rough_conductor(conductor);
+}
+
+std::vector<std::complex<double>> MetalModel::index(const SceneChannels& channels) const {
+    if (!metal.empty()) {
+        if (channels.rgb()) return metal_index(metal);
+        if (!channels.wavelengths.empty()) return metal_index(metal, channels.wavelengths);
+        throw Error(ErrorCode::unsupported, "a named metal under light of " + std::to_string(channels.count) +
+                                                " channels without wavelengths; give grey eta and k");
+    }
+    const std::vector<double> n = refractive_index(eta, channels);
+    const std::vector<double> absorption = refractive_index(k, channels);
+    std::vector<std::complex<double>> out;
+    for (std::size_t c = 0; c < std::max(n.size(), absorption.size()); ++c)
+        out.emplace_back(n[n.size() == 1 ? 0 : c], -absorption[absorption.size() == 1 ? 0 : c]);
+    // Of a table that ends within the visible range, both may be 0.
+    std::ranges::replace(out, std::complex<double>(0), std::complex<double>(0.001));
+    return out;
+}
+
+MaterialDescription read_conductor(const MaterialSource& source) {
+    MetalModel model;
+    read_index(source.plugin, model);
+    read_color(source, "specular_reflectance", model, &P::specular_reflectance);
+    model.parameters.alpha = 0.0;
+    if (source.plugin.type() == "roughconductor") {
+        const FacetDescription facets = read_anisotropic_facets(source);
+        set_facets(facets, model);
+        model.set(&P::alpha_v, facets.alpha_v);
+    }
+    return model;
 }
 
 }  // namespace nicol::scene

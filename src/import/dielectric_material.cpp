@@ -2,8 +2,10 @@
 // <bsdf>s that light passes.
 #include <string>
 
+#include "import/conductor_material.hpp"
+#include "import/diffuse_material.hpp"
 #include "import/material_readers.hpp"
-#include "import/values.hpp"
+#include "import/nested_material.hpp"
 
 namespace nicol::scene {
 namespace {
@@ -19,7 +21,7 @@ bool reflects_often(const XmlDocument& document) {
 
 }  // namespace
 
-void read_dielectric(const MaterialSource& source, MaterialDescription& material) {
+MaterialDescription read_dielectric(const MaterialSource& source) {
     Plugin& plugin = source.plugin;
     if (reflects_often(source.document))
         plugin.fail(
@@ -27,27 +29,27 @@ void read_dielectric(const MaterialSource& source, MaterialDescription& material
             "lets light through, which is not followed: light is reflected once. With an integrator of "
             "max_depth 2, or \"direct\", it is read as what its boundary reflects",
             ErrorCode::unsupported);
-    const bool rough = plugin.type() == "roughdielectric";
+    double int_ior = 1.5046;  // Mitsuba's: glass
+    double ext_ior = 1.000277;
+    read_indices(plugin, int_ior, ext_ior);
     // A metal that absorbs nothing.
-    material.kind = rough ? MaterialDescription::Kind::roughconductor : MaterialDescription::Kind::conductor;
-    material.int_ior = 1.5046;  // Mitsuba's: glass
-    read_indices(plugin, material);
-    material.eta = material.int_ior / material.ext_ior;
-    material.k = 0.0;
-    material.specular_reflectance = read_color(source.document, plugin, "specular_reflectance", 1.0, 1.0);
+    MetalModel model;
+    model.eta = int_ior / ext_ior;
+    model.k = 0.0;
+    read_color(source, "specular_reflectance", model, &RoughConductorParameters::specular_reflectance);
     static_cast<void>(read_color(source.document, plugin, "specular_transmittance", 1.0, 1.0));
-    if (rough) read_facets(source, material);
+    model.parameters.alpha = 0.0;
+    if (plugin.type() == "roughdielectric") set_facets(read_facets(source), model);
     source.notices.add_once(source.node,
                             "of dielectric and roughdielectric what passes through them is left out, and "
                             "what is inside");
+    return model;
 }
 
-void read_null(MaterialDescription& material) {
-    material.kind = MaterialDescription::Kind::mask;
+MaterialDescription read_null(const MaterialSource&) {
     TextureSpecification nothing;
     nothing.color0 = 0.0;
-    material.texture = std::make_shared<const TextureSpecification>(std::move(nothing));
-    material.parts.emplace_back();
+    return MaskModel(DiffuseModel(), std::make_shared<const TextureSpecification>(std::move(nothing)));
 }
 
 }  // namespace nicol::scene

@@ -45,11 +45,6 @@ struct Box {
     }
 };
 
-bool is_black(const MaterialDescription& material) {
-    return material.kind == MaterialDescription::Kind::diffuse && !material.reflectance.texture &&
-           material.reflectance == ColorDescription(0.0);
-}
-
 /// What lights may light, in the world.
 struct LitShapes {
     std::vector<glm::dvec3> corners;  // of a box in the axes of each shape
@@ -60,7 +55,7 @@ LitShapes lit_shapes(const SceneDescription& description, const Scene& scene) {
     LitShapes out;
     std::map<const Mesh*, Box> boxes;
     for (std::size_t i = 0; i < description.shapes.size(); ++i) {
-        if (is_black(description.materials[description.shapes[i].material])) continue;
+        if (description.materials[description.shapes[i].material].model->black()) continue;
         const Instance& instance = scene.instances()[i];
         const auto [entry, is_new] = boxes.try_emplace(instance.mesh.get());
         if (is_new)

@@ -53,7 +53,8 @@ std::optional<TexturedNumber> mean(const TexturedNumber& u, const TexturedNumber
     return both;
 }
 
-TexturedNumber roughness(const MaterialSource& source, const char* name, double otherwise) {
+TexturedNumber roughness(const MaterialSource& source, const char* name) {
+    constexpr double otherwise = 0.1;
     // What the tables of a material resolve.
     constexpr double least = 0.001, most = 1.0;
     return read_number(source, name, otherwise, least, most);
@@ -64,9 +65,9 @@ struct DirectionalRoughness {
 };
 
 /// Given once, or for both directions; Mitsuba's parameters.
-DirectionalRoughness roughness(const MaterialSource& source, double otherwise) {
+DirectionalRoughness roughness(const MaterialSource& source) {
     Plugin& plugin = source.plugin;
-    const TexturedNumber alpha = roughness(source, "alpha", otherwise);
+    const TexturedNumber alpha = roughness(source, "alpha");
     if (!plugin.has("alpha_u") && !plugin.has("alpha_v")) {
         plugin.pass_over({"alpha_u", "alpha_v"});
         return {alpha, alpha};
@@ -75,14 +76,24 @@ DirectionalRoughness roughness(const MaterialSource& source, double otherwise) {
     if (!plugin.has("alpha_u") || !plugin.has("alpha_v"))
         plugin.fail(plugin.has("alpha_u") ? "alpha_u" : "alpha_v",
                     "is given alone; expected alpha, or both alpha_u and alpha_v");
-    const TexturedNumber u = roughness(source, "alpha_u", otherwise);
-    return {u, roughness(source, "alpha_v", otherwise)};
+    const TexturedNumber u = roughness(source, "alpha_u");
+    return {u, roughness(source, "alpha_v")};
 }
 
-void read_distribution(Plugin& plugin, MaterialDescription& material) {
-    material.distribution =
-        static_cast<MaterialDescription::Distribution>(plugin.choice("distribution", 0, {"beckmann", "ggx"}));
+Distribution read_distribution(Plugin& plugin) {
+    const std::size_t choice = plugin.choice("distribution", 0, {"beckmann", "ggx"});
     plugin.pass_over({"sample_visible"});
+    return choice == 0 ? Distribution::beckmann : Distribution::ggx;
+}
+
+/// A number, or the name of a medium.
+double refractive_index(Plugin& plugin, const std::string& name, double otherwise) {
+    if (!plugin.has_tag(name, "string")) return plugin.number(name, otherwise, 0.0, kNoLimit, true);
+    const std::string text = lower_case(plugin.string(name, ""));
+    const auto found = std::ranges::find(kNamedIors, std::string_view(text), &NamedIor::name);
+    if (found != kNamedIors.end()) return found->ior;
+    plugin.fail(name, "is " + in_quotes(text) + "; expected a number or one of " +
+                          joined(kNamedIors, &NamedIor::name));
 }
 
 }  // namespace
@@ -97,52 +108,36 @@ TexturedNumber read_number(const MaterialSource& source, const char* name, doubl
     return number;
 }
 
-double refractive_index(Plugin& plugin, const std::string& name, double otherwise) {
-    if (!plugin.has_tag(name, "string")) return plugin.number(name, otherwise, 0.0, kNoLimit, true);
-    const std::string text = lower_case(plugin.string(name, ""));
-    const auto found = std::ranges::find(kNamedIors, std::string_view(text), &NamedIor::name);
-    if (found != kNamedIors.end()) return found->ior;
-    plugin.fail(name, "is " + in_quotes(text) + "; expected a number or one of " +
-                          joined(kNamedIors, &NamedIor::name));
+void read_indices(Plugin& plugin, double& int_ior, double& ext_ior) {
+    int_ior = refractive_index(plugin, "int_ior", int_ior);
+    ext_ior = refractive_index(plugin, "ext_ior", ext_ior);
+    if (int_ior == ext_ior) plugin.fail("int_ior", "equals ext_ior; they must differ");
 }
 
-void read_indices(Plugin& plugin, MaterialDescription& material) {
-    material.int_ior = refractive_index(plugin, "int_ior", material.int_ior);
-    material.ext_ior = refractive_index(plugin, "ext_ior", material.ext_ior);
-    if (material.int_ior == material.ext_ior) plugin.fail("int_ior", "equals ext_ior; they must differ");
+FacetDescription read_facets(const MaterialSource& source) {
+    const Distribution distribution = read_distribution(source.plugin);
+    const auto [u, v] = roughness(source);
+    if (same(u, v)) return {distribution, u};
+    const std::optional<TexturedNumber> both = mean(u, v);
+    if (!both)
+        source.plugin.fail("alpha_v",
+                           "differs from alpha_u by its texture; expected two numbers or two checkerboards "
+                           "alike: this material is isotropic, and takes the mean of both",
+                           ErrorCode::unsupported);
+    source.notices.add(
+        source.node, "alpha_u and alpha_v differ: " + source.plugin.type() + " takes sqrt(alpha_u alpha_v)");
+    return {distribution, *both};
 }
 
-void read_facets(const MaterialSource& source, MaterialDescription& material) {
-    read_distribution(source.plugin, material);
-    const auto [u, v] = roughness(source, material.alpha);
-    std::optional<TexturedNumber> both = u;
-    if (!same(u, v)) {
-        both = mean(u, v);
-        if (!both)
-            source.plugin.fail(
-                "alpha_v",
-                "differs from alpha_u by its texture; expected two numbers or two checkerboards "
-                "alike: this material is isotropic, and takes the mean of both",
-                ErrorCode::unsupported);
-        source.notices.add(source.node, "alpha_u and alpha_v differ: " + source.plugin.type() +
-                                            " takes sqrt(alpha_u alpha_v)");
-    }
-    material.alpha = both->value;
-    material.alpha_texture = both->texture;
-}
-
-void read_anisotropic_facets(const MaterialSource& source, MaterialDescription& material) {
-    read_distribution(source.plugin, material);
-    const auto [u, v] = roughness(source, material.alpha);
-    material.alpha = u.value;
-    material.alpha_texture = u.texture;
-    if (same(u, v)) return;
-    material.alpha_v = v.value;
-    material.alpha_v_texture = v.texture;
+FacetDescription read_anisotropic_facets(const MaterialSource& source) {
+    const Distribution distribution = read_distribution(source.plugin);
+    const auto [u, v] = roughness(source);
+    if (same(u, v)) return {distribution, u};
     source.notices.add(
         source.node,
         "alpha_u and alpha_v differ: local lights and --method reference follow the direction; "
         "light of the environment is reflected as by sqrt(alpha_u alpha_v)");
+    return {distribution, u, v};
 }
 
 }  // namespace nicol::scene

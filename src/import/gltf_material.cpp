@@ -9,7 +9,10 @@
 #include <string_view>
 #include <utility>
 
+#include "import/conductor_material.hpp"
 #include "import/gltf_readers.hpp"
+#include "import/late_parameters.hpp"
+#include "import/nested_material.hpp"
 
 namespace nicol::scene {
 namespace {
@@ -27,16 +30,6 @@ TextureSpecificationPtr shared(TextureSpecification texture) {
 TextureSpecification constant(const ColorDescription& value) {
     TextureSpecification out;
     out.color0 = value;
-    return out;
-}
-
-/// What is made of a material, with `texture`.
-MaterialDescription around(MaterialDescription::Kind kind, std::vector<MaterialDescription> parts,
-                           TextureSpecification texture) {
-    MaterialDescription out;
-    out.kind = kind;
-    out.parts = std::move(parts);
-    out.texture = shared(std::move(texture));
     return out;
 }
 
@@ -70,11 +63,11 @@ public:
             // Scales x and y, 2 t - 1, of the normal.
             normals->factor = {scale, scale, 1};
             normals->offset = {(1 - scale) / 2, (1 - scale) / 2, 0};
-            out = around(MaterialDescription::Kind::normalmap, {std::move(out)}, std::move(*normals));
-            out.mirrored_y = true;
+            NormalMapModel mapped(std::move(out), shared(std::move(*normals)));
+            mapped.mirrored_y = true;
+            out = std::move(mapped);
         }
-        if (auto opacity = coverage())
-            out = around(MaterialDescription::Kind::mask, {std::move(out)}, std::move(*opacity));
+        if (auto opacity = coverage()) out = MaskModel(std::move(out), shared(std::move(*opacity)));
         out.id = material_.name;
         out.twosided = material_.doubleSided;
         return {std::move(out), set};
@@ -163,45 +156,46 @@ private:
         } else {
             weight = constant(metallic);
         }
-        return around(MaterialDescription::Kind::blendbsdf, {plastic(), metal()}, std::move(*weight));
+        return BlendModel{plastic(), metal(), shared(std::move(*weight))};
     }
 
     [[nodiscard]] MaterialDescription plastic() {
-        MaterialDescription out = facets();
-        out.kind = MaterialDescription::Kind::pplastic;
-        out.diffuse_reflectance = base_color();
-        out.int_ior = index_of_refraction();
-        out.ext_ior = 1;
+        using P = PplasticParameters;
+        ModelOf<P> out(pplastic);
+        set_facets(out);
+        out.set(&P::diffuse_reflectance, base_color());
+        out.set(&P::specular_reflectance, 1.0);
+        out.parameters.int_ior = index_of_refraction();
+        out.parameters.ext_ior = 1;
         return out;
     }
 
     /// A mirror times a colour that varies; of one colour, a metal that has it.
     [[nodiscard]] MaterialDescription metal() {
-        MaterialDescription out = facets();
-        out.kind = MaterialDescription::Kind::roughconductor;
+        MetalModel out;
+        set_facets(out);
         const TexturedColor color = base_color();
-        if (color.texture) {
-            out.specular_reflectance = color;
-        } else {
+        out.set(&RoughConductorParameters::specular_reflectance, color.texture ? color : 1.0);
+        if (!color.texture) {
             out.eta = 1.0;
             out.k = absorption(color.rgb);
         }
         return out;
     }
 
-    [[nodiscard]] MaterialDescription facets() {
+    template <class P>
+    void set_facets(LateParameters<P>& out) {
         const double roughness = in_unit(pbr_.roughnessFactor, "roughnessFactor");
-        MaterialDescription out;
-        out.distribution = MaterialDescription::Distribution::ggx;
-        out.alpha = std::max(roughness * roughness, 0.001);
+        out.parameters.distribution = Distribution::ggx;
+        TexturedNumber alpha = std::max(roughness * roughness, 0.001);
         if (auto image = texture(metallic_roughness_)) {
             image->raw = true;
             image->part = Part::green;
             image->factor = glm::dvec3(roughness);
             image->squared = true;
-            out.alpha_texture = shared(std::move(*image));
+            alpha.texture = shared(std::move(*image));
         }
-        return out;
+        out.set(&P::alpha, alpha);
     }
 
     /// The index 1 - ik of a metal that reflects `reflectance` at normal incidence, k^2 / (4 + k^2). Real

@@ -199,9 +199,11 @@ private:
     }
 
     ReadMaterial& material(const tinygltf::Primitive& primitive) {
-        const auto [entry, is_new] = materials_.try_emplace(GltfSurface(primitive));
-        if (is_new) entry->second.material = read_gltf_material(document_, entry->first, textures_, notices_);
-        return entry->second;
+        const GltfSurface surface(primitive);
+        const auto known = materials_.find(surface);
+        if (known != materials_.end()) return known->second;
+        ReadMaterial read{read_gltf_material(document_, surface, textures_, notices_), {}};
+        return materials_.emplace(surface, std::move(read)).first->second;
     }
 
     std::size_t index_of(ReadMaterial& read) {

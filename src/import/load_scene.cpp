@@ -17,10 +17,10 @@
 
 #include "arguments.hpp"
 #include "import/elements_before_lights.hpp"
+#include "import/material_maker.hpp"
 #include "import/scene_color.hpp"
 #include "import/scene_description.hpp"
 #include "import/scene_files.hpp"
-#include "import/scene_materials.hpp"
 #include "import/scene_textures.hpp"
 #include "import/values.hpp"
 #include "light/local_light.hpp"
@@ -213,10 +213,10 @@ LoadedScene load_scene(const std::filesystem::path& file, const SceneParameters&
     out.scene.hide_emitters(description.integrator.hide_emitters);
     const SceneChannels channels = channels_under(out.scene.environment());
     scene::SceneTextures textures(channels, files);
+    const MaterialMaker maker{channels, textures, files};
     std::vector<MaterialPtr> materials;
     for (const MaterialDescription& material : description.materials)
-        materials.push_back(made(file, named("bsdf", material.id),
-                                 [&] { return scene::make_material(material, channels, textures, files); }));
+        materials.push_back(made(file, named("bsdf", material.id), [&] { return maker.make(material); }));
     for (const LightDescription& light : description.lights) {
         budget.step(256);
         made(file, named("emitter", light.id),

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Parameters of <bsdf>s, one reader for each family of models.
+// The types of <bsdf>s, and what their readers share.
 #pragma once
 
-#include <string>
+#include <string_view>
 
+#include "import/late_parameters.hpp"
 #include "import/plugin.hpp"
 #include "import/readers.hpp"
 
@@ -15,31 +16,91 @@ struct MaterialSource {
     pugi::xml_node node;
     Plugin& plugin;
     Notices& notices;
+    int& left;  ///< see read_material()
 };
 
-/// Each sets the kind and what belongs to it, and throws as read_mitsuba_scene does.
-void read_pplastic(const MaterialSource& source, MaterialDescription& material);
+// Each reads the parameters of one type or family, and throws as read_mitsuba_scene does.
+
+[[nodiscard]] MaterialDescription read_pplastic(const MaterialSource& source);
 /// plastic, roughplastic
-void read_plastic(const MaterialSource& source, MaterialDescription& material);
+[[nodiscard]] MaterialDescription read_plastic(const MaterialSource& source);
+[[nodiscard]] MaterialDescription read_diffuse(const MaterialSource& source);
+/// conductor, roughconductor
+[[nodiscard]] MaterialDescription read_conductor(const MaterialSource& source);
 /// dielectric, roughdielectric: what their boundary reflects. Refused where light is asked for that surfaces
 /// reflect to each other: most of what passes through them is.
-void read_dielectric(const MaterialSource& source, MaterialDescription& material);
-/// null
-void read_null(MaterialDescription& material);
-void read_conductor(const MaterialSource& source, MaterialDescription& material);
-void read_principled(const MaterialSource& source, MaterialDescription& material);
+[[nodiscard]] MaterialDescription read_dielectric(const MaterialSource& source);
+[[nodiscard]] MaterialDescription read_null(const MaterialSource& source);
+[[nodiscard]] MaterialDescription read_principled(const MaterialSource& source);
+[[nodiscard]] MaterialDescription read_measured(const MaterialSource& source);
+[[nodiscard]] MaterialDescription read_psh(const MaterialSource& source);
+[[nodiscard]] MaterialDescription read_twosided(const MaterialSource& source);
+[[nodiscard]] MaterialDescription read_normal_map(const MaterialSource& source);
+[[nodiscard]] MaterialDescription read_bump_map(const MaterialSource& source);
+[[nodiscard]] MaterialDescription read_mask(const MaterialSource& source);
+[[nodiscard]] MaterialDescription read_blend(const MaterialSource& source);
 
-/// A number of `least` to `most`, or a texture.
+struct MaterialType {
+    std::string_view name;
+    MaterialDescription (*read)(const MaterialSource& source);
+    bool holds_bsdfs = false;  ///< read() calls Plugin::finish() and takes the objects inside
+};
+
+/// In the order in which messages name them.
+inline constexpr MaterialType kMaterialTypes[] = {{"pplastic", read_pplastic},
+                                                  {"plastic", read_plastic},
+                                                  {"roughplastic", read_plastic},
+                                                  {"diffuse", read_diffuse},
+                                                  {"conductor", read_conductor},
+                                                  {"roughconductor", read_conductor},
+                                                  {"dielectric", read_dielectric},
+                                                  {"roughdielectric", read_dielectric},
+                                                  {"null", read_null},
+                                                  {"principled", read_principled},
+                                                  {"measured_polarized", read_measured},
+                                                  {"psh", read_psh},
+                                                  {"twosided", read_twosided, true},
+                                                  {"normalmap", read_normal_map, true},
+                                                  {"bumpmap", read_bump_map, true},
+                                                  {"mask", read_mask, true},
+                                                  {"blendbsdf", read_blend, true}};
+
+/// Reads a number of `least` to `most`, or a texture.
 [[nodiscard]] TexturedNumber read_number(const MaterialSource& source, const char* name, double otherwise,
                                          double least, double most);
-/// A number, or the name of a medium.
-[[nodiscard]] double refractive_index(Plugin& plugin, const std::string& name, double otherwise);
-/// int_ior and ext_ior, which differ.
-void read_indices(Plugin& plugin, MaterialDescription& material);
-/// The distribution of facets and their roughness; of one that differs by direction, of which there is a
-/// notice, the geometric mean.
-void read_facets(const MaterialSource& source, MaterialDescription& material);
-/// The same with the roughness of both directions.
-void read_anisotropic_facets(const MaterialSource& source, MaterialDescription& material);
+/// Reads a number of 0 to 1, or a texture, into a parameter; the model's default where the file has none.
+template <class P>
+void read_fraction(const MaterialSource& source, const char* name, LateParameters<P>& out,
+                   NumberParameter P::*parameter) {
+    out.set(parameter, read_number(source, name, (out.parameters.*parameter).value, 0.0, 1.0));
+}
+/// Reads a colour of 0 to 1, or a texture, into a parameter; the model's default where the file has none.
+template <class P>
+void read_color(const MaterialSource& source, const char* name, LateParameters<P>& out,
+                ColorParameter P::*parameter) {
+    const double otherwise = (out.parameters.*parameter).values.front();
+    out.set(parameter, read_color(source.document, source.plugin, name, otherwise, 1.0));
+}
+
+/// Reads int_ior and ext_ior, numbers or names of media, which must differ. The arguments hold the defaults.
+void read_indices(Plugin& plugin, double& int_ior, double& ext_ior);
+
+/// Facets of a rough surface.
+struct FacetDescription {
+    Distribution distribution;
+    TexturedNumber alpha;
+    TexturedNumber alpha_v = 0.0;  ///< roughness along v, where alpha is along u; 0: as alpha
+};
+/// Reads the facets of an isotropic material: the geometric mean, with a notice, where the roughness differs
+/// by direction.
+[[nodiscard]] FacetDescription read_facets(const MaterialSource& source);
+/// Reads the facets with the roughness of both directions.
+[[nodiscard]] FacetDescription read_anisotropic_facets(const MaterialSource& source);
+
+template <class P>
+void set_facets(const FacetDescription& facets, LateParameters<P>& out) {
+    out.parameters.distribution = facets.distribution;
+    out.set(&P::alpha, facets.alpha);
+}
 
 }  // namespace nicol::scene

@@ -2,6 +2,7 @@
 // Puts a scene together from its XML.
 #include <map>
 
+#include "import/diffuse_material.hpp"
 #include "import/plugin.hpp"
 #include "import/polarization_element.hpp"
 #include "import/readers.hpp"
@@ -134,7 +135,7 @@ private:
         const auto [entry, is_new] = materials_.try_emplace(bsdf, scene_.materials.size());
         if (is_new)
             scene_.materials.push_back(bsdf ? read_material(document_, bsdf, notices_)
-                                            : MaterialDescription());
+                                            : MaterialDescription(DiffuseModel()));
         return entry->second;
     }
 
@@ -142,7 +143,9 @@ private:
     std::size_t black() {
         if (!black_) {
             black_ = scene_.materials.size();
-            scene_.materials.emplace_back().reflectance = 0.0;
+            DiffuseModel black;
+            black.reflectance = 0.0;
+            scene_.materials.emplace_back(std::move(black));
         }
         return *black_;
     }

@@ -1,21 +1,93 @@
 // SPDX-License-Identifier: MIT
-// <bsdf>s that hold others.
-#include "import/plugin.hpp"
-#include "import/readers.hpp"
+#include "import/nested_material.hpp"
+
+#include "import/material_readers.hpp"
+#include "material/mixture.hpp"
 
 namespace nicol::scene {
 namespace {
 
 /// A number of 0 to 1, or a texture.
-TextureSpecificationPtr fraction(const XmlDocument& document, Plugin& plugin, const char* name,
-                                 double otherwise) {
-    if (const pugi::xml_node texture = plugin.texture(name)) return read_texture(document, texture);
+TextureSpecificationPtr fraction(const MaterialSource& source, const char* name, double otherwise) {
+    const TexturedNumber number = read_number(source, name, otherwise, 0.0, 1.0);
+    if (number.texture) return number.texture;
     TextureSpecification constant;
-    constant.color0 = plugin.number(name, otherwise, 0.0, 1.0);
+    constant.color0 = number.value;
     return std::make_shared<const TextureSpecification>(std::move(constant));
 }
 
-MaterialDescription twosided(const XmlDocument& document, const Plugin& plugin, Notices& notices, int& left) {
+/// The bsdfs inside, behind the last parameter.
+std::vector<MaterialDescription> read_parts(const MaterialSource& source, std::size_t count) {
+    source.plugin.finish();
+    const std::vector<NestedObject> parts = source.plugin.objects({"bsdf"});
+    if (parts.size() != count)
+        source.plugin.fail(
+            "", "has " + std::to_string(parts.size()) + " bsdfs inside; expected " + std::to_string(count));
+    std::vector<MaterialDescription> out;
+    for (const NestedObject& part : parts)
+        out.push_back(read_material(source.document, part.node, source.notices, source.left));
+    return out;
+}
+
+}  // namespace
+
+MaterialPtr NormalMapModel::make(const MaterialMaker& maker) const {
+    MaterialPtr material = maker.make(base);
+    return normal_mapped(std::move(material), maker.textures.vector(*texture), mirrored_y);
+}
+
+MaterialPtr BumpMapModel::make(const MaterialMaker& maker) const {
+    MaterialPtr material = maker.make(base);
+    return bump_mapped(std::move(material), maker.textures.number(*texture), scale);
+}
+
+MaterialPtr MaskModel::make(const MaterialMaker& maker) const {
+    MaterialPtr material = maker.make(base);
+    TexturePtr opacity = maker.textures.number(*texture);
+    const float value = opacity->mean().x;
+    if (opacity->constant() && value > 0 && value < 1)
+        maker.files.notice("a surface with an opacity between 0 and 1 is " +
+                           std::string(value < 0.5F ? "not drawn" : "drawn without seeing through it"));
+    return masked(std::move(material), std::move(opacity));
+}
+
+MaterialPtr BlendModel::make(const MaterialMaker& maker) const {
+    const MaterialPtr first = maker.make(base);
+    const MaterialPtr second = maker.make(other);
+    return blend(first, second, maker.textures.number(*texture));
+}
+
+MaterialDescription read_normal_map(const MaterialSource& source) {
+    TextureSpecificationPtr normals = read_texture(source.document, source.plugin.only_texture());
+    // Of light and views below the horizon of the perturbed normal.
+    source.plugin.pass_over({"use_shadowing_function", "flip_invalid_normals"});
+    return NormalMapModel(read_parts(source, 1).front(), std::move(normals));
+}
+
+MaterialDescription read_bump_map(const MaterialSource& source) {
+    TextureSpecificationPtr heights = read_texture(source.document, source.plugin.only_texture());
+    const double scale = source.plugin.number("scale", 1.0);
+    BumpMapModel model(read_parts(source, 1).front(), std::move(heights));
+    model.scale = scale;
+    return model;
+}
+
+MaterialDescription read_mask(const MaterialSource& source) {
+    TextureSpecificationPtr opacity = fraction(source, "opacity", 0.5);
+    return MaskModel(read_parts(source, 1).front(), std::move(opacity));
+}
+
+MaterialDescription read_blend(const MaterialSource& source) {
+    if (!source.plugin.has("weight"))
+        source.plugin.fail("weight", "is missing; expected a <float> or a <texture>");
+    TextureSpecificationPtr weight = fraction(source, "weight", 0.0);
+    const std::vector<MaterialDescription> parts = read_parts(source, 2);
+    return BlendModel(parts.front(), parts.back(), std::move(weight));
+}
+
+MaterialDescription read_twosided(const MaterialSource& source) {
+    const auto& [document, node, plugin, notices, left] = source;
+    plugin.finish();
     const std::vector<NestedObject> sides = plugin.objects({"bsdf"});
     if (sides.empty()) plugin.fail("", "has no bsdf inside; expected one");
     for (const NestedObject& side : sides) {
@@ -27,50 +99,6 @@ MaterialDescription twosided(const XmlDocument& document, const Plugin& plugin, 
     }
     MaterialDescription material = read_material(document, sides.front().node, notices, left);
     material.twosided = true;
-    return material;
-}
-
-void read_parts(const XmlDocument& document, const Plugin& plugin, std::size_t count, Notices& notices,
-                int& left, MaterialDescription& material) {
-    const std::vector<NestedObject> parts = plugin.objects({"bsdf"});
-    if (parts.size() != count)
-        plugin.fail(
-            "", "has " + std::to_string(parts.size()) + " bsdfs inside; expected " + std::to_string(count));
-    for (const NestedObject& part : parts)
-        material.parts.push_back(read_material(document, part.node, notices, left));
-}
-
-}  // namespace
-
-std::optional<MaterialDescription> read_nested_material(const XmlDocument& document, Plugin& plugin,
-                                                        Notices& notices, int& left) {
-    MaterialDescription material;
-    if (plugin.type() == "twosided") {
-        plugin.finish();
-        return twosided(document, plugin, notices, left);
-    }
-    if (plugin.type() == "normalmap") {
-        material.kind = MaterialDescription::Kind::normalmap;
-        material.texture = read_texture(document, plugin.only_texture());
-        // Of light and views below the horizon of the perturbed normal.
-        plugin.pass_over({"use_shadowing_function", "flip_invalid_normals"});
-    } else if (plugin.type() == "bumpmap") {
-        material.kind = MaterialDescription::Kind::bumpmap;
-        material.texture = read_texture(document, plugin.only_texture());
-        material.bump_scale = plugin.number("scale", material.bump_scale);
-    } else if (plugin.type() == "mask") {
-        material.kind = MaterialDescription::Kind::mask;
-        material.texture = fraction(document, plugin, "opacity", 0.5);
-    } else if (plugin.type() == "blendbsdf") {
-        material.kind = MaterialDescription::Kind::blendbsdf;
-        if (!plugin.has("weight")) plugin.fail("weight", "is missing; expected a <float> or a <texture>");
-        material.texture = fraction(document, plugin, "weight", 0.0);
-    } else {
-        return std::nullopt;
-    }
-    plugin.finish();
-    read_parts(document, plugin, material.kind == MaterialDescription::Kind::blendbsdf ? 2 : 1, notices, left,
-               material);
     return material;
 }
 

@@ -1,35 +1,36 @@
 // SPDX-License-Identifier: MIT
 // <bsdf>s of a dielectric boundary over a diffuse base.
+#include "material/plastic.hpp"
+
 #include "import/material_readers.hpp"
 
 namespace nicol::scene {
 namespace {
 
-void read_base_and_boundary(const MaterialSource& source, MaterialDescription& material) {
-    Plugin& plugin = source.plugin;
-    material.diffuse_reflectance = read_color(source.document, plugin, "diffuse_reflectance", 0.5, 1.0);
-    material.specular_reflectance = read_color(source.document, plugin, "specular_reflectance", 1.0, 1.0);
-    read_indices(plugin, material);
+template <class P>
+void read_base_and_boundary(const MaterialSource& source, LateParameters<P>& out) {
+    read_color(source, "diffuse_reflectance", out, &P::diffuse_reflectance);
+    read_color(source, "specular_reflectance", out, &P::specular_reflectance);
+    read_indices(source.plugin, out.parameters.int_ior, out.parameters.ext_ior);
 }
 
 }  // namespace
 
-void read_pplastic(const MaterialSource& source, MaterialDescription& material) {
-    material.kind = MaterialDescription::Kind::pplastic;
-    read_base_and_boundary(source, material);
-    read_facets(source, material);
+MaterialDescription read_pplastic(const MaterialSource& source) {
+    ModelOf<PplasticParameters> model(pplastic);
+    read_base_and_boundary(source, model);
+    set_facets(read_facets(source), model);
+    return model;
 }
 
-void read_plastic(const MaterialSource& source, MaterialDescription& material) {
-    material.kind = MaterialDescription::Kind::plastic;
-    read_base_and_boundary(source, material);
-    material.nonlinear = source.plugin.boolean("nonlinear", false);
-    if (source.plugin.type() == "roughplastic")
-        read_facets(source, material);
-    else
-        material.alpha = 0.0;
+MaterialDescription read_plastic(const MaterialSource& source) {
+    ModelOf<PlasticParameters> model(plastic);
+    read_base_and_boundary(source, model);
+    model.parameters.nonlinear = source.plugin.boolean("nonlinear", false);
+    if (source.plugin.type() == "roughplastic") set_facets(read_facets(source), model);
     source.notices.add_once(source.node,
                             "plastic and roughplastic depolarize; pplastic is the model that polarizes");
+    return model;
 }
 
 }  // namespace nicol::scene

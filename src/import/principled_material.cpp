@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // <bsdf>s of Disney's material.
-#include "import/material_readers.hpp"
 #include "material/principled.hpp"
+
+#include "import/material_readers.hpp"
 
 namespace nicol::scene {
 namespace {
@@ -15,31 +16,30 @@ double index_of(Plugin& plugin) {
 
 }  // namespace
 
-void read_principled(const MaterialSource& source, MaterialDescription& material) {
-    material.kind = MaterialDescription::Kind::principled;
-    PrincipledDescription& of = material.principled;
-    of.base_color = read_color(source.document, source.plugin, "base_color", 0.5, 1.0);
-    of.eta = index_of(source.plugin);
-    const auto read = [&source](const char* name, TexturedNumber& number) {
-        number = read_number(source, name, number.value, 0.0, 1.0);
-    };
-    read("roughness", of.roughness);
-    read("anisotropic", of.anisotropic);
-    read("metallic", of.metallic);
-    read("spec_trans", of.spec_trans);
-    read("spec_tint", of.spec_tint);
-    read("sheen", of.sheen);
-    read("sheen_tint", of.sheen_tint);
-    read("flatness", of.flatness);
-    read("clearcoat", of.clearcoat);
-    read("clearcoat_gloss", of.clearcoat_gloss);
+MaterialDescription read_principled(const MaterialSource& source) {
+    using P = PrincipledParameters;
+    ModelOf<P> model(principled);
+    read_color(source, "base_color", model, &P::base_color);
+    model.parameters.eta = index_of(source.plugin);
+    read_fraction(source, "roughness", model, &P::roughness);
+    read_fraction(source, "anisotropic", model, &P::anisotropic);
+    read_fraction(source, "metallic", model, &P::metallic);
+    const TexturedNumber spec_trans = read_number(source, "spec_trans", 0.0, 0.0, 1.0);
+    model.set(&P::spec_trans, spec_trans);
+    read_fraction(source, "spec_tint", model, &P::spec_tint);
+    read_fraction(source, "sheen", model, &P::sheen);
+    read_fraction(source, "sheen_tint", model, &P::sheen_tint);
+    read_fraction(source, "flatness", model, &P::flatness);
+    read_fraction(source, "clearcoat", model, &P::clearcoat);
+    read_fraction(source, "clearcoat_gloss", model, &P::clearcoat_gloss);
     source.plugin.pass_over(
         {"diffuse_reflectance_sampling_rate", "main_specular_sampling_rate", "clearcoat_sampling_rate"});
 
     source.notices.add_once(source.node, "principled depolarizes: what it reflects has s0 alone");
-    if (of.spec_trans.texture || of.spec_trans.value > 0)
+    if (spec_trans.texture || spec_trans.value > 0)
         source.notices.add_once(
             source.node, "spec_trans: what passes through a surface is left out, what it reflects is not");
+    return model;
 }
 
 }  // namespace nicol::scene

@@ -45,10 +45,6 @@ private:
                                                 Notices& notices, int& left);
 [[nodiscard]] MaterialDescription read_material(const XmlDocument& document, pugi::xml_node node,
                                                 Notices& notices);
-/// One that is made of others; none if the plug-in is of another type. The id is left empty.
-[[nodiscard]] std::optional<MaterialDescription> read_nested_material(const XmlDocument& document,
-                                                                      Plugin& plugin, Notices& notices,
-                                                                      int& left);
 [[nodiscard]] TextureSpecificationPtr read_texture(const XmlDocument& document, pugi::xml_node node);
 /// Adds to the environment or the lights of the scene.
 void read_emitter(const XmlDocument& document, const NestedObject& object, Notices& notices,

@@ -18,6 +18,7 @@
 #include "files/load_budget.hpp"
 #include "geometry/mesh.hpp"
 #include "import/color_description.hpp"
+#include "import/material_description.hpp"
 #include "import/texture_specification.hpp"
 #include "light/local_light.hpp"
 #include "polarization/element.hpp"
@@ -51,80 +52,6 @@ struct SensorDescription {
 [[nodiscard]] double horizontal_fov(double fov, SensorDescription::FovAxis axis, double aspect);
 /// That of a perspective sensor.
 [[nodiscard]] double horizontal_fov(const SensorDescription& sensor);
-
-/// A colour that a texture may give.
-struct TexturedColor : ColorDescription {
-    using ColorDescription::ColorDescription;
-    TexturedColor(const ColorDescription& color) : ColorDescription(color) {}
-    TexturedColor(TextureSpecificationPtr of) : ColorDescription(0.0), texture(std::move(of)) {}
-
-    TextureSpecificationPtr texture;  ///< not null: in place of the values
-};
-
-/// A number that a texture may give.
-struct TexturedNumber {
-    TexturedNumber(double number) : value(number) {}
-
-    double value;
-    TextureSpecificationPtr texture;  ///< not null: in place of the value
-};
-
-/// Mitsuba's principled; numbers of 0 to 1, see PrincipledParameters.
-struct PrincipledDescription {
-    TexturedColor base_color{0.5};
-    double eta = 1.5;  ///< 0.001 to 1000
-    TexturedNumber roughness{0.5};
-    TexturedNumber anisotropic{0.0}, metallic{0.0}, spec_trans{0.0}, spec_tint{0.0}, sheen{0.0},
-        sheen_tint{0.0}, flatness{0.0}, clearcoat{0.0}, clearcoat_gloss{0.0};
-};
-
-/// A reflectance model, or one made of others, which are its parts.
-struct MaterialDescription {
-    enum class Kind {
-        pplastic,
-        plastic,
-        diffuse,
-        psh,
-        conductor,
-        roughconductor,
-        principled,
-        measured_polarized,
-        normalmap,
-        bumpmap,
-        mask,
-        blendbsdf
-    };
-    enum class Distribution { beckmann, ggx };
-    Kind kind = Kind::diffuse;
-    std::string id;          ///< of the outermost bsdf; empty when the file gives none
-    bool twosided = false;   ///< the back reflects as the front does
-    bool nonlinear = false;  ///< plastic
-    Distribution distribution = Distribution::beckmann;  ///< pplastic, plastic, roughconductor
-    TexturedColor reflectance{0.5};                      ///< diffuse
-    TexturedColor diffuse_reflectance{0.5};              ///< pplastic, plastic
-    TexturedColor specular_reflectance{1.0};             ///< pplastic, plastic, conductor, roughconductor
-    double int_ior = 1.49;                               ///< pplastic, plastic, inside
-    double ext_ior = 1.000277;                           ///< pplastic, plastic, outside
-    std::string metal;          ///< conductor, roughconductor: of named_metals(); empty: eta and k hold
-    ColorDescription eta{0.0};  ///< conductor, roughconductor: real part of the index, 0 to 100
-    ColorDescription k{1.0};    ///< conductor, roughconductor: imaginary part, 0 to 100
-    double alpha = 0.1;  ///< pplastic, plastic, roughconductor: roughness, 0.001 to 1; plastic: 0 is smooth
-    TextureSpecificationPtr alpha_texture;  ///< not null: in place of alpha
-    double alpha_v = 0;                     ///< roughconductor: along v, where alpha is along u; 0: as alpha
-    TextureSpecificationPtr alpha_v_texture;  ///< not null: in place of alpha_v
-    PrincipledDescription principled;         ///< principled
-    std::filesystem::path filename;  ///< psh: a PSH matrix (.npz); measured_polarized: a table (.pbsdf)
-    TexturedColor scale{1.0};        ///< psh, measured_polarized
-    std::optional<double>
-        wavelength;           ///< measured_polarized: the only one to use, nm; none: all of the table
-    bool symmetrize = false;  ///< psh, measured_polarized: without what breaks mirror symmetry
-
-    /// normalmap, bumpmap, mask: one; blendbsdf: two, the first where its texture is 0.
-    std::vector<MaterialDescription> parts;
-    TextureSpecificationPtr texture;  ///< of a kind with parts: normals, heights, opacity, weight; not null
-    double bump_scale = 1.0;          ///< bumpmap
-    bool mirrored_y = false;          ///< normalmap: see NormalVariation
-};
 
 /// What a surface emits, see Emission.
 struct EmissionDescription {

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "import/color_description.hpp"
 #include "texture/texture.hpp"
@@ -35,5 +36,22 @@ struct TextureSpecification {
 };
 
 using TextureSpecificationPtr = std::shared_ptr<const TextureSpecification>;
+
+/// A colour that a texture may give.
+struct TexturedColor : ColorDescription {
+    using ColorDescription::ColorDescription;
+    TexturedColor(const ColorDescription& color) : ColorDescription(color) {}
+    TexturedColor(TextureSpecificationPtr of) : ColorDescription(0.0), texture(std::move(of)) {}
+
+    TextureSpecificationPtr texture;  ///< not null: in place of the values
+};
+
+/// A number that a texture may give.
+struct TexturedNumber {
+    TexturedNumber(double number) : value(number) {}
+
+    double value;
+    TextureSpecificationPtr texture;  ///< not null: in place of the value
+};
 
 }  // namespace nicol

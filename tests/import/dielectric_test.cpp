@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Tests of plastic, dielectric and null materials: results and refusals.
+#include "import/described_material.hpp"
 #include "import/load_scene.hpp"
 #include "import/scene_file.hpp"
 #include "material/material.hpp"
@@ -8,8 +9,6 @@
 using namespace nicol;
 
 namespace {
-
-using Kind = MaterialDescription::Kind;
 
 const std::string once = "<integrator type='path'><integer name='max_depth' value='2'/></integrator>\n";
 
@@ -26,14 +25,14 @@ bool has_notice(const std::vector<std::string>& notices, const std::string& part
 
 /// Checks that reading fails with every part. `content` begins on line 2.
 void refused(const std::string& content, ErrorCode code, int line, const std::vector<std::string>& parts) {
-    const SceneFile file(scene(content));
+    const SceneFile file(::scene(content));
     CAPTURE(content);
     check_refused(file, code, file.scene().string() + ":" + std::to_string(line) + ": ", parts);
 }
 
 /// Returns m00 of a scene's material in the first channel, for the mirror direction at 45 degrees.
 double mirrored(const std::string& bsdf, bool* smooth = nullptr) {
-    const LoadedScene loaded = load_scene(SceneFile(scene(shape_with(bsdf) + once)).scene(), {});
+    const LoadedScene loaded = load_scene(SceneFile(::scene(shape_with(bsdf) + once)).scene(), {});
     const Material& made = *loaded.scene.instances().front().material;
     if (smooth != nullptr) *smooth = made.smooth(made.terms() - 1);
     const double half = std::sqrt(0.5);
@@ -43,26 +42,25 @@ double mirrored(const std::string& bsdf, bool* smooth = nullptr) {
 }  // namespace
 
 TEST_CASE("plastic and roughplastic: Mitsuba's defaults and parameters") {
-    const MaterialDescription smooth = material("<bsdf type='plastic'/>");
-    CHECK(smooth.kind == Kind::plastic);
-    CHECK(smooth.alpha == 0);
-    CHECK(smooth.int_ior == 1.49);
-    CHECK(smooth.ext_ior == 1.000277);
-    CHECK(smooth.diffuse_reflectance.rgb == glm::dvec3(0.5));
-    CHECK(smooth.specular_reflectance.rgb == glm::dvec3(1));
-    CHECK_FALSE(smooth.nonlinear);
-    const MaterialDescription rough = material(
+    using P = PlasticParameters;
+    const auto smooth = as<PlasticModel>(material("<bsdf type='plastic'/>"));
+    CHECK(smooth.parameters.alpha.value == 0);
+    CHECK(smooth.parameters.int_ior == 1.49);
+    CHECK(smooth.parameters.ext_ior == 1.000277);
+    CHECK(color(smooth, &P::diffuse_reflectance).rgb == glm::dvec3(0.5));
+    CHECK(color(smooth, &P::specular_reflectance).rgb == glm::dvec3(1));
+    CHECK_FALSE(smooth.parameters.nonlinear);
+    const auto rough = as<PlasticModel>(material(
         "<bsdf type='roughplastic'><boolean name='nonlinear' value='true'/><float name='alpha' value='0.4'/>"
         "<string name='distribution' value='ggx'/><string name='int_ior' value='diamond'/>"
         "<texture type='checkerboard' name='diffuse_reflectance'/>"
-        "<boolean name='sample_visible' value='true'/></bsdf>");
-    CHECK(rough.kind == Kind::plastic);
-    CHECK(rough.alpha == 0.4);
-    CHECK(rough.distribution == MaterialDescription::Distribution::ggx);
-    CHECK(rough.int_ior == 2.419);
-    CHECK(rough.nonlinear);
-    CHECK(rough.diffuse_reflectance.texture != nullptr);
-    CHECK(material("<bsdf type='roughplastic'/>").alpha == 0.1);
+        "<boolean name='sample_visible' value='true'/></bsdf>"));
+    CHECK(rough.parameters.alpha.value == 0.4);
+    CHECK(rough.parameters.distribution == Distribution::ggx);
+    CHECK(rough.parameters.int_ior == 2.419);
+    CHECK(rough.parameters.nonlinear);
+    CHECK(color(rough, &P::diffuse_reflectance).texture != nullptr);
+    CHECK(as<PlasticModel>(material("<bsdf type='roughplastic'/>")).parameters.alpha.value == 0.1);
 
     // Both shapes share one notice.
     const SceneDescription both =
@@ -78,20 +76,19 @@ TEST_CASE("plastic and roughplastic: Mitsuba's defaults and parameters") {
 TEST_CASE("glass is what its boundary reflects, where light is reflected once") {
     const std::string direct = "<integrator type='stokes'><integrator type='direct'/></integrator>";
     for (const std::string& integrator : {once, direct}) {
-        const MaterialDescription smooth = material(
-            "<bsdf type='dielectric'><float name='int_ior' value='3'/>"
-            "<float name='ext_ior' value='2'/><float name='specular_transmittance' value='0.5'/>"
-            "<float name='specular_reflectance' value='0.25'/></bsdf>",
-            integrator);
-        CHECK(smooth.kind == Kind::conductor);
+        const auto smooth = as<MetalModel>(
+            material("<bsdf type='dielectric'><float name='int_ior' value='3'/>"
+                     "<float name='ext_ior' value='2'/><float name='specular_transmittance' value='0.5'/>"
+                     "<float name='specular_reflectance' value='0.25'/></bsdf>",
+                     integrator));
+        CHECK(smooth.parameters.alpha.value == 0);
         CHECK(smooth.eta.rgb == glm::dvec3(1.5));
         CHECK(smooth.k.rgb == glm::dvec3(0));
-        CHECK(smooth.specular_reflectance.rgb == glm::dvec3(0.25));
+        CHECK(color(smooth, &RoughConductorParameters::specular_reflectance).rgb == glm::dvec3(0.25));
     }
-    const MaterialDescription rough =
-        material("<bsdf type='roughdielectric'><float name='alpha' value='0.3'/></bsdf>", once);
-    CHECK(rough.kind == Kind::roughconductor);
-    CHECK(rough.alpha == 0.3);
+    const auto rough = as<MetalModel>(
+        material("<bsdf type='roughdielectric'><float name='alpha' value='0.3'/></bsdf>", once));
+    CHECK(rough.parameters.alpha.value == 0.3);
     CHECK(rough.eta.rgb.x == doctest::Approx(1.5046 / 1.000277));
     const SceneDescription both = read(shape_with("<bsdf type='dielectric'/>") + once +
                                        "<shape type='cube'><bsdf type='roughdielectric'/></shape>");
@@ -132,11 +129,8 @@ TEST_CASE("materials of boundaries are made as they are described") {
 }
 
 TEST_CASE("a null bsdf is a surface that is not there, but it may emit light") {
-    const MaterialDescription nothing = material("<bsdf type='null'/>");
-    CHECK(nothing.kind == Kind::mask);
-    CHECK(nothing.texture->color0.rgb == glm::dvec3(0));
-    REQUIRE(nothing.parts.size() == 1);
-    const LoadedScene loaded = load_scene(SceneFile(scene(shape_with("<bsdf type='null'/>"))).scene(), {});
+    CHECK(as<MaskModel>(material("<bsdf type='null'/>")).texture->color0.rgb == glm::dvec3(0));
+    const LoadedScene loaded = load_scene(SceneFile(::scene(shape_with("<bsdf type='null'/>"))).scene(), {});
     const TexturePtr opacity = opacity_of(*loaded.scene.instances().front().material);
     REQUIRE(opacity != nullptr);
     CHECK(opacity->mean().x == 0);
@@ -144,6 +138,5 @@ TEST_CASE("a null bsdf is a surface that is not there, but it may emit light") {
     const SceneDescription shining = read_shape("<bsdf type='null'/><emitter type='area'/>");
     CHECK(shining.shapes.at(0).emission.has_value());
     CHECK(has_notice(shining.notices, "it is not seen through"));
-    CHECK(shining.materials.at(0).kind == Kind::diffuse);
-    CHECK(shining.materials.at(0).reflectance.rgb == glm::dvec3(0));
+    CHECK(as<DiffuseModel>(shining.materials.at(0)).reflectance.rgb == glm::dvec3(0));
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Tests of glTF files: nodes, primitives, cameras and materials.
+#include "import/described_material.hpp"
 #include "import/gltf_file.hpp"
 #include "import/scene_file.hpp"
 #include "scene/projection.hpp"
@@ -190,11 +191,11 @@ TEST_CASE("cameras of glTF are those of an equal XML scene") {
                                                    "],\"cameras\":[{" + c.gltf + "}]");
         const LoadedScene gltf = load_scene(file.scene(), {});
         const LoadedScene xml = load_scene(
-            SceneFile(scene(c.xml +
-                            "<float name='near_clip' value='0.1'/><float name='far_clip' value='50'/><film "
-                            "type='hdrfilm'><integer name='width' value='768'/><integer name='height' "
-                            "value='512'/></film></sensor>" +
-                            an_emitter + a_shape))
+            SceneFile(::scene(c.xml +
+                              "<float name='near_clip' value='0.1'/><float name='far_clip' value='50'/><film "
+                              "type='hdrfilm'><integer name='width' value='768'/><integer name='height' "
+                              "value='512'/></film></sensor>" +
+                              an_emitter + a_shape))
                 .scene(),
             {});
         REQUIRE(gltf.width == xml.width);
@@ -239,32 +240,33 @@ TEST_CASE("materials of glTF without metal are pplastic") {
     const MaterialDescription d = material(
         "\"name\":\"red\",\"doubleSided\":true,\"extensions\":{\"KHR_materials_ior\":{\"ior\":1.4}},",
         "\"baseColorFactor\":[0.5,0.25,0.125,1],\"metallicFactor\":0,\"roughnessFactor\":0.5");
-    CHECK(d.kind == MaterialDescription::Kind::pplastic);
     CHECK(d.id == "red");
     CHECK(d.twosided);
-    CHECK(d.diffuse_reflectance.rgb == glm::dvec3(0.5, 0.25, 0.125));
-    CHECK(d.int_ior == 1.4);
-    CHECK(d.ext_ior == 1);
-    CHECK(d.alpha == 0.25);
-    CHECK(d.distribution == MaterialDescription::Distribution::ggx);
-    CHECK(material("", "\"metallicFactor\":0,\"roughnessFactor\":0").alpha == 0.001);
-    CHECK(material("", "\"metallicFactor\":0").int_ior == 1.5);
+    const auto plastic = as<PplasticModel>(d);
+    CHECK(color(plastic, &PplasticParameters::diffuse_reflectance).rgb == glm::dvec3(0.5, 0.25, 0.125));
+    CHECK(plastic.parameters.int_ior == 1.4);
+    CHECK(plastic.parameters.ext_ior == 1);
+    CHECK(plastic.parameters.alpha.value == 0.25);
+    CHECK(plastic.parameters.distribution == Distribution::ggx);
+    const auto parameters = [](const std::string& factors) {
+        return as<PplasticModel>(material("", factors)).parameters;
+    };
+    CHECK(parameters("\"metallicFactor\":0,\"roughnessFactor\":0").alpha.value == 0.001);
+    CHECK(parameters("\"metallicFactor\":0").int_ior == 1.5);
 }
 
 TEST_CASE("metals of glTF reflect the base colour at normal incidence") {
-    for (const glm::dvec3 color : {glm::dvec3(1, 0.766, 0.336), glm::dvec3(0, 0.04, 0.9)}) {
-        const MaterialDescription d =
-            material("", "\"baseColorFactor\":[" + std::to_string(color.x) + "," + std::to_string(color.y) +
-                             "," + std::to_string(color.z) + ",1]");
-        CHECK(d.kind == MaterialDescription::Kind::roughconductor);
-        CHECK(d.alpha == 1);
+    for (const glm::dvec3 base : {glm::dvec3(1, 0.766, 0.336), glm::dvec3(0, 0.04, 0.9)}) {
+        const auto metal =
+            as<MetalModel>(material("", "\"baseColorFactor\":[" + std::to_string(base.x) + "," +
+                                            std::to_string(base.y) + "," + std::to_string(base.z) + ",1]"));
+        CHECK(metal.parameters.alpha.value == 1);
         for (int c = 0; c < 3; ++c) {
-            const std::complex<double> index(d.eta.rgb[c], -d.k.rgb[c]);
-            CHECK(std::norm((index - 1.0) / (index + 1.0)) == doctest::Approx(color[c]).epsilon(1e-3));
+            const std::complex<double> index(metal.eta.rgb[c], -metal.k.rgb[c]);
+            CHECK(std::norm((index - 1.0) / (index + 1.0)) == doctest::Approx(base[c]).epsilon(1e-3));
         }
     }
     // A primitive without material is white metal.
     const SceneDescription scene = read_nodes("{\"mesh\":0}");
-    CHECK(scene.materials.at(0).kind == MaterialDescription::Kind::roughconductor);
-    CHECK(scene.materials.at(0).alpha == 1);
+    CHECK(as<MetalModel>(scene.materials.at(0)).parameters.alpha.value == 1);
 }

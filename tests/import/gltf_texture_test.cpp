@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Tests of textures in glTF files.
 #include "image/color.hpp"
+#include "import/described_material.hpp"
 #include "import/gltf_file.hpp"
 #include "import/png_file.hpp"
 #include "material/spatial_variation.hpp"
@@ -9,7 +10,6 @@ using namespace nicol;
 
 namespace {
 
-using Kind = MaterialDescription::Kind;
 using Part = TextureSpecification::Part;
 using Filter = TextureSampling::Filter;
 using Wrap = TextureSampling::Wrap;
@@ -67,6 +67,10 @@ std::string transform(const std::string& members) {
     return ",\"extensions\":{\"KHR_texture_transform\":{" + members + "}}";
 }
 
+TextureSpecificationPtr base_texture(const MaterialDescription& material) {
+    return color(as<PplasticModel>(material), &PplasticParameters::diffuse_reflectance).texture;
+}
+
 std::string refusal(const std::string& material, const std::string& more, ErrorCode code) {
     const TexturedFile file(material, more);
     const std::string message = error_of(CALL(file.load()), code);
@@ -77,11 +81,10 @@ std::string refusal(const std::string& material, const std::string& more, ErrorC
 }  // namespace
 
 TEST_CASE("the base colour of glTF is its factor times its texture, sRGB, times colours of vertices") {
-    const MaterialDescription d =
-        TexturedFile(base("", ",\"metallicFactor\":0,\"baseColorFactor\":[0.5,1,0.25,1]")).material();
-    CHECK(d.kind == Kind::pplastic);
-    REQUIRE(d.diffuse_reflectance.texture);
-    const TextureSpecification& t = *d.diffuse_reflectance.texture;
+    const TextureSpecificationPtr image = base_texture(
+        TexturedFile(base("", ",\"metallicFactor\":0,\"baseColorFactor\":[0.5,1,0.25,1]")).material());
+    REQUIRE(image);
+    const TextureSpecification& t = *image;
     CHECK(t.kind == TextureSpecification::Kind::image);
     CHECK(t.filename.filename() == "a b.png");
     CHECK_FALSE(t.raw);
@@ -90,42 +93,37 @@ TEST_CASE("the base colour of glTF is its factor times its texture, sRGB, times 
     CHECK_FALSE(t.times_colors_of);
 
     const std::string colored = "\"TEXCOORD_0\":1,\"COLOR_0\":3";
-    CHECK(TexturedFile(base(), "", colored).material().diffuse_reflectance.texture->times_colors_of ==
-          ColorsOf::vertices);
-    const MaterialDescription bare =
-        TexturedFile(pbr("\"metallicFactor\":0,\"baseColorFactor\":[0.5,1,0.25,1]"), "", colored).material();
-    REQUIRE(bare.diffuse_reflectance.texture);
-    CHECK(bare.diffuse_reflectance.texture->kind == TextureSpecification::Kind::constant);
-    CHECK(bare.diffuse_reflectance.texture->color0.rgb == glm::dvec3(0.5, 1, 0.25));
-    CHECK(bare.diffuse_reflectance.texture->times_colors_of == ColorsOf::vertices);
+    CHECK(base_texture(TexturedFile(base(), "", colored).material())->times_colors_of == ColorsOf::vertices);
+    const TextureSpecificationPtr bare = base_texture(
+        TexturedFile(pbr("\"metallicFactor\":0,\"baseColorFactor\":[0.5,1,0.25,1]"), "", colored).material());
+    REQUIRE(bare);
+    CHECK(bare->kind == TextureSpecification::Kind::constant);
+    CHECK(bare->color0.rgb == glm::dvec3(0.5, 1, 0.25));
+    CHECK(bare->times_colors_of == ColorsOf::vertices);
 
     // A metal with a textured colour is a mirror times that colour.
-    const MaterialDescription metal = TexturedFile(base("", "")).material();
-    CHECK(metal.kind == Kind::roughconductor);
+    const auto metal = as<MetalModel>(TexturedFile(base("", "")).material());
     CHECK(metal.eta.rgb == glm::dvec3(0));
-    CHECK(metal.specular_reflectance.texture);
+    CHECK(color(metal, &RoughConductorParameters::specular_reflectance).texture);
 }
 
 TEST_CASE("metal and roughness of glTF are channels of one texture") {
     const std::string rough = "\"metallicRoughnessTexture\":{\"index\":0},\"roughnessFactor\":0.5";
-    const MaterialDescription d = TexturedFile(pbr(rough + ",\"metallicFactor\":0.25")).material();
-    CHECK(d.kind == Kind::blendbsdf);
-    REQUIRE(d.parts.size() == 2);
-    CHECK(d.parts[0].kind == Kind::pplastic);
-    CHECK(d.parts[1].kind == Kind::roughconductor);
-    CHECK(d.texture->part == Part::blue);
-    CHECK(d.texture->raw);
-    CHECK(d.texture->factor == glm::dvec3(0.25));
-    for (const MaterialDescription& part : d.parts) {
-        REQUIRE(part.alpha_texture);
-        CHECK(part.alpha_texture->part == Part::green);
-        CHECK(part.alpha_texture->raw);
-        CHECK(part.alpha_texture->factor == glm::dvec3(0.5));
-        CHECK(part.alpha_texture->squared);
+    const auto blend = as<BlendModel>(TexturedFile(pbr(rough + ",\"metallicFactor\":0.25")).material());
+    CHECK(blend.texture->part == Part::blue);
+    CHECK(blend.texture->raw);
+    CHECK(blend.texture->factor == glm::dvec3(0.25));
+    for (const TextureSpecificationPtr& alpha :
+         {number(as<PplasticModel>(blend.base), &PplasticParameters::alpha).texture,
+          number(as<MetalModel>(blend.other), &RoughConductorParameters::alpha).texture}) {
+        REQUIRE(alpha);
+        CHECK(alpha->part == Part::green);
+        CHECK(alpha->raw);
+        CHECK(alpha->factor == glm::dvec3(0.5));
+        CHECK(alpha->squared);
     }
-    CHECK(TexturedFile(pbr(rough + ",\"metallicFactor\":0")).material().kind == Kind::pplastic);
-    const MaterialDescription half = TexturedFile(pbr("\"metallicFactor\":0.5")).material();
-    CHECK(half.kind == Kind::blendbsdf);
+    CHECK(is<PplasticModel>(TexturedFile(pbr(rough + ",\"metallicFactor\":0")).material()));
+    const auto half = as<BlendModel>(TexturedFile(pbr("\"metallicFactor\":0.5")).material());
     CHECK(half.texture->color0 == ColorDescription(0.5));
 }
 
@@ -163,15 +161,14 @@ TEST_CASE("textures of glTF become the material that their pixel stands for") {
 TEST_CASE("normal maps of glTF") {
     const MaterialDescription d =
         TexturedFile("\"doubleSided\":true,\"normalTexture\":{\"index\":0,\"scale\":0.5}").material();
-    CHECK(d.kind == Kind::normalmap);
     CHECK(d.twosided);
-    CHECK(d.mirrored_y);
-    CHECK(d.texture->raw);
+    const auto mapped = as<NormalMapModel>(d);
+    CHECK(mapped.mirrored_y);
+    CHECK(mapped.texture->raw);
     // The factor and offset halve 2 t - 1 in x and y.
     const glm::dvec3 t(0.75, 0.25, 1);
-    CHECK(2.0 * (d.texture->factor * t + d.texture->offset) - 1.0 == glm::dvec3(0.25, -0.25, 1));
-    REQUIRE(d.parts.size() == 1);
-    CHECK(d.parts[0].kind == Kind::roughconductor);
+    CHECK(2.0 * (mapped.texture->factor * t + mapped.texture->offset) - 1.0 == glm::dvec3(0.25, -0.25, 1));
+    CHECK(is<MetalModel>(mapped.base));
 }
 
 TEST_CASE("coverage of glTF cuts at its cutoff") {
@@ -187,16 +184,17 @@ TEST_CASE("coverage of glTF cuts at its cutoff") {
         CAPTURE(c.members);
         const SceneDescription scene = TexturedFile(c.members).read();
         const MaterialDescription& d = scene.materials.at(0);
-        CHECK((d.kind == Kind::mask) == (c.factor != 0));
+        CHECK(is<MaskModel>(d) == (c.factor != 0));
         if (c.factor == 0) continue;
-        CHECK(d.texture->part == Part::coverage);
-        CHECK(d.texture->factor == glm::dvec3(c.factor));
-        CHECK(d.texture->filename == d.parts.at(0).diffuse_reflectance.texture->filename);
+        const auto masked = as<MaskModel>(d);
+        CHECK(masked.texture->part == Part::coverage);
+        CHECK(masked.texture->factor == glm::dvec3(c.factor));
+        CHECK(masked.texture->filename == base_texture(masked.base)->filename);
         CHECK(has_notice(scene, "alphaMode BLEND") == (c.members.find("BLEND") != std::string::npos));
     }
     const std::string faint = "\"alphaMode\":\"MASK\"," + pbr("\"baseColorFactor\":[1,1,1,0.25]");
-    CHECK(TexturedFile(faint).material().kind == Kind::mask);
-    CHECK(TexturedFile("\"alphaMode\":\"MASK\"").material().kind == Kind::roughconductor);
+    CHECK(is<MaskModel>(TexturedFile(faint).material()));
+    CHECK(is<MetalModel>(TexturedFile("\"alphaMode\":\"MASK\"").material()));
 }
 
 TEST_CASE("samplers of glTF") {
@@ -213,9 +211,9 @@ TEST_CASE("samplers of glTF") {
           Case{"{\"magFilter\":9728,\"minFilter\":9984}", Filter::mipmap, Wrap::repeat}}) {
         CAPTURE(c.sampler);
         const TextureSampling sampling =
-            TexturedFile(base(), TexturedFile::one_texture("{\"uri\":\"a.png\"}", c.sampler))
-                .material()
-                .diffuse_reflectance.texture->sampling;
+            base_texture(
+                TexturedFile(base(), TexturedFile::one_texture("{\"uri\":\"a.png\"}", c.sampler)).material())
+                ->sampling;
         CHECK(sampling.filter == c.filter);
         CHECK(sampling.wrap == c.wrap);
     }
@@ -226,7 +224,7 @@ TEST_CASE("samplers of glTF") {
 
 TEST_CASE("KHR_texture_transform scales, then rotates counter-clockwise with v down, then moves") {
     const auto to_uv = [](const std::string& members) {
-        return TexturedFile(base(transform(members))).material().diffuse_reflectance.texture->sampling.to_uv;
+        return base_texture(TexturedFile(base(transform(members))).material())->sampling.to_uv;
     };
     // The example of the extension: the lower left quarter of the image, rotated clockwise.
     const glm::dmat3 m = to_uv("\"offset\":[0,1],\"rotation\":1.57079632679,\"scale\":[0.5,0.5]");
@@ -251,8 +249,8 @@ TEST_CASE("textures of glTF take the texture coordinates that they name") {
     CHECK(has_notice(both, "several sets of texture coordinates"));
     const SceneDescription none = TexturedFile(base(",\"texCoord\":2")).read();
     CHECK(has_notice(none, "lack the texture coordinates"));
-    CHECK_FALSE(none.materials.at(0).diffuse_reflectance.texture);
-    CHECK_FALSE(TexturedFile(base(), "", "").material().diffuse_reflectance.texture);
+    CHECK_FALSE(base_texture(none.materials.at(0)));
+    CHECK_FALSE(base_texture(TexturedFile(base(), "", "").material()));
 }
 
 TEST_CASE("images of glTF in files, in buffers and in the text are the same") {

@@ -2,6 +2,7 @@
 // Tests of <emitter>s beside the environment: results and refusals.
 #include <glm/trigonometric.hpp>
 
+#include "import/described_material.hpp"
 #include "import/load_scene.hpp"
 #include "import/png_file.hpp"
 #include "import/scene_file.hpp"
@@ -15,7 +16,7 @@ constexpr auto unsupported = ErrorCode::unsupported;
 using Kind = LocalLight::Kind;
 
 LoadedScene load(const std::string& content) {
-    return load_scene(SceneFile(scene(a_sensor + content)).scene(), {});
+    return load_scene(SceneFile(::scene(a_sensor + content)).scene(), {});
 }
 
 LocalLight light(const std::string& type, const std::string& inside = "") {
@@ -48,7 +49,7 @@ void check_near(const glm::dvec3& a, const glm::dvec3& b) {
 
 /// Checks that reading fails with every part. The emitter begins on line 4.
 void refused(const std::string& content, ErrorCode code, int line, const std::vector<std::string>& parts) {
-    const SceneFile file(scene(a_sensor + a_shape + content));
+    const SceneFile file(::scene(a_sensor + a_shape + content));
     CAPTURE(content);
     check_refused(file, code, file.scene().string() + ":" + std::to_string(line) + ": ", parts);
 }
@@ -183,11 +184,11 @@ TEST_CASE("textures of lights, whose image says what a projector's rectangle is"
 }
 
 TEST_CASE("any number of lights beside one environment, by reference and in included files too") {
-    const SceneFile file(scene(a_sensor + an_emitter + a_shape +
-                               "<emitter type='point' id='lamp'/><emitter type='spot'/>"
-                               "<shape type='cube'><emitter type='area'/></shape><ref id='lamp'/>"
-                               "<include filename='more.xml'/>"));
-    file.write("more.xml", scene("<emitter type='directional'/>"));
+    const SceneFile file(::scene(a_sensor + an_emitter + a_shape +
+                                 "<emitter type='point' id='lamp'/><emitter type='spot'/>"
+                                 "<shape type='cube'><emitter type='area'/></shape><ref id='lamp'/>"
+                                 "<include filename='more.xml'/>"));
+    file.write("more.xml", ::scene("<emitter type='directional'/>"));
     const LoadedScene loaded = load_scene(file.scene(), {});
     CHECK(loaded.scene.environment());
     CHECK(loaded.scene.lights().size() == 4);
@@ -203,7 +204,7 @@ TEST_CASE("an emissive shape is black where it names no bsdf") {
              "<shape type='disk'><emitter type='area'/></shape>"
              "<shape type='cylinder'><emitter type='area'/><bsdf type='diffuse'/></shape>");
     const auto reflectance = [&](std::size_t shape) {
-        return s.materials.at(s.shapes.at(shape).material).reflectance.rgb.x;
+        return as<DiffuseModel>(s.materials.at(s.shapes.at(shape).material)).reflectance.rgb.x;
     };
     CHECK(reflectance(0) == 0);
     CHECK(reflectance(1) == 0.5);

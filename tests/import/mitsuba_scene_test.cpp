@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Tests of valid scenes and their descriptions.
+#include "import/described_material.hpp"
 #include "import/scene_file.hpp"
 #include "test.hpp"
 
 using namespace nicol;
 
 namespace {
+
+using P = PplasticParameters;
 
 void check_equal(const glm::dmat4& matrix, const glm::dmat4& expected) {
     CHECK(largest_difference(matrix, expected) < 1e-12);
@@ -29,16 +32,14 @@ TEST_CASE("defaults are Mitsuba's") {
     CHECK_FALSE(s.shapes[0].flip_normals);
     REQUIRE(s.materials.size() == 2);
     CHECK(s.shapes[0].material == 0);
-    CHECK(s.materials[0].kind == MaterialDescription::Kind::diffuse);
-    CHECK(s.materials[0].reflectance.rgb == glm::dvec3(0.5));
-    const MaterialDescription& plastic = s.materials[1];
-    CHECK(plastic.kind == MaterialDescription::Kind::pplastic);
-    CHECK(plastic.diffuse_reflectance.rgb == glm::dvec3(0.5));
-    CHECK(plastic.specular_reflectance.rgb == glm::dvec3(1.0));
-    CHECK(plastic.int_ior == 1.49);
-    CHECK(plastic.ext_ior == 1.000277);
-    CHECK(plastic.alpha == 0.1);
-    CHECK(plastic.distribution == MaterialDescription::Distribution::beckmann);
+    CHECK(as<DiffuseModel>(s.materials[0]).reflectance.rgb == glm::dvec3(0.5));
+    const auto plastic = as<PplasticModel>(s.materials[1]);
+    CHECK(color(plastic, &P::diffuse_reflectance).rgb == glm::dvec3(0.5));
+    CHECK(color(plastic, &P::specular_reflectance).rgb == glm::dvec3(1.0));
+    CHECK(plastic.parameters.int_ior == 1.49);
+    CHECK(plastic.parameters.ext_ior == 1.000277);
+    CHECK(number(plastic, &P::alpha).value == 0.1);
+    CHECK(plastic.parameters.distribution == Distribution::beckmann);
     REQUIRE(s.environment);
     CHECK(s.environment->kind == EnvironmentDescription::Kind::constant);
     CHECK(s.environment->radiance.rgb == glm::dvec3(1.0));
@@ -46,7 +47,7 @@ TEST_CASE("defaults are Mitsuba's") {
 }
 
 TEST_CASE("everything that a scene can hold is read") {
-    const SceneFile file(scene(R"(
+    const SceneFile file(::scene(R"(
 <?xml-stylesheet none?><!-- a comment -->
 <integrator type="stokes"><integrator type="direct"/></integrator>
 <sensor type="perspective" id="camera">
@@ -108,17 +109,17 @@ TEST_CASE("everything that a scene can hold is read") {
     CHECK(s.shapes[0].material == s.shapes[2].material);
     CHECK(s.shapes[3].material == s.shapes[6].material);
     const MaterialDescription& gold = s.materials[s.shapes[0].material];
-    CHECK(gold.kind == MaterialDescription::Kind::psh);
     CHECK(gold.id == "gold");
-    CHECK(gold.filename == "/data/gold.npz");
-    CHECK(gold.scale.rgb == glm::dvec3(2, 3, 4));
-    const MaterialDescription& plastic = s.materials[s.shapes[1].material];
-    CHECK(glm::distance(plastic.diffuse_reflectance.rgb, glm::dvec3(1.0, 128.0 / 255.0, 0.0)) < 1e-12);
-    CHECK(plastic.specular_reflectance.rgb == glm::dvec3(0.25));
-    CHECK(plastic.int_ior == 1.5046);
-    CHECK(plastic.ext_ior == 1.333);
-    CHECK(plastic.alpha == doctest::Approx(0.3));
-    CHECK(plastic.distribution == MaterialDescription::Distribution::ggx);
+    CHECK(as<PshModel>(gold).filename == "/data/gold.npz");
+    CHECK(as<PshModel>(gold).scale.rgb == glm::dvec3(2, 3, 4));
+    const auto plastic = as<PplasticModel>(s.materials[s.shapes[1].material]);
+    CHECK(glm::distance(color(plastic, &P::diffuse_reflectance).rgb, glm::dvec3(1.0, 128.0 / 255.0, 0.0)) <
+          1e-12);
+    CHECK(color(plastic, &P::specular_reflectance).rgb == glm::dvec3(0.25));
+    CHECK(plastic.parameters.int_ior == 1.5046);
+    CHECK(plastic.parameters.ext_ior == 1.333);
+    CHECK(number(plastic, &P::alpha).value == doctest::Approx(0.3));
+    CHECK(plastic.parameters.distribution == Distribution::ggx);
     REQUIRE(s.notices.size() == 2);
     CHECK(s.notices[0] == file.scene().string() +
                               ":4: not followed: integrator \"stokes\", integrator \"direct\", sampler "

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Tests of materials, instances, skies and films: results and refusals.
 #include "image/aovs.hpp"
+#include "import/described_material.hpp"
 #include "import/scene_file.hpp"
 #include "test.hpp"
 
@@ -11,10 +12,16 @@ namespace {
 constexpr auto invalid = ErrorCode::invalid_file;
 constexpr auto unsupported = ErrorCode::unsupported;
 
+using P = RoughConductorParameters;
+
 MaterialDescription material(const std::string& bsdf) {
     const SceneDescription s = read_shape(bsdf);
     REQUIRE(s.materials.size() == 1);
     return s.materials[0];
+}
+
+MetalModel metal(const std::string& bsdf) {
+    return as<MetalModel>(material(bsdf));
 }
 
 EnvironmentDescription emitter(const std::string& xml) {
@@ -32,7 +39,7 @@ SensorDescription film(const std::string& parameters, std::vector<std::string>& 
 
 /// Checks that content from line 2 on is refused on `line` with every part.
 void refused(const std::string& content, ErrorCode code, int line, const std::vector<std::string>& parts) {
-    const SceneFile file(scene(content));
+    const SceneFile file(::scene(content));
     CAPTURE(content);
     check_refused(file, code, file.scene().string() + ":" + std::to_string(line) + ": ", parts);
 }
@@ -41,19 +48,17 @@ void invalid_bsdf(const std::string& type, const std::string& inside, const std:
     refused("<bsdf type='" + type + "'>\n" + inside + "</bsdf>", invalid, 3, parts);
 }
 
-using Kind = MaterialDescription::Kind;
-
 }  // namespace
 
 TEST_CASE("conductors: defaults, metals, an index in numbers, colours and tables") {
-    const MaterialDescription mirror = material("<bsdf type='conductor'/>");
-    CHECK(mirror.kind == Kind::conductor);
+    CHECK_FALSE(material("<bsdf type='conductor'/>").twosided);
+    const MetalModel mirror = metal("<bsdf type='conductor'/>");
+    CHECK(mirror.parameters.alpha.value == 0);
     CHECK(mirror.metal.empty());
     CHECK(mirror.eta.rgb == glm::dvec3(0.0));
     CHECK(mirror.k.rgb == glm::dvec3(1.0));
-    CHECK(mirror.specular_reflectance.rgb == glm::dvec3(1.0));
-    CHECK_FALSE(mirror.twosided);
-    for (const auto& [name, metal] : {std::pair{"none", ""},
+    CHECK(color(mirror, &P::specular_reflectance).rgb == glm::dvec3(1.0));
+    for (const auto& [name, known] : {std::pair{"none", ""},
                                       {"Au", "Au"},
                                       {"gold", "gold"},
                                       {"au", "Au"},
@@ -61,27 +66,26 @@ TEST_CASE("conductors: defaults, metals, an index in numbers, colours and tables
                                       {"TiN_palik", "TiN_palik"},
                                       {"a-C", "a-C"},
                                       {"W", "W"}})
-        CHECK(material(std::string("<bsdf type='conductor'><string name='material' value='") + name +
-                       "'/></bsdf>")
-                  .metal == metal);
-    const MaterialDescription rough = material(
+        CHECK(
+            metal(std::string("<bsdf type='conductor'><string name='material' value='") + name + "'/></bsdf>")
+                .metal == known);
+    const MetalModel rough = metal(
         "<bsdf type='roughconductor'><rgb name='eta' value='0.2, 0.9, 1.1'/><spectrum name='k' value='3.5'/>"
         "<rgb name='specular_reflectance' value='0.5'/><float name='alpha' value='0.3'/>"
         "<string name='distribution' value='GGX'/><boolean name='sample_visible' value='false'/></bsdf>");
-    CHECK(rough.kind == Kind::roughconductor);
     CHECK(rough.eta.rgb == glm::dvec3(0.2, 0.9, 1.1));
     CHECK(rough.k.rgb == glm::dvec3(3.5));
-    CHECK(rough.specular_reflectance.rgb == glm::dvec3(0.5));
-    CHECK(rough.alpha == 0.3);
-    CHECK(rough.distribution == MaterialDescription::Distribution::ggx);
-    const MaterialDescription defaults = material("<bsdf type='roughconductor'/>");
-    CHECK(defaults.alpha == 0.1);
-    CHECK(defaults.distribution == MaterialDescription::Distribution::beckmann);
-    CHECK(material("<bsdf type='roughconductor'><float name='alpha_u' value='0.2'/>"
-                   "<float name='alpha_v' value='0.2'/></bsdf>")
-              .alpha == 0.2);
-    const MaterialDescription table = material(
-        "<bsdf type='conductor'><spectrum name='eta' value='400:1.5, 500.5:1.25 700:0.125'/></bsdf>");
+    CHECK(color(rough, &P::specular_reflectance).rgb == glm::dvec3(0.5));
+    CHECK(rough.parameters.alpha.value == 0.3);
+    CHECK(rough.parameters.distribution == Distribution::ggx);
+    const MetalModel defaults = metal("<bsdf type='roughconductor'/>");
+    CHECK(defaults.parameters.alpha.value == 0.1);
+    CHECK(defaults.parameters.distribution == Distribution::beckmann);
+    CHECK(metal("<bsdf type='roughconductor'><float name='alpha_u' value='0.2'/>"
+                "<float name='alpha_v' value='0.2'/></bsdf>")
+              .parameters.alpha.value == 0.2);
+    const MetalModel table =
+        metal("<bsdf type='conductor'><spectrum name='eta' value='400:1.5, 500.5:1.25 700:0.125'/></bsdf>");
     REQUIRE(table.eta.spectrum.size() == 3);
     CHECK(table.eta.spectrum[1].wavelength == 500.5);
     CHECK(table.eta.spectrum[1].value == 1.25);
@@ -114,7 +118,8 @@ TEST_CASE("conductors that are refused") {
 }
 
 TEST_CASE("tables over the wavelength are kept in every colour") {
-    CHECK(material("<bsdf type='diffuse'><spectrum name='reflectance' value='400:0, 700:1'/></bsdf>")
+    CHECK(as<DiffuseModel>(
+              material("<bsdf type='diffuse'><spectrum name='reflectance' value='400:0, 700:1'/></bsdf>"))
               .reflectance.spectrum.size() == 2);
     CHECK(emitter("<emitter type='constant'><spectrum name='radiance' value='400:5 500:6 700:7'/></emitter>")
               .radiance.spectrum.size() == 3);
@@ -128,15 +133,15 @@ TEST_CASE("the scale of a matrix material is no table") {
 }
 
 TEST_CASE("measured materials") {
-    const MaterialDescription all = material(
+    const auto measured = [](const std::string& bsdf) { return as<MeasuredModel>(material(bsdf)); };
+    const MeasuredModel all = measured(
         "<bsdf type='measured_polarized'><string name='filename' value='/data/gold.pbsdf'/>"
         "<float name='alpha_sample' value='0.02'/></bsdf>");
-    CHECK(all.kind == Kind::measured_polarized);
     CHECK(all.filename == "/data/gold.pbsdf");
     CHECK_FALSE(all.wavelength);
     const std::string start = "<bsdf type='measured_polarized'><string name='filename' value='a.pbsdf'/>\n";
-    CHECK(material(start + "<float name='wavelength' value='550'/></bsdf>").wavelength == 550.0);
-    CHECK_FALSE(material(start + "<float name='wavelength' value='-1'/></bsdf>").wavelength);
+    CHECK(measured(start + "<float name='wavelength' value='550'/></bsdf>").wavelength == 550.0);
+    CHECK_FALSE(measured(start + "<float name='wavelength' value='-1'/></bsdf>").wavelength);
     refused(start + "<float name='wavelength' value='-2'/></bsdf>", invalid, 3, {"\"wavelength\" is -2"});
     refused(start + "<float name='wavelength' value='0'/></bsdf>", invalid, 3, {"\"wavelength\" is 0"});
     refused("<bsdf type='measured_polarized'/>", invalid, 2, {"\"filename\" is missing"});
@@ -155,11 +160,11 @@ TEST_CASE("twosided takes one bsdf, nested or by reference, and leaves that one 
     const auto of = [&](std::size_t i) { return s.materials.at(s.shapes.at(i).material); };
     CHECK(of(0).twosided);
     CHECK(of(0).id == "both");
-    CHECK(of(0).metal == "Au");
+    CHECK(as<MetalModel>(of(0)).metal == "Au");
     CHECK_FALSE(of(1).twosided);
     CHECK(of(1).id == "gold");
     CHECK(of(2).twosided);
-    CHECK(of(2).kind == Kind::pplastic);
+    CHECK(is<PplasticModel>(of(2)));
     CHECK(of(2).id.empty());
     refused("<bsdf type='twosided'/>", invalid, 2, {"\"twosided\"", "no bsdf inside"});
     refused("<bsdf type='twosided'><bsdf type='diffuse'/>\n<bsdf type='diffuse'/></bsdf>", unsupported, 3,
@@ -388,33 +393,38 @@ TEST_CASE("a roughness that differs by direction is read as it is, with one noti
     const SceneDescription numbers = shape("roughconductor", differ);
     REQUIRE(numbers.notices.size() == 1);
     CHECK(numbers.notices[0].find("xml:3: alpha_u and alpha_v differ: local lights") != std::string::npos);
-    const MaterialDescription& metal = numbers.materials[0].parts[0];
-    CHECK(metal.alpha == 0.25);
-    CHECK(metal.alpha_v == 0.04);
+    const auto alphas = [](const SceneDescription& s) {
+        const auto model = as<MetalModel>(as<NormalMapModel>(s.materials[0]).base);
+        return std::pair(number(model, &P::alpha), number(model, &P::alpha_v));
+    };
+    CHECK(alphas(numbers).first.value == 0.25);
+    CHECK(alphas(numbers).second.value == 0.04);
     const SceneDescription textures = shape("roughconductor", boards);
     CHECK(textures.notices.size() == 1);
-    const MaterialDescription& board = textures.materials[0].parts[0];
-    REQUIRE(board.alpha_texture);
-    REQUIRE(board.alpha_v_texture);
-    CHECK(board.alpha_texture->color0.rgb.x == doctest::Approx(0.01));
-    CHECK(board.alpha_v_texture->color0.rgb.x == doctest::Approx(0.25));
+    const auto [board, board_v] = alphas(textures);
+    REQUIRE(board.texture);
+    REQUIRE(board_v.texture);
+    CHECK(board.texture->color0.rgb.x == doctest::Approx(0.01));
+    CHECK(board_v.texture->color0.rgb.x == doctest::Approx(0.25));
     const SceneDescription mixed =
         shape("roughconductor", checkerboard("alpha_u", "") + "<float name='alpha_v' value='0.04'/>");
-    CHECK(mixed.materials[0].parts[0].alpha_v == 0.04);
+    CHECK(alphas(mixed).second.value == 0.04);
     // Equal roughness in both directions causes no notice.
     const SceneDescription same =
         shape("roughconductor", checkerboard("alpha_u", "") + checkerboard("alpha_v", ""));
     CHECK(same.notices.empty());
-    CHECK_FALSE(same.materials[0].parts[0].alpha_v_texture);
+    CHECK_FALSE(alphas(same).second.texture);
 
     // A plastic uses the geometric mean.
     const SceneDescription plastic = shape("pplastic", differ);
     REQUIRE(plastic.notices.size() == 1);
     CHECK(plastic.notices[0].find("xml:3: alpha_u and alpha_v differ: pplastic takes") != std::string::npos);
-    CHECK(plastic.materials[0].parts[0].alpha == doctest::Approx(0.1));
-    CHECK(plastic.materials[0].parts[0].alpha_v == 0);
+    const auto alpha = [](const SceneDescription& s) {
+        return number(as<PplasticModel>(as<NormalMapModel>(s.materials[0]).base), &PplasticParameters::alpha);
+    };
+    CHECK(alpha(plastic).value == doctest::Approx(0.1));
     const SceneDescription plastic_board = shape("pplastic", boards);
-    const TextureSpecificationPtr mean = plastic_board.materials[0].parts[0].alpha_texture;
+    const TextureSpecificationPtr mean = alpha(plastic_board).texture;
     REQUIRE(mean);
     CHECK(mean->kind == TextureSpecification::Kind::checkerboard);
     CHECK(mean->color0.rgb.x == doctest::Approx(0.05));

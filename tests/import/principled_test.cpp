@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Tests of Mitsuba's principled material in scene files.
 #include "material/principled.hpp"
+#include "import/described_material.hpp"
 #include "import/load_scene.hpp"
 #include "import/scene_file.hpp"
 #include "material/spatial_variation.hpp"
@@ -14,26 +15,26 @@ std::string bsdf(const std::string& parameters) {
     return "<bsdf type='principled'>" + parameters + "</bsdf>";
 }
 
-std::string number(const std::string& name, const std::string& value) {
+std::string value_of(const std::string& name, const std::string& value) {
     return "<float name='" + name + "' value='" + value + "'/>";
 }
 
 std::string board(const std::string& name) {
-    return "<texture name='" + name + "' type='checkerboard'>" + number("color0", "0.75") +
-           number("color1", "0.25") + "</texture>";
+    return "<texture name='" + name + "' type='checkerboard'>" + value_of("color0", "0.75") +
+           value_of("color1", "0.25") + "</texture>";
 }
 
 const std::string numbers[] = {"roughness", "anisotropic", "metallic", "spec_trans", "spec_tint",
                                "sheen",     "sheen_tint",  "flatness", "clearcoat",  "clearcoat_gloss"};
 
 MaterialPtr made(const std::string& parameters) {
-    const SceneFile file(scene(shape_with(bsdf(parameters))));
+    const SceneFile file(::scene(shape_with(bsdf(parameters))));
     return load_scene(file.scene(), {}).scene.instances().at(0).material;
 }
 
 void refused(const std::string& parameters, const std::vector<std::string>& parts,
              ErrorCode code = ErrorCode::invalid_file) {
-    const SceneFile file(scene(shape_with(bsdf(parameters))));
+    const SceneFile file(::scene(shape_with(bsdf(parameters))));
     check_refused(file, code, file.scene().string(), parts);
 }
 
@@ -41,11 +42,12 @@ void refused(const std::string& parameters, const std::vector<std::string>& part
 
 TEST_CASE("principled parameters of a scene are those of the material") {
     CHECK(made("")->content_key() == principled({.base_color = {0.5, 0.5, 0.5}})->content_key());
-    CHECK(made("<rgb name='base_color' value='0.2,0.4,0.6'/>" + number("roughness", "0.3") +
-               number("anisotropic", "0.15") + number("metallic", "0.2") + number("spec_trans", "0.35") +
-               number("specular", "0.25") + number("spec_tint", "0.4") + number("sheen", "0.6") +
-               number("sheen_tint", "0.7") + number("flatness", "0.8") + number("clearcoat", "0.9") +
-               number("clearcoat_gloss", "0.1") + number("main_specular_sampling_rate", "2"))
+    CHECK(made("<rgb name='base_color' value='0.2,0.4,0.6'/>" + value_of("roughness", "0.3") +
+               value_of("anisotropic", "0.15") + value_of("metallic", "0.2") +
+               value_of("spec_trans", "0.35") + value_of("specular", "0.25") + value_of("spec_tint", "0.4") +
+               value_of("sheen", "0.6") + value_of("sheen_tint", "0.7") + value_of("flatness", "0.8") +
+               value_of("clearcoat", "0.9") + value_of("clearcoat_gloss", "0.1") +
+               value_of("main_specular_sampling_rate", "2"))
               ->content_key() == principled({.base_color = {0.2, 0.4, 0.6},
                                              .roughness = 0.3,
                                              .anisotropic = 0.15,
@@ -59,7 +61,7 @@ TEST_CASE("principled parameters of a scene are those of the material") {
                                              .clearcoat = 0.9,
                                              .clearcoat_gloss = 0.1})
                                      ->content_key());
-    CHECK(made(number("eta", "1.8"))->content_key() ==
+    CHECK(made(value_of("eta", "1.8"))->content_key() ==
           principled({.base_color = {0.5, 0.5, 0.5}, .eta = 1.8})->content_key());
 }
 
@@ -67,11 +69,12 @@ TEST_CASE("every principled parameter but the index may be a texture") {
     std::string all = board("base_color");
     for (const std::string& name : numbers) all += board(name);
     const SceneDescription description = read_shape(bsdf(all));
-    const PrincipledDescription& p = description.materials.at(0).principled;
-    CHECK(p.base_color.texture);
-    for (const TexturedNumber* n : {&p.roughness, &p.anisotropic, &p.metallic, &p.spec_trans, &p.spec_tint,
-                                    &p.sheen, &p.sheen_tint, &p.flatness, &p.clearcoat, &p.clearcoat_gloss})
-        CHECK(n->texture);
+    using P = PrincipledParameters;
+    const auto model = as<PrincipledModel>(description.materials.at(0));
+    CHECK(color(model, &P::base_color).texture);
+    for (const auto parameter : {&P::roughness, &P::anisotropic, &P::metallic, &P::spec_trans, &P::spec_tint,
+                                 &P::sheen, &P::sheen_tint, &P::flatness, &P::clearcoat, &P::clearcoat_gloss})
+        CHECK(number(model, parameter).texture);
     refused(board("eta"), {"\"eta\" is a texture"}, ErrorCode::unsupported);
 }
 
@@ -91,7 +94,7 @@ TEST_CASE("notices of what principled does here are one for all of them") {
     const std::string opaque = notices("", "");
     CHECK(count(opaque, "depolarizes") == 1);
     CHECK(count(opaque, "spec_trans") == 0);
-    const std::string clear = notices(number("spec_trans", "0.5"), board("spec_trans"));
+    const std::string clear = notices(value_of("spec_trans", "0.5"), board("spec_trans"));
     CHECK(count(clear, "depolarizes") == 1);
     CHECK(count(clear, "spec_trans") == 1);
 }
@@ -99,10 +102,10 @@ TEST_CASE("notices of what principled does here are one for all of them") {
 TEST_CASE("principled parameters out of range, with place and range") {
     for (const std::string& name : numbers)
         for (const char* value : {"-0.5", "1.5"})
-            refused(number(name, value), {"principled", "\"" + name + "\" is " + value, "from 0 to 1"});
+            refused(value_of(name, value), {"principled", "\"" + name + "\" is " + value, "from 0 to 1"});
     refused("<rgb name='base_color' value='0.5,1.5,0'/>", {"\"base_color\""});
-    refused(number("specular", "2"), {"\"specular\" is 2", "from 0 to 1"});
-    refused(number("eta", "0"), {"\"eta\" is 0", "from 0.001 to 1000"});
-    refused(number("eta", "1.5") + number("specular", "0.5"), {"\"specular\" is given beside eta"});
-    refused(number("diff_trans", "0.5"), {"\"diff_trans\" is unknown", "spec_trans"});
+    refused(value_of("specular", "2"), {"\"specular\" is 2", "from 0 to 1"});
+    refused(value_of("eta", "0"), {"\"eta\" is 0", "from 0.001 to 1000"});
+    refused(value_of("eta", "1.5") + value_of("specular", "0.5"), {"\"specular\" is given beside eta"});
+    refused(value_of("diff_trans", "0.5"), {"\"diff_trans\" is unknown", "spec_trans"});
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Tests of spectra in separate files.
+#include "import/described_material.hpp"
 #include "import/load_scene.hpp"
 #include "import/scene_file.hpp"
 
@@ -22,7 +23,7 @@ TEST_CASE("a spectrum in a file is what it would be in the scene") {
     const WithFile file("# data\r\n# ;  Lambda  n\r\n\n 400 1.5 \n5.005e2\t1.25 # middle\n700 0.1");
     const SceneDescription read = read_mitsuba_scene(file.scene());
     const std::vector<ColorDescription::Sample> expected{{400, 1.5}, {500.5, 1.25}, {700, 0.1}};
-    CHECK(read.materials.at(0).eta.spectrum == expected);
+    CHECK(as<MetalModel>(read.materials.at(0)).eta.spectrum == expected);
     REQUIRE(read.files.size() == 2);
     CHECK(read.files[1].path.filename() == "eta.spd");
     const LoadedScene loaded = load_scene(file.scene(), {});
@@ -32,13 +33,14 @@ TEST_CASE("a spectrum in a file is what it would be in the scene") {
 
 TEST_CASE("spectra in files are looked for in the folders of <path>, and read once each") {
     const SceneFile file(
-        scene("<path value='spectra'/>" +
-              shape_with("<bsdf type='conductor'><spectrum name='eta' filename='a.spd'/><spectrum "
-                         "name='k' filename='a.spd'/></bsdf>")));
+        ::scene("<path value='spectra'/>" +
+                shape_with("<bsdf type='conductor'><spectrum name='eta' filename='a.spd'/><spectrum "
+                           "name='k' filename='a.spd'/></bsdf>")));
     std::filesystem::create_directory(file / "spectra");
     write_bytes(file / "spectra" / "a.spd", "400 1\n700 2\n");
     const SceneDescription read = read_mitsuba_scene(file.scene());
-    CHECK(read.materials.at(0).eta == read.materials.at(0).k);
+    const auto metal = as<MetalModel>(read.materials.at(0));
+    CHECK(metal.eta == metal.k);
     CHECK(read.files.size() == 2);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Tests of textures in Mitsuba's XML: reading, resulting materials, refusals.
 #include "image/color.hpp"
+#include "import/described_material.hpp"
 #include "import/load_scene.hpp"
 #include "import/png_file.hpp"
 #include "import/scene_file.hpp"
@@ -12,11 +13,14 @@ using namespace nicol;
 
 namespace {
 
-using Kind = MaterialDescription::Kind;
 using TextureKind = TextureSpecification::Kind;
 
 MaterialDescription material(const std::string& bsdf) {
     return read_shape(bsdf).materials.at(0);
+}
+
+TextureSpecificationPtr reflectance(const MaterialDescription& material) {
+    return as<DiffuseModel>(material).reflectance.texture;
 }
 
 std::string bsdf(const std::string& type, const std::string& inside) {
@@ -55,9 +59,9 @@ public:
 
     /// Loads the triangle with this material.
     LoadedScene load(const std::string& inside, const LoadLimits& limits = {}) const {
-        return load_scene(write("a.xml", scene(a_sensor + an_emitter +
-                                               "<shape type='ply'><string name='filename' value='a.ply'/>" +
-                                               inside + "</shape>")),
+        return load_scene(write("a.xml", ::scene(a_sensor + an_emitter +
+                                                 "<shape type='ply'><string name='filename' value='a.ply'/>" +
+                                                 inside + "</shape>")),
                           {}, limits);
     }
     MaterialPtr load_material(const std::string& inside) const {
@@ -92,44 +96,41 @@ void check_same(const Material& a, const TexturePoint& point, const Material& b)
 
 void refused(const std::string& inside, ErrorCode code, const std::vector<std::string>& parts) {
     CAPTURE(inside);
-    const SceneFile file(scene(shape_with(inside)));
+    const SceneFile file(::scene(shape_with(inside)));
     check_refused(file, code, file.scene().string() + ":", parts);
 }
 
 }  // namespace
 
 TEST_CASE("a bitmap has Mitsuba's defaults and parameters") {
-    const MaterialDescription d = material(bsdf("diffuse", bitmap("reflectance")));
-    CHECK(d.kind == Kind::diffuse);
-    REQUIRE(d.reflectance.texture);
-    const TextureSpecification& plain = *d.reflectance.texture;
+    const TextureSpecificationPtr image = reflectance(material(bsdf("diffuse", bitmap("reflectance"))));
+    REQUIRE(image);
+    const TextureSpecification& plain = *image;
     CHECK(plain.kind == TextureKind::image);
     CHECK(plain.filename.filename() == "a.png");
     CHECK_FALSE(plain.raw);
     // The default is bilinear interpolation with mipmaps.
     CHECK(plain.sampling == TextureSampling{.filter = TextureSampling::Filter::mipmap});
-    const TextureSpecification given =
-        *material(bsdf("diffuse",
-                       bitmap("reflectance",
-                              raw + "<string name='filter_type' value='nearest'/><string name='wrap_mode' "
+    const TextureSpecification given = *reflectance(material(bsdf(
+        "diffuse",
+        bitmap("reflectance", raw + "<string name='filter_type' value='nearest'/><string name='wrap_mode' "
                                     "value='clamp'/><string name='format' value='fp16'/><transform "
                                     "name='to_uv'><scale x='2' y='3'/><translate x='0.5' y='0.25'/>"
-                                    "</transform>")))
-             .reflectance.texture;
+                                    "</transform>"))));
     CHECK(given.raw);
     CHECK(given.sampling.filter == TextureSampling::Filter::nearest);
     CHECK(given.sampling.wrap == TextureSampling::Wrap::clamp);
     CHECK(given.sampling.to_uv * glm::dvec3(1, 1, 1) == glm::dvec3(2.5, 3.25, 1));
-    CHECK(material(bsdf("diffuse", bitmap("reflectance", "<string name='wrap_mode' value='mirror'/>")))
-              .reflectance.texture->sampling.wrap == TextureSampling::Wrap::mirror);
+    CHECK(reflectance(
+              material(bsdf("diffuse", bitmap("reflectance", "<string name='wrap_mode' value='mirror'/>"))))
+              ->sampling.wrap == TextureSampling::Wrap::mirror);
 }
 
 TEST_CASE("checkerboards, constants and colours of meshes") {
-    const TextureSpecification board =
-        *material(bsdf("diffuse", texture("reflectance", "checkerboard",
-                                          "<rgb name='color1' value='1, 0.5, 0'/><transform name='to_uv'>"
-                                          "<scale x='8' y='4'/></transform>")))
-             .reflectance.texture;
+    const TextureSpecification board = *reflectance(
+        material(bsdf("diffuse", texture("reflectance", "checkerboard",
+                                         "<rgb name='color1' value='1, 0.5, 0'/><transform name='to_uv'>"
+                                         "<scale x='8' y='4'/></transform>"))));
     CHECK(board.kind == TextureKind::checkerboard);
     CHECK(board.color0 == ColorDescription(0.4));
     CHECK(board.color1 == ColorDescription(glm::dvec3(1, 0.5, 0)));
@@ -138,7 +139,7 @@ TEST_CASE("checkerboards, constants and colours of meshes") {
          {"<vector name='value' x='0.5' y='0.25' z='1'/>", "<vector name='value' value='0.5, 0.25, 1'/>",
           "<rgb name='value' value='0.5, 0.25, 1'/>"}) {
         const TextureSpecification constant =
-            *material(bsdf("diffuse", texture("reflectance", "rawconstant", value))).reflectance.texture;
+            *reflectance(material(bsdf("diffuse", texture("reflectance", "rawconstant", value))));
         CHECK(constant.kind == TextureKind::constant);
         CHECK(constant.color0 == ColorDescription(glm::dvec3(0.5, 0.25, 1)));
     }
@@ -146,8 +147,7 @@ TEST_CASE("checkerboards, constants and colours of meshes") {
          {std::pair("vertex_color", ColorsOf::vertices), {"face_color", ColorsOf::faces}}) {
         const std::string attribute = "<string name='name' value='" + std::string(name) + "'/>";
         const TextureSpecification colors =
-            *material(bsdf("diffuse", texture("reflectance", "mesh_attribute", attribute)))
-                 .reflectance.texture;
+            *reflectance(material(bsdf("diffuse", texture("reflectance", "mesh_attribute", attribute))));
         CHECK(colors.kind == TextureKind::constant);
         CHECK(colors.color0 == ColorDescription(1.0));
         CHECK(colors.times_colors_of == of);
@@ -167,25 +167,32 @@ TEST_CASE("a texture may be given for these parameters, itself or by reference")
         std::function<TextureSpecificationPtr(const MaterialDescription&)> texture;
     };
     using M = MaterialDescription;
+    using P = PplasticParameters;
+    using C = RoughConductorParameters;
+    const auto plastic_color = [](ColorParameter P::*parameter) {
+        return [=](const M& m) { return color(as<PplasticModel>(m), parameter).texture; };
+    };
+    const auto metal_color = [](const M& m) {
+        return color(as<MetalModel>(m), &C::specular_reflectance).texture;
+    };
+    const auto scale = [](const M& m) { return dynamic_cast<const TabulatedModel&>(*m.model).scale.texture; };
+    const auto varied = [](const M& m) { return dynamic_cast<const VariedModel&>(*m.model).texture; };
     for (const Case& c : {
-             Case{"diffuse", "reflectance", "", [](const M& m) { return m.reflectance.texture; }},
-             Case{"pplastic", "diffuse_reflectance", "",
-                  [](const M& m) { return m.diffuse_reflectance.texture; }},
-             Case{"pplastic", "specular_reflectance", "",
-                  [](const M& m) { return m.specular_reflectance.texture; }},
-             Case{"pplastic", "alpha", "", [](const M& m) { return m.alpha_texture; }},
-             Case{"conductor", "specular_reflectance", "",
-                  [](const M& m) { return m.specular_reflectance.texture; }},
-             Case{"roughconductor", "specular_reflectance", "",
-                  [](const M& m) { return m.specular_reflectance.texture; }},
-             Case{"roughconductor", "alpha", "", [](const M& m) { return m.alpha_texture; }},
-             Case{"psh", "scale", gold, [](const M& m) { return m.scale.texture; }},
-             Case{"measured_polarized", "scale", gold, [](const M& m) { return m.scale.texture; }},
-             Case{"mask", "opacity", "<bsdf type='diffuse'/>", [](const M& m) { return m.texture; }},
-             Case{"blendbsdf", "weight", "<bsdf type='diffuse'/><bsdf type='conductor'/>",
-                  [](const M& m) { return m.texture; }},
-             Case{"normalmap", "n", "<bsdf type='diffuse'/>", [](const M& m) { return m.texture; }},
-             Case{"bumpmap", "", "<bsdf type='diffuse'/>", [](const M& m) { return m.texture; }},
+             Case{"diffuse", "reflectance", "", [](const M& m) { return reflectance(m); }},
+             Case{"pplastic", "diffuse_reflectance", "", plastic_color(&P::diffuse_reflectance)},
+             Case{"pplastic", "specular_reflectance", "", plastic_color(&P::specular_reflectance)},
+             Case{"pplastic", "alpha", "",
+                  [](const M& m) { return number(as<PplasticModel>(m), &P::alpha).texture; }},
+             Case{"conductor", "specular_reflectance", "", metal_color},
+             Case{"roughconductor", "specular_reflectance", "", metal_color},
+             Case{"roughconductor", "alpha", "",
+                  [](const M& m) { return number(as<MetalModel>(m), &C::alpha).texture; }},
+             Case{"psh", "scale", gold, scale},
+             Case{"measured_polarized", "scale", gold, scale},
+             Case{"mask", "opacity", "<bsdf type='diffuse'/>", varied},
+             Case{"blendbsdf", "weight", "<bsdf type='diffuse'/><bsdf type='conductor'/>", varied},
+             Case{"normalmap", "n", "<bsdf type='diffuse'/>", varied},
+             Case{"bumpmap", "", "<bsdf type='diffuse'/>", varied},
          }) {
         CAPTURE(c.type + " " + c.name);
         const TextureSpecificationPtr inside = c.texture(material(bsdf(c.type, c.others + bitmap(c.name))));
@@ -196,35 +203,32 @@ TEST_CASE("a texture may be given for these parameters, itself or by reference")
         CHECK(referred->filename.filename() == "b.png");
     }
     const M both = material(bsdf("roughconductor", bitmap("alpha_u") + bitmap("alpha_v")));
-    CHECK(both.alpha_texture->filename.filename() == "a.png");
+    CHECK(number(as<MetalModel>(both), &C::alpha).texture->filename.filename() == "a.png");
 }
 
 TEST_CASE("bsdfs that are made of others") {
     const MaterialDescription d = material(
         bsdf("twosided", bsdf("normalmap", texture("n", "rawconstant", "<vector name='value' x='1'/>") +
                                                bsdf("pplastic", ""))));
-    CHECK(d.kind == Kind::normalmap);
     CHECK(d.twosided);
-    CHECK_FALSE(d.mirrored_y);
-    REQUIRE(d.parts.size() == 1);
-    CHECK(d.parts[0].kind == Kind::pplastic);
-    CHECK_FALSE(d.parts[0].twosided);
-    const MaterialDescription bump =
-        material(bsdf("bumpmap", "<float name='scale' value='0.5'/>" + bitmap("") + bsdf("diffuse", "")));
-    CHECK(bump.kind == Kind::bumpmap);
-    CHECK(bump.bump_scale == 0.5);
-    const MaterialDescription mask = material(
-        bsdf("mask", "<float name='opacity' value='0.75'/>" + bsdf("twosided", bsdf("diffuse", ""))));
-    CHECK(mask.kind == Kind::mask);
+    const auto mapped = as<NormalMapModel>(d);
+    CHECK_FALSE(mapped.mirrored_y);
+    CHECK(is<PplasticModel>(mapped.base));
+    CHECK_FALSE(mapped.base.twosided);
+    const auto bump = as<BumpMapModel>(
+        material(bsdf("bumpmap", "<float name='scale' value='0.5'/>" + bitmap("") + bsdf("diffuse", ""))));
+    CHECK(bump.scale == 0.5);
+    const auto mask = as<MaskModel>(material(
+        bsdf("mask", "<float name='opacity' value='0.75'/>" + bsdf("twosided", bsdf("diffuse", "")))));
     CHECK(mask.texture->color0 == ColorDescription(0.75));
-    CHECK(mask.parts.at(0).twosided);
-    CHECK(material(bsdf("mask", bsdf("diffuse", ""))).texture->color0 == ColorDescription(0.5));
-    const MaterialDescription blend = material(bsdf(
-        "blendbsdf", "<float name='weight' value='0.25'/>" + bsdf("diffuse", "") + bsdf("conductor", "")));
-    CHECK(blend.kind == Kind::blendbsdf);
+    CHECK(mask.base.twosided);
+    CHECK(as<MaskModel>(material(bsdf("mask", bsdf("diffuse", "")))).texture->color0 ==
+          ColorDescription(0.5));
+    const auto blend = as<BlendModel>(material(bsdf(
+        "blendbsdf", "<float name='weight' value='0.25'/>" + bsdf("diffuse", "") + bsdf("conductor", ""))));
     CHECK(blend.texture->color0 == ColorDescription(0.25));
-    CHECK(blend.parts.at(0).kind == Kind::diffuse);
-    CHECK(blend.parts.at(1).kind == Kind::conductor);
+    CHECK(is<DiffuseModel>(blend.base));
+    CHECK(as<MetalModel>(blend.other).parameters.alpha.value == 0);
 }
 
 TEST_CASE("textures and bsdfs that are refused") {
@@ -298,9 +302,9 @@ TEST_CASE("textures and bsdfs that are refused") {
         doubled += "<bsdf type='blendbsdf' id='b" + std::to_string(i + 1) +
                    "'><float name='weight' value='0.5'/>" + before + before + "</bsdf>";
     }
-    const SceneFile file(scene(a_sensor + a_shape + doubled));
+    const SceneFile file(::scene(a_sensor + a_shape + doubled));
     check_refused(file, invalid, file.scene().string(), {"more than 64"});
-    const SceneFile missing(scene("<texture id='t' type='bitmap'/>" + a_sensor + a_shape));
+    const SceneFile missing(::scene("<texture id='t' type='bitmap'/>" + a_sensor + a_shape));
     check_refused(missing, invalid, missing.scene().string() + ":2: ", {"\"filename\" is missing"});
 }
 
@@ -431,8 +435,8 @@ TEST_CASE("v is turned where a file counts it upwards, unless the scene says oth
                  "0 0 0 0.125 0.25\n1 0 0 0.125 0.25\n0 1 0 0.125 0.25\n3 0 1 2\n");
     const auto v_of = [&](const std::string& type, const std::string& inside) {
         const auto file = folder.write(
-            "a.xml", scene(a_sensor + an_emitter + "<shape type='" + type +
-                           "'><string name='filename' value='a." + type + "'/>" + inside + "</shape>"));
+            "a.xml", ::scene(a_sensor + an_emitter + "<shape type='" + type +
+                             "'><string name='filename' value='a." + type + "'/>" + inside + "</shape>"));
         const Mesh mesh = *load_scene(file, {}).scene.instances().at(0).mesh;
         CHECK(mesh.texcoords.at(0).x == 0.125F);
         return mesh.texcoords.at(0).y;

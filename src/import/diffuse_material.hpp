@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// <bsdf>s that are diffuse.
+#pragma once
+
+#include "import/material_description.hpp"
+#include "import/texture_specification.hpp"
+
+namespace nicol::scene {
+
+/// Mitsuba's diffuse.
+struct DiffuseModel final : MaterialModel {
+    TexturedColor reflectance{0.5};
+
+    [[nodiscard]] MaterialPtr make(const MaterialMaker& maker) const override;
+    [[nodiscard]] bool black() const override;
+};
+
+}  // namespace nicol::scene
