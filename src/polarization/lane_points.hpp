@@ -26,6 +26,9 @@ inline void put(LaneVectors& lanes, std::size_t i, const glm::vec3& v) {
 [[gnu::always_inline]] inline Vector3<float> components(const glm::vec3& v) {
     return {v.x, v.y, v.z};
 }
+[[gnu::always_inline]] inline Vector3<double> components(const glm::dvec3& v) {
+    return {v.x, v.y, v.z};
+}
 
 /// Loads the part that begins at lane `first`.
 template <class Number>

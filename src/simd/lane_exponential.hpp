@@ -1,10 +1,17 @@
 // SPDX-License-Identifier: MIT
-// The exponential function, accurate to a few roundings, for vectors of lanes.
+// The exponential function, for single numbers and, within a few roundings, for vectors of lanes.
 #pragma once
 
+#include <cmath>
+#include <concepts>
 #include <cstdint>
 
 namespace nicol {
+
+template <std::floating_point Number>
+[[gnu::always_inline]] inline void exponential(Number& x) {
+    x = std::exp(x);
+}
 
 /// Replaces x by e^x for x from -87 to 0. Number: a vector of floats.
 template <class Number>
