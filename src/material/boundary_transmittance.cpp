@@ -6,8 +6,6 @@
 #include <numbers>
 
 #include "harmonics/grid.hpp"
-#include "material/frames.hpp"
-#include "material/lane_fresnel.hpp"
 #include "material/microfacet.hpp"
 #include "polarization/fresnel.hpp"
 #include "simd/dispatch.hpp"
@@ -72,7 +70,8 @@ double mean_over_facets(const std::vector<FacetNormal>& normals, double cos_view
 }
 
 template <class Number>
-[[gnu::always_inline]] inline void refract(const LaneIndex& index, const Lanes& cosines, Lanes& out) {
+[[gnu::always_inline]] inline void refract(const RelativeIndex<float>& index, const Lanes& cosines,
+                                           Lanes& out) {
     for (std::size_t first = 0; first < kLanes; first += kPart<Number>) {
         Number cosine;
         Number share;
@@ -91,6 +90,8 @@ BoundaryTransmittance::BoundaryTransmittance(double eta)
 BoundaryTransmittance::BoundaryTransmittance(double eta, Distribution distribution, double alpha)
     : eta_(eta), returned_(0) {
     const std::vector<FacetNormal> normals = facet_normals(distribution, alpha);
+    const RelativeIndex<double> inwards(eta);
+    const RelativeIndex<double> outwards(1 / eta);
     for (int j = 0; j < kCosines; ++j) {
         const double cos_view = std::max(1e-6, j / (kCosines - 1.0));
         // Refracted and reflected directions leave by facets that see them.
@@ -98,11 +99,12 @@ BoundaryTransmittance::BoundaryTransmittance(double eta, Distribution distributi
             const double refracted2 = 1 - (1 - cosine * cosine) / (eta * eta);
             if (refracted2 <= 0) return 0.0;
             const double down = cos_view / eta - (cosine / eta - std::sqrt(refracted2)) * facet.cosine;
-            return (1 - reflection_block(cosine, eta).a) * facet_visibility(distribution, alpha, down);
+            return (1 - dielectric_reflection(cosine, inwards).a) *
+                   facet_visibility(distribution, alpha, down);
         };
         const auto returns = [&](double cosine, const FacetNormal& facet) {
             const double up = 2 * cosine * facet.cosine - cos_view;
-            return reflection_block(cosine, 1 / eta).a * facet_visibility(distribution, alpha, up);
+            return dielectric_reflection(cosine, outwards).a * facet_visibility(distribution, alpha, up);
         };
         table_.push_back(static_cast<float>(mean_over_facets(normals, cos_view, passes)));
         // Mitsuba's sum, whose ends count as much as the points between them.
@@ -117,7 +119,8 @@ double BoundaryTransmittance::at(double cosine) const {
 
 void BoundaryTransmittance::at_lanes(const Lanes& cosines, Lanes& out) const {
     if (table_.empty())
-        dispatch<refract<FourLanes>, refract<EightLanes>, refract<AllLanes>>(LaneIndex(eta_), cosines, out);
+        dispatch<refract<FourLanes>, refract<EightLanes>, refract<AllLanes>>(RelativeIndex<float>(eta_),
+                                                                             cosines, out);
     else
         for (std::size_t i = 0; i < kLanes; ++i) out[i] = tabulated(cosines[i]);
 }

@@ -31,11 +31,8 @@ template <class Number>
         load_part(towards_viewer, first, viewer);
         const LaneFacetReflection<Number> facet = facet_reflection(facets, light, viewer);
         for (std::size_t t = 0; t < eta.size(); ++t) {
-            const LaneIndex index(eta[t]);
-            store_reflection(facet,
-                             eta[t].imag() == 0 ? dielectric_reflection(facet.cosine, index)
-                                                : complex_reflection(facet.cosine, index),
-                             columns, first, out[t]);
+            const RelativeIndex<float> index(eta[t]);
+            store_reflection(facet, reflection_block(facet.cosine, index), columns, first, out[t]);
         }
     }
 }
@@ -125,7 +122,7 @@ private:
               scale(facet_reflection(distribution, alpha, light, viewer, half)),
               rotations(rotations_from_s_frames(light, viewer)) {}
         [[nodiscard]] Mueller reflect(std::complex<double> eta) const {
-            return in_rotated_frames(scale, reflection_block(cosine, eta), rotations);
+            return in_rotated_frames(scale, reflection_block(cosine, RelativeIndex<double>(eta)), rotations);
         }
 
         glm::dvec3 half;

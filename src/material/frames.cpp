@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "material/frames.hpp"
 
-#include <cmath>
 #include <glm/geometric.hpp>
-
-#include "polarization/fresnel.hpp"
 
 namespace nicol {
 namespace {
@@ -55,22 +52,8 @@ Mueller in_rotated_frames(const Mueller& m, const SurfaceRotations& rotations) {
     return out;
 }
 
-ReflectionBlock reflection_block(double cos_incident, std::complex<double> eta) {
-    const double q2 = eta.real() * eta.real() - 1 + cos_incident * cos_incident;
-    if (eta.imag() == 0 && q2 > 0) {
-        const double q = std::sqrt(q2);
-        const double t = eta.real() * eta.real() * cos_incident;
-        const double s = (cos_incident - q) / (cos_incident + q);
-        const double p = (t - q) / (t + q);
-        return {(s * s + p * p) / 2, (s * s - p * p) / 2, s * p, 0};
-    }
-    const FresnelAmplitudes r = fresnel_amplitudes(cos_incident, eta);
-    const std::complex<double> cross = r.p * std::conj(r.s);
-    return {(std::norm(r.s) + std::norm(r.p)) / 2, (std::norm(r.s) - std::norm(r.p)) / 2, cross.real(),
-            cross.imag()};
-}
-
-Mueller in_rotated_frames(double scale, const ReflectionBlock& block, const SurfaceRotations& rotations) {
+Mueller in_rotated_frames(double scale, const ReflectionBlock<double>& block,
+                          const SurfaceRotations& rotations) {
     const double a = scale * block.a;
     const double b = scale * block.b;
     const double c = scale * block.c;

@@ -3,8 +3,7 @@
 // functions.
 #pragma once
 
-#include <complex>
-
+#include "polarization/fresnel.hpp"
 #include "polarization/mueller.hpp"
 
 namespace nicol {
@@ -30,16 +29,8 @@ struct SurfaceRotations {
 /// m in rotated frames.
 [[nodiscard]] Mueller in_rotated_frames(const Mueller& m, const SurfaceRotations& rotations);
 
-/// Fresnel's reflection [[a, b, 0, 0], [b, a, 0, 0], [0, 0, c, -d], [0, 0, d, c]] in s-frames.
-struct ReflectionBlock {
-    double a, b, c, d;
-};
-
-/// The Fresnel reflection as these four numbers; fast for real eta.
-[[nodiscard]] ReflectionBlock reflection_block(double cos_incident, std::complex<double> eta);
-
 /// scale times the block in rotated frames.
-[[nodiscard]] Mueller in_rotated_frames(double scale, const ReflectionBlock& block,
+[[nodiscard]] Mueller in_rotated_frames(double scale, const ReflectionBlock<double>& block,
                                         const SurfaceRotations& rotations);
 
 }  // namespace nicol

@@ -6,9 +6,9 @@
 #include <numbers>
 
 #include "material/lane_frames.hpp"
-#include "material/lane_fresnel.hpp"
 #include "material/lane_mueller.hpp"
 #include "material/material.hpp"
+#include "polarization/fresnel.hpp"
 #include "polarization/lane_points.hpp"
 #include "simd/lane_exponential.hpp"
 #include "simd/lane_parts.hpp"
@@ -110,7 +110,7 @@ template <class Number>
 /// in_rotated_frames() of the block: all columns, or the first alone, from lane `first` on.
 template <class Number>
 [[gnu::always_inline]] inline void store_reflection(const LaneFacetReflection<Number>& facet,
-                                                    const LaneReflection<Number>& block, std::size_t columns,
+                                                    const ReflectionBlock<Number>& block, std::size_t columns,
                                                     std::size_t first, LaneMueller& out) {
     const Number a = facet.scale * block.a;
     const Number b = facet.scale * block.b;

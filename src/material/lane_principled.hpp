@@ -23,7 +23,7 @@ struct LanePrincipled {
           coat_scale((coat_alpha2 - 1) / (4 * std::numbers::pi_v<float> * std::log(coat_alpha2))) {}
 
     float roughness;
-    LaneIndex index;
+    RelativeIndex<float> index;
     bool refracts_away;    ///< from the normal: eta is at most 1
     float inverse_square;  ///< of eta
     LaneFacets facets;

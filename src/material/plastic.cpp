@@ -22,7 +22,7 @@ namespace {
 
 struct DepolarizingLanes {
     LaneFacets facets;
-    LaneIndex index;
+    RelativeIndex<float> index;
     float base;              // scale
     const Lanes& in;         // transmittance
     const Lanes& from_base;  // likewise, towards the viewer
@@ -109,7 +109,7 @@ public:
         dispatch<reflect_depolarizing<FourLanes>, reflect_depolarizing<EightLanes>,
                  reflect_depolarizing<AllLanes>>(
             DepolarizingLanes{.facets = {p_.distribution, static_cast<float>(p_.alpha.value)},
-                              .index = LaneIndex(eta_),
+                              .index = RelativeIndex<float>(eta_),
                               .base = static_cast<float>(base_scale()),
                               .in = in,
                               .from_base = from_base},
@@ -124,7 +124,7 @@ private:
     [[nodiscard]] double boundary(const glm::dvec3& light, const glm::dvec3& viewer) const {
         const glm::dvec3 half = glm::normalize(light + viewer);
         return facet_reflection(p_.distribution, p_.alpha.value, light, viewer, half) *
-               reflection_block(std::min(1.0, glm::dot(viewer, half)), eta_).a;
+               dielectric_reflection(std::min(1.0, glm::dot(viewer, half)), RelativeIndex<double>(eta_)).a;
     }
 
     bool smooth_;

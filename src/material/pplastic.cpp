@@ -26,7 +26,7 @@ struct LanePlastic {
           base(!black(p.diffuse_reflectance.values)),
           boundary(!black(p.specular_reflectance.values)) {}
     LaneFacets facets;
-    LaneIndex index;
+    RelativeIndex<float> index;
     bool base, boundary;  // have weight
 };
 
@@ -123,9 +123,10 @@ private:
     // Single reflection off the facets whose normal is the half vector.
     [[nodiscard]] Mueller boundary(const glm::dvec3& light, const glm::dvec3& viewer) const {
         const glm::dvec3 half = glm::normalize(light + viewer);
-        return in_rotated_frames(facet_reflection(p_.distribution, p_.alpha.value, light, viewer, half),
-                                 reflection_block(std::min(1.0, glm::dot(viewer, half)), eta_),
-                                 rotations_from_s_frames(light, viewer));
+        return in_rotated_frames(
+            facet_reflection(p_.distribution, p_.alpha.value, light, viewer, half),
+            dielectric_reflection(std::min(1.0, glm::dot(viewer, half)), RelativeIndex<double>(eta_)),
+            rotations_from_s_frames(light, viewer));
     }
 
     PplasticParameters p_;  // without textures

@@ -68,7 +68,7 @@ Values lobes(const PrincipledShape& k, const glm::dvec3& light, const glm::dvec3
     at(PrincipledLobe::metal) = (1 - w) * facets;
     at(PrincipledLobe::edge) = w * facets;
     at(PrincipledLobe::tinted) = k.normal_reflectance() * (1 - w) * facets;
-    at(PrincipledLobe::dielectric) = reflection_block(cosine, k.eta).a * facets;
+    at(PrincipledLobe::dielectric) = dielectric_reflection(cosine, RelativeIndex<double>(k.eta)).a * facets;
 
     const auto visible = [](const glm::dvec3& direction) {
         return facet_visibility(Distribution::ggx, kCoatShadowing, direction.z);

@@ -2,7 +2,6 @@
 #include "material/conductor.hpp"
 
 #include "directions.hpp"
-#include "material/frames.hpp"
 #include "material/microfacet.hpp"
 #include "polarization/fresnel.hpp"
 #include "test.hpp"
@@ -46,20 +45,6 @@ TEST_CASE("a facet reflects by Fresnel's matrix in frames of the half vector") {
                 angle_between(in, theta_phi_frame(-light)), angle_between(out, theta_phi_frame(viewer)));
             CHECK(largest_difference(material->evaluate(metal ? 0 : 1, light, viewer), expected) <=
                   1e-10 * expected(0, 0));
-        }
-    }
-}
-
-TEST_CASE("the quick reflection block is Fresnel's for every index, total reflection included") {
-    for (const Complex eta :
-         {Complex(1.5), Complex(0.7), Complex(1.0), Complex(0.2, -3.2), Complex(2.0, -1e-9)}) {
-        for (const double cosine : {0.01, 0.3, 0.7, 1.0}) {
-            const ReflectionBlock b = reflection_block(cosine, eta);
-            const Mueller m = fresnel_reflection(cosine, eta);
-            CHECK(b.a == Approx(m(0, 0)));
-            CHECK(b.b == Approx(m(0, 1)));
-            CHECK(b.c == Approx(m(2, 2)));
-            CHECK(b.d == Approx(m(3, 2)).epsilon(1e-9));
         }
     }
 }

@@ -22,9 +22,9 @@ TEST_CASE("dielectric reflection follows the sine and tangent laws") {
         const double t = std::asin(std::sin(i) / 1.5);
         const double rs = -std::sin(i - t) / std::sin(i + t);
         const double rp = std::tan(i - t) / std::tan(i + t);
-        const FresnelAmplitudes r = fresnel_amplitudes(std::cos(i), 1.5);
-        CHECK(r.s.real() == Approx(rs).epsilon(1e-12));
-        CHECK(r.p.real() == Approx(rp).epsilon(1e-12));
+        const auto r = fresnel_amplitudes(std::cos(i), RelativeIndex<double>(1.5));
+        CHECK(r.s_real == Approx(rs).epsilon(1e-12));
+        CHECK(r.p_real == Approx(rp).epsilon(1e-12));
         const Mueller m = fresnel_reflection(std::cos(i), 1.5);
         CHECK(m(0, 0) == Approx((rs * rs + rp * rp) / 2));
         CHECK(m(0, 1) == Approx((rs * rs - rp * rp) / 2));
@@ -64,9 +64,34 @@ TEST_CASE("a metal makes circular light of linear light at 45 degrees, of the si
     const Stokes out = fresnel_reflection(c, eta) * Stokes(1, 0, 1, 0);
     CHECK(out[2] == Approx(std::abs(rs) * std::abs(rp) * std::cos(d)));
     CHECK(out[3] == Approx(std::abs(rs) * std::abs(rp) * std::sin(d)));
-    // The conjugate index n + ik would describe gain and give the opposite handedness, while n - ik absorbs.
-    CHECK(std::abs(fresnel_amplitudes(c, eta).s) < 1);
-    CHECK(std::abs(fresnel_amplitudes(c, eta).p) < 1);
+    // The conjugate index (n + ik) would describe gain and give the other handedness; ours absorbs.
+    const auto r = fresnel_amplitudes(c, RelativeIndex<double>(eta));
+    CHECK(std::hypot(r.s_real, r.s_imag) < 1);
+    CHECK(std::hypot(r.p_real, r.p_imag) < 1);
+}
+
+TEST_CASE("the reflection is that of complex amplitudes for every index, total reflection included") {
+    using Complex = std::complex<double>;
+    for_all({Complex(1.5), Complex(0.7), Complex(1.0), Complex(1.0003), Complex(0.2, -3.2), Complex(0, -2),
+             Complex(2.0, -1e-9)},
+            {0.01, 0.3, 0.7, 1.0}, [&](Complex eta, double c) {
+                Complex q = std::sqrt(eta * eta - (1 - c * c));
+                if (q.imag() > 0) q = std::conj(q);
+                const Complex rs = (c - q) / (c + q);
+                const Complex rp = (eta * eta * c - q) / (eta * eta * c + q);
+                const Complex cross = rp * std::conj(rs);
+                const ReflectionBlock<double> block = reflection_block(c, RelativeIndex<double>(eta));
+                const double tolerance = 1e-12 * (std::norm(rs) + std::norm(rp)) + 1e-24;
+                CHECK(std::abs(block.a - (std::norm(rs) + std::norm(rp)) / 2) <= tolerance);
+                CHECK(std::abs(block.b - (std::norm(rs) - std::norm(rp)) / 2) <= tolerance);
+                CHECK(std::abs(block.c - cross.real()) <= tolerance);
+                CHECK(std::abs(block.d - cross.imag()) <= tolerance);
+                const auto single = reflection_block(static_cast<float>(c), RelativeIndex<float>(eta));
+                CHECK(std::abs(static_cast<double>(single.a) - block.a) <= 1e-5 * block.a);
+                const Mueller m = fresnel_reflection(c, eta);
+                CHECK(m(1, 0) == block.b);
+                CHECK(m(3, 2) == block.d);
+            });
 }
 
 TEST_CASE("what is not reflected is transmitted, for each polarization") {
