@@ -128,7 +128,7 @@ private:
         glm::dvec3 half;
         double cosine;
         double scale;
-        SurfaceRotations rotations;
+        SurfaceRotations<double> rotations;
     };
 
     RoughConductorParameters p_;                       // without textures

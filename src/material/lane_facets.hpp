@@ -5,10 +5,9 @@
 #include <cstddef>
 #include <numbers>
 
-#include "material/lane_frames.hpp"
+#include "material/frames.hpp"
 #include "material/lane_mueller.hpp"
 #include "material/material.hpp"
-#include "polarization/fresnel.hpp"
 #include "polarization/lane_points.hpp"
 #include "simd/lane_exponential.hpp"
 #include "simd/lane_parts.hpp"
@@ -76,7 +75,7 @@ template <class Number>
 struct LaneFacetReflection {
     Number scale;   ///< facet_reflection(), 0 where a direction lies below the horizon
     Number cosine;  ///< of the angle to the facets' normal
-    LaneRotations<Number> rotations;
+    SurfaceRotations<Number> rotations;
 };
 
 template <class Number>
@@ -103,7 +102,7 @@ template <class Number>
     out.scale *= 0.25F * from_light * to_viewer;
     const auto above = (light.z > 0.0F) & (viewer.z > 0.0F);
     out.scale = above ? out.scale : Number{};
-    out.rotations = lane_rotations(light, viewer);
+    out.rotations = rotations_from_s_frames(light, viewer);
     return out;
 }
 
@@ -112,28 +111,11 @@ template <class Number>
 [[gnu::always_inline]] inline void store_reflection(const LaneFacetReflection<Number>& facet,
                                                     const ReflectionBlock<Number>& block, std::size_t columns,
                                                     std::size_t first, LaneMueller& out) {
-    const Number a = facet.scale * block.a;
-    const Number b = facet.scale * block.b;
-    const auto& [ci, si, co, so] = facet.rotations;
-    store_part<Number>(a, first, out.m[0]);
-    store_part<Number>(co * b, first, out.m[4]);
-    store_part<Number>(-so * b, first, out.m[8]);
-    store_part<Number>(Number{}, first, out.m[12]);
-    if (columns == 1) return;
-    const Number c = facet.scale * block.c;
-    const Number d = facet.scale * block.d;
-    store_part<Number>(b * ci, first, out.m[1]);
-    store_part<Number>(-b * si, first, out.m[2]);
-    store_part<Number>(Number{}, first, out.m[3]);
-    store_part<Number>(co * ci * a + so * si * c, first, out.m[5]);
-    store_part<Number>(so * ci * c - co * si * a, first, out.m[6]);
-    store_part<Number>(-so * d, first, out.m[7]);
-    store_part<Number>(co * si * c - so * ci * a, first, out.m[9]);
-    store_part<Number>(co * ci * c + so * si * a, first, out.m[10]);
-    store_part<Number>(-co * d, first, out.m[11]);
-    store_part<Number>(d * si, first, out.m[13]);
-    store_part<Number>(d * ci, first, out.m[14]);
-    store_part<Number>(c, first, out.m[15]);
+    in_rotated_frames(
+        facet.scale, block, facet.rotations,
+        columns, [&](std::size_t i, const Number& element) __attribute__((always_inline)) {
+            store_part<Number>(element, first, out.m[i]);
+        });
 }
 
 }  // namespace nicol

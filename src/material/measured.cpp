@@ -46,7 +46,7 @@ private:
             return;
         }
         table_.at(angles(light, viewer), first, out);
-        const SurfaceRotations rotations = rotations_from_s_frames(light, viewer);
+        const SurfaceRotations<double> rotations = rotations_from_s_frames(light, viewer);
         for (Mueller& m : out) m = in_rotated_frames(m, rotations);
     }
 

@@ -4,7 +4,6 @@
 
 #include "directions.hpp"
 #include "material/conductor.hpp"
-#include "material/frames.hpp"
 #include "material/material.hpp"
 #include "material/measured.hpp"
 #include "material/plastic.hpp"
