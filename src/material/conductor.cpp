@@ -3,13 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
 #include <utility>
 
 #include "error.hpp"
 #include "material/frames.hpp"
 #include "material/key.hpp"
-#include "material/lane_facets.hpp"
 #include "material/microfacet.hpp"
 #include "material/reflectance.hpp"
 #include "material/textured.hpp"
@@ -19,7 +17,7 @@ namespace nicol {
 namespace {
 
 template <class Number>
-[[gnu::always_inline]] inline void reflect_metal(const LaneFacets& facets,
+[[gnu::always_inline]] inline void reflect_metal(const Facets<float>& facets,
                                                  const std::vector<std::complex<double>>& eta,
                                                  const LaneVectors& towards_light,
                                                  const LaneVectors& towards_viewer, std::size_t columns,
@@ -29,7 +27,7 @@ template <class Number>
         Vector3<Number> viewer;
         load_part(towards_light, first, light);
         load_part(towards_viewer, first, viewer);
-        const LaneFacetReflection<Number> facet = facet_reflection(facets, light, viewer);
+        const FacetReflection<Number> facet = facet_reflection(facets, light, viewer);
         for (std::size_t t = 0; t < eta.size(); ++t) {
             const RelativeIndex<float> index(eta[t]);
             store_reflection(facet, reflection_block(facet.cosine, index), columns, first, out[t]);
@@ -93,8 +91,7 @@ public:
     [[nodiscard]] Mueller evaluate(int term, const glm::dvec3& towards_light,
                                    const glm::dvec3& towards_viewer) const override {
         if (towards_light.z <= 0 || towards_viewer.z <= 0) return {};
-        const Facet facet(p_.distribution, alpha_, towards_light, towards_viewer);
-        return facet.reflect(p_.eta[static_cast<std::size_t>(term)]);
+        return reflect(facet(towards_light, towards_viewer), p_.eta[static_cast<std::size_t>(term)]);
     }
     void evaluate_terms(const glm::dvec3& towards_light, const glm::dvec3& towards_viewer,
                         std::span<Mueller> out) const override {
@@ -102,34 +99,26 @@ public:
             std::fill(out.begin(), out.end(), Mueller{});
             return;
         }
-        const Facet facet(p_.distribution, alpha_, towards_light, towards_viewer);
-        for (std::size_t t = 0; t < p_.eta.size(); ++t) out[t] = facet.reflect(p_.eta[t]);
+        const FacetReflection<double> shared = facet(towards_light, towards_viewer);
+        for (std::size_t t = 0; t < p_.eta.size(); ++t) out[t] = reflect(shared, p_.eta[t]);
     }
     void evaluate_lanes(const LaneVectors& towards_light, const LaneVectors& towards_viewer,
                         std::size_t columns, std::span<LaneMueller> out) const override {
-        const LaneFacets facets{p_.distribution, static_cast<float>(alpha_.x), static_cast<float>(alpha_.y)};
+        const Facets<float> facets{p_.distribution, static_cast<float>(alpha_.x),
+                                   static_cast<float>(alpha_.y)};
         dispatch<reflect_metal<FourLanes>, reflect_metal<EightLanes>, reflect_metal<AllLanes>>(
             facets, p_.eta, towards_light, towards_viewer, columns, out.data());
     }
 
 private:
-    // What every index shares.
-    struct Facet {
-        Facet(Distribution distribution, const glm::dvec2& alpha, const glm::dvec3& light,
-              const glm::dvec3& viewer)
-            : half(glm::normalize(light + viewer)),
-              cosine(std::min(1.0, glm::dot(viewer, half))),
-              scale(facet_reflection(distribution, alpha, light, viewer, half)),
-              rotations(rotations_from_s_frames(light, viewer)) {}
-        [[nodiscard]] Mueller reflect(std::complex<double> eta) const {
-            return in_rotated_frames(scale, reflection_block(cosine, RelativeIndex<double>(eta)), rotations);
-        }
-
-        glm::dvec3 half;
-        double cosine;
-        double scale;
-        SurfaceRotations<double> rotations;
-    };
+    // The part that every index shares.
+    [[nodiscard]] FacetReflection<double> facet(const glm::dvec3& light, const glm::dvec3& viewer) const {
+        return facet_reflection({p_.distribution, alpha_.x, alpha_.y}, components(light), components(viewer));
+    }
+    static Mueller reflect(const FacetReflection<double>& facet, std::complex<double> eta) {
+        return in_rotated_frames(facet.scale, reflection_block(facet.cosine, RelativeIndex<double>(eta)),
+                                 facet.rotations);
+    }
 
     RoughConductorParameters p_;                       // without textures
     glm::dvec2 alpha_;                                 // along x and y

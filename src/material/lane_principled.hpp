@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "material/lane_facets.hpp"
+#include "material/microfacet.hpp"
 #include "material/principled_lobes.hpp"
 
 namespace nicol {
@@ -26,7 +26,7 @@ struct LanePrincipled {
     RelativeIndex<float> index;
     bool refracts_away;    ///< from the normal: eta is at most 1
     float inverse_square;  ///< of eta
-    LaneFacets facets;
+    Facets<float> facets;
     float normal_reflectance;
     float coat_alpha2;
     float coat_scale;
@@ -108,7 +108,7 @@ template <class Number>
     out.of[index(PrincipledLobe::dielectric)] = dielectric_reflection(cosine, k.index).a * scale;
 
     constexpr auto reflectance = static_cast<float>(kCoatReflectance);
-    constexpr LaneFacets hidden{Distribution::ggx, static_cast<float>(kCoatShadowing)};
+    constexpr Facets<float> hidden{Distribution::ggx, static_cast<float>(kCoatShadowing)};
     visibility_over_cosine(hidden, light, from_light);
     visibility_over_cosine(hidden, viewer, to_viewer);
     const Number rho2 = half.x * half.x + half.y * half.y;

@@ -1,34 +1,142 @@
 // SPDX-License-Identifier: MIT
-// Microfacet distributions and their shadowing, after Walter et al. 2007; of anisotropic ones after Heitz
-// 2014.
+// Microfacet distributions and their shadowing, after Walter et al. 2007 and, for anisotropic roughness,
+// Heitz 2014. Written once for single numbers and for vectors of lanes.
 #pragma once
 
+#include <cstddef>
 #include <glm/vec2.hpp>
+#include <numbers>
 
+#include "material/frames.hpp"
+#include "material/lane_mueller.hpp"
 #include "material/material.hpp"
+#include "polarization/lane_points.hpp"
+#include "simd/lane_exponential.hpp"
+#include "simd/lane_parts.hpp"
 
 namespace nicol {
+
+/// Facets of a distribution, whose roughness along y may differ from that along x. Real: float or double.
+template <class Real>
+struct Facets {
+    Distribution distribution;
+    Real alpha;
+    Real alpha_y = alpha;
+};
+
+/// facet_visibility() over the cosine, which stays finite at the horizon. `direction`: a unit vector above
+/// the horizon.
+template <class Number>
+[[gnu::always_inline]] inline void visibility_over_cosine(const Facets<ScalarOf<Number>>& facets,
+                                                          const Vector3<Number>& direction, Number& out) {
+    const Number x = facets.alpha * direction.x;
+    const Number y = facets.alpha_y * direction.y;
+    const Number slope2 = x * x + y * y;
+    const Number& z = direction.z;
+    if (facets.distribution == Distribution::ggx) {
+        Number root = z * z + slope2;
+        square_root(root);
+        out = 2.0F / (z + root);
+        return;
+    }
+    Number slope = slope2;
+    square_root(slope);
+    constexpr ScalarOf<Number> least = constant<Number>(1e-18);
+    const Number inverse = 1.0F / (slope > least ? slope : Number{} + least);
+    const Number a = z * inverse;
+    const auto few_hidden = a < constant<Number>(1.6);
+    out = (few_hidden ? (constant<Number>(3.535) + constant<Number>(2.181) * a) * inverse : Number{} + 1.0F) /
+          (few_hidden ? 1.0F + constant<Number>(2.276) * a + constant<Number>(2.577) * a * a : z);
+}
+
+/// facet_density() at a half vector of any length, whose square is length2.
+template <class Number>
+[[gnu::always_inline]] inline void density(const Facets<ScalarOf<Number>>& facets,
+                                           const Vector3<Number>& half, const Number& length2, Number& out) {
+    const ScalarOf<Number> scale = 1 / (std::numbers::pi_v<ScalarOf<Number>> * facets.alpha * facets.alpha_y);
+    const Number x = (1 / facets.alpha) * half.x;
+    const Number y = (1 / facets.alpha_y) * half.y;
+    const Number slope2 = x * x + y * y;
+    if (facets.distribution == Distribution::ggx) {
+        const Number ratio = length2 / (half.z * half.z + slope2);
+        out = scale * ratio * ratio;
+        return;
+    }
+    // Few facets are so steep that this limits them, and numbers that would soon be denormal, which slow
+    // processors down, are 0.
+    const Number least = threshold<Number>(1e-9F, 1e-100) * length2;
+    const Number z2 = half.z * half.z;
+    const Number inverse = 1.0F / (z2 > least ? z2 : least);
+    const Number power = -slope2 * inverse;
+    const auto some = power > threshold<Number>(-60.0F, -700.0);
+    Number fraction = some ? power : Number{};
+    exponential(fraction);
+    const Number secant2 = length2 * inverse;
+    out = some ? scale * secant2 * secant2 * fraction : Number{};
+}
+
+/// The part of a reflection off facets that does not depend on their index.
+template <class Number>
+struct FacetReflection {
+    Number scale;   ///< D G / (4 cos cos), per steradian; 0 where a direction lies below the horizon
+    Number cosine;  ///< cosine of the angle to the facets' normal
+    SurfaceRotations<Number> rotations;
+};
+
+/// Single reflection off the facets whose normal is the half vector of the unit vectors light and viewer.
+template <class Number>
+[[gnu::always_inline]] inline FacetReflection<Number> facet_reflection(const Facets<ScalarOf<Number>>& facets,
+                                                                       const Vector3<Number>& light,
+                                                                       const Vector3<Number>& viewer) {
+    const Vector3<Number> half{light.x + viewer.x, light.y + viewer.y, light.z + viewer.z};
+    Number length2;
+    dot(half, half, length2);
+    constexpr ScalarOf<Number> least = threshold<Number>(1e-18F, 1e-280);
+    length2 = length2 > least ? length2 : Number{} + least;
+    FacetReflection<Number> out;
+    Number length = length2;
+    square_root(length);
+    dot(viewer, half, out.cosine);
+    out.cosine /= length;
+    out.cosine = out.cosine > 0.0F ? out.cosine : Number{};
+    out.cosine = out.cosine < 1.0F ? out.cosine : Number{} + 1.0F;
+
+    Number from_light;
+    Number to_viewer;
+    visibility_over_cosine(facets, light, from_light);
+    visibility_over_cosine(facets, viewer, to_viewer);
+    density(facets, half, length2, out.scale);
+    out.scale *= 0.25F * from_light * to_viewer;
+    const auto above = (light.z > 0.0F) & (viewer.z > 0.0F);
+    out.scale = above ? out.scale : Number{};
+    out.rotations = rotations_from_s_frames(light, viewer);
+    return out;
+}
+
+/// in_rotated_frames() of the block, stored from lane `first` on: all columns, or the first one alone.
+template <class Number>
+[[gnu::always_inline]] inline void store_reflection(const FacetReflection<Number>& facet,
+                                                    const ReflectionBlock<Number>& block, std::size_t columns,
+                                                    std::size_t first, LaneMueller& out) {
+    in_rotated_frames(
+        facet.scale, block, facet.rotations,
+        columns, [&](std::size_t i, const Number& element) __attribute__((always_inline)) {
+            store_part<Number>(element, first, out.m[i]);
+        });
+}
 
 /// Density of facet normals at an angle from the macro normal given by its cosine, per steradian:
 /// the integral of D cos over the hemisphere is 1.
 [[nodiscard]] double facet_density(Distribution distribution, double alpha, double cos_facet);
-/// The same of facets with a roughness along x and one along y, at a unit normal in that frame.
+/// Density of facets with one roughness along x and one along y, at a unit normal in that frame.
 [[nodiscard]] double facet_density(Distribution distribution, const glm::dvec2& alpha,
                                    const glm::dvec3& facet);
 
 /// Fraction of facets visible from a direction at that angle from the normal (Smith's G1); 0 at and below the
 /// horizon. Exact for GGX; for Beckmann, Walter's rational fit, as in Mitsuba 3.
 [[nodiscard]] double facet_visibility(Distribution distribution, double alpha, double cos_view);
-/// The same from a unit direction: that of the roughness along its azimuth.
+/// The fraction visible from a unit direction of facets with one roughness along x and one along y.
 [[nodiscard]] double facet_visibility(Distribution distribution, const glm::dvec2& alpha,
                                       const glm::dvec3& view);
-
-/// D G / (4 cos cos), per steradian: reflection of facets whose normal is the half vector, without the
-/// Fresnel factor. Both directions above the horizon.
-[[nodiscard]] double facet_reflection(Distribution distribution, double alpha, const glm::dvec3& light,
-                                      const glm::dvec3& viewer, const glm::dvec3& half);
-[[nodiscard]] double facet_reflection(Distribution distribution, const glm::dvec2& alpha,
-                                      const glm::dvec3& light, const glm::dvec3& viewer,
-                                      const glm::dvec3& half);
 
 }  // namespace nicol

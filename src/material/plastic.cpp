@@ -2,16 +2,13 @@
 #include "material/plastic.hpp"
 
 #include <algorithm>
-#include <glm/geometric.hpp>
 #include <numbers>
 #include <string>
 #include <utility>
 
 #include "material/boundary_transmittance.hpp"
 #include "material/conductor.hpp"
-#include "material/frames.hpp"
 #include "material/key.hpp"
-#include "material/lane_facets.hpp"
 #include "material/microfacet.hpp"
 #include "material/reflectance.hpp"
 #include "material/textured.hpp"
@@ -21,7 +18,7 @@ namespace nicol {
 namespace {
 
 struct DepolarizingLanes {
-    LaneFacets facets;
+    Facets<float> facets;
     RelativeIndex<float> index;
     float base;              // scale
     const Lanes& in;         // transmittance
@@ -44,7 +41,7 @@ template <class Number>
         load_part(plastic.from_base, first, from_base);
         const auto above = (light.z > 0.0F) & (viewer.z > 0.0F);
         store_part<Number>(above ? plastic.base * in * from_base : Number{}, first, out[0].m[0]);
-        const LaneFacetReflection<Number> facet = facet_reflection(plastic.facets, light, viewer);
+        const FacetReflection<Number> facet = facet_reflection(plastic.facets, light, viewer);
         store_part<Number>(facet.scale * dielectric_reflection(facet.cosine, plastic.index).a, first,
                            out[1].m[0]);
     }
@@ -122,9 +119,9 @@ private:
 
     // Single reflection off the facets whose normal is the half vector.
     [[nodiscard]] double boundary(const glm::dvec3& light, const glm::dvec3& viewer) const {
-        const glm::dvec3 half = glm::normalize(light + viewer);
-        return facet_reflection(p_.distribution, p_.alpha.value, light, viewer, half) *
-               dielectric_reflection(std::min(1.0, glm::dot(viewer, half)), RelativeIndex<double>(eta_)).a;
+        const FacetReflection<double> facet =
+            facet_reflection({p_.distribution, p_.alpha.value}, components(light), components(viewer));
+        return facet.scale * dielectric_reflection(facet.cosine, RelativeIndex<double>(eta_)).a;
     }
 
     bool smooth_;

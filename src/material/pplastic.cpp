@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
 #include <numbers>
 #include <string>
 #include <utility>
 
 #include "material/frames.hpp"
 #include "material/key.hpp"
-#include "material/lane_facets.hpp"
 #include "material/material.hpp"
 #include "material/microfacet.hpp"
 #include "material/reflectance.hpp"
@@ -25,7 +23,7 @@ struct LanePlastic {
           index(eta),
           base(!black(p.diffuse_reflectance.values)),
           boundary(!black(p.specular_reflectance.values)) {}
-    LaneFacets facets;
+    Facets<float> facets;
     RelativeIndex<float> index;
     bool base, boundary;  // have weight
 };
@@ -44,7 +42,7 @@ template <class Number>
         load_part(towards_light, first, light);
         load_part(towards_viewer, first, viewer);
         if (plastic.boundary) {
-            const LaneFacetReflection<Number> facet = facet_reflection(plastic.facets, light, viewer);
+            const FacetReflection<Number> facet = facet_reflection(plastic.facets, light, viewer);
             store_reflection(facet, dielectric_reflection(facet.cosine, plastic.index), columns, first,
                              out[1]);
         }
@@ -122,11 +120,10 @@ private:
 
     // Single reflection off the facets whose normal is the half vector.
     [[nodiscard]] Mueller boundary(const glm::dvec3& light, const glm::dvec3& viewer) const {
-        const glm::dvec3 half = glm::normalize(light + viewer);
+        const FacetReflection<double> facet =
+            facet_reflection({p_.distribution, p_.alpha}, components(light), components(viewer));
         return in_rotated_frames(
-            facet_reflection(p_.distribution, p_.alpha.value, light, viewer, half),
-            dielectric_reflection(std::min(1.0, glm::dot(viewer, half)), RelativeIndex<double>(eta_)),
-            rotations_from_s_frames(light, viewer));
+            facet.scale, dielectric_reflection(facet.cosine, RelativeIndex<double>(eta_)), facet.rotations);
     }
 
     PplasticParameters p_;  // without textures

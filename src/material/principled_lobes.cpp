@@ -64,7 +64,8 @@ Values lobes(const PrincipledShape& k, const glm::dvec3& light, const glm::dvec3
         const double refracted2 = std::min(1.0, sine2 / (k.eta * k.eta));
         w = schlick(refracted2, std::sqrt(1 - refracted2));
     }
-    const double facets = facet_reflection(Distribution::ggx, k.alpha(), light, viewer, half);
+    const Facets<double> facet_shape{Distribution::ggx, k.alpha().x, k.alpha().y};
+    const double facets = facet_reflection(facet_shape, components(light), components(viewer)).scale;
     at(PrincipledLobe::metal) = (1 - w) * facets;
     at(PrincipledLobe::edge) = w * facets;
     at(PrincipledLobe::tinted) = k.normal_reflectance() * (1 - w) * facets;

@@ -35,6 +35,22 @@ MaterialPtr brushed(double alpha_u, double alpha_v, Distribution distribution = 
         {.eta = metal_index("Au"), .alpha = alpha_u, .alpha_v = alpha_v, .distribution = distribution});
 }
 
+/// Walter's formulas of the angle to the normal.
+double density(Distribution distribution, double alpha, double cosine) {
+    const double cos2 = cosine * cosine;
+    const double tan2 = (1 - cos2) / cos2;
+    if (distribution == Distribution::beckmann)
+        return std::exp(-tan2 / (alpha * alpha)) / (pi * alpha * alpha * cos2 * cos2);
+    return alpha * alpha / (pi * cos2 * cos2 * std::pow(alpha * alpha + tan2, 2));
+}
+
+double visibility(Distribution distribution, double alpha, double cosine) {
+    const double tangent = alpha * std::sqrt(1 - cosine * cosine) / cosine;
+    if (distribution == Distribution::ggx) return 2 / (1 + std::sqrt(1 + tangent * tangent));
+    const double a = 1 / tangent;
+    return a < 1.6 ? (3.535 * a + 2.181 * a * a) / (1 + 2.276 * a + 2.577 * a * a) : 1;
+}
+
 glm::dvec3 by_a_quarter(const glm::dvec3& d) {
     return {-d.y, d.x, d.z};
 }
@@ -61,7 +77,7 @@ TEST_CASE("anisotropic facets cover the surface, whatever direction it is seen f
     }
 }
 
-TEST_CASE("facets of the same roughness in both directions are the isotropic ones") {
+TEST_CASE("facets of the same roughness in both directions are the isotropic ones of Walter et al.") {
     std::mt19937 random(4);
     for (const Distribution distribution : kDistributions) {
         for (int i = 0; i < 500; ++i) {
@@ -69,9 +85,16 @@ TEST_CASE("facets of the same roughness in both directions are the isotropic one
             const glm::dvec3 light = random_direction_within(random, 1.55);
             const glm::dvec3 viewer = random_direction_within(random, 1.55);
             const glm::dvec3 half = glm::normalize(light + viewer);
-            const double expected = facet_reflection(distribution, alpha, light, viewer, half);
-            const double got = facet_reflection(distribution, glm::dvec2(alpha), light, viewer, half);
+            const double expected = density(distribution, alpha, half.z) *
+                                    visibility(distribution, alpha, light.z) *
+                                    visibility(distribution, alpha, viewer.z) / (4 * light.z * viewer.z);
+            const Facets<double> facets{distribution, alpha};
+            const double got = facet_reflection(facets, components(light), components(viewer)).scale;
             CHECK(std::abs(got - expected) <= 1e-12 * std::max(expected, 1.0));
+            CHECK(facet_density(distribution, alpha, half.z) ==
+                  Approx(density(distribution, alpha, half.z)).epsilon(1e-11));
+            CHECK(facet_visibility(distribution, alpha, light.z) ==
+                  Approx(visibility(distribution, alpha, light.z)).epsilon(1e-12));
         }
         CHECK(facet_density(distribution, glm::dvec2(0.2, 0.4), glm::dvec3(0.6, 0, -0.8)) == 0);
         CHECK(facet_visibility(distribution, glm::dvec2(0.2, 0.4), glm::dvec3(1, 0, 0)) == 0);
