@@ -2,22 +2,16 @@
 #include "material/principled_lobes.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <numbers>
+#include <array>
 #include <utility>
 
-#include "material/frames.hpp"
 #include "material/key.hpp"
-#include "material/lane_principled.hpp"
-#include "material/microfacet.hpp"
+#include "material/principled_values.hpp"
 #include "material/reflectance.hpp"
 #include "simd/dispatch.hpp"
 
 namespace nicol {
 namespace {
-
-using std::numbers::pi;
 
 /// Lobes of one width make one term.
 constexpr std::array<std::pair<PrincipledLobe, PrincipledLobe>, 3> kTermLobes = {
@@ -31,59 +25,8 @@ struct Term {
     glm::dvec2 widths;
 };
 
-/// Schlick's weight, (1 - cosine)^5, by the square of the sine: 1 - cosine without cancellation.
-double schlick(double sine2, double cosine) {
-    const double rest = sine2 / (1 + cosine);
-    return rest * rest * rest * rest * rest;
-}
-double schlick(const glm::dvec3& direction) {
-    return schlick(direction.x * direction.x + direction.y * direction.y, direction.z);
-}
-
-using Values = std::array<double, kPrincipledLobes>;
-
-Values lobes(const PrincipledShape& k, const glm::dvec3& light, const glm::dvec3& viewer) {
-    const double length = glm::length(light + viewer);
-    const glm::dvec3 half = (light + viewer) / length;
-    const double cosine = std::min(1.0, length / 2);
-    const double sine2 = glm::dot(light - viewer, light - viewer) / 4;
-    Values out{};
-    const auto at = [&](PrincipledLobe lobe) -> double& { return out[index(lobe)]; };
-
-    at(PrincipledLobe::sheen) = schlick(sine2, cosine);
-    const double in = schlick(light);
-    const double from = schlick(viewer);
-    const double grazing = 2 * k.roughness * cosine * cosine;
-    at(PrincipledLobe::diffuse) =
-        ((1 - in / 2) * (1 - from / 2) + grazing * (in + from + in * from * (grazing - 1))) / pi;
-    const double inside = (1 + (grazing / 2 - 1) * in) * (1 + (grazing / 2 - 1) * from);
-    at(PrincipledLobe::subsurface) = 1.25 / pi * (inside * (1 / (light.z + viewer.z) - 0.5) + 0.5);
-
-    double w = at(PrincipledLobe::sheen);
-    if (!(k.eta > 1)) {
-        const double refracted2 = std::min(1.0, sine2 / (k.eta * k.eta));
-        w = schlick(refracted2, std::sqrt(1 - refracted2));
-    }
-    const Facets<double> facet_shape{Distribution::ggx, k.alpha().x, k.alpha().y};
-    const double facets = facet_reflection(facet_shape, components(light), components(viewer)).scale;
-    at(PrincipledLobe::metal) = (1 - w) * facets;
-    at(PrincipledLobe::edge) = w * facets;
-    at(PrincipledLobe::tinted) = k.normal_reflectance() * (1 - w) * facets;
-    at(PrincipledLobe::dielectric) = dielectric_reflection(cosine, RelativeIndex<double>(k.eta)).a * facets;
-
-    const auto visible = [](const glm::dvec3& direction) {
-        return facet_visibility(Distribution::ggx, kCoatShadowing, direction.z);
-    };
-    const double coat_alpha2 = k.coat_alpha() * k.coat_alpha();
-    const double coat =
-        (coat_alpha2 - 1) / std::log(coat_alpha2) / (4 * pi) / (1 + (coat_alpha2 - 1) * half.z * half.z);
-    at(PrincipledLobe::clearcoat) =
-        (kCoatReflectance + (1 - kCoatReflectance) * w) * coat * visible(light) * visible(viewer);
-    return out;
-}
-
 template <class Number>
-[[gnu::always_inline]] inline void reflect_principled(const LanePrincipled& constants,
+[[gnu::always_inline]] inline void reflect_principled(const PrincipledConstants<float>& constants,
                                                       const std::vector<Term>& terms,
                                                       const LaneVectors& towards_light,
                                                       const LaneVectors& towards_viewer, LaneMueller* out) {
@@ -93,7 +36,7 @@ template <class Number>
         Vector3<Number> viewer;
         load_part(towards_light, first, light);
         load_part(towards_viewer, first, viewer);
-        const LaneLobes<Number> values = lane_lobes(constants, light, viewer);
+        const PrincipledValues<Number> values = principled_values(constants, light, viewer);
         for (std::size_t t = 0; t < terms.size(); ++t) {
             Number sum{};
             for (std::size_t i = 0; i < kPrincipledLobes; ++i)
@@ -106,7 +49,7 @@ template <class Number>
 class PrincipledLobes final : public Material {
 public:
     PrincipledLobes(const PrincipledShape& shape, std::vector<double> color, const PrincipledMix& mix)
-        : shape_(shape), lanes_(shape), color_(std::move(color)) {
+        : shape_(shape), doubles_(shape), lanes_(shape), color_(std::move(color)) {
         const glm::dvec2 widths[] = {glm::dvec2(1), shape.alpha(), glm::dvec2(shape.coat_alpha())};
         for (std::size_t i = 0; i < kTermLobes.size(); ++i) {
             for (const bool colored : {true, false}) {
@@ -157,7 +100,7 @@ public:
     [[nodiscard]] Mueller evaluate(int term, const glm::dvec3& towards_light,
                                    const glm::dvec3& towards_viewer) const override {
         if (towards_light.z <= 0 || towards_viewer.z <= 0) return {};
-        return sum(at(term), lobes(shape_, towards_light, towards_viewer));
+        return sum(at(term), values(towards_light, towards_viewer));
     }
     void evaluate_terms(const glm::dvec3& towards_light, const glm::dvec3& towards_viewer,
                         std::span<Mueller> out) const override {
@@ -165,8 +108,8 @@ public:
             std::fill(out.begin(), out.end(), Mueller{});
             return;
         }
-        const Values values = lobes(shape_, towards_light, towards_viewer);
-        for (std::size_t t = 0; t < terms_.size(); ++t) out[t] = sum(terms_[t], values);
+        const PrincipledValues<double> all = values(towards_light, towards_viewer);
+        for (std::size_t t = 0; t < terms_.size(); ++t) out[t] = sum(terms_[t], all);
     }
     void evaluate_lanes(const LaneVectors& towards_light, const LaneVectors& towards_viewer, std::size_t,
                         std::span<LaneMueller> out) const override {
@@ -176,14 +119,18 @@ public:
 
 private:
     [[nodiscard]] const Term& at(int term) const { return terms_[static_cast<std::size_t>(term)]; }
-    static Mueller sum(const Term& term, const Values& values) {
+    [[nodiscard]] PrincipledValues<double> values(const glm::dvec3& light, const glm::dvec3& viewer) const {
+        return principled_values(doubles_, components(light), components(viewer));
+    }
+    static Mueller sum(const Term& term, const PrincipledValues<double>& values) {
         Mueller m;
-        for (std::size_t i = 0; i < kPrincipledLobes; ++i) m(0, 0) += term.amounts[i] * values[i];
+        for (std::size_t i = 0; i < kPrincipledLobes; ++i) m(0, 0) += term.amounts[i] * values.of[i];
         return m;
     }
 
     PrincipledShape shape_;
-    LanePrincipled lanes_;
+    PrincipledConstants<double> doubles_;
+    PrincipledConstants<float> lanes_;
     std::vector<double> color_;
     std::vector<Term> terms_;
     std::unique_ptr<const PrincipledLobes> isotropic_;  // null: it is so itself

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The lobes of principled_lobes.hpp at sixteen pairs of directions, in single precision.
+// The values of the lobes of principled_lobes.hpp, written once for single numbers and for vectors of lanes.
 #pragma once
 
 #include <cmath>
@@ -10,31 +10,32 @@
 
 namespace nicol {
 
-/// PrincipledShape and what follows from it.
-struct LanePrincipled {
-    explicit LanePrincipled(const PrincipledShape& k)
-        : roughness(static_cast<float>(k.roughness)),
+/// PrincipledShape and the constants that follow from it. Real: float or double.
+template <class Real>
+struct PrincipledConstants {
+    explicit PrincipledConstants(const PrincipledShape& k)
+        : roughness(static_cast<Real>(k.roughness)),
           index(k.eta),
           refracts_away(!(k.eta > 1)),
-          inverse_square(static_cast<float>(1 / (k.eta * k.eta))),
-          facets{Distribution::ggx, static_cast<float>(k.alpha().x), static_cast<float>(k.alpha().y)},
-          normal_reflectance(static_cast<float>(k.normal_reflectance())),
-          coat_alpha2(static_cast<float>(k.coat_alpha() * k.coat_alpha())),
-          coat_scale((coat_alpha2 - 1) / (4 * std::numbers::pi_v<float> * std::log(coat_alpha2))) {}
+          inverse_square(static_cast<Real>(1 / (k.eta * k.eta))),
+          facets{Distribution::ggx, static_cast<Real>(k.alpha().x), static_cast<Real>(k.alpha().y)},
+          normal_reflectance(static_cast<Real>(k.normal_reflectance())),
+          coat_alpha2(static_cast<Real>(k.coat_alpha() * k.coat_alpha())),
+          coat_scale((coat_alpha2 - 1) / (4 * std::numbers::pi_v<Real> * std::log(coat_alpha2))) {}
 
-    float roughness;
-    RelativeIndex<float> index;
-    bool refracts_away;    ///< from the normal: eta is at most 1
-    float inverse_square;  ///< of eta
-    Facets<float> facets;
-    float normal_reflectance;
-    float coat_alpha2;
-    float coat_scale;
+    Real roughness;
+    RelativeIndex<Real> index;
+    bool refracts_away;   ///< from the normal: eta is at most 1
+    Real inverse_square;  ///< 1 / eta^2
+    Facets<Real> facets;
+    Real normal_reflectance;
+    Real coat_alpha2;
+    Real coat_scale;
 };
 
 /// The value of each lobe.
 template <class Number>
-struct LaneLobes {
+struct PrincipledValues {
     Number of[kPrincipledLobes];
 };
 
@@ -44,7 +45,7 @@ template <class Number>
     x *= square * square;
 }
 
-/// Schlick's weight of the angle to the normal.
+/// Schlick's weight (1 - c)^5 of a direction, c the cosine of its angle to the normal.
 template <class Number>
 [[gnu::always_inline]] inline void schlick(const Vector3<Number>& direction, Number& weight) {
     const Number cosine = direction.z > 0.0F ? direction.z : Number{};
@@ -52,18 +53,20 @@ template <class Number>
     to_fifth_power(weight);
 }
 
-/// All of them, 0 where a direction lies below the horizon. Differences from 1 without cancellation.
+/// All lobes, 0 where a direction lies below the horizon. Differences from 1 are computed without
+/// cancellation.
 template <class Number>
-[[gnu::always_inline]] inline LaneLobes<Number> lane_lobes(const LanePrincipled& k,
-                                                           const Vector3<Number>& light,
-                                                           const Vector3<Number>& viewer) {
-    constexpr float inverse_pi = 1 / std::numbers::pi_v<float>;
+[[gnu::always_inline]] inline PrincipledValues<Number> principled_values(
+    const PrincipledConstants<ScalarOf<Number>>& k, const Vector3<Number>& light,
+    const Vector3<Number>& viewer) {
+    constexpr ScalarOf<Number> inverse_pi = 1 / std::numbers::pi_v<ScalarOf<Number>>;
     const auto above = (light.z > 0.0F) & (viewer.z > 0.0F);
     const Vector3<Number> half{light.x + viewer.x, light.y + viewer.y, light.z + viewer.z};
     const Vector3<Number> difference{light.x - viewer.x, light.y - viewer.y, light.z - viewer.z};
     Number length2;
     dot(half, half, length2);
-    length2 = length2 > 1e-18F ? length2 : Number{} + 1e-18F;
+    constexpr ScalarOf<Number> least = threshold<Number>(1e-18F, 1e-280);
+    length2 = length2 > least ? length2 : Number{} + least;
     Number cosine = 0.25F * length2;
     square_root(cosine);
     cosine = cosine < 1.0F ? cosine : Number{} + 1.0F;
@@ -71,7 +74,7 @@ template <class Number>
     dot(difference, difference, sine2);
     sine2 *= 0.25F;
 
-    LaneLobes<Number> out;
+    PrincipledValues<Number> out;
     Number in;
     Number from;
     schlick(light, in);
@@ -107,8 +110,8 @@ template <class Number>
     out.of[index(PrincipledLobe::tinted)] = k.normal_reflectance * (1.0F - w) * scale;
     out.of[index(PrincipledLobe::dielectric)] = dielectric_reflection(cosine, k.index).a * scale;
 
-    constexpr auto reflectance = static_cast<float>(kCoatReflectance);
-    constexpr Facets<float> hidden{Distribution::ggx, static_cast<float>(kCoatShadowing)};
+    constexpr ScalarOf<Number> reflectance = constant<Number>(kCoatReflectance);
+    constexpr Facets<ScalarOf<Number>> hidden{Distribution::ggx, constant<Number>(kCoatShadowing)};
     visibility_over_cosine(hidden, light, from_light);
     visibility_over_cosine(hidden, viewer, to_viewer);
     const Number rho2 = half.x * half.x + half.y * half.y;
