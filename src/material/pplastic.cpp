@@ -121,7 +121,7 @@ private:
     // Single reflection off the facets whose normal is the half vector.
     [[nodiscard]] Mueller boundary(const glm::dvec3& light, const glm::dvec3& viewer) const {
         const FacetReflection<double> facet =
-            facet_reflection({p_.distribution, p_.alpha}, components(light), components(viewer));
+            facet_reflection({p_.distribution, p_.alpha.value}, components(light), components(viewer));
         return in_rotated_frames(
             facet.scale, dielectric_reflection(facet.cosine, RelativeIndex<double>(eta_)), facet.rotations);
     }

@@ -36,7 +36,7 @@ TEST_CASE("a perspective camera puts the edge of its horizontal field of view at
     CHECK(in_image(p, {1, 3, 1}).y == Approx(1));  // the height is half the width
     CHECK(in_image(p, {-1, 2, 1}).x == Approx(-1));
     CHECK(in_image(p, {1, 2, 2.5}).z == Approx(1));  // at the near clip
-    CHECK(in_image(p, {1, 2, -97}).z == Approx(0));   // at the far clip
+    CHECK(in_image(p, {1, 2, -97}).z == Approx(0));  // at the far clip
     CHECK(p.half_width == Approx(1));
     CHECK(p.half_height == Approx(0.5));
     CHECK(glm::distance(p.view.right, glm::dvec3(1, 0, 0)) < 1e-15);

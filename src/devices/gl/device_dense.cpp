@@ -33,8 +33,8 @@ void DeviceDense::copy(const DenseMethod& method, int light_channels) {
         const std::size_t coefficients = outgoing.size();
         const gl::Limits& limits = context_->limits();
         const std::size_t step = std::max<std::size_t>(
-            1, std::min({DeviceLight::most_vertices(*context_,
-                                                    std::max(coefficients, DeviceRotation::work_space(outgoing))),
+            1, std::min({DeviceLight::most_vertices(
+                             *context_, std::max(coefficients, DeviceRotation::work_space(outgoing))),
                          limits.storage_bytes / (transfer.vertex_stride() * sizeof(float)),
                          limits.groups[0] * gl::kGroupOfVertices / transfer.row_stride()}));
         for (std::size_t first = 0; first < transfer.vertices(); first += step) {
