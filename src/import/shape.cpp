@@ -11,18 +11,19 @@
 namespace nicol::scene {
 namespace {
 
-using Kind = ShapeDescription::Kind;
+using ShapeKind = ShapeDescription::Kind;
 
 struct KindName {
     std::string_view name;
-    Kind kind;
+    ShapeKind kind;
 };
-constexpr std::array kKindNames = {KindName{"sphere", Kind::sphere}, KindName{"rectangle", Kind::rectangle},
-                                   KindName{"cube", Kind::cube}, KindName{"disk", Kind::disk},
-                                   KindName{"cylinder", Kind::cylinder}};
+constexpr std::array kKindNames = {KindName{"sphere", ShapeKind::sphere},
+                                   KindName{"rectangle", ShapeKind::rectangle},
+                                   KindName{"cube", ShapeKind::cube}, KindName{"disk", ShapeKind::disk},
+                                   KindName{"cylinder", ShapeKind::cylinder}};
 
-Kind kind_of(const Plugin& plugin) {
-    if (is_mesh_format(plugin.type())) return Kind::file;
+ShapeKind kind_of(const Plugin& plugin) {
+    if (is_mesh_format(plugin.type())) return ShapeKind::file;
     const auto* const kind = std::ranges::find(kKindNames, std::string_view(plugin.type()), &KindName::name);
     if (kind != kKindNames.end()) return kind->kind;
     std::string names = mesh_format_names();
@@ -51,12 +52,12 @@ ShapeDescription read_shape(const XmlDocument& document, pugi::xml_node node, No
     ShapeDescription shape;
     shape.kind = kind_of(plugin);
     shape.id = plugin.id();
-    if (shape.kind == Kind::file) {
+    if (shape.kind == ShapeKind::file) {
         read_mesh(plugin, shape);
-    } else if (shape.kind == Kind::sphere) {
+    } else if (shape.kind == ShapeKind::sphere) {
         shape.center = plugin.vector("center", shape.center);
         shape.radius = plugin.number("radius", shape.radius, 0.0, kNoLimit, true);
-    } else if (shape.kind == Kind::cylinder) {
+    } else if (shape.kind == ShapeKind::cylinder) {
         shape.p0 = plugin.vector("p0", shape.p0);
         shape.p1 = plugin.vector("p1", shape.p1);
         if (shape.p0 == shape.p1) plugin.fail("p1", "is p0; expected two points that differ");
