@@ -329,9 +329,9 @@ TEST_CASE("what rays meet of a light adds up to what its places shed") {
     const std::vector<std::array<glm::vec2, 3>> texcoords{{{{0, 0}, {1, 1}, {1, 0}}},
                                                           {{{0, 0}, {0, 1}, {1, 1}}}};
     Triangles sphere;
-    const Mesh sphere = make_sphere({0.2, 0.1, 3}, 0.8);
-    for (const glm::uvec3& t : sphere.triangles)
-        sphere.push_back({sphere.positions[t.x], sphere.positions[t.y], sphere.positions[t.z]});
+    const Mesh ball = make_sphere({0.2, 0.1, 3}, 0.8);
+    for (const glm::uvec3& t : ball.triangles)
+        sphere.push_back({ball.positions[t.x], ball.positions[t.y], ball.positions[t.z]});
     std::vector<float> pixels;
     for (int i = 0; i < 15; ++i) {
         const float s0 = i % 4 == 0 ? 0.0F : static_cast<float>(i);
