@@ -11,7 +11,7 @@ import unittest
 PROGRAM = os.path.abspath(sys.argv.pop(1))
 
 
-def run(folder, *arguments, timeout=120, **environment):
+def run(folder, *arguments, timeout=500, **environment):
     """Runs the program in this folder, with these variables added to those of the test, and returns its result."""
     return subprocess.run(
         [PROGRAM, *arguments],
