@@ -4,6 +4,7 @@
 #include <atomic>
 #include <new>
 
+#include "devices/cpu/cpu_executor.hpp"
 #include "render/scenes.hpp"
 #include "test.hpp"
 

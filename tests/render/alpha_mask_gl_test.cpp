@@ -80,7 +80,6 @@ int differing(const StokesImage& a, const StokesImage& b, float tolerance) {
 }  // namespace
 
 IMAGE_TEST_CASE("a surface that is cut out looks and hides like a mesh without those parts") {
-    const bool device = GlExecutor::obstacle(*context).empty();
     const struct {
         const char* name;
         MaterialPtr plain;
@@ -90,7 +89,6 @@ IMAGE_TEST_CASE("a surface that is cut out looks and hides like a mesh without t
     for (const auto& row : rows)
         for (const Executor executor : {Executor::cpu, Executor::compute})
             for (const int samples : {1, 4}) {
-                if (executor == Executor::compute && !device) continue;
                 CAPTURE(row.name);
                 CAPTURE(samples);
                 const Scene cut = board_over(board(true), masked(row.plain, opacity(row.channels)));

@@ -33,7 +33,7 @@ TEST_CASE("lamps are split off for the factored method, as many as the options a
         CAPTURES(static_cast<int>(method), most);
         const RenderOptions options{.method = method, .split_lights = most};
         split.update(light, options, statistics);
-        CHECK(split.lamps().size() == expected);
+        CHECK(split.extracted_lights().size() == expected);
         CHECK(statistics.lights_split == expected);
         CHECK((split.rest() == light) == (expected == 0));
 
@@ -46,7 +46,7 @@ TEST_CASE("lamps are split off for the factored method, as many as the options a
     }
     split.update(nullptr, {.split_lights = 64}, statistics);
     CHECK(split.rest() == nullptr);
-    CHECK(split.lamps().empty());
+    CHECK(split.extracted_lights().empty());
 }
 
 TEST_CASE("without lamps a tolerance is reached with fewer orders, relative to all light") {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Tests of orders chosen for a tolerance, and of the resulting error.
 #include "render/order_selector.hpp"
+#include "devices/cpu/cpu_executor.hpp"
 
 #include "render/memory_estimate.hpp"
 #include "render/scenes.hpp"
