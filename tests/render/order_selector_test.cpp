@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Tests of orders chosen for a tolerance, and of the resulting error.
 #include "render/order_selector.hpp"
-#include "devices/cpu/cpu_executor.hpp"
 
+#include "devices/cpu/cpu_executor.hpp"
 #include "render/memory_estimate.hpp"
 #include "render/scenes.hpp"
 #include "test.hpp"
