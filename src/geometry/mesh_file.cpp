@@ -48,8 +48,13 @@ const Format* find_format(const std::filesystem::path& file) {
 
 const Format& format_of(const std::filesystem::path& file) {
     if (const Format* const format = find_format(file)) return *format;
-    throw Error(ErrorCode::unsupported, file.string() + ": unknown kind of mesh \"" + suffix_of(file) +
-                                            "\"; expected one of " + mesh_format_names());
+    std::string suffixes;
+    for (const Format& format : kFormats) {
+        const bool last = &format == &kFormats.back();
+        suffixes += (suffixes.empty() ? "." : last ? " or ." : ", .") + std::string(format.name);
+    }
+    throw Error(ErrorCode::unsupported,
+                file.string() + ": unknown kind of mesh \"" + suffix_of(file) + "\"; expected " + suffixes);
 }
 
 }  // namespace
