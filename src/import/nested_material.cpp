@@ -24,6 +24,7 @@ std::vector<MaterialDescription> read_parts(const MaterialSource& source, std::s
         source.plugin.fail(
             "", "has " + std::to_string(parts.size()) + " bsdfs inside; expected " + std::to_string(count));
     std::vector<MaterialDescription> out;
+    out.reserve(parts.size());
     for (const NestedObject& part : parts)
         out.push_back(read_material(source.document, part.node, source.notices, source.left));
     return out;
