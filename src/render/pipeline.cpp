@@ -85,7 +85,8 @@ void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderO
 
     // First half of bake, because the choice of orders may depend on it.
     surfaces_.update(scene);
-    visibility_.update(surfaces_, rays_, scene.environment() != nullptr, given, run.workers, run.progress,
+    SurfaceRays rays(surfaces_);
+    visibility_.update(surfaces_, rays, scene.environment() != nullptr, given, run.workers, run.progress,
                        run.statistics);
     const SurfaceState surfaces = visibility_.state();
 
@@ -96,8 +97,9 @@ void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderO
     const glm::dmat3 light_to_geometry =
         glm::transpose(glm::dmat3(surfaces_.to_world())) * scene.light_rotation();
     light_.update(split_.rest(), scene.light_scale(), options, light_to_geometry, run.statistics);
-    local_lights_.update(scene, {split_.extracted_lights(), light_to_geometry}, surfaces_,
-                         visibility_.surfaces(), rays_, options, run.statistics);
+    local_lights_.update(scene, {split_.extracted_lights(), light_to_geometry}, visibility_.surfaces(), rays,
+                         options, run.statistics);
+    rays.release();
     pixels_ =
         options.shade_at == ShadeAt::pixels ||
         (options.shade_at == ShadeAt::automatic &&

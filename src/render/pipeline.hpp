@@ -24,7 +24,6 @@
 #include "stage/options.hpp"
 #include "surfaces/local_lights.hpp"
 #include "surfaces/scene_geometry.hpp"
-#include "surfaces/surface_rays.hpp"
 #include "surfaces/vertex_stage.hpp"
 
 namespace nicol {
@@ -67,7 +66,6 @@ private:
     void count(const TransferInput& input, const DistantLight& distant, Statistics& statistics) const;
 
     SceneGeometry surfaces_;
-    SurfaceRays rays_;
     SceneVisibility visibility_;
     LightSplit split_;
     OrderSelector selector_;

@@ -16,7 +16,7 @@ BakeGeometry bake_geometry(const SceneGeometry& surfaces, SurfaceRays& rays) {
             .normals = world.normals,
             .triangles = world.triangles,
             .present = presence_of(world),
-            .rays = [&] { return rays.of(surfaces); }};
+            .rays = [&rays] { return rays.get(); }};
 }
 
 void count_bake(const BakeStatistics& baked, const Stopwatch& watch, Statistics& statistics) {

@@ -31,13 +31,12 @@ EmissiveSurface emissive_surface(const Instance& instance, std::uint32_t id, con
 
 }  // namespace
 
-void LocalLights::update(const Scene& scene, const ExtractedLights& split, const SceneGeometry& unrefined,
-                         const RefinedSurfaces& surfaces, SurfaceRays& rays, const RenderOptions& options,
-                         Statistics& statistics) {
+void LocalLights::update(const Scene& scene, const ExtractedLights& split, const RefinedSurfaces& surfaces,
+                         SurfaceRays& rays, const RenderOptions& options, Statistics& statistics) {
     const bool lit = scene.has_local_lights() || !split.extracted_lights.empty();
     const bool shadows = options.shadows && lit;
-    tracing_.run(unrefined.version(), surfaces.version(), shadows, [&] {
-        rays_.change() = shadows ? rays.of(unrefined) : nullptr;
+    tracing_.run(surfaces.version(), shadows, [&] {
+        rays_.change() = shadows ? rays.get() : nullptr;
         vertex_origins_.clear();
         if (!shadows) return;
         const WorldGeometry& geometry = surfaces.geometry();
@@ -46,7 +45,6 @@ void LocalLights::update(const Scene& scene, const ExtractedLights& split, const
             {.positions = geometry.positions, .normals = geometry.normals, .triangles = geometry.triangles},
             geometry.normals);
     });
-    if (!shadows) rays.clear();
     materials_.run(surfaces.version(), surfaces.material_version(), [&] {
         vertex_tangents_ = nicol::vertex_tangents(surfaces.geometry());
         mirrors_ = std::ranges::any_of(surfaces.geometry().ranges, [](const VertexRange& range) {

@@ -31,11 +31,9 @@ public:
         const std::vector<std::shared_ptr<const ExtractedLight>>& extracted_lights;
         const glm::dmat3& rotation;
     };
-    /// Takes over changes of the scene and the surfaces. `surfaces` is the refinement of `unrefined`, and
-    /// `rays` belongs to `unrefined`. Clears `rays` if no local light casts a shadow.
-    void update(const Scene& scene, const ExtractedLights& split, const SceneGeometry& unrefined,
-                const RefinedSurfaces& surfaces, SurfaceRays& rays, const RenderOptions& options,
-                Statistics& statistics);
+    /// Takes over changes of the scene and the surfaces. rays: of the surfaces before their refinement.
+    void update(const Scene& scene, const ExtractedLights& split, const RefinedSurfaces& surfaces,
+                SurfaceRays& rays, const RenderOptions& options, Statistics& statistics);
 
     /// Returns a version that changes whenever the lighting changes.
     [[nodiscard]] Version version() const noexcept { return lighting_.version(); }
@@ -58,7 +56,7 @@ private:
     [[nodiscard]] std::vector<LightSourcePtr> make_sources(const Scene& scene, const ExtractedLights& split,
                                                            const glm::dmat4& to_world);
 
-    Stage<Version, Version, bool> tracing_;  // surfaces, their refinement, whether anything casts shadows
+    Stage<Version, bool> tracing_;  // vertices and triangles, whether anything casts shadows
     Versioned<std::shared_ptr<const RayScene>> rays_;
     float offset_ = 0;
     std::vector<glm::vec3> vertex_origins_;

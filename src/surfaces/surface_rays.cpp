@@ -2,25 +2,34 @@
 #include "surfaces/surface_rays.hpp"
 
 #include <span>
+#include <utility>
 
 namespace nicol {
+namespace {
 
-std::shared_ptr<const RayScene> SurfaceRays::of(const SceneGeometry& surfaces) {
-    building_.run(surfaces.version(), [&] {
-        clear();
-        geometry_ = surfaces.shared_geometry();
-        const RaySurface surface{.positions = geometry_->positions,
-                                 .triangles = geometry_->triangles,
-                                 .present = presence_of(*geometry_)};
-        rays_ = std::make_shared<const RayScene>(std::span(&surface, 1));
-    });
-    return rays_;
+RayScene rays_of(const WorldGeometry& geometry) {
+    const RaySurface surface{
+        .positions = geometry.positions, .triangles = geometry.triangles, .present = presence_of(geometry)};
+    return RayScene(std::span(&surface, 1));
 }
 
-void SurfaceRays::clear() noexcept {
-    building_.reset();
-    rays_.reset();
-    geometry_.reset();
+/// A hierarchy and the geometry that its alpha masks refer to.
+struct KeptRays {
+    explicit KeptRays(std::shared_ptr<const WorldGeometry> of)
+        : geometry(std::move(of)), rays(rays_of(*geometry)) {}
+
+    std::shared_ptr<const WorldGeometry> geometry;
+    RayScene rays;
+};
+
+}  // namespace
+
+std::shared_ptr<const RayScene> SurfaceRays::get() {
+    if (rays_ == nullptr) {
+        const auto kept = std::make_shared<const KeptRays>(surfaces_.shared_geometry());
+        rays_ = {kept, &kept->rays};
+    }
+    return rays_;
 }
 
 }  // namespace nicol

@@ -2,28 +2,28 @@
 // Ray hierarchy of a scene's surfaces, shared by bake, refinement and local lights.
 #pragma once
 
-#include <cstdint>
 #include <memory>
 
 #include "geometry/ray_scene.hpp"
 #include "surfaces/scene_geometry.hpp"
-#include "versioned.hpp"
 
 namespace nicol {
 
-/// Ray hierarchy, built once per version of the geometry, when it is first requested. A refinement divides
-/// triangles and moves none, so the hierarchy of the unrefined surfaces also serves their refinement.
+/// Builds the hierarchy of the surfaces' triangles, in their axes, when it is first asked for. A refinement
+/// divides triangles and moves none, so the hierarchy of the surfaces as given serves it too. The object
+/// belongs to one render; its users keep the hierarchy as long as they need it.
 class SurfaceRays {
 public:
-    /// Returns the hierarchy of the surfaces' triangles, in the surfaces' axes. Throws the errors of
-    /// RayScene.
-    [[nodiscard]] std::shared_ptr<const RayScene> of(const SceneGeometry& surfaces);
-    /// Releases the hierarchy. Its memory is freed once the last user releases it, too.
-    void clear() noexcept;
+    /// The surfaces must outlive the object and stay unchanged.
+    explicit SurfaceRays(const SceneGeometry& surfaces) : surfaces_(surfaces) {}
+
+    /// Returns the hierarchy, which keeps its geometry alive. Throws what RayScene throws.
+    [[nodiscard]] std::shared_ptr<const RayScene> get();
+    /// Gives the memory back unless a user keeps the hierarchy.
+    void release() noexcept { rays_.reset(); }
 
 private:
-    std::shared_ptr<const WorldGeometry> geometry_;  // presence_of() refers to it
-    Stage<Version> building_;
+    const SceneGeometry& surfaces_;
     std::shared_ptr<const RayScene> rays_;
 };
 

@@ -55,6 +55,7 @@ Scene ball_on_floor(const MaterialPtr& material, bool mirrored) {
 struct Surfaces {
     void update(const Scene& scene, double tolerance) {
         geometry.update(scene);
+        SurfaceRays rays(geometry);
         visibility.update(geometry, rays, true,
                           {.bake_directions = 512, .refine_tolerance = tolerance, .max_vertices = 4096},
                           workers, progress, statistics);
@@ -62,7 +63,6 @@ struct Surfaces {
     [[nodiscard]] const WorldGeometry& world() const { return visibility.surfaces().geometry(); }
 
     SceneGeometry geometry;
-    SurfaceRays rays;
     SceneVisibility visibility;
     Workers workers{2};
     Progress::Callback nobody;
