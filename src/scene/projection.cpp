@@ -113,8 +113,9 @@ Projection project(const Camera& camera, int width, int height) {
         p.half_height = p.half_width / aspect;
         clip[0][0] = 1 / p.half_width;
         clip[1][1] = 1 / p.half_height;
-        clip[2][2] = std::isfinite(far) ? near / (far - near) : 0;
-        clip[3][2] = std::isfinite(far) ? far * near / (far - near) : near;
+        const double ratio = near / far;  // 0 without a far plane
+        clip[2][2] = ratio / (1 - ratio);
+        clip[3][2] = near / (1 - ratio);
         clip[2][3] = -1;
     }
     p.world_to_clip = clip * world_to_eye;
