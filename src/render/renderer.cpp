@@ -138,9 +138,8 @@ Renderer::Renderer(std::shared_ptr<gl::Context> context, int threads)
 
 RenderExecutor& Renderer::executor_for(const RenderOptions& options) {
     const Device& device = device_for(options.executor, *context_);
-    if (device_ != &device) {
+    if (executor_ == nullptr || device_ != &device) {
         executor_.reset();  // frees the data of the former executor as well
-        device_ = nullptr;
         executor_ = device.make(context_, buffers_);
         device_ = &device;
     }
