@@ -47,9 +47,8 @@ MaterialDescription read_dielectric(const MaterialSource& source) {
 }
 
 MaterialDescription read_null(const MaterialSource&) {
-    TextureSpecification nothing;
-    nothing.color0 = 0.0;
-    return MaskModel(DiffuseModel(), std::make_shared<const TextureSpecification>(std::move(nothing)));
+    return MaskModel(DiffuseModel(),
+                     std::make_shared<const TextureSpecification>(constant_specification(0.0)));
 }
 
 }  // namespace nicol::scene

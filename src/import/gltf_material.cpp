@@ -27,12 +27,6 @@ TextureSpecificationPtr shared(TextureSpecification texture) {
     return std::make_shared<const TextureSpecification>(std::move(texture));
 }
 
-TextureSpecification constant(const ColorDescription& value) {
-    TextureSpecification out;
-    out.color0 = value;
-    return out;
-}
-
 class MaterialReader {
 public:
     MaterialReader(const GltfDocument& document, const GltfSurface& surface,
@@ -80,7 +74,7 @@ private:
         return value;
     }
 
-    /// Of all textures; leaves them out where the primitive lacks it.
+    /// Returns the set that all textures take. Leaves the textures out if the primitive lacks that set.
     int texcoord_set() {
         std::optional<int> set;
         for (const GltfTextureUse* use : {&base_, &metallic_roughness_, &normal_}) {
@@ -116,13 +110,13 @@ private:
         const glm::dvec3 factor(base_factor());
         std::optional<TextureSpecification> image = texture(base_);
         if (!image && !surface_.colors) return factor;
-        TextureSpecification out = image ? std::move(*image) : constant(factor);
+        TextureSpecification out = image ? std::move(*image) : constant_specification(factor);
         if (image) out.factor = factor;
         if (surface_.colors) out.times_colors_of = ColorsOf::vertices;
         return shared(std::move(out));
     }
 
-    /// Where it is 0.5 or more there is a surface. None where there is one everywhere.
+    /// Returns a texture that is 0.5 or more where the surface is present; none if it is present everywhere.
     [[nodiscard]] std::optional<TextureSpecification> coverage() {
         if (material_.alphaMode == "OPAQUE") return std::nullopt;
         const bool masks = material_.alphaMode == "MASK";
@@ -137,7 +131,7 @@ private:
             return image;
         }
         if (factor >= 0.5) return std::nullopt;
-        return constant(factor);
+        return constant_specification(factor);
     }
 
     /// Plastic and metal, weighted by how metallic the surface is.
@@ -154,7 +148,7 @@ private:
         } else if (metallic == 1) {
             return metal();
         } else {
-            weight = constant(metallic);
+            weight = constant_specification(metallic);
         }
         return BlendModel{plastic(), metal(), shared(std::move(*weight))};
     }
@@ -162,7 +156,7 @@ private:
     [[nodiscard]] MaterialDescription plastic() {
         using P = PplasticParameters;
         ModelOf<P> out(pplastic);
-        set_facets(out);
+        set_facets(facets(), out);
         out.set(&P::diffuse_reflectance, base_color());
         out.set(&P::specular_reflectance, 1.0);
         out.parameters.int_ior = index_of_refraction();
@@ -173,7 +167,7 @@ private:
     /// A mirror times a colour that varies; of one colour, a metal that has it.
     [[nodiscard]] MaterialDescription metal() {
         MetalModel out;
-        set_facets(out);
+        set_facets(facets(), out);
         const TexturedColor color = base_color();
         out.set(&RoughConductorParameters::specular_reflectance, color.texture ? color : 1.0);
         if (!color.texture) {
@@ -183,19 +177,18 @@ private:
         return out;
     }
 
-    template <class P>
-    void set_facets(LateParameters<P>& out) {
+    [[nodiscard]] FacetDescription facets() {
         const double roughness = in_unit(pbr_.roughnessFactor, "roughnessFactor");
-        out.parameters.distribution = Distribution::ggx;
-        TexturedNumber alpha = std::max(roughness * roughness, 0.001);
+        FacetDescription out{.distribution = Distribution::ggx,
+                             .alpha = std::max(roughness * roughness, 0.001)};
         if (auto image = texture(metallic_roughness_)) {
             image->raw = true;
             image->part = Part::green;
             image->factor = glm::dvec3(roughness);
             image->squared = true;
-            alpha.texture = shared(std::move(*image));
+            out.alpha.texture = shared(std::move(*image));
         }
-        out.set(&P::alpha, alpha);
+        return out;
     }
 
     /// The index 1 - ik of a metal that reflects `reflectance` at normal incidence, k^2 / (4 + k^2). Real

@@ -49,4 +49,17 @@ private:
     Make make_;
 };
 
+/// Facets of a rough surface.
+struct FacetDescription {
+    Distribution distribution;
+    TexturedNumber alpha;
+    TexturedNumber alpha_v = 0.0;  ///< roughness along v, where alpha is along u; 0: as alpha
+};
+
+template <class P>
+void set_facets(const FacetDescription& facets, LateParameters<P>& out) {
+    out.parameters.distribution = facets.distribution;
+    out.set(&P::alpha, facets.alpha);
+}
+
 }  // namespace nicol::scene

@@ -85,22 +85,10 @@ void read_color(const MaterialSource& source, const char* name, LateParameters<P
 /// Reads int_ior and ext_ior, numbers or names of media, which must differ. The arguments hold the defaults.
 void read_indices(Plugin& plugin, double& int_ior, double& ext_ior);
 
-/// Facets of a rough surface.
-struct FacetDescription {
-    Distribution distribution;
-    TexturedNumber alpha;
-    TexturedNumber alpha_v = 0.0;  ///< roughness along v, where alpha is along u; 0: as alpha
-};
 /// Reads the facets of an isotropic material: the geometric mean, with a notice, where the roughness differs
 /// by direction.
 [[nodiscard]] FacetDescription read_facets(const MaterialSource& source);
 /// Reads the facets with the roughness of both directions.
 [[nodiscard]] FacetDescription read_anisotropic_facets(const MaterialSource& source);
-
-template <class P>
-void set_facets(const FacetDescription& facets, LateParameters<P>& out) {
-    out.parameters.distribution = facets.distribution;
-    out.set(&P::alpha, facets.alpha);
-}
 
 }  // namespace nicol::scene

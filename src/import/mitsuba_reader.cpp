@@ -21,7 +21,7 @@ public:
         for (const pugi::xml_node node : document_.elements(document_.root())) read(node);
         if (!sensor_)
             document_.fail(document_.root(), "no <sensor>; expected one of type perspective or orthographic");
-        scene_.elements = elements_.put_before_lamps(scene_.shapes);
+        scene_.elements = elements_.put_before_area_lights(scene_.shapes);
         if (scene_.shapes.empty() && scene_.elements.empty())
             document_.fail(document_.root(), "no <shape>; expected at least one");
         for (const pugi::xml_node node : document_.left_open())
@@ -130,7 +130,7 @@ private:
         scene_.shapes.push_back(std::move(shape.description));
     }
 
-    /// Of no bsdf, Mitsuba's for shapes that name none: grey and diffuse.
+    /// Returns the index of a material. No bsdf gives the default (grey diffuse, as in Mitsuba).
     std::size_t material(pugi::xml_node bsdf) {
         const auto [entry, is_new] = materials_.try_emplace(bsdf, scene_.materials.size());
         if (is_new)

@@ -11,9 +11,7 @@ namespace {
 TextureSpecificationPtr fraction(const MaterialSource& source, const char* name, double otherwise) {
     const TexturedNumber number = read_number(source, name, otherwise, 0.0, 1.0);
     if (number.texture) return number.texture;
-    TextureSpecification constant;
-    constant.color0 = number.value;
-    return std::make_shared<const TextureSpecification>(std::move(constant));
+    return std::make_shared<const TextureSpecification>(constant_specification(number.value));
 }
 
 /// The bsdfs inside, behind the last parameter.
@@ -60,7 +58,7 @@ MaterialPtr BlendModel::make(const MaterialMaker& maker) const {
 
 MaterialDescription read_normal_map(const MaterialSource& source) {
     TextureSpecificationPtr normals = read_texture(source.document, source.plugin.only_texture());
-    // Of light and views below the horizon of the perturbed normal.
+    // Both treat light and views below the horizon of the perturbed normal.
     source.plugin.pass_over({"use_shadowing_function", "flip_invalid_normals"});
     return NormalMapModel(read_parts(source, 1).front(), std::move(normals));
 }

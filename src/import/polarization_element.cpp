@@ -51,7 +51,7 @@ public:
     }
 
 private:
-    /// Of the outline, moved along the element's normal: both are convex.
+    /// Returns whether the outline, moved along the element's normal, lies on the element; both are convex.
     [[nodiscard]] bool lies_on(const FlatShape& element) const {
         const int points = round_ ? 64 : 4;
         const double radius = round_ ? 1 : std::sqrt(2.0);
@@ -89,8 +89,8 @@ LightBehindElements behind(std::span<const PlacedElement> elements, const Polari
     out.state.dolp = std::min(std::hypot(light[1], light[2]) / light[0], 1.0);
     out.state.aolp = pi / 2;
     out.state.docp = std::clamp(light[3] / light[0], -1.0, 1.0);
-    // Where there is least light, in the plane of the last element: a polarizer's axis, which absorbs however
-    // light passes.
+    // The axis of a polarizer, which absorbs however light passes: the direction of least light in the plane
+    // of the last element.
     const double angle = std::atan2(light[2], light[1]) / 2 + pi / 2;
     const glm::dvec3 least = std::cos(angle) * frame[0] + std::sin(angle) * frame[1];
     const glm::dvec3& normal = elements.back().normal();
@@ -150,7 +150,7 @@ void PolarizationElements::add(pugi::xml_node place, const ShapeDescription& sha
     elements_.push_back({place, shape, element});
 }
 
-std::vector<ElementDescription> PolarizationElements::put_before_lamps(
+std::vector<ElementDescription> PolarizationElements::put_before_area_lights(
     std::vector<ShapeDescription>& shapes) const {
     struct Before {
         double distance;

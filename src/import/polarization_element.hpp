@@ -50,7 +50,7 @@ public:
 
     /// Gives the area lights among the shapes the state and the brightness of their light behind the elements
     /// before them, nearest first. Returns the other elements.
-    [[nodiscard]] std::vector<ElementDescription> put_before_lamps(
+    [[nodiscard]] std::vector<ElementDescription> put_before_area_lights(
         std::vector<ShapeDescription>& shapes) const;
 
 private:

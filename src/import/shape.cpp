@@ -6,6 +6,7 @@
 #include "files/suffix.hpp"
 #include "import/plugin.hpp"
 #include "import/readers.hpp"
+#include "import/text.hpp"
 #include "import/values.hpp"
 
 namespace nicol::scene {
@@ -26,9 +27,8 @@ ShapeKind kind_of(const Plugin& plugin) {
     if (is_mesh_format(plugin.type())) return ShapeKind::file;
     const auto* const kind = std::ranges::find(kKindNames, std::string_view(plugin.type()), &KindName::name);
     if (kind != kKindNames.end()) return kind->kind;
-    std::string names = mesh_format_names();
-    for (const KindName& known : kKindNames) names += ", " + std::string(known.name);
-    plugin.fail_type(names + ", shapegroup, instance, merge");
+    plugin.fail_type(mesh_format_names() + ", " + joined(kKindNames, &KindName::name) +
+                     ", shapegroup, instance, merge");
 }
 
 void read_mesh(Plugin& plugin, ShapeDescription& shape) {
@@ -65,7 +65,7 @@ ShapeDescription read_shape(const XmlDocument& document, pugi::xml_node node, No
     }
     shape.flip_normals = plugin.boolean("flip_normals", false);
     shape.to_world = plugin.transform("to_world");
-    // Of Mitsuba's sampling for derivatives.
+    // Steers Mitsuba's sampling for derivatives.
     plugin.pass_over({"silhouette_sampling_weight"});
     plugin.finish();
     for (const NestedObject& object : plugin.single_objects({"bsdf", "emitter"})) {

@@ -49,9 +49,7 @@ MaterialPtr MeasuredModel::make(const MaterialMaker& maker) const {
             maker.files.budget());
     });
     if (scale.texture || scale.rgb == glm::dvec3(1)) return times_texture(material, scale, maker);
-    TextureSpecification constant;
-    constant.color0 = scale;
-    return scaled(material, maker.textures.color(constant));
+    return scaled(material, maker.textures.color(constant_specification(scale)));
 }
 
 MaterialDescription read_psh(const MaterialSource& source) {

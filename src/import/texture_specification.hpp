@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a scene file says of a texture, as plain data.
+// Textures of scene files, as plain data.
 #pragma once
 
 #include <filesystem>
@@ -16,7 +16,7 @@ namespace nicol {
 
 struct TextureSpecification {
     enum class Kind { constant, checkerboard, image };
-    /// Of an image: its colours, or one of its channels as a number.
+    /// The part of an image that is used: its colours, or one of its channels as a number.
     enum class Part { color, green, blue, coverage };
 
     Kind kind = Kind::constant;
@@ -36,6 +36,13 @@ struct TextureSpecification {
 };
 
 using TextureSpecificationPtr = std::shared_ptr<const TextureSpecification>;
+
+/// Returns a texture that is this colour everywhere.
+[[nodiscard]] inline TextureSpecification constant_specification(const ColorDescription& color) {
+    TextureSpecification out;
+    out.color0 = color;
+    return out;
+}
 
 /// A colour that a texture may give.
 struct TexturedColor : ColorDescription {
