@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a scene file says of a colour, as plain data.
+// Colours of scene files, as plain data.
 #pragma once
 
 #include <glm/vec3.hpp>

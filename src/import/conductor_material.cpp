@@ -62,7 +62,7 @@ std::vector<std::complex<double>> MetalModel::index(const SceneChannels& channel
     std::vector<std::complex<double>> out;
     for (std::size_t c = 0; c < std::max(n.size(), absorption.size()); ++c)
         out.emplace_back(n[n.size() == 1 ? 0 : c], -absorption[absorption.size() == 1 ? 0 : c]);
-    // Of a table that ends within the visible range, both may be 0.
+    // Both parts may be 0 if a table ends within the visible range.
     std::ranges::replace(out, std::complex<double>(0), std::complex<double>(0.001));
     return out;
 }

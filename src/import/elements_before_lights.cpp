@@ -45,7 +45,7 @@ struct Box {
     }
 };
 
-/// What lights may light, in the world.
+/// Shapes that lights may light, in the world.
 struct LitShapes {
     std::vector<glm::dvec3> corners;  // of a box in the axes of each shape
     glm::dvec3 middle{0.0};           // of the corners: their mean, which is behind all that they are behind
@@ -118,8 +118,8 @@ public:
 
     [[nodiscard]] const Way& middle() const { return middle_; }
 
-    /// Where light passes that does not pass the element: on one of the ways that enclose all of it, since
-    /// elements are convex. Nothing: the element covers the light.
+    /// Returns a point where light passes beside the element, or nothing if the element covers the light. It
+    /// suffices to test the ways that enclose all of the light, because elements are convex.
     [[nodiscard]] std::optional<glm::dvec3> beside(const PlacedElement& element) const {
         const auto misses = [&](const Way& way) { return !way.meets(element); };
         if (kind_ == Kind::point) {
@@ -156,7 +156,7 @@ std::string name_of(const LightDescription& light) {
     return light.id.empty() ? kind : kind + " " + in_quotes(light.id);
 }
 
-/// Of an element that covers only a part.
+/// Returns the notice of an element that covers only a part of a light.
 std::string notice_of_part(const ElementDescription& element, const LightDescription& light,
                            const glm::dvec3& beside) {
     return element.where + ": the polarization element does not cover the " + name_of(light) +

@@ -9,7 +9,7 @@ namespace nicol::scene {
 
 namespace {
 
-/// What steers Mitsuba's sampling is not followed, and nothing may be left over.
+/// Finishes an emitter: parameters of Mitsuba's sampling have no effect, and no other may be left over.
 void finish(Plugin& plugin, pugi::xml_node node, Notices& notices) {
     plugin.pass_over({"sampling_weight"});
     for (const char* name : {"mis_compensation", "sampling_weight"})

@@ -45,7 +45,7 @@ std::optional<EnvironmentDescription> read_environment(Plugin& plugin) {
         return std::nullopt;
     }
     environment.to_world = plugin.transform("to_world");
-    // Of how Mitsuba samples it.
+    // Steers Mitsuba's sampling of the environment.
     plugin.pass_over({"mis_compensation"});
     return environment;
 }

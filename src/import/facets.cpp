@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What <bsdf>s of facets and of boundaries share.
+// Parameters that <bsdf>s of facets and of boundaries share.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -55,7 +55,7 @@ std::optional<TexturedNumber> mean(const TexturedNumber& u, const TexturedNumber
 
 TexturedNumber roughness(const MaterialSource& source, const char* name) {
     constexpr double otherwise = 0.1;
-    // What the tables of a material resolve.
+    // Range that the tables of a material resolve.
     constexpr double least = 0.001, most = 1.0;
     return read_number(source, name, otherwise, least, most);
 }

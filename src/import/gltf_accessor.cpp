@@ -38,7 +38,7 @@ std::size_t size_of(int type) {
     return size < 0 ? 0 : static_cast<std::size_t>(size);
 }
 
-/// What 1 is for integers that stand for real numbers.
+/// Returns the integer of a type that stands for 1 if integers stand for real numbers.
 double one_of(int type) {
     switch (type) {
         case TINYGLTF_COMPONENT_TYPE_BYTE:

@@ -84,7 +84,7 @@ std::string_view json_of(const std::filesystem::path& file, std::string_view byt
     return bytes.substr(kHeader + kChunkHeader, number(kHeader));
 }
 
-/// What byteLength says of each buffer in a file of its own, in order; 0 where it says nothing of use.
+/// Returns the byteLength of each buffer that has a file of its own, in order; 0 if it is not usable.
 std::vector<std::uint64_t> lengths_of_buffers(std::string_view text, const LoadBudget& budget) {
     const Json file = Json::parse(
         text,

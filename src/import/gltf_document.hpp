@@ -25,8 +25,8 @@ namespace nicol::scene {
 [[nodiscard]] std::filesystem::path gltf_file(const std::filesystem::path& scene, const std::string& uri,
                                               const std::string& what);
 
-/// What the file says, well-formed, of glTF 2 and without an extension that it requires and we lack. Numbers
-/// in it are as the file has them: indices, counts and offsets may be out of range.
+/// A well-formed glTF 2 file that requires no extension that we lack. Indices, counts and offsets are not
+/// checked and may be out of range.
 class GltfDocument {
 public:
     /// Takes the sizes of the file and its buffers off the budget. Throws as read_gltf_scene does.
@@ -35,7 +35,7 @@ public:
     [[nodiscard]] const tinygltf::Model& model() const { return model_; }
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
     [[nodiscard]] const std::vector<FileRecord>& files() const { return files_; }
-    /// Of all buffers together.
+    /// Returns the size of all buffers together.
     [[nodiscard]] std::uint64_t buffer_bytes() const { return buffer_bytes_; }
 
     /// Throws an error "file: where: what", `where` an element as "meshes[2].primitives[0]".

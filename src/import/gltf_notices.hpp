@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What of a glTF file is read and not followed.
+// Notices of the parts of a glTF file that are read and not followed.
 #pragma once
 
 #include <filesystem>

@@ -20,7 +20,7 @@ std::string name_of(const char* list, std::size_t index) {
     return std::string(list) + "[" + std::to_string(index) + "]";
 }
 
-/// As a mesh's transform must be.
+/// Returns whether a matrix is invertible, which a mesh's transform must be.
 bool is_invertible(const glm::dmat4& m) {
     const glm::dmat3 linear(m);
     const double box = glm::length(linear[0]) * glm::length(linear[1]) * glm::length(linear[2]);
@@ -67,7 +67,7 @@ private:
         glm::dmat4 to_world{1.0};
     };
 
-    /// Of the default scene, else of the first, else of the file.
+    /// Returns the roots of the default scene, else of the first scene, else of the file.
     [[nodiscard]] std::vector<int> roots() const {
         if (!model_.scenes.empty())
             return document_.at(model_.scenes, "scenes", std::max(model_.defaultScene, 0), "scene").nodes;

@@ -37,7 +37,7 @@ struct GltfBounds {
                                                               const LoadBudget& budget,
                                                               geometry::LeftOut& left_out);
 
-/// What a primitive says of its material.
+/// The properties of a primitive on which its material depends.
 struct GltfSurface {
     int material = -1;               ///< -1: none, which is white metal
     bool colors = false;             ///< it has COLOR_0

@@ -13,7 +13,7 @@
 
 namespace nicol::scene {
 
-/// What a material says where it uses a texture.
+/// One use of a texture by a material.
 struct GltfTextureUse {
     int index = -1;  ///< -1: none
     int texcoord_set = 0;

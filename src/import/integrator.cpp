@@ -49,7 +49,7 @@ constexpr std::array<AovType, 13> kAovTypes = {{{"depth", aov_depth},
                                                 {"prim_index", 0},
                                                 {"boundary_test", 0}}};
 
-/// What "name:type, name:type" asks for. Channels have the names of the AOVs, not those.
+/// Returns the AOVs that "name:type, name:type" asks for. The channels keep the names of the AOVs.
 std::uint32_t read_aovs(Plugin& plugin, pugi::xml_node node, Notices& notices) {
     std::uint32_t aovs = 0;
     const std::string list = plugin.string("aovs", "");

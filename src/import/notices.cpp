@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is not followed.
+// Reports the elements of a scene file that the reader ignores.
 #include "import/readers.hpp"
 #include "import/text.hpp"
 
@@ -11,7 +11,7 @@ void Notices::add_unfollowed(pugi::xml_node node, const std::string& what) {
 }
 
 void Notices::add(pugi::xml_node node, const std::string& sentence) {
-    // What several elements refer to is read for each.
+    // An object to which several elements refer is read for each of them.
     sentences_.add(document_.where(node) + ": " + sentence + ".");
 }
 

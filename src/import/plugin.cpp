@@ -22,7 +22,7 @@ bool is_parameter(pugi::xml_node node) {
            !node.attribute("type");
 }
 
-/// What a node stands for: itself or, of a <ref>, the element it names.
+/// Returns the node itself or, for a <ref>, the element that it names.
 pugi::xml_node target(const XmlDocument& document, pugi::xml_node place) {
     if (std::string_view(place.name()) != "ref") return place;
     check_attributes(document, place, {"name", "id"});

@@ -21,7 +21,7 @@ struct NestedObject {
     pugi::xml_node node;   ///< the element
 };
 
-/// What `node` stands for: itself or, of a <ref>, the element it names. Throws unless it is one of the
+/// Returns `node` itself or, for a <ref>, the element that it names. Throws unless it is one of the
 /// `accepted` ones; `holder` is what it is inside of, for the message.
 [[nodiscard]] NestedObject checked_object(const XmlDocument& document, pugi::xml_node node,
                                           const std::string& holder,

@@ -17,7 +17,7 @@ namespace nicol::scene {
 class Plugin;
 struct NestedObject;
 
-/// What is read and makes no difference, collected into one sentence; and sentences of their own.
+/// Notices: one sentence that collects the ignored elements, and separate sentences.
 class Notices {
 public:
     explicit Notices(const XmlDocument& document) : document_(document) {}
@@ -49,7 +49,7 @@ private:
 /// Adds to the environment or the lights of the scene.
 void read_emitter(const XmlDocument& document, const NestedObject& object, Notices& notices,
                   SceneDescription& scene);
-/// Of an <emitter> inside a <shape>.
+/// Reads an <emitter> inside a <shape>.
 [[nodiscard]] EmissionDescription read_emission(const XmlDocument& document, pugi::xml_node node,
                                                 Notices& notices);
 [[nodiscard]] IntegratorDescription read_integrator(const XmlDocument& document, pugi::xml_node node,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a scene file says, as plain data.
+// Scenes of files, as plain data.
 #pragma once
 
 #include <cstddef>
@@ -43,7 +43,7 @@ struct SensorDescription {
         glm::ivec2 size{0};
     };
     std::optional<Crop> crop;  ///< none: all of it
-    /// Of the film's middle from the view direction, right and down, in its widths and heights.
+    /// Offset of the film's middle from the view direction, right and down, in its widths and heights.
     glm::dvec2 principal_point_offset{0.0};
     bool luminance = false;  ///< the film has one channel, the luminance
 };
@@ -53,7 +53,7 @@ struct SensorDescription {
 /// That of a perspective sensor.
 [[nodiscard]] double horizontal_fov(const SensorDescription& sensor);
 
-/// What a surface emits, see Emission.
+/// Emission of a surface, see Emission.
 struct EmissionDescription {
     TexturedColor radiance{1.0};
     double scale = 1.0;  ///< times radiance
@@ -115,7 +115,7 @@ struct ElementDescription : PolarizationElement {
     std::string where;  ///< file and line
 };
 
-/// What of an integrator matters.
+/// The parameters of an integrator that have an effect.
 struct IntegratorDescription {
     /// Light is asked for that surfaces reflect to each other.
     bool reflects_often = true;

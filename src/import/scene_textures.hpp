@@ -21,13 +21,13 @@ public:
     /// Both must outlive this.
     SceneTextures(const SceneChannels& channels, SceneFiles& files) : channels_(channels), files_(files) {}
 
-    /// Of a colour, one channel or red, green and blue. Throws as reflectance() for colours that the scene's
-    /// channels cannot have, and what reading the file throws.
+    /// Makes the texture of a colour: one channel or RGB. Throws as reflectance() for colours that the
+    /// scene's channels cannot have, and what reading the file throws.
     [[nodiscard]] TexturePtr color(const TextureSpecification& description);
-    /// Of a number, one channel: of colours their luminance. Mitsuba begins a checkerboard of numbers with
-    /// color1, and so does this. Throws Error(unsupported) for a mesh's colours.
+    /// Makes the texture of a number: one channel, the luminance of colours. A checkerboard of numbers begins
+    /// with color1, as in Mitsuba. Throws Error(unsupported) for a mesh's colours.
     [[nodiscard]] TexturePtr number(const TextureSpecification& description);
-    /// Of a normal or another vector: as color(), whatever the scene's channels.
+    /// Makes the texture of a normal or another vector: as color(), whatever the scene's channels.
     [[nodiscard]] TexturePtr vector(const TextureSpecification& description);
     /// Width over height of the image of a texture that one of these has made; 1 where it has none.
     [[nodiscard]] double aspect(const TextureSpecification& description) const;

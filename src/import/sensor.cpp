@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kMaxSize = 32768;
 
-/// What part of the film is rendered.
+/// Reads the part of the film that is rendered.
 void read_crop(Plugin& film, SensorDescription& sensor) {
     struct Axis {
         const char* offset;
@@ -62,7 +62,7 @@ void read_film(const XmlDocument& document, pugi::xml_node node, SensorDescripti
     read_crop(film, sensor);
     read_format(film, node, sensor, notices);
     if (film.boolean("sample_border", false)) notices.add_unfollowed(node, "sample_border");
-    // Of Mitsuba's summing, and of older versions.
+    // Steer Mitsuba's summing, or belong to older versions.
     film.pass_over({"compensate", "banner"});
     film.finish();
     for (const NestedObject& filter : film.single_objects({"rfilter"}))

@@ -8,7 +8,7 @@
 namespace nicol::scene {
 namespace {
 
-/// What a transform does to (u, v), which are its x and y.
+/// Returns the effect of a transform on (u, v), which are its x and y.
 glm::dmat3 uv_transform(Plugin& plugin) {
     const glm::dmat4 m = plugin.transform("to_uv");
     return {m[0][0], m[0][1], 0, m[1][0], m[1][1], 0, m[3][0], m[3][1], 1};
@@ -26,7 +26,7 @@ void read_bitmap(Plugin& plugin, TextureSpecification& texture) {
     constexpr Wrap wraps[] = {Wrap::repeat, Wrap::mirror, Wrap::clamp};
     texture.sampling.wrap = wraps[plugin.choice("wrap_mode", 0, {"repeat", "mirror", "clamp"})];
     texture.sampling.to_uv = uv_transform(plugin);
-    // Of how Mitsuba keeps the values.
+    // Steer how Mitsuba stores the values.
     plugin.pass_over({"format", "accel"});
 }
 

@@ -26,7 +26,7 @@ std::optional<double> parsed_number(std::string_view text) {
 
 namespace {
 
-/// What stands between commas and blanks.
+/// Returns the parts between commas and blanks.
 std::vector<std::string_view> tokens(std::string_view text) {
     constexpr std::string_view separators = ", \t\r\n";
     std::vector<std::string_view> found;

@@ -31,7 +31,7 @@ public:
     [[nodiscard]] std::vector<pugi::xml_node> elements(pugi::xml_node node) const;
     /// The element with this id or alias, null if there is none.
     [[nodiscard]] pugi::xml_node with_id(const std::string& id) const;
-    /// What a name inside `node` stands for, as read_mitsuba_scene says.
+    /// Returns the file that a name inside `node` stands for, as read_mitsuba_scene describes.
     [[nodiscard]] std::filesystem::path resolved(pugi::xml_node node, const std::string& filename) const;
     /// Elements with a $parameter that no one has given, of samplers alone: elsewhere it is an error.
     [[nodiscard]] const std::vector<pugi::xml_node>& left_open() const noexcept { return left_open_; }

@@ -43,7 +43,7 @@ struct MaterialLayer {
     std::vector<LayerFactor> factors = {};
 };
 
-/// What turns the interpolated normal; see perturbed_normal().
+/// Perturbation of the interpolated normal; see perturbed_normal().
 struct NormalVariation {
     enum class Kind {
         none,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a scene file says of a material, for tests.
+// Access to the materials that scene files describe, for tests.
 #pragma once
 
 #include "import/conductor_material.hpp"
