@@ -16,26 +16,26 @@ namespace {
 
 constexpr int kCosines = 64;
 
-// Diffuse light reflected by a smooth boundary of relative index eta, seen from the side that light comes
-// from: the fits of Egan and Hilgeman 1973 and of d'Eon and Irving 2011 that Mitsuba uses. They err by less
-// than 0.6 % for indices of 0.5 to 2.
+// Returns the share of diffuse light that a smooth boundary reflects. eta is the index beyond the boundary
+// over the index on the side of the light. Fits of Egan and Hilgeman 1973 and of d'Eon and Irving 2011, as in
+// Mitsuba, with errors below 0.6 % for indices of 0.5 to 2.
 double diffuse_reflectance(double eta) {
     const double i = 1 / eta;
     if (eta < 1) return 0.0636 * i + 0.6681 + eta * (0.7099 - 1.4399 * eta);
     return 0.919317 + i * (-3.4793 + i * (6.75335 + i * (-7.80989 + i * (4.98554 - i * 1.36881))));
 }
 
-// Points of the facets' normals.
+// Quadrature point over the normals of facets.
 struct FacetNormal {
-    double sine, cosine;  // of the angle to the surface's normal
-    double weight;        // density of normals, over the cosine, times the solid angle
+    double sine, cosine;  // sine and cosine of the angle to the surface's normal
+    double weight;        // facet_density() times the solid angle, up to a constant factor
 };
 
 std::vector<FacetNormal> facet_normals(Distribution distribution, double alpha) {
     const LatitudeRows rows = gauss_legendre_rows(24);
     std::vector<FacetNormal> out;
     for (std::size_t i = 0; i < rows.theta.size(); ++i) {
-        // The share of facets that are steeper is even over 0 to 1; this puts more points near the ends.
+        // The share of steeper facets runs evenly over 0 to 1; v puts more points near both ends.
         const double v = rows.cos_half[i] * rows.cos_half[i];
         const double steeper = v * v * (3 - 2 * v);
         const double tan2 =
@@ -49,8 +49,8 @@ std::vector<FacetNormal> facet_normals(Distribution distribution, double alpha) 
     return out;
 }
 
-// The mean over the facets that are visible from a direction of share(cosine, facet): cosine is that to the
-// facet's normal.
+// Returns the mean of share(cosine, facet) over the facets that are visible from a direction; cosine belongs
+// to the angle between the direction and the facet's normal.
 template <class Share>
 double mean_over_facets(const std::vector<FacetNormal>& normals, double cos_view, const Share& share) {
     constexpr int azimuths = 24;
@@ -94,7 +94,7 @@ BoundaryTransmittance::BoundaryTransmittance(double eta, Distribution distributi
     const RelativeIndex<double> outwards(1 / eta);
     for (int j = 0; j < kCosines; ++j) {
         const double cos_view = std::max(1e-6, j / (kCosines - 1.0));
-        // Refracted and reflected directions leave by facets that see them.
+        // Facet visibility removes refracted and reflected directions that other facets block.
         const auto passes = [&](double cosine, const FacetNormal& facet) {
             const double refracted2 = 1 - (1 - cosine * cosine) / (eta * eta);
             if (refracted2 <= 0) return 0.0;
@@ -107,7 +107,7 @@ BoundaryTransmittance::BoundaryTransmittance(double eta, Distribution distributi
             return dielectric_reflection(cosine, outwards).a * facet_visibility(distribution, alpha, up);
         };
         table_.push_back(static_cast<float>(mean_over_facets(normals, cos_view, passes)));
-        // Mitsuba's sum, whose ends count as much as the points between them.
+        // Mitsuba's sum: the end points have the same weight as the points between them.
         returned_ += 2 * cos_view * mean_over_facets(normals, cos_view, returns) / kCosines;
     }
 }
@@ -126,7 +126,7 @@ void BoundaryTransmittance::at_lanes(const Lanes& cosines, Lanes& out) const {
 }
 
 float BoundaryTransmittance::tabulated(float cosine) const {
-    // Lanes below the horizon may hold anything, which yields the first value.
+    // Lanes below the horizon may hold any number, NaN included, and get the first value of the table.
     const float position = cosine > 0 ? std::min(cosine, 1.0F) * (kCosines - 1) : 0;
     const auto below = std::min(static_cast<std::size_t>(position), table_.size() - 2);
     const float share = position - static_cast<float>(below);

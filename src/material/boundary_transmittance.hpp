@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How much light passes the boundary of a dielectric.
+// Transmittance of a dielectric boundary.
 #pragma once
 
 #include <vector>
@@ -8,20 +8,20 @@
 
 namespace nicol {
 
-/// Of unpolarized light, without what facets pass on to each other, as Mitsuba 3's `plastic` and
-/// `roughplastic` have it. `eta` is the index of the inside over that of the outside. Immutable.
+/// Transmittance for unpolarized light without multiple scattering between facets, as in Mitsuba 3's
+/// `plastic` and `roughplastic`. `eta` is the index of the inside over the index of the outside. Immutable.
 class BoundaryTransmittance {
 public:
-    /// Of a smooth boundary: Fresnel's formulas.
+    /// Makes a smooth boundary, which follows Fresnel's formulas.
     explicit BoundaryTransmittance(double eta);
-    /// Of a rough one: tabulated over the cosine, linear in between.
+    /// Makes a rough boundary: a table over the cosine, linear between its entries.
     BoundaryTransmittance(double eta, Distribution distribution, double alpha);
 
-    /// The share of light from outside that passes, at an angle given by its cosine, above 0 to 1.
+    /// Returns the share of light from outside that passes at an angle given by its cosine, above 0 to 1.
     [[nodiscard]] double at(double cosine) const;
-    /// The same of sixteen cosines, in single precision; of those that are not above 0, anything.
+    /// Computes at() of sixteen cosines in single precision; the result is unspecified for cosines up to 0.
     void at_lanes(const Lanes& cosines, Lanes& out) const;
-    /// The share of diffuse light from inside that is reflected back.
+    /// Returns the share of diffuse light from inside that the boundary reflects back.
     [[nodiscard]] double returned() const noexcept { return returned_; }
 
 private:
@@ -29,7 +29,7 @@ private:
 
     double eta_;
     double returned_;
-    std::vector<float> table_;  ///< at evenly spaced cosines of 0 to 1; empty of a smooth boundary
+    std::vector<float> table_;  ///< values at evenly spaced cosines of 0 to 1; empty for a smooth boundary
 };
 
 }  // namespace nicol

@@ -59,8 +59,8 @@ private:
         return m;
     }
 
-    // The s-frames rotate with the directions, so isotropy requires the same matrix; mirroring keeps the
-    // s-axis up to its sign and reverses s2 and s3.
+    // Throws if the function is not isotropic or not mirror symmetric. The s-frames rotate with directions,
+    // so isotropy requires the same matrix. Mirroring keeps the s-axis up to its sign and negates s2 and s3.
     void test_channel(int channel) const {
         for (const double in : {0.2, 0.7, 1.2}) {
             for (const double out : {0.3, 0.7, 1.3}) {

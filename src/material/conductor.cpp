@@ -35,7 +35,7 @@ template <class Number>
     }
 }
 
-// One term for each index: a single one where colour is in the reflectance alone.
+// Rough conductor with one term per index, and with a single term if only the reflectance has colour.
 class RoughConductor final : public Material {
 public:
     explicit RoughConductor(RoughConductorParameters parameters)
@@ -111,7 +111,7 @@ public:
     }
 
 private:
-    // The part that every index shares.
+    // Returns the part of the reflection that all indices share.
     [[nodiscard]] FacetReflection<double> facet(const glm::dvec3& light, const glm::dvec3& viewer) const {
         return facet_reflection({p_.distribution, alpha_.x, alpha_.y}, components(light), components(viewer));
     }
@@ -120,9 +120,9 @@ private:
                                  facet.rotations);
     }
 
-    RoughConductorParameters p_;                       // without textures
-    glm::dvec2 alpha_;                                 // along x and y
-    std::unique_ptr<const RoughConductor> isotropic_;  // null: it is so itself
+    RoughConductorParameters p_;                       // values only, no textures
+    glm::dvec2 alpha_;                                 // roughness along x and along y
+    std::unique_ptr<const RoughConductor> isotropic_;  // null: this material is isotropic
     bool smooth_;
 };
 

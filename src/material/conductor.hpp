@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Metals.
+// Conductors: rough and smooth metals.
 #pragma once
 
 #include <complex>
@@ -10,32 +10,32 @@
 
 namespace nicol {
 
-/// Least length of an index.
+/// Least absolute value of a complex index.
 inline constexpr double kSmallestIndex = 1e-3;
 
-/// Mitsuba 3's `roughconductor`: single reflection off the facets of an opaque metal. With k = 0 what the
-/// boundary of a dielectric reflects.
+/// Parameters of Mitsuba 3's `roughconductor`: single reflection off the facets of an opaque metal. k = 0
+/// gives the reflection off the boundary of a dielectric.
 struct RoughConductorParameters {
-    /// Index n - ik relative to air, one value or one a channel: n and k in 0..100, at least
-    /// kSmallestIndex long.
+    /// Index n - ik relative to air, one value or one per channel. n and k lie in 0..100, and the absolute
+    /// value is at least kSmallestIndex.
     std::vector<std::complex<double>> eta{{0.0, -1.0}};
     ColorParameter specular_reflectance{1.0};  ///< 0..1
-    /// Roughness, 0.001..1; 0: smooth, kSmoothAlpha stands for it. A texture is moved to 0.01..1.
+    /// Roughness, 0.001..1, or 0 for a smooth surface (kSmoothAlpha). A texture is clamped to 0.01..1.
     NumberParameter alpha = 0.1;
-    /// Roughness along y where alpha is that along x, in the same range; 0: as alpha. One that differs makes
-    /// the material anisotropic; its isotropic() counterpart has the geometric mean of both.
+    /// Roughness along y, in the range of alpha, which is then the roughness along x; 0: equal to alpha.
+    /// Different values make the material anisotropic, and isotropic() then has their geometric mean.
     NumberParameter alpha_v = 0.0;
     Distribution distribution = Distribution::beckmann;
 };
-/// Throws as pplastic().
+/// Returns the material. Throws what pplastic() throws.
 [[nodiscard]] MaterialPtr rough_conductor(const RoughConductorParameters& parameters);
 
-/// Roughness of Beckmann's facets that stand for a smooth surface, see Material::smooth(). They blur by about
-/// one degree, less than order 100 resolves.
+/// Roughness of the Beckmann facets that replace a smooth surface, see Material::smooth(). The facets blur by
+/// about one degree, less than order 100 resolves.
 inline constexpr double kSmoothAlpha = 0.01;
 
-/// Whether alpha is 0, a smooth surface; if so, becomes what stands for it: Beckmann's facets of
-/// kSmoothAlpha.
+/// Returns whether alpha is 0, which means a smooth surface. If so, sets alpha to kSmoothAlpha and the
+/// distribution to Beckmann.
 inline bool take_smooth(double& alpha, Distribution& distribution) {
     if (alpha != 0) return false;
     alpha = kSmoothAlpha;
@@ -43,16 +43,16 @@ inline bool take_smooth(double& alpha, Distribution& distribution) {
     return true;
 }
 
-/// Mitsuba 3's `conductor`: rough_conductor() of alpha 0.
+/// Returns Mitsuba 3's `conductor`: rough_conductor() with alpha 0.
 [[nodiscard]] MaterialPtr conductor(std::vector<std::complex<double>> eta,
                                     const ColorParameter& specular_reflectance = {1.0});
 
-/// Index n - ik of a metal for red, green and blue: n and k are each the colour of light of that spectrum
-/// (rgb_emission_weights()), 0 where it was not measured, as in Mitsuba 3's modes without spectra. The red of
-/// a constant n is then 1.2 n. Names and sources: metal_constants.hpp. Throws Error(invalid_argument) for
-/// others.
+/// Returns the index n - ik of a metal for red, green and blue. n and k are converted like a spectrum of
+/// light (rgb_emission_weights()) and are 0 outside the measured wavelengths, as in Mitsuba 3's modes without
+/// spectra. The red value of a constant n is 1.2 n. metal_constants.hpp has the names and sources. Throws
+/// Error(invalid_argument) for an unknown name.
 [[nodiscard]] std::vector<std::complex<double>> metal_index(std::string_view metal);
-/// The same at wavelengths in nm, 380 to 800; where it was not measured that of the nearest one that was.
+/// Returns the index at wavelengths of 380 to 800 nm. Beyond the measurements, the nearest one holds.
 [[nodiscard]] std::vector<std::complex<double>> metal_index(std::string_view metal,
                                                             const std::vector<double>& wavelengths);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Rotations from frames along the s-axis to the theta-phi frames of Material, without trigonometric
-// functions, written once for single numbers and for vectors of lanes.
+// Rotations from s-frames (x along the s-axis) to the theta-phi frames of Material, without trigonometric
+// functions. Written once for single numbers and for vectors of lanes.
 #pragma once
 
 #include <cstddef>
@@ -12,28 +12,28 @@
 
 namespace nicol {
 
-/// The rotations about z from frames with x along s to the theta-phi frames of the incident propagation
-/// -light and of the outgoing one, `viewer`, each as cosine and sine of twice the angle.
+/// Rotations about z from s-frames (x along the s-axis) to the theta-phi frames of the incident propagation
+/// -light and of the outgoing propagation `viewer`, each as cosine and sine of twice the angle.
 template <class Number>
 struct SurfaceRotations {
     Number in_cos2, in_sin2;
     Number out_cos2, out_sin2;
 };
 
-/// a where `condition` holds, else b.
+/// Returns a in the lanes where `condition` holds, else b.
 template <class Condition, class Number>
 [[gnu::always_inline]] inline Vector3<Number> choose(const Condition& condition, const Vector3<Number>& a,
                                                      const Vector3<Number>& b) {
     return {condition ? a.x : b.x, condition ? a.y : b.y, condition ? a.z : b.z};
 }
 
-/// Rotation from x along the unit vector s, perpendicular to `direction`, to theta-hat. `upwards`: 1 for a
-/// propagation along `direction`, -1 for one against it.
+/// Computes the rotation from x along the unit vector s, perpendicular to `direction`, to theta-hat.
+/// `upwards` is 1 for propagation along `direction` and -1 for propagation against `direction`.
 template <class Number>
 [[gnu::always_inline]] inline void rotation_from_s(const Vector3<Number>& s, const Vector3<Number>& direction,
                                                    float upwards, Number& cos2, Number& sin2) {
     const Number rho2 = direction.x * direction.x + direction.y * direction.y;
-    // Smaller squares are denormal. The direction is then along z, and theta-hat along x.
+    // Smaller squares are denormal numbers. Such a direction is along z, and theta-hat along x.
     constexpr ScalarOf<Number> least = threshold<Number>(1e-37F, 1e-280);
     const auto tilted = rho2 > least;
     const Number cosine = tilted ? -s.z : upwards * s.x;
@@ -44,14 +44,14 @@ template <class Number>
     sin2 = 2.0F * cosine * sine * inverse;
 }
 
-/// Rotations for x along light x viewer, which is the s-axis of a facet between these unit vectors. Where
-/// they are parallel, x is phi-hat.
+/// Returns the rotations for x along light x viewer, which is the s-axis of a facet between these unit
+/// vectors. For parallel vectors, x is phi-hat.
 template <class Number>
 [[gnu::always_inline]] inline SurfaceRotations<Number> rotations_from_s_frames(
     const Vector3<Number>& light, const Vector3<Number>& viewer) {
-    // The product of one of the two vectors and a difference that is small where they are nearly parallel.
-    // That vector is the one nearer to the normal, because the z of s would otherwise be a difference of
-    // large numbers. The sign of s does not matter.
+    // The s-axis is the cross product of one vector with the difference or sum of both, which stays accurate
+    // for nearly parallel directions. The vector nearer to the normal is used, because otherwise the z of s
+    // would be a difference of large numbers. The sign of s does not matter.
     Number number;
     dot(light, viewer, number);
     const auto alike = number > 0.0F;
@@ -62,8 +62,8 @@ template <class Number>
     const Vector3<Number> s =
         cross(choose(light_rho2 < viewer_rho2, light, viewer), choose(alike, difference, sum));
 
-    // In double precision any difference defines s: next to the normal the azimuths of directions differ
-    // however near they are to each other.
+    // Any difference defines s in double precision, because next to the normal the azimuths of two directions
+    // differ even if the directions are very close to each other.
     dot(s, s, number);
     const auto defined = number > threshold<Number>(1e-24F, 1e-280);
     number = defined ? number : Number{} + 1.0F;
@@ -73,7 +73,7 @@ template <class Number>
     SurfaceRotations<Number> out;
     rotation_from_s(unit, light, -1.0F, out.in_cos2, out.in_sin2);
     rotation_from_s(unit, viewer, 1.0F, out.out_cos2, out.out_sin2);
-    // Parallel directions: s along phi-hat.
+    // Parallel directions have s along phi-hat.
     out.in_cos2 = defined ? out.in_cos2 : Number{} - 1.0F;
     out.in_sin2 = defined ? out.in_sin2 : Number{};
     out.out_cos2 = defined ? out.out_cos2 : Number{} - 1.0F;
@@ -81,8 +81,8 @@ template <class Number>
     return out;
 }
 
-/// The elements of scale times the block in rotated frames: calls put(4 row + column, element) for all
-/// columns, or for the first one alone if `columns` is 1.
+/// Computes the elements of scale times the block in rotated frames: calls put(4 row + column, element) for
+/// all columns, or only for the first column if `columns` is 1.
 template <class Number, class Put>
 [[gnu::always_inline]] inline void in_rotated_frames(const Number& scale,
                                                      const ReflectionBlock<Number>& block,
@@ -112,14 +112,14 @@ template <class Number, class Put>
     put(15, c);
 }
 
-/// The rotations of one pair of unit vectors.
+/// Returns the rotations of one pair of unit vectors.
 [[nodiscard]] SurfaceRotations<double> rotations_from_s_frames(const glm::dvec3& light,
                                                                const glm::dvec3& viewer);
 
-/// m in rotated frames.
+/// Returns m in rotated frames.
 [[nodiscard]] Mueller in_rotated_frames(const Mueller& m, const SurfaceRotations<double>& rotations);
 
-/// scale times the block in rotated frames.
+/// Returns scale times the block in rotated frames.
 [[nodiscard]] Mueller in_rotated_frames(double scale, const ReflectionBlock<double>& block,
                                         const SurfaceRotations<double>& rotations);
 

@@ -11,7 +11,7 @@
 
 namespace nicol {
 
-/// Name and every parameter with all its digits.
+/// Content key: the name of a model and every parameter with all its digits.
 class Key {
 public:
     explicit Key(std::string_view model) : text_(model) {}

@@ -8,7 +8,7 @@
 
 namespace nicol {
 
-/// Row-major, as Mueller: m[4 row + column].
+/// Sixteen Mueller matrices, row-major like Mueller: m[4 row + column].
 struct LaneMueller {
     std::array<Lanes, 16> m;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How much of each layer of a material there is.
+// Weights of the layers of a material.
 #pragma once
 
 #include <array>
@@ -10,12 +10,12 @@
 
 namespace nicol {
 
-/// The weights of one layer at sixteen points.
+/// Weights of one layer at sixteen points.
 struct LayerWeights {
-    std::array<Lanes, 3> value;  ///< of red, green and blue; where they are equal, of red alone
-    std::uint32_t points;        ///< bit i: a weight of point i is not 0; without any there are no values
-    bool equal;                  ///< those of the three channels are
-    /// Of a channel of an image; where there are not three, the weights of red, green and blue are equal.
+    std::array<Lanes, 3> value;  ///< weights of red, green and blue; only red is used if all are equal
+    std::uint32_t points;        ///< bit i: a weight of point i is not 0; if no bit is set, value is unset
+    bool equal;                  ///< red, green and blue have equal weights
+    /// Returns the weights of an image's channel. They are equal unless the image has three channels.
     [[nodiscard]] const Lanes& of(std::size_t channel) const {
         return value[equal ? 0 : channel < 3 ? channel : 2];
     }

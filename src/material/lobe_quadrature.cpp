@@ -8,7 +8,7 @@
 namespace nicol {
 namespace {
 
-// Gauss-Legendre on [-1, 1] with eight nodes, the positive half.
+// Positive half of the Gauss-Legendre rule on [-1, 1] with eight nodes.
 constexpr std::array<QuadratureNode, 4> kRule{{{0.1834346424956498, 0.3626837833783620},
                                                {0.5255324099163290, 0.3137066458778873},
                                                {0.7966664774136267, 0.2223810344533745},
@@ -23,7 +23,7 @@ void add_panel(std::vector<QuadratureNode>& nodes, double from, double to) {
     }
 }
 
-// From the peak outwards to `end`.
+// Adds panels from the peak outwards to `end`.
 void add_side(std::vector<QuadratureNode>& nodes, double peak, double end, double narrow, double wide) {
     const double direction = end < peak ? -1 : 1;
     double done = 0;

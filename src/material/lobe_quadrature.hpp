@@ -11,8 +11,8 @@ struct QuadratureNode {
     double weight;
 };
 
-/// Composite Gauss-Legendre nodes on [low, high]: panels of `narrow` next to `peak`, doubling away from it up
-/// to `wide`. A feature of that width anywhere else than at the peak is not resolved.
+/// Returns composite Gauss-Legendre nodes on [low, high]. Panels are `narrow` wide next to `peak` and double
+/// away from the peak up to `wide`. A feature of width `narrow` away from the peak is not resolved.
 [[nodiscard]] std::vector<QuadratureNode> nodes_around(double peak, double low, double high, double narrow,
                                                        double wide);
 

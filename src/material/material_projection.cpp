@@ -40,8 +40,8 @@ IsotropicMatrix project_material(const Material& material, int channel, int orde
 
     const LightLayout layout(order, LightKind::full);
     IsotropicMatrix matrix(order, order);
-    // Rows vary as fast as the harmonics, and faster within a lobe's width of the horizon, where the lobe is
-    // cut off.
+    // Rows vary as fast as the harmonics, and faster within a lobe's width of the horizon, because the
+    // horizon cuts the lobe off.
     double lobe = 1;
     for (int t = 0; t < material.terms(); ++t) lobe = std::min(lobe, material.lobe_width(t));
     const std::vector<QuadratureNode> nodes =

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Materials as operators on PSH coefficients.
+// Projection of materials to operators on polarized spherical harmonics (PSH).
 #pragma once
 
 #include "harmonics/operator.hpp"
@@ -7,11 +7,11 @@
 
 namespace nicol {
 
-/// The coefficient matrix of one channel of a material in its surface's frame, cosine included (Eqs. 40, 52,
-/// 53): from light over propagation directions to reflected light over propagation directions. Made from
-/// response rows at outgoing angles that resolve the lobe, O(order^3) numbers. A material that is defined by
-/// a matrix returns that matrix, truncated or padded with zeros. Throws Error(invalid_argument) for a channel
-/// the material does not have or an order out of 0..kMaxOrder.
+/// Returns the coefficient matrix of one channel of a material in its surface's frame, cosine included
+/// (Eqs. 40, 52, 53). The matrix maps light over propagation directions to reflected light over propagation
+/// directions. Its O(order^3) numbers come from response rows at outgoing angles that resolve the lobe. A
+/// material that is defined by a matrix returns that matrix, truncated or padded with zeros. Throws
+/// Error(invalid_argument) for a channel that the material does not have or an order outside 0..kMaxOrder.
 [[nodiscard]] IsotropicMatrix project_material(const Material& material, int channel, int order);
 
 }  // namespace nicol

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// A block of an isotropic matrix acts on the lanes (s0_lm, s3_lm, w_lm, conj w_l-m). Responses are first made
-// as rows over complex numbers, which are the same lanes up to factors: sqrt2 conj(s0_lm), i sqrt2 s3_lm,
-// w_lm; their real parts make s0 and s1, their imaginary parts s2 and s3. A mirror symmetric material has one
-// real number for each, which is that of the first pairing. A matrix that is changed by every mirror image to
-// its negative is i times a symmetric one for m > 0; i is a rotation of light by a quarter of its wave, which
-// makes even numbers of odd ones: the numbers of the second pairing.
+// Conversions between blocks and rows. A block of an isotropic matrix acts on the lanes (s0_lm, s3_lm, w_lm,
+// conj w_l-m). Rows are first made over complex numbers, which equal the lanes up to factors: sqrt2
+// conj(s0_lm), i sqrt2 s3_lm, w_lm. Their real parts give s0 and s1, their imaginary parts s2 and s3. For a
+// mirror-symmetric material, each entry is one real number: the first pairing. A matrix that every mirror
+// negates is, for m > 0, i times a mirror-symmetric matrix. The factor i rotates light about the normal by a
+// quarter of its wave, which turns even numbers into odd numbers: the second pairing.
 #include "material/matrix_rows.hpp"
 
 #include <algorithm>
@@ -23,7 +23,7 @@ using Block = IsotropicMatrix::Block;
 constexpr double kRoot2 = std::numbers::sqrt2;
 using std::numbers::pi;
 
-// The four rows' entries for s0_lm, w_lm, w_l-m and s3_lm at one l and m.
+// Entries of the four rows for s0_lm, w_lm, w_l-m and s3_lm at one l and m.
 struct RowEntries {
     std::array<std::array<double, 4>, 4> at{};  // [p][s0, w m, w -m, s3]
 };
@@ -47,7 +47,7 @@ RowEntries entries_of(const Block& g, int m) {
     return e;
 }
 
-// Those of the second pairing.
+// Returns the entries of the second pairing.
 RowEntries second_entries_of(const Block& g, int m) {
     if (m > 0) {
         Block symmetric;
@@ -118,7 +118,7 @@ Block second_block_of(const RowEntries& e, int m) {
             -i * r[2][0], r[1][3],     -i * other,         -i * same};
 }
 
-// Signs that a quarter of a wave gives to pairs as the second pairing has them, or takes away; m > 0.
+// Applies, or takes back, the signs that a quarter of a wave gives to pairs of the second pairing; m > 0.
 void rotate_pairs(RowEntries& entries) {
     for (std::size_t p = 0; p < 4; ++p) {
         auto& [s0, e, o, s3] = entries.at[p];
@@ -132,8 +132,8 @@ void rotate_pairs(RowEntries& entries) {
     }
 }
 
-// Between numbers for w_lm and w_l-m and those for the pairs of e and o; m = 0 has w_l0 and one pair, of
-// which the odd number has the sign of the harmonic's image.
+// Conversions between entries for w_lm and w_l-m and entries for the pairs of e and o (LightLayout). m = 0
+// has only w_l0 and one pair, whose odd number takes the sign of the harmonic's mirror image.
 void to_pairs(RowEntries& entries, int l, int m, std::size_t pairing) {
     const double image = l % 2 == 0 ? 1 : -1;
     for (std::size_t p = 0; p < 4; ++p) {
@@ -165,7 +165,7 @@ void from_pairs(RowEntries& entries, int l, int m, std::size_t pairing) {
     }
 }
 
-// The pairs of s0, e, o and s3 in a row, by [psh_index(l, m)], m >= 0; row_size() where absent.
+// Returns the places of the pairs of s0, e, o and s3 in a row by psh_index(l, m), m >= 0; absent: row_size().
 std::vector<std::array<std::size_t, 4>> positions(const LightLayout& layout) {
     std::array<std::size_t, 4> none{};
     none.fill(layout.row_size());

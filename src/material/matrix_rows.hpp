@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Between isotropic coefficient matrices and rows of responses.
+// Conversions between isotropic coefficient matrices and rows of responses.
 #pragma once
 
 #include <span>
@@ -9,15 +9,15 @@
 
 namespace nicol {
 
-/// Rows [p][pairing][j] (see ResponseTable) of a matrix at an outgoing zenith angle in [0, pi]: its outgoing
-/// side evaluated in the angular domain. pairings: 1 or 2; the first one has the part of the matrix with
-/// mirror symmetry, the second one the rest. Numbers beyond the matrix's incoming order are zero.
+/// Computes the rows [p][pairing][j] (see ResponseTable) of a matrix at an outgoing zenith angle in [0, pi]:
+/// its outgoing side evaluated in the angular domain. `pairings` is 1 or 2: the first has the
+/// mirror-symmetric part of the matrix, the second the rest. Entries beyond order_in() are zero.
 void rows_from_matrix(const IsotropicMatrix& matrix, double theta_out, const LightLayout& layout,
                       std::size_t pairings, std::span<double> rows);
 
-/// The inverse, one angle at a time: adds to `matrix` the part of its blocks that comes from outgoing light
-/// on a circle of latitude with these rows (of a layout with LightKind::full and the matrix's incoming
-/// order). weight: of the circle in the integral over cos(theta).
+/// Inverts rows_from_matrix() one angle at a time: adds to `matrix` the part of its blocks that comes from
+/// outgoing light with these rows on a circle of latitude. The layout has LightKind::full and the matrix's
+/// incoming order. `weight` is the circle's weight in the integral over cos(theta).
 void add_circle(IsotropicMatrix& matrix, double theta_out, double weight, const LightLayout& layout,
                 std::size_t pairings, std::span<const double> rows);
 

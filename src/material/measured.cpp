@@ -14,7 +14,7 @@
 namespace nicol {
 namespace {
 
-// One term per channel.
+// Measured material with one term per channel.
 class Measured final : public Material {
 public:
     Measured(MeasuredTable table, std::string key)
@@ -55,7 +55,7 @@ private:
         const glm::dvec3 half = glm::normalize(sum);
         const double tilt = std::hypot(half.x, half.y);
         const double theta_d = std::atan2(glm::length(light - viewer), glm::length(sum));
-        // With the half vector along the normal the azimuth does not matter.
+        // The azimuth does not matter if the half vector is along the normal.
         if (tilt < 1e-12) return {0, theta_d, 0};
         const glm::dvec3 b(-half.y / tilt, half.x / tilt, 0);
         const glm::dvec3 t = glm::cross(b, half);

@@ -19,11 +19,11 @@ constexpr std::uint64_t kMaxAngles = 100000;
 constexpr std::size_t kMaxWavelengths = 1000;
 constexpr std::size_t kChunkBytes = 1 << 22;
 constexpr std::uint64_t kMaxTableBytes = std::uint64_t{1} << 30;
-constexpr double kSteps = 32767 / 2.0;  // in 1
+constexpr double kSteps = 32767 / 2.0;  // steps per unit
 
 using Matrix = std::array<double, 16>;
 
-// Whether an element changes its sign with the side, if there is mirror symmetry.
+// Returns whether an element of a mirror-symmetric material changes its sign with the side.
 bool is_odd(std::size_t element) {
     return (element / 4 < 2) != (element % 4 < 2);
 }
@@ -34,7 +34,7 @@ Matrix with_odd_elements_times(double sign, Matrix matrix) {
     return matrix;
 }
 
-// Matrices of one record, by wavelength; false for those that are missing.
+// Matrices of one record by wavelength; known is false for missing matrices.
 struct Record {
     std::vector<Matrix> matrix;
     std::vector<bool> known;
@@ -145,7 +145,7 @@ MeasuredTable::MeasuredTable(TensorFile& file, const ChannelWeights& weights, bo
     content_ = hash.text();
 }
 
-// Increasing, in `low` to `high`; where the field has none, evenly from 0 to `high`.
+// Returns the increasing angles of a field, in `low` to `high`; even from 0 to `high` if they are implied.
 std::vector<double> MeasuredTable::angles(TensorFile& file, const std::string& name, double low,
                                           double high) {
     const TensorFile::Field& field = file.field(name, {1, 2}, {Type::f32});
@@ -173,7 +173,7 @@ std::vector<double> MeasuredTable::angles(TensorFile& file, const std::string& n
     return values;
 }
 
-// The grid of |phi_d|, and where each azimuth of the file stands in it.
+// Makes the grid of |phi_d| and finds the place of each azimuth of the file in the grid.
 void MeasuredTable::fold_azimuths(const std::vector<double>& phi) {
     std::vector<double> wrapped;
     wrapped.reserve(phi.size());
@@ -193,7 +193,7 @@ void MeasuredTable::fold_azimuths(const std::vector<double>& phi) {
     }
 }
 
-// Adds a matrix to the average that a table entry is.
+// Stores a matrix in a table entry, averaged with the matrix that is there already.
 void MeasuredTable::take(std::size_t entry, const Matrix& matrix) {
     Matrix mean = matrix;
     const auto before = static_cast<double>(m00_[entry]);
@@ -201,7 +201,7 @@ void MeasuredTable::take(std::size_t entry, const Matrix& matrix) {
         mean[0] = (mean[0] + before) / 2;
         for (std::size_t e = 1; e < 16; ++e) mean[e] = (mean[e] + before * rest_[entry][e - 1] / kSteps) / 2;
     }
-    // Colours outside the gamut.
+    // Colours outside the gamut become black.
     if (!(mean[0] > 0)) mean = {};
     m00_[entry] = static_cast<float>(mean[0]);
     for (std::size_t e = 1; e < 16; ++e) {
@@ -210,7 +210,7 @@ void MeasuredTable::take(std::size_t entry, const Matrix& matrix) {
     }
 }
 
-// By the mirror image of the other side, else by zero.
+// Fills missing entries with the mirror image of the other side, else with zero.
 void MeasuredTable::fill_missing() {
     const auto fill = [this](std::size_t entry, std::size_t from) {
         if (m00_[entry] >= 0) return;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Mueller matrices over the angles between half vector, normal and light.
+// Mueller matrices over half and difference angles of light and viewer.
 #pragma once
 
 #include <array>
@@ -15,8 +15,8 @@
 
 namespace nicol {
 
-/// A grid of compressed matrices [side][|phi_d|][theta_d][theta_h][channel] in s-frames; see load_measured().
-/// Sides: phi_d >= 0 and phi_d <= 0, or the first alone, whose mirror image is the other.
+/// Grid of compressed matrices [side][|phi_d|][theta_d][theta_h][channel] in s-frames; see load_measured().
+/// Sides: phi_d >= 0 and phi_d <= 0; if there is only the first side, its mirror image is the other.
 class MeasuredTable {
 public:
     struct Angles {
@@ -25,23 +25,23 @@ public:
         double theta_h;
     };
 
-    /// Streams the field M. Weights: of the file's wavelengths in each channel.
+    /// Streams the field M. `weights` are the weights of the file's wavelengths in each channel.
     MeasuredTable(TensorFile& file, const ChannelWeights& weights, bool symmetrize, const LoadBudget& budget);
 
     [[nodiscard]] std::size_t channels() const noexcept { return channels_; }
     [[nodiscard]] bool mirror_symmetric() const noexcept { return sides_ == 1; }
-    /// Writes the matrices of `count` channels from `first` on.
+    /// Computes the matrices of out.size() channels from channel `first` on.
     void at(const Angles& angles, std::size_t first, std::span<Mueller> out) const;
-    /// theta_h at which M00, averaged over phi_d and theta_d up to 45 degrees, falls to a quarter of that at
-    /// the first theta_h; the smallest of all channels.
+    /// Returns the theta_h at which M00, averaged over phi_d and over theta_d up to 45 degrees, falls to a
+    /// quarter of its value at the first theta_h: the smallest of all channels, 0.001..1.
     [[nodiscard]] double lobe_width() const;
-    /// Hash of everything that was read.
+    /// Returns a hash of everything that was read.
     [[nodiscard]] const std::string& content() const noexcept { return content_; }
 
-    /// Names of the angle fields that hold no values, separated by commas: their angles are evenly spaced.
+    /// Returns the angle fields without values, separated by commas; their angles are evenly spaced.
     [[nodiscard]] const std::string& implied() const noexcept { return implied_; }
 
-    /// The wavelengths of a file. Throws Error(invalid_file) unless there are 1 to 1000, increasing.
+    /// Returns the wavelengths of a file. Throws Error(invalid_file) unless there are 1 to 1000, increasing.
     [[nodiscard]] static std::vector<double> wavelengths(TensorFile& file);
 
 private:
@@ -55,17 +55,17 @@ private:
     void take(std::size_t entry, const std::array<double, 16>& matrix);
     void fill_missing();
 
-    std::string implied_;  // filled while the angles are read
+    std::string implied_;  // text of implied(), written while the angles are read
     std::vector<double> phi_d_, theta_d_, theta_h_;
     struct Azimuth {
-        std::size_t index;  // in phi_d_
-        int sign;           // 0 in the plane of incidence, which is of both sides
+        std::size_t index;  // position in phi_d_
+        int sign;           // 1 or -1; 0 in the plane of incidence, which belongs to both sides
     };
-    std::vector<Azimuth> azimuths_;  // by index in the file
+    std::vector<Azimuth> azimuths_;  // one per azimuth of the file
     std::size_t sides_ = 2;
-    std::size_t side_size_ = 0;  // entries
+    std::size_t side_size_ = 0;  // number of entries
     std::size_t channels_;
-    std::vector<float> m00_;                          // negative: nothing yet
+    std::vector<float> m00_;                          // M00; negative: no value yet
     std::vector<std::array<std::int16_t, 15>> rest_;  // elements 1 to 15 relative to M00
     std::string content_;
 };

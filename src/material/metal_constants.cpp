@@ -7,10 +7,10 @@ namespace nicol {
 namespace {
 
 // Measurements collected in Handbook of Optical Constants of Solids (I: 1985, II: 1991), edited by
-// E. D. Palik; of uniaxial crystals those of the ordinary ray. As the data base of luxpop.com has them, whose
-// names Mitsuba 3 took over; its copper is another selection than Cu_palik. Of its samples those are here
-// that linear interpolation from 380 to 800 nm needs to stay within 0.5 % (or 0.002) of all.
-// Between 393 and 436 nm it has no n of AlAs but 0.
+// E. D. Palik, in the version of the data base of luxpop.com, whose names Mitsuba 3 took over. Uniaxial
+// crystals have the values of the ordinary ray. Cu and Cu_palik are different selections of copper samples.
+// The tables keep only those samples that linear interpolation from 380 to 800 nm needs to stay within 0.5 %
+// (or 0.002) of all samples. The data base has n = 0 for AlAs between 393 and 436 nm.
 // clang-format off
 constexpr std::array<MetalSample, 9> kAmorphousCarbon{{
     {364.6, 2, 0.92}, {387.4, 2.06, 0.91}, {442.8, 2.17, 0.89}, {516.6, 2.3, 0.87}, {563.5, 2.38, 0.82},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Measured optical constants of named metals, and of other solids that go by that name.
+// Measured optical constants of metals and other solids, by name.
 #pragma once
 
 #include <span>
@@ -8,21 +8,21 @@
 
 namespace nicol {
 
-/// The index n - ik at a wavelength in nm.
+/// Measured index n - ik at a wavelength in nm.
 struct MetalSample {
     double wavelength, n, k;
 };
 
 struct NamedMetal {
     std::string_view name;
-    /// By increasing wavelength, linear between; from below 380 to beyond 800 nm where it was measured there.
+    /// Samples by increasing wavelength, linear between. They cover 380 to 800 nm if that range was measured.
     std::span<const MetalSample> samples;
 };
 
-/// The names of Mitsuba 3's conductors, and gold, silver, copper, aluminium and aluminum.
+/// Returns all metals: Mitsuba 3's conductors, and gold, silver, copper, aluminium and aluminum.
 [[nodiscard]] std::span<const NamedMetal> named_metals();
 
-/// All names, for messages.
+/// Returns all names, separated by commas, for messages.
 [[nodiscard]] std::string metal_names();
 
 }  // namespace nicol

@@ -21,7 +21,7 @@ std::span<const MetalSample> named(std::string_view metal) {
     return found->samples;
 }
 
-// With a step to 0 at either end, narrower than any sampling resolves.
+// Returns the samples with a step to 0 at both ends, narrower than any sampling resolves.
 std::vector<MetalSample> ending_in_zeros(std::span<const MetalSample> samples) {
     constexpr double step = 1e-6;
     std::vector<MetalSample> out{{samples.front().wavelength - step, 0, 0}};
@@ -36,7 +36,7 @@ std::vector<double> wavelengths_of(std::span<const MetalSample> samples) {
     return out;
 }
 
-// n - ik in each channel.
+// Returns the index n - ik in each channel.
 std::vector<Complex> weighted(std::span<const MetalSample> samples, const ChannelWeights& weights) {
     std::vector<Complex> out;
     for (const std::vector<double>& channel : weights) {
@@ -45,7 +45,7 @@ std::vector<Complex> weighted(std::span<const MetalSample> samples, const Channe
             n += channel[i] * samples[i].n;
             k += channel[i] * samples[i].k;
         }
-        // Colours outside the gamut, and an index of 0, are no metals.
+        // Metals have neither an index of 0 nor the negative values of colours outside the gamut.
         constexpr double least = 0.001;
         out.emplace_back(std::max(n, least), -std::max(k, 0.0));
     }

@@ -6,7 +6,7 @@
 namespace nicol {
 namespace {
 
-// A unit vector of this z; isotropic facets do not depend on the rest.
+// Returns a unit vector with this z; isotropic facets do not depend on its x and y.
 glm::dvec3 direction(double z) {
     return {std::sqrt(std::fmax(0, 1 - z * z)), 0, z};
 }

@@ -16,7 +16,7 @@
 
 namespace nicol {
 
-/// Facets of a distribution, whose roughness along y may differ from that along x. Real: float or double.
+/// Facets of a distribution with roughness alpha along x and alpha_y along y. Real: float or double.
 template <class Real>
 struct Facets {
     Distribution distribution;
@@ -24,8 +24,8 @@ struct Facets {
     Real alpha_y = alpha;
 };
 
-/// facet_visibility() over the cosine, which stays finite at the horizon. `direction`: a unit vector above
-/// the horizon.
+/// Computes facet_visibility() divided by the cosine, which stays finite at the horizon. `direction` is a
+/// unit vector above the horizon.
 template <class Number>
 [[gnu::always_inline]] inline void visibility_over_cosine(const Facets<ScalarOf<Number>>& facets,
                                                           const Vector3<Number>& direction, Number& out) {
@@ -49,7 +49,7 @@ template <class Number>
           (few_hidden ? 1.0F + constant<Number>(2.276) * a + constant<Number>(2.577) * a * a : z);
 }
 
-/// facet_density() at a half vector of any length, whose square is length2.
+/// Computes facet_density() at a half vector of any length; length2 is the square of that length.
 template <class Number>
 [[gnu::always_inline]] inline void density(const Facets<ScalarOf<Number>>& facets,
                                            const Vector3<Number>& half, const Number& length2, Number& out) {
@@ -62,8 +62,8 @@ template <class Number>
         out = scale * ratio * ratio;
         return;
     }
-    // Few facets are so steep that this limits them, and numbers that would soon be denormal, which slow
-    // processors down, are 0.
+    // The limit affects few facets, because few are so steep. Numbers that would soon be denormal become 0,
+    // because denormal numbers slow processors down.
     const Number least = threshold<Number>(1e-9F, 1e-100) * length2;
     const Number z2 = half.z * half.z;
     const Number inverse = 1.0F / (z2 > least ? z2 : least);
@@ -75,7 +75,7 @@ template <class Number>
     out = some ? scale * secant2 * secant2 * fraction : Number{};
 }
 
-/// The part of a reflection off facets that does not depend on their index.
+/// Part of a reflection off facets that does not depend on the facets' index.
 template <class Number>
 struct FacetReflection {
     Number scale;   ///< D G / (4 cos cos), per steradian; 0 where a direction lies below the horizon
@@ -83,7 +83,7 @@ struct FacetReflection {
     SurfaceRotations<Number> rotations;
 };
 
-/// Single reflection off the facets whose normal is the half vector of the unit vectors light and viewer.
+/// Returns the reflection off facets whose normal is the half vector of the unit vectors light and viewer.
 template <class Number>
 [[gnu::always_inline]] inline FacetReflection<Number> facet_reflection(const Facets<ScalarOf<Number>>& facets,
                                                                        const Vector3<Number>& light,
@@ -113,7 +113,7 @@ template <class Number>
     return out;
 }
 
-/// in_rotated_frames() of the block, stored from lane `first` on: all columns, or the first one alone.
+/// Stores in_rotated_frames() of the block from lane `first` on: all columns, or only the first column.
 template <class Number>
 [[gnu::always_inline]] inline void store_reflection(const FacetReflection<Number>& facet,
                                                     const ReflectionBlock<Number>& block, std::size_t columns,
@@ -125,17 +125,17 @@ template <class Number>
         });
 }
 
-/// Density of facet normals at an angle from the macro normal given by its cosine, per steradian:
+/// Returns the density of facet normals, per steradian, at an angle to the macro normal given by its cosine;
 /// the integral of D cos over the hemisphere is 1.
 [[nodiscard]] double facet_density(Distribution distribution, double alpha, double cos_facet);
-/// Density of facets with one roughness along x and one along y, at a unit normal in that frame.
+/// Returns the density of facets with roughness alpha.x along x and alpha.y along y at a unit normal.
 [[nodiscard]] double facet_density(Distribution distribution, const glm::dvec2& alpha,
                                    const glm::dvec3& facet);
 
-/// Fraction of facets visible from a direction at that angle from the normal (Smith's G1); 0 at and below the
-/// horizon. Exact for GGX; for Beckmann, Walter's rational fit, as in Mitsuba 3.
+/// Returns the fraction of facets visible from a direction given by its cosine to the normal (Smith's G1); 0
+/// at and below the horizon. Exact for GGX; Walter's rational fit for Beckmann, as in Mitsuba 3.
 [[nodiscard]] double facet_visibility(Distribution distribution, double alpha, double cos_view);
-/// The fraction visible from a unit direction of facets with one roughness along x and one along y.
+/// Returns the visible fraction of facets with roughness alpha.x along x and alpha.y along y.
 [[nodiscard]] double facet_visibility(Distribution distribution, const glm::dvec2& alpha,
                                       const glm::dvec3& view);
 

@@ -15,17 +15,17 @@
 namespace nicol {
 namespace {
 
-// A narrower lobe looks the same at any order that light is projected to.
+// Least roughness. A narrower lobe looks the same at any order that light is projected to.
 constexpr double kLeastAlpha = 0.01;
-/// Between alphas of this ratio interpolation misses about 1 % of the rows of a response, half-way between
-/// the two.
+/// Ratio of neighbouring roughnesses. Interpolation half-way between two alphas of this ratio has an error of
+/// about 1 % in the rows of a response.
 constexpr double kAlphaRatio = 1.2;
-/// Values of a texture that are taken as they are; of two textures for one material, where layers are for
-/// pairs of values, any number of values.
+/// Most values of a texture that get a layer each. kMostOfPair limits the values of each of two textures,
+/// interpolated ones included, because every pair of values gets a layer.
 constexpr std::size_t kMostValues = 16;
 constexpr std::size_t kMostOfPair = 8;
 
-/// Terms of layers are terms of the whole, times the mean of their layer's weight.
+/// Sum of weighted layers. Its terms are those of the layers, times the mean of the layer's weight.
 class Layered final : public Material {
 public:
     explicit Layered(SpatialVariation variation) : variation_(std::move(variation)) {
@@ -36,7 +36,7 @@ public:
         }
         varies_ = variation_.normal.kind != NormalVariation::Kind::none || variation_.opacity != nullptr ||
                   !variation_.textures.empty();
-        // A mean that is black all over still is a material.
+        // A material whose mean is black still has a term.
         if (terms_.empty())
             terms_.push_back(
                 {.material = variation_.layers.front().material, .index = 0, .scale = glm::dvec3(0)});
@@ -48,7 +48,7 @@ public:
     [[nodiscard]] double weight(int term, int channel) const override {
         const Term& of = at(term);
         const int own = of.material->channels() == 1 ? 0 : channel;
-        // Three equal ones where there are not three channels.
+        // The scales are equal unless there are three channels.
         return of.material->weight(of.index, own) * of.scale[channels_ == 3 ? channel : 0];
     }
     [[nodiscard]] double lobe_width(int term) const noexcept override {
@@ -94,7 +94,7 @@ public:
     }
     void evaluate_lanes(const LaneVectors& towards_light, const LaneVectors& towards_viewer,
                         std::size_t columns, std::span<LaneMueller> out) const override {
-        // The terms of a layer follow each other.
+        // Terms of one layer follow each other, so each layer is evaluated once.
         const Material* evaluated = nullptr;
         std::span<LaneMueller> of_layer;
         for (std::size_t t = 0; t < terms_.size(); ++t) {
@@ -120,7 +120,7 @@ private:
         const auto anisotropic = [](const MaterialLayer& layer) { return layer.material->anisotropic(); };
         if (std::ranges::none_of(variation_.layers, anisotropic)) return;
         SpatialVariation layers = variation_;
-        // Each layer's material owns its counterpart.
+        // Each layer's material owns its isotropic counterpart.
         for (MaterialLayer& layer : layers.layers)
             layer.material = MaterialPtr(layer.material, &layer.material->isotropic());
         isotropic_ = std::make_shared<const Layered>(std::move(layers));
@@ -155,7 +155,7 @@ private:
     bool varies_ = false;
     int channels_ = 1;
     std::vector<Term> terms_;
-    MaterialPtr isotropic_;  // null where no layer is anisotropic
+    MaterialPtr isotropic_;  // null: no layer is anisotropic
 };
 
 SpatialVariation parts_of(const MaterialPtr& material, const char* of) {
@@ -177,7 +177,7 @@ std::size_t index_of(const TexturePtr& texture, SpatialVariation& variation) {
     return index;
 }
 
-/// Multiplies all layers.
+/// Multiplies all layers by a factor that depends on a texture.
 void multiply(SpatialVariation& variation, LayerFactor factor, const TexturePtr& texture) {
     if (texture->constant()) {
         const glm::vec3 value = factor_value(factor, texture->mean());
@@ -190,8 +190,8 @@ void multiply(SpatialVariation& variation, LayerFactor factor, const TexturePtr&
     for (MaterialLayer& layer : variation.layers) layer.factors.push_back(factor);
 }
 
-/// Appends the layers of `from`, whose normals and opacity must be those of `to`, the first of a material's
-/// parts.
+/// Appends the layers of `from` to `to`. Unless `to` has no layers yet, both must have the same normal
+/// variation and the same opacity.
 void append(const SpatialVariation& from, SpatialVariation& to, const char* of) {
     const bool first = to.layers.empty();
     require(first || (from.normal == to.normal && from.opacity == to.opacity),
@@ -206,7 +206,7 @@ void append(const SpatialVariation& from, SpatialVariation& to, const char* of) 
     }
 }
 
-/// Values between which a number is interpolated: up to `most` of them, where that is given.
+/// Returns the values between which a number is interpolated, at most `most` of them if that is given.
 std::vector<double> numbers_for(const Texture& texture, double least, double ratio,
                                 std::optional<std::size_t> most = {}) {
     const auto inside = [least](float value) { return std::clamp(static_cast<double>(value), least, 1.0); };
@@ -226,7 +226,7 @@ std::vector<double> numbers_for(const Texture& texture, double least, double rat
     return out;
 }
 
-/// make(t) for each of these, interpolated by what the texture is at a point.
+/// Returns make(t) for each of the numbers, interpolated by the texture's value at a point.
 MaterialPtr interpolated(const std::function<MaterialPtr(double t)>& make, const TexturePtr& texture,
                          const std::vector<double>& numbers) {
     SpatialVariation out;
@@ -266,7 +266,7 @@ MaterialPtr multiplied(const MaterialPtr& material, const LayerFactor& factor, c
     require_texture(scale, "scaled");
     const SpatialVariation whole = out;
     multiply(out, factor, scale);
-    // Nothing is left of what is scaled by 0 but that it is black.
+    // A material scaled by 0 keeps one layer, which is black.
     if (out.layers.empty()) {
         out.layers.push_back(whole.layers.front());
         out.layers.front().scale = glm::vec3(0);

@@ -15,7 +15,7 @@ struct NumberParameter {
     NumberParameter(double number, TexturePtr of = nullptr) : value(number), texture(std::move(of)) {}
     NumberParameter(TexturePtr of) : NumberParameter(1, std::move(of)) {}
 
-    double value;        ///< in the parameter's range, beside a texture too
+    double value;        ///< value in the parameter's range, even if there is a texture
     TexturePtr texture;  ///< null: the value holds
 };
 

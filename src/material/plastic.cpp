@@ -20,12 +20,12 @@ namespace {
 struct DepolarizingLanes {
     Facets<float> facets;
     RelativeIndex<float> index;
-    float base;              // scale
-    const Lanes& in;         // transmittance
-    const Lanes& from_base;  // likewise, towards the viewer
+    float base;              // scale of the base
+    const Lanes& in;         // transmittance from the light
+    const Lanes& from_base;  // transmittance towards the viewer
 };
 
-// Plastic::base() and boundary().
+// Computes both terms of Plastic for sixteen pairs of directions.
 template <class Number>
 [[gnu::always_inline]] inline void reflect_depolarizing(const DepolarizingLanes& plastic,
                                                         const LaneVectors& towards_light,
@@ -52,7 +52,7 @@ PlasticParameters checked(PlasticParameters p) {
     return p;
 }
 
-// The terms are the base and the boundary.
+// Depolarizing plastic with two terms, the base and the boundary.
 class Plastic final : public Material {
 public:
     explicit Plastic(PlasticParameters parameters)
@@ -114,10 +114,10 @@ public:
     }
 
 private:
-    // Radiance falls by eta^2 on its way out.
+    // Returns 1 / (pi eta^2), because radiance falls by eta^2 on its way out.
     [[nodiscard]] double base_scale() const { return 1 / (eta_ * eta_ * std::numbers::pi); }
 
-    // Single reflection off the facets whose normal is the half vector.
+    // Returns the single reflection off the facets whose normal is the half vector.
     [[nodiscard]] double boundary(const glm::dvec3& light, const glm::dvec3& viewer) const {
         const FacetReflection<double> facet =
             facet_reflection({p_.distribution, p_.alpha.value}, components(light), components(viewer));
@@ -125,7 +125,7 @@ private:
     }
 
     bool smooth_;
-    PlasticParameters p_;  // without textures
+    PlasticParameters p_;  // values only, no textures
     double eta_;
     BoundaryTransmittance transmittance_;
 };

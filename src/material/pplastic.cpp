@@ -25,10 +25,10 @@ struct LanePlastic {
           boundary(!black(p.specular_reflectance.values)) {}
     Facets<float> facets;
     RelativeIndex<float> index;
-    bool base, boundary;  // have weight
+    bool base, boundary;  // true: the term has a weight other than 0
 };
 
-// Pplastic::base() and boundary().
+// Computes Pplastic::base() and Pplastic::boundary() for sixteen pairs of directions.
 template <class Number>
 [[gnu::always_inline]] inline void reflect_plastic(const LanePlastic& plastic,
                                                    const LaneVectors& towards_light,
@@ -106,11 +106,11 @@ public:
     }
 
 private:
-    // Through the smooth boundary, depolarizing scattering inside, and out again.
+    // Returns transmission through the smooth boundary, depolarizing scattering inside, and transmission out.
     [[nodiscard]] Mueller base(const glm::dvec3& light, const glm::dvec3& viewer) const {
         const Mueller in = fresnel_transmission(light.z, eta_);
         const Mueller out = fresnel_transmission(viewer.z, eta_);
-        // The s-axis of the macro surface is phi-hat: rotated by 90 degrees, which negates s1.
+        // The s-axis of the macro surface is phi-hat. The rotation by 90 degrees negates s1.
         const double i = -in(0, 1) / in(0, 0);
         const double o = -out(1, 0) / out(0, 0);
         const double scale = out(0, 0) * in(0, 0) / std::numbers::pi;
@@ -118,7 +118,7 @@ private:
         return Mueller({scale, scale * i, 0, 0, scale * o, scale * o * i});
     }
 
-    // Single reflection off the facets whose normal is the half vector.
+    // Returns the single reflection off the facets whose normal is the half vector.
     [[nodiscard]] Mueller boundary(const glm::dvec3& light, const glm::dvec3& viewer) const {
         const FacetReflection<double> facet =
             facet_reflection({p_.distribution, p_.alpha.value}, components(light), components(viewer));
@@ -126,7 +126,7 @@ private:
             facet.scale, dielectric_reflection(facet.cosine, RelativeIndex<double>(eta_)), facet.rotations);
     }
 
-    PplasticParameters p_;  // without textures
+    PplasticParameters p_;  // values only, no textures
     double eta_;
     LanePlastic lanes_;
 };

@@ -33,12 +33,12 @@ constexpr Number kFlatness{"flatness", &P::flatness};
 constexpr Number kClearcoat{"clearcoat", &P::clearcoat};
 constexpr Number kClearcoatGloss{"clearcoat_gloss", &P::clearcoat_gloss};
 
-/// Those that lobes depend on not linearly.
+/// Number on which lobes do not depend linearly.
 struct ShapeNumber {
     Number number;
     double PrincipledShape::*value;
-    Lobe first, last;  ///< the lobes
-    /// Of with_number(); as with_roughness() for alpha = roughness^2.
+    Lobe first, last;  ///< range of the lobes that depend on the number
+    /// Arguments of with_number(). Those of roughness match with_roughness() for alpha = roughness^2.
     double least, ratio;
 };
 constexpr ShapeNumber kShapeNumbers[] = {
@@ -46,7 +46,7 @@ constexpr ShapeNumber kShapeNumbers[] = {
     {kAnisotropic, &PrincipledShape::anisotropic, Lobe::metal, Lobe::dielectric, 0.01, 1.2},
     {kClearcoatGloss, &PrincipledShape::clearcoat_gloss, Lobe::clearcoat, Lobe::clearcoat, 0.01, 1.2}};
 
-/// A number, or what it leaves of 1.
+/// Number, or 1 - number if `rest` is true.
 struct Factor {
     Number number;
     bool rest = false;
@@ -57,14 +57,14 @@ constexpr Factor rest_of(const Number& number) {
 
 enum class Color { white, base, tint };
 
-/// A lobe times factors.
+/// Lobe times a colour and factors.
 struct Product {
     Lobe lobe;
     Color color;
     std::vector<Factor> factors;
 };
 
-/// The model is their sum.
+/// Returns the products whose sum is the model.
 const std::vector<Product>& products() {
     static const std::vector<Product> all = {
         {Lobe::diffuse, Color::base, {rest_of(kMetallic), rest_of(kSpecTrans), rest_of(kFlatness)}},
@@ -87,7 +87,7 @@ double luminance(const std::vector<double>& color) {
     return sum / static_cast<double>(color.size());
 }
 
-/// What varies by the same textures: a layer, or as many as with_number() makes of it.
+/// Lobes that vary by the same textures: one layer, or the layers that with_number() makes of it.
 struct Part {
     struct Scale {
         LayerFactor::Kind kind;
@@ -95,14 +95,14 @@ struct Part {
         bool operator==(const Scale&) const = default;
     };
     std::vector<Scale> scales;
-    std::vector<const ShapeNumber*> shape;  ///< those that textures give
+    std::vector<const ShapeNumber*> shape;  ///< numbers that textures give
     PrincipledMix mix;
 };
 
 class Composer {
 public:
     explicit Composer(P parameters) : p_(std::move(parameters)) {
-        // What is the same everywhere is a number.
+        // A constant texture becomes a number.
         for (const Number& n : {kRoughness, kAnisotropic, kMetallic, kSpecTrans, kSpecTint, kSheen,
                                 kSheenTint, kFlatness, kClearcoat, kClearcoatGloss}) {
             NumberParameter& number = p_.*n.parameter;
@@ -127,7 +127,7 @@ public:
 
     MaterialPtr run() {
         for (const Product& product : products()) add(product);
-        // Black still is a material.
+        // A black material has no parts.
         if (parts_.empty()) return diffuse({0});
         MaterialPtr out;
         for (const Part& part : parts_) {
@@ -163,7 +163,7 @@ private:
         (colored ? same->mix.colored : same->mix.white)[index(product.lobe)] += amount;
     }
 
-    /// Whether the amount is one of base_color.
+    /// Multiplies a part or its amount by a colour. Returns whether base_color multiplies the amount.
     bool multiply(Color color, Part& part, double& amount) {
         if (color == Color::white) return false;
         if (const TexturePtr& base = p_.base_color.texture) {

@@ -1,37 +1,37 @@
 // SPDX-License-Identifier: MIT
-// Disney's material.
+// Disney's principled material.
 #pragma once
 
 #include "material/material.hpp"
 
 namespace nicol {
 
-/// Mitsuba 3's `principled`, without what it transmits: Burley's lobes (principled_lobes.hpp), which
-/// depolarize. All but base_color and eta are numbers of 0 to 1. Textures of these are moved to 0..1, of
-/// roughness, anisotropic and clearcoat_gloss as with_number() does it.
+/// Parameters of Mitsuba 3's `principled` without transmission: Burley's lobes (principled_lobes.hpp), which
+/// depolarize. All but base_color and eta are numbers of 0 to 1. Textures are clamped to 0..1, or as in
+/// with_number() for roughness, anisotropic and clearcoat_gloss.
 struct PrincipledParameters {
     ColorParameter base_color{0.5};   ///< 0..1
     NumberParameter roughness = 0.5;  ///< GGX facets have alpha = roughness^2
     /// Facets have alpha / sqrt(1 - 0.9 anisotropic) along x and alpha sqrt(1 - 0.9 anisotropic) along y.
     NumberParameter anisotropic = 0.0;
     NumberParameter metallic = 0.0;
-    NumberParameter spec_trans = 0.0;  ///< the share of the diffuse base that lets light through in its place
-    /// Relative index of the facets, 0.001..1000; 1: there are none, not even of a metal, as in Mitsuba. For
-    /// Disney's `specular` it is 2 / (1 - sqrt(0.08 specular)) - 1.
+    NumberParameter spec_trans = 0.0;  ///< share of the diffuse base that transmits light instead
+    /// Relative index of the facets, 0.001..1000; 1: there are no facets, not even of a metal, as in Mitsuba.
+    /// index_of_specular() computes eta for Disney's `specular`.
     double eta = 1.5;
-    NumberParameter spec_tint = 0.0;  ///< from Fresnel's reflection to Schlick's in the tint of the base
+    NumberParameter spec_tint = 0.0;  ///< 0: Fresnel's reflection; 1: Schlick's in the tint of the base
     NumberParameter sheen = 0.0;
-    NumberParameter sheen_tint = 0.0;  ///< from white to the tint of the base
-    NumberParameter flatness = 0.0;    ///< from the diffuse base to one like subsurface scattering
+    NumberParameter sheen_tint = 0.0;  ///< 0: white; 1: tint of the base
+    NumberParameter flatness = 0.0;    ///< 0: diffuse base; 1: base like subsurface scattering
     NumberParameter clearcoat = 0.0;
     NumberParameter clearcoat_gloss = 0.0;
 };
 
-/// The tint of a base is its colour over its luminance, which is BT.709's of three channels and else their
-/// mean; that of black is white. Throws as pplastic(), and what tint_texture() throws.
+/// Returns the material. The tint of a base is its colour over its luminance: BT.709's for three channels,
+/// else the mean. The tint of black is white. Throws what pplastic() and tint_texture() throw.
 [[nodiscard]] MaterialPtr principled(const PrincipledParameters& parameters);
 
-/// The index for Disney's `specular`, 0 to 1.
+/// Returns eta for Disney's `specular`, 0 to 1: 2 / (1 - sqrt(0.08 specular)) - 1.
 [[nodiscard]] double index_of_specular(double specular);
 
 }  // namespace nicol

@@ -13,7 +13,7 @@
 namespace nicol {
 namespace {
 
-/// Lobes of one width make one term.
+/// First and last lobe of each term; the lobes of a term have one width.
 constexpr std::array<std::pair<PrincipledLobe, PrincipledLobe>, 3> kTermLobes = {
     {{PrincipledLobe::sheen, PrincipledLobe::subsurface},
      {PrincipledLobe::metal, PrincipledLobe::dielectric},
@@ -133,7 +133,7 @@ private:
     PrincipledConstants<float> lanes_;
     std::vector<double> color_;
     std::vector<Term> terms_;
-    std::unique_ptr<const PrincipledLobes> isotropic_;  // null: it is so itself
+    std::unique_ptr<const PrincipledLobes> isotropic_;  // null: this material is isotropic
 };
 
 }  // namespace

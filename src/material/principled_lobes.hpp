@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The reflections that principled() mixes, all of them depolarizing: Burley, "Physically Based Shading at
-// Disney" (2012) and "Extending the Disney BRDF to a BSDF" (2015), in the form of Mitsuba 3.
+// Depolarizing lobes that principled() mixes: Burley, "Physically Based Shading at Disney" (2012) and
+// "Extending the Disney BRDF to a BSDF" (2015), in the form of Mitsuba 3.
 #pragma once
 
 #include <array>
@@ -14,16 +14,16 @@
 
 namespace nicol {
 
-/// With w = (1 - c)^5, c the cosine of the angle between viewer and half vector. Metal, edge, tinted and
-/// dielectric are GGX facets times a Fresnel factor.
+/// Lobes with w = (1 - c)^5, c the cosine of the angle between viewer and half vector. Metal, edge, tinted
+/// and dielectric are GGX facets times the factor given here.
 enum class PrincipledLobe : std::size_t {
     sheen,       ///< w
-    diffuse,     ///< Burley's, with its retro-reflection; about 1 / pi
+    diffuse,     ///< Burley's diffuse lobe with retro-reflection; about 1 / pi
     subsurface,  ///< Burley's fit to Hanrahan and Krueger; about 1 / pi
     metal,       ///< 1 - w
     edge,        ///< w
     tinted,      ///< (1 - w) times a dielectric's reflectance at normal incidence
-    dielectric,  ///< Fresnel's
+    dielectric,  ///< Fresnel's reflectance of a dielectric
     clearcoat    ///< a quarter of Berry's facets (GTR 1) under Schlick's factor of 0.04
 };
 inline constexpr std::size_t kPrincipledLobes = 8;
@@ -35,32 +35,32 @@ inline constexpr std::size_t kPrincipledLobes = 8;
 inline constexpr double kCoatReflectance = 0.04;
 inline constexpr double kCoatShadowing = 0.25;
 
-/// What lobes depend on not linearly. For eta below 1, w is that of the refracted angle in all but the sheen.
+/// Numbers on which lobes depend nonlinearly. For eta below 1, w is at the refracted angle, but not in sheen.
 struct PrincipledShape {
     double roughness = 0.5;      ///< diffuse, subsurface, facets
     double anisotropic = 0;      ///< facets
     double eta = 1.5;            ///< facets
     double clearcoat_gloss = 0;  ///< clearcoat
 
-    /// Of the facets, along x and along y.
+    /// Returns the roughness of the facets along x and along y.
     [[nodiscard]] glm::dvec2 alpha() const {
         const double aspect = std::sqrt(1 - 0.9 * anisotropic);
         return glm::max(roughness * roughness * glm::dvec2(1 / aspect, aspect), 0.001);
     }
     [[nodiscard]] double coat_alpha() const { return 0.1 - (0.1 - 0.001) * clearcoat_gloss; }
-    /// Of a dielectric, at normal incidence.
+    /// Returns the reflectance of a dielectric at normal incidence.
     [[nodiscard]] double normal_reflectance() const {
         return (eta - 1) * (eta - 1) / ((eta + 1) * (eta + 1));
     }
 };
 
-/// How much there is of each lobe: times the colour, and beside that in every channel.
+/// Amounts of the lobes: `colored` is multiplied by the colour, `white` is the same in every channel.
 struct PrincipledMix {
     std::array<double, kPrincipledLobes> colored{};
     std::array<double, kPrincipledLobes> white{};
 };
 
-/// The sum of lobes; at least one amount must not be 0. `color`: one value or one a channel.
+/// Returns the sum of lobes; at least one amount must not be 0. `color`: one value, or one per channel.
 [[nodiscard]] MaterialPtr principled_lobes(const PrincipledShape& shape, std::vector<double> color,
                                            const PrincipledMix& mix);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The values of the lobes of principled_lobes.hpp, written once for single numbers and for vectors of lanes.
+// Values of the lobes of principled_lobes.hpp, written once for single numbers and for vectors of lanes.
 #pragma once
 
 #include <cmath>
@@ -10,7 +10,7 @@
 
 namespace nicol {
 
-/// PrincipledShape and the constants that follow from it. Real: float or double.
+/// Constants of a PrincipledShape and constants derived from them. Real: float or double.
 template <class Real>
 struct PrincipledConstants {
     explicit PrincipledConstants(const PrincipledShape& k)
@@ -25,7 +25,7 @@ struct PrincipledConstants {
 
     Real roughness;
     RelativeIndex<Real> index;
-    bool refracts_away;   ///< from the normal: eta is at most 1
+    bool refracts_away;   ///< eta is at most 1, so light refracts away from the normal
     Real inverse_square;  ///< 1 / eta^2
     Facets<Real> facets;
     Real normal_reflectance;
@@ -33,7 +33,7 @@ struct PrincipledConstants {
     Real coat_scale;
 };
 
-/// The value of each lobe.
+/// Value of each lobe, by index().
 template <class Number>
 struct PrincipledValues {
     Number of[kPrincipledLobes];
@@ -45,7 +45,7 @@ template <class Number>
     x *= square * square;
 }
 
-/// Schlick's weight (1 - c)^5 of a direction, c the cosine of its angle to the normal.
+/// Computes Schlick's weight (1 - c)^5 of a direction, c the cosine of its angle to the normal.
 template <class Number>
 [[gnu::always_inline]] inline void schlick(const Vector3<Number>& direction, Number& weight) {
     const Number cosine = direction.z > 0.0F ? direction.z : Number{};
@@ -53,8 +53,8 @@ template <class Number>
     to_fifth_power(weight);
 }
 
-/// All lobes, 0 where a direction lies below the horizon. Differences from 1 are computed without
-/// cancellation.
+/// Returns all lobes, which are 0 if a direction lies below the horizon. Differences from 1 are computed
+/// without cancellation.
 template <class Number>
 [[gnu::always_inline]] inline PrincipledValues<Number> principled_values(
     const PrincipledConstants<ScalarOf<Number>>& k, const Vector3<Number>& light,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The layout ISOBI2: for a = max(l_in, l_out) and b = min, degrees -b..b; at each m the pair (m, m) and next
-// to it (m, -m).
+// Files in the layout ISOBI2. Entries are sorted by max(l_in, l_out). The degrees m of a pair of orders run
+// over -b..b, b = min(l_in, l_out), with (m, m) next to (m, -m).
 #include "material/psh_matrix_file.hpp"
 
 #include <algorithm>
@@ -41,7 +41,7 @@ struct DegreePair {
     [[nodiscard]] std::size_t entry(int sign_out, int sign_in) const {
         return 16 * entry_index(l_in, l_out, sign_in * m, sign_out * m);
     }
-    // A level of its own with degrees -1, 0, 1 stands for that of -m, m, so that lanes can be used.
+    // Returns the level of degrees -1, 0, 1 that stands for degrees -m and m, so that lanes can be used.
     [[nodiscard]] int level() const { return m > 0 ? 1 : 0; }
 };
 
@@ -49,7 +49,7 @@ std::size_t coefficient(int level, int sign) {
     return 4 * psh_index(level, sign * level);
 }
 
-/// The map T of real coefficients, in terms of the lanes.
+/// Applies the map T of real coefficients to lanes.
 IsotropicLanes apply(std::span<const double> channel, const DegreePair& pair, const IsotropicLanes& lanes) {
     std::array<double, 16> in{};
     std::array<double, 16> out{};
@@ -85,7 +85,7 @@ Block read_block(std::span<const double> channel, const DegreePair& pair) {
         out[15] = std::conj(out[10]);
         return out;
     }
-    // A map of complex numbers that commutes with rotations is A z; a part with conj z is not isotropic.
+    // A map of complex numbers z that commutes with rotations is A z; a part with conj z is not isotropic.
     for (std::size_t b = 0; b < 4; ++b) {
         IsotropicLanes unit{};
         unit[b] = 1;

@@ -17,10 +17,10 @@ namespace nicol {
 namespace {
 
 using std::numbers::pi;
-// Of files in single precision.
+// Rounding error of files in single precision, relative to the norm.
 constexpr double kRounding = 1e-6;
 
-// Rows at outgoing angles a sixth of the shortest half-wave apart; between them cubics.
+// Material with rows at outgoing angles a sixth of the shortest half-wave apart and cubics between rows.
 class PshMatrixMaterial final : public Material {
 public:
     PshMatrixMaterial(std::vector<IsotropicMatrix> channels, const std::vector<double>& scale)
@@ -64,7 +64,7 @@ public:
 
     [[nodiscard]] Mueller evaluate(int term, const glm::dvec3& towards_light,
                                    const glm::dvec3& towards_viewer) const override {
-        // Closer to the horizon the division by the cosine would overflow.
+        // The division by the cosine would overflow closer to the horizon.
         if (towards_light.z <= 1e-9 || towards_viewer.z <= 0) return {};
         Mueller m;
         if (mirror_symmetric_) {
@@ -101,7 +101,7 @@ private:
         return out;
     }
 
-    // Rows times the coefficients of light from one direction, for one Stokes component after the other.
+    // Adds rows times the coefficients of light from one direction, for one Stokes component after the other.
     template <std::size_t Pairings>
     void add_term(Mueller& out, int term, const glm::dvec3& light, const glm::dvec3& viewer) const {
         const Taps tap = taps(viewer);
@@ -111,7 +111,7 @@ private:
             rows_.data() +
             rows_at_angle * size *
                 (static_cast<std::size_t>(term) * static_cast<std::size_t>(cells_ + 1) + tap.first);
-        // Half-angle functions of the propagation, which is opposite.
+        // Propagation is opposite to `light`, which exchanges the sine and cosine of half the angle.
         const double sine = std::hypot(light.x, light.y);
         const double half = std::atan2(sine, light.z) / 2;
         thread_local std::vector<double> scalar, spin2;

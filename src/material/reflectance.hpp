@@ -17,7 +17,7 @@ void check_range(double value, double low, double high, std::string_view name);
 /// Throws Error(invalid_argument) unless both parameters have equally many values or one has a single one.
 void check_channels(std::size_t a, std::string_view a_name, std::size_t b, std::string_view b_name);
 
-/// Of a rough boundary over a base, PplasticParameters or PlasticParameters: throws as these do.
+/// Throws Error(invalid_argument) if PplasticParameters or PlasticParameters are out of range.
 template <class Parameters>
 void check_plastic(const Parameters& p) {
     check_reflectance(p.diffuse_reflectance.values, "diffuse_reflectance");
@@ -29,12 +29,12 @@ void check_plastic(const Parameters& p) {
                    p.specular_reflectance.values.size(), "specular_reflectance");
 }
 
-/// Whether all are 0.
+/// Returns whether all values are 0.
 [[nodiscard]] inline bool black(const std::vector<double>& values) {
     return std::ranges::all_of(values, [](double value) { return value == 0; });
 }
 
-/// One value stands for every channel.
+/// Returns the value of a channel; a single value stands for every channel.
 [[nodiscard]] inline double of_channel(const std::vector<double>& values, int channel) {
     return values.size() == 1 ? values.front() : values.at(static_cast<std::size_t>(channel));
 }

@@ -20,10 +20,10 @@ namespace nicol {
 namespace {
 
 constexpr std::string_view kMagic("NICOLRT\0", 8);
-// Raise it whenever the numbers of any table change.
+// Format version, to be raised whenever the numbers of any table change.
 constexpr std::uint32_t kVersion = 3;
 
-// The table's parameters follow the material's own key.
+// Returns the key of a table: the material's own key, then the table's parameters.
 std::string key_of(const std::string& content, const LightLayout& layout, int channels,
                    std::size_t pairings) {
     return Key(content)
@@ -75,7 +75,7 @@ public:
 private:
     static constexpr std::size_t kHashSize = 32;
     static constexpr std::uint32_t kMaxKeyBytes = 1 << 16;
-    // Of one entry of the layout, in one channel.
+    // Bytes of one pair of the layout, in one channel and pairing.
     static constexpr std::uint64_t kRowBytes = ResponseTable::kAngles * 4 * sizeof(float);
 
     [[noreturn]] void invalid(const std::string& what) const {
@@ -110,7 +110,7 @@ private:
         return header + key_;
     }
 
-    // " name=value" of the key.
+    // Returns the number in " name=number" of the key. Throws unless it lies in `low` to `high`.
     int number(const std::string& name, int low, int high) const {
         const std::size_t at = key_.rfind(" " + name + "=");
         if (at == std::string::npos) invalid("does not say its " + name);
@@ -127,11 +127,11 @@ private:
     std::string key_;
 };
 
-// A table, and what went wrong with its file; texts are empty where nothing did.
+// Table and what went wrong with its file; a text is empty if nothing went wrong.
 struct Cached {
     ResponseTable table;
-    std::string unfit;        // why the file that was there could not serve
-    std::string not_written;  // why the table could not be kept
+    std::string unfit;        // reason why an existing file is not usable
+    std::string not_written;  // reason why the table could not be written
 };
 
 Cached through_cache(const Material& material, const std::string& content, const LightLayout& layout,

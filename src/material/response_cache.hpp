@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Response tables on disk. A file holds magic, version, length of the key, key, table, and a hash of all
-// that.
+// Response tables on disk. A file holds magic, version, length of the key, key, table, and a hash of
+// everything before the hash.
 #pragma once
 
 #include <filesystem>
@@ -11,27 +11,27 @@
 
 namespace nicol {
 
-/// Receives one line of text when a cache file could not be used or written.
+/// Callback that receives one line of text if a cache file could not be used or written.
 using CacheNotice = std::function<void(const std::string&)>;
 
-/// The table of a material: read from `folder` if it is there, else built and saved there. The folder is
-/// created if it is missing; an empty path: no cache.
+/// Returns the table of a material: read from `folder` if its file is there, else built and saved there. A
+/// missing folder is created; an empty path means no cache.
 ///
 /// A file is used only if format version, content key of the material, order, kind of light, channels,
-/// pairings, length and checksum are right; otherwise the table is rebuilt and the file replaced, with a
-/// notice. Files are written atomically, so processes may share a folder. Failure to write is a notice, not
-/// an error. Materials without a content key (Material::content_key()) are not cached. Throws what
+/// pairings, length and checksum are right. Otherwise the table is rebuilt and the file replaced, with a
+/// notice. Files are written atomically, so processes may share a folder. A failure to write gives a notice,
+/// not an error. Materials without a content key (Material::content_key()) are not cached. Throws what
 /// ResponseTable's constructor throws.
 [[nodiscard]] ResponseTable load_or_build(const Material& material, const LightLayout& layout, int channels,
                                           const std::filesystem::path& folder = {},
                                           const CacheNotice& notice = {});
 
-/// Builds the table, where `folder` does not have it already, and keeps it there. Throws Error(write_failed)
-/// where it cannot be written, and what load_or_build() throws. The material must have a content key.
+/// Builds the table and saves it in `folder`, unless it is there already. Throws Error(write_failed), and
+/// what load_or_build() throws. The material must have a content key.
 void store_response_table(const Material& material, const LightLayout& layout, int channels,
                           const std::filesystem::path& folder);
 
-/// A table in a cache file, with its parameters.
+/// Table of a cache file, with its parameters.
 struct StoredResponse {
     LightLayout layout;
     ResponseTable table;

@@ -18,7 +18,7 @@ std::size_t part_of(LightKind kind) {
     return kind == LightKind::unpolarized ? 0 : kind == LightKind::linear ? 1 : 2;
 }
 
-// Rows [channel][p][pairing][j] at an outgoing angle.
+// Returns the rows [channel][p][pairing][j] at an outgoing zenith angle.
 std::vector<double> rows_at(const Material& material, const LightLayout& layout, int channels, double theta) {
     const std::size_t set = 4 * material.pairings() * layout.row_size();
     std::vector<double> rows(set * static_cast<std::size_t>(channels));

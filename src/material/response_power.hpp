@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How strongly a material responds to each order of light.
+// Strength of a material's response to each order of light.
 #pragma once
 
 #include <array>
@@ -15,21 +15,21 @@ namespace nicol {
 /// sphere.
 class ResponsePower {
 public:
-    /// Of outgoing light: s0, and s1 and s2 together.
+    /// Number of outputs of reflected light: s0, and s1 with s2.
     static constexpr std::size_t kOutputs = 2;
-    /// Of incident light: s0, s1 and s2 together, s3.
+    /// Number of parts of incident light: s0, s1 with s2, and s3.
     static constexpr std::size_t kParts = 3;
 
     /// Energies by order, 0..order.
     using Spectrum = std::vector<double>;
 
-    /// Integrates the material at a few angles. channels: as for ResponseTable. Throws as it does.
+    /// Integrates the material at a few angles. `channels` and exceptions are those of ResponseTable.
     ResponsePower(const Material& material, int order, LightKind kind, int channels);
 
-    /// 1 if all channels have the same.
+    /// Returns the number of channels; 1 if all channels have the same energies.
     [[nodiscard]] int channels() const noexcept { return static_cast<int>(of_.size()); }
-    /// Zero for parts that the kind of light lacks. Light of energy e_l in order l reflects to a mean square,
-    /// over all rotations of the light, of the sum of e_l power_l / (2 l + 1), half of it for s1 and s2.
+    /// Returns power_l, 0 for parts that the kind of light lacks. Light of energy e_l in order l has a mean
+    /// square of reflection, over its rotations, of sum_l e_l power_l / (2 l + 1); half of it for s1 with s2.
     [[nodiscard]] const Spectrum& of(int channel, std::size_t output, std::size_t part) const {
         return of_[static_cast<std::size_t>(channels() == 1 ? 0 : channel)][output][part];
     }

@@ -20,7 +20,7 @@ using std::numbers::pi;
 constexpr int kStride = 4;
 constexpr int kIntegrated = (ResponseTable::kAngles - 1) / kStride + 1;
 
-// Fills the angles between those that were integrated: cubics through the four nearest.
+// Fills the angles between the integrated angles by cubics through the four nearest ones.
 void interpolate_between(std::vector<float>& data, std::size_t row) {
     for (int cell = 0; cell + 1 < kIntegrated; ++cell) {
         const int first = std::clamp(cell - 1, 0, kIntegrated - 4);
@@ -143,7 +143,7 @@ void ResponseTable::integrate(const Material& material, const LightLayout& layou
         RowIntegral integral(material, layout);
         for (int i = range.begin(); i < range.end(); ++i) {
             const int angle = i * kStride;
-            // At 90 degrees most materials' formulas are 0/0, though the rows have a limit.
+            // Most materials' formulas are 0/0 at 90 degrees, although the rows have a limit there.
             const double theta = std::min(angle * (pi / 2) / (kAngles - 1), pi / 2 - 1e-6);
             const double* rows = integral.integrate(theta).data();
             for (int term = 0; term < material.terms(); ++term, rows += set) {

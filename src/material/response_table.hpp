@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A material as rows of coefficients, one set per outgoing zenith angle, whose dot products with the incident
-// light are the reflected Stokes vector.
+// Response of a material as rows of coefficients, one set per outgoing zenith angle, whose dot products with
+// the incident light are the reflected Stokes vector.
 #pragma once
 
 #include <array>
@@ -12,56 +12,56 @@
 
 namespace nicol {
 
-/// The outgoing Stokes vector at zenith angle theta, azimuth 0, in the theta-phi frame there, for light in
-/// the surface's frame with even and odd numbers as LightLayout pairs them:
+/// Rows for the outgoing Stokes vector at zenith angle theta and azimuth 0, in the theta-phi frame there.
+/// Light in the surface's frame, with even and odd numbers in pairs (LightLayout), gives
 ///     s_p = sum_j row_p[j] even_j + second_p[j] odd_j  for p = 0, 1,
 ///     s_p = sum_j row_p[j] odd_j + second_p[j] even_j  for p = 2, 3,
-/// where `second`, the row of the second pairing, is there for materials without mirror symmetry only.
-/// Row entries are the integral of M_pq cos(theta_i) against the basis over incident directions (Eq. 40 with
-/// the outgoing side left in the angular domain), so nothing is truncated on the outgoing side. Between
-/// angles rows are interpolated linearly.
+/// where `second`, the row of the second pairing, exists only for materials without mirror symmetry. Row
+/// entries are the integral of M_pq cos(theta_i) against the basis over incident directions (Eq. 40 with the
+/// outgoing side left in the angular domain), so nothing is truncated on the outgoing side. Rows are
+/// interpolated linearly between angles.
 class ResponseTable {
 public:
-    /// Number of zenith angles, evenly from 0 to pi/2. Every fourth is integrated, the others are cubic
-    /// interpolations; the linear interpolation at run time then errs by less than 1e-4 of a row up to order
-    /// 16.
+    /// Number of zenith angles, evenly from 0 to pi/2. Every fourth angle is integrated, and the others are
+    /// cubic interpolations. The linear interpolation at run time then has an error below 1e-4 of a row up to
+    /// order 16.
     static constexpr int kAngles = 4 * 255 + 1;
-    /// Of of_outgoing_light(), which misses less than 1e-6 of the largest value up to order 16.
+    /// Angles of of_outgoing_light(), whose error is below 1e-6 of the largest value up to order 16.
     static constexpr int kOutgoingAngles = 4097;
 
     /// Integrates every term of the material on quadrature nodes that are dense about the mirror direction,
     /// or evaluates the outgoing side of the matrix that defines the material. `channels`: 1 or the scene's;
     /// a material of one channel fits any. Throws Error(invalid_argument) if the channels do not fit.
     ResponseTable(const Material& material, const LightLayout& layout, int channels);
-    /// From the data() of another table with this layout, number of channels and pairings. Throws
-    /// Error(invalid_argument) where the length does not fit.
+    /// Takes the data() of another table with this layout, number of channels and pairings. Throws
+    /// Error(invalid_argument) if the length does not fit.
     ResponseTable(const LightLayout& layout, int channels, std::size_t pairings, std::vector<float> data);
-    /// The table whose outgoing Stokes vector is the value of the light itself at the outgoing direction, for
-    /// light that is the reflected one already.
+    /// Returns the table whose outgoing Stokes vector is the value of the light itself at the outgoing
+    /// direction, for light that is reflected light already.
     [[nodiscard]] static ResponseTable of_outgoing_light(const LightLayout& layout);
 
-    /// The channels() that the table of a material has. Throws as the constructor.
+    /// Returns the channels() that the table of a material has. Throws what the constructor throws.
     [[nodiscard]] static int channels_for(const Material& material, int channels);
 
-    /// 1 if every channel has the same rows, else the number of channels.
+    /// Returns 1 if every channel has the same rows, else the number of channels.
     [[nodiscard]] int channels() const noexcept { return channels_; }
-    /// Zenith angles, evenly from 0 to pi/2: kAngles or kOutgoingAngles.
+    /// Returns the number of zenith angles, evenly from 0 to pi/2: kAngles or kOutgoingAngles.
     [[nodiscard]] int angles() const noexcept { return angles_; }
-    /// Numbers of a row, of all pairings.
+    /// Returns the length of a row, all pairings together.
     [[nodiscard]] std::size_t row_size() const noexcept { return row_size_; }
-    /// 1, or 2 for a material without mirror symmetry.
+    /// Returns 1, or 2 for a material without mirror symmetry.
     [[nodiscard]] std::size_t pairings() const noexcept { return pairings_; }
-    /// False if row_p is zero for every angle: the material never reflects that component.
+    /// Returns whether the material reflects component p: false if row_p is zero at every angle.
     [[nodiscard]] bool makes(std::size_t p) const noexcept { return makes_[p]; }
 
-    /// The four rows of an angle, one after another.
+    /// Returns the four rows of an angle, one after another.
     [[nodiscard]] std::span<const float> rows(int angle, int channel) const {
         const auto index = static_cast<std::size_t>(angle) * static_cast<std::size_t>(channels_) +
                            static_cast<std::size_t>(channel);
         return {data_.data() + 4 * row_size_ * index, 4 * row_size_};
     }
 
-    /// All rows: [angle][channel][p][pairing][j].
+    /// Returns all rows: [angle][channel][p][pairing][j].
     [[nodiscard]] std::span<const float> data() const noexcept { return data_; }
     [[nodiscard]] std::size_t bytes() const noexcept { return data_.size() * sizeof(float); }
 

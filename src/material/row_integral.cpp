@@ -13,8 +13,8 @@ namespace {
 
 using std::numbers::pi;
 
-// Whether the part of M_pq that a pairing takes is even in the azimuth; else it is odd. Materials with mirror
-// symmetry have none for the second pairing.
+// Returns whether the part of M_pq that a pairing takes is even in the azimuth; else it is odd. Materials
+// with mirror symmetry have no part for the second pairing.
 constexpr bool is_even(std::size_t p, std::size_t q, std::size_t pairing) {
     return ((p < 2) == (q < 2)) == (pairing == 0);
 }
@@ -26,7 +26,7 @@ RowIntegral::RowIntegral(const Material& material, const LightLayout& layout)
       layout_(layout),
       pairings_(material.pairings()),
       waves_(static_cast<std::size_t>(layout.order()) + 1) {
-    // Terms of one lobe width share their nodes, and then what evaluate_terms() shares.
+    // Terms share nodes and evaluate_terms() if all have the same lobe width.
     const int terms = material.terms();
     bool equal_widths = true;
     for (int t = 1; t < terms; ++t)
@@ -68,7 +68,7 @@ void RowIntegral::place_azimuths(double narrow, double wide) {
             cosine = next;
         }
     };
-    // Of mirror images one stands for both.
+    // A single pairing needs one of two mirror images, with twice the weight.
     const double share = 2 / static_cast<double>(pairings_);
     for (const QuadratureNode& q : nodes_around(pi, 0, pi, narrow, wide)) {
         const double c = std::cos(q.x);
@@ -86,19 +86,19 @@ void RowIntegral::add_terms(double theta_out, std::span<const int> terms) {
     place_azimuths(std::min(1.0, lobe / std::max(lobe, viewer.x)), wide);
     for (const QuadratureNode& node : nodes_around(theta_out, 0, pi / 2, lobe, wide)) {
         take_moments(node.x, viewer, terms);
-        // Propagation is opposite: theta_p = pi - theta, which exchanges the half-angle functions.
+        // Propagation is opposite: theta_p = pi - theta, which exchanges sine and cosine of the half angle.
         const double sine = std::sin(node.x / 2);
         const double cosine = std::cos(node.x / 2);
         spin_harmonics(0, layout_.order(), cosine, sine, scalar_);
         if (layout_.kind() != LightKind::unpolarized)
             spin_harmonics(2, layout_.order(), cosine, sine, spin2_);
         zenith_functions(layout_, scalar_, spin2_, first_, second_);
-        // With the factor cos(theta).
+        // The weight includes the factor cos(theta) of the integral.
         accumulate(std::sin(node.x) * std::cos(node.x) * node.weight, terms);
     }
 }
 
-// Cosine moments of even parts, sine moments of odd ones, over the whole circle.
+// Computes moments over the whole circle: cosine moments of even parts, sine moments of odd parts.
 void RowIntegral::take_moments(double theta, const glm::dvec3& viewer, std::span<const int> terms) {
     std::ranges::fill(moments_, 0.0);
     const auto columns = static_cast<std::size_t>(layout_.kind());
@@ -132,7 +132,7 @@ void RowIntegral::take_moments(double theta, const glm::dvec3& viewer, std::span
 }
 
 void RowIntegral::accumulate(double solid_angle, std::span<const int> terms) {
-    std::size_t begin = 0;  // of the run in a row
+    std::size_t begin = 0;  // start of the run in a row
     for (const LightLayout::Run& run : layout_.runs()) {
         const double* first = &first_[begin];
         const double* second = &second_[begin];
@@ -144,7 +144,7 @@ void RowIntegral::accumulate(double solid_angle, std::span<const int> terms) {
             for (std::size_t i = 0; i < 4 * pairings_; ++i) {
                 const std::size_t p = i / pairings_;
                 const std::size_t pairing = i % pairings_;
-                // Against the even functions of the run, or the odd ones.
+                // The moment is for the even functions of the run, or for the odd functions.
                 const bool even = is_even(p, 0, pairing);
                 double a = 0;
                 double b = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The rows of a response table by quadrature.
+// Rows of a response table by quadrature.
 #pragma once
 
 #include <span>
@@ -10,19 +10,19 @@
 
 namespace nicol {
 
-/// Rows at any outgoing angle, term by term. Reuses its work space: not thread-safe.
+/// Integrator for rows at any outgoing angle, term by term. Reuses its work space: not thread-safe.
 class RowIntegral {
 public:
-    /// Both must outlive the object.
+    /// Keeps references: both arguments must outlive the object.
     RowIntegral(const Material& material, const LightLayout& layout);
 
-    /// Rows [term][p][pairing][j] (see ResponseTable), in the material's pairings(), at a zenith angle in
-    /// [0, pi/2), valid until the next call.
+    /// Returns the rows [term][p][pairing][j] (see ResponseTable), with the material's pairings(), at a
+    /// zenith angle in [0, pi/2). Valid until the next call.
     [[nodiscard]] std::span<const double> integrate(double theta_out);
 
 private:
     struct AzimuthNode {
-        double cos_phi;  // of the direction towards the light
+        double cos_phi;  // azimuth of the direction towards the light
         double sin_phi;
         double weight;
     };
@@ -37,7 +37,7 @@ private:
     std::size_t waves_;  // order + 1
     std::vector<std::vector<int>> groups_;
     std::vector<AzimuthNode> azimuths_;
-    std::vector<double> cosines_, sines_;  // [node][m] of m phi_p, phi_p = phi + pi of the propagation
+    std::vector<double> cosines_, sines_;  // [node][m] of m phi_p; azimuth of propagation phi_p = phi + pi
     std::vector<Mueller> muellers_;        // [term]
     std::vector<double> moments_;          // [term in group][p][q][pairing][m]
     std::vector<double> scalar_, spin2_;   // harmonics by psh_index

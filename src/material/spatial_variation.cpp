@@ -25,20 +25,20 @@ bool any_texture(const SpatialVariation& variation, const Needs& needs) {
            of(variation.opacity);
 }
 
-// What a texture is at sixteen points, and between what the first channel lies.
+// Values of a texture at sixteen points, with the range of the first channel.
 struct LaneValues {
     std::array<Lanes, 4> color;
     float least, most;
 };
 
-// Nowhere between two values.
+// Returns whether the factor is a hat that is 0 at all sixteen points.
 bool is_zero(const LayerFactor& factor, const LaneValues& of) {
     return factor.kind == LayerFactor::Kind::hat &&
            ((factor.low != factor.middle && of.most <= factor.low) ||
             (factor.high != factor.middle && of.least >= factor.high));
 }
 
-// hat() of each.
+// Computes hat() of sixteen values.
 [[gnu::always_inline]] inline void hats(const LayerFactor& factor, const LaneVector& t, LaneVector& out) {
     constexpr float little = 1e-6F;  // below any `low`
     const LaneVector inverse = 1.0F / (t > little ? t : LaneVector{} + little);
@@ -51,7 +51,7 @@ bool is_zero(const LayerFactor& factor, const LaneValues& of) {
     out = out > 0 ? out : LaneVector{};
 }
 
-// factor_value() of each, of factors that are the same for every colour.
+// Computes factor_value() of sixteen values, for factors that are the same for every colour.
 [[gnu::always_inline]] inline void scalar_factors(const LayerFactor& factor, const LaneVector& t,
                                                   LaneVector& out) {
     if (factor.kind == LayerFactor::Kind::hat) return hats(factor, t, out);
@@ -60,7 +60,7 @@ bool is_zero(const LayerFactor& factor, const LaneValues& of) {
     if (factor.kind == LayerFactor::Kind::complement) out = 1.0F - out;
 }
 
-// Bit i: a lane i is not 0.
+// Returns bits: bit i is set if a, b or c is not 0 in lane i.
 [[gnu::always_inline]] inline std::uint32_t not_zero(const LaneVector& a, const LaneVector& b,
                                                      const LaneVector& c) {
     constexpr IntVector each{1 << 0, 1 << 1, 1 << 2,  1 << 3,  1 << 4,  1 << 5,  1 << 6,  1 << 7,

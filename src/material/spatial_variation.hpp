@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How a material varies over a surface (SVBRDF).
+// Variation of a material over a surface (SVBRDF).
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -12,34 +12,34 @@
 
 namespace nicol {
 
-/// A factor of a layer's weight: a function of a texture's value t at the point.
+/// Factor of a layer's weight: a function of a texture's value t at the point.
 struct LayerFactor {
     enum class Kind {
         value,       ///< t, a value for each colour
-        fraction,    ///< the first channel of t, moved to 0..1
+        fraction,    ///< first channel of t, clamped to 0..1
         complement,  ///< 1 - fraction
-        hat,         ///< of the first channel, see below
-        /// (1 - middle) t / (1 - middle t) for each colour: t for light that meets the texture again and
-        /// again, the part `middle` of it each time. 1 where t is 1.
+        hat,         ///< hat function of the first channel, see `low`, `middle` and `high`
+        /// (1 - middle) t / (1 - middle t) for each colour: light of which the part `middle` meets the
+        /// texture again each time. The factor is 1 for t = 1.
         again
     };
     Kind kind;
-    std::size_t texture;  ///< of SpatialVariation::textures
-    /// hat: 1 at `middle`, 0 at `low` and `high` and beyond, linear in 1 / t between; all above 0. Where low
-    /// (high) equals middle: 1 from there on down (up).
+    std::size_t texture;  ///< index in SpatialVariation::textures
+    /// Hat function, all three above 0: 1 at `middle`, 0 at and beyond `low` and `high`, linear in 1 / t
+    /// between. If low (high) equals middle, the function is 1 from there on down (up).
     float low = 0, middle = 0, high = 0;
 
-    /// Whether it is one for each colour.
+    /// Returns whether the factor has one value per colour.
     [[nodiscard]] bool colored() const noexcept { return kind == Kind::value || kind == Kind::again; }
 };
 
-/// Of red, green and blue, or three equal ones, for the value of its texture.
+/// Returns the factor of red, green and blue, or three equal ones, for the value of its texture.
 [[nodiscard]] glm::vec3 factor_value(const LayerFactor& factor, const glm::vec4& texture);
 
-/// A material that is the same everywhere, times a constant and the product of its factors.
+/// Material that is the same everywhere, times a constant and the product of the factors.
 struct MaterialLayer {
-    MaterialPtr material;            ///< without variation
-    glm::vec3 scale = glm::vec3(1);  ///< of red, green and blue, or three equal ones
+    MaterialPtr material;            ///< material without variation
+    glm::vec3 scale = glm::vec3(1);  ///< red, green and blue, or three equal values
     std::vector<LayerFactor> factors = {};
 };
 
@@ -53,44 +53,44 @@ struct NormalVariation {
     Kind kind = Kind::none;
     TexturePtr texture;
     double scale = 1;
-    /// map: false: y completes a right-handed frame, as in Mitsuba. True: y points to where v falls, which
-    /// differs where texture coordinates are mirrored, as in glTF.
+    /// Direction of y in a map. False: y completes a right-handed frame, as in Mitsuba. True: y points to
+    /// where v falls, as in glTF, which differs if texture coordinates are mirrored.
     bool mirrored_y = false;
 
     bool operator==(const NormalVariation&) const = default;
 };
 
-/// M(point, channel) = sum of layers, weight(layer, point, channel) M_layer(channel).
+/// Variation of a material: M(point, channel) = sum of weight(layer, point, channel) M_layer(channel).
 struct SpatialVariation {
     static constexpr std::size_t kMostTextures = 16;
 
-    std::vector<TexturePtr> textures;  ///< of the factors, each once, at most kMostTextures
+    std::vector<TexturePtr> textures;  ///< textures of the factors, each once, at most kMostTextures
     std::vector<MaterialLayer> layers;
     NormalVariation normal;
-    /// The fourth channel (of four) or the first: the surface is there where it is 0.5 or more. Null:
-    /// everywhere.
+    /// Opacity: the fourth channel of a texture with four channels, else the first. The surface is present if
+    /// the opacity is 0.5 or more. Null: the surface is present everywhere.
     TexturePtr opacity;
 
     [[nodiscard]] bool needs_texcoords() const;
     [[nodiscard]] bool needs_colors(ColorsOf of) const;
-    /// Of what weights() and normal look at.
+    /// Returns whether weights() or the normal depends on the distance between pixels.
     [[nodiscard]] bool needs_footprint() const;
 
-    /// Whether the surface is there.
+    /// Returns whether the surface is present at a point.
     [[nodiscard]] bool present(const TexturePoint& point) const;
-    /// out[layer], of all layers: its weight for red, green and blue, or three equal ones.
+    /// Computes out[layer] of all layers: the weight for red, green and blue, or three equal ones.
     void weights(const TexturePoint& point, std::span<glm::vec3> out) const;
-    /// The same of sixteen points.
+    /// Computes the weights of all layers at sixteen points.
     void weights(const TexturePoints& points, std::span<LayerWeights> out) const;
 };
 
-/// Whether a texture of the material is of these colours of the mesh.
+/// Returns whether a texture of the material needs these colours of the mesh.
 [[nodiscard]] inline bool needs_colors(const Material& material, ColorsOf of) {
     const SpatialVariation* const variation = material.variation();
     return variation != nullptr && variation->needs_colors(of);
 }
 
-/// Null for a material that is there everywhere.
+/// Returns the opacity of a material; null: the material is present everywhere.
 [[nodiscard]] inline TexturePtr opacity_of(const Material& material) {
     const SpatialVariation* const variation = material.variation();
     return variation != nullptr ? variation->opacity : nullptr;

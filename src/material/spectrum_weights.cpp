@@ -62,7 +62,7 @@ void spread(std::span<const double> wavelengths, double wavelength, double amoun
     weights[upper] += x * amount;
 }
 
-// The observer at a whole nanometre.
+// Returns the observer at a whole nanometre.
 Tristimulus observer_at(int nm) {
     const auto i = static_cast<std::size_t>(nm - 380) / 10;
     const double x = (nm - 380) % 10 / 10.0;

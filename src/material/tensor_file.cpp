@@ -73,7 +73,7 @@ TensorFile::Field TensorFile::next_field(std::uint64_t file_size) {
     field.name.resize(length);
     file_.read(field.name.data(), length);
     if (!file_) invalid("is truncated within its list of fields");
-    // The name goes into messages.
+    // Messages contain the name, so it must be printable.
     if (!std::ranges::all_of(field.name, [](char c) { return c > 32 && c < 127; }))
         invalid("has a field whose name is not plain ASCII");
     const auto dimensions = next<std::uint16_t>();
