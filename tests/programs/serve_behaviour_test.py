@@ -22,6 +22,8 @@ def has_landlock():
     return ctypes.CDLL(None).syscall(create_ruleset, None, 0, ask_version) > 0
 
 
+# AddressSanitizer ends a process whose allocation the system refuses.
+@unittest.skipIf("ASAN_OPTIONS" in os.environ, "AddressSanitizer ends workers without memory")
 class LackOfMemory(ServeTest):
     """A worker whose address space is full reports it or is replaced, and the next request is answered."""
 
