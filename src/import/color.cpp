@@ -62,6 +62,18 @@ void require_wavelengths(const SceneChannels& channels) {
                                             " channels without wavelengths; give one grey value");
 }
 
+std::vector<double> as_emitted(const Table& table) {
+    return table.weighted(rgb_emission_weights(table.wavelengths));
+}
+
+// Returns a table whose value is the same at all visible wavelengths.
+Table constant_table(double value) {
+    Table table;
+    table.add(300, value);
+    table.add(900, value);
+    return table;
+}
+
 std::vector<double> clipped(std::vector<double> values, double most) {
     for (double& value : values) value = std::clamp(value, 0.0, most);
     return values;
@@ -78,19 +90,20 @@ std::vector<double> reflectance(const ColorDescription& color, const SceneChanne
 }
 
 std::vector<double> radiance(const ColorDescription& color, const SceneChannels& channels) {
+    if (color.equal_energy && channels.rgb()) return as_emitted(constant_table(color.rgb.x));
     if (color.spectrum.empty()) return values_of(color.rgb, channels);
     const Table table = ending_in_zeros(color);
-    if (channels.rgb()) {
-        return clipped(table.weighted(rgb_emission_weights(table.wavelengths)),
-                       std::numeric_limits<double>::max());
-    }
+    if (channels.rgb()) return clipped(as_emitted(table), std::numeric_limits<double>::max());
     require_wavelengths(channels);
     return table.weighted(linear_weights(table.wavelengths, channels.wavelengths));
 }
 
 std::vector<double> refractive_index(const ColorDescription& color, const SceneChannels& channels) {
     if (color.spectrum.empty()) return values_of(color.rgb, channels);
-    if (channels.rgb()) return clipped(radiance(color, channels), 100);
+    if (channels.rgb()) {
+        const Table ends = ending_in_zeros(color);
+        return clipped(ends.weighted(rgb_weights(ends.wavelengths)), 100);
+    }
     const Table table = table_of(color);
     require_wavelengths(channels);
     return table.weighted(linear_weights(table.wavelengths, channels.wavelengths));

@@ -23,6 +23,8 @@ struct ColorDescription {
 
     glm::dvec3 rgb{0.0};           ///< without meaning beside a table
     std::vector<Sample> spectrum;  ///< empty, or two and more by increasing wavelength
+    /// Whether `rgb` is one value of a <spectrum>, the same at all wavelengths. Light of it is not grey.
+    bool equal_energy = false;
 };
 
 }  // namespace nicol

@@ -19,10 +19,12 @@ struct SceneChannels {
 
 /// The values of a colour, three for red, green and blue; else one for grey, or one a wavelength. A table is
 /// linear between its wavelengths and, as in Mitsuba, 0 beyond them. As red, green and blue
-/// - a reflectance is observed under D65 (rgb_weights()), so that a constant table is grey, and clipped to
-/// 0..1;
-/// - light and an index are observed as they are (rgb_emission_weights()), as Mitsuba's modes without spectra
-///   do it: a constant table is white of equal energy, a little redder than D65; clipped below 0.
+/// - a reflectance or an index is observed under D65 (rgb_weights()), so that a constant table is grey;
+///   reflectances are clipped to 0..1, indices to 0..100;
+/// - light is observed as it is (rgb_emission_weights()), as Mitsuba's modes without spectra do it: a
+/// constant
+///   table, and one value as a <spectrum>, are white of equal energy, a little redder than D65; clipped below
+///   0.
 /// At wavelengths the table of an index is constant beyond its ends.
 /// Throws Error(unsupported) for a colour that the channels cannot have: one of red, green and blue unless it
 /// is grey, a table where the channels are neither.

@@ -52,8 +52,12 @@ std::vector<double> parsed_numbers(std::string_view text) {
 }
 
 std::optional<ColorDescription> parsed_spectrum(std::string_view text) {
-    if (const auto number = parsed_number(text)) return ColorDescription(*number);
     ColorDescription color(0.0);
+    if (const auto number = parsed_number(text)) {
+        color.rgb = glm::dvec3(*number);
+        color.equal_energy = true;
+        return color;
+    }
     double last = 0.0;
     for (const std::string_view token : tokens(text)) {
         const std::size_t colon = token.find(':');

@@ -64,10 +64,25 @@ TEST_CASE("a table is zero beyond its ends, and the rest is clipped to the gamut
     }
 }
 
-TEST_CASE("an index is red, green and blue as light is, within its range") {
-    const ColorDescription slope = table({{400, 4.0}, {600, 6.0}});
-    CHECK(refractive_index(slope, rgb) == radiance(slope, rgb));
-    CHECK(refractive_index(table({{360, 99}, {830, 99}}), rgb)[0] == 100);
+TEST_CASE("an index is red, green and blue as reflectances are, within its range") {
+    const ColorDescription slope = table({{400, 0.4}, {600, 0.6}});
+    CHECK(refractive_index(slope, rgb) == reflectance(slope, rgb));
+    for (const double index : refractive_index(table({{360, 99}, {830, 99}}), rgb))
+        CHECK(index == doctest::Approx(99));
+    CHECK(refractive_index(table({{600, 200}, {830, 200}}), rgb)[0] == 100);
+}
+
+TEST_CASE("light of one value as a spectrum has equal energy, which sRGB shows a little red") {
+    ColorDescription even(2.0);
+    CHECK(radiance(even, rgb) == std::vector<double>{2, 2, 2});
+    even.equal_energy = true;
+    const std::vector<double> light = radiance(even, rgb);
+    REQUIRE(light.size() == 3);
+    CHECK(light[0] == doctest::Approx(2 * 1.2048).epsilon(1e-3));
+    CHECK(light[1] == doctest::Approx(2 * 0.9483).epsilon(1e-3));
+    CHECK(light[2] == doctest::Approx(2 * 0.9087).epsilon(1e-3));
+    // Other quantities of equal energy are grey.
+    CHECK(reflectance(ColorDescription(even), rgb) == std::vector<double>{2, 2, 2});
 }
 
 TEST_CASE("channels that are wavelengths read a table there") {
