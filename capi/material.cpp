@@ -275,7 +275,8 @@ nicol_result nicol_material_create_normal_map(nicol_context context, nicol_mater
                                               nicol_texture normals, uint32_t mirrored_y,
                                               nicol_material* material) {
     return create_textured(context, base, normals, material, [&](MaterialPtr of, TexturePtr by) {
-        return normal_mapped(std::move(of), std::move(by), switch_from(mirrored_y, "mirrored_y"));
+        return normal_mapped(std::move(of), std::move(by),
+                             {.mirrored_y = switch_from(mirrored_y, "mirrored_y")});
     });
 }
 
@@ -288,7 +289,9 @@ nicol_result nicol_material_create_bump_map(nicol_context context, nicol_materia
 
 nicol_result nicol_material_create_mask(nicol_context context, nicol_material base, nicol_texture opacity,
                                         nicol_material* material) {
-    return create_textured(context, base, opacity, material, masked);
+    return create_textured(context, base, opacity, material, [](MaterialPtr of, TexturePtr by) {
+        return masked(std::move(of), std::move(by));
+    });
 }
 
 nicol_result nicol_material_create_callback(nicol_context context, const nicol_callback_material* parameters,

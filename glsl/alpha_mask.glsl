@@ -11,11 +11,24 @@
 layout(std430, binding = 1) readonly buffer OpacityIndices { uint opacity_indices[]; };
 layout(std430, binding = 2) readonly buffer OpacityPositions { float opacity_positions[]; };
 
+// Whether opacities between 0 and 1 are the fraction of samples that the surface is present for.
+uniform bool translucent;
+uniform uint sample_number;  // number of this sample, below `samples`
+uniform uint samples;
+
 const uint FIRST_OPACITY_TEXTURE = 8u;
 
 vec3 opacity_position(uint index) {
     uint at = 3u * opacity_indices[index];
     return vec3(opacity_positions[at], opacity_positions[at + 1u], opacity_positions[at + 2u]);
+}
+
+// Returns a number of 0 to 1 that depends on the pixel as if by chance.
+float chance() {
+    uint hash = uint(gl_FragCoord.x) * 0x9E3779B9u ^ uint(gl_FragCoord.y) * 0x85EBCA6Bu;
+    hash = (hash ^ hash >> 16) * 0x7FEB352Du;
+    hash = (hash ^ hash >> 15) * 0x846CA68Bu;
+    return float((hash ^ hash >> 16) >> 8) * (1.0 / 16777216.0);
 }
 
 // Returns whether the surface is present at a position on a triangle, in the axes of the vertices.
@@ -33,5 +46,7 @@ bool present(uint triangle, vec3 position) {
     vec4 values[TEXTURES];
     evaluate_textures(FIRST_OPACITY_TEXTURE, point, values);
     uint channels = table[FIRST_OPACITY_TEXTURE + TEXTURE_WORDS * uint(TEXTURES - 1) + 1u];
-    return (channels == 4u ? values[TEXTURES - 1].w : values[TEXTURES - 1].x) >= 0.5;
+    float covered = channels == 4u ? values[TEXTURES - 1].w : values[TEXTURES - 1].x;
+    if (!translucent) return covered >= 0.5;
+    return covered > (float(sample_number) + chance()) / float(samples);
 }

@@ -4,19 +4,21 @@
 
 // ATTACHMENTS: their number. NORMALS, DEPTH, POSITIONS, INSTANCES, ALPHA: the position of the AOV's first
 // float, if it is requested.
-layout(location = 0) in vec3 vertex_position;
+layout(location = 0) in vec3 surface_position;  // in the axes of the vertices
 layout(location = 1) in vec3 vertex_normal;
 layout(location = 0) out vec4 pixel[ATTACHMENTS];
 
 // ALPHA_MASK: the surface has an alpha mask.
 #ifdef ALPHA_MASK
 #include "alpha_mask.glsl"
-layout(location = 2) in vec3 surface_position;
 uniform uint first;  // first triangle of the draw call
 #endif
 
+#ifdef POSITIONS
+uniform mat4 to_world;  // from the axes of the vertices
+#endif
 #ifdef DEPTH
-uniform vec3 eye;       // the camera's position in the world
+uniform vec3 eye;       // the camera's position in the axes of the vertices
 uniform vec3 eye_rest;  // its rounding error in single precision
 uniform vec3 forward;
 #endif
@@ -36,11 +38,12 @@ void main() {
     for (int i = 0; i < 3; ++i) value[NORMALS + i] = normal[i];
 #endif
 #ifdef DEPTH
-    precise vec3 offset = (vertex_position - eye) - eye_rest;
+    precise vec3 offset = (surface_position - eye) - eye_rest;
     value[DEPTH] = dot(forward, offset);
 #endif
 #ifdef POSITIONS
-    for (int i = 0; i < 3; ++i) value[POSITIONS + i] = vertex_position[i];
+    vec3 world = (to_world * vec4(surface_position, 1.0)).xyz;
+    for (int i = 0; i < 3; ++i) value[POSITIONS + i] = world[i];
 #endif
 #ifdef INSTANCES
     value[INSTANCES] = float(instance & 0xffffu);

@@ -27,6 +27,7 @@ const uint NORMAL_KIND = 2u;     // 0: no texture perturbs normals
 const uint NORMAL_TEXTURE = 3u;  // number of the texture
 const uint NORMAL_SCALE = 4u;
 const uint MIRRORED_Y = 5u;
+const uint REVERSED_BACK = 6u;
 const uint FIRST_TEXTURE = 8u;
 const uint NORMAL_MAP = 1u;
 // Words of a layer: three of its scale, word of the first factor, number of factors. Words of a factor: kind,
@@ -93,8 +94,9 @@ vec3 perturbed_normal(TexturePoint point, vec4 values[TEXTURES], vec3 by_u, vec3
     vec3 turned = table[NORMAL_KIND] == NORMAL_MAP
                       ? mapped(values[number], by_u, by_v, front)
                       : bumped(FIRST_TEXTURE + TEXTURE_WORDS * number, point, by_u, by_v, front);
-    if (back) turned -= 2.0 * dot(turned, front) * front;
+    if (back) turned = table[REVERSED_BACK] != 0u ? -turned : turned - 2.0 * dot(turned, front) * front;
     vec3 towards_viewer = towards_camera(position);
+    if (dot(turned, towards_viewer) <= 0.0) turned = 2.0 * dot(turned, normal) * normal - turned;
     float least = min(0.02, dot(normal, towards_viewer));
     float cosine = dot(turned, towards_viewer);
     return cosine >= least ? turned : direction(turned + (least - cosine) * towards_viewer, normal);

@@ -666,8 +666,8 @@ NICOL_API nicol_result nicol_material_create_twosided(nicol_context context, nic
 NICOL_API nicol_result nicol_material_create_scaled(nicol_context context, nicol_material base,
                                                     nicol_texture scale, nicol_material* material);
 /* Creates the mixture first (1 - t) + second t, with t = the weight's first channel, clamped to 0 to 1
- * (Mitsuba 3's blendbsdf). Both materials must be two-sided, or neither. The given handles may be released
- * afterwards. */
+ * (Mitsuba 3's blendbsdf). If one material is two-sided, the mixture is too, and the other material is black
+ * on the back. The given handles may be released afterwards. */
 NICOL_API nicol_result nicol_material_create_blend(nicol_context context, nicol_material first,
                                                    nicol_material second, nicol_texture weight,
                                                    nicol_material* material);

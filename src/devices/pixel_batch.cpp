@@ -168,6 +168,7 @@ void TexturedPixels::find(const SpatialVariation& variation, bool back, const Te
         const std::span weights = std::span(weights_).subspan(b * layers, layers);
         variation.weights(block.points, weights);
         if (variation.normal.kind == NormalVariation::Kind::none) continue;
+        surfaces[b].unperturbed = surfaces[b].normals;
         turn_normals(variation.normal, block.points, block.axes, back, block.towards_viewer, block.normals);
         for (std::size_t i = 0; i < kLanes; ++i)
             surfaces[b].normals[i] = {block.normals.x[i], block.normals.y[i], block.normals.z[i]};

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <vector>
 
+#include "geometry/ray_scene.hpp"
 #include "shading/emission.hpp"
 #include "shading/light_samples.hpp"
 #include "surfaces/tangents.hpp"
@@ -13,19 +14,22 @@
 namespace nicol {
 namespace {
 
-glm::vec3 facet_of(const WorldGeometry& geometry, std::uint32_t triangle, const glm::vec3& otherwise) {
+std::array<glm::vec3, 3> corners_of(const WorldGeometry& geometry, std::uint32_t triangle) {
     const glm::uvec3& t = geometry.triangles[triangle];
+    return {geometry.positions[t.x], geometry.positions[t.y], geometry.positions[t.z]};
+}
+
+glm::vec3 facet_of(const std::array<glm::vec3, 3>& corners, const glm::vec3& otherwise) {
     // Double precision, because squares of very small or large edges exceed the range of floats.
-    const glm::dvec3 corner(geometry.positions[t.x]);
-    const glm::dvec3 normal = glm::cross(glm::dvec3(geometry.positions[t.y]) - corner,
-                                         glm::dvec3(geometry.positions[t.z]) - corner);
+    const glm::dvec3 corner(corners[0]);
+    const glm::dvec3 normal = glm::cross(glm::dvec3(corners[1]) - corner, glm::dvec3(corners[2]) - corner);
     const double length = glm::length(normal);
     return length > 0 ? glm::vec3(normal / length) : otherwise;
 }
 
-bool turns_normals(const Material& material) {
+NormalVariation normal_variation_of(const Material& material) {
     const SpatialVariation* const variation = material.variation();
-    return variation != nullptr && variation->normal.kind != NormalVariation::Kind::none;
+    return variation != nullptr ? variation->normal : NormalVariation{};
 }
 
 std::vector<const Material*> layers_of(const Material& material) {
@@ -45,7 +49,8 @@ std::uint64_t PixelLights::add(const PixelBatch& batch, std::span<const std::spa
     const bool shadowed = input_.visibility == nullptr || any.occluded != 0;
     const std::vector<const Material*> layers = layers_of(*range.material);
     const bool anisotropic = range.material->anisotropic() && !input_.geometry.texcoords.empty();
-    const bool turned = turns_normals(*range.material);
+    const NormalVariation perturbation = normal_variation_of(*range.material);
+    const bool turned = perturbation.kind != NormalVariation::Kind::none;
     std::uint64_t rays = 0;
     std::vector<std::span<glm::vec4>> channels(out.size());
     for (std::size_t first = 0; first < points.size(); first += kLanes) {
@@ -54,8 +59,9 @@ std::uint64_t PixelLights::add(const PixelBatch& batch, std::span<const std::spa
         std::array<glm::vec3, kLanes> facets, origins, tangents;
         std::array<std::uint32_t, kLanes> seeds;
         for (std::size_t i = 0; i < count; ++i) {
-            facets[i] = facet_of(input_.geometry, points[first + i].triangle, surface.normals[i]);
-            origins[i] = surface.positions[i] + lights_.offset() * facets[i];
+            const std::array corners = corners_of(input_.geometry, points[first + i].triangle);
+            facets[i] = facet_of(corners, surface.normals[i]);
+            origins[i] = surface.positions[i] + static_cast<float>(ray_offset(corners)) * facets[i];
             seeds[i] = sample_seed(points[first + i].pixel, input_.seed);
             if (!anisotropic) continue;
             const glm::vec3 weights(surface.weights[0][i], surface.weights[1][i], surface.weights[2][i]);
@@ -66,15 +72,17 @@ std::uint64_t PixelLights::add(const PixelBatch& batch, std::span<const std::spa
             weights = batch.weights().subspan(first / kLanes * layers.size(), layers.size());
         for (std::size_t c = 0; c < out.size(); ++c) channels[c] = out[c].subspan(first, count);
         const std::span of_facets = std::span(facets).first(count);
-        rays += lights_.lighting().add(input_.view,
-                                       {.positions = std::span(surface.positions).first(count),
-                                        .normals = std::span(surface.normals).first(count),
-                                        .tangents = std::span(tangents).first(anisotropic ? count : 0),
-                                        .facets = turned ? of_facets : std::span<glm::vec3>(),
-                                        .origins = std::span(origins).first(count),
-                                        .seeds = std::span(seeds).first(count),
-                                        .shadowed = shadowed},
-                                       {.layers = layers, .weights = weights}, channels);
+        rays += lights_.lighting().add(
+            input_.view,
+            {.positions = std::span(surface.positions).first(count),
+             .normals = std::span(surface.normals).first(count),
+             .tangents = std::span(tangents).first(anisotropic ? count : 0),
+             .facets = turned ? of_facets : std::span<glm::vec3>(),
+             .unperturbed = std::span(surface.unperturbed).first(perturbation.shadowed ? count : 0),
+             .origins = std::span(origins).first(count),
+             .seeds = std::span(seeds).first(count),
+             .shadowed = shadowed},
+            {.layers = layers, .weights = weights}, channels);
         if (range.emission != nullptr) add_emission(range, batch, first, channels);
     }
     return rays;

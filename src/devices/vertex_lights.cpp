@@ -63,6 +63,7 @@ std::uint64_t VertexLights::add(const VertexRange& range, std::span<const std::u
                                 .normals = std::span(normals).first(count),
                                 .tangents = std::span(tangents).first(anisotropic ? count : 0),
                                 .facets = {},
+                                .unperturbed = {},
                                 .origins = std::span(origins).first(count),
                                 .seeds = vertices,
                                 .shadowed = shadowed},

@@ -31,15 +31,19 @@ public:
     [[nodiscard]] int textures(std::size_t range) const;
     /// Returns the defines of programs that draw with this number of textures.
     [[nodiscard]] static std::vector<gl::Define> defines(int textures);
-    /// Binds the alpha mask of a range, which must have one, for a draw of its triangles.
-    void bind(gl::Program& program, std::size_t range) const;
+    /// Binds the alpha mask of a range, which must have one, for a draw of its triangles. sample: number of
+    /// the drawn sample of `samples` a pixel.
+    void bind(gl::Program& program, std::size_t range, std::size_t sample, std::size_t samples) const;
 
 private:
     std::shared_ptr<gl::Context> context_;
     Stage<Version, Version> copying_;
     Version version_ = 0;
-    // By range; empty: no range has an alpha mask.
-    std::vector<std::shared_ptr<const VariationBuffers>> opacities_;
+    struct Mask {
+        std::shared_ptr<const VariationBuffers> opacity;  // null: the range has no alpha mask
+        bool translucent = false;
+    };
+    std::vector<Mask> masks_;  // by range; empty: no range has an alpha mask
     VertexBuffers* buffers_ = nullptr;
 };
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "draw/aov_layout.hpp"
+#include "surfaces/rigid_motion.hpp"
 
 namespace nicol {
 namespace {
@@ -102,8 +103,7 @@ void AovPainter::draw(const AlphaMasks& alpha_masks, const Projection& projectio
         clear(*attachments_);
         for (std::size_t s = 0; s < samples_.size(); ++s) {
             if (sample_) clear(*sample_);
-            draw_surfaces(alpha_masks, jittered(projection, samples_[s]), to_world,
-                          sample_ ? *sample_ : *attachments_);
+            draw_surfaces(alpha_masks, projection, s, to_world, sample_ ? *sample_ : *attachments_);
             if (sample_) merge(s);
         }
     }
@@ -118,14 +118,15 @@ void AovPainter::clear(gl::RenderTarget& image) const {
 }
 
 void AovPainter::draw_surfaces(const AlphaMasks& alpha_masks, const Projection& projection,
-                               const glm::dmat4& to_world, gl::RenderTarget& image) {
-    const glm::mat4 to_clip(projection.world_to_clip * to_world);
+                               std::size_t sample, const glm::dmat4& to_world, gl::RenderTarget& image) {
+    const Projection of_axes = in_axes(jittered(projection, samples_[sample]), to_world);
+    const glm::mat4 to_clip(of_axes.world_to_clip);
     gl::Program* whole = nullptr;
     const auto program_of = [&](int textures) -> gl::Program& {
         if (textures == 0 && whole != nullptr) return *whole;
         gl::Program& surface = program("aovs.vert", "aovs.frag", textures);
         if (surface.uses("to_world")) surface.set("to_world", glm::mat4(to_world));
-        set_view_uniforms(surface, projection.view);
+        set_view_uniforms(surface, of_axes.view);
         surface.set("to_clip", to_clip);
         if (textures == 0) whole = &surface;
         return surface;
@@ -137,7 +138,7 @@ void AovPainter::draw_surfaces(const AlphaMasks& alpha_masks, const Projection& 
         if ((drawn_ & aov_instances) != 0) surface.set("instance", batch.instance);
         if (textures > 0) {
             surface.set("first", static_cast<std::uint32_t>(triangles.first));
-            alpha_masks.bind(surface, triangles.range);
+            alpha_masks.bind(surface, triangles.range, sample, samples_.size());
         }
         gl::draw(image, surface, *vertices_, 3 * triangles.first, 3 * (triangles.last - triangles.first),
                  {.cull = triangles.two_sided ? gl::Cull::back : gl::Cull::none});

@@ -48,7 +48,7 @@ private:
     // textures: number of textures of an opacity.
     gl::Program& program(const char* vertex, const char* fragment, int textures = 0);
     void clear(gl::RenderTarget& image) const;
-    void draw_surfaces(const AlphaMasks& alpha_masks, const Projection& projection,
+    void draw_surfaces(const AlphaMasks& alpha_masks, const Projection& projection, std::size_t sample,
                        const glm::dmat4& to_world, gl::RenderTarget& image);
     // Adds the content of sample_ to the attachments.
     void merge(std::size_t sample);

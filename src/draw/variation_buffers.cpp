@@ -99,6 +99,7 @@ VariationBuffers::VariationBuffers(const std::shared_ptr<gl::Context>& context,
     table[3] = normal_number;
     table[4] = word(static_cast<float>(normal.scale));
     table[5] = normal.mirrored_y ? 1 : 0;
+    table[6] = normal.reversed_back ? 1 : 0;
 
     std::vector<std::uint32_t> factors;
     constexpr std::size_t layer_words = 5;

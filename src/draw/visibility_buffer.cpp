@@ -31,7 +31,7 @@ void VisibilityBuffer::draw(const WorldGeometry& geometry, VertexBuffers& buffer
         if (s >= offsets.size() || kept == Kept::on_device) texels = {};
         if (s >= offsets.size()) continue;
         gl::RenderTarget& target = targets_[kept == Kept::on_host ? 0 : s];
-        draw_sample(alpha_masks, jittered(projection, offsets[s]).world_to_clip, target);
+        draw_sample(alpha_masks, projection, s, target);
         if (kept == Kept::on_device) continue;
         texels.resize(pixels);
         target.read(0, texels);
@@ -63,16 +63,17 @@ gl::Program& VisibilityBuffer::program(int textures) {
     return found->second;
 }
 
-void VisibilityBuffer::draw_sample(const AlphaMasks& alpha_masks, const glm::dmat4& to_clip,
-                                   gl::RenderTarget& target) {
+void VisibilityBuffer::draw_sample(const AlphaMasks& alpha_masks, const Projection& projection,
+                                   std::size_t sample, gl::RenderTarget& target) {
+    const glm::mat4 to_clip(jittered(projection, offsets_[sample]).world_to_clip);
     target.clear();
     if (!vertices_) return;
     for (const TriangleBatch& batch : batches_) {
         const int textures = alpha_masks.textures(batch.range);
         gl::Program& program = this->program(textures);
-        program.set("to_clip", glm::mat4(to_clip));
+        program.set("to_clip", to_clip);
         program.set("first", static_cast<std::uint32_t>(batch.first));
-        if (textures > 0) alpha_masks.bind(program, batch.range);
+        if (textures > 0) alpha_masks.bind(program, batch.range, sample, offsets_.size());
         // Each side of a two-sided surface has its own triangles.
         gl::draw(target, program, *vertices_, 3 * batch.first, 3 * (batch.last - batch.first),
                  {.cull = batch.two_sided ? gl::Cull::back : gl::Cull::none});

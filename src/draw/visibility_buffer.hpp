@@ -79,7 +79,8 @@ private:
 
     void find_batches(const WorldGeometry& geometry, const AlphaMasks& alpha_masks);
     gl::Program& program(int textures);
-    void draw_sample(const AlphaMasks& alpha_masks, const glm::dmat4& to_clip, gl::RenderTarget& target);
+    void draw_sample(const AlphaMasks& alpha_masks, const Projection& projection, std::size_t sample,
+                     gl::RenderTarget& target);
 
     std::shared_ptr<gl::Context> context_;
     std::map<int, gl::Program> programs_;    // by number of textures of an opacity

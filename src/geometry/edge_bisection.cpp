@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <glm/geometric.hpp>
+#include <map>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -138,6 +140,36 @@ void EdgeBisection::split(const Edges& edges, std::vector<WantedLength>& points)
     }
     middles_.clear();
     middle_places_.clear();
+}
+
+std::vector<TrianglePart> triangle_parts(std::span<const glm::uvec3> given, std::size_t vertices,
+                                         std::span<const glm::uvec2> parents,
+                                         std::span<const glm::uvec3> triangles,
+                                         std::span<const std::uint32_t> sources) {
+    std::vector<TrianglePart> parts;
+    parts.reserve(triangles.size());
+    // Weights of vertices in the current source triangle. The parts of one source are consecutive, and
+    // parents have smaller indices.
+    std::map<std::uint32_t, glm::vec3> known;
+    const std::function<glm::vec3(std::uint32_t, const glm::uvec3&)> weights = [&](std::uint32_t vertex,
+                                                                                   const glm::uvec3& source) {
+        if (vertex < vertices) {
+            return glm::vec3(source.x == vertex ? 1 : 0, source.y == vertex ? 1 : 0,
+                             source.z == vertex ? 1 : 0);
+        }
+        if (const auto found = known.find(vertex); found != known.end()) return found->second;
+        const glm::uvec2 pair = parents[vertex - vertices];
+        return known[vertex] = 0.5F * weights(pair.x, source) + 0.5F * weights(pair.y, source);
+    };
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+        const std::uint32_t source = sources[i];
+        if (i > 0 && source != sources[i - 1]) known.clear();
+        const glm::uvec3& t = triangles[i];
+        const glm::uvec3& of = given[source];
+        parts.push_back(
+            {.source = source, .corners = {weights(t.x, of), weights(t.y, of), weights(t.z, of)}});
+    }
+    return parts;
 }
 
 }  // namespace nicol

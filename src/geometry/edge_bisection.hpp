@@ -2,6 +2,7 @@
 // Refinement of triangles by splitting edges in the middle.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <glm/vec2.hpp>
@@ -78,6 +79,20 @@ private:
     std::unordered_map<std::uint64_t, std::uint32_t> middles_;
     std::unordered_map<Edge, std::uint32_t> middle_places_;
 };
+
+/// Position of a part of a triangle in the given triangle that contains the part.
+struct TrianglePart {
+    std::uint32_t source;
+    std::array<glm::vec3, 3> corners;  ///< barycentric weights in the source triangle
+};
+
+/// Returns the positions of triangles in their source triangles. given: the source triangles, whose vertices
+/// have numbers below `vertices`; parents, triangles, sources: results of EdgeBisection.
+[[nodiscard]] std::vector<TrianglePart> triangle_parts(std::span<const glm::uvec3> given,
+                                                       std::size_t vertices,
+                                                       std::span<const glm::uvec2> parents,
+                                                       std::span<const glm::uvec3> triangles,
+                                                       std::span<const std::uint32_t> sources);
 
 /// Returns a key of two numbers that does not depend on their order.
 [[nodiscard]] inline std::uint64_t pair_key(std::uint32_t a, std::uint32_t b) {

@@ -20,6 +20,10 @@ constexpr double kLeftOut = 1e-4;  // fraction of a ray's length that is not tra
     throw Error(ErrorCode::invalid_argument, "surface " + std::to_string(surface) + ": " + message);
 }
 
+double largest_coordinate(const glm::vec3& point) {
+    return static_cast<double>(std::max({std::abs(point.x), std::abs(point.y), std::abs(point.z)}));
+}
+
 /// Checks positions and indices; returns the largest absolute coordinate.
 float check(std::size_t index, const RaySurface& surface) {
     float largest = 0;
@@ -52,6 +56,16 @@ void filter(const embree::FilterArguments* hits) {
 }
 
 }  // namespace
+
+double ray_offset(const std::array<glm::vec3, 3>& corners) {
+    return kRayOffset * std::max({largest_coordinate(corners[0]), largest_coordinate(corners[1]),
+                                  largest_coordinate(corners[2])});
+}
+
+Ray leaving(const glm::dvec3& point, const glm::dvec3& normal, const glm::dvec3& direction, double offset) {
+    const double side = glm::dot(normal, direction) < 0 ? -offset : offset;
+    return {.origin = point + side * normal, .direction = direction};
+}
 
 struct RayScene::Embree {
     struct Release {
@@ -134,8 +148,6 @@ struct RayScene::Embree {
 RayScene::RayScene(std::span<const RaySurface> surfaces) {
     float largest = 0;
     for (std::size_t s = 0; s < surfaces.size(); ++s) largest = std::max(largest, check(s, surfaces[s]));
-    offset_ = std::ldexp(static_cast<double>(largest), -19);
-
     // Scaling is needed because the box areas that sort the hierarchy would be 0 in a tiny scene, and every
     // ray would meet every box.
     if (largest > 0 && largest < kSmallestScene) scale_ = std::ldexp(1.0, -std::ilogb(largest));
@@ -176,29 +188,23 @@ std::optional<RayHit> RayScene::intersect(const Ray& ray) const {
                   .b2 = static_cast<double>(query.hit.v)};
 }
 
-Ray RayScene::leaving(const glm::dvec3& point, const glm::dvec3& normal, const glm::dvec3& direction) const {
-    const double side = glm::dot(normal, direction) < 0 ? -offset_ : offset_;
-    return {.origin = point + side * normal, .direction = direction};
-}
-
-bool RayScene::occluded(const glm::dvec3& point, const glm::dvec3& normal, const glm::dvec3& direction,
-                        double farthest) const {
-    const double length = end(farthest);
+bool RayScene::occluded(const Ray& ray) const {
+    const double length = end(glm::vec3(ray.origin), ray.farthest);
     if (!(length > 0)) return false;
-    const glm::vec3 origin(scale_ * leaving(point, normal, direction).origin);
-    const glm::vec3 towards(direction);
-    embree::Ray ray{};
-    ray.org_x = origin.x;
-    ray.org_y = origin.y;
-    ray.org_z = origin.z;
-    ray.dir_x = towards.x;
-    ray.dir_y = towards.y;
-    ray.dir_z = towards.z;
-    ray.tfar = static_cast<float>(length);
-    ray.mask = ~0U;
-    embree_->library.occluded(embree_->scene.get(), ray);
+    const glm::vec3 origin(scale_ * ray.origin);
+    const glm::vec3 towards(ray.direction);
+    embree::Ray query{};
+    query.org_x = origin.x;
+    query.org_y = origin.y;
+    query.org_z = origin.z;
+    query.dir_x = towards.x;
+    query.dir_y = towards.y;
+    query.dir_z = towards.z;
+    query.tfar = static_cast<float>(length);
+    query.mask = ~0U;
+    embree_->library.occluded(embree_->scene.get(), query);
     // Embree marks an occluded ray with a negative length.
-    return ray.tfar < 0;
+    return query.tfar < 0;
 }
 
 std::uint16_t RayScene::occluded(const glm::vec3& origin, const RayBundle& bundle,
@@ -231,7 +237,8 @@ std::uint16_t RayScene::occluded(const RayPacket& packet, std::uint16_t active) 
         rays.dir_x[i] = packet.direction_x[i];
         rays.dir_y[i] = packet.direction_y[i];
         rays.dir_z[i] = packet.direction_z[i];
-        rays.tfar[i] = static_cast<float>(end(static_cast<double>(packet.farthest[i])));
+        const glm::vec3 origin(packet.origin_x[i], packet.origin_y[i], packet.origin_z[i]);
+        rays.tfar[i] = static_cast<float>(end(origin, static_cast<double>(packet.farthest[i])));
         rays.mask[i] = ~0U;
         if (rays.tfar[i] > 0) traced |= active & 1U << i;
     }
@@ -239,8 +246,8 @@ std::uint16_t RayScene::occluded(const RayPacket& packet, std::uint16_t active) 
     return embree_->occluded(rays, traced);
 }
 
-double RayScene::end(double farthest) const noexcept {
-    return scale_ * ((1 - kLeftOut) * farthest - offset_);
+double RayScene::end(const glm::vec3& origin, double farthest) const noexcept {
+    return scale_ * ((1 - kLeftOut) * farthest - kRayOffset * largest_coordinate(origin));
 }
 
 }  // namespace nicol

@@ -41,6 +41,19 @@ struct RayHit {
     double b1, b2;  ///< barycentric weights of the triangle's corners 1 and 2; corner 0 has the rest
 };
 
+/// Distance between a surface and the start of rays that leave it, per unit of the largest coordinate of the
+/// surface's triangle there: about 30 units in the last place of the 32-bit floats that hold this coordinate.
+/// The plane of a triangle is accurate to about 1 such unit.
+inline constexpr double kRayOffset = 0x1p-19;
+
+/// Returns the distance between a triangle and the start of rays that leave it.
+[[nodiscard]] double ray_offset(const std::array<glm::vec3, 3>& corners);
+
+/// Returns the ray in the unit `direction` from `point`, which lies on a triangle with the unit `normal`
+/// (either sign). The ray starts `offset` away from the triangle, on the side of `direction`.
+[[nodiscard]] Ray leaving(const glm::dvec3& point, const glm::dvec3& normal, const glm::dvec3& direction,
+                          double offset);
+
 /// Unit directions of sixteen rays that start at one point. Directions close to each other are traced faster.
 struct alignas(64) RayBundle {
     static constexpr std::size_t kRays = 16;
@@ -71,16 +84,10 @@ public:
 
     [[nodiscard]] std::optional<RayHit> intersect(const Ray& ray) const;
 
-    /// Returns the ray in the unit `direction` from `point`, which lies on a triangle with the unit `normal`
-    /// (either sign). The ray starts offset() away from the triangle, on the side of `direction`.
-    [[nodiscard]] Ray leaving(const glm::dvec3& point, const glm::dvec3& normal,
-                              const glm::dvec3& direction) const;
-    /// Returns whether anything lies on the ray leaving() there, nearer than the distance `farthest`. The ray
-    /// ends 1e-4 of `farthest` and offset() before that distance, so that an area light's own surface does
-    /// not hide it.
-    [[nodiscard]] bool occluded(const glm::dvec3& point, const glm::dvec3& normal,
-                                const glm::dvec3& direction,
-                                double farthest = std::numeric_limits<double>::infinity()) const;
+    /// Returns whether anything lies on a ray, nearer than its distance `farthest`. The ray begins at its
+    /// origin, and ends 1e-4 of `farthest` and kRayOffset before that distance, so that an area light's own
+    /// surface does not hide it.
+    [[nodiscard]] bool occluded(const Ray& ray) const;
 
     /// Returns which rays of a bundle from `origin` are occluded: bit i is that of ray i. Only rays whose bit
     /// in `active` is set are traced; the other bits of the result are 0.
@@ -88,22 +95,18 @@ public:
                                          std::uint16_t active) const;
 
     /// Returns which rays of a packet are occluded, as for a bundle. Rays close to each other are traced
-    /// faster. Each origin must lie offset() off the surface that the ray leaves; each ray ends as a single
-    /// ray does.
+    /// faster. Each origin must lie beside the surface that the ray leaves; each ray ends as a single ray
+    /// does.
     [[nodiscard]] std::uint16_t occluded(const RayPacket& packet, std::uint16_t active) const;
 
-    /// Returns 2^-19 of the largest coordinate in the scene: about 30 units in the last place of the 32-bit
-    /// floats that hold this coordinate. The plane of a triangle is accurate to about 1 such unit.
-    [[nodiscard]] double offset() const noexcept { return offset_; }
-
 private:
-    /// Returns a ray's length in Embree's units; a length that is not positive means that there is no ray.
-    [[nodiscard]] double end(double farthest) const noexcept;
+    /// Returns the length, in Embree's units, of a ray from `origin` that may be occluded; a length that is
+    /// not positive means that there is no ray.
+    [[nodiscard]] double end(const glm::vec3& origin, double farthest) const noexcept;
 
     struct Embree;
     std::vector<std::unique_ptr<const Presence>> presences_;
     std::unique_ptr<Embree> embree_;
-    double offset_ = 0;
     double scale_ = 1;  ///< scale from the world to Embree: a power of two, so that nothing is rounded
 };
 

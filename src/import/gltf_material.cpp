@@ -58,10 +58,14 @@ public:
             normals->factor = {scale, scale, 1};
             normals->offset = {(1 - scale) / 2, (1 - scale) / 2, 0};
             NormalMapModel mapped(std::move(out), shared(std::move(*normals)));
-            mapped.mirrored_y = true;
+            mapped.options = {.mirrored_y = true, .reversed_back = true};
             out = std::move(mapped);
         }
-        if (auto opacity = coverage()) out = MaskModel(std::move(out), shared(std::move(*opacity)));
+        if (auto opacity = coverage()) {
+            MaskModel mask(std::move(out), shared(std::move(*opacity)));
+            mask.translucent = material_.alphaMode == "BLEND";
+            out = std::move(mask);
+        }
         out.id = material_.name;
         out.twosided = material_.doubleSided;
         return {std::move(out), set};
@@ -120,17 +124,14 @@ private:
     [[nodiscard]] std::optional<TextureSpecification> coverage() {
         if (material_.alphaMode == "OPAQUE") return std::nullopt;
         const bool masks = material_.alphaMode == "MASK";
-        if (!masks)
-            notices_.add("alphaMode BLEND is not followed; surfaces are drawn where they cover half or more");
-        const double cutoff = masks ? material_.alphaCutoff : 0.5;
-        if (!(cutoff > 0)) return std::nullopt;
-        const double factor = base_factor().w * 0.5 / cutoff;
+        if (masks && !(material_.alphaCutoff > 0)) return std::nullopt;
+        const double factor = base_factor().w * (masks ? 0.5 / material_.alphaCutoff : 1);
         if (auto image = texture(base_)) {
             image->part = Part::coverage;
             image->factor = glm::dvec3(factor);
             return image;
         }
-        if (factor >= 0.5) return std::nullopt;
+        if (factor >= (masks ? 0.5 : 1)) return std::nullopt;
         return constant_specification(factor);
     }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/ext/matrix_transform.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
@@ -79,7 +80,7 @@ Mesh make(const ShapeDescription& d, scene::SceneFiles& files) {
     Mesh mesh;
     switch (d.kind) {
         case ShapeDescription::Kind::sphere:
-            mesh = make_sphere(d.center, d.radius);
+            mesh = make_sphere(glm::dvec3(0.0), d.radius);
             break;
         case ShapeDescription::Kind::rectangle:
             mesh = make_rectangle();
@@ -91,7 +92,7 @@ Mesh make(const ShapeDescription& d, scene::SceneFiles& files) {
             mesh = make_disk();
             break;
         case ShapeDescription::Kind::cylinder:
-            mesh = make_cylinder(d.p0, d.p1, d.radius);
+            mesh = make_cylinder(glm::dvec3(0.0), d.p1 - d.p0, d.radius);
             break;
         default:
             mesh = files.read(d.filename, [&] {
@@ -105,6 +106,19 @@ Mesh make(const ShapeDescription& d, scene::SceneFiles& files) {
     if (d.flip_normals) flip_normals(mesh);
     if (d.flip_tex_coords) flip_texcoords(mesh);
     return mesh;
+}
+
+/// Returns the transform of the mesh of make(). A mesh's coordinates have single precision, so that the
+/// position of a primitive belongs into the transform.
+glm::dmat4 placement(const ShapeDescription& d) {
+    switch (d.kind) {
+        case ShapeDescription::Kind::sphere:
+            return glm::translate(d.to_world, d.center);
+        case ShapeDescription::Kind::cylinder:
+            return glm::translate(d.to_world, d.p0);
+        default:
+            return d.to_world;
+    }
 }
 
 /// make_light() and make_emission() throw what reading textures throws, and Error(unsupported) for colours
@@ -147,21 +161,17 @@ public:
 
     std::shared_ptr<const Mesh> of(const ShapeDescription& d) {
         if (d.kind == ShapeDescription::Kind::mesh) return d.mesh;
-        const Key key{
-            d.kind,
-            d.filename,
-            d.index,
-            {d.center.x, d.center.y, d.center.z, d.p0.x, d.p0.y, d.p0.z, d.p1.x, d.p1.y, d.p1.z, d.radius},
-            d.face_normals,
-            d.flip_normals,
-            d.flip_tex_coords};
+        const Key key{d.kind,           d.filename,
+                      d.index,          {d.p1.x - d.p0.x, d.p1.y - d.p0.y, d.p1.z - d.p0.z, d.radius},
+                      d.face_normals,   d.flip_normals,
+                      d.flip_tex_coords};
         std::shared_ptr<const Mesh>& mesh = made_[key];
         if (!mesh) mesh = std::make_shared<const Mesh>(make(d, files_));
         return mesh;
     }
 
 private:
-    using Key = std::tuple<ShapeDescription::Kind, std::filesystem::path, std::size_t, std::array<double, 10>,
+    using Key = std::tuple<ShapeDescription::Kind, std::filesystem::path, std::size_t, std::array<double, 4>,
                            bool, bool, bool>;
     scene::SceneFiles& files_;
     std::map<Key, std::shared_ptr<const Mesh>> made_;
@@ -236,7 +246,7 @@ LoadedScene load_scene(const std::filesystem::path& file, const SceneParameters&
                 shape.emission ? make_emission(*shape.emission, channels, textures) : nullptr;
             out.scene.add({.mesh = mesh,
                            .material = materials.at(shape.material),
-                           .to_world = shape.to_world,
+                           .to_world = placement(shape),
                            .emission = emission});
         });
     }

@@ -28,26 +28,31 @@ std::vector<MaterialDescription> read_parts(const MaterialSource& source, std::s
     return out;
 }
 
+MapOptions read_map_options(const MaterialSource& source) {
+    // Perturbed normals that face away from the viewer are always flipped.
+    source.plugin.pass_over({"flip_invalid_normals"});
+    return {.shadowed = source.plugin.boolean("use_shadowing_function", true)};
+}
+
 }  // namespace
 
 MaterialPtr NormalMapModel::make(const MaterialMaker& maker) const {
     MaterialPtr material = maker.make(base);
-    return normal_mapped(std::move(material), maker.textures.vector(*texture), mirrored_y);
+    return normal_mapped(std::move(material), maker.textures.vector(*texture), options);
 }
 
 MaterialPtr BumpMapModel::make(const MaterialMaker& maker) const {
     MaterialPtr material = maker.make(base);
-    return bump_mapped(std::move(material), maker.textures.number(*texture), scale);
+    if (texture->sampling.filter == TextureSampling::Filter::nearest) {
+        maker.files.notice("a bump map whose texture has the filter_type nearest is flat, as in Mitsuba");
+        return material;
+    }
+    return bump_mapped(std::move(material), maker.textures.number(*texture), scale, options);
 }
 
 MaterialPtr MaskModel::make(const MaterialMaker& maker) const {
     MaterialPtr material = maker.make(base);
-    TexturePtr opacity = maker.textures.number(*texture);
-    const float value = opacity->mean().x;
-    if (opacity->constant() && value > 0 && value < 1)
-        maker.files.notice("a surface with an opacity between 0 and 1 is " +
-                           std::string(value < 0.5F ? "not drawn" : "drawn without seeing through it"));
-    return masked(std::move(material), std::move(opacity));
+    return masked(std::move(material), maker.textures.number(*texture), translucent);
 }
 
 MaterialPtr BlendModel::make(const MaterialMaker& maker) const {
@@ -58,16 +63,19 @@ MaterialPtr BlendModel::make(const MaterialMaker& maker) const {
 
 MaterialDescription read_normal_map(const MaterialSource& source) {
     TextureSpecificationPtr normals = read_texture(source.document, source.plugin.only_texture());
-    // Both treat light and views below the horizon of the perturbed normal.
-    source.plugin.pass_over({"use_shadowing_function", "flip_invalid_normals"});
-    return NormalMapModel(read_parts(source, 1).front(), std::move(normals));
+    const MapOptions options = read_map_options(source);
+    NormalMapModel model(read_parts(source, 1).front(), std::move(normals));
+    model.options = options;
+    return model;
 }
 
 MaterialDescription read_bump_map(const MaterialSource& source) {
     TextureSpecificationPtr heights = read_texture(source.document, source.plugin.only_texture());
     const double scale = source.plugin.number("scale", 1.0);
+    const MapOptions options = read_map_options(source);
     BumpMapModel model(read_parts(source, 1).front(), std::move(heights));
     model.scale = scale;
+    model.options = options;
     return model;
 }
 

@@ -6,6 +6,7 @@
 
 #include "import/material_description.hpp"
 #include "import/texture_specification.hpp"
+#include "material/mixture.hpp"
 
 namespace nicol::scene {
 
@@ -21,7 +22,7 @@ struct VariedModel : MaterialModel {
 /// The texture has the normals.
 struct NormalMapModel final : VariedModel {
     using VariedModel::VariedModel;
-    bool mirrored_y = false;  ///< see NormalVariation
+    MapOptions options;
 
     [[nodiscard]] MaterialPtr make(const MaterialMaker& maker) const override;
 };
@@ -30,6 +31,7 @@ struct NormalMapModel final : VariedModel {
 struct BumpMapModel final : VariedModel {
     using VariedModel::VariedModel;
     double scale = 1.0;  ///< times the heights
+    MapOptions options;
 
     [[nodiscard]] MaterialPtr make(const MaterialMaker& maker) const override;
 };
@@ -37,6 +39,7 @@ struct BumpMapModel final : VariedModel {
 /// The texture has the opacity.
 struct MaskModel final : VariedModel {
     using VariedModel::VariedModel;
+    bool translucent = true;  ///< see SpatialVariation
 
     [[nodiscard]] MaterialPtr make(const MaterialMaker& maker) const override;
 };

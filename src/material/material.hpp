@@ -19,6 +19,9 @@ namespace nicol {
 
 struct SpatialVariation;
 
+class Material;
+using MaterialPtr = std::shared_ptr<const Material>;
+
 /// Polarimetric reflectance (pBRDF) without the cosine: a sum of colourless terms, one weight per channel,
 /// M(channel) = sum over t of weight(t, channel) * evaluate(t, ...). Immutable.
 class Material {
@@ -80,6 +83,10 @@ public:
     /// directions are below the horizon; tables hold only the front.
     [[nodiscard]] virtual bool twosided() const noexcept { return false; }
 
+    /// Returns the material that the back of a two-sided surface has; null: the material itself. The two
+    /// differ if only some parts of a mixture are two-sided: the others are black on the back.
+    [[nodiscard]] virtual MaterialPtr behind() const { return nullptr; }
+
     /// Returns everything that the values depend on, as text: materials with equal keys have equal values.
     /// Empty if that is unknown, as for a callback.
     [[nodiscard]] virtual std::string content_key() const { return {}; }
@@ -95,8 +102,6 @@ public:
 protected:
     Material() = default;
 };
-
-using MaterialPtr = std::shared_ptr<const Material>;
 
 /// Returns M(channel), the sum over all terms, with the frames and range of Material::evaluate().
 [[nodiscard]] Mueller evaluate(const Material& material, int channel, const glm::dvec3& towards_light,

@@ -29,11 +29,7 @@ constexpr std::size_t kMostOfPair = 8;
 class Layered final : public Material {
 public:
     explicit Layered(SpatialVariation variation) : variation_(std::move(variation)) {
-        const bool both = variation_.layers.front().material->twosided();
-        for (const MaterialLayer& layer : variation_.layers) {
-            require(layer.material->twosided() == both, "the parts are not two-sided alike");
-            add(layer);
-        }
+        for (const MaterialLayer& layer : variation_.layers) add(layer);
         varies_ = variation_.normal.kind != NormalVariation::Kind::none || variation_.opacity != nullptr ||
                   !variation_.textures.empty();
         // A material whose mean is black still has a term.
@@ -41,6 +37,7 @@ public:
             terms_.push_back(
                 {.material = variation_.layers.front().material, .index = 0, .scale = glm::dvec3(0)});
         make_isotropic();
+        make_behind();
     }
 
     [[nodiscard]] int channels() const noexcept override { return channels_; }
@@ -71,8 +68,9 @@ public:
             variation_.layers, [](const MaterialLayer& layer) { return layer.material->mirror_symmetric(); });
     }
     [[nodiscard]] bool twosided() const noexcept override {
-        return variation_.layers.front().material->twosided();
+        return std::ranges::any_of(variation_.layers, has_two_sides);
     }
+    [[nodiscard]] MaterialPtr behind() const override { return behind_; }
     [[nodiscard]] std::string content_key() const override {
         Key key("layered");
         for (const Term& term : terms_) {
@@ -126,6 +124,21 @@ private:
         isotropic_ = std::make_shared<const Layered>(std::move(layers));
     }
 
+    void make_behind() {
+        SpatialVariation layers = variation_;
+        std::erase_if(layers.layers, [](const MaterialLayer& layer) { return !has_two_sides(layer); });
+        bool same = layers.layers.empty() || layers.layers.size() == variation_.layers.size();
+        for (MaterialLayer& layer : layers.layers) {
+            const MaterialPtr behind = layer.material->behind();
+            if (!behind) continue;
+            layer.material = behind;
+            same = false;
+        }
+        if (!same) behind_ = layered(std::move(layers));
+    }
+
+    static bool has_two_sides(const MaterialLayer& layer) { return layer.material->twosided(); }
+
     void add(const MaterialLayer& layer) {
         glm::vec3 mean = layer.scale;
         for (const LayerFactor& factor : layer.factors) {
@@ -156,6 +169,7 @@ private:
     int channels_ = 1;
     std::vector<Term> terms_;
     MaterialPtr isotropic_;  // null: no layer is anisotropic
+    MaterialPtr behind_;     // null: all layers are the same on the back, or none is two-sided
 };
 
 SpatialVariation parts_of(const MaterialPtr& material, const char* of) {
@@ -194,11 +208,13 @@ void multiply(SpatialVariation& variation, LayerFactor factor, const TexturePtr&
 /// variation and the same opacity.
 void append(const SpatialVariation& from, SpatialVariation& to, const char* of) {
     const bool first = to.layers.empty();
-    require(first || (from.normal == to.normal && from.opacity == to.opacity),
+    require(first || (from.normal == to.normal && from.opacity == to.opacity &&
+                      from.translucent == to.translucent),
             std::string(of) +
                 ": the parts have normal maps, bump maps or opacities of their own; give them to the whole");
     to.normal = from.normal;
     to.opacity = from.opacity;
+    to.translucent = from.translucent;
     for (MaterialLayer layer : from.layers) {
         for (LayerFactor& factor : layer.factors)
             factor.texture = index_of(from.textures[factor.texture], to);
@@ -334,7 +350,7 @@ MaterialPtr with_roughness(const std::function<MaterialPtr(double alpha)>& make,
     return with_number(make, alpha, kLeastAlpha, kAlphaRatio);
 }
 
-MaterialPtr normal_mapped(MaterialPtr material, TexturePtr normals, bool mirrored_y) {
+MaterialPtr normal_mapped(MaterialPtr material, TexturePtr normals, const MapOptions& options) {
     SpatialVariation out = parts_of(material, "normal map");
     require_texture(normals, "normal map");
     require(normals->channels() >= 3,
@@ -344,28 +360,37 @@ MaterialPtr normal_mapped(MaterialPtr material, TexturePtr normals, bool mirrore
     const glm::vec3 mean(normals->mean());
     const bool flat = normals->constant() && mean.x == 0.5F && mean.y == 0.5F && mean.z > 0.5F;
     if (flat) return material;
-    out.normal = {
-        .kind = NormalVariation::Kind::map, .texture = std::move(normals), .mirrored_y = mirrored_y};
+    out.normal = {.kind = NormalVariation::Kind::map,
+                  .texture = std::move(normals),
+                  .mirrored_y = options.mirrored_y,
+                  .reversed_back = options.reversed_back || material->twosided(),
+                  .shadowed = options.shadowed};
     return layered(std::move(out));
 }
 
-MaterialPtr bump_mapped(MaterialPtr material, TexturePtr heights, double scale) {
+MaterialPtr bump_mapped(MaterialPtr material, TexturePtr heights, double scale, const MapOptions& options) {
     SpatialVariation out = parts_of(material, "bump map");
     require_texture(heights, "bump map");
     require(std::isfinite(scale), "bump map: the scale is not finite");
     require(out.normal.kind == NormalVariation::Kind::none,
             "bump map: the material has a normal or bump map already");
     if (heights->constant() || scale == 0) return material;
-    out.normal = {.kind = NormalVariation::Kind::bump, .texture = std::move(heights), .scale = scale};
+    out.normal = {.kind = NormalVariation::Kind::bump,
+                  .texture = std::move(heights),
+                  .scale = scale,
+                  .reversed_back = options.reversed_back || material->twosided(),
+                  .shadowed = options.shadowed};
     return layered(std::move(out));
 }
 
-MaterialPtr masked(MaterialPtr material, TexturePtr opacity) {
+MaterialPtr masked(MaterialPtr material, TexturePtr opacity, bool translucent) {
     SpatialVariation out = parts_of(material, "mask");
     require_texture(opacity, "mask");
     require(out.opacity == nullptr, "mask: the material has an opacity already");
     out.opacity = std::move(opacity);
-    if (out.opacity->constant() && out.present({})) return material;
+    out.translucent = translucent;
+    constexpr float below_one = 1 - 0x1p-24F;
+    if (out.opacity->constant() && out.present({}, below_one)) return material;
     return layered(std::move(out));
 }
 

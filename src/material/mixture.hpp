@@ -43,11 +43,21 @@ namespace nicol {
 [[nodiscard]] MaterialPtr with_roughness(const std::function<MaterialPtr(double u, double v)>& make,
                                          const TexturePtr& alpha_u, const TexturePtr& alpha_v);
 
-/// Returns the material with normals from a texture. `mirrored_y` is explained at NormalVariation.
-[[nodiscard]] MaterialPtr normal_mapped(MaterialPtr material, TexturePtr normals, bool mirrored_y = false);
-[[nodiscard]] MaterialPtr bump_mapped(MaterialPtr material, TexturePtr heights, double scale);
+/// Members of NormalVariation that a map of normals or heights leaves open. `reversed_back` is true in any
+/// case if the material is two-sided already.
+struct MapOptions {
+    bool mirrored_y = false;  ///< maps of normals only
+    bool reversed_back = false;
+    bool shadowed = false;
+};
+/// Returns the material with normals from a texture.
+[[nodiscard]] MaterialPtr normal_mapped(MaterialPtr material, TexturePtr normals,
+                                        const MapOptions& options = {});
+[[nodiscard]] MaterialPtr bump_mapped(MaterialPtr material, TexturePtr heights, double scale,
+                                      const MapOptions& options = {});
 
-/// Returns the material cut out where the opacity is below 0.5.
-[[nodiscard]] MaterialPtr masked(MaterialPtr material, TexturePtr opacity);
+/// Returns the material cut out where the opacity is below 0.5. `translucent` is explained at
+/// SpatialVariation.
+[[nodiscard]] MaterialPtr masked(MaterialPtr material, TexturePtr opacity, bool translucent = false);
 
 }  // namespace nicol

@@ -152,10 +152,26 @@ bool SpatialVariation::needs_footprint() const {
     return needs(normal.texture) || std::ranges::any_of(textures, needs);
 }
 
-bool SpatialVariation::present(const TexturePoint& point) const {
+bool SpatialVariation::present(const TexturePoint& point, float threshold) const {
     if (opacity == nullptr) return true;
     const glm::vec4 value = opacity->at(point);
-    return (opacity->channels() == 4 ? value.w : value.x) >= 0.5F;
+    const float covered = opacity->channels() == 4 ? value.w : value.x;
+    return translucent ? covered > threshold : covered >= 0.5F;
+}
+
+float threshold_at(std::uint32_t surface, float b1, float b2) {
+    // The two sides of a surface have corners 1 and 2 in opposite order, and weights that differ by rounding.
+    constexpr float steps = 1 << 20;
+    const auto [low, high] = std::minmax({b1, b2});
+    // The multipliers are those of MurmurHash3's last step and of the golden ratio.
+    std::uint32_t hash = surface * 0x9E3779B9U;
+    for (const float weight : {low, high}) {
+        hash ^= static_cast<std::uint32_t>(std::clamp(weight, 0.0F, 1.0F) * steps);
+        hash = (hash ^ hash >> 16) * 0x85EBCA6BU;
+        hash = (hash ^ hash >> 13) * 0xC2B2AE35U;
+        hash ^= hash >> 16;
+    }
+    return static_cast<float>(hash >> 8) * 0x1p-24F;
 }
 
 void SpatialVariation::weights(const TexturePoint& point, std::span<glm::vec3> out) const {

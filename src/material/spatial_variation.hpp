@@ -2,6 +2,7 @@
 // Variation of a material over a surface (SVBRDF).
 #pragma once
 
+#include <cstdint>
 #include <glm/vec3.hpp>
 #include <span>
 #include <vector>
@@ -56,6 +57,12 @@ struct NormalVariation {
     /// Direction of y in a map. False: y completes a right-handed frame, as in Mitsuba. True: y points to
     /// where v falls, as in glTF, which differs if texture coordinates are mirrored.
     bool mirrored_y = false;
+    /// Normal on the back of a two-sided surface. False: the front's normal mirrored in the surface, as
+    /// Mitsuba's `twosided` around a map. True: the front's normal reversed, as a map around `twosided` and
+    /// as glTF's doubleSided.
+    bool reversed_back = false;
+    /// Whether light that falls at a slant is dimmed by terminator_shadowing().
+    bool shadowed = false;
 
     bool operator==(const NormalVariation&) const = default;
 };
@@ -67,17 +74,21 @@ struct SpatialVariation {
     std::vector<TexturePtr> textures;  ///< textures of the factors, each once, at most kMostTextures
     std::vector<MaterialLayer> layers;
     NormalVariation normal;
-    /// Opacity: the fourth channel of a texture with four channels, else the first. The surface is present if
-    /// the opacity is 0.5 or more. Null: the surface is present everywhere.
+    /// Opacity: the fourth channel of a texture with four channels, else the first. Null: the surface is
+    /// present everywhere.
     TexturePtr opacity;
+    /// Whether an opacity between 0 and 1 is the fraction of samples and rays that the surface is present
+    /// for. If not, the surface is present if the opacity is 0.5 or more.
+    bool translucent = false;
 
     [[nodiscard]] bool needs_texcoords() const;
     [[nodiscard]] bool needs_colors(ColorsOf of) const;
     /// Returns whether weights() or the normal depends on the distance between pixels.
     [[nodiscard]] bool needs_footprint() const;
 
-    /// Returns whether the surface is present at a point.
-    [[nodiscard]] bool present(const TexturePoint& point) const;
+    /// Returns whether the surface is present at a point. threshold: number of 0 to 1 that a translucent
+    /// surface's opacity must exceed, uniformly distributed over samples.
+    [[nodiscard]] bool present(const TexturePoint& point, float threshold) const;
     /// Computes out[layer] of all layers: the weight for red, green and blue, or three equal ones.
     void weights(const TexturePoint& point, std::span<glm::vec3> out) const;
     /// Computes the weights of all layers at sixteen points.
@@ -95,5 +106,10 @@ struct SpatialVariation {
     const SpatialVariation* const variation = material.variation();
     return variation != nullptr ? variation->opacity : nullptr;
 }
+
+/// Returns a threshold for SpatialVariation::present() that depends on a point of a triangle, by its
+/// barycentric weights, as if by chance. surface: number of the surface. Both sides of a surface have the
+/// same threshold, because a ray that meets them meets one surface.
+[[nodiscard]] float threshold_at(std::uint32_t surface, float b1, float b2);
 
 }  // namespace nicol

@@ -10,7 +10,11 @@ namespace {
 
 class Twosided final : public Material {
 public:
-    explicit Twosided(MaterialPtr front) : front_(std::move(front)) {}
+    explicit Twosided(MaterialPtr front) : front_(std::move(front)) {
+        // The front owns its isotropic counterpart.
+        if (front_->anisotropic())
+            isotropic_ = std::make_unique<const Twosided>(MaterialPtr(front_, &front_->isotropic()));
+    }
 
     [[nodiscard]] int channels() const noexcept override { return front_->channels(); }
     [[nodiscard]] int terms() const noexcept override { return front_->terms(); }
@@ -21,9 +25,8 @@ public:
     [[nodiscard]] glm::dvec2 lobe_widths(int term) const noexcept override {
         return front_->lobe_widths(term);
     }
-    // Tables hold the front.
     [[nodiscard]] const Material& isotropic() const noexcept override {
-        return front_->anisotropic() ? front_->isotropic() : *this;
+        return isotropic_ ? *isotropic_ : *this;
     }
     [[nodiscard]] bool smooth(int term) const noexcept override { return front_->smooth(term); }
     [[nodiscard]] bool mirror_symmetric() const noexcept override { return front_->mirror_symmetric(); }
@@ -64,6 +67,7 @@ private:
     }
 
     MaterialPtr front_;
+    std::unique_ptr<const Twosided> isotropic_;  // null: the front is isotropic
 };
 
 }  // namespace

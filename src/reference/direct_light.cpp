@@ -6,9 +6,13 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <limits>
+#include <utility>
 
+#include "geometry/graded_mesh.hpp"
 #include "material/spatial_variation.hpp"
 #include "reference/light_arrival.hpp"
+#include "scene/middle.hpp"
+#include "shading/normal_variation.hpp"
 
 namespace nicol {
 namespace {
@@ -22,6 +26,22 @@ constexpr std::uint32_t kDiscStream = kSurfaceStream + 1;
 
 glm::dvec3 axis_in_world(const glm::dmat4& to_world, const PolarizationState& state) {
     return glm::normalize(glm::dmat3(to_world) * state.axis);
+}
+
+// Returns the meshes of a scene's instances in the coordinates of rays, with triangles divided that are far
+// larger than an object beside them.
+std::vector<Mesh> placed_meshes(const Scene& scene, const glm::dmat4& from_world) {
+    std::vector<Mesh> meshes;
+    std::vector<MeshExtent> extents;
+    for (std::size_t i = 0; i < scene.instances().size(); ++i) {
+        const Instance& instance = scene.instances()[i];
+        meshes.push_back(placed(*instance.mesh, from_world * instance.to_world, scene.ids()[i]));
+        extents.push_back(extent_of(meshes.back()));
+    }
+    const Details details(extents);
+    for (std::size_t i = 0; i < meshes.size(); ++i)
+        if (const auto divided = graded(meshes[i], details.beside(extents[i]))) meshes[i] = *divided;
+    return meshes;
 }
 
 }  // namespace
@@ -40,6 +60,13 @@ struct DirectLight::Reflection {
     [[nodiscard]] Frame incident_frame(const glm::dvec3& towards_light) const {
         return hit.frame * theta_phi_frame(-towards_light);
     }
+    /// Returns the factor of light from a direction, for a perturbed normal.
+    [[nodiscard]] double dimming(const glm::dvec3& towards_light) const {
+        if (!hit.dimmed) return 1;
+        return static_cast<double>(
+            terminator_shadowing(static_cast<float>(glm::dot(hit.unturned, hit.frame[2])),
+                                 static_cast<float>(glm::dot(hit.unturned, in_world(towards_light)))));
+    }
     /// Returns whether light from a direction can reach the surface. A perturbed normal may face light from
     /// below the surface, which the surface hides.
     [[nodiscard]] bool lit_from(const glm::dvec3& towards_light) const {
@@ -54,15 +81,19 @@ DirectLight::DirectLight(const Scene& scene, Strategy strategy, bool shadows)
       light_scale_(scene.light_scale()),
       strategy_(strategy),
       shadows_(shadows),
-      channels_(scene.channels()),
-      elements_(scene.elements()) {
+      channels_(scene.channels()) {
+    if (!scene.instances().empty()) origin_ = middle_of(scene.instances()[largest_instance(scene)]);
+    const glm::dmat4 from_world = from_middle(origin_);
+    elements_ = ElementsOnRay(scene.elements(), from_world);
     if (environment_ != nullptr) {
         check_brightness(environment_->project(0), light_scale_);
         light_sampler_ = std::make_unique<LightSampler>(*environment_);
         table_ = environment_->tabulated();
         if (table_) environment_ = table_.get();
     }
-    for (const LocalLight& light : scene.lights()) {
+    lights_.assign(scene.lights().begin(), scene.lights().end());
+    for (LocalLight& light : lights_) {
+        light.to_world = from_world * light.to_world;
         if (without_size(light))
             without_size_.push_back(&light);
         else
@@ -71,25 +102,17 @@ DirectLight::DirectLight(const Scene& scene, Strategy strategy, bool shadows)
     std::vector<RaySurface> triangles;
     surfaces_.reserve(scene.instances().size());
     ids_ = scene.ids();
+    std::vector<Mesh> meshes = placed_meshes(scene, from_world);
     for (std::size_t i = 0; i < ids_.size(); ++i) {
         const Instance& instance = scene.instances()[i];
-        const Material& material = *instance.material;
+        const MaterialPtr behind = instance.material->behind();
         TracedSurface& surface =
-            surfaces_.emplace_back(TracedSurface{.mesh = placed(*instance.mesh, instance.to_world, ids_[i]),
-                                                 .material = &material,
-                                                 .layers = {},
+            surfaces_.emplace_back(TracedSurface{.mesh = std::move(meshes[i]),
+                                                 .front = traced(*instance.material),
+                                                 .back = traced(behind ? *behind : *instance.material),
                                                  .emission = instance.emission.get()});
         if (surface.emission != nullptr)
             surface.emission_axis = axis_in_world(instance.to_world, surface.emission->state);
-        const auto add_layer = [&](const Material& layer) {
-            const SurfaceSampler& sampler = samplers_.try_emplace(&layer, layer).first->second;
-            surface.layers.push_back({.material = &layer, .sampler = &sampler});
-        };
-        if (const SpatialVariation* const variation = material.variation()) {
-            for (const MaterialLayer& layer : variation->layers) add_layer(*layer.material);
-        } else {
-            add_layer(material);
-        }
         triangles.push_back({.positions = surface.mesh.positions,
                              .triangles = surface.mesh.triangles,
                              .present = surface.presence()});
@@ -97,6 +120,20 @@ DirectLight::DirectLight(const Scene& scene, Strategy strategy, bool shadows)
     }
     area_light_sampler_ = std::make_unique<AreaLightSampler>(surfaces_);
     rays_ = std::make_unique<RayScene>(triangles);
+}
+
+TracedMaterial DirectLight::traced(const Material& material) {
+    TracedMaterial out{.material = &material, .layers = {}};
+    const auto add_layer = [&](const Material& layer) {
+        const SurfaceSampler& sampler = samplers_.try_emplace(&layer, layer).first->second;
+        out.layers.push_back({.material = &layer, .sampler = &sampler});
+    };
+    if (const SpatialVariation* const variation = material.variation()) {
+        for (const MaterialLayer& layer : variation->layers) add_layer(*layer.material);
+    } else {
+        add_layer(material);
+    }
+    return out;
 }
 
 std::optional<DirectLight::Surfel> DirectLight::first_surface(const Ray& ray) const {
@@ -158,10 +195,10 @@ void DirectLight::add_behind_elements(const Ray& ray, const std::optional<RayHit
 }
 
 void DirectLight::weigh_layers(const SurfaceHit& hit, Workspace& workspace) const {
-    const std::size_t layers = hit.surface.layers.size();
+    const std::size_t layers = hit.side.layers.size();
     workspace.weights.assign(layers, glm::vec3(1));
     workspace.shares.assign(layers, 1);
-    const SpatialVariation* const variation = hit.surface.material->variation();
+    const SpatialVariation* const variation = hit.side.material->variation();
     if (variation == nullptr) return;
     variation->weights(hit.point, workspace.weights);
     double sum = 0;
@@ -184,7 +221,7 @@ glm::dvec3 DirectLight::sample(const SurfaceHit& hit, const glm::dvec2& point,
     // A remainder from rounding may reach a layer that has no share.
     while (chosen > 0 && workspace.shares[chosen] == 0) --chosen;
     const double within = std::min(x / workspace.shares[chosen], 1 - 1e-16);
-    return hit.surface.layers[chosen].sampler->sample(hit.towards_viewer, {within, point.y});
+    return hit.side.layers[chosen].sampler->sample(hit.towards_viewer, {within, point.y});
 }
 
 double DirectLight::pdf(const Reflection& at, const glm::dvec3& towards_light, double of_light) const {
@@ -193,8 +230,7 @@ double DirectLight::pdf(const Reflection& at, const glm::dvec3& towards_light, d
         const std::vector<double>& shares = at.workspace.shares;
         for (std::size_t l = 0; l < shares.size(); ++l)
             if (shares[l] > 0)
-                sum +=
-                    shares[l] * at.hit.surface.layers[l].sampler->pdf(at.hit.towards_viewer, towards_light);
+                sum += shares[l] * at.hit.side.layers[l].sampler->pdf(at.hit.towards_viewer, towards_light);
     }
     return sum;
 }
@@ -235,7 +271,8 @@ void DirectLight::add_sampled_area_light(Reflection& at, const RayHit& place) co
     if (!area_light.emitted(place, at.incident_frame(towards_light), at.workspace.incident)) return;
     // The ray starts off the surface, so it meets the area light's plane earlier by this offset, or by more
     // at a slant.
-    if (hidden(at, towards_light, distance - 2 * rays_->offset() / cosine)) return;
+    const double offset = std::max(at.hit.ray_offset, area_light.ray_offset(place));
+    if (hidden(at, towards_light, distance - 2 * offset / cosine)) return;
     add_reflected(at, towards_light, pdf(at, towards_light, area_light_pdf(at, place)));
 }
 
@@ -244,7 +281,7 @@ void DirectLight::add_without_size(Reflection& at, const LocalLight& light) cons
     if (!arrival) return;
     const glm::dvec3 towards_light = arrival->towards_light * at.hit.frame;
     if (!at.lit_from(towards_light)) return;
-    if (hidden(at, towards_light, arrival->distance - 2 * rays_->offset())) return;
+    if (hidden(at, towards_light, arrival->distance - 2 * at.hit.ray_offset)) return;
     const Stokes state =
         stokes_in(at.incident_frame(towards_light), light.state, axis_in_world(light.to_world, light.state));
     for (std::size_t c = 0; c < at.sum.size(); ++c)
@@ -289,13 +326,14 @@ void DirectLight::add_disc(Reflection& at, const SkyDisc& disc, const glm::dvec3
 // whether a surface hides the light beyond.
 bool DirectLight::add_area_lights(Reflection& at, const glm::dvec3& towards_light) const {
     if (shadows_) ++at.workspace.shadow_rays;
-    Ray ray = rays_->leaving(at.hit.position, at.hit.geometric_normal, at.in_world(towards_light));
+    Ray ray =
+        leaving(at.hit.position, at.hit.geometric_normal, at.in_world(towards_light), at.hit.ray_offset);
     while (const std::optional<RayHit> found = rays_->intersect(ray)) {
         const TracedSurface& area_light = surfaces_[found->surface];
         if (area_light.emitted(*found, at.incident_frame(towards_light), at.workspace.incident))
             add_reflected(at, towards_light, pdf(at, towards_light, area_light_pdf(at, *found)));
         if (shadows_) return true;
-        ray.nearest = found->distance + rays_->offset();
+        ray.nearest = found->distance + area_light.ray_offset(*found);
     }
     return false;
 }
@@ -303,8 +341,10 @@ bool DirectLight::add_area_lights(Reflection& at, const glm::dvec3& towards_ligh
 bool DirectLight::hidden(Reflection& at, const glm::dvec3& towards_light, double distance) const {
     if (!shadows_) return false;
     ++at.workspace.shadow_rays;
-    return rays_->occluded(at.hit.position, at.hit.geometric_normal, at.in_world(towards_light),
-                           std::max(0.0, distance));
+    Ray ray =
+        leaving(at.hit.position, at.hit.geometric_normal, at.in_world(towards_light), at.hit.ray_offset);
+    ray.farthest = std::max(0.0, distance);
+    return rays_->occluded(ray);
 }
 
 // Returns the density, per steradian, of the area lights' samples at a place.
@@ -322,9 +362,10 @@ void DirectLight::add_reflected(Reflection& at, const glm::dvec3& towards_light,
     const SurfaceHit& hit = at.hit;
     Workspace& workspace = at.workspace;
     const double rotate_out = angle_between(hit.frame * theta_phi_frame(hit.towards_viewer), at.received);
-    for (std::size_t l = 0; l < hit.surface.layers.size(); ++l) {
+    const double factor = at.dimming(towards_light) * towards_light.z / pdf;
+    for (std::size_t l = 0; l < hit.side.layers.size(); ++l) {
         if (workspace.shares[l] == 0) continue;
-        const Material& material = *hit.surface.layers[l].material;
+        const Material& material = *hit.side.layers[l].material;
         const int terms = material.terms();
         workspace.terms.resize(static_cast<std::size_t>(terms));
         material.evaluate_terms(towards_light, hit.towards_viewer, workspace.terms);
@@ -340,7 +381,7 @@ void DirectLight::add_reflected(Reflection& at, const glm::dvec3& towards_light,
             // Colour textures require three channels. With other numbers of channels all three weights are
             // equal.
             const double weight = workspace.weights[l][channels_ == 3 ? c : 0];
-            at.sum[channel] += rotated(weight * towards_light.z / pdf * reflected, rotate_out);
+            at.sum[channel] += rotated(weight * factor * reflected, rotate_out);
         }
     }
 }

@@ -30,6 +30,10 @@ public:
     /// Throws the errors of RayScene.
     DirectLight(const Scene& scene, Strategy strategy, bool shadows);
 
+    /// Returns the origin, in the world, of the coordinates of rays and positions below. The coordinates are
+    /// parallel to the world's.
+    [[nodiscard]] const glm::dvec3& origin() const noexcept { return origin_; }
+
     /// Work space of one thread for one reflection, and the thread's count of rays.
     struct Workspace {
         std::vector<Mueller> terms;
@@ -68,6 +72,8 @@ private:
     void add_behind_elements(const Ray& ray, const std::optional<RayHit>& found, const Frame& received,
                              const LowDiscrepancy& points, std::uint32_t index, std::span<Stokes> sum,
                              Workspace& workspace) const;
+    /// Returns the material of one side of a surface, with samplers of its layers.
+    [[nodiscard]] TracedMaterial traced(const Material& material);
     void weigh_layers(const SurfaceHit& hit, Workspace& workspace) const;
     [[nodiscard]] glm::dvec3 sample(const SurfaceHit& hit, const glm::dvec2& point,
                                     const Workspace& workspace) const;
@@ -96,6 +102,7 @@ private:
     [[nodiscard]] double area_light_pdf(const Reflection& at, const RayHit& place) const;
     [[nodiscard]] Stokes radiance(int channel, const glm::dvec3& towards_light) const;
 
+    glm::dvec3 origin_{0.0};
     const Environment* environment_;
     bool emitters_hidden_;
     /// Environment that environment_ points to, if it had to be made.
@@ -110,6 +117,7 @@ private:
     std::vector<std::uint32_t> ids_;  // ids of the surfaces' instances
     std::map<const Material*, SurfaceSampler> samplers_;
     std::unique_ptr<LightSampler> light_sampler_;
+    std::vector<LocalLight> lights_;  // in the coordinates of rays
     std::vector<const LocalLight*> without_size_;
     std::vector<SkyDisc> discs_;
     std::unique_ptr<AreaLightSampler> area_light_sampler_;

@@ -5,8 +5,8 @@
 
 namespace nicol {
 
-ElementsOnRay::ElementsOnRay(std::span<const PolarizationElement> elements) {
-    for (const PolarizationElement& element : elements) elements_.emplace_back(element);
+ElementsOnRay::ElementsOnRay(std::span<const PolarizationElement> elements, const glm::dmat4& from_world) {
+    for (const PolarizationElement& element : elements) elements_.emplace_back(element, from_world);
 }
 
 std::optional<Mueller> ElementsOnRay::mueller(const Ray& ray, const Frame& received) const {

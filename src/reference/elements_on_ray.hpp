@@ -14,8 +14,10 @@ namespace nicol {
 /// Polarization elements along rays. Immutable; threads share it.
 class ElementsOnRay {
 public:
-    /// elements: polarization elements in the world.
-    explicit ElementsOnRay(std::span<const PolarizationElement> elements);
+    ElementsOnRay() = default;
+    /// elements: polarization elements in the world. from_world: transform to the rays' coordinates.
+    explicit ElementsOnRay(std::span<const PolarizationElement> elements,
+                           const glm::dmat4& from_world = glm::dmat4(1.0));
 
     [[nodiscard]] bool empty() const noexcept { return elements_.empty(); }
 

@@ -175,10 +175,11 @@ private:
             aovs_.depth[pixel] = static_cast<float>(glm::dot(view_.forward, surfel->position - view_.eye));
         }
         if (!aovs_.instances.empty()) aovs_.instances[pixel] = surfel->instance;
+        const glm::dvec3 in_world = light_.origin() + surfel->position;
         for (glm::length_t i = 0; i < 3; ++i) {
             const std::size_t at = 3 * pixel + static_cast<std::size_t>(i);
             if (!aovs_.normals.empty()) aovs_.normals[at] = static_cast<float>(surfel->normal[i]);
-            if (!aovs_.positions.empty()) aovs_.positions[at] = static_cast<float>(surfel->position[i]);
+            if (!aovs_.positions.empty()) aovs_.positions[at] = static_cast<float>(in_world[i]);
         }
     }
 
@@ -211,8 +212,10 @@ StokesImage render(const Scene& scene, const Projection& projection, int width, 
                                   static_cast<std::uint64_t>(options.samples);
     SharedProgress progress(options.progress, static_cast<double>(samples));
     tbb::task_group_context group;
-    const CameraRays rays(projection, width, height);
-    Tracer tracer(light, rays, options, progress, group, projection.view, image, aovs);
+    Projection from_origin = projection;
+    from_origin.view.eye -= light.origin();
+    const CameraRays rays(from_origin, width, height);
+    Tracer tracer(light, rays, options, progress, group, from_origin.view, image, aovs);
     tbb::task_arena arena(worker_count(options.threads));
     arena.execute([&] {
         tbb::parallel_for(

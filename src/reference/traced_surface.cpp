@@ -24,7 +24,7 @@ TexturePoint texture_point(const TracedSurface& surface, std::uint32_t triangle,
     if (!mesh.colors.empty()) colors = corners_of(mesh.colors, mesh.triangles[triangle]);
     TexturePoint point = nicol::texture_point(weights, mesh.texcoords.empty() ? nullptr : &texcoords,
                                               mesh.colors.empty() ? nullptr : &colors);
-    if (needs_colors(*surface.material, ColorsOf::faces)) point.color = mesh.face_colors[triangle];
+    if (needs_colors(*surface.front.material, ColorsOf::faces)) point.color = mesh.face_colors[triangle];
     return point;
 }
 
@@ -37,7 +37,7 @@ TextureAxes texture_axes(const Mesh& mesh, std::uint32_t triangle) {
 // Returns the frame of a shading normal, which a texture may have perturbed, for the surface's material.
 Frame surface_frame(const TracedSurface& surface, std::uint32_t triangle, const glm::dvec3& unturned,
                     const glm::dvec3& normal) {
-    if (!surface.material->anisotropic()) return theta_phi_frame(normal);
+    if (!surface.front.material->anisotropic()) return theta_phi_frame(normal);
     const glm::dvec3 by_u(texture_axes(surface.mesh, triangle).by_u);
     const glm::dvec3 x = perpendicular(normal, perpendicular(unturned, by_u));
     return {x, glm::cross(normal, x), normal};
@@ -50,10 +50,11 @@ glm::dvec3 weights_of(const RayHit& hit) {
 }  // namespace
 
 Presence TracedSurface::presence() const {
-    const SpatialVariation* const variation = material->variation();
+    const SpatialVariation* const variation = front.material->variation();
     if (variation == nullptr || variation->opacity == nullptr) return {};
     return [this, variation](std::uint32_t triangle, float b1, float b2) {
-        return variation->present(texture_point(*this, triangle, {1 - b1 - b2, b1, b2}));
+        return variation->present(texture_point(*this, triangle, {1 - b1 - b2, b1, b2}),
+                                  threshold_at(triangle, b1, b2));
     };
 }
 
@@ -69,6 +70,10 @@ glm::dvec3 TracedSurface::geometric_normal(const RayHit& hit) const {
     return glm::normalize(glm::cross(glm::dvec3(corners[1]) - origin, glm::dvec3(corners[2]) - origin));
 }
 
+double TracedSurface::ray_offset(const RayHit& hit) const {
+    return nicol::ray_offset(corners_of(mesh.positions, mesh.triangles[hit.triangle]));
+}
+
 glm::dvec3 TracedSurface::normal(const RayHit& hit) const {
     const auto corners = corners_of(mesh.normals, mesh.triangles[hit.triangle]);
     const glm::dvec3 weights = weights_of(hit);
@@ -82,7 +87,10 @@ bool TracedSurface::emitted(const RayHit& hit, const Frame& frame, std::span<Sto
     if (emission == nullptr) return false;
     if (!emission->two_sided && !(glm::dot(normal(hit), frame[2]) > 0)) return false;
     const TexturePoint point = texture_point(*this, hit.triangle, glm::vec3(weights_of(hit)));
-    if (opacity_of(*material) != nullptr && !material->variation()->present(point)) return false;
+    const float threshold =
+        threshold_at(hit.triangle, static_cast<float>(hit.b1), static_cast<float>(hit.b2));
+    if (opacity_of(*front.material) != nullptr && !front.material->variation()->present(point, threshold))
+        return false;
     const glm::vec4 texel = emission->texture != nullptr ? emission->texture->at(point) : glm::vec4(1);
     const Stokes state = stokes_in(frame, emission->state, emission_axis);
     for (std::size_t c = 0; c < radiance.size(); ++c)
@@ -94,18 +102,21 @@ bool TracedSurface::emitted(const RayHit& hit, const Frame& frame, std::span<Sto
 SurfaceHit surface_hit(const TracedSurface& surface, const RayHit& hit, const glm::dvec3& towards_viewer) {
     glm::dvec3 shading_normal = surface.normal(hit);
     const bool behind = glm::dot(shading_normal, towards_viewer) < 0;
-    const bool back = behind && surface.material->twosided();
+    const bool back = behind && surface.front.material->twosided();
     if (back) shading_normal = -shading_normal;
-    SurfaceHit out{.surface = surface,
+    SurfaceHit out{.side = back ? surface.back : surface.front,
                    .position = surface.position(hit),
                    .geometric_normal = surface.geometric_normal(hit),
+                   .ray_offset = surface.ray_offset(hit),
                    .unturned = shading_normal,
+                   .dimmed = false,
                    .frame = {},
                    .towards_viewer = {},
                    .point = {}};
-    if (const SpatialVariation* const variation = surface.material->variation()) {
+    if (const SpatialVariation* const variation = surface.front.material->variation()) {
         out.point = texture_point(surface, hit.triangle, glm::vec3(weights_of(hit)));
         if (variation->normal.kind != NormalVariation::Kind::none) {
+            out.dimmed = variation->normal.shadowed;
             const glm::vec3 normal_of_mesh(shading_normal);
             const glm::vec3 turned = perturbed_normal(
                 variation->normal, out.point, texture_axes(surface.mesh, hit.triangle), normal_of_mesh, back);

@@ -12,14 +12,20 @@
 
 namespace nicol {
 
-struct TracedSurface {
+/// Material of one side of a surface.
+struct TracedMaterial {
     struct Layer {
         const Material* material;
         const SurfaceSampler* sampler;
     };
-    Mesh mesh;  ///< mesh in the world
     const Material* material;
-    std::vector<Layer> layers;   ///< layers of a textured material; otherwise the material itself
+    std::vector<Layer> layers;  ///< layers of a textured material; otherwise the material itself
+};
+
+struct TracedSurface {
+    Mesh mesh;  ///< mesh in the world
+    TracedMaterial front;
+    TracedMaterial back;         ///< for a material that is not two-sided: as `front`
     const Emission* emission;    ///< null: the surface emits no light
     glm::dvec3 emission_axis{};  ///< axis of the emission's polarization, in the world
 
@@ -30,6 +36,8 @@ struct TracedSurface {
     [[nodiscard]] glm::dvec3 position(const RayHit& hit) const;
     /// Returns the unit normal of the triangle itself, towards its front.
     [[nodiscard]] glm::dvec3 geometric_normal(const RayHit& hit) const;
+    /// Returns the distance between the hit triangle and the start of rays that leave it.
+    [[nodiscard]] double ray_offset(const RayHit& hit) const;
     /// Returns the unit normal, interpolated between the corners' normals.
     [[nodiscard]] glm::dvec3 normal(const RayHit& hit) const;
     /// Sets `radiance` to the Stokes vectors, in each channel, of the emission at a hit along z of `frame`.
@@ -40,10 +48,12 @@ struct TracedSurface {
 
 /// Point of a surface where light is reflected.
 struct SurfaceHit {
-    const TracedSurface& surface;
+    const TracedMaterial& side;  ///< material of the side that the viewer sees
     glm::dvec3 position;
     glm::dvec3 geometric_normal;
+    double ray_offset;    ///< distance between the surface and the start of rays that leave it
     glm::dvec3 unturned;  ///< interpolated normal, on the side of the shading normal
+    bool dimmed;          ///< whether the perturbed normal's light is dimmed by terminator_shadowing()
     /// Frame whose z is the shading normal, on the viewer's side for a two-sided material. For an anisotropic
     /// material, x is the direction of growing texture coordinate u.
     Frame frame;

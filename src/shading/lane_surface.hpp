@@ -18,6 +18,8 @@ struct LaneSurface {
     std::array<Lanes, 3> weights;  ///< barycentric weights of the corners, 0 to 1; their sum is 1
     std::array<glm::vec3, kLanes> positions;
     std::array<glm::vec3, kLanes> normals;  ///< unit normals
+    /// Unit normals without a texture's perturbation; set only if a texture perturbs normals.
+    std::array<glm::vec3, kLanes> unperturbed;
 };
 
 /// Corners of a triangle: indices of vertices.

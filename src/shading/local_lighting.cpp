@@ -5,11 +5,13 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <optional>
 #include <utility>
 
 #include "material/spatial_variation.hpp"
 #include "shading/light_samples.hpp"
+#include "shading/normal_variation.hpp"
 #include "shading/reflected_light.hpp"
 
 namespace nicol {
@@ -31,10 +33,26 @@ std::uint32_t above(const LaneVectors& facets, const LaneLight& light) {
     return out;
 }
 
+// Dims light by the terminator shadowing of perturbed normals.
+void dim(const LitPoints& points, LaneLight& light) {
+    Lanes factor{};
+    for (std::size_t i = 0; i < points.unperturbed.size(); ++i) {
+        const glm::vec3& normal = points.unperturbed[i];
+        const glm::vec3 towards(light.towards.x[i], light.towards.y[i], light.towards.z[i]);
+        factor[i] = terminator_shadowing(glm::dot(normal, points.normals[i]), glm::dot(normal, towards));
+    }
+    for (std::array<Lanes, 4>& of_channel : light.irradiance)
+        for (std::size_t p = 0; p < light.components; ++p)
+            for (std::size_t i = 0; i < kLanes; ++i) of_channel[p][i] *= factor[i];
+}
+
 // Shadow rays from points to light samples.
 class ShadowRays {
 public:
-    ShadowRays(const RayScene& scene, const LaneVectors& origins) : scene_(scene) {
+    ShadowRays(const RayScene& scene, const LaneVectors& points, const LaneVectors& origins) : scene_(scene) {
+        for (std::size_t i = 0; i < kLanes; ++i)
+            offset_[i] = std::hypot(origins.x[i] - points.x[i], origins.y[i] - points.y[i],
+                                    origins.z[i] - points.z[i]);
         packet_.origin_x = origins.x.value;
         packet_.origin_y = origins.y.value;
         packet_.origin_z = origins.z.value;
@@ -45,7 +63,8 @@ public:
         packet_.direction_x = light.towards.x.value;
         packet_.direction_y = light.towards.y.value;
         packet_.direction_z = light.towards.z.value;
-        packet_.farthest = light.distance.value;
+        // Light distances begin at the points.
+        for (std::size_t i = 0; i < kLanes; ++i) packet_.farthest[i] = light.distance[i] - offset_[i];
         count_ += static_cast<std::uint64_t>(std::popcount(points));
         return points & ~std::uint32_t{scene_.occluded(packet_, static_cast<std::uint16_t>(points))};
     }
@@ -54,6 +73,7 @@ public:
 
 private:
     RayPacket packet_;
+    Lanes offset_;  // distance between the points and the rays' origins
     const RayScene& scene_;
     std::uint64_t count_ = 0;
 };
@@ -119,7 +139,7 @@ std::uint64_t LocalLighting::add(const Viewpoint& view, const LitPoints& points,
     reflected.set(view, points.positions, points.normals, points.tangents);
     sums.assign(out.size(), {});
     std::optional<ShadowRays> shadows;
-    if (rays_ != nullptr && points.shadowed) shadows.emplace(*rays_, origins);
+    if (rays_ != nullptr && points.shadowed) shadows.emplace(*rays_, positions, origins);
 
     // Calls reflect(layer, weights, points) for those lit points that the layer covers.
     const auto for_layers = [&](std::uint32_t lit, const auto& reflect) {
@@ -152,6 +172,7 @@ std::uint64_t LocalLighting::add(const Viewpoint& view, const LitPoints& points,
             Lanes u{}, v{};
             if (radius > 0) light_samples(k, std::span(seeds).first(count), u, v);
             source.sample(positions, u, v, light);
+            if (!points.unperturbed.empty()) dim(points, light);
             const std::uint32_t lit = shadowing.reached(k, light, lit_points());
             for_layers(lit, [&](const Material& layer, const LayerWeights* weights, std::uint32_t there) {
                 reflected.add(layer, weights, light, there, factor, sums);
@@ -162,6 +183,7 @@ std::uint64_t LocalLighting::add(const Viewpoint& view, const LitPoints& points,
         const LaneVectors mirrored = reflected.mirrored_directions();
         for (const LightSourcePtr& source : sources_) {
             source->intersect(origins, mirrored, light);
+            if (!points.unperturbed.empty()) dim(points, light);
             std::uint32_t lit = lit_points();
             if (shadows && lit != 0) lit = shadows->visible(light, lit);
             for_layers(lit, [&](const Material& layer, const LayerWeights* weights, std::uint32_t there) {

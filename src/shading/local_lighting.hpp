@@ -27,6 +27,8 @@ struct LitPoints {
     /// Unit geometric normals. Light from below them is hidden by the surface itself, even if a perturbed
     /// normal faces the light. Empty: no texture perturbs normals.
     std::span<const glm::vec3> facets;
+    /// Unit normals without perturbation, for terminator_shadowing(). Empty: nothing is dimmed by it.
+    std::span<const glm::vec3> unperturbed;
     std::span<const glm::vec3> origins;  ///< start points of shadow rays
     std::span<const std::uint32_t> seeds;
     bool shadowed;  ///< whether light may be occluded; false: no ray is traced

@@ -2,6 +2,7 @@
 #include "shading/normal_variation.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "polarization/view_geometry.hpp"
@@ -98,6 +99,7 @@ template <class Number>
                                     ? mapped(texture, by_u, by_v, front, variation.mirrored_y)
                                     : bumped(texture.x, texture.y, by_u, by_v, front);
     if (!back) return out;
+    if (variation.reversed_back) return times(-one, out);
     Number twice;
     dot(out, front, twice);
     twice += twice;
@@ -110,14 +112,21 @@ template <class Number>
                                                      const Vector3<Number>& towards_viewer) {
     // The limit is above 0 because microfacet models have no limit at the horizon itself.
     const Number edge_on = Number{} + 0.02F;
+    const Number one = Number{} + 1.0F;
+    Number cosine, along;
+    dot(turned, towards_viewer, cosine);
+    dot(turned, normal, along);
+    const Number sign = cosine > 0 ? one : -one;
+    along = cosine > 0 ? Number{} : -2.0F * along;
+    const Vector3<Number> flipped = minus_scaled(times(sign, turned), along, normal);
     Number least;
     dot(normal, towards_viewer, least);
     least = least < edge_on ? least : edge_on;
     Number missing;
-    dot(turned, towards_viewer, missing);
+    dot(flipped, towards_viewer, missing);
     missing = least - missing;
     missing = missing > 0 ? missing : Number{};
-    return direction(minus_scaled(turned, -missing, towards_viewer), normal);
+    return direction(minus_scaled(flipped, -missing, towards_viewer), normal);
 }
 
 glm::vec3 vector(const Vector3<float>& v) {
@@ -172,6 +181,15 @@ glm::vec3 perturbed_normal(const NormalVariation& variation, const TexturePoint&
 
 glm::vec3 facing(const glm::vec3& turned, const glm::vec3& normal, const glm::vec3& towards_viewer) {
     return vector(facing(components(turned), components(normal), components(towards_viewer)));
+}
+
+float terminator_shadowing(float perturbation, float incidence) {
+    const auto squared_tangent = [](float cosine) {
+        const float square = std::clamp(cosine * cosine, 1e-12F, 1.0F);
+        return (1 - square) / square;
+    };
+    const float squared_alpha = std::min(0.125F * squared_tangent(perturbation), 1.0F);
+    return 2 / (1 + std::sqrt(1 + squared_alpha * squared_tangent(incidence)));
 }
 
 void turn_normals(const NormalVariation& variation, const TexturePoints& points, const LaneTextureAxes& axes,

@@ -27,7 +27,8 @@ struct LaneTextureAxes {
 
 /// Returns the perturbed unit normal at a point, from the interpolated unit normal. Returns the interpolated
 /// normal if `axes` are 0 or the texture gives no direction. `back`: the normal is that of the back of a
-/// two-sided surface; the opposite normal is perturbed as that of a front.
+/// two-sided surface; the opposite normal is perturbed as that of a front, and the result is mirrored or
+/// reversed as NormalVariation says.
 ///
 /// map: (x, y, z) = 2 t - 1 in the frame of x = the direction of by_u within the surface, z = the normal and
 /// y = z cross x, or -y for mirrored charts, see NormalVariation. bump: the normal of the surface displaced
@@ -38,9 +39,16 @@ struct LaneTextureAxes {
 
 /// Returns a perturbed normal that faces the viewer at least as much as the interpolated normal does, up to
 /// about a degree from edge-on. The correction is needed because the other side of the surface cannot be
-/// seen. All vectors are unit.
+/// seen. A normal that faces away is rotated by half a turn around the interpolated normal first (Schuessler
+/// et al. 2017; `flip_invalid_normals` of Mitsuba 3). All vectors are unit.
 [[nodiscard]] glm::vec3 facing(const glm::vec3& turned, const glm::vec3& normal,
                                const glm::vec3& towards_viewer);
+
+/// Returns the factor of light on a perturbed normal that hides the abrupt end of the light where it falls at
+/// a slant: the shadowing of a microfacet surface whose facets are as steep as the perturbation (Conty
+/// Estevez et al. 2019; `use_shadowing_function` of Mitsuba 3). Cosines of the interpolated normal with the
+/// perturbed one and with the direction towards the light.
+[[nodiscard]] float terminator_shadowing(float perturbation, float incidence);
 
 /// Replaces sixteen normals by facing() of perturbed_normal(). towards_viewer: of any length but 0.
 void turn_normals(const NormalVariation& variation, const TexturePoints& points, const LaneTextureAxes& axes,

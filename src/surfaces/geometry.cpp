@@ -34,13 +34,13 @@ Presence presence_of(const WorldGeometry& geometry) {
     const auto alpha_mask = [](const VertexRange& range) { return opacity_of(*range.material) != nullptr; };
     if (std::ranges::none_of(geometry.ranges, alpha_mask)) return {};
     return [&geometry](std::uint32_t triangle, float b1, float b2) {
-        const SpatialVariation* const variation =
-            geometry.ranges[range_of(geometry, geometry.triangles[triangle].x)].material->variation();
+        const VertexRange& range = geometry.ranges[range_of(geometry, geometry.triangles[triangle].x)];
+        const SpatialVariation* const variation = range.material->variation();
         if (variation == nullptr || variation->opacity == nullptr) return true;
         const TexturePoint point = texture_point(
             {1 - b1 - b2, b1, b2}, geometry.texcoords.empty() ? nullptr : &geometry.texcoords[triangle],
             geometry.colors.empty() ? nullptr : &geometry.colors[triangle]);
-        return variation->present(point);
+        return variation->present(point, threshold_at(range.instance, b1, b2));
     };
 }
 

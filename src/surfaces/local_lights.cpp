@@ -40,7 +40,6 @@ void LocalLights::update(const Scene& scene, const ExtractedLights& split, const
         vertex_origins_.clear();
         if (!shadows) return;
         const WorldGeometry& geometry = surfaces.geometry();
-        offset_ = static_cast<float>((*rays_)->offset());
         vertex_origins_ = bake_origins(
             {.positions = geometry.positions, .normals = geometry.normals, .triangles = geometry.triangles},
             geometry.normals);

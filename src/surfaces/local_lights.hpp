@@ -41,8 +41,6 @@ public:
     /// Returns the lighting. any() must be true.
     [[nodiscard]] const LocalLighting& lighting() const { return **lighting_; }
 
-    /// Returns the distance of shadow rays' start points from a triangle, in the direction of its normal.
-    [[nodiscard]] float offset() const { return offset_; }
     /// Returns the start points of shadow rays beside each vertex.
     [[nodiscard]] std::span<const glm::vec3> vertex_origins() const { return vertex_origins_; }
     /// Returns the direction of growing texture coordinate u at each vertex. Empty: no material is
@@ -58,7 +56,6 @@ private:
 
     Stage<Version, bool> tracing_;  // vertices and triangles, whether anything casts shadows
     Versioned<std::shared_ptr<const RayScene>> rays_;
-    float offset_ = 0;
     std::vector<glm::vec3> vertex_origins_;
     Stage<Version, Version> materials_;  // vertices and triangles, materials
     std::vector<glm::vec3> vertex_tangents_;

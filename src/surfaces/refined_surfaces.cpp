@@ -2,9 +2,7 @@
 #include "surfaces/refined_surfaces.hpp"
 
 #include <algorithm>
-#include <functional>
 #include <glm/geometric.hpp>
-#include <map>
 #include <numeric>
 #include <utility>
 
@@ -16,35 +14,6 @@ std::vector<std::uint8_t> same(const std::vector<glm::vec3>& before, const std::
     const std::size_t both = std::min(before.size(), after.size());
     for (std::size_t i = 0; i < both; ++i) out[i] = before[i] == after[i] ? 1 : 0;
     return out;
-}
-
-// Returns the position of each refined triangle in its source triangle.
-std::vector<TrianglePart> parts_of(const WorldGeometry& geometry, const Refinement& refinement) {
-    const std::size_t given = geometry.positions.size();
-    std::vector<TrianglePart> parts;
-    parts.reserve(refinement.triangles.size());
-    // Weights of vertices in the current source triangle. The parts of one source are consecutive, and
-    // parents have smaller indices.
-    std::map<std::uint32_t, glm::vec3> known;
-    const std::function<glm::vec3(std::uint32_t, const glm::uvec3&)> weights = [&](std::uint32_t vertex,
-                                                                                   const glm::uvec3& source) {
-        if (vertex < given) {
-            return glm::vec3(source.x == vertex ? 1 : 0, source.y == vertex ? 1 : 0,
-                             source.z == vertex ? 1 : 0);
-        }
-        if (const auto found = known.find(vertex); found != known.end()) return found->second;
-        const glm::uvec2 parents = refinement.parents[vertex - given];
-        return known[vertex] = 0.5F * weights(parents.x, source) + 0.5F * weights(parents.y, source);
-    };
-    for (std::size_t i = 0; i < refinement.triangles.size(); ++i) {
-        const std::uint32_t source = refinement.sources[i];
-        if (i > 0 && source != refinement.sources[i - 1]) known.clear();
-        const glm::uvec3& t = refinement.triangles[i];
-        const glm::uvec3& of = geometry.triangles[source];
-        parts.push_back(
-            {.source = source, .corners = {weights(t.x, of), weights(t.y, of), weights(t.z, of)}});
-    }
-    return parts;
 }
 
 template <class Value>
@@ -107,7 +76,8 @@ RefinedGeometry refined(const WorldGeometry& geometry, const Refinement& refinem
     }
     return {.geometry = std::move(out),
             .visibility = refinement.visibility.selected(order),
-            .parts = parts_of(geometry, refinement)};
+            .parts = triangle_parts(geometry.triangles, geometry.positions.size(), refinement.parents,
+                                    refinement.triangles, refinement.sources)};
 }
 
 void RefinedSurfaces::update(const SceneGeometry& surfaces, const std::shared_ptr<WorldGeometry>& refined,

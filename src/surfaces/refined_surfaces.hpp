@@ -2,7 +2,6 @@
 // A scene's surfaces as drawn, including the vertices that the bake added.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
@@ -10,18 +9,13 @@
 #include <span>
 #include <vector>
 
+#include "geometry/edge_bisection.hpp"
 #include "surfaces/geometry.hpp"
 #include "surfaces/scene_geometry.hpp"
 #include "versioned.hpp"
 #include "visibility/refine.hpp"
 
 namespace nicol {
-
-/// Position of a refined triangle in the source triangle that contains it.
-struct TrianglePart {
-    std::uint32_t source;
-    std::array<glm::vec3, 3> corners;  ///< barycentric weights in the source triangle
-};
 
 /// Geometry after refinement, and the visibility of its vertices. Added vertices follow the other vertices of
 /// their range. Their positions and normals are interpolated, and the normals are then made unit length.

@@ -12,29 +12,14 @@
 #include "error.hpp"
 #include "geometry/principal_axes.hpp"
 #include "material/spatial_variation.hpp"
+#include "scene/middle.hpp"
 #include "surfaces/rigid_motion.hpp"
 
 namespace nicol {
 namespace {
 
-Ball ball_around(std::span<const glm::vec3> points) {
-    if (points.empty()) return {.centre = glm::vec3(0), .radius = 0};
-    glm::vec3 low = points.front();
-    glm::vec3 high = low;
-    for (const glm::vec3& point : points) {
-        low = glm::min(low, point);
-        high = glm::max(high, point);
-    }
-    const glm::vec3 centre = low + 0.5F * (high - low);
-    double radius = 0;
-    for (const glm::vec3& point : points) {
-        radius = std::max(radius, glm::distance(glm::dvec3(point), glm::dvec3(centre)));
-    }
-    return {.centre = centre, .radius = static_cast<float>(1.00001 * radius)};
-}
-
 // Returns whether two placements of one mesh differ by no more than rounding. The placements' shifts were
-// computed as differences of numbers as large as `shift`.
+// computed as differences of numbers as large as `shift`, which hosts may keep in single precision.
 bool near(const glm::dmat4& a, const glm::dmat4& b, const Ball& ball, double shift) {
     double size = 0;
     double linear = 0;
@@ -47,8 +32,10 @@ bool near(const glm::dmat4& a, const glm::dmat4& b, const Ball& ball, double shi
         }
     }
     constexpr double of_floats = 2e-7;
+    constexpr double visible = 1e-4;  // shift that can be seen, relative to the radius
+    const auto radius = static_cast<double>(ball.radius);
     return linear <= kRotationTolerance * size &&
-           offset <= kRotationTolerance * static_cast<double>(ball.radius) + of_floats * shift;
+           offset <= kRotationTolerance * radius + std::min(of_floats * shift, visible * radius);
 }
 
 void append_triangles(const Mesh& mesh, bool flipped, std::size_t first, std::vector<glm::uvec3>& triangles) {
@@ -56,6 +43,11 @@ void append_triangles(const Mesh& mesh, bool flipped, std::size_t first, std::ve
     for (const glm::uvec3& t : mesh.triangles) {
         triangles.push_back((flipped ? glm::uvec3(t.x, t.z, t.y) : t) + offset);
     }
+}
+
+MaterialPtr material_of(const Instance& instance, bool back) {
+    const MaterialPtr behind = back ? instance.material->behind() : nullptr;
+    return behind ? behind : instance.material;
 }
 
 // Appends the values at the corners of a mesh's triangles: `values` indexed by `triangles`, or `missing` if
@@ -99,8 +91,9 @@ void SceneGeometry::find_axes(const Scene& scene, std::size_t largest) {
     if (largest_mesh_ != instance.mesh) mesh_axes_ = principal_axes(instance.mesh->positions);
     largest_mesh_ = instance.mesh;
     largest_ = scene.ids()[largest];
-    largest_placement_ = instance.to_world;
-    to_world_ = glm::dmat4(1.0);
+    const glm::dvec3 middle = middle_of(instance);
+    largest_placement_ = from_middle(middle) * instance.to_world;
+    to_world_ = from_middle(-middle);
     // The axes are not aligned with the mesh. Otherwise bake directions could lie in a mesh's planes of
     // symmetry, and rounding would decide whether they are above the horizons of its vertices.
     const glm::dmat3 askew = glm::mat3_cast(glm::normalize(glm::dquat(0.9, 0.31, 0.17, 0.23)));
@@ -111,9 +104,7 @@ std::vector<SceneGeometry::Piece> SceneGeometry::place(const Scene& scene) {
     const std::vector<Instance>& instances = scene.instances();
     std::vector<Piece> pieces;
     if (instances.empty()) return pieces;
-    const auto largest = std::ranges::max_element(
-        instances, {}, [](const Instance& instance) { return instance.mesh->positions.size(); });
-    find_axes(scene, static_cast<std::size_t>(largest - instances.begin()));
+    find_axes(scene, largest_instance(scene));
     const bool moved = to_world_ != glm::dmat4(1.0);
     const glm::dmat4 from_world = inverse_motion(to_world_);
     for (std::size_t i = 0; i < instances.size(); ++i) {
@@ -124,9 +115,11 @@ std::vector<SceneGeometry::Piece> SceneGeometry::place(const Scene& scene) {
                                       .twosided = instance.material->twosided(),
                                       .opacity = opacity_of(*instance.material),
                                       .placement = moved ? from_world * instance.to_world : instance.to_world,
+                                      .extent = {},
+                                      .details = {},
+                                      .divided = nullptr,
                                       .first = 0,
                                       .last = 0,
-                                      .ball = {},
                                       .former = kNone});
         const auto former = std::ranges::lower_bound(pieces_, piece.id, {}, &Piece::id);
         if (former == pieces_.end() || former->id != piece.id || former->mesh != piece.mesh ||
@@ -136,13 +129,36 @@ std::vector<SceneGeometry::Piece> SceneGeometry::place(const Scene& scene) {
         const double shift = glm::length(glm::dvec3(instance.to_world[3])) +
                              glm::length(glm::dvec3(to_world_[3])) +
                              glm::length(glm::dvec3(former->placement[3]));
-        if (near(piece.placement, former->placement, former->ball, moved ? shift : 0)) {
+        if (near(piece.placement, former->placement, former->extent.ball, moved ? shift : 0)) {
             piece.placement = former->placement;
-            piece.ball = former->ball;
+            piece.extent = former->extent;
             piece.former = static_cast<std::size_t>(former - pieces_.begin());
         }
     }
+    divide(pieces);
     return pieces;
+}
+
+void SceneGeometry::divide(std::vector<Piece>& pieces) const {
+    std::vector<MeshExtent> extents;
+    for (Piece& piece : pieces) {
+        if (piece.former == kNone) piece.extent = extent_of(placed(*piece.mesh, piece.placement, piece.id));
+        extents.push_back(piece.extent);
+    }
+    const Details details(extents);
+    for (Piece& piece : pieces) {
+        piece.details = details.beside(piece.extent);
+        if (piece.former != kNone) {
+            const Piece& former = pieces_[piece.former];
+            if (piece.details == former.details) {
+                piece.divided = former.divided;
+                continue;
+            }
+            piece.former = kNone;
+        }
+        if (!piece.details.empty())
+            piece.divided = graded(placed(*piece.mesh, piece.placement, piece.id), piece.details);
+    }
 }
 
 void SceneGeometry::build(const Scene& scene, std::vector<Piece>& pieces) {
@@ -152,7 +168,7 @@ void SceneGeometry::build(const Scene& scene, std::vector<Piece>& pieces) {
     std::vector<char> stays(pieces_.size(), 0);
     for (std::size_t i = 0; i < pieces.size(); ++i) {
         Piece& piece = pieces[i];
-        const Mesh& mesh = *piece.mesh;
+        const Mesh& mesh = piece.parts();
         const std::size_t count = mesh.positions.size();
         const std::size_t sides = piece.twosided ? 2 : 1;
         piece.first = next.positions.size();
@@ -171,28 +187,26 @@ void SceneGeometry::build(const Scene& scene, std::vector<Piece>& pieces) {
             copy(geometry_->normals, next.normals);
             change.kept.push_back({.first = piece.first, .last = piece.last, .before = former.first});
         } else {
-            const Mesh in_place = placed(mesh, piece.placement, piece.id);
-            piece.ball = ball_around(in_place.positions);
-            change.disturbances.push_back(piece.ball);
+            const Mesh in_place = piece.divided ? *piece.divided : placed(mesh, piece.placement, piece.id);
+            change.disturbances.push_back(piece.extent.ball);
             for (std::size_t side = 0; side < sides; ++side) {
                 next.positions.insert(next.positions.end(), in_place.positions.begin(),
                                       in_place.positions.end());
                 for (const glm::vec3& n : in_place.normals) next.normals.push_back(side == 0 ? n : -n);
             }
         }
-        const bool mirrored = glm::determinant(glm::dmat3(piece.placement)) < 0;
         for (std::size_t side = 0; side < sides; ++side) {
             const std::size_t first = piece.first + side * count;
-            append_triangles(mesh, mirrored != (side == 1), first,
+            append_triangles(mesh, piece.mirrored() != (side == 1), first,
                              piece.twosided ? two_sided : next.triangles);
             next.ranges.push_back({.first = first,
                                    .last = first + count,
-                                   .material = scene.instances()[i].material,
+                                   .material = material_of(scene.instances()[i], side == 1),
                                    .instance = piece.id});
         }
     }
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
-        if (stays[i] == 0) change.disturbances.push_back(pieces_[i].ball);
+        if (stays[i] == 0) change.disturbances.push_back(pieces_[i].extent.ball);
     }
     next.one_sided = next.triangles.size();
     next.triangles.insert(next.triangles.end(), two_sided.begin(), two_sided.end());
@@ -212,8 +226,9 @@ void SceneGeometry::set_materials(const Scene& scene) {
         const bool emits = instance.emission != nullptr && !scene.emitters_hidden() &&
                            (instance.emission->two_sided || !is_back(*geometry_, range));
         const EmissionPtr emission = emits ? instance.emission : nullptr;
-        if (range.material == instance.material && range.emission == emission) continue;
-        range.material = instance.material;
+        const MaterialPtr material = material_of(instance, is_back(*geometry_, range));
+        if (range.material == material && range.emission == emission) continue;
+        range.material = material;
         range.emission = emission;
         changed = true;
     }
@@ -236,13 +251,12 @@ void SceneGeometry::set_corners() {
     for (const bool twosided : {false, true}) {
         for (const Piece& piece : pieces_) {
             if (piece.twosided != twosided) continue;
-            const Mesh& mesh = *piece.mesh;
+            const Mesh& mesh = piece.parts();
             const Material& material = *geometry_->ranges[range_of(*geometry_, piece.first)].material;
-            const bool mirrored = glm::determinant(glm::dmat3(piece.placement)) < 0;
             const std::size_t count = mesh.triangles.size();
             for (const bool back : {false, true}) {
                 if (back && !twosided) continue;
-                const bool flipped = mirrored != back;
+                const bool flipped = piece.mirrored() != back;
                 if (texcoords) {
                     append_corners(mesh.texcoords, mesh.texcoord_triangles, count, glm::vec2(0), flipped,
                                    geometry_->texcoords);

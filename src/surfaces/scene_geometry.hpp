@@ -5,9 +5,11 @@
 #include <cstdint>
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
+#include <glm/matrix.hpp>
 #include <memory>
 #include <vector>
 
+#include "geometry/graded_mesh.hpp"
 #include "scene/scene.hpp"
 #include "surfaces/geometry.hpp"
 #include "versioned.hpp"
@@ -17,8 +19,9 @@ namespace nicol {
 
 /// Surfaces in axes that move with the scene's largest instance, the instance with the most vertices. In
 /// these axes a scene that is rotated and shifted as a whole does not change, so all results computed for it
-/// stay valid: light and camera move instead. The axes are the world's when an instance becomes the largest
-/// or changes its shape.
+/// stay valid: light and camera move instead. When an instance becomes the largest or changes its shape, the
+/// axes are parallel to the world's and begin in the instance's middle_of(), so that single precision serves
+/// scenes far from the world's origin.
 class SceneGeometry {
 public:
     /// Takes over the scene's changes. Throws Error(invalid_argument) if there are more than 2^32 vertices;
@@ -56,14 +59,24 @@ private:
         bool twosided;
         TexturePtr opacity;    // alpha mask, which shadows depend on
         glm::dmat4 placement;  // in geometry()'s axes
-        std::size_t first;     // index of the first vertex
+        MeshExtent extent;
+        std::vector<Ball> details;            // objects for which large triangles are divided
+        std::shared_ptr<const Mesh> divided;  // mesh in place with divided triangles; null: `mesh` serves
+        std::size_t first;                    // index of the first vertex
         std::size_t last;
-        Ball ball;
         std::size_t former;  // index among the former pieces if it has not moved, or kNone
+
+        // Returns the mesh whose vertices and triangles are drawn, and whether the placement mirrors it.
+        [[nodiscard]] const Mesh& parts() const { return divided ? *divided : *mesh; }
+        [[nodiscard]] bool mirrored() const {
+            return !divided && glm::determinant(glm::dmat3(placement)) < 0;
+        }
     };
     static constexpr std::size_t kNone = ~std::size_t{0};
 
     [[nodiscard]] std::vector<Piece> place(const Scene& scene);
+    // Divides triangles that are far larger than an object beside them.
+    void divide(std::vector<Piece>& pieces) const;
     void find_axes(const Scene& scene, std::size_t largest);
     void build(const Scene& scene, std::vector<Piece>& pieces);
     void set_materials(const Scene& scene);

@@ -8,6 +8,7 @@
 #include <memory>
 #include <span>
 
+#include "geometry/ball.hpp"
 #include "geometry/ray_scene.hpp"
 #include "visibility/visibility.hpp"
 
@@ -42,12 +43,6 @@ struct VertexRun {
     std::size_t first;
     std::size_t last;
     std::size_t before;
-};
-
-/// A solid sphere.
-struct Ball {
-    glm::vec3 centre;
-    float radius;
 };
 
 /// Result of an earlier bake in the same directions, and the surfaces that were added, removed or moved

@@ -8,6 +8,8 @@
 #include <glm/geometric.hpp>
 #include <numeric>
 
+#include "geometry/ray_scene.hpp"
+
 namespace nicol {
 namespace {
 
@@ -76,7 +78,7 @@ std::vector<glm::vec3> bake_origins(const BakeGeometry& geometry, std::span<cons
         const float length = glm::length(tangent);
         // A short remainder has no meaningful direction: it is what rounding leaves of edges that cancel.
         tangent = length > 1e-2F ? tangent / length : glm::vec3(0);
-        const float step = std::ldexp(reach[v], -19);
+        const float step = static_cast<float>(kRayOffset) * reach[v];
         origins[v] = geometry.positions[v] + step * (normal + tangent);
     }
     return origins;

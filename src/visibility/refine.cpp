@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec4.hpp>
 #include <numbers>
@@ -27,7 +28,7 @@ constexpr int kRounds = 32;
 // Largest number of vertices, and of blocked rays per vertex, that are followed to their hit points.
 constexpr std::size_t kFollowedVertices = 4096;
 constexpr std::size_t kFollowedRays = 16;
-// Shortest edge in units of the distance between the surface and the start of rays.
+// Shortest edge in units of the distance between the edge and the start of rays.
 constexpr double kOffsets = 64;
 // Lengths as fractions of the shadowed region's extent: edges up to kShortest are not split. Edges below
 // kShort may err by more, in inverse proportion to their length, because there is less area at them.
@@ -59,13 +60,12 @@ public:
                           [&](std::size_t v) { hidden_[v] = hidden(baked_, v, units[v]); });
         rows_.resize(normals_.size());
         for (std::size_t v = 0; v < rows_.size(); ++v) rows_[v] = v;
-        shortest_ = kOffsets * scene_->offset();
     }
 
     void run() {
         follow_blocked_rays();
         const double extent = shadowed_extent();
-        shortest_ = std::max(shortest_, kShortest * extent);
+        shortest_ = kShortest * extent;
         short_ = kShort * extent;
         for (int round = 0; round < kRounds && split(wrong_edges()); ++round) {
         }
@@ -124,11 +124,23 @@ private:
         return glm::distance(glm::dvec3(mesh_.positions()[a]), glm::dvec3(mesh_.positions()[b]));
     }
 
+    // Returns the length up to which an edge is not split.
+    [[nodiscard]] double shortest(std::uint32_t a, std::uint32_t b) const {
+        return std::max(shortest_, kOffsets * std::max(offset(a), offset(b)));
+    }
+
+    // Returns the distance between a vertex and the start of rays beside it.
+    [[nodiscard]] double offset(std::uint32_t v) const {
+        const glm::vec3 p = glm::abs(mesh_.positions()[v]);
+        return kRayOffset * static_cast<double>(std::max({p.x, p.y, p.z}));
+    }
+
     [[nodiscard]] bool occluded(std::uint32_t v) const { return hidden_[rows_[v]].x > 0; }
 
     // Returns whether the interpolation error of an edge is too large.
-    [[nodiscard]] bool wrong(double error, double length) const {
-        return length > shortest_ && error * std::min(length, short_) > options_.tolerance * short_;
+    [[nodiscard]] bool wrong(double error, std::uint32_t a, std::uint32_t b) const {
+        const double here = length(a, b);
+        return here > shortest(a, b) && error * std::min(here, short_) > options_.tolerance * short_;
     }
 
     // Returns the square root of the area of triangles with an occluded vertex.
@@ -196,7 +208,7 @@ private:
                 const std::uint32_t b = t[(k + 1) % 3];
                 if (!occluded(a) && !occluded(b)) continue;
                 const double change = size(hidden_[rows_[a]] - hidden_[rows_[b]]);
-                if (wrong(change / 2, length(a, b))) pairs.emplace_back(a, b);
+                if (wrong(change / 2, a, b)) pairs.emplace_back(a, b);
             }
         }
         trace(pairs);
@@ -205,7 +217,7 @@ private:
             const auto [a, b] = std::pair(pair.x, pair.y);
             const glm::vec4 mean = 0.5F * (hidden_[rows_[a]] + hidden_[rows_[b]]);
             const double error = size(hidden_[row_of_middle(a, b)] - mean);
-            if (wrong(error, length(a, b))) {
+            if (wrong(error, a, b)) {
                 found.push_back({.weight = error * length(a, b) * length(a, b), .edge = mesh_.edge(a, b)});
             }
         }
@@ -248,7 +260,8 @@ private:
             for (const WantedLength& wanted : wanted_) {
                 const glm::uvec3& t = mesh_.triangles()[wanted.triangle];
                 const double here = std::max({length(t.x, t.y), length(t.y, t.z), length(t.z, t.x)});
-                const double least = std::max(static_cast<double>(wanted.length), shortest_);
+                const double least = std::max({static_cast<double>(wanted.length), shortest(t.x, t.y),
+                                               shortest(t.y, t.z), shortest(t.z, t.x)});
                 if (!(here > least)) continue;
                 double& weight = longest[mesh_.longest(t)];
                 weight = std::max(weight, here * here * here / least);

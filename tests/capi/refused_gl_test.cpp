@@ -249,8 +249,6 @@ CONTEXT_TEST_CASE("textures and materials that do not fit are refused") {
     check_refused({
         {"3 and 2 channels",
          [&] { return nicol_material_create_scaled(context, colour, texture, &material); }},
-        {"two-sided alike",
-         [&] { return nicol_material_create_blend(context, grey, both, texture, &material); }},
         {"mirrored_y is 2; it must be 0 or 1",
          [&] { return nicol_material_create_normal_map(context, grey, texture, 2, &material); }},
         {"scale",

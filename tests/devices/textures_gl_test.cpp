@@ -77,7 +77,7 @@ IMAGE_TEST_CASE("compute shaders texture as threads do") {
         {"roughness, a blend", with_roughness(gloss, rough),
          blend(metal, plastic, image(1, Filter::bilinear, Wrap::repeat))},
         {"normal maps, two-sided", normal_mapped(plastic, bumps),
-         twosided(normal_mapped(scaled(metal, checks), bumps, true))},
+         twosided(normal_mapped(scaled(metal, checks), bumps, {.mirrored_y = true}))},
         {"mipmaps of footprints that are stretched",
          scaled(plastic, image(1, Filter::mipmap, Wrap::repeat, 9)),
          scaled(grey, image(3, Filter::mipmap, Wrap::mirror, 9))},

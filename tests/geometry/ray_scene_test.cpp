@@ -100,7 +100,10 @@ TEST_CASE("no ray leaves a closed surface and no surface hides itself, large or 
                 const bool inwards = glm::dot(direction, normal) < 0;
                 // From outside the ball is convex, and from inside it has no gap. Either sign of the normal
                 // must work.
-                wrong += scene.occluded(point, i % 2 == 0 ? normal : -normal, direction) == inwards ? 0 : 1;
+                const double offset =
+                    ray_offset({ball.positions[t.x], ball.positions[t.y], ball.positions[t.z]});
+                const Ray ray = leaving(point, i % 2 == 0 ? normal : -normal, direction, offset);
+                wrong += scene.occluded(ray) == inwards ? 0 : 1;
             }
             CHECK(wrong == 0);
             for (int i = 0; i < 100; ++i) {
@@ -116,9 +119,9 @@ TEST_CASE("what lies above a point hides what is behind it") {
     const Mesh square = make_rectangle(1);
     const RaySurface surfaces[] = {surface(square)};
     const RayScene scene(surfaces);
-    CHECK(scene.occluded({0.5, 0.5, -1}, {0, 0, 1}, {0, 0, 1}));
-    CHECK(!scene.occluded({1.5, 0.5, -1}, {0, 0, 1}, {0, 0, 1}));
-    CHECK(!scene.occluded({0.5, 0.5, -1}, {0, 0, 1}, {0, 0, -1}));
+    CHECK(scene.occluded({.origin = {0.5, 0.5, -1}, .direction = {0, 0, 1}}));
+    CHECK(!scene.occluded({.origin = {1.5, 0.5, -1}, .direction = {0, 0, 1}}));
+    CHECK(!scene.occluded({.origin = {0.5, 0.5, -1}, .direction = {0, 0, -1}}));
 }
 
 TEST_CASE("a packet of rays is sixteen rays, each with an end and a place of its own") {
@@ -153,12 +156,11 @@ TEST_CASE("a packet of rays is sixteen rays, each with an end and a place of its
                 std::tie(packet.direction_x[i], packet.direction_y[i], packet.direction_z[i]) =
                     std::tie(direction.x, direction.y, direction.z);
                 packet.farthest[i] = farthest;
-                const bool hits =
-                    scene
-                        .intersect({.origin = origin,
-                                    .direction = direction,
-                                    .farthest = static_cast<double>(farthest) * (1 - 1e-4) - scene.offset()})
-                        .has_value();
+                const Ray ray{.origin = origin,
+                              .direction = direction,
+                              .farthest = static_cast<double>(farthest) * (1 - 1e-4) -
+                                          ray_offset({origin, origin, origin})};
+                const bool hits = scene.intersect(ray).has_value();
                 if (hits && (active >> i & 1) != 0) expected |= static_cast<std::uint16_t>(1U << i);
             }
             CHECK(scene.occluded(packet, active) == expected);
@@ -181,8 +183,11 @@ TEST_CASE("a lamp's own surface does not hide it, what lies before it does") {
         int wrong = 0;
         int tested = 0;
         for (int i = 0; i < 20000; ++i) {
+            double offset = 0;
             const auto point_of = [&](const Mesh& mesh, glm::dvec3& normal) {
                 const glm::uvec3& t = mesh.triangles[random() % mesh.triangles.size()];
+                offset = std::max(
+                    offset, ray_offset({mesh.positions[t.x], mesh.positions[t.y], mesh.positions[t.z]}));
                 const glm::dvec3 a(mesh.positions[t.x]), b(mesh.positions[t.y]), c(mesh.positions[t.z]);
                 normal = glm::normalize(glm::cross(b - a, c - a));
                 return 0.5 * a + 0.3 * b + 0.2 * c;
@@ -195,8 +200,9 @@ TEST_CASE("a lamp's own surface does not hide it, what lies before it does") {
             if (std::abs(glm::dot(direction, normal)) < 0.02 || std::abs(glm::dot(direction, facing)) < 0.02)
                 continue;
             const bool hidden = glm::dot(direction, normal) < 0 || glm::dot(direction, facing) > 0;
-            const glm::vec3 origin(point +
-                                   (glm::dot(direction, normal) < 0 ? -1 : 1) * scene.offset() * normal);
+            Ray ray = leaving(point, normal, direction, offset);
+            ray.farthest = distance;
+            const glm::vec3 origin(ray.origin);
             RayPacket packet{};
             packet.origin_x.fill(origin.x);
             packet.origin_y.fill(origin.y);
@@ -205,11 +211,11 @@ TEST_CASE("a lamp's own surface does not hide it, what lies before it does") {
             packet.direction_y.fill(static_cast<float>(direction.y));
             packet.direction_z.fill(static_cast<float>(direction.z));
             packet.farthest.fill(static_cast<float>(distance));
-            wrong += scene.occluded(point, normal, direction, distance) == hidden ? 0 : 1;
+            wrong += scene.occluded(ray) == hidden ? 0 : 1;
             wrong += scene.occluded(packet, 0x0FFF) == (hidden ? 0x0FFF : 0) ? 0 : 1;
             packet.farthest.fill(0);
-            wrong +=
-                scene.occluded(packet, 0xFFFF) == 0 && !scene.occluded(point, normal, direction, 0) ? 0 : 1;
+            ray.farthest = 0;
+            wrong += scene.occluded(packet, 0xFFFF) == 0 && !scene.occluded(ray) ? 0 : 1;
             ++tested;
         }
         CHECK(tested > 15000);
@@ -224,13 +230,16 @@ TEST_CASE("only what lies nearer than the distance hides, at any scale") {
         const RayScene scene(surfaces);
         const glm::dvec3 point(0.5 * scale, 0.5 * scale, -scale), up(0, 0, 1);
         CAPTURE(scale);
-        CHECK(scene.occluded(point, up, up, 1.01 * scale));
-        CHECK(!scene.occluded(point, up, up, 0.99 * scale));
-        CHECK(!scene.occluded(point, up, up, 0));
+        const auto occluded = [&](double farthest) {
+            return scene.occluded({.origin = point, .direction = up, .farthest = farthest});
+        };
+        CHECK(occluded(1.01 * scale));
+        CHECK(!occluded(0.99 * scale));
+        CHECK(!occluded(0));
         // The ray starts on the side towards which it leaves.
         for (const double side : {-1.0, 1.0}) {
-            const Ray ray = scene.leaving(point, up, side * up);
-            CHECK(glm::length(ray.origin - (point + side * scene.offset() * up)) < 1e-9 * scale);
+            const Ray ray = leaving(point, up, side * up, 0.5 * scale);
+            CHECK(glm::length(ray.origin - (point + side * 0.5 * scale * up)) < 1e-9 * scale);
             CHECK(ray.direction == side * up);
         }
     }
@@ -256,7 +265,7 @@ TEST_CASE("rays pass where a surface is not, one by one and in packets") {
         expected |= (there ? 1U : 0U) << i;
         const Ray ray{.origin = origin, .direction = {0, 0, -1}};
         CHECK(scene.intersect(ray).has_value() == there);
-        CHECK(scene.occluded(origin, {0, 0, 1}, {0, 0, -1}) == there);
+        CHECK(scene.occluded(ray) == there);
         packet.origin_x[i] = static_cast<float>(origin.x);
         packet.origin_y[i] = static_cast<float>(origin.y);
         packet.origin_z[i] = 2;
@@ -270,7 +279,7 @@ TEST_CASE("rays pass where a surface is not, one by one and in packets") {
 TEST_CASE("an empty scene has no hits") {
     const RayScene scene({});
     CHECK(!scene.intersect({.origin = {0, 0, 0}, .direction = {0, 0, 1}}).has_value());
-    CHECK(!scene.occluded({0, 0, 0}, {0, 0, 1}, {0, 0, 1}));
+    CHECK(!scene.occluded({.origin = {0, 0, 0}, .direction = {0, 0, 1}}));
 }
 
 TEST_CASE("surfaces that are not sound are refused by name") {

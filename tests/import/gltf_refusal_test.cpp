@@ -45,7 +45,6 @@ TEST_CASE("what is read of glTF and not followed is one notice for each kind") {
                   "textures are left out of primitives that lack the texture coordinates"},
              Case{with_material("\"occlusionTexture\":{\"index\":0}") + texture, "occlusion textures"},
              Case{with_material("\"emissiveFactor\":[1,0,0]"), "emit light"},
-             Case{with_material("\"alphaMode\":\"BLEND\""), "alphaMode BLEND"},
              Case{with_material("\"extensions\":{\"KHR_materials_transmission\":{}}"),
                   "KHR_materials_transmission is not followed"},
              Case{one_mesh(",\"targets\":[{\"POSITION\":0}]") + a_node, "morph targets"},

@@ -250,7 +250,8 @@ TEST_CASE("discs and cylinders are shapes") {
     const auto mesh = [&](std::uint32_t id) { return loaded.scene.at(id).mesh; };
     CHECK(mesh(0)->positions == make_disk().positions);
     CHECK(mesh(1)->positions == make_cylinder({0, 0, 0}, {0, 0, 1}, 1).positions);
-    CHECK(mesh(2)->positions == make_cylinder({1, 2, 3}, {2, 4, 5}, 0.5).positions);
+    CHECK(mesh(2)->positions == make_cylinder({0, 0, 0}, {1, 2, 2}, 0.5).positions);
+    CHECK(glm::dvec3(loaded.scene.at(2).to_world[3]) == glm::dvec3(1, 2, 3));
     CHECK(mesh(3)->normals[0] == -mesh(1)->normals[0]);
     CHECK(mesh(4) == mesh(0));
     const auto bad = [](const std::string& inside, const std::vector<std::string>& parts) {

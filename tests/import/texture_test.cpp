@@ -212,7 +212,7 @@ TEST_CASE("bsdfs that are made of others") {
                                                bsdf("pplastic", ""))));
     CHECK(d.twosided);
     const auto mapped = as<NormalMapModel>(d);
-    CHECK_FALSE(mapped.mirrored_y);
+    CHECK_FALSE(mapped.options.mirrored_y);
     CHECK(is<PplasticModel>(mapped.base));
     CHECK_FALSE(mapped.base.twosided);
     const auto bump = as<BumpMapModel>(
@@ -387,16 +387,41 @@ TEST_CASE("normals, heights and opacities reach the material") {
     CHECK(both->variation()->layers.size() == 2);
 }
 
-TEST_CASE("an opacity that is the same everywhere is all or nothing, with a notice") {
+TEST_CASE("a mask covers a fraction, and a bump map without interpolation is flat, with a notice") {
     const Folder folder;
-    for (const auto& [opacity, notice] : {std::pair{"0.25", "not drawn"}, {"0.75", "without seeing"}}) {
-        const LoadedScene loaded = folder.load(bsdf(
-            "mask", std::string("<float name='opacity' value='") + opacity + "'/>" + bsdf("diffuse", "")));
-        REQUIRE(loaded.notices.size() == 1);
-        CHECK(loaded.notices[0].find(notice) != std::string::npos);
+    const std::string plain = bsdf("diffuse", "");
+    const LoadedScene half = folder.load(bsdf("mask", "<float name='opacity' value='0.25'/>" + plain));
+    CHECK(half.notices.empty());
+    const SpatialVariation* const variation = half.scene.instances().front().material->variation();
+    REQUIRE(variation);
+    CHECK(variation->translucent);
+    CHECK(variation->opacity->mean().x == 0.25F);
+    const MaterialPtr whole = folder.load_material(bsdf("mask", "<float name='opacity' value='1'/>" + plain));
+    CHECK(!whole->variation());
+
+    const std::string nearest = "<string name='filter_type' value='nearest'/>";
+    const LoadedScene flat = folder.load(bsdf("bumpmap", bitmap("", nearest) + plain));
+    CHECK(!flat.scene.instances().front().material->variation());
+    REQUIRE(flat.notices.size() == 1);
+    CHECK(flat.notices.front().find("flat") != std::string::npos);
+}
+
+TEST_CASE("maps are dimmed at a slant unless told otherwise, and reversed around a two-sided bsdf") {
+    const Folder folder;
+    const std::string plain = bsdf("diffuse", "");
+    const std::string off = "<boolean name='use_shadowing_function' value='false'/>";
+    for (const char* const map : {"normalmap", "bumpmap"}) {
+        CAPTURE(map);
+        const auto normal_of = [&](const std::string& inside) {
+            const MaterialPtr material = folder.load_material(bsdf(map, bitmap("", raw) + inside));
+            REQUIRE(material->variation());
+            return material->variation()->normal;
+        };
+        CHECK(normal_of(plain).shadowed);
+        CHECK(!normal_of(off + plain).shadowed);
+        CHECK(!normal_of(plain).reversed_back);
+        CHECK(normal_of(bsdf("twosided", plain)).reversed_back);
     }
-    CHECK(
-        folder.load(bsdf("mask", "<float name='opacity' value='1'/>" + bsdf("diffuse", ""))).notices.empty());
 }
 
 TEST_CASE("images are read once, recorded, and count as bytes of the load") {

@@ -227,6 +227,37 @@ TEST_CASE("the mean of a material that varies is that of its textures") {
     CHECK(material->channels() == 3);
 }
 
+TEST_CASE("one-sided parts of a mixture are black on its back") {
+    const MaterialPtr one = diffuse({0.8}),
+                      metal = twosided(rough_conductor({.eta = {{0.2, -3.2}}, .alpha = 0.1, .alpha_v = 0.3}));
+    const glm::dvec3 light = glm::normalize(glm::dvec3(0.3, 0.2, 1)), viewer(0.6, 0, 0.8);
+    for (const TexturePtr& weight : {constant_texture(glm::vec4(0.25F), 1), ramp_texture()}) {
+        const MaterialPtr mixture = blend(one, metal, weight);
+        CHECK(mixture->twosided());
+        // The tables' materials have the same sides.
+        CHECK(mixture->anisotropic());
+        CHECK(mixture->isotropic().twosided());
+        const MaterialPtr behind = mixture->behind();
+        REQUIRE(behind);
+        CHECK(behind->twosided());
+        CHECK(!behind->behind());
+        const double share = static_cast<double>(weight->mean().x);
+        const auto of = [&](const MaterialPtr& material) { return evaluate(*material, 0, light, viewer); };
+        const auto check = [](const Mueller& actual, const Mueller& expected) {
+            CHECK(largest_difference(numbers_in(actual), numbers_in(expected)) < 1e-6);
+        };
+        check(of(behind), share * of(metal));
+        check(of(mixture), (1 - share) * of(one) + share * of(metal));
+    }
+    const TexturePtr half = constant_texture(glm::vec4(0.5F), 1);
+    CHECK(!blend(one, one, half)->behind());
+    CHECK(!blend(metal, metal, half)->behind());
+    const MaterialPtr both = twosided(blend(one, metal, half));
+    CHECK((both->twosided() && !both->behind()));
+    const MaterialPtr opaque = masked(blend(one, metal, half), ramp_texture());
+    CHECK(opacity_of(*opaque->behind()) == opacity_of(*opaque));
+}
+
 TEST_CASE("parts that do not go together are refused") {
     const MaterialPtr base = pplastic({});
     const TexturePtr u = ramp_texture();
@@ -251,8 +282,6 @@ TEST_CASE("parts that do not go together are refused") {
     CHECK(message([&] {
               static_cast<void>(normal_mapped(normal_mapped(base, normals), normals));
           }).find("already") != std::string::npos);
-    CHECK(message([&] { static_cast<void>(blend(base, twosided(base), u)); }).find("two-sided") !=
-          std::string::npos);
     CHECK(message([&] {
               static_cast<void>(blend(diffuse({0.1, 0.2, 0.3, 0.4}), scaled(base, normals), u));
           }).find("channels") != std::string::npos);

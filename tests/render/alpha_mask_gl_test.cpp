@@ -128,6 +128,55 @@ TEST_CASE("rays pass where a surface is cut out") {
     CHECK(rms_difference(whole, expected) > 0.05 * rms(expected));
 }
 
+IMAGE_TEST_CASE("a translucent surface covers and hides its fraction of everything") {
+    constexpr float covered = 0.3F;
+    const MaterialPtr plain = twosided(pplastic({.alpha = 0.3}));
+    const TexturePtr even = constant_texture(glm::vec4(covered), 1);
+    // The board hides the sky from the camera, or the floor from light. Of a floor behind the board, both
+    // fractions would multiply.
+    for (const bool floor : {false, true}) {
+        Scene without = board_over(board(true), plain);
+        without.remove(0);
+        Scene whole = board_over(board(true), plain);
+        Scene translucent = board_over(board(true), masked(plain, even, true));
+        if (!floor)
+            for (Scene* const scene : {&without, &whole, &translucent}) scene->remove(1);
+        for (const int samples : {1, 8, 64}) {  // 64: of rays
+            CAPTURES(floor, samples);
+            RenderOptions chosen = options(Executor::automatic, std::min(samples, 8));
+            chosen.bake_directions = 4096;
+            if (samples == 64) {
+                chosen = {.method = Method::reference, .samples = samples};
+                chosen.aovs = aov_instances;
+            }
+            Studio render(context);
+            Framebuffer target(context, 96, 72, 3);
+            const auto image_of = [&](const Scene& scene) {
+                render.renderer.render(scene, test::some_camera(), chosen, target);
+                return target.image();
+            };
+            const StokesImage none = image_of(without), actual = image_of(translucent);
+            const StokesImage all = image_of(whole);
+            double difference = 0, square = 0, light = 0;
+            int pixels = 0;
+            for (std::size_t p = 0; p < target.aovs().instances.size(); ++p) {
+                if (target.aovs().instances[p] == 0 && floor) continue;
+                const auto s0 = [p](const StokesImage& image) {
+                    return static_cast<double>(image.data[4 * p]);
+                };
+                const double expected = covered * s0(all) + (1 - covered) * s0(none);
+                difference += s0(actual) - expected;
+                square += (s0(actual) - expected) * (s0(actual) - expected);
+                light += expected;
+                ++pixels;
+            }
+            CHECK(pixels > 500);
+            CHECK(std::abs(difference) < 0.01 * light);
+            CHECK(std::sqrt(square * pixels) < (samples == 1 ? 0.5 : 0.1) * light);
+        }
+    }
+}
+
 IMAGE_TEST_CASE("what is cut out changes with the material, and its shadow too") {
     const MaterialPtr plain = twosided(pplastic({.alpha = 0.3}));
     Scene scene = board_over(board(true), plain);

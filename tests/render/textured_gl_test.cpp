@@ -316,7 +316,7 @@ IMAGE_TEST_CASE("a map or a bump of one slope is the picture of normals that are
             };
             CAPTURES(order_high, two_sided);
             check(textured_floor(), normal_mapped(plain, map));
-            check(textured_floor(), normal_mapped(plain, map, true));
+            check(textured_floor(), normal_mapped(plain, map, {.mirrored_y = true}));
             check(textured_floor(), bump_mapped(plain, heights, 1));
             // u falls along x here, so the map's x falls, and y in a right-handed frame.
             check(mirrored_mesh,
@@ -325,20 +325,26 @@ IMAGE_TEST_CASE("a map or a bump of one slope is the picture of normals that are
             check(mirrored_mesh, normal_mapped(plain,
                                                even(glm::vec4(0.5F - 0.5F * tilted.x, 0.5F + 0.5F * tilted.y,
                                                               0.5F + 0.5F * tilted.z, 1)),
-                                               true));
+                                               {.mirrored_y = true}));
         }
 
-    // The back is the mirror image of the front in the surface.
+    // The back of a map inside a two-sided material is the mirror image of the front in the surface; that of
+    // a map around it has the reversed normal.
     Camera below = test::camera_at({2, -5, 4});
     const MaterialPtr sheet = twosided(plastic());
     Mesh back = *textured_floor();
-    for (glm::vec3& normal : back.normals) normal = glm::vec3(tilted.x, tilted.y, -tilted.z);
     for (glm::uvec3& t : back.triangles) std::swap(t.y, t.z);
-    const StokesImage expected =
-        render(scene(std::make_shared<const Mesh>(std::move(back)), sheet), options(9, false), below);
-    const StokesImage image =
-        render(scene(textured_floor(), normal_mapped(sheet, map)), options(9, false), below);
-    CHECK(rms(minus(image, expected)) < 2e-5 * rms(expected));
+    for (const bool around : {false, true}) {
+        CAPTURE(around);
+        for (glm::vec3& normal : back.normals)
+            normal = around ? -tilted : glm::vec3(tilted.x, tilted.y, -tilted.z);
+        const StokesImage expected =
+            render(scene(std::make_shared<const Mesh>(back), sheet), options(9, false), below);
+        const MaterialPtr mapped =
+            around ? normal_mapped(sheet, map) : twosided(normal_mapped(plastic(), map));
+        const StokesImage image = render(scene(textured_floor(), mapped), options(9, false), below);
+        CHECK(rms(minus(image, expected)) < 2e-5 * rms(expected));
+    }
 }
 
 IMAGE_TEST_CASE("a texture learns how far its neighbours are") {

@@ -311,7 +311,7 @@ TEST_CASE("a sphere of few triangles does not hide its own light") {
         sphere->sample(lanes({0, 0, 0}), u, v, light);
         const glm::dvec3 towards(light.towards.x[0], light.towards.y[0], light.towards.z[0]);
         const double distance = light.distance[0];
-        CHECK_FALSE(rays.occluded({0, 0, 0}, {0, 0, 1}, glm::normalize(towards), distance));
+        CHECK_FALSE(rays.occluded({.direction = glm::normalize(towards), .farthest = distance}));
         CHECK(distance > 1.1);
     }
 }

@@ -21,6 +21,36 @@ glm::vec3 lane(const LaneVectors& lanes, std::size_t i) {
 }
 }  // namespace
 
+TEST_CASE("on the back a map mirrors the front's normal, or reverses it around a two-sided material") {
+    const glm::vec3 leaning = glm::normalize(glm::vec3(0.5, -0.3, 1));
+    const TexturePtr texture = constant_texture(glm::vec4(0.5F + 0.5F * leaning, 1), 3);
+    const TextureAxes axes{.by_u = {1, 0, 0}, .by_v = {0, 1, 0}};
+    NormalVariation variation{.kind = NormalVariation::Kind::map, .texture = texture};
+    const auto on_back = [&] { return perturbed_normal(variation, {}, axes, {0, 0, -1}, true); };
+    CHECK(glm::distance(perturbed_normal(variation, {}, axes, {0, 0, 1}, false), leaning) < 1e-6F);
+    CHECK(glm::distance(on_back(), leaning * glm::vec3(1, 1, -1)) < 1e-6F);
+    variation.reversed_back = true;
+    CHECK(glm::distance(on_back(), -leaning) < 1e-6F);
+}
+
+TEST_CASE("a normal that faces away from the viewer is rotated by half a turn around the surface's") {
+    const glm::vec3 normal(0, 0, 1), turned(0.8F, 0, 0.6F), seen(0.6F, 0.64F, 0.48F);
+    CHECK(glm::distance(facing(turned, normal, glm::normalize(glm::vec3(-3, 1, 1))),
+                        glm::vec3(-0.8F, 0, 0.6F)) < 1e-6F);
+    CHECK(glm::distance(facing(turned, normal, seen), turned) < 1e-6F);
+}
+
+TEST_CASE("light at a slant is dimmed where a texture turns the normal") {
+    CHECK(terminator_shadowing(1, 0.01F) == 1);
+    const float tilted = std::sqrt(0.5F);
+    CHECK(terminator_shadowing(tilted, 1) == 1);
+    CHECK(terminator_shadowing(tilted, 0.5F) == doctest::Approx(2 / (1 + std::sqrt(1 + 0.125 * 3))));
+    // From a tangent of sqrt(8) on, all tilts count the same.
+    CHECK(terminator_shadowing(0.1F, 0.5F) == terminator_shadowing(0.3F, 0.5F));
+    CHECK(terminator_shadowing(0.3F, 0.5F) == doctest::Approx(2.0 / 3));
+    CHECK(terminator_shadowing(0, 0) < 1e-5F);
+}
+
 TEST_CASE("sixteen normals are turned as each of them is, and face the viewer") {
     std::mt19937 random(3);
     std::normal_distribution<float> number;
@@ -29,7 +59,7 @@ TEST_CASE("sixteen normals are turned as each of them is, and face the viewer") 
     using Kind = NormalVariation::Kind;
     for (const NormalVariation& variation :
          {NormalVariation{.kind = Kind::map, .texture = texture},
-          NormalVariation{.kind = Kind::map, .texture = texture, .mirrored_y = true},
+          NormalVariation{.kind = Kind::map, .texture = texture, .mirrored_y = true, .reversed_back = true},
           NormalVariation{.kind = Kind::bump, .texture = texture, .scale = 0.05}})
         for (const bool back : {false, true}) {
             CAPTURES(static_cast<int>(variation.kind), variation.mirrored_y, back);

@@ -36,6 +36,31 @@ TEST_CASE("an instance that is moved too far is named") {
     CHECK(message.find("beyond 1e15") != std::string::npos);
 }
 
+TEST_CASE("positions far from the world's origin are as accurate as positions near it") {
+    SceneGeometry near_origin, far_away;
+    Scene scene = two_balls();
+    near_origin.update(scene);
+    CHECK(near_origin.to_world() == glm::dmat4(1));
+    for (const glm::dvec3& shift : {glm::dvec3(1e6, -2e5, 7), glm::dvec3(0, 1e12, 0)}) {
+        Scene moved = two_balls();
+        const glm::dmat4 motion = at(shift.x, shift.y, shift.z);
+        for (const auto id : moved.ids()) moved.set_transform(id, motion * moved.at(id).to_world);
+        far_away = SceneGeometry();
+        far_away.update(moved);
+        const Version version = far_away.version();
+        const glm::dvec3 origin(far_away.to_world()[3]);
+        for (std::size_t v = 0; v < near_origin.geometry().positions.size(); ++v) {
+            const glm::dvec3 expected = glm::dvec3(near_origin.geometry().positions[v]) + (shift - origin);
+            CHECK(glm::distance(glm::dvec3(far_away.geometry().positions[v]), expected) < 2e-6);
+        }
+        // A small motion far away is a motion.
+        const std::uint32_t small = moved.ids()[1];
+        moved.set_transform(small, at(0, 1e-3, 0) * moved.at(small).to_world);
+        far_away.update(moved);
+        CHECK(far_away.version() != version);
+    }
+}
+
 TEST_CASE("the largest instance carries the axes") {
     Scene scene = two_balls();
     SceneGeometry surfaces;

@@ -1096,8 +1096,8 @@ class Material(Handle):
     @classmethod
     def create_blend(cls, context, first, second, weight):
         """Creates the mixture first (1 - t) + second t, with t = the weight's first channel, clamped to 0 to 1
-        (Mitsuba 3's blendbsdf). Both materials must be two-sided, or neither. The given handles may be released
-        afterwards."""
+        (Mitsuba 3's blendbsdf). If one material is two-sided, the mixture is too, and the other material is black
+        on the back. The given handles may be released afterwards."""
         material = cls()
         check(_material_create_blend(context, first, second, weight, byref(material)))
         return material

@@ -1836,8 +1836,8 @@ extern "C" {
     /// colours. The given handles may be released afterwards.
     pub fn nicol_material_create_scaled(context: nicol_context, base: nicol_material, scale: nicol_texture, material: *mut nicol_material) -> nicol_result;
     /// Creates the mixture first (1 - t) + second t, with t = the weight's first channel, clamped to 0 to 1
-    /// (Mitsuba 3's blendbsdf). Both materials must be two-sided, or neither. The given handles may be released
-    /// afterwards.
+    /// (Mitsuba 3's blendbsdf). If one material is two-sided, the mixture is too, and the other material is black
+    /// on the back. The given handles may be released afterwards.
     pub fn nicol_material_create_blend(context: nicol_context, first: nicol_material, second: nicol_material, weight: nicol_texture, material: *mut nicol_material) -> nicol_result;
     /// Creates a material with perturbed normals from a raw texture with values t: shading normals 2 t - 1 in the
     /// frame of the surface, with x along growing u (Mitsuba 3's normalmap). mirrored_y 0: y completes a
