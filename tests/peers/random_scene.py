@@ -154,7 +154,7 @@ class RandomScene:
             weight = self.texture("weight", 0, 1)
             part = Part(f'<bsdf type="blendbsdf">{weight}{part.text}{other.text}</bsdf>', f"a blend of {part.words} and {other.words}")
         if textured and self.chance(0.12):
-            map_of = self.image("", "tiles_normals.png", raw=True)
+            map_of = self.image("normalmap", "tiles_normals.png", raw=True)
             part = Part(f'<bsdf type="normalmap">{map_of}{part.text}</bsdf>', f"{part.words} with a normal map")
         if sides or self.chance(0.2):
             part = Part(f'<bsdf type="twosided">{part.text}</bsdf>', f"two-sided {part.words}")
@@ -196,8 +196,7 @@ class RandomScene:
         return self.choice(value, value, board, self.image(name, "tiles_roughness.png", raw=True))
 
     def image(self, name, file, raw):
-        named = f'name="{name}" ' if name else ""
-        return f"""<texture {named}type="bitmap"><string name="filename" value="{file}"/><boolean name="raw" value="{str(raw).lower()}"/>
+        return f"""<texture name="{name}" type="bitmap"><string name="filename" value="{file}"/><boolean name="raw" value="{str(raw).lower()}"/>
             <transform name="to_uv"><scale x="2" y="2"/></transform></texture>"""
 
     # Lights
