@@ -27,11 +27,6 @@ glm::vec3 facet_of(const std::array<glm::vec3, 3>& corners, const glm::vec3& oth
     return length > 0 ? glm::vec3(normal / length) : otherwise;
 }
 
-NormalVariation normal_variation_of(const Material& material) {
-    const SpatialVariation* const variation = material.variation();
-    return variation != nullptr ? variation->normal : NormalVariation{};
-}
-
 std::vector<const Material*> layers_of(const Material& material) {
     const SpatialVariation* const variation = material.variation();
     if (variation == nullptr) return {&material};
@@ -49,8 +44,9 @@ std::uint64_t PixelLights::add(const PixelBatch& batch, std::span<const std::spa
     const bool shadowed = input_.visibility == nullptr || any.occluded != 0;
     const std::vector<const Material*> layers = layers_of(*range.material);
     const bool anisotropic = range.material->anisotropic() && !input_.geometry.texcoords.empty();
-    const NormalVariation perturbation = normal_variation_of(*range.material);
-    const bool turned = perturbation.kind != NormalVariation::Kind::none;
+    const SpatialVariation* const variation = range.material->variation();
+    const bool turned = variation != nullptr && variation->normal.kind != NormalVariation::Kind::none;
+    const bool dimmed = turned && variation->normal.shadowed;
     std::uint64_t rays = 0;
     std::vector<std::span<glm::vec4>> channels(out.size());
     for (std::size_t first = 0; first < points.size(); first += kLanes) {
@@ -72,17 +68,17 @@ std::uint64_t PixelLights::add(const PixelBatch& batch, std::span<const std::spa
             weights = batch.weights().subspan(first / kLanes * layers.size(), layers.size());
         for (std::size_t c = 0; c < out.size(); ++c) channels[c] = out[c].subspan(first, count);
         const std::span of_facets = std::span(facets).first(count);
-        rays += lights_.lighting().add(
-            input_.view,
-            {.positions = std::span(surface.positions).first(count),
-             .normals = std::span(surface.normals).first(count),
-             .tangents = std::span(tangents).first(anisotropic ? count : 0),
-             .facets = turned ? of_facets : std::span<glm::vec3>(),
-             .unperturbed = std::span(surface.unperturbed).first(perturbation.shadowed ? count : 0),
-             .origins = std::span(origins).first(count),
-             .seeds = std::span(seeds).first(count),
-             .shadowed = shadowed},
-            {.layers = layers, .weights = weights}, channels);
+        rays +=
+            lights_.lighting().add(input_.view,
+                                   {.positions = std::span(surface.positions).first(count),
+                                    .normals = std::span(surface.normals).first(count),
+                                    .tangents = std::span(tangents).first(anisotropic ? count : 0),
+                                    .facets = turned ? of_facets : std::span<glm::vec3>(),
+                                    .unperturbed = std::span(surface.unperturbed).first(dimmed ? count : 0),
+                                    .origins = std::span(origins).first(count),
+                                    .seeds = std::span(seeds).first(count),
+                                    .shadowed = shadowed},
+                                   {.layers = layers, .weights = weights}, channels);
         if (range.emission != nullptr) add_emission(range, batch, first, channels);
     }
     return rays;

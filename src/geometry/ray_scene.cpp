@@ -20,10 +20,6 @@ constexpr double kLeftOut = 1e-4;  // fraction of a ray's length that is not tra
     throw Error(ErrorCode::invalid_argument, "surface " + std::to_string(surface) + ": " + message);
 }
 
-double largest_coordinate(const glm::vec3& point) {
-    return static_cast<double>(std::max({std::abs(point.x), std::abs(point.y), std::abs(point.z)}));
-}
-
 /// Checks positions and indices; returns the largest absolute coordinate.
 float check(std::size_t index, const RaySurface& surface) {
     float largest = 0;
@@ -58,8 +54,9 @@ void filter(const embree::FilterArguments* hits) {
 }  // namespace
 
 double ray_offset(const std::array<glm::vec3, 3>& corners) {
-    return kRayOffset * std::max({largest_coordinate(corners[0]), largest_coordinate(corners[1]),
-                                  largest_coordinate(corners[2])});
+    const float largest = std::max(
+        {largest_coordinate(corners[0]), largest_coordinate(corners[1]), largest_coordinate(corners[2])});
+    return kRayOffset * static_cast<double>(largest);
 }
 
 Ray leaving(const glm::dvec3& point, const glm::dvec3& normal, const glm::dvec3& direction, double offset) {
@@ -247,7 +244,8 @@ std::uint16_t RayScene::occluded(const RayPacket& packet, std::uint16_t active) 
 }
 
 double RayScene::end(const glm::vec3& origin, double farthest) const noexcept {
-    return scale_ * ((1 - kLeftOut) * farthest - kRayOffset * largest_coordinate(origin));
+    return scale_ *
+           ((1 - kLeftOut) * farthest - kRayOffset * static_cast<double>(largest_coordinate(origin)));
 }
 
 }  // namespace nicol

@@ -120,7 +120,7 @@ private:
         return shared(std::move(out));
     }
 
-    /// Returns a texture that is 0.5 or more where the surface is present; none if it is present everywhere.
+    /// Returns the opacity, for MASK scaled to 0.5 at the cutoff; none if the surface is present everywhere.
     [[nodiscard]] std::optional<TextureSpecification> coverage() {
         if (material_.alphaMode == "OPAQUE") return std::nullopt;
         const bool masks = material_.alphaMode == "MASK";

@@ -7,6 +7,7 @@
 
 #include "simd/dispatch.hpp"
 #include "simd/lane_vector.hpp"
+#include "simd/mixed_bits.hpp"
 
 namespace nicol {
 namespace {
@@ -163,14 +164,9 @@ float threshold_at(std::uint32_t surface, float b1, float b2) {
     // The two sides of a surface have corners 1 and 2 in opposite order, and weights that differ by rounding.
     constexpr float steps = 1 << 20;
     const auto [low, high] = std::minmax({b1, b2});
-    // The multipliers are those of MurmurHash3's last step and of the golden ratio.
-    std::uint32_t hash = surface * 0x9E3779B9U;
-    for (const float weight : {low, high}) {
-        hash ^= static_cast<std::uint32_t>(std::clamp(weight, 0.0F, 1.0F) * steps);
-        hash = (hash ^ hash >> 16) * 0x85EBCA6BU;
-        hash = (hash ^ hash >> 13) * 0xC2B2AE35U;
-        hash ^= hash >> 16;
-    }
+    std::uint32_t hash = mixed(surface);
+    for (const float weight : {low, high})
+        hash = mixed(hash + static_cast<std::uint32_t>(std::clamp(weight, 0.0F, 1.0F) * steps));
     return static_cast<float>(hash >> 8) * 0x1p-24F;
 }
 

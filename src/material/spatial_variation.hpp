@@ -101,10 +101,22 @@ struct SpatialVariation {
     return variation != nullptr && variation->needs_colors(of);
 }
 
+/// Alpha mask of a material: the members of these names of SpatialVariation.
+struct AlphaMask {
+    TexturePtr opacity;  ///< null: the material is present everywhere
+    bool translucent = false;
+
+    bool operator==(const AlphaMask&) const = default;
+};
+[[nodiscard]] inline AlphaMask alpha_mask_of(const Material& material) {
+    const SpatialVariation* const variation = material.variation();
+    if (variation == nullptr) return {};
+    return {.opacity = variation->opacity, .translucent = variation->translucent};
+}
+
 /// Returns the opacity of a material; null: the material is present everywhere.
 [[nodiscard]] inline TexturePtr opacity_of(const Material& material) {
-    const SpatialVariation* const variation = material.variation();
-    return variation != nullptr ? variation->opacity : nullptr;
+    return alpha_mask_of(material).opacity;
 }
 
 /// Returns a threshold for SpatialVariation::present() that depends on a point of a triangle, by its

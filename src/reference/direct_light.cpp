@@ -60,6 +60,10 @@ struct DirectLight::Reflection {
     [[nodiscard]] Frame incident_frame(const glm::dvec3& towards_light) const {
         return hit.frame * theta_phi_frame(-towards_light);
     }
+    /// Returns the ray from the point towards the light.
+    [[nodiscard]] Ray ray(const glm::dvec3& towards_light) const {
+        return leaving(hit.position, hit.geometric_normal, in_world(towards_light), hit.ray_offset);
+    }
     /// Returns the factor of light from a direction, for a perturbed normal.
     [[nodiscard]] double dimming(const glm::dvec3& towards_light) const {
         if (!hit.dimmed) return 1;
@@ -326,8 +330,7 @@ void DirectLight::add_disc(Reflection& at, const SkyDisc& disc, const glm::dvec3
 // whether a surface hides the light beyond.
 bool DirectLight::add_area_lights(Reflection& at, const glm::dvec3& towards_light) const {
     if (shadows_) ++at.workspace.shadow_rays;
-    Ray ray =
-        leaving(at.hit.position, at.hit.geometric_normal, at.in_world(towards_light), at.hit.ray_offset);
+    Ray ray = at.ray(towards_light);
     while (const std::optional<RayHit> found = rays_->intersect(ray)) {
         const TracedSurface& area_light = surfaces_[found->surface];
         if (area_light.emitted(*found, at.incident_frame(towards_light), at.workspace.incident))
@@ -341,8 +344,7 @@ bool DirectLight::add_area_lights(Reflection& at, const glm::dvec3& towards_ligh
 bool DirectLight::hidden(Reflection& at, const glm::dvec3& towards_light, double distance) const {
     if (!shadows_) return false;
     ++at.workspace.shadow_rays;
-    Ray ray =
-        leaving(at.hit.position, at.hit.geometric_normal, at.in_world(towards_light), at.hit.ray_offset);
+    Ray ray = at.ray(towards_light);
     ray.farthest = std::max(0.0, distance);
     return rays_->occluded(ray);
 }

@@ -126,7 +126,7 @@ void Scene::set_material(std::uint32_t id, MaterialPtr material) {
     if (instance.material == material) return;
     channels_.make_room(material->channels());
     if (instance.material->twosided() != material->twosided() ||
-        opacity_of(*instance.material) != opacity_of(*material))
+        alpha_mask_of(*instance.material) != alpha_mask_of(*material))
         geometry_version_ = new_version();
     material_version_ = new_version();
     channels_.add(material->channels());

@@ -6,22 +6,10 @@
 #include <cstring>
 
 #include "simd/dispatch.hpp"
+#include "simd/mixed_bits.hpp"
 
 namespace nicol {
 namespace {
-
-// Mixes 32 bits by the function of Steele and Vigna.
-template <class Bits>
-[[gnu::always_inline]] inline void mix(Bits& x) {
-    x = (x ^ (x >> 16)) * 0x21F0AAADU;
-    x = (x ^ (x >> 15)) * 0x735A2D97U;
-    x = x ^ (x >> 15);
-}
-
-std::uint32_t mixed(std::uint32_t x) {
-    mix(x);
-    return x;
-}
 
 // Returns Sobol's second dimension, a binary fraction whose first bit is the lowest. The first dimension is
 // the index itself.

@@ -113,17 +113,18 @@ std::vector<SceneGeometry::Piece> SceneGeometry::place(const Scene& scene) {
             pieces.emplace_back(Piece{.id = scene.ids()[i],
                                       .mesh = instance.mesh,
                                       .twosided = instance.material->twosided(),
-                                      .opacity = opacity_of(*instance.material),
+                                      .mask = alpha_mask_of(*instance.material),
                                       .placement = moved ? from_world * instance.to_world : instance.to_world,
                                       .extent = {},
                                       .details = {},
-                                      .divided = nullptr,
+                                      .in_place = nullptr,
+                                      .divided = false,
                                       .first = 0,
                                       .last = 0,
                                       .former = kNone});
         const auto former = std::ranges::lower_bound(pieces_, piece.id, {}, &Piece::id);
         if (former == pieces_.end() || former->id != piece.id || former->mesh != piece.mesh ||
-            former->twosided != piece.twosided || former->opacity != piece.opacity) {
+            former->twosided != piece.twosided || former->mask != piece.mask) {
             continue;
         }
         const double shift = glm::length(glm::dvec3(instance.to_world[3])) +
@@ -140,9 +141,15 @@ std::vector<SceneGeometry::Piece> SceneGeometry::place(const Scene& scene) {
 }
 
 void SceneGeometry::divide(std::vector<Piece>& pieces) const {
+    const auto put_in_place = [](Piece& piece) {
+        piece.in_place = std::make_shared<const Mesh>(placed(*piece.mesh, piece.placement, piece.id));
+    };
     std::vector<MeshExtent> extents;
     for (Piece& piece : pieces) {
-        if (piece.former == kNone) piece.extent = extent_of(placed(*piece.mesh, piece.placement, piece.id));
+        if (piece.former == kNone) {
+            put_in_place(piece);
+            piece.extent = extent_of(*piece.in_place);
+        }
         extents.push_back(piece.extent);
     }
     const Details details(extents);
@@ -151,13 +158,17 @@ void SceneGeometry::divide(std::vector<Piece>& pieces) const {
         if (piece.former != kNone) {
             const Piece& former = pieces_[piece.former];
             if (piece.details == former.details) {
+                piece.in_place = former.in_place;
                 piece.divided = former.divided;
                 continue;
             }
             piece.former = kNone;
+            put_in_place(piece);
         }
-        if (!piece.details.empty())
-            piece.divided = graded(placed(*piece.mesh, piece.placement, piece.id), piece.details);
+        if (auto parts = graded(*piece.in_place, piece.details)) {
+            piece.in_place = std::move(parts);
+            piece.divided = true;
+        }
     }
 }
 
@@ -187,13 +198,14 @@ void SceneGeometry::build(const Scene& scene, std::vector<Piece>& pieces) {
             copy(geometry_->normals, next.normals);
             change.kept.push_back({.first = piece.first, .last = piece.last, .before = former.first});
         } else {
-            const Mesh in_place = piece.divided ? *piece.divided : placed(mesh, piece.placement, piece.id);
+            const Mesh& in_place = *piece.in_place;
             change.disturbances.push_back(piece.extent.ball);
             for (std::size_t side = 0; side < sides; ++side) {
                 next.positions.insert(next.positions.end(), in_place.positions.begin(),
                                       in_place.positions.end());
                 for (const glm::vec3& n : in_place.normals) next.normals.push_back(side == 0 ? n : -n);
             }
+            if (!piece.divided) piece.in_place.reset();
         }
         for (std::size_t side = 0; side < sides; ++side) {
             const std::size_t first = piece.first + side * count;

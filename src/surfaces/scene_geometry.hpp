@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "geometry/graded_mesh.hpp"
+#include "material/spatial_variation.hpp"
 #include "scene/scene.hpp"
 #include "surfaces/geometry.hpp"
 #include "versioned.hpp"
@@ -57,17 +58,18 @@ private:
         std::uint32_t id;
         std::shared_ptr<const Mesh> mesh;
         bool twosided;
-        TexturePtr opacity;    // alpha mask, which shadows depend on
+        AlphaMask mask;        // shadows depend on it
         glm::dmat4 placement;  // in geometry()'s axes
         MeshExtent extent;
-        std::vector<Ball> details;            // objects for which large triangles are divided
-        std::shared_ptr<const Mesh> divided;  // mesh in place with divided triangles; null: `mesh` serves
-        std::size_t first;                    // index of the first vertex
+        std::vector<Ball> details;             // objects for which large triangles are divided
+        std::shared_ptr<const Mesh> in_place;  // mesh in these axes; build() keeps it if it is divided
+        bool divided;                          // whether triangles of in_place are parts of those of `mesh`
+        std::size_t first;                     // index of the first vertex
         std::size_t last;
         std::size_t former;  // index among the former pieces if it has not moved, or kNone
 
         // Returns the mesh whose vertices and triangles are drawn, and whether the placement mirrors it.
-        [[nodiscard]] const Mesh& parts() const { return divided ? *divided : *mesh; }
+        [[nodiscard]] const Mesh& parts() const { return divided ? *in_place : *mesh; }
         [[nodiscard]] bool mirrored() const {
             return !divided && glm::determinant(glm::dmat3(placement)) < 0;
         }

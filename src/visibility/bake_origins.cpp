@@ -3,19 +3,15 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <glm/geometric.hpp>
 #include <numeric>
 
+#include "geometry/largest_coordinate.hpp"
 #include "geometry/ray_scene.hpp"
 
 namespace nicol {
 namespace {
-
-float largest_coordinate(const glm::vec3& p) {
-    return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-}
 
 // Returns, for each vertex, the largest coordinate of any triangle at its position.
 std::vector<float> reaches(const BakeGeometry& geometry) {

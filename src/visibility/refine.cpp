@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec4.hpp>
 #include <numbers>
@@ -14,6 +13,7 @@
 #include <utility>
 
 #include "geometry/edge_bisection.hpp"
+#include "geometry/largest_coordinate.hpp"
 #include "geometry/ray_scene.hpp"
 #include "progress.hpp"
 #include "visibility/bake_origins.hpp"
@@ -131,8 +131,7 @@ private:
 
     // Returns the distance between a vertex and the start of rays beside it.
     [[nodiscard]] double offset(std::uint32_t v) const {
-        const glm::vec3 p = glm::abs(mesh_.positions()[v]);
-        return kRayOffset * static_cast<double>(std::max({p.x, p.y, p.z}));
+        return kRayOffset * static_cast<double>(largest_coordinate(mesh_.positions()[v]));
     }
 
     [[nodiscard]] bool occluded(std::uint32_t v) const { return hidden_[rows_[v]].x > 0; }

@@ -12,6 +12,7 @@ import tempfile
 
 try:
     import numpy
+    import peer_mitsuba as peer
 except ModuleNotFoundError as absent:
     print(f"skipped: {sys.executable} has no module {absent.name}; NICOL_PEER_PYTHON names an interpreter that has mitsuba and numpy")
     sys.exit(77)
@@ -26,24 +27,20 @@ BY_DEFAULT = (0.015, 0.05)
 MITSUBA = (0.01, 0.03)
 
 
-def luminance(planes):
-    return planes @ numpy.array([0.2126, 0.7152, 0.0722]) if planes.shape[-1] == 3 else planes[..., 0]
-
-
 def nicol_image(context, scene_file, seed, options):
+    """Renders in one context, which keeps the tables of materials from image to image."""
     with nicol.Scene.load(context, str(scene_file)) as scene:
         with nicol.Framebuffer.create(context, *scene.get_film_size(), scene.get_channels()) as framebuffer:
             nicol.render(scene, scene.get_camera(), nicol.RenderOptions(seed=seed, **options), framebuffer)
-            planes = framebuffer.plane(nicol.PLANE_STOKES, nicol.ALL_CHANNELS).astype(float)
-            return luminance(numpy.moveaxis(planes, 2, 3))
+            return peer.nicol_stokes(framebuffer)
 
 
 def errors(ours, truth):
-    """Returns the root mean squared errors of s0, and of s1 and s2, without noise. Each argument is two images of one scene with
-    independent noise."""
-    (x, y), (a, b) = ours, truth
-    squares = ((x - a) * (y - b)).mean((0, 1)) / max((a[..., 0] * b[..., 0]).mean(), 1e-300)
-    roots = numpy.sqrt(numpy.maximum(squares, 0))
+    """Returns the root mean squared errors of s0, and of s1 and s2, without noise."""
+    with numpy.errstate(invalid="ignore", divide="ignore"):
+        squares, _ = peer.squared_error(ours, truth)
+    # Of pictures without light, the quotient is undefined.
+    roots = numpy.sqrt(numpy.maximum(numpy.nan_to_num(squares), 0))
     return roots[0], max(roots[1], roots[2])
 
 
@@ -57,8 +54,6 @@ def main():
     parser.add_argument("--keep", type=pathlib.Path)
     asked = parser.parse_args()
     if asked.mitsuba:
-        import peer_mitsuba as peer
-
         print(f"Mitsuba {peer.mitsuba.__version__}, {peer.choose_variant()}")
     found = []
     with tempfile.TemporaryDirectory() as folder, nicol.Context.create() as context:

@@ -182,7 +182,9 @@ IMAGE_TEST_CASE("what is cut out changes with the material, and its shadow too")
     Scene scene = board_over(board(true), plain);
     Studio render(context);
     static_cast<void>(render(scene, options(Executor::cpu)));
-    for (const MaterialPtr& material : {masked(plain, opacity(1)), plain, masked(plain, opacity(4))}) {
+    const TexturePtr fraction = opacity(1);
+    for (const MaterialPtr& material : {masked(plain, opacity(1)), plain, masked(plain, opacity(4)),
+                                        masked(plain, fraction), masked(plain, fraction, true)}) {
         scene.set_material(0, material);
         const StokesImage changed = render(scene, options(Executor::cpu));
         Studio fresh(context);
