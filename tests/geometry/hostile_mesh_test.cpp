@@ -127,7 +127,7 @@ TEST_CASE("every parser of meshes is asked to stop while it works") {
         {"a.obj", repeated("v 0.25 0.5 1\n", many) + "f 1 2 3\n", geometry::parse_obj},
         {"stars.obj", obj_stars(200),
          [](auto name, auto bytes, auto& left_out, const auto& budget) {
-             geometry::PolygonMesh polygons = geometry::parse_obj(name, bytes, left_out, budget);
+             geometry::PolygonMesh polygons = geometry::parse_obj(name, bytes, left_out, {});
              static_cast<void>(geometry::triangulated(polygons, name, left_out, budget));
              return polygons;
          }},
@@ -141,18 +141,17 @@ TEST_CASE("every parser of meshes is asked to stop while it works") {
          }}};
     for (const Case& one : cases) {
         CAPTURE(one.name);
+        // Neither limit depends on the speed of the machine: the parser meets it at its first check.
         const auto parse = [&](const LoadLimits& limits) {
-            const LoadBudget budget(limits);
-            budget.check();  // the first call of progress, before the parser starts
             geometry::LeftOut left_out;
-            static_cast<void>(one.parse(one.name, one.bytes, left_out, budget));
+            static_cast<void>(one.parse(one.name, one.bytes, left_out, LoadBudget(limits)));
         };
         int asked = 0;
         check_error(ErrorCode::cancelled,
-                    [&] { parse({.progress = [&](const char*, double) { return ++asked < 2; }}); });
-        CHECK(asked == 2);
+                    [&] { parse({.progress = [&](const char*, double) { return ++asked < 1; }}); });
+        CHECK(asked == 1);
         check_error(
-            ErrorCode::unsupported, [&] { parse({.seconds = 0.05}); }, "load_seconds_limit");
+            ErrorCode::unsupported, [&] { parse({.seconds = 0}); }, "load_seconds_limit");
     }
 }
 
