@@ -30,8 +30,10 @@ void add_side(std::vector<QuadratureNode>& nodes, double peak, double end, doubl
     double width = std::min(narrow, wide);
     const double length = std::abs(end - peak);
     while (done < length) {
-        // A sliver at the end is merged into the panel before it.
-        const double next = length - done < 1.5 * width ? length : done + width;
+        // What is left is not cut into a whole panel and a sliver, but into halves.
+        const double left = length - done;
+        const double step = left < 1.1 * width ? left : left < 2 * width ? left / 2 : width;
+        const double next = step == left ? length : done + step;
         add_panel(nodes, peak + direction * done, peak + direction * next);
         done = next;
         width = std::min(2 * width, wide);

@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::string_view kMagic("NICOLRT\0", 8);
 // Format version, to be raised whenever the numbers of any table change.
-constexpr std::uint32_t kVersion = 3;
+constexpr std::uint32_t kVersion = 4;
 
 // Returns the key of a table: the material's own key, then the table's parameters.
 std::string key_of(const std::string& content, const LightLayout& layout, int channels,

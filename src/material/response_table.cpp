@@ -5,11 +5,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numbers>
 #include <string>
 
 #include "error.hpp"
 #include "harmonics/spin_harmonics.hpp"
+#include "material/adaptive_rows.hpp"
 #include "material/matrix_rows.hpp"
 #include "material/row_integral.hpp"
 
@@ -17,33 +19,13 @@ namespace nicol {
 namespace {
 
 using std::numbers::pi;
-constexpr int kStride = 4;
-constexpr int kIntegrated = (ResponseTable::kAngles - 1) / kStride + 1;
-
-// Fills the angles between the integrated angles by cubics through the four nearest ones.
-void interpolate_between(std::vector<float>& data, std::size_t row) {
-    for (int cell = 0; cell + 1 < kIntegrated; ++cell) {
-        const int first = std::clamp(cell - 1, 0, kIntegrated - 4);
-        for (int step = 1; step < kStride; ++step) {
-            const double x = cell - first + static_cast<double>(step) / kStride;
-            std::array<double, 4> weight{};
-            for (int i = 0; i < 4; ++i) {
-                double lagrange = 1;
-                for (int k = 0; k < 4; ++k) lagrange *= k == i ? 1.0 : (x - k) / (i - k);
-                weight[static_cast<std::size_t>(i)] = lagrange;
-            }
-            float* out = data.data() + static_cast<std::size_t>(cell * kStride + step) * row;
-            for (std::size_t j = 0; j < row; ++j) {
-                double sum = 0;
-                for (std::size_t i = 0; i < 4; ++i) {
-                    sum += weight[i] * static_cast<double>(
-                                           data[(static_cast<std::size_t>(first) + i) * kStride * row + j]);
-                }
-                out[j] = static_cast<float>(sum);
-            }
-        }
-    }
-}
+constexpr int kLast = ResponseTable::kAngles - 1;
+// Steps between the angles that are always integrated, and between the closest that are.
+constexpr int kWidestStep = 64;
+constexpr int kStep = 4;
+// Error of an interpolated row, relative to the table's largest number, up to which the row is not
+// integrated.
+constexpr float kInterpolated = 1e-5F;
 
 bool is_grey(const Material& material, int channels) {
     if (material.matrix(0) != nullptr) return false;
@@ -72,13 +54,11 @@ ResponseTable::ResponseTable(const Material& material, const LightLayout& layout
       row_size_(pairings_ * layout.row_size()),
       channels_(channels_for(material, channels)),
       angles_(kAngles) {
-    const std::size_t width = 4 * row_size_ * static_cast<std::size_t>(channels_);
-    data_.assign(kAngles * width, 0.0F);
+    data_.resize(kAngles * 4 * row_size_ * static_cast<std::size_t>(channels_));
     if (material.matrix(0) != nullptr) {
         rows_of_matrices(material, layout);
     } else {
         integrate(material, layout);
-        interpolate_between(data_, width);
     }
     find_makes();
 }
@@ -137,17 +117,26 @@ void ResponseTable::find_makes() {
 }
 
 void ResponseTable::integrate(const Material& material, const LightLayout& layout) {
+    const AngleTable table{.data = data_,
+                           .last = kLast,
+                           .widest_step = kWidestStep,
+                           .least_step = kStep,
+                           .tolerance = kInterpolated};
+    fill_adaptively(table, [&](std::span<const int> angles) { integrate(material, layout, table, angles); });
+}
+
+void ResponseTable::integrate(const Material& material, const LightLayout& layout, const AngleTable& table,
+                              std::span<const int> angles) const {
     const std::size_t set = 4 * row_size_;
-    const auto table_channels = static_cast<std::size_t>(channels_);
-    tbb::parallel_for(tbb::blocked_range<int>(0, kIntegrated), [&](const tbb::blocked_range<int>& range) {
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, angles.size()), [&](const auto& range) {
         RowIntegral integral(material, layout);
-        for (int i = range.begin(); i < range.end(); ++i) {
-            const int angle = i * kStride;
+        for (std::size_t i = range.begin(); i < range.end(); ++i) {
             // Most materials' formulas are 0/0 at 90 degrees, although the rows have a limit there.
-            const double theta = std::min(angle * (pi / 2) / (kAngles - 1), pi / 2 - 1e-6);
+            const double theta = std::min(angles[i] * (pi / 2) / kLast, pi / 2 - 1e-6);
             const double* rows = integral.integrate(theta).data();
+            std::ranges::fill(table.row(angles[i]), 0.0F);
             for (int term = 0; term < material.terms(); ++term, rows += set) {
-                float* out = data_.data() + static_cast<std::size_t>(angle) * table_channels * set;
+                float* out = table.row(angles[i]).data();
                 for (int c = 0; c < channels_; ++c, out += set) {
                     const double weight = material.weight(term, c);
                     if (weight == 0) continue;

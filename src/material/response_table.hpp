@@ -12,6 +12,8 @@
 
 namespace nicol {
 
+struct AngleTable;
+
 /// Rows for the outgoing Stokes vector at zenith angle theta and azimuth 0, in the theta-phi frame there.
 /// Light in the surface's frame, with even and odd numbers in pairs (LightLayout), gives
 ///     s_p = sum_j row_p[j] even_j + second_p[j] odd_j  for p = 0, 1,
@@ -22,10 +24,10 @@ namespace nicol {
 /// interpolated linearly between angles.
 class ResponseTable {
 public:
-    /// Number of zenith angles, evenly from 0 to pi/2. Every fourth angle is integrated, and the others are
-    /// cubic interpolations. The linear interpolation at run time then has an error below 1e-4 of a row up to
-    /// order 16.
-    static constexpr int kAngles = 4 * 255 + 1;
+    /// Number of zenith angles, evenly from 0 to pi/2. At most every fourth angle is integrated, and the
+    /// others are cubic interpolations: all of them where rows vary slowly. The linear interpolation at run
+    /// time then has an error below 1e-4 of a row up to order 16.
+    static constexpr int kAngles = 1024 + 1;
     /// Angles of of_outgoing_light(), whose error is below 1e-6 of the largest value up to order 16.
     static constexpr int kOutgoingAngles = 4097;
 
@@ -70,6 +72,8 @@ private:
                   std::vector<float> data);
     void find_makes();
     void integrate(const Material& material, const LightLayout& layout);
+    void integrate(const Material& material, const LightLayout& layout, const AngleTable& table,
+                   std::span<const int> angles) const;
     void rows_of_matrices(const Material& material, const LightLayout& layout);
 
     std::size_t pairings_;

@@ -2,11 +2,14 @@
 #include "material/row_integral.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
 #include "harmonics/spin_harmonics.hpp"
 #include "material/lobe_quadrature.hpp"
+#include "simd/dispatch.hpp"
+#include "simd/lane_vector.hpp"
 
 namespace nicol {
 namespace {
@@ -19,36 +22,70 @@ constexpr bool is_even(std::size_t p, std::size_t q, std::size_t pairing) {
     return ((p < 2) == (q < 2)) == (pairing == 0);
 }
 
+// Sums of values times waves that share one pass over the waves.
+constexpr std::size_t kTogether = 4;
+
+struct WaveSums {
+    std::array<const float*, kTogether> values;  // [node]
+    std::array<Lanes*, kTogether> sums;          // [block]
+};
+
+// Computes sums[block] = sum over nodes of values[node] * waves[node][block].
+[[gnu::always_inline]] inline void sum_waves(const WaveSums& of, const Lanes* waves, std::size_t nodes,
+                                             std::size_t blocks) {
+    for (std::size_t block = 0; block < blocks; ++block) {
+        LaneVector sums[kTogether]{};
+        for (std::size_t n = 0; n < nodes; ++n) {
+            LaneVector wave;
+            load(waves + n * blocks + block, wave);
+            for (std::size_t i = 0; i < kTogether; ++i) sums[i] += of.values[i][n] * wave;
+        }
+        for (std::size_t i = 0; i < kTogether; ++i) store(of.sums[i] + block, sums[i]);
+    }
+}
+
 }  // namespace
 
 RowIntegral::RowIntegral(const Material& material, const LightLayout& layout)
     : material_(material.isotropic()),
       layout_(layout),
+      terms_(static_cast<std::size_t>(material.terms())),
       pairings_(material.pairings()),
-      waves_(static_cast<std::size_t>(layout.order()) + 1) {
-    // Terms share nodes and evaluate_terms() if all have the same lobe width.
-    const int terms = material.terms();
-    bool equal_widths = true;
-    for (int t = 1; t < terms; ++t)
-        equal_widths = equal_widths && material_.lobe_width(t) == material_.lobe_width(0);
-    if (equal_widths) groups_.emplace_back();
-    for (int t = 0; t < terms; ++t) {
-        if (!equal_widths) groups_.emplace_back();
-        groups_.back().push_back(t);
-    }
-    const auto all = static_cast<std::size_t>(terms);
-    muellers_.resize(all);
-    moments_.resize(all * 16 * pairings_ * waves_);
-    scalar_.resize(psh_count(layout.order()));
-    spin2_.resize(psh_count(layout.order()));
-    first_.resize(layout.row_size());
-    second_.resize(layout.row_size());
-    rows_.resize(all * 4 * pairings_ * layout.row_size());
+      columns_(static_cast<std::size_t>(layout.kind())),
+      blocks_((static_cast<std::size_t>(layout.order()) + kLanes) / kLanes),
+      lobe_(1),
+      muellers_(terms_),
+      empty_(16 * terms_),
+      moments_(16 * terms_ * pairings_ * blocks_),
+      scalar_(psh_count(layout.order())),
+      spin2_(psh_count(layout.order())),
+      first_(layout.row_size()),
+      second_(layout.row_size()),
+      rows_(4 * terms_ * pairings_ * layout.row_size()) {
+    for (int t = 0; t < material.terms(); ++t) lobe_ = std::min(lobe_, material_.lobe_width(t));
 }
 
 std::span<const double> RowIntegral::integrate(double theta_out) {
     std::ranges::fill(rows_, 0.0);
-    for (const std::vector<int>& terms : groups_) add_terms(theta_out, terms);
+    // Eight nodes per panel resolve a wave and a half to six digits.
+    const double wide = std::min(pi / 4, 3 * pi / (layout_.order() + 1));
+    const glm::dvec3 viewer(std::sin(theta_out), 0, std::cos(theta_out));
+    const double narrow = kPanelsOfLobe * lobe_;
+    // A tilt of a facet across the plane of incidence turns reflected light by less the lower the light is.
+    place_azimuths(narrow * std::max(lobe_, viewer.z) / std::max(lobe_, viewer.x), wide);
+    for (const QuadratureNode& node : nodes_around(theta_out, 0, pi / 2, narrow, wide)) {
+        evaluate_circle(node.x, viewer);
+        take_moments();
+        // Propagation is opposite: theta_p = pi - theta, which exchanges sine and cosine of the half angle.
+        const double sine = std::sin(node.x / 2);
+        const double cosine = std::cos(node.x / 2);
+        spin_harmonics(0, layout_.order(), cosine, sine, scalar_);
+        // A depolarizing material has no use for the harmonics of spin 2.
+        if (has_spin()) spin_harmonics(2, layout_.order(), cosine, sine, spin2_);
+        zenith_functions(layout_, scalar_, spin2_, first_, second_);
+        // The weight includes the factor cos(theta) of the integral.
+        accumulate(std::sin(node.x) * std::cos(node.x) * node.weight);
+    }
     return rows_;
 }
 
@@ -57,15 +94,19 @@ void RowIntegral::place_azimuths(double narrow, double wide) {
     cosines_.clear();
     sines_.clear();
     const auto place = [this](double c, double s, double weight) {
-        azimuths_.push_back({c, s, weight});
+        azimuths_.push_back({static_cast<float>(c), static_cast<float>(s), static_cast<float>(weight)});
         double cosine = 1;
         double sine = 0;
-        for (std::size_t m = 0; m < waves_; ++m) {
-            cosines_.push_back(cosine);
-            sines_.push_back(sine);
-            const double next = -(cosine * c - sine * s);
-            sine = -(sine * c + cosine * s);
-            cosine = next;
+        for (std::size_t block = 0; block < blocks_; ++block) {
+            Lanes& cosines = cosines_.emplace_back();
+            Lanes& sines = sines_.emplace_back();
+            for (std::size_t i = 0; i < kLanes; ++i) {
+                cosines[i] = static_cast<float>(cosine);
+                sines[i] = static_cast<float>(sine);
+                const double next = -(cosine * c - sine * s);
+                sine = -(sine * c + cosine * s);
+                cosine = next;
+            }
         }
     };
     // A single pairing needs one of two mirror images, with twice the weight.
@@ -76,92 +117,105 @@ void RowIntegral::place_azimuths(double narrow, double wide) {
         place(c, s, share * q.weight);
         if (pairings_ == 2) place(c, -s, share * q.weight);
     }
+    values_.resize(16 * terms_ * azimuths_.size());
 }
 
-void RowIntegral::add_terms(double theta_out, std::span<const int> terms) {
-    const double lobe = material_.lobe_width(terms.front());
-    // Eight nodes per panel resolve about four half-waves.
-    const double wide = std::min(pi / 4, 2 * pi / static_cast<double>(waves_));
-    const glm::dvec3 viewer(std::sin(theta_out), 0, std::cos(theta_out));
-    place_azimuths(std::min(1.0, lobe / std::max(lobe, viewer.x)), wide);
-    for (const QuadratureNode& node : nodes_around(theta_out, 0, pi / 2, lobe, wide)) {
-        take_moments(node.x, viewer, terms);
-        // Propagation is opposite: theta_p = pi - theta, which exchanges sine and cosine of the half angle.
-        const double sine = std::sin(node.x / 2);
-        const double cosine = std::cos(node.x / 2);
-        spin_harmonics(0, layout_.order(), cosine, sine, scalar_);
-        if (layout_.kind() != LightKind::unpolarized)
-            spin_harmonics(2, layout_.order(), cosine, sine, spin2_);
-        zenith_functions(layout_, scalar_, spin2_, first_, second_);
-        // The weight includes the factor cos(theta) of the integral.
-        accumulate(std::sin(node.x) * std::cos(node.x) * node.weight, terms);
+// Evaluates the material for light from all azimuths at one zenith angle.
+void RowIntegral::evaluate_circle(double theta, const glm::dvec3& viewer) {
+    const auto sin_theta = static_cast<float>(std::sin(theta));
+    const auto cos_theta = static_cast<float>(std::cos(theta));
+    const std::size_t nodes = azimuths_.size();
+    empty_.assign(empty_.size(), true);
+    LaneVectors to_viewer;
+    for (std::size_t i = 0; i < kLanes; ++i) put(to_viewer, i, glm::vec3(viewer));
+    for (std::size_t begin = 0; begin < nodes; begin += kLanes) {
+        const std::size_t size = std::min(kLanes, nodes - begin);
+        LaneVectors light;
+        for (std::size_t i = 0; i < kLanes; ++i) {
+            const AzimuthNode& node = azimuths_[begin + std::min(i, size - 1)];
+            put(light, i, {sin_theta * node.cos_phi, sin_theta * node.sin_phi, cos_theta});
+        }
+        material_.evaluate_lanes(light, to_viewer, columns_ == 1 ? 1 : 4, muellers_);
+        for (std::size_t e = 0; e < empty_.size(); ++e) {
+            if (e % 4 >= columns_) continue;
+            const Lanes& element = muellers_[e / 16].m[e % 16];
+            float* out = &values_[e * nodes + begin];
+            bool empty = true;
+            for (std::size_t i = 0; i < size; ++i) {
+                out[i] = azimuths_[begin + i].weight * element[i];
+                empty = empty && out[i] == 0;
+            }
+            if (!empty) empty_[e] = false;
+        }
     }
 }
 
 // Computes moments over the whole circle: cosine moments of even parts, sine moments of odd parts.
-void RowIntegral::take_moments(double theta, const glm::dvec3& viewer, std::span<const int> terms) {
-    std::ranges::fill(moments_, 0.0);
-    const auto columns = static_cast<std::size_t>(layout_.kind());
-    const double sin_theta = std::sin(theta);
-    const double cos_theta = std::cos(theta);
-    const bool together = terms.size() == muellers_.size();
-    for (std::size_t n = 0; n < azimuths_.size(); ++n) {
-        const AzimuthNode& node = azimuths_[n];
-        const glm::dvec3 light(sin_theta * node.cos_phi, sin_theta * node.sin_phi, cos_theta);
-        if (together) {
-            material_.evaluate_terms(light, viewer, muellers_);
-        } else {
-            muellers_[0] = material_.evaluate(terms.front(), light, viewer);
-        }
-        const double* cosines = &cosines_[n * waves_];
-        const double* sines = &sines_[n * waves_];
-        double* out = moments_.data();
-        for (std::size_t t = 0; t < terms.size(); ++t) {
-            for (std::size_t p = 0; p < 4; ++p) {
-                for (std::size_t q = 0; q < 4; ++q) {
-                    const double value = node.weight * muellers_[t](p, q);
-                    for (std::size_t pairing = 0; pairing < pairings_; ++pairing, out += waves_) {
-                        if (q >= columns || value == 0) continue;
-                        const double* wave = is_even(p, q, pairing) ? cosines : sines;
-                        for (std::size_t m = 0; m < waves_; ++m) out[m] += value * wave[m];
-                    }
-                }
+void RowIntegral::take_moments() {
+    const std::size_t nodes = azimuths_.size();
+    for (const bool even : {true, false}) {
+        const Lanes* waves = even ? cosines_.data() : sines_.data();
+        WaveSums some{};
+        std::size_t count = 0;
+        const auto sum = [&] {
+            if (count == 0) return;
+            for (std::size_t i = count; i < kTogether; ++i) {
+                some.values[i] = some.values[0];
+                some.sums[i] = some.sums[0];
+            }
+            dispatch<sum_waves>(some, waves, nodes, blocks_);
+            count = 0;
+        };
+        for (std::size_t e = 0; e < empty_.size(); ++e) {
+            for (std::size_t pairing = 0; pairing < pairings_; ++pairing) {
+                if (empty_[e] || is_even(e / 4 % 4, e % 4, pairing) != even) continue;
+                some.values[count] = &values_[e * nodes];
+                some.sums[count] = &moments_[(e * pairings_ + pairing) * blocks_];
+                if (++count == kTogether) sum();
             }
         }
+        sum();
     }
 }
 
-void RowIntegral::accumulate(double solid_angle, std::span<const int> terms) {
+bool RowIntegral::has_spin() const {
+    for (std::size_t e = 0; e < empty_.size(); ++e)
+        if (!empty_[e] && (e % 4 == 1 || e % 4 == 2)) return true;
+    return false;
+}
+
+void RowIntegral::accumulate(double solid_angle) {
     std::size_t begin = 0;  // start of the run in a row
     for (const LightLayout::Run& run : layout_.runs()) {
         const double* first = &first_[begin];
         const double* second = &second_[begin];
-        for (std::size_t t = 0; t < terms.size(); ++t) {
-            const auto moment = [&](std::size_t p, std::size_t q, std::size_t pairing) {
-                const std::size_t at = (16 * t + 4 * p + q) * pairings_ + pairing;
-                return solid_angle * moments_[at * waves_ + static_cast<std::size_t>(run.m)];
+        const auto block = static_cast<std::size_t>(run.m) / kLanes;
+        const auto lane = static_cast<std::size_t>(run.m) % kLanes;
+        for (std::size_t row = 0; row < 4 * terms_ * pairings_; ++row) {
+            const std::size_t p = row / pairings_ % 4;
+            const std::size_t pairing = row % pairings_;
+            const auto moment = [&](std::size_t q) {
+                const std::size_t e = row / pairings_ * 4 + q;
+                if (empty_[e]) return 0.0;
+                const Lanes& waves = moments_[(e * pairings_ + pairing) * blocks_ + block];
+                return solid_angle * static_cast<double>(waves[lane]);
             };
-            for (std::size_t i = 0; i < 4 * pairings_; ++i) {
-                const std::size_t p = i / pairings_;
-                const std::size_t pairing = i % pairings_;
-                // The moment is for the even functions of the run, or for the odd functions.
-                const bool even = is_even(p, 0, pairing);
-                double a = 0;
-                double b = 0;
-                if (run.part == LightKind::unpolarized) {
-                    a = moment(p, 0, pairing);
-                } else if (run.part == LightKind::full) {
-                    a = moment(p, 3, pairing);
-                } else {
-                    const double sign = even ? 1 : static_cast<double>(run.sign);
-                    a = sign * moment(p, 1, pairing);
-                    b = (even ? sign : -sign) * moment(p, 2, pairing);
-                }
-                if (a == 0 && b == 0) continue;
-                const std::size_t row = 4 * pairings_ * static_cast<std::size_t>(terms[t]) + i;
-                double* out = &rows_[row * layout_.row_size() + begin];
-                for (std::size_t j = 0; j < run.count; ++j) out[j] += a * first[j] + b * second[j];
+            // The moment is for the even functions of the run, or for the odd functions.
+            const bool even = is_even(p, 0, pairing);
+            double a = 0;
+            double b = 0;
+            if (run.part == LightKind::unpolarized) {
+                a = moment(0);
+            } else if (run.part == LightKind::full) {
+                a = moment(3);
+            } else {
+                const double sign = even ? 1 : static_cast<double>(run.sign);
+                a = sign * moment(1);
+                b = (even ? sign : -sign) * moment(2);
             }
+            if (a == 0 && b == 0) continue;
+            double* out = &rows_[row * layout_.row_size() + begin];
+            for (std::size_t j = 0; j < run.count; ++j) out[j] += a * first[j] + b * second[j];
         }
         begin += run.count;
     }

@@ -7,10 +7,13 @@
 
 #include "harmonics/light_layout.hpp"
 #include "material/material.hpp"
+#include "simd/lanes.hpp"
 
 namespace nicol {
 
 /// Integrator for rows at any outgoing angle, term by term. Reuses its work space: not thread-safe.
+/// Mueller matrices are evaluated sixteen at a time in single precision, and their sums over a circle of
+/// azimuths are in single precision as well.
 class RowIntegral {
 public:
     /// Keeps references: both arguments must outlive the object.
@@ -22,27 +25,32 @@ public:
 
 private:
     struct AzimuthNode {
-        double cos_phi;  // azimuth of the direction towards the light
-        double sin_phi;
-        double weight;
+        float cos_phi;  // azimuth of the direction towards the light
+        float sin_phi;
+        float weight;
     };
     void place_azimuths(double narrow, double wide);
-    void add_terms(double theta_out, std::span<const int> terms);
-    void take_moments(double theta, const glm::dvec3& viewer, std::span<const int> terms);
-    void accumulate(double solid_angle, std::span<const int> terms);
+    void evaluate_circle(double theta, const glm::dvec3& viewer);
+    void take_moments();
+    [[nodiscard]] bool has_spin() const;  // whether the circle's matrices have a column of s1 or s2
+    void accumulate(double solid_angle);
 
     const Material& material_;
     const LightLayout& layout_;
+    std::size_t terms_;
     std::size_t pairings_;
-    std::size_t waves_;  // order + 1
-    std::vector<std::vector<int>> groups_;
+    std::size_t columns_;  // of the Mueller matrices
+    std::size_t blocks_;   // sixteens that order + 1 waves fill
+    double lobe_;          // smallest lobe width of all terms
     std::vector<AzimuthNode> azimuths_;
-    std::vector<double> cosines_, sines_;  // [node][m] of m phi_p; azimuth of propagation phi_p = phi + pi
-    std::vector<Mueller> muellers_;        // [term]
-    std::vector<double> moments_;          // [term in group][p][q][pairing][m]
-    std::vector<double> scalar_, spin2_;   // harmonics by psh_index
-    std::vector<double> first_, second_;   // zenith_functions()
-    std::vector<double> rows_;             // [term][p][pairing][j]
+    std::vector<Lanes> cosines_, sines_;  // [node][block] of m phi_p; azimuth of propagation phi_p = phi + pi
+    std::vector<LaneMueller> muellers_;   // [term]
+    std::vector<float> values_;           // [term][p][q][node], times the node's weight
+    std::vector<bool> empty_;             // [term][p][q]: whether all values are 0
+    std::vector<Lanes> moments_;          // [term][p][q][pairing][block]
+    std::vector<double> scalar_, spin2_;  // harmonics by psh_index
+    std::vector<double> first_, second_;  // zenith_functions()
+    std::vector<double> rows_;            // [term][p][pairing][j]
 };
 
 }  // namespace nicol

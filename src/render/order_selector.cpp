@@ -218,17 +218,20 @@ const std::array<double, OrderSelector::kOutputs>& OrderSelector::missed(const S
                         SplitFit::prior(l) * power.of(c, output, part)[static_cast<std::size_t>(l)];
     }
     found->second.fill(1);
-    for (const SplitStencil& stencil : kUsualStencils) {
-        std::array<double, kOutputs> caught{};
-        for (std::size_t k = 0; k < angles; ++k) {
-            const double cosine = std::sqrt((static_cast<double>(k) + 0.5) / angles);
-            for (const SplitFactors& factors : fit.at(std::acos(cosine), stencil)) {
+    std::array<std::array<double, kOutputs>, kUsualStencils.size()> all_caught{};
+    for (std::size_t k = 0; k < angles; ++k) {
+        const double cosine = std::sqrt((static_cast<double>(k) + 0.5) / angles);
+        const auto stencils = fit.at(std::acos(cosine), kUsualStencils);
+        for (std::size_t s = 0; s < stencils.size(); ++s) {
+            for (const SplitFactors& factors : stencils[s]) {
                 for (std::size_t part = 0; part < parts_of(kind_); ++part) {
-                    caught[0] += factors.energy[0][part] / angles;
-                    caught[1] += (factors.energy[1][part] + factors.energy[2][part]) / angles;
+                    all_caught[s][0] += factors.energy[0][part] / angles;
+                    all_caught[s][1] += (factors.energy[1][part] + factors.energy[2][part]) / angles;
                 }
             }
         }
+    }
+    for (const auto& caught : all_caught) {
         for (std::size_t output = 0; output < kOutputs; ++output) {
             const double rest = total[output] > 0 ? 1 - caught[output] / total[output] : 0;
             found->second[output] = std::clamp(rest, 0.0, found->second[output]);

@@ -11,6 +11,7 @@
 
 #include "error.hpp"
 #include "harmonics/psh.hpp"
+#include "material/adaptive_rows.hpp"
 #include "material/response_table.hpp"
 #include "specular/split_fit.hpp"
 
@@ -20,6 +21,8 @@ namespace {
 using std::numbers::pi;
 // Fraction of the s0 energy that is negligible: two percent in amplitude.
 constexpr double kNegligible = 4e-4;
+// Error of interpolated factors, relative to the largest factor.
+constexpr float kInterpolated = 3e-4F;
 constexpr auto kAngleCount = static_cast<std::size_t>(HighOrderFactors::kAngles);
 
 double zenith(std::size_t angle) {
@@ -60,18 +63,23 @@ std::array<double, HighOrderFactors::kElements> elements_of(const SplitFactors& 
 // Energy of the response to unpolarized light that the taps represent, by channel, for s0, s1 and s2.
 using Energy = std::vector<std::array<double, 3>>;
 
-Energy caught(const SplitFit& fit, const SplitStencil& stencil) {
+// Returns the energies [stencil].
+std::vector<Energy> caught(const SplitFit& fit, const std::vector<SplitStencil>& stencils) {
     // Angles are weighted by their projected area on a sphere.
     constexpr std::size_t samples = 6;
-    Energy sum;
-    for (std::size_t k = 0; k < samples; ++k) {
+    std::array<std::vector<std::vector<SplitFactors>>, samples> factors;
+    tbb::parallel_for(std::size_t{0}, samples, [&](std::size_t k) {
         const double cosine = std::sqrt((static_cast<double>(k) + 0.5) / samples);
-        const std::vector<SplitFactors> factors = fit.at(std::acos(cosine), stencil);
-        sum.resize(factors.size());
-        for (std::size_t c = 0; c < factors.size(); ++c)
-            for (std::size_t p = 0; p < 3; ++p)
-                for (const double energy : factors[c].energy[p]) sum[c][p] += energy;
-    }
+        factors[k] = fit.at(std::acos(cosine), stencils);
+    });
+    std::vector<Energy> sum(stencils.size());
+    for (const auto& of_angle : factors)
+        for (std::size_t s = 0; s < stencils.size(); ++s) {
+            sum[s].resize(of_angle[s].size());
+            for (std::size_t c = 0; c < sum[s].size(); ++c)
+                for (std::size_t p = 0; p < 3; ++p)
+                    for (const double energy : of_angle[s][c].energy[p]) sum[s][c][p] += energy;
+        }
     return sum;
 }
 
@@ -82,9 +90,7 @@ SplitStencil best_stencil(const SplitFit& fit) {
     for (int outer = 1; outer < static_cast<int>(kLobeWidths.size()); ++outer)
         for (int central = 0; central <= outer; ++central)
             candidates.push_back({central, outer, kLobeWidths[static_cast<std::size_t>(outer)]});
-    std::vector<Energy> energy(candidates.size());
-    tbb::parallel_for(std::size_t{0}, candidates.size(),
-                      [&](std::size_t i) { energy[i] = caught(fit, candidates[i]); });
+    const std::vector<Energy> energy = caught(fit, candidates);
     std::array<double, 3> most{};
     const auto total = [](const Energy& e, std::size_t p) {
         double sum = 0;
@@ -103,7 +109,7 @@ SplitStencil best_stencil(const SplitFit& fit) {
     // A metal does not need the tap at -n, which represents diffuse bases.
     SplitStencil stencil = candidates[best];
     stencil.base = false;
-    const Energy without = caught(fit, stencil);
+    const Energy without = caught(fit, {stencil}).front();
     for (std::size_t c = 0; c < without.size(); ++c)
         stencil.base = stencil.base || without[c][0] < (1 - kNegligible) * energy[best][c][0];
     return stencil;
@@ -158,14 +164,18 @@ HighOrderFactors::HighOrderFactors(const Material& material, int l_low, int l_hi
     has_base_ = stencil.base;
     const auto count = static_cast<std::size_t>(channels_);
     data_.resize(pairings_ * kElements * kAngleCount * count);
-    tbb::parallel_for(std::size_t{0}, kAngleCount, [&](std::size_t angle) {
-        const std::vector<SplitFactors> factors = fit.at(zenith(angle), stencil);
-        for (std::size_t c = 0; c < count; ++c) {
-            float* to = &data_[(angle * count + c) * pairings_ * kElements];
-            for (std::size_t pairing = 0; pairing < pairings_; ++pairing)
-                for (const double element : elements_of(factors[c], pairing))
-                    *to++ = static_cast<float>(element);
-        }
+    const AngleTable table{
+        .data = data_, .last = kAngles - 1, .widest_step = 16, .least_step = 1, .tolerance = kInterpolated};
+    fill_adaptively(table, [&](std::span<const int> angles) {
+        tbb::parallel_for(std::size_t{0}, angles.size(), [&](std::size_t i) {
+            const auto factors =
+                fit.at(zenith(static_cast<std::size_t>(angles[i])), std::span(&stencil, 1)).front();
+            float* to = table.row(angles[i]).data();
+            for (std::size_t c = 0; c < count; ++c)
+                for (std::size_t pairing = 0; pairing < pairings_; ++pairing)
+                    for (const double element : elements_of(factors[c], pairing))
+                        *to++ = static_cast<float>(element);
+        });
     });
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
+#include <span>
 
 namespace nicol {
 namespace {
@@ -26,49 +27,64 @@ std::complex<double> transport(const Frame& from, const Frame& to) {
     return size > 0 ? rotation * rotation / size : 1.0;
 }
 
+// Computes the kernels at many cosines, order by order.
+void add_orders(const std::vector<double>& gain, std::span<const double> cosines, std::span<ZonalValue> out) {
+    const std::size_t count = cosines.size();
+    std::vector<double> p(count, 1);
+    std::vector<double> p_before(count);
+    std::vector<double> d(count);
+    std::vector<double> d_before(count);
+    std::vector<double> spin0(count);
+    std::vector<double> spin2(count);
+    for (std::size_t i = 0; i < count; ++i) d[i] = (1 + cosines[i]) * (1 + cosines[i]) / 4;
+    for (std::size_t k = 0; k < gain.size(); ++k) {
+        const auto l = static_cast<double>(k);
+        const double scale = gain[k] * (2 * l + 1) / (4 * pi);
+        const double p_now = (2 * l + 1) / (l + 1);
+        const double p_last = l / (l + 1);
+        for (std::size_t i = 0; i < count; ++i) {
+            spin0[i] += scale * p[i];
+            const double next = p_now * cosines[i] * p[i] - p_last * p_before[i];
+            p_before[i] = p[i];
+            p[i] = next;
+        }
+        if (k < 2) continue;
+        const double divisor = l * ((l + 1) * (l + 1) - 4);
+        const double d_now = (2 * l + 1) * l * (l + 1) / divisor;
+        const double d_constant = 4 * (2 * l + 1) / divisor;
+        const double d_last = (l + 1) * (l * l - 4) / divisor;
+        for (std::size_t i = 0; i < count; ++i) {
+            spin2[i] += scale * d[i];
+            const double next = (d_now * cosines[i] - d_constant) * d[i] - d_last * d_before[i];
+            d_before[i] = d[i];
+            d[i] = next;
+        }
+    }
+    for (std::size_t i = 0; i < count; ++i) out[i] = {spin0[i], spin2[i]};
+}
+
 }  // namespace
 
-ZonalKernel::Value zonal_sum(const std::vector<double>& gain, double cosine) {
-    ZonalKernel::Value sum{0, 0};
-    double p = 1;
-    double p_before = 0;
-    double d = (1 + cosine) * (1 + cosine) / 4;
-    double d_before = 0;
-    for (std::size_t i = 0; i < gain.size(); ++i) {
-        const auto l = static_cast<double>(i);
-        const double scale = gain[i] * (2 * l + 1) / (4 * pi);
-        sum.spin0 += scale * p;
-        const double p_next = ((2 * l + 1) * cosine * p - l * p_before) / (l + 1);
-        p_before = p;
-        p = p_next;
-        if (i < 2) continue;
-        sum.spin2 += scale * d;
-        const double d_next =
-            ((2 * l + 1) * (l * (l + 1) * cosine - 4) * d - (l + 1) * (l * l - 4) * d_before) /
-            (l * ((l + 1) * (l + 1) - 4));
-        d_before = d;
-        d = d_next;
-    }
+ZonalValue zonal_sum(const std::vector<double>& gain, double cosine) {
+    ZonalValue sum{};
+    add_orders(gain, std::span(&cosine, 1), std::span(&sum, 1));
     return sum;
 }
 
 ZonalKernel::ZonalKernel(const std::vector<double>& gain) {
     const std::size_t steps = std::max<std::size_t>(2048, 32 * gain.size());
+    std::vector<double> cosines;
     for (std::size_t i = 0; i <= steps; ++i) {
         const double distance = 2.0 * static_cast<double>(i) / static_cast<double>(steps);
-        table_.push_back(zonal_sum(gain, 1 - distance * distance / 2));
+        cosines.push_back(1 - distance * distance / 2);
     }
+    std::vector<ZonalValue> values(cosines.size());
+    add_orders(gain, cosines, values);
+    for (const ZonalValue& value : values)
+        table_.push_back({static_cast<float>(value.spin0), static_cast<float>(value.spin2)});
 }
 
-ZonalKernel::Value ZonalKernel::at(double distance2) const {
-    const double x = std::sqrt(std::min(distance2, 4.0)) / 2 * static_cast<double>(table_.size() - 1);
-    const std::size_t i = std::min(static_cast<std::size_t>(x), table_.size() - 2);
-    const double f = x - static_cast<double>(i);
-    return {table_[i].spin0 + f * (table_[i + 1].spin0 - table_[i].spin0),
-            table_[i].spin2 + f * (table_[i + 1].spin2 - table_[i].spin2)};
-}
-
-TapResponse tap_response(const Tap& tap, const ZonalKernel::Value& k, const Frame& from) {
+TapResponse tap_response(const Tap& tap, const ZonalValue& k, const Frame& from) {
     return {k.spin0, k.spin2 * std::conj(transport(from, tap.frame))};
 }
 

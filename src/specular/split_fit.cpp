@@ -3,14 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
 #include <glm/geometric.hpp>
 #include <numbers>
 #include <span>
 
 #include "harmonics/evaluate.hpp"
 #include "harmonics/light_layout.hpp"
-#include "material/lobe_quadrature.hpp"
 #include "material/matrix_rows.hpp"
 #include "specular/high_order_factors.hpp"
 #include "specular/high_order_gains.hpp"
@@ -86,7 +84,11 @@ std::array<Tap, SplitStencil::kCount> SplitStencil::taps(double theta_out) const
 }
 
 SplitFit::SplitFit(const Material& material, int l_low, int l_high, int channels)
-    : material_(material.isotropic()), l_low_(l_low), l_high_(l_high), channels_(channels) {
+    : material_(material.isotropic()),
+      l_low_(l_low),
+      l_high_(l_high),
+      channels_(channels),
+      half_(material_.matrix(0) == nullptr && material_.mirror_symmetric()) {
     std::vector<std::vector<double>> lobes;
     lobes.reserve(kLobes);
     for (const double width : kLobeWidths) lobes.push_back(gaussian_gains(width, l_low + 1, l_high));
@@ -105,8 +107,40 @@ SplitFit::SplitFit(const Material& material, int l_low, int l_high, int channels
     }
 }
 
-std::vector<SplitFactors> SplitFit::at(double theta_out, const SplitStencil& stencil) const {
-    const auto taps = stencil.taps(theta_out);
+std::vector<std::vector<SplitFactors>> SplitFit::at(double theta_out,
+                                                    std::span<const SplitStencil> stencils) const {
+    // Stencils share taps, such as the base.
+    std::vector<Tap> taps;
+    std::vector<std::array<std::size_t, SplitStencil::kCount>> of_stencils;
+    for (const SplitStencil& stencil : stencils) {
+        auto& indices = of_stencils.emplace_back();
+        const auto own = stencil.taps(theta_out);
+        for (std::size_t i = 0; i < own.size(); ++i) {
+            const auto found = std::ranges::find_if(
+                taps, [&](const Tap& tap) { return tap.lobe == own[i].lobe && tap.frame == own[i].frame; });
+            indices[i] = static_cast<std::size_t>(found - taps.begin());
+            if (found == taps.end()) taps.push_back(own[i]);
+        }
+    }
+    const Moments moments =
+        material_.matrix(0) != nullptr ? of_matrices(theta_out, taps) : integrated(theta_out, taps);
+
+    std::vector<std::vector<SplitFactors>> out;
+    for (std::size_t s = 0; s < stencils.size(); ++s) {
+        std::array<Tap, SplitStencil::kCount> own;
+        std::array<const std::vector<TapRows>*, SplitStencil::kCount> projections{};
+        for (std::size_t i = 0; i < own.size(); ++i) {
+            own[i] = taps[of_stencils[s][i]];
+            projections[i] = &moments[of_stencils[s][i]];
+        }
+        out.push_back(solved(stencils[s], own, projections));
+    }
+    return out;
+}
+
+std::vector<SplitFactors> SplitFit::solved(
+    const SplitStencil& stencil, const std::array<Tap, SplitStencil::kCount>& taps,
+    const std::array<const std::vector<TapRows>*, SplitStencil::kCount>& projections) const {
     constexpr std::size_t n = kSplitUnknowns;
     std::vector<double> normal(n * n);
     for (std::size_t i = 0; i < n; i += 4) {
@@ -133,92 +167,42 @@ std::vector<SplitFactors> SplitFit::at(double theta_out, const SplitStencil& ste
     if (!stencil.base) {
         for (std::size_t i = 0; i + 1 < n; ++i) normal[i * n + n - 1] = normal[(n - 1) * n + i] = 0;
     }
-    std::vector<Moments> of_terms = moments(theta_out, taps);
     std::vector<SplitFactors> out;
-    const bool by_matrix = material_.matrix(0) != nullptr;
-    std::vector<Moments> of_channels(static_cast<std::size_t>(channels_));
-    for (std::size_t c = 0; c < of_channels.size(); ++c) {
-        for (std::size_t t = 0; t < of_terms.size(); ++t) {
-            const double weight =
-                by_matrix ? (t == c ? 1.0 : 0.0) : material_.weight(static_cast<int>(t), static_cast<int>(c));
-            for (std::size_t p = 0; p < 4; ++p)
-                for (std::size_t u = 0; u < n; ++u)
-                    of_channels[c][p][u] += weight * kQuarterRotation[p] * of_terms[t][p][u];
-        }
+    for (std::size_t c = 0; c < static_cast<std::size_t>(channels_); ++c) {
+        std::array<SplitVector, 4> moments{};
+        for (std::size_t p = 0; p < 4; ++p)
+            for (std::size_t u = 0; u < n; ++u)
+                moments[p][u] = kQuarterRotation[p] * (*projections[u / 4])[c][p][u % 4];
+        if (half_) add_other_side(moments);
         if (!stencil.base)
-            for (SplitVector& row : of_channels[c]) row[n - 1] = 0;
-        SplitFactors factors{of_channels[c], {}};
+            for (SplitVector& row : moments) row[n - 1] = 0;
+        SplitFactors factors{moments, {}};
         std::vector<double> matrix = normal;
         solve(matrix, factors.of);
         for (std::size_t p = 0; p < 4; ++p)
             for (std::size_t u = 0; u < n; ++u)
-                factors.energy[p][kParts[u % 4]] += factors.of[p][u] * of_channels[c][p][u];
+                factors.energy[p][kParts[u % 4]] += factors.of[p][u] * moments[p][u];
         out.push_back(factors);
     }
     return out;
 }
 
-std::vector<SplitFit::Moments> SplitFit::moments(double theta_out,
-                                                 const std::array<Tap, SplitStencil::kCount>& taps) const {
-    return material_.matrix(0) != nullptr ? of_matrices(theta_out, taps) : integrated(theta_out, taps);
-}
-
-std::vector<SplitFit::Moments> SplitFit::integrated(double theta_out,
-                                                    const std::array<Tap, SplitStencil::kCount>& taps) const {
-    const auto terms = static_cast<std::size_t>(material_.terms());
-    double lobe = 0.25;
-    for (std::size_t t = 0; t < terms; ++t) lobe = std::min(lobe, material_.lobe_width(static_cast<int>(t)));
-    const glm::dvec3 viewer(std::sin(theta_out), 0, std::cos(theta_out));
-    const double narrow = std::min(1.0, lobe / std::max(lobe, viewer.x));
-    std::vector<QuadratureNode> azimuths = nodes_around(pi, 0, pi, narrow, pi / 8);
-    const bool symmetric = material_.mirror_symmetric();
-    if (!symmetric) {
-        const std::size_t half = azimuths.size();
-        azimuths.reserve(2 * half);
-        for (std::size_t i = 0; i < half; ++i) azimuths.push_back({-azimuths[i].x, azimuths[i].weight});
-    }
-
-    std::vector<Moments> out(terms);
-    std::vector<Mueller> muellers(terms);
-    for (const QuadratureNode& zenith : nodes_around(theta_out, 0, pi / 2, lobe, pi / 8)) {
-        const double sin_theta = std::sin(zenith.x);
-        const double cos_theta = std::cos(zenith.x);
-        for (const QuadratureNode& azimuth : azimuths) {
-            const double weight = zenith.weight * azimuth.weight * sin_theta * cos_theta;
-            const glm::dvec3 light(sin_theta * std::cos(azimuth.x), sin_theta * std::sin(azimuth.x),
-                                   cos_theta);
-            material_.evaluate_terms(light, viewer, muellers);
-            const Frame frame = theta_phi_frame(-light);
-            for (std::size_t i = 0; i < taps.size(); ++i) {
-                const auto lobe_index = static_cast<std::size_t>(taps[i].lobe);
-                const glm::dvec3 distance = taps[i].frame[2] - frame[2];
-                const ZonalKernel::Value kernel = kernels_[lobe_index].at(glm::dot(distance, distance));
-                const TapResponse k = tap_response(taps[i], kernel, frame);
-                const double scalar = weight * k.scalar;
-                const std::complex<double> spin2 = weight * k.spin2;
-                for (std::size_t t = 0; t < terms; ++t) {
-                    const Mueller& m = muellers[t];
-                    for (std::size_t p = 0; p < 4; ++p) {
-                        double* to = &out[t][p][4 * i];
-                        to[0] += scalar * m(p, 0);
-                        if (i + 1 == taps.size()) continue;
-                        to[1] += m(p, 1) * spin2.real() - m(p, 2) * spin2.imag();
-                        to[2] += m(p, 1) * spin2.imag() + m(p, 2) * spin2.real();
-                        to[3] += scalar * m(p, 3);
-                    }
-                }
+SplitFit::Moments SplitFit::integrated(double theta_out, std::span<const Tap> taps) const {
+    const Moments of_terms = tap_moments(material_, theta_out, taps, kernels_);
+    Moments out(taps.size(), std::vector<TapRows>(static_cast<std::size_t>(channels_)));
+    for (std::size_t i = 0; i < taps.size(); ++i)
+        for (std::size_t c = 0; c < out[i].size(); ++c)
+            for (std::size_t t = 0; t < of_terms[i].size(); ++t) {
+                const double weight = material_.weight(static_cast<int>(t), static_cast<int>(c));
+                for (std::size_t p = 0; p < 4; ++p)
+                    for (std::size_t q = 0; q < 4; ++q) out[i][c][p][q] += weight * of_terms[i][t][p][q];
             }
-        }
-    }
-    if (symmetric)
-        for (Moments& moments : out) add_other_side(moments);
     return out;
 }
 
-std::vector<SplitFit::Moments> SplitFit::of_matrices(
-    double theta_out, const std::array<Tap, SplitStencil::kCount>& taps) const {
-    std::vector<Moments> out(static_cast<std::size_t>(channels_));
-    for (std::size_t c = 0; c < out.size(); ++c) {
+SplitFit::Moments SplitFit::of_matrices(double theta_out, std::span<const Tap> taps) const {
+    Moments out(taps.size(), std::vector<TapRows>(static_cast<std::size_t>(channels_)));
+    for (std::size_t c = 0; c < static_cast<std::size_t>(channels_); ++c) {
         const IsotropicMatrix& matrix = *material_.matrix(static_cast<int>(c));
         const int order = std::min(l_high_, matrix.order_in());
         if (order <= l_low_) continue;
@@ -251,8 +235,7 @@ std::vector<SplitFit::Moments> SplitFit::of_matrices(
                 const glm::dvec3 direction = taps[i].frame[2];
                 const Stokes s = rotated(evaluate(field, 0, direction),
                                          angle_between(theta_phi_frame(direction), taps[i].frame));
-                const std::size_t count = i + 1 == taps.size() ? 1 : 4;
-                for (std::size_t q = 0; q < count; ++q) out[c][p][4 * i + q] = s[static_cast<int>(q)];
+                for (std::size_t q = 0; q < 4; ++q) out[i][c][p][q] = s[static_cast<int>(q)];
             }
         }
     }

@@ -3,10 +3,12 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include "material/material.hpp"
 #include "specular/lobe_tap.hpp"
+#include "specular/tap_moments.hpp"
 
 namespace nicol {
 
@@ -44,23 +46,27 @@ public:
     /// Keeps a reference to `material`, which must outlive the object.
     SplitFit(const Material& material, int l_low, int l_high, int channels);
 
-    /// Returns the factors [channel] at theta_out in [0, pi/2). Calls may run side by side.
-    [[nodiscard]] std::vector<SplitFactors> at(double theta_out, const SplitStencil& stencil) const;
+    /// Returns the factors [stencil][channel] at theta_out in [0, pi/2). Stencils share most of the work.
+    /// Calls may run side by side.
+    [[nodiscard]] std::vector<std::vector<SplitFactors>> at(double theta_out,
+                                                            std::span<const SplitStencil> stencils) const;
 
 private:
-    using Moments = std::array<SplitVector, 4>;
+    // Projections of the response onto taps, [tap][channel]; see half_.
+    using Moments = std::vector<std::vector<TapRows>>;
 
-    [[nodiscard]] std::vector<Moments> moments(double theta_out,
-                                               const std::array<Tap, SplitStencil::kCount>& taps) const;
-    [[nodiscard]] std::vector<Moments> integrated(double theta_out,
-                                                  const std::array<Tap, SplitStencil::kCount>& taps) const;
-    [[nodiscard]] std::vector<Moments> of_matrices(double theta_out,
-                                                   const std::array<Tap, SplitStencil::kCount>& taps) const;
+    [[nodiscard]] Moments integrated(double theta_out, std::span<const Tap> taps) const;
+    [[nodiscard]] Moments of_matrices(double theta_out, std::span<const Tap> taps) const;
+    // `projections`: of the stencil's taps, [tap].
+    [[nodiscard]] std::vector<SplitFactors> solved(
+        const SplitStencil& stencil, const std::array<Tap, SplitStencil::kCount>& taps,
+        const std::array<const std::vector<TapRows>*, SplitStencil::kCount>& projections) const;
 
     const Material& material_;
     int l_low_;
     int l_high_;
     int channels_;
+    bool half_;                                  // whether integrated() covers half the circle of azimuths
     std::vector<std::vector<double>> gains_;     // gains times the prior, [lobe][l]
     std::vector<std::vector<double>> products_;  // [lobe][lobe][l], gains of two lobes and prior
     std::vector<ZonalKernel> kernels_;           // kernels of gains_
