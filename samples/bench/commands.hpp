@@ -33,6 +33,9 @@ Report bench_pareto(const Options& options);
 /// Measures cost against the number of vertices and against the order.
 Report bench_scale(const Options& options);
 
+/// Measures errors far from the origin, on large floors and of close depths.
+Report bench_places(const Options& given);
+
 /// Measures what is saved by leaving out what a scene does not need.
 Report bench_skip(const Options& options);
 

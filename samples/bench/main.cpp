@@ -47,6 +47,10 @@ const Command commands[] = {
      {"--light", "--backend", "--cache", "--size", "--samples", "--orders", "--csv", "--json"},
      "errors of a plastic whose albedo, roughness and normals vary by textures, on a sphere and\n"
      "              on a floor under it"},
+    {"places",
+     bench_places,
+     {"--backend", "--cache", "--size", "--samples", "--csv", "--json"},
+     "errors far from the origin, on large floors and of close depths"},
     {"frame",
      bench_frame,
      {"SCENE.xml", "-D", "--light", "--backend", "--cache", "--size", "--orders", "--memory", "--seconds",
