@@ -109,7 +109,8 @@ struct Film {
     Camera camera;
     std::uint32_t width;
     std::uint32_t height;
-    bool luminance;  ///< one channel is requested
+    bool luminance;              ///< one channel is requested
+    std::uint32_t sample_count;  ///< 0: the file does not say
     std::uint32_t aovs;
 };
 

@@ -77,6 +77,7 @@ nicol_result nicol_scene_load(nicol_context context, const char* path, const cha
                        .width = static_cast<uint32_t>(loaded.width),
                        .height = static_cast<uint32_t>(loaded.height),
                        .luminance = loaded.luminance,
+                       .sample_count = loaded.sample_count,
                        .aovs = loaded.aovs};
         state->files = std::move(loaded.files);
         *scene = make_handle<nicol_scene_impl>(session, state);
@@ -230,6 +231,14 @@ nicol_result nicol_scene_get_film_size(nicol_scene scene, uint32_t* width, uint3
         const Film& film = film_of(*self.content);
         *width = film.width;
         *height = film.height;
+    });
+}
+
+nicol_result nicol_scene_get_sample_count(nicol_scene scene, uint32_t* samples) {
+    return guarded([&] {
+        const nicol_scene_impl& self = resolve(scene);
+        require(samples, "samples");
+        *samples = film_of(*self.content).sample_count;
     });
 }
 

@@ -1062,6 +1062,9 @@ NICOL_API nicol_result nicol_scene_get_camera(nicol_scene scene, nicol_camera* c
 /* Gets the film size of a loaded file, in pixels. Returns NICOL_ERROR_UNSUPPORTED for a scene that was not
  * loaded. */
 NICOL_API nicol_result nicol_scene_get_film_size(nicol_scene scene, uint32_t* width, uint32_t* height);
+/* Gets the samples of a pixel that the sampler of a loaded file asks for, 0 if there is no sampler; for the
+ * pixel_samples of nicol_render_options. Returns NICOL_ERROR_UNSUPPORTED for a scene that was not loaded. */
+NICOL_API nicol_result nicol_scene_get_sample_count(nicol_scene scene, uint32_t* samples);
 /* Gets the AOVs that the integrators of a loaded file ask for, a sum of NICOL_AOV_... for
  * nicol_render_options. Returns NICOL_ERROR_UNSUPPORTED for a scene that was not loaded. */
 NICOL_API nicol_result nicol_scene_get_aovs(nicol_scene scene, uint32_t* aovs);

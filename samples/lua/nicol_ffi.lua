@@ -571,6 +571,7 @@ nicol_result nicol_scene_get_polarization_element_count(nicol_scene scene, uint3
 nicol_result nicol_scene_get_polarization_element_ids(nicol_scene scene, uint32_t* ids, uint64_t count);
 nicol_result nicol_scene_get_camera(nicol_scene scene, nicol_camera* camera);
 nicol_result nicol_scene_get_film_size(nicol_scene scene, uint32_t* width, uint32_t* height);
+nicol_result nicol_scene_get_sample_count(nicol_scene scene, uint32_t* samples);
 nicol_result nicol_scene_get_aovs(nicol_scene scene, uint32_t* aovs);
 nicol_result nicol_scene_get_file_count(nicol_scene scene, uint32_t* count);
 nicol_result nicol_scene_get_file(nicol_scene scene, uint32_t index, nicol_scene_file* file);
@@ -837,6 +838,7 @@ return {
         scene_get_polarization_element_ids = true,
         scene_get_camera = true,
         scene_get_film_size = true,
+        scene_get_sample_count = true,
         scene_get_aovs = true,
         scene_get_file_count = true,
         scene_get_file = true,

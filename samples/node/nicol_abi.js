@@ -905,6 +905,7 @@ export const functions = {
   scene_get_polarization_element_ids: ["nicol_result nicol_scene_get_polarization_element_ids(nicol_scene scene, _Out_ uint32_t *ids, uint64_t count)", true, null],
   scene_get_camera: ["nicol_result nicol_scene_get_camera(nicol_scene scene, _Inout_ nicol_camera *camera)", true, null],
   scene_get_film_size: ["nicol_result nicol_scene_get_film_size(nicol_scene scene, _Out_ uint32_t *width, _Out_ uint32_t *height)", true, null],
+  scene_get_sample_count: ["nicol_result nicol_scene_get_sample_count(nicol_scene scene, _Out_ uint32_t *samples)", true, null],
   scene_get_aovs: ["nicol_result nicol_scene_get_aovs(nicol_scene scene, _Out_ uint32_t *aovs)", true, null],
   scene_get_file_count: ["nicol_result nicol_scene_get_file_count(nicol_scene scene, _Out_ uint32_t *count)", true, null],
   scene_get_file: ["nicol_result nicol_scene_get_file(nicol_scene scene, uint32_t index, _Inout_ nicol_scene_file *file)", true, null],

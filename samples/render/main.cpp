@@ -2,6 +2,8 @@
 // nicol-render: a program that renders a scene file to a Stokes image, using only the C ABI.
 #include <nicol.h>
 
+#include <algorithm>
+#include <cstdint>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -60,6 +62,15 @@ Framebuffer make_framebuffer(nicol_context context, nicol_scene scene, const Opt
     return Framebuffer(framebuffer);
 }
 
+// Returns the samples of a pixel that the scene asks for, within what real time is for.
+std::uint32_t samples_of(nicol_scene scene) {
+    constexpr std::uint32_t without_sampler = 8;
+    constexpr std::uint32_t most = 64;
+    std::uint32_t count = 0;
+    check(nicol_scene_get_sample_count(scene, &count));
+    return count == 0 ? without_sampler : std::min(count, most);
+}
+
 void render(nicol_scene scene, nicol_framebuffer framebuffer, const Options& options, ProgressBar& progress) {
     nicol_camera camera = NICOL_CAMERA_INIT;
     check(nicol_scene_get_camera(scene, &camera));
@@ -70,7 +81,7 @@ void render(nicol_scene scene, nicol_framebuffer framebuffer, const Options& opt
     wanted.order_high = options.order_high.value_or(wanted.order_high);
     wanted.high_orders = options.high_orders;
     wanted.shade_at = options.shade_at;
-    wanted.pixel_samples = options.pixel_samples;
+    wanted.pixel_samples = options.pixel_samples ? *options.pixel_samples : samples_of(scene);
     wanted.tolerance = options.tolerance.value_or(wanted.tolerance);
     wanted.components = options.components;
     check(nicol_scene_get_aovs(scene, &wanted.aovs));

@@ -31,7 +31,7 @@ struct Options {
     std::optional<std::uint32_t> order_low, order_high;
     nicol_high_orders high_orders = NICOL_HIGH_ORDERS_SPLIT;
     nicol_shade_at shade_at = NICOL_SHADE_AT_AUTOMATIC;
-    std::uint32_t pixel_samples = 1;
+    std::optional<std::uint32_t> pixel_samples;  ///< none: as the scene asks
     std::optional<double> tolerance;
     nicol_components components = NICOL_COMPONENTS_ALL;
     bool shadows = true;

@@ -260,6 +260,7 @@ LoadedScene load_scene(const std::filesystem::path& file, const SceneParameters&
     out.width = sensor.crop ? sensor.crop->size.x : sensor.width;
     out.height = sensor.crop ? sensor.crop->size.y : sensor.height;
     out.luminance = description.sensor.luminance;
+    out.sample_count = sensor.sample_count;
     out.aovs = description.integrator.aovs;
     return out;
 }

@@ -25,7 +25,7 @@ public:
         if (scene_.shapes.empty() && scene_.elements.empty())
             document_.fail(document_.root(), "no <shape>; expected at least one");
         for (const pugi::xml_node node : document_.left_open())
-            notices_.add(node, "a $parameter that has no value, of a sampler, which is not followed");
+            notices_.add(node, "a $parameter that has no value, of a sampler; it is not followed");
         scene_.files = document_.files();
         scene_.notices = notices_.take();
         return std::move(scene_);

@@ -45,7 +45,8 @@ struct SensorDescription {
     std::optional<Crop> crop;  ///< none: all of it
     /// Offset of the film's middle from the view direction, right and down, in its widths and heights.
     glm::dvec2 principal_point_offset{0.0};
-    bool luminance = false;  ///< the film has one channel, the luminance
+    bool luminance = false;          ///< the film has one channel, the luminance
+    std::uint32_t sample_count = 0;  ///< samples of a pixel that the sampler asks for; 0: there is no sampler
 };
 
 /// The horizontal field of view of an image, in degrees, from that along an axis and width over height.
@@ -154,18 +155,19 @@ using SceneParameters = std::map<std::string, std::string>;
 /// state of the area lights that they stand directly before, see PolarizationElements, as at normal
 /// incidence; others are elements of the scene, and for load_scene() to put before its lights. An emissive
 /// shape and has no bsdf is black, another without one is grey. An instance becomes a shape for each member
-/// of its group. Integrators but for their AOVs and hide_emitters, sampler and reconstruction filter are not
-/// followed, which one notice says; a roughness that differs by direction has a notice that says where it is
-/// followed, and of pplastic becomes its geometric mean. <rgb> takes one value, three, or #rrggbb, which is
-/// linear n / 255; <spectrum> a file, too, of lines with a wavelength in nm and a value, behind # a comment,
-/// which is read. Other filenames are not opened, but looked for: in the folders of <path>, the newest first,
-/// in the folder of the file that holds them, then in those of the files that include it; where none has the
-/// file, the name is relative to the folder of the file. Throws Error: file_not_found (also of an <include>);
-/// unsupported (a plug-in, element or value outside the above; files of more than 16 MiB together, or more
-/// than 1000); invalid_file (XML that is not well-formed, unknown or missing parameters, values out of range,
-/// undefined $parameters but of samplers, ids that are missing or doubled, includes in a circle or more than
-/// 15 deep) as file:line, plug-in and parameter with what is accepted and, within an included file, who
-/// includes it; invalid_argument (an entry of `parameters` that the files never use).
+/// of its group. Integrators but for their AOVs and hide_emitters, samplers but for their sample_count, and
+/// reconstruction filters are not followed, which one notice says; a roughness that differs by direction has
+/// a notice that says where it is followed, and of pplastic becomes its geometric mean. <rgb> takes one
+/// value, three, or #rrggbb, which is linear n / 255; <spectrum> a file, too, of lines with a wavelength in
+/// nm and a value, behind # a comment, which is read. Other filenames are not opened, but looked for: in the
+/// folders of <path>, the newest first, in the folder of the file that holds them, then in those of the files
+/// that include it; where none has the file, the name is relative to the folder of the file. Throws Error:
+/// file_not_found (also of an <include>); unsupported (a plug-in, element or value outside the above; files
+/// of more than 16 MiB together, or more than 1000); invalid_file (XML that is not well-formed, unknown or
+/// missing parameters, values out of range, undefined $parameters but of samplers, ids that are missing or
+/// doubled, includes in a circle or more than 15 deep) as file:line, plug-in and parameter with what is
+/// accepted and, within an included file, who includes it; invalid_argument (an entry of `parameters` that
+/// the files never use).
 [[nodiscard]] SceneDescription read_mitsuba_scene(const std::filesystem::path& file,
                                                   const SceneParameters& parameters = {},
                                                   const LoadBudget& budget = {});

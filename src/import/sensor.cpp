@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // <sensor> and its <film>.
+#include <charconv>
 #include <cmath>
 #include <glm/matrix.hpp>
 #include <numbers>
@@ -77,6 +78,21 @@ bool is_rigid(const glm::dmat4& m) {
 
 }  // namespace
 
+/// Returns the number of samples of a pixel. The kind of sampler has no effect.
+std::uint32_t sample_count_of(pugi::xml_node sampler, Notices& notices) {
+    constexpr std::uint32_t otherwise = 4;  // as in Mitsuba
+    constexpr std::uint32_t most = 1 << 30;
+    const pugi::xml_node node = sampler.find_child_by_attribute("integer", "name", "sample_count");
+    if (!node) return otherwise;
+    const std::string_view text = node.attribute("value").value();
+    std::uint32_t count = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), count);
+    if (error == std::errc() && end == text.data() + text.size() && count >= 1 && count <= most) return count;
+    notices.add(node, "sample_count is " + in_quotes(std::string(text)) + ", no whole number from 1 to " +
+                          std::to_string(most) + "; " + std::to_string(otherwise) + " is taken");
+    return otherwise;
+}
+
 /// Without `fov`, the diagonal of 35 mm film behind a lens of this focal length.
 void read_field_of_view(Plugin& plugin, double& fov, SensorDescription::FovAxis& axis) {
     const bool has_fov = plugin.has("fov");
@@ -135,8 +151,7 @@ SensorDescription read_sensor(const XmlDocument& document, pugi::xml_node node, 
         if (std::string_view(object.node.name()) == "film")
             read_film(document, object.node, sensor, notices);
         else
-            notices.add_unfollowed(object.node,
-                                   "sampler " + in_quotes(object.node.attribute("type").value()));
+            sensor.sample_count = sample_count_of(object.node, notices);
     }
     if (sensor.kind == SensorDescription::Kind::perspective) {
         const double horizontal = horizontal_fov(sensor);

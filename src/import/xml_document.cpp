@@ -112,7 +112,7 @@ private:
         }
     }
 
-    // Nothing of a picture depends on a sampler.
+    // A sampler may leave parameters open: what a picture shows does not depend on them.
     static bool inside_sampler(pugi::xml_node node) {
         while (node && !is(node, "sampler")) node = node.parent();
         return static_cast<bool>(node);

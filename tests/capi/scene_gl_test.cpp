@@ -110,6 +110,7 @@ CONTEXT_TEST_CASE("a scene has the channels of its parts, which must fit, and no
     std::uint32_t width = 5, height = 6;
     FAILS(nicol_scene_get_camera(scene, &camera), NICOL_ERROR_UNSUPPORTED, "camera");
     FAILS(nicol_scene_get_film_size(scene, &width, &height), NICOL_ERROR_UNSUPPORTED, "film");
+    FAILS(nicol_scene_get_sample_count(scene, &width), NICOL_ERROR_UNSUPPORTED, "film");
     FAILS(nicol_scene_get_aovs(scene, &width), NICOL_ERROR_UNSUPPORTED, "film");
     CHECK((camera.fov == 12 && width == 5 && height == 6));
 

@@ -376,6 +376,7 @@ class CallTest(unittest.TestCase):
                            '</sensor><emitter type="constant"/><shape type="cube"><bsdf type="diffuse"/></shape></scene>')  # fmt: skip
             with nicol.Scene.load(context, path, ["w=17"]) as scene:
                 self.assertEqual(scene.get_film_size(), (17, 2))
+                self.assertEqual(scene.get_sample_count(), 0)
                 nicol.render(scene, camera(), None, nicol.Framebuffer.create(context, 17, 2, scene.get_channels()))
         self.assertTrue(any("/dev/null/x" in line for line in lines), lines)
 

@@ -21,6 +21,7 @@ TEST_CASE("defaults are Mitsuba's") {
                                     "<shape type='sphere'><bsdf type='pplastic'/></shape>");
     CHECK(s.sensor.kind == SensorDescription::Kind::orthographic);
     CHECK(s.sensor.width == 768);
+    CHECK(s.sensor.sample_count == 0);
     CHECK(s.sensor.height == 576);
     CHECK(s.sensor.near_clip == 1e-2);
     CHECK(s.sensor.far_clip == 1e4);
@@ -122,9 +123,31 @@ TEST_CASE("everything that a scene can hold is read") {
     CHECK(plastic.parameters.distribution == Distribution::ggx);
     REQUIRE(s.notices.size() == 2);
     CHECK(s.notices[0] == file.scene().string() +
-                              ":4: not followed: integrator \"stokes\", integrator \"direct\", sampler "
-                              "\"independent\", rfilter \"box\".");
+                              ":4: not followed: integrator \"stokes\", integrator \"direct\", "
+                              "rfilter \"box\".");
     CHECK(s.notices[1].find("scene.xml:12: only the first") != std::string::npos);
+}
+
+TEST_CASE("the number of samples of a pixel is the sampler's") {
+    struct Case {
+        std::string sampler;
+        std::uint32_t count;
+        std::size_t notices;
+    };
+    const std::initializer_list<Case> cases = {
+        {"<sampler type='independent'/>", 4, 0},
+        {"<sampler type='multijitter'><integer name='sample_count' value='256'/></sampler>", 256, 0},
+        {"<sampler type='ldsampler'><integer name='seed' value='1'/></sampler>", 4, 0},
+        {"<sampler type='independent'><integer name='sample_count' value='0'/></sampler>", 4, 1},
+        {"<sampler type='independent'><integer name='sample_count' value='many'/></sampler>", 4, 1}};
+    for (const Case& one : cases) {
+        CAPTURE(one.sampler);
+        const SceneFile file(::scene("<sensor type='perspective'><float name='fov' value='40'/>" +
+                                     one.sampler + "</sensor>" + a_shape));
+        const SceneDescription s = read_mitsuba_scene(file.scene());
+        CHECK(s.sensor.sample_count == one.count);
+        CHECK(s.notices.size() == one.notices);
+    }
 }
 
 TEST_CASE("our own emitters") {

@@ -1400,6 +1400,13 @@ class Scene(Handle):
         check(_scene_get_film_size(self, byref(width), byref(height)))
         return width.value, height.value
 
+    def get_sample_count(self):
+        """Gets the samples of a pixel that the sampler of a loaded file asks for, 0 if there is no sampler; for the
+        pixel_samples of nicol_render_options. Returns NICOL_ERROR_UNSUPPORTED for a scene that was not loaded."""
+        samples = c_uint32()
+        check(_scene_get_sample_count(self, byref(samples)))
+        return samples.value
+
     def get_aovs(self):
         """Gets the AOVs that the integrators of a loaded file ask for, a sum of NICOL_AOV_... for
         nicol_render_options. Returns NICOL_ERROR_UNSUPPORTED for a scene that was not loaded."""
@@ -1892,6 +1899,7 @@ _scene_get_polarization_element_count = declare("nicol_scene_get_polarization_el
 _scene_get_polarization_element_ids = declare("nicol_scene_get_polarization_element_ids", c_int32, Scene, POINTER(c_uint32), c_uint64)
 _scene_get_camera = declare("nicol_scene_get_camera", c_int32, Scene, POINTER(Camera))
 _scene_get_film_size = declare("nicol_scene_get_film_size", c_int32, Scene, POINTER(c_uint32), POINTER(c_uint32))
+_scene_get_sample_count = declare("nicol_scene_get_sample_count", c_int32, Scene, POINTER(c_uint32))
 _scene_get_aovs = declare("nicol_scene_get_aovs", c_int32, Scene, POINTER(c_uint32))
 _scene_get_file_count = declare("nicol_scene_get_file_count", c_int32, Scene, POINTER(c_uint32))
 _scene_get_file = declare("nicol_scene_get_file", c_int32, Scene, c_uint32, POINTER(SceneFile))

@@ -1971,6 +1971,9 @@ extern "C" {
     /// Gets the film size of a loaded file, in pixels. Returns NICOL_ERROR_UNSUPPORTED for a scene that was not
     /// loaded.
     pub fn nicol_scene_get_film_size(scene: nicol_scene, width: *mut u32, height: *mut u32) -> nicol_result;
+    /// Gets the samples of a pixel that the sampler of a loaded file asks for, 0 if there is no sampler; for the
+    /// pixel_samples of nicol_render_options. Returns NICOL_ERROR_UNSUPPORTED for a scene that was not loaded.
+    pub fn nicol_scene_get_sample_count(scene: nicol_scene, samples: *mut u32) -> nicol_result;
     /// Gets the AOVs that the integrators of a loaded file ask for, a sum of NICOL_AOV_... for
     /// nicol_render_options. Returns NICOL_ERROR_UNSUPPORTED for a scene that was not loaded.
     pub fn nicol_scene_get_aovs(scene: nicol_scene, aovs: *mut u32) -> nicol_result;
