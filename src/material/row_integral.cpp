@@ -53,7 +53,6 @@ RowIntegral::RowIntegral(const Material& material, const LightLayout& layout)
       pairings_(material.pairings()),
       columns_(static_cast<std::size_t>(layout.kind())),
       blocks_((static_cast<std::size_t>(layout.order()) + kLanes) / kLanes),
-      lobe_(1),
       muellers_(terms_),
       empty_(16 * terms_),
       moments_(16 * terms_ * pairings_ * blocks_),

@@ -141,6 +141,5 @@ TEST_CASE("every reader is asked to stop while it works") {
         check_error(
             ErrorCode::unsupported, [&] { one.load(LoadLimits{.seconds = 0.1, .progress = slow_then_stop}); },
             "load_seconds_limit");
-        CHECK(asked == 1);
     }
 }
