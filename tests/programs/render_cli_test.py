@@ -315,7 +315,7 @@ class Success(RenderTest):
     def test_physical(self):
         # A bright ring's lowest orders are negative between the ring and its poles, and a metal shows these values.
         self.write_ring(1000)
-        orders = ["ring.xml", "--order-low", "4"]
+        orders = ["ring.xml", "--order-low", "4", "--shade-at", "vertices"]
         self.assertGreater(self.image_and_statistics(*orders)[1]["unphysical"], 0)
         self.assertEqual(self.image_and_statistics(*orders, "--no-physical")[1]["unphysical"], 0)
 
