@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "commands.hpp"
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
-#include <limits>
 #include <sstream>
 #include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "comparison.hpp"
 #include "temporary_folder.hpp"
@@ -92,7 +92,7 @@ std::vector<double> difference(const Image& moved, const Image& still) {
     return {errors[0], errors[1], errors[2]};
 }
 
-std::string power_of_ten(double number) {
+std::string shortest(double number) {
     char text[32];
     std::snprintf(text, sizeof text, "%g", number);
     return text;
@@ -106,7 +106,7 @@ void add_walls(Report& report, Options options, const std::filesystem::path& fil
         std::size_t hidden = 0;
         const std::size_t pixels = std::size_t{size} * size;
         for (std::size_t i = 0; i < pixels; ++i) hidden += image.stokes[4 * i] > 0.5F ? 1 : 0;
-        report.note("Walls 1,000 and " + power_of_ten(1000 + apart) + " away: " + std::to_string(hidden) +
+        report.note("Walls 1,000 and " + shortest(1000 + apart) + " away: " + std::to_string(hidden) +
                     " of " + std::to_string(pixels) + " pixels show the hidden one.");
     }
 }
@@ -128,9 +128,9 @@ Report bench_places(const Options& given) {
             const Image still = rendered(options, wanted, size);
             for (const double offset : {1e4, 1e6, 1e9}) {
                 write_ball(file, {.offset = offset, .light = light});
-                report.add(std::string(light) + ", moved by " + power_of_ten(offset) + ", " + method +
-                               " against itself",
-                           difference(rendered(options, wanted, size), still));
+                report.add(
+                    std::string(light) + ", moved by " + shortest(offset) + ", " + method + " against itself",
+                    difference(rendered(options, wanted, size), still));
             }
         };
         add("by default", usual().options());
@@ -143,7 +143,7 @@ Report bench_places(const Options& given) {
             const Comparison comparison(source, size, samples, true);
             const StokesErrors errors = comparison.errors(usual());
             report.add(
-                std::string(light) + ", a floor of " + power_of_ten(floor) + " times the ball, against rays",
+                std::string(light) + ", a floor of " + shortest(floor) + " times the ball, against rays",
                 {errors[0], errors[1], errors[2]});
         }
     }

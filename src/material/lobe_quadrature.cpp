@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "material/material.hpp"
+
 namespace nicol {
 namespace {
 
@@ -47,6 +49,19 @@ std::vector<QuadratureNode> nodes_around(double peak, double low, double high, d
     add_side(nodes, std::clamp(peak, low, high), low, narrow, wide);
     add_side(nodes, std::clamp(peak, low, high), high, narrow, wide);
     return nodes;
+}
+
+LobePanels lobe_panels(double theta_out, double lobe) {
+    // Eight nodes follow a Gaussian or a facet distribution over this many widths.
+    const double narrow = 3 * lobe;
+    // A tilt of a facet across the plane of incidence turns reflected light by less the lower the light is.
+    return {narrow, narrow * std::max(lobe, std::cos(theta_out)) / std::max(lobe, std::sin(theta_out))};
+}
+
+double narrowest_lobe(const Material& material) {
+    double narrowest = 1;
+    for (int t = 0; t < material.terms(); ++t) narrowest = std::min(narrowest, material.lobe_width(t));
+    return narrowest;
 }
 
 }  // namespace nicol

@@ -42,10 +42,8 @@ IsotropicMatrix project_material(const Material& material, int channel, int orde
     IsotropicMatrix matrix(order, order);
     // Rows vary as fast as the harmonics, and faster within a lobe's width of the horizon, because the
     // horizon cuts the lobe off.
-    double lobe = 1;
-    for (int t = 0; t < material.terms(); ++t) lobe = std::min(lobe, material.lobe_width(t));
     const std::vector<QuadratureNode> nodes =
-        nodes_around(pi / 2, 0, pi / 2, lobe / 4, std::min(pi / 8, 2 * pi / (order + 1)));
+        nodes_around(pi / 2, 0, pi / 2, narrowest_lobe(material) / 4, std::min(pi / 8, 2 * pi / (order + 1)));
     const std::size_t set = 4 * material.pairings() * layout.row_size();
     std::vector<double> rows(nodes.size() * set);
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, nodes.size()), [&](const auto& range) {

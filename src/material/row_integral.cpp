@@ -53,6 +53,7 @@ RowIntegral::RowIntegral(const Material& material, const LightLayout& layout)
       pairings_(material.pairings()),
       columns_(static_cast<std::size_t>(layout.kind())),
       blocks_((static_cast<std::size_t>(layout.order()) + kLanes) / kLanes),
+      lobe_(narrowest_lobe(material_)),
       muellers_(terms_),
       empty_(16 * terms_),
       moments_(16 * terms_ * pairings_ * blocks_),
@@ -60,19 +61,16 @@ RowIntegral::RowIntegral(const Material& material, const LightLayout& layout)
       spin2_(psh_count(layout.order())),
       first_(layout.row_size()),
       second_(layout.row_size()),
-      rows_(4 * terms_ * pairings_ * layout.row_size()) {
-    for (int t = 0; t < material.terms(); ++t) lobe_ = std::min(lobe_, material_.lobe_width(t));
-}
+      rows_(4 * terms_ * pairings_ * layout.row_size()) {}
 
 std::span<const double> RowIntegral::integrate(double theta_out) {
     std::ranges::fill(rows_, 0.0);
     // Eight nodes per panel resolve a wave and a half to six digits.
     const double wide = std::min(pi / 4, 3 * pi / (layout_.order() + 1));
     const glm::dvec3 viewer(std::sin(theta_out), 0, std::cos(theta_out));
-    const double narrow = kPanelsOfLobe * lobe_;
-    // A tilt of a facet across the plane of incidence turns reflected light by less the lower the light is.
-    place_azimuths(narrow * std::max(lobe_, viewer.z) / std::max(lobe_, viewer.x), wide);
-    for (const QuadratureNode& node : nodes_around(theta_out, 0, pi / 2, narrow, wide)) {
+    const LobePanels narrow = lobe_panels(theta_out, lobe_);
+    place_azimuths(narrow.azimuth, wide);
+    for (const QuadratureNode& node : nodes_around(theta_out, 0, pi / 2, narrow.zenith, wide)) {
         evaluate_circle(node.x, viewer);
         take_moments();
         // Propagation is opposite: theta_p = pi - theta, which exchanges sine and cosine of the half angle.

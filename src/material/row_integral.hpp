@@ -41,7 +41,7 @@ private:
     std::size_t pairings_;
     std::size_t columns_;  // of the Mueller matrices
     std::size_t blocks_;   // sixteens that order + 1 waves fill
-    double lobe_ = 1;      // smallest lobe width of all terms
+    double lobe_;          // smallest lobe width of all terms
     std::vector<AzimuthNode> azimuths_;
     std::vector<Lanes> cosines_, sines_;  // [node][block] of m phi_p; azimuth of propagation phi_p = phi + pi
     std::vector<LaneMueller> muellers_;   // [term]

@@ -8,6 +8,7 @@
 #include <glm/matrix.hpp>
 #include <vector>
 
+#include "material/lobe_quadrature.hpp"
 #include "polarization/viewpoint.hpp"
 #include "surfaces/geometry.hpp"
 #include "surfaces/rigid_motion.hpp"
@@ -22,9 +23,7 @@ constexpr std::size_t kMostTriangles = 4096;
 constexpr double kVarying = 0.3;
 
 double highest_order(const Material& material, int order) {
-    double narrowest = 1;
-    for (int t = 0; t < material.terms(); ++t) narrowest = std::min(narrowest, material.lobe_width(t));
-    return std::min(1 / narrowest, static_cast<double>(order));
+    return std::min(1 / narrowest_lobe(material), static_cast<double>(order));
 }
 
 /// Predicts the error of shading at vertices instead of pixels, relative to the RMS of s0, in a view of

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::string_view kMagic("NICOLHO\0", 8);
 // Version of the files; raise it whenever the numbers of any fit change.
-constexpr std::uint32_t kVersion = 2;
+constexpr std::uint32_t kVersion = 3;
 
 std::string key_of(const std::string& content, int l_low, int l_high, int channels) {
     return Key(content)

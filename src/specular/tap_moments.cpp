@@ -36,6 +36,16 @@ struct LaneKernel {
     Lanes scalar, real, imaginary;
 };
 
+// Computes the kernels of a tap at directions towards light.
+template <class Number>
+[[gnu::always_inline]] inline void look_up(const LaneTap& tap, const Vector3<Number>& light, Number& spin0,
+                                           Number& spin2) {
+    const Vector3<Number> apart{tap.z.x + light.x, tap.z.y + light.y, tap.z.z + light.z};
+    Number distance2;
+    dot(apart, apart, distance2);
+    tap.kernel->at(distance2, spin0, spin2);
+}
+
 // Computes the kernel of s0 and s3.
 template <class Number>
 [[gnu::always_inline]] inline void evaluate_scalar_kernel(const LaneTap& tap, const Incident& incident,
@@ -45,12 +55,9 @@ template <class Number>
         Number weight;
         load_part(incident.light, first, light);
         load_part(incident.weight, first, weight);
-        const Vector3<Number> apart{tap.z.x + light.x, tap.z.y + light.y, tap.z.z + light.z};
-        Number distance2;
-        dot(apart, apart, distance2);
         Number scalar;
         Number spin2;
-        tap.kernel->at(distance2, scalar, spin2);
+        look_up(tap, light, scalar, spin2);
         store_part<Number>(weight * scalar, first, out);
     }
 }
@@ -70,12 +77,9 @@ template <class Number>
         load_part(incident.light, first, light);
         load_part(incident.weight, first, weight);
 
-        const Vector3<Number> apart{tap.z.x + light.x, tap.z.y + light.y, tap.z.z + light.z};
-        Number distance2;
-        dot(apart, apart, distance2);
         Number scalar;
         Number spin2;
-        tap.kernel->at(distance2, scalar, spin2);
+        look_up(tap, light, scalar, spin2);
 
         Number start_x, start_y, end_x, end_y, same_x, same_y;
         dot(tap.z, theta, start_x);
@@ -162,12 +166,8 @@ std::vector<LaneTap> in_lanes(std::span<const Tap> taps, std::span<const ZonalKe
 // Returns directions that resolve a lobe about the mirror direction, with the factor cos(theta) of the
 // reflection integral in their weights.
 std::vector<Incident> directions_about(double theta_out, double lobe, bool half) {
-    const double sine = std::sin(theta_out);
-    const double cosine = std::cos(theta_out);
-    const double narrow = kPanelsOfLobe * lobe;
-    // A tilt of a facet across the plane of incidence turns reflected light by less the lower the light is.
-    const std::vector<QuadratureNode> azimuths =
-        nodes_around(pi, 0, pi, narrow * std::max(lobe, cosine) / std::max(lobe, sine), pi / 8);
+    const LobePanels narrow = lobe_panels(theta_out, lobe);
+    const std::vector<QuadratureNode> azimuths = nodes_around(pi, 0, pi, narrow.azimuth, pi / 8);
     struct Azimuth {
         float cos_phi, sin_phi, weight;
     };
@@ -179,7 +179,7 @@ std::vector<Incident> directions_about(double theta_out, double lobe, bool half)
         circle.push_back(circle.back());
         circle.back().sin_phi = -s;
     }
-    const std::vector<QuadratureNode> zeniths = nodes_around(theta_out, 0, pi / 2, narrow, pi / 8);
+    const std::vector<QuadratureNode> zeniths = nodes_around(theta_out, 0, pi / 2, narrow.zenith, pi / 8);
     const std::size_t count = zeniths.size() * circle.size();
     std::vector<Incident> out((count + kLanes - 1) / kLanes);
     std::size_t n = 0;
@@ -214,8 +214,7 @@ std::vector<std::vector<TapRows>> tap_moments(const Material& material, double t
                                               std::span<const Tap> taps,
                                               std::span<const ZonalKernel> kernels) {
     const auto terms = static_cast<std::size_t>(material.terms());
-    double lobe = 0.25;
-    for (int t = 0; t < material.terms(); ++t) lobe = std::min(lobe, material.lobe_width(t));
+    const double lobe = std::min(0.25, narrowest_lobe(material));
     const std::vector<Incident> directions = directions_about(theta_out, lobe, material.mirror_symmetric());
     const std::vector<LaneTap> lane_taps = in_lanes(taps, kernels);
 
