@@ -66,10 +66,12 @@ CONTEXT_TEST_CASE("skips leave the image as it is, and count") {
         for (const std::uint32_t skip : every_skip) {
             CAPTURE(skip);
             options.disabled_optimisations = skip;
-            CHECK(largest_difference(skipping, pair.render(options)) < 1e-6 * brightest);
+            const auto off = [&](std::uint32_t which) { return (skip & which) != 0; };
+            // Tables of other light have other interpolated angles, each with an error of up to 1e-5.
+            const double tolerance = off(NICOL_OPTIMISATION_LIGHT_COMPONENTS) ? 1e-5 : 1e-6;
+            CHECK(largest_difference(skipping, pair.render(options)) < tolerance * brightest);
             const nicol_statistics s = statistics_of(pair.framebuffer);
             CHECK(s.draw_ms > 0);
-            const auto off = [&](std::uint32_t which) { return (skip & which) != 0; };
             CHECK((s.light_columns_skipped == 0) == off(NICOL_OPTIMISATION_LIGHT_COMPONENTS));
             CHECK((s.channels_shared == 0) == (off(NICOL_OPTIMISATION_CHANNELS) || !grey));
             CHECK(s.order == (off(NICOL_OPTIMISATION_ORDERS) ? 9 : 4));
