@@ -10,6 +10,7 @@
 #include <optional>
 #include <span>
 
+#include "shading/spherical_triangle.hpp"
 #include "simd/dispatch.hpp"
 
 namespace nicol {
@@ -244,9 +245,46 @@ float SurfaceSource::angular_radius(const glm::vec3& from) const noexcept {
     return angular_radius_of_ball(from, centre_, radius_);
 }
 
+void SurfaceSource::sample_near(std::size_t patch, const glm::dvec3& point, double u, double v,
+                                std::size_t lane, LaneLight& out, Lanes& factor,
+                                std::array<Lanes, 2>& weights) const {
+    const Patch& of = patches_[patch];
+    const glm::dvec3 first(of.first), second(of.second), corner = glm::dvec3(of.corner) - point;
+    const glm::dvec3 far = corner + first + second;
+    const double height = -glm::dot(glm::dvec3(of.normal), corner);  // of the point above the patch
+    const bool whole = of.parallelogram > 0;
+    const SphericalTriangle triangles[] = {
+        SphericalTriangle({corner, corner + first, corner + second}),
+        SphericalTriangle({far, corner + second, whole ? corner + first : corner + second})};
+    const double near = triangles[0].solid_angle(), rest = triangles[1].solid_angle();
+    const double part =
+        std::clamp((u - static_cast<double>(of.before)) * static_cast<double>(of.scale), 0.0, 1.0) *
+        (near + rest);
+    const bool on_rest = part > near;
+    if (!(near + rest > 0)) return;
+    const glm::dvec3 towards =
+        on_rest ? triangles[1].sample((part - near) / rest, v) : triangles[0].sample(part / near, v);
+    const double approach = -glm::dot(glm::dvec3(of.normal), towards);
+    if (!(approach * height > 0)) return;
+    const double distance = height / approach;
+    const glm::dvec3 place = distance * towards - corner;
+    // Coordinates of the place along the edges, from its products with them.
+    const double aa = glm::dot(first, first), ab = glm::dot(first, second), bb = glm::dot(second, second);
+    const double pa = glm::dot(place, first), pb = glm::dot(place, second);
+    const double inverse = 1 / (aa * bb - ab * ab);
+    weights[0][lane] = static_cast<float>((pa * bb - pb * ab) * inverse);
+    weights[1][lane] = static_cast<float>((pb * aa - pa * ab) * inverse);
+    put(out.towards, lane, glm::vec3(towards));
+    out.distance[lane] = static_cast<float>(distance);
+    factor[lane] = static_cast<float>((near + rest) * static_cast<double>(of.scale));
+}
+
 void SurfaceSource::sample(const LaneVectors& points, const Lanes& u, const Lanes& v, LaneLight& out) const {
     constexpr std::size_t few = 4;
-    const bool search = patches_.size() > few || !texcoords_.empty();
+    // Angular radius, in radians, of lights from which the irradiance of equal areas varies.
+    constexpr float near = 0.3F;
+    const bool close = angular_radius({points.x[0], points.y[0], points.z[0]}) > near;
+    const bool search = patches_.size() > few || !texcoords_.empty() || close;
     std::array<std::uint32_t, kLanes> indices;
     if (search)
         for (std::size_t i = 0; i < kLanes; ++i) indices[i] = static_cast<std::uint32_t>(patch_at(u[i]));
@@ -257,6 +295,10 @@ void SurfaceSource::sample(const LaneVectors& points, const Lanes& u, const Lane
         PatchSamples{patches_, search ? indices.data() : nullptr, two_sided_, static_cast<float>(area_),
                      points, u, v},
         FoundPatchSamples{out, factor, weights});
+    for (std::size_t i = 0; i < kLanes && close; ++i)
+        if ((out.points >> i & 1) != 0)
+            sample_near(indices[i], glm::dvec3(points.x[i], points.y[i], points.z[i]),
+                        static_cast<double>(u[i]), static_cast<double>(v[i]), i, out, factor, weights);
     if (!color_.textured()) return color_.put(factor, out);
     TexturePoints at{};
     for (std::size_t i = 0; i < kLanes && !texcoords_.empty(); ++i) {

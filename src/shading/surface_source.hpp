@@ -31,6 +31,11 @@ public:
 private:
     void make_rays();
     [[nodiscard]] std::size_t patch_at(float u) const;
+    // Replaces a lane's sample, uniform over a patch, by one that is uniform over the solid angle of the
+    // patch from the point. factor: the solid angle that the sample represents. weights: those of the patch's
+    // edges.
+    void sample_near(std::size_t patch, const glm::dvec3& point, double u, double v, std::size_t lane,
+                     LaneLight& out, Lanes& factor, std::array<Lanes, 2>& weights) const;
     // Sets the texture coordinates of one lane. b1, b2: coordinates along the patch's edges.
     void put_texcoords(std::size_t patch, float b1, float b2, std::size_t lane, TexturePoints& out) const;
 

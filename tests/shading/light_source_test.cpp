@@ -181,6 +181,33 @@ TEST_CASE("emissive surfaces are Lambert's polygons") {
     CHECK(light_source({.emission = emission, .axis = {1, 0, 0}, .triangles = {{a, a, b}}}) == nullptr);
 }
 
+TEST_CASE("a polygon close to a point sheds its light by few samples") {
+    const glm::dvec3 up(0, 0, 1);
+    for (const double height : {0.5, 0.1, 0.02, 1e-3}) {
+        for (const double aside : {0.0, 0.9, 1.1}) {
+            CAPTURES(height, aside);
+            const glm::vec3 a(-1 + aside, -1, height), b(1 + aside, -1, height), c(1 + aside, 1, height),
+                d(-1 + aside, 1, height);
+            const double expected = of_polygon({a, b, c, d}, up);
+            const Emission emission{.radiance = {1}};
+            // The corner beyond the edge that both share makes the second no parallelogram.
+            const LightSourcePtr sources[] = {
+                light_source({.emission = emission, .axis = {1, 0, 0}, .triangles = {{a, c, b}, {a, d, c}}}),
+                light_source({.emission = emission, .axis = {1, 0, 0}, .triangles = {{b, a, c}, {a, d, c}}})};
+            for (const LightSourcePtr& source : sources) {
+                double error2 = 0;
+                constexpr std::uint32_t tries = 40;
+                for (std::uint32_t seed = 0; seed < tries; ++seed) {
+                    const double got = irradiance(*source, {0, 0, 0}, up, 16, 0, 1234567 * seed)[0];
+                    error2 += (got / expected - 1) * (got / expected - 1) / tries;
+                }
+                CHECK(std::sqrt(error2) < 0.15);
+                CHECK(irradiance(*source, {0, 0, 0}, up)[0] == doctest::Approx(expected).epsilon(0.01));
+            }
+        }
+    }
+}
+
 TEST_CASE("two triangles that make a parallelogram are one, by few places") {
     const glm::vec3 a(-1, -0.5, 2), b(1, -0.5, 2.5), c(1, 1, 3), d(-1, 1, 2.5), e(-1.5, 1, 2.375);
     struct Case {
