@@ -48,6 +48,8 @@ float within_int(float x) {
     return x > -most ? min(x, most) : -most;
 }
 
+vec2 within_int(vec2 v) { return vec2(within_int(v.x), within_int(v.y)); }
+
 float wrapped(uint wrap, float t) {
     if (wrap != WRAP_REPEAT && wrap != WRAP_MIRROR) return t > 0.0 ? min(t, 1.0) : 0.0;
     float within = within_int(t);
@@ -154,6 +156,33 @@ vec2 texture_gradient(uint texture, TexturePoint point) {
     return sum / float(taps.rows * taps.count) * linear;
 }
 
+// Returns the mean, over an interval, of a wave that is 1 from 0 to 1 and -1 from 1 to 2, and so on.
+float mean_of_wave(float middle, float width) {
+    float within = middle - 2.0 * floor(0.5 * middle);
+    if (!(width >= 1e-4)) return within < 1.0 ? 1.0 : -1.0;
+    vec2 ends = within + vec2(0.5, -0.5) * width;
+    ends -= 2.0 * floor(0.5 * ends);
+    ends = mix(ends, 2.0 - ends, step(1.0, ends));  // integral from 0
+    return (ends.x - ends.y) / width;
+}
+
+// Returns the mean over a point's footprint; see Checkerboard.
+vec4 checkerboard_at(uint texture, TexturePoint point) {
+    const int parts = 4;
+    mat2 linear = linear_of(texture);
+    vec2 at = within_int(2.0 * transformed(texture, point.uv));
+    vec2 right = within_int(2.0 / float(parts) * (linear * point.du));
+    vec2 down = within_int(2.0 / float(parts) * (linear * point.dv));
+    vec2 size = abs(right) + abs(down);
+    float sum = 0.0;
+    for (int i = 0; i < parts; ++i)
+        for (int k = 0; k < parts; ++k) {
+            vec2 middle = at + (float(i) - 0.5 * float(parts - 1)) * right + (float(k) - 0.5 * float(parts - 1)) * down;
+            sum += mean_of_wave(middle.x, size.x) * mean_of_wave(middle.y, size.y);
+        }
+    return mix(color_at(texture + 12u), color_at(texture + 16u), 0.5 - 0.5 * sum / float(parts * parts));
+}
+
 // Computes values[t] of the textures whose words begin at `first`.
 void evaluate_textures(uint first, TexturePoint point, out vec4 values[TEXTURES]) {
     for (int t = 0; t < TEXTURES; ++t) {
@@ -164,10 +193,7 @@ void evaluate_textures(uint first, TexturePoint point, out vec4 values[TEXTURES]
         } else if (kind == KIND_IMAGE) {
             values[t] = image_at(texture, point);
         } else if (kind == KIND_CHECKERBOARD) {
-            vec2 uv = transformed(texture, point.uv);
-            float squares = floor(within_int(2.0 * uv.x)) + floor(within_int(2.0 * uv.y));
-            bool second = squares - 2.0 * floor(0.5 * squares) != 0.0;
-            values[t] = color_at(texture + (second ? 16u : 12u));
+            values[t] = checkerboard_at(texture, point);
         } else if (kind == KIND_MESH_COLOR) {
             values[t] = vec4(point.color, 1.0);
         } else {

@@ -330,6 +330,33 @@ TEST_CASE("a checkerboard has four squares a unit, the first of color0") {
     CHECK(checkerboard_texture({1, 0, 0}, {1, 1, 0}, 3)->values() == std::vector<float>{1});
 }
 
+TEST_CASE("a checkerboard is the mean over a pixel's footprint") {
+    const glm::dmat3 to_uv(2, 0.5, 0, -0.25, 3, 0, 0.1, 0.7, 1);
+    const TexturePtr board = checkerboard_texture(glm::vec3(0), glm::vec3(1), 1, to_uv);
+    const struct {
+        glm::vec2 du, dv;
+        float tolerance;
+    } rows[] = {{{0.02F, 0}, {0, 0.03F}, 0.02F},
+                {{0.2F, 0.02F}, {0, 0.01F}, 0.06F},
+                {{0.1F, 0.1F}, {-0.02F, 0.03F}, 0.1F},  // across the squares' diagonals
+                {{0.3F, 0.2F}, {0.1F, -0.4F}, 0.03F},
+                {{30, 0}, {0.1F, 20}, 0.01F}};
+    for (const auto& row : rows)
+        for (const glm::vec2& uv : random_points(30)) {
+            CAPTURES(row.du.x, uv.x, uv.y);
+            constexpr int side = 100;
+            float sum = 0;
+            for (int i = 0; i < side; ++i)
+                for (int k = 0; k < side; ++k)
+                    sum += board
+                               ->at(at(uv + ((static_cast<float>(i) + 0.5F) / side - 0.5F) * row.du +
+                                       ((static_cast<float>(k) + 0.5F) / side - 0.5F) * row.dv))
+                               .x;
+            const float mean = board->at({.uv = uv, .du = row.du, .dv = row.dv}).x;
+            CHECK(std::abs(mean - sum / (side * side)) < row.tolerance);
+        }
+}
+
 TEST_CASE("colours of a mesh are those of the point") {
     for (const ColorsOf of : {ColorsOf::vertices, ColorsOf::faces}) {
         const TexturePtr texture = mesh_color_texture(of);
