@@ -15,6 +15,7 @@
 #include "harmonics/psh.hpp"
 #include "simd/lane_vector.hpp"
 #include "simd/work_space.hpp"
+#include "visibility/narrow_opening.hpp"
 
 namespace nicol {
 namespace {
@@ -69,11 +70,11 @@ VisibilityProduct::VisibilityProduct(const Visibility& visibility, const Directi
     find_vertices(visibility);
     numbers_.resize(blocks() * size_ / 2);
     if (psh_count(harmonics.order()) > directions.size()) {
-        find_unit({visibility, harmonics, normals, nullptr});
+        find_unit({visibility, directions, harmonics, normals, nullptr});
     }
     tbb::parallel_for(std::size_t{0}, blocks(), [&](std::size_t block) {
         std::vector<Lanes> numbers(size_);
-        compute_block(block, {visibility, harmonics, normals, keep}, numbers);
+        compute_block(block, {visibility, directions, harmonics, normals, keep}, numbers);
         store_block(block, numbers);
     });
 }
@@ -104,7 +105,7 @@ VisibilityProduct::VisibilityProduct(VisibilityProduct&& before, std::span<const
                            all_ones(unchanged.subspan(first, std::min(kLanes, unchanged.size() - first)));
         if (!known) {
             std::vector<Lanes> numbers(size_);
-            compute_block(block, {visibility, harmonics, normals, nullptr}, numbers);
+            compute_block(block, {visibility, directions, harmonics, normals, nullptr}, numbers);
             store_block(block, numbers);
         } else if (moved) {
             std::copy_n(&numbers_before[blocks_before[sixteen] * size_ / 2], size_ / 2,
@@ -153,11 +154,26 @@ void VisibilityProduct::compute_block(std::size_t block, const Input& input, std
     project_block(input.harmonics, input.visibility, input.normals, first,
                   std::min(kLanes, vertices_.size() - block * kLanes), coefficients.data());
     if (input.keep != nullptr) input.keep->set(first / kLanes, coefficients.data());
+    for (std::size_t i = 0; i < kLanes && block * kLanes + i < vertices_.size(); ++i)
+        scale_narrow(vertices_[block * kLanes + i], input, i, coefficients);
     if (matrices_) {
         matrices_->make(coefficients.data(), numbers.data());
     } else {
         grid_->sample(coefficients.data(), numbers.data());
     }
+}
+
+void VisibilityProduct::scale_narrow(std::size_t vertex, const Input& input, std::size_t lane,
+                                     std::span<Lanes> coefficients) const {
+    if (input.visibility.unoccluded(vertex)) return;
+    std::array<float, VisibilityHarmonics::kHighestOrder / 4 + 1> zonal;
+    const std::size_t count = static_cast<std::size_t>(layout_.order()) / 2 + 1;
+    for (std::size_t k = 0; k < count; ++k)
+        zonal[k] = coefficients[psh_index(static_cast<int>(2 * k), 0)][lane];
+    const float factor = narrow_opening_factor(input.directions, input.visibility, vertex,
+                                               input.normals[vertex], std::span(zonal).first(count));
+    if (factor == 1) return;
+    for (Lanes& lanes : coefficients) lanes[lane] *= factor;
 }
 
 void VisibilityProduct::store_block(std::size_t block, std::span<const Lanes> numbers) {

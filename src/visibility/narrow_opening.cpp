@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#include "visibility/narrow_opening.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+namespace nicol {
+namespace {
+
+using std::numbers::pi;
+
+// Irradiance over pi by even light of radiance 1: the whole correction below the first, none above the
+// second.
+constexpr double kNarrow = 0.2;
+constexpr double kWide = 0.35;
+
+// Limits of the factor, because a truncated irradiance near 0 says nothing.
+constexpr double kLeast = 0.1;
+constexpr double kMost = 3;
+
+}  // namespace
+
+float narrow_opening_factor(const DirectionSet& directions, const Visibility& visibility, std::size_t vertex,
+                            const glm::vec3& normal, std::span<const float> zonal) {
+    double all = 0, seen = 0;
+    for (std::size_t i = 0; i < directions.size(); ++i) {
+        const double cosine = glm::dot(glm::dvec3(normal), glm::dvec3(directions.directions()[i]));
+        if (!(cosine > 0)) continue;
+        const double weight = cosine * static_cast<double>(directions.weights()[i]);
+        all += weight;
+        if (visibility.seen(vertex, i)) seen += weight;
+    }
+    const double exact = all > 0 ? seen / all : 0;
+    if (exact >= kWide) return 1;
+
+    // The integral of P_l(z) z over the upper half: pi, pi / 4, and so on by the ratio of l - 1 and l + 4.
+    double truncated = 0, integral = pi;
+    for (std::size_t k = 0; k < zonal.size(); ++k) {
+        const double l = 2.0 * static_cast<double>(k);
+        truncated += static_cast<double>(zonal[k]) * std::sqrt((2 * l + 1) / (4 * pi)) * integral / pi;
+        integral *= (1 - l) / (l + 4);
+    }
+    const double factor = truncated > exact / kMost ? std::clamp(exact / truncated, kLeast, kMost) : kMost;
+    const double share = std::clamp((kWide - exact) / (kWide - kNarrow), 0.0, 1.0);
+    return static_cast<float>(1 + share * (factor - 1));
+}
+
+}  // namespace nicol
