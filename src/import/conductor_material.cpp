@@ -72,11 +72,7 @@ MaterialDescription read_conductor(const MaterialSource& source) {
     read_index(source.plugin, model);
     read_color(source, "specular_reflectance", model, &P::specular_reflectance);
     model.parameters.alpha = 0.0;
-    if (source.plugin.type() == "roughconductor") {
-        const FacetDescription facets = read_anisotropic_facets(source);
-        set_facets(facets, model);
-        model.set(&P::alpha_v, facets.alpha_v);
-    }
+    if (source.plugin.type() == "roughconductor") set_facets(read_anisotropic_facets(source), model);
     return model;
 }
 

@@ -133,10 +133,6 @@ FacetDescription read_anisotropic_facets(const MaterialSource& source) {
     const Distribution distribution = read_distribution(source.plugin);
     const auto [u, v] = roughness(source);
     if (same(u, v)) return {distribution, u};
-    source.notices.add(
-        source.node,
-        "alpha_u and alpha_v differ: local lights and --method reference follow the direction; "
-        "light of the environment is reflected as by sqrt(alpha_u alpha_v)");
     return {distribution, u, v};
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string_view>
@@ -20,8 +21,8 @@ namespace {
 using Part = TextureSpecification::Part;
 
 /// Those of a material that have an effect here.
-constexpr std::array<std::string_view, 2> kFollowed = {"KHR_materials_ior",
-                                                       "KHR_materials_emissive_strength"};
+constexpr std::array<std::string_view, 3> kFollowed = {"KHR_materials_ior", "KHR_materials_emissive_strength",
+                                                       "KHR_materials_anisotropy"};
 
 TextureSpecificationPtr shared(TextureSpecification texture) {
     return std::make_shared<const TextureSpecification>(std::move(texture));
@@ -189,7 +190,34 @@ private:
             image->squared = true;
             out.alpha.texture = shared(std::move(*image));
         }
+        brush(out);
         return out;
+    }
+
+    /// Widens the facets along the direction of KHR_materials_anisotropy, u or v, whichever is nearer.
+    void brush(FacetDescription& facets) const {
+        const double strength =
+            in_unit(number_of("KHR_materials_anisotropy", "anisotropyStrength", 0), "anisotropyStrength");
+        if (strength == 0) return;
+        if (facets.alpha.texture) {
+            notices_.add("anisotropy is not followed beside a texture of roughness");
+            return;
+        }
+        const double turn = number_of("KHR_materials_anisotropy", "anisotropyRotation", 0);
+        const bool along_v = std::abs(std::sin(turn)) > std::abs(std::cos(turn));
+        if (std::abs(std::sin(2 * turn)) > 0.1)
+            notices_.add("a direction of anisotropy between those of u and v is the nearer of the two");
+        facets.alpha_v = facets.alpha;
+        TexturedNumber& wide = along_v ? facets.alpha_v : facets.alpha;
+        wide.value += (1 - wide.value) * strength * strength;
+    }
+
+    /// Returns a number of an extension, or `otherwise`.
+    [[nodiscard]] double number_of(const char* extension, const char* name, double otherwise) const {
+        const auto found = material_.extensions.find(extension);
+        if (found == material_.extensions.end() || !found->second.Has(name)) return otherwise;
+        const tinygltf::Value& value = found->second.Get(name);
+        return value.IsNumber() ? value.GetNumberAsDouble() : std::numeric_limits<double>::quiet_NaN();
     }
 
     /// The index 1 - ik of a metal that reflects `reflectance` at normal incidence, k^2 / (4 + k^2). Real
@@ -205,10 +233,7 @@ private:
     }
 
     [[nodiscard]] double index_of_refraction() const {
-        const auto extension = material_.extensions.find("KHR_materials_ior");
-        if (extension == material_.extensions.end() || !extension->second.Has("ior")) return 1.5;
-        const tinygltf::Value& value = extension->second.Get("ior");
-        const double ior = value.IsNumber() ? value.GetNumberAsDouble() : -1;
+        const double ior = number_of("KHR_materials_ior", "ior", 1.5);
         // 0 stands for an infinite index, a mirror at every angle.
         if (ior == 0) return 1e3;
         if (!(ior >= 1 && ior <= 1e3))

@@ -22,14 +22,15 @@ struct Type {
     bool reflects_often;
     std::uint32_t aovs = 0;
 };
-constexpr std::array<Type, 8> kTypes = {{{"stokes", true, false},
+constexpr std::array<Type, 9> kTypes = {{{"stokes", true, false},
                                          {"moment", true, false},
                                          {"aov", true, false},
                                          {"direct", false, false},
                                          {"depth", false, false, aov_depth},
                                          {"path", false, true},
                                          {"volpath", false, true},
-                                         {"volpathmis", false, true}}};
+                                         {"volpathmis", false, true},
+                                         {"ptracer", false, true}}};
 
 struct AovType {
     std::string_view name;

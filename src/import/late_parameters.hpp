@@ -60,6 +60,7 @@ template <class P>
 void set_facets(const FacetDescription& facets, LateParameters<P>& out) {
     out.parameters.distribution = facets.distribution;
     out.set(&P::alpha, facets.alpha);
+    if constexpr (requires { &P::alpha_v; }) out.set(&P::alpha_v, facets.alpha_v);
 }
 
 }  // namespace nicol::scene

@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
+#include <numbers>
 
 #include "geometry/perpendicular.hpp"
 #include "import/plugin.hpp"
@@ -55,7 +56,9 @@ void read_projector(const XmlDocument& document, Plugin& plugin, LightDescriptio
     const TexturedColor irradiance = read_color(document, plugin, "irradiance", 1.0, kNoLimit);
     light.texture = irradiance.texture;
     if (!light.texture) light.value = irradiance;
-    light.scale = plugin.number("scale", 1.0, 0.0, kNoLimit);
+    // A white surface that faces Mitsuba's projector at distance 1 has the radiance `irradiance`, in contrast
+    // to its documentation.
+    light.scale = std::numbers::pi * plugin.number("scale", 1.0, 0.0, kNoLimit);
     read_field_of_view(plugin, light.fov, light.fov_axis);
     light.to_world = plugin.transform("to_world");
 }

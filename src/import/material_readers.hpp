@@ -88,7 +88,7 @@ void read_indices(Plugin& plugin, double& int_ior, double& ext_ior);
 /// Reads the facets of an isotropic material: the geometric mean, with a notice, where the roughness differs
 /// by direction.
 [[nodiscard]] FacetDescription read_facets(const MaterialSource& source);
-/// Reads the facets with the roughness of both directions.
+/// Reads the facets of a material that may be anisotropic.
 [[nodiscard]] FacetDescription read_anisotropic_facets(const MaterialSource& source);
 
 }  // namespace nicol::scene

@@ -19,7 +19,7 @@ void read_base_and_boundary(const MaterialSource& source, LateParameters<P>& out
 MaterialDescription read_pplastic(const MaterialSource& source) {
     ModelOf<PplasticParameters> model(pplastic);
     read_base_and_boundary(source, model);
-    set_facets(read_facets(source), model);
+    set_facets(read_anisotropic_facets(source), model);
     return model;
 }
 

@@ -93,7 +93,7 @@ TEST_CASE("plug-ins and elements that do not exist here, with what does") {
                  "pplastic, plastic, roughplastic, diffuse, conductor, roughconductor, dielectric, "
                  "roughdielectric, null, principled, measured_polarized, psh, twosided"});
     unsupported("<integrator type='bdpt'/>", {"integrator \"bdpt\"", "stokes, moment, aov, direct"});
-    unsupported("<integrator type='stokes'><integrator type='ptracer'/></integrator>", {"\"ptracer\""});
+    unsupported("<integrator type='stokes'><integrator type='prb'/></integrator>", {"\"prb\""});
     unsupported("<sensor type='batch'/>",
                 {"sensor \"batch\"", "one image", "perspective, thinlens, orthographic"});
     invalid("<sensor type='thinlens'/>", {"sensor \"thinlens\"", "aperture_radius", "missing"});

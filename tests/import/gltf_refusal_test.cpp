@@ -102,6 +102,8 @@ TEST_CASE("glTF that is malformed, out of range or not supported is refused by e
              Case{with_material("\"pbrMetallicRoughness\":{\"metallicFactor\":0},\"extensions\":{"
                                 "\"KHR_materials_ior\":{\"ior\":0.5}}"),
                   "ior is not 0"},
+             Case{with_material("\"extensions\":{\"KHR_materials_anisotropy\":{\"anisotropyStrength\":2}}"),
+                  "anisotropyStrength is 2"},
              Case{with_material("\"extensions\":{\"KHR_materials_unlit\":{}}"),
                   "materials[0]: KHR_materials_unlit", ErrorCode::unsupported},
              Case{one_mesh() + a_node + ",\"extensionsRequired\":[\"KHR_draco_mesh_compression\"]",

@@ -255,6 +255,30 @@ TEST_CASE("materials of glTF without metal are pplastic") {
     CHECK(parameters("\"metallicFactor\":0").int_ior == 1.5);
 }
 
+TEST_CASE("anisotropic materials of glTF are wider along their direction") {
+    const struct {
+        double strength, turn, along_u, along_v;
+    } rows[] = {
+        {0, 1, 0.25, 0}, {0.5, 0, 0.4375, 0.25}, {0.5, 1.5707963, 0.25, 0.4375}, {1, 3.1415926, 1, 0.25}};
+    for (const double metallic : {0.0, 1.0})
+        for (const auto& row : rows) {
+            CAPTURES(metallic, row.strength, row.turn);
+            const MaterialDescription d =
+                material("\"extensions\":{\"KHR_materials_anisotropy\":{\"anisotropyStrength\":" +
+                             std::to_string(row.strength) +
+                             ",\"anisotropyRotation\":" + std::to_string(row.turn) + "}},",
+                         "\"metallicFactor\":" + std::to_string(metallic) + ",\"roughnessFactor\":0.5");
+            const auto check = [&](const auto& facets) {
+                CHECK(facets.alpha.value == doctest::Approx(row.along_u));
+                CHECK(facets.alpha_v.value == doctest::Approx(row.along_v));
+            };
+            if (metallic == 0)
+                check(as<PplasticModel>(d).parameters);
+            else
+                check(as<MetalModel>(d).parameters);
+        }
+}
+
 TEST_CASE("metals of glTF reflect the base colour at normal incidence") {
     for (const glm::dvec3 base : {glm::dvec3(1, 0.766, 0.336), glm::dvec3(0, 0.04, 0.9)}) {
         const auto metal =
