@@ -64,15 +64,41 @@ ColorParameter color(const nicol_spectrum& value, double otherwise, const char* 
     return {spectrum(value, otherwise, 1, name), texture_of(texture, context)};
 }
 
+bool smooth(const NumberParameter& alpha) {
+    return alpha.value == 0 && alpha.texture == nullptr;
+}
+
+// Roughness in one direction.
+template <class Facets>
+NumberParameter roughness(const Facets& given, float alpha, nicol_texture texture,
+                          const nicol_context_impl& context) {
+    const bool own = alpha != 0 || texture != nullptr;
+    return number(alpha != 0 ? alpha : given.alpha, own ? texture : given.alpha_texture, context);
+}
+
+// Roughness along u and along v; the latter is 0 if both are alike.
+template <class Facets>
+std::array<NumberParameter, 2> roughnesses(const Facets& given, const nicol_context_impl& context) {
+    const NumberParameter u = roughness(given, given.alpha_u, given.alpha_u_texture, context);
+    const NumberParameter v = roughness(given, given.alpha_v, given.alpha_v_texture, context);
+    if (smooth(u) != smooth(v))
+        refuse(std::string(smooth(u) ? "alpha_u" : "alpha_v") +
+               " and alpha are 0, and there is a roughness in the other direction; give both");
+    const bool alike = u.value == v.value && u.texture == v.texture;
+    return {u, alike ? NumberParameter(0.0) : v};
+}
+
 MaterialPtr make(const nicol_pplastic& given, const nicol_context_impl& context) {
     if (given.reserved != 0) refuse("parameters->reserved must be 0");
+    const auto [u, v] = roughnesses(given, context);
     return pplastic({.diffuse_reflectance = color(given.diffuse_reflectance, 0.5, "diffuse_reflectance",
                                                   given.diffuse_reflectance_texture, context),
                      .specular_reflectance = color(given.specular_reflectance, 1, "specular_reflectance",
                                                    given.specular_reflectance_texture, context),
                      .int_ior = static_cast<double>(given.int_ior),
                      .ext_ior = static_cast<double>(given.ext_ior),
-                     .alpha = number(given.alpha, given.alpha_texture, context),
+                     .alpha = u,
+                     .alpha_v = v,
                      .distribution = distribution_of(given.distribution)});
 }
 
@@ -106,31 +132,15 @@ MaterialPtr make(const nicol_principled& given, const nicol_context_impl& contex
          .clearcoat_gloss = with(given.clearcoat_gloss, given.clearcoat_gloss_texture)});
 }
 
-// Roughness in one direction.
-NumberParameter roughness(const nicol_conductor& given, float alpha, nicol_texture texture,
-                          const nicol_context_impl& context) {
-    const bool own = alpha != 0 || texture != nullptr;
-    return number(alpha != 0 ? alpha : given.alpha, own ? texture : given.alpha_texture, context);
-}
-
-bool smooth(const NumberParameter& alpha) {
-    return alpha.value == 0 && alpha.texture == nullptr;
-}
-
 MaterialPtr make(const nicol_conductor& given, const nicol_context_impl& context) {
     if (given.reserved != 0) refuse("parameters->reserved must be 0");
-    const NumberParameter u = roughness(given, given.alpha_u, given.alpha_u_texture, context);
-    const NumberParameter v = roughness(given, given.alpha_v, given.alpha_v_texture, context);
-    if (smooth(u) != smooth(v))
-        refuse(std::string(smooth(u) ? "alpha_u" : "alpha_v") +
-               " and alpha are 0, and there is a roughness in the other direction; give both");
-    const bool alike = u.value == v.value && u.texture == v.texture;
+    const auto [u, v] = roughnesses(given, context);
     return rough_conductor(
         {.eta = index_of(given),
          .specular_reflectance = color(given.specular_reflectance, 1, "specular_reflectance",
                                        given.specular_reflectance_texture, context),
          .alpha = u,
-         .alpha_v = alike ? 0.0 : v,
+         .alpha_v = v,
          .distribution = distribution_of(given.distribution)});
 }
 

@@ -145,6 +145,8 @@ RenderOptions options_from(const nicol_render_options& given) {
     options.disabled_optimisations = given.disabled_optimisations;
     options.split_lights = given.split_lights;
     options.light_samples = int_from(given.light_samples, "light_samples");
+    options.bsdf_samples = int_from(given.bsdf_samples, "bsdf_samples");
+    if (given.reserved != 0) refuse("options->reserved must be 0");
     options.samples = int_from(given.samples, "samples");
     options.seed = given.seed;
     options.progress = progress_from(given.progress, given.progress_user);

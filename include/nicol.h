@@ -466,11 +466,19 @@ typedef struct nicol_pplastic {
     nicol_texture specular_reflectance_texture;
     /* Texture whose first channel, clamped to 0.01 to 1, replaces alpha; NULL, the default: none. */
     nicol_texture alpha_texture;
+    /* Roughness along texture coordinates u and v, 0.001 to 1; 0, the default: alpha. If the two differ, the
+     * surface is anisotropic, see nicol_conductor. */
+    float alpha_u;
+    float alpha_v;
+    /* Textures that replace alpha_u and alpha_v; NULL, the default: none, but alpha_texture if the number is
+     * 0. */
+    nicol_texture alpha_u_texture;
+    nicol_texture alpha_v_texture;
 } nicol_pplastic;
 /* clang-format off */
 #define NICOL_PPLASTIC_INIT                                                                        \
     { sizeof(nicol_pplastic), 0, NICOL_SPECTRUM_INIT, NICOL_SPECTRUM_INIT, 1.49f, 1.000277f, 0.1f, \
-      0, 0, 0, 0 }
+      0, 0, 0, 0, 0, 0, 0, 0 }
 /* clang-format on */
 
 /* Creates a material from nicol_pplastic. The message of NICOL_ERROR_INVALID_ARGUMENT names the field that is
@@ -572,8 +580,8 @@ typedef struct nicol_conductor {
     uint32_t struct_size;
     nicol_distribution distribution; /* distribution of the facets of a rough surface, default Beckmann */
     /* Roughness, 0.001 to 1; 0, the default: smooth. Beckmann's facets of roughness 0.01 stand for a smooth
-     * surface, which is a blur of one degree. The real-time methods mirror local lights with a size,
-     * including extracted lights, without this blur. A smooth surface does not reflect lights without a size
+     * surface, which is a blur of one degree. The factored method mirrors local lights with a size, and the
+     * image of an environment, without this blur. A smooth surface does not reflect lights without a size
      * (points, spots, projectors, and directional lights whose angular_radius is 0), because a mirror would
      * show them as points. */
     float alpha;
@@ -596,8 +604,9 @@ typedef struct nicol_conductor {
     /* Texture whose first channel, clamped to 0.01 to 1, replaces alpha; NULL, the default: none. */
     nicol_texture alpha_texture;
     /* Roughness along texture coordinate u, 0.001 to 1, as of brushed metal; 0, the default: alpha. If
-     * alpha_u and alpha_v differ, local lights and NICOL_METHOD_REFERENCE follow the direction of u, which is
-     * arbitrary for a mesh without texture coordinates. Other light is reflected with the roughness
+     * alpha_u and alpha_v differ, the reflection follows the direction of u, which is arbitrary for a mesh
+     * without texture coordinates. Only light in harmonics, of the dense method, of
+     * NICOL_HIGH_ORDERS_CONVOLUTION and of bsdf_samples 0, is reflected with the roughness
      * sqrt(alpha_u alpha_v). */
     float alpha_u;
     /* Roughness along texture coordinate v, 0.001 to 1; 0, the default: alpha. */
@@ -1247,11 +1256,18 @@ typedef struct nicol_render_options {
     /* Number of light samples of the real-time methods, per local light with a size and per point or pixel, 1
      * to 1024, default 16. Fewer samples are faster, and leave steps in soft shadows. */
     uint32_t light_samples;
+    /* Number of samples of the environment, per lobe and per point or pixel, that the factored method takes
+     * for lobes which harmonics cannot hold, 0 to 1024, default 16: anisotropic lobes, and lobes narrower
+     * than 0.1 if the environment is an image. They are weighted by the pBRDF, see the environment filtered
+     * by their solid angle, and cast shadow rays. 0: none; all lobes are those of harmonics, and anisotropic
+     * ones round. */
+    uint32_t bsdf_samples;
+    uint32_t reserved; /* 0 */
 } nicol_render_options;
 /* clang-format off */
 #define NICOL_RENDER_OPTIONS_INIT \
     { sizeof(nicol_render_options), 0, NICOL_ORDER_AUTOMATIC, NICOL_ORDER_AUTOMATIC, 0, 1, NICOL_DIRECTIONS_AUTOMATIC, 1, 0, 0, 0, 256, 0, 0, \
-      0.03, 0, 0, 1, 0, 0, 0, 0.02, 0, NICOL_SPLIT_AUTOMATIC, 16 }
+      0.03, 0, 0, 1, 0, 0, 0, 0.02, 0, NICOL_SPLIT_AUTOMATIC, 16, 16, 0 }
 /* clang-format on */
 
 /* Creates a framebuffer. width and height are 1 to NICOL_MAX_SIZE pixels (the driver may allow less), and at

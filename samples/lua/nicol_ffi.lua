@@ -127,6 +127,10 @@ typedef struct nicol_pplastic {
     nicol_texture diffuse_reflectance_texture;
     nicol_texture specular_reflectance_texture;
     nicol_texture alpha_texture;
+    float alpha_u;
+    float alpha_v;
+    nicol_texture alpha_u_texture;
+    nicol_texture alpha_v_texture;
 } nicol_pplastic;
 typedef struct nicol_plastic {
     uint32_t struct_size;
@@ -317,6 +321,8 @@ typedef struct nicol_render_options {
     uint64_t max_vertices;
     int32_t split_lights;
     uint32_t light_samples;
+    uint32_t bsdf_samples;
+    uint32_t reserved;
 } nicol_render_options;
 typedef struct nicol_job_impl* nicol_job;
 typedef uint32_t nicol_job_state;
@@ -915,7 +921,7 @@ return {
         polarization_element = { true, { to_world = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 }, retardance = 90, transmittance = 1 } },
         instance = { true, { to_world = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 } } },
         scene_file = { true, {} },
-        render_options = { true, { order_low = 4294967295, order_high = 4294967295, shadows = 1, physical = 1, samples = 256, tolerance = 0.03, high_order_shadows = 1, refine_tolerance = 0.02, split_lights = -1, light_samples = 16 } },
+        render_options = { true, { order_low = 4294967295, order_high = 4294967295, shadows = 1, physical = 1, samples = 256, tolerance = 0.03, high_order_shadows = 1, refine_tolerance = 0.02, split_lights = -1, light_samples = 16, bsdf_samples = 16 } },
         job_status = { true, {} },
         statistics = { true, {} },
         plane_buffer = { true, {} },

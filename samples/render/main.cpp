@@ -94,6 +94,7 @@ void render(nicol_scene scene, nicol_framebuffer framebuffer, const Options& opt
     wanted.physical = options.physical ? 1 : 0;
     wanted.split_lights = options.split_lights;
     wanted.light_samples = options.light_samples.value_or(wanted.light_samples);
+    wanted.bsdf_samples = options.bsdf_samples.value_or(wanted.bsdf_samples);
     wanted.samples = options.samples.value_or(wanted.samples);
     wanted.seed = options.seed;
     wanted.progress = ProgressBar::update;

@@ -51,6 +51,8 @@ const char* const usage =
     "      --split-lights N     bright parts of the environment rendered as local lights, at most, 0 to 64;\n"
     "                           default: those that the orders would miss\n"
     "      --light-samples N    samples of a light with a size that light each point, 1 to 1024; default 16\n"
+    "      --bsdf-samples N     samples of the environment for each anisotropic or narrow lobe, 0 to 1024; "
+    "default 16\n"
     "      --samples N          of the reference method, camera rays a pixel, 1 to 1048576; default 256\n"
     "      --seed N             of the reference method, gives other noise; default 0\n"
     "      --cache DIR          keeps tables of materials and bakes of shadows there between runs;\n"
@@ -257,6 +259,8 @@ Options parse_options(int argc, const char* const* argv) {
                 static_cast<std::int32_t>(parse_count(name, value(), 0, NICOL_MAX_SPLIT_LIGHTS));
         else if (name == "--light-samples")
             options.light_samples = parse_count(name, value(), 1, 1024);
+        else if (name == "--bsdf-samples")
+            options.bsdf_samples = parse_count(name, value(), 0, 1024);
         else if (name == "--samples")
             options.samples = parse_count(name, value(), 1, 1048576);
         else if (name == "--seed")

@@ -42,6 +42,7 @@ struct Options {
     std::uint32_t max_vertices = 0;  ///< 0: the library's default
     std::int32_t split_lights = NICOL_SPLIT_AUTOMATIC;
     std::optional<std::uint32_t> light_samples;
+    std::optional<std::uint32_t> bsdf_samples;
     std::optional<std::uint32_t> samples;                            ///< number for the reference method
     std::uint64_t seed = 0;                                          ///< seed for the reference method
     nicol_context_options load_limits = NICOL_CONTEXT_OPTIONS_INIT;  ///< only its limits of loading are used

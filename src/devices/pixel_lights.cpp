@@ -27,6 +27,24 @@ glm::vec3 facet_of(const std::array<glm::vec3, 3>& corners, const glm::vec3& oth
     return length > 0 ? glm::vec3(normal / length) : otherwise;
 }
 
+// Returns the solid angle of the mirrored view directions in a pixel that shows a triangle: that of the
+// pixel, and that of the normals, magnified by the reflection. normals: of the corners.
+float mirrored_solid_angle(const Projection& projection, int width, int height,
+                           const std::array<glm::vec3, 3>& corners, const std::array<glm::vec3, 3>& normals,
+                           const glm::vec3& position, const glm::vec3& facet) {
+    const glm::dvec3 away = glm::dvec3(position) - projection.view.eye;
+    const double distance2 = projection.view.orthographic ? 1 : glm::dot(away, away);
+    const double cosine = glm::dot(projection.view.towards(glm::dvec3(position)), glm::dvec3(facet));
+    const double pixel = 4 * projection.half_width / width * projection.half_height / height;
+    const auto area = [](const std::array<glm::vec3, 3>& of) {
+        return glm::length(glm::cross(glm::dvec3(of[1] - of[0]), glm::dvec3(of[2] - of[0]))) / 2;
+    };
+    const double shown = pixel * distance2 / std::max(cosine, 1e-3);  // area of the triangle's plane
+    const double of_triangle = area(corners);
+    const double curved = of_triangle > 0 ? 4 * cosine * area(normals) * shown / of_triangle : 0;
+    return static_cast<float>((projection.view.orthographic ? 0 : pixel) + curved);
+}
+
 std::vector<const Material*> layers_of(const Material& material) {
     const SpatialVariation* const variation = material.variation();
     if (variation == nullptr) return {&material};
@@ -53,12 +71,18 @@ std::uint64_t PixelLights::add(const PixelBatch& batch, std::span<const std::spa
         const std::size_t count = std::min(kLanes, points.size() - first);
         const LaneSurface& surface = batch.surfaces()[first / kLanes];
         std::array<glm::vec3, kLanes> facets, origins, tangents;
+        std::array<float, kLanes> mirrored;
         std::array<std::uint32_t, kLanes> seeds;
         for (std::size_t i = 0; i < count; ++i) {
             const std::array corners = corners_of(input_.geometry, points[first + i].triangle);
             facets[i] = facet_of(corners, surface.normals[i]);
             origins[i] = surface.positions[i] + static_cast<float>(ray_offset(corners)) * facets[i];
             seeds[i] = sample_seed(points[first + i].pixel, input_.seed);
+            const glm::uvec3& t = input_.geometry.triangles[points[first + i].triangle];
+            mirrored[i] = mirrored_solid_angle(
+                input_.projection, input_.hits.width(), input_.hits.height(), corners,
+                {input_.geometry.normals[t.x], input_.geometry.normals[t.y], input_.geometry.normals[t.z]},
+                surface.positions[i], facets[i]);
             if (!anisotropic) continue;
             const glm::vec3 weights(surface.weights[0][i], surface.weights[1][i], surface.weights[2][i]);
             tangents[i] = tangent(input_.geometry, points[first + i].triangle, weights);
@@ -76,6 +100,7 @@ std::uint64_t PixelLights::add(const PixelBatch& batch, std::span<const std::spa
                                     .facets = turned ? of_facets : std::span<glm::vec3>(),
                                     .unperturbed = std::span(surface.unperturbed).first(dimmed ? count : 0),
                                     .origins = std::span(origins).first(count),
+                                    .mirrored = std::span(mirrored).first(count),
                                     .seeds = std::span(seeds).first(count),
                                     .shadowed = shadowed},
                                    {.layers = layers, .weights = weights}, channels);

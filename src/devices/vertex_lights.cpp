@@ -65,6 +65,7 @@ std::uint64_t VertexLights::add(const VertexRange& range, std::span<const std::u
                                 .facets = {},
                                 .unperturbed = {},
                                 .origins = std::span(origins).first(count),
+                                .mirrored = {},
                                 .seeds = vertices,
                                 .shadowed = shadowed},
                                {.layers = {&material, 1}, .weights = {}}, channels);

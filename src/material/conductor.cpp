@@ -126,14 +126,9 @@ private:
     bool smooth_;
 };
 
-TexturePtr texture_of(const NumberParameter& number) {
-    return number.texture ? number.texture : constant_texture(glm::vec4(static_cast<float>(number.value)), 1);
-}
-
 }  // namespace
 
 MaterialPtr rough_conductor(const RoughConductorParameters& parameters) {
-    const NumberParameter &alpha = parameters.alpha, &alpha_v = parameters.alpha_v;
     RoughConductorParameters facets = parameters;
     facets.specular_reflectance = factor(parameters.specular_reflectance);
     const auto make_facets = [&facets](double u, double v) -> MaterialPtr {
@@ -141,14 +136,8 @@ MaterialPtr rough_conductor(const RoughConductorParameters& parameters) {
         facets.alpha_v = v;
         return std::make_shared<RoughConductor>(facets);
     };
-    MaterialPtr material;
-    if (alpha_v.texture ? alpha_v.texture == alpha.texture : alpha_v.value == 0)
-        material = at_roughness([&](double both) { return make_facets(both, 0); }, alpha);
-    else if (textured(alpha, alpha_v))
-        material = with_roughness(make_facets, texture_of(alpha), texture_of(alpha_v));
-    else
-        material = make_facets(alpha.value, alpha_v.value);
-    return times(material, parameters.specular_reflectance);
+    return times(at_roughness(make_facets, parameters.alpha, parameters.alpha_v),
+                 parameters.specular_reflectance);
 }
 
 MaterialPtr conductor(std::vector<std::complex<double>> eta, const ColorParameter& specular_reflectance) {

@@ -115,7 +115,10 @@ struct PplasticParameters {
     ColorParameter specular_reflectance{1.0};  ///< 0..1
     double int_ior = 1.49;                     ///< index of the inside, 0.001..1000
     double ext_ior = 1.000277;                 ///< index of the outside, 0.001..1000
-    NumberParameter alpha = 0.1;               ///< roughness, 0.001..1; a texture is clamped to 0.01..1
+    NumberParameter alpha = 0.1;  ///< roughness along x, 0.001..1; a texture is clamped to 0.01..1
+    /// Roughness along y, in the range of alpha; 0: alpha. Different values make the material anisotropic,
+    /// and isotropic() then has their geometric mean.
+    NumberParameter alpha_v = 0;
     Distribution distribution = Distribution::beckmann;
 };
 /// Returns the material. Throws Error(invalid_argument) that names the parameter out of range, and what the

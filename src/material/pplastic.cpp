@@ -18,8 +18,8 @@ namespace nicol {
 namespace {
 
 struct LanePlastic {
-    LanePlastic(const PplasticParameters& p, double eta)
-        : facets{p.distribution, static_cast<float>(p.alpha.value)},
+    LanePlastic(const PplasticParameters& p, const glm::dvec2& alpha, double eta)
+        : facets{p.distribution, static_cast<float>(alpha.x), static_cast<float>(alpha.y)},
           index(eta),
           base(!black(p.diffuse_reflectance.values)),
           boundary(!black(p.specular_reflectance.values)) {}
@@ -69,8 +69,17 @@ template <class Number>
 class Pplastic final : public Material {
 public:
     explicit Pplastic(PplasticParameters parameters)
-        : p_(std::move(parameters)), eta_(p_.int_ior / p_.ext_ior), lanes_(p_, eta_) {
+        : p_(std::move(parameters)),
+          eta_(p_.int_ior / p_.ext_ior),
+          alpha_(p_.alpha.value, p_.alpha_v.value != 0 ? p_.alpha_v.value : p_.alpha.value),
+          lanes_(p_, alpha_, eta_) {
         check_plastic(p_);
+        check_range(alpha_.y, 0.001, 1, "alpha_v");
+        if (alpha_.x == alpha_.y) return;
+        PplasticParameters mean = p_;
+        mean.alpha = std::sqrt(alpha_.x * alpha_.y);
+        mean.alpha_v = 0;
+        isotropic_ = std::make_unique<const Pplastic>(std::move(mean));
     }
 
     [[nodiscard]] int channels() const noexcept override {
@@ -82,14 +91,20 @@ public:
         return of_channel((term == 0 ? p_.diffuse_reflectance : p_.specular_reflectance).values, channel);
     }
     [[nodiscard]] double lobe_width(int term) const noexcept override {
-        return term == 0 ? 1 : p_.alpha.value;
+        return term == 0 ? 1 : std::min(alpha_.x, alpha_.y);
+    }
+    [[nodiscard]] glm::dvec2 lobe_widths(int term) const noexcept override {
+        return term == 0 ? glm::dvec2(1) : alpha_;
+    }
+    [[nodiscard]] const Material& isotropic() const noexcept override {
+        return isotropic_ ? *isotropic_ : *this;
     }
     [[nodiscard]] std::string content_key() const override {
         return Key("pplastic")
             .add("diffuse_reflectance", p_.diffuse_reflectance.values)
             .add("specular_reflectance", p_.specular_reflectance.values)
             .add("eta", eta_)
-            .add("alpha", p_.alpha.value)
+            .add("alpha", isotropic_ ? std::vector{alpha_.x, alpha_.y} : std::vector{alpha_.x})
             .add("distribution", p_.distribution == Distribution::ggx)
             .text();
     }
@@ -121,35 +136,41 @@ private:
     // Returns the single reflection off the facets whose normal is the half vector.
     [[nodiscard]] Mueller boundary(const glm::dvec3& light, const glm::dvec3& viewer) const {
         const FacetReflection<double> facet =
-            facet_reflection({p_.distribution, p_.alpha.value}, components(light), components(viewer));
+            facet_reflection({p_.distribution, alpha_.x, alpha_.y}, components(light), components(viewer));
         return in_rotated_frames(
             facet.scale, dielectric_reflection(facet.cosine, RelativeIndex<double>(eta_)), facet.rotations);
     }
 
     PplasticParameters p_;  // values only, no textures
     double eta_;
+    glm::dvec2 alpha_;  // roughness along x and along y
     LanePlastic lanes_;
+    std::unique_ptr<const Pplastic> isotropic_;  // null: this material is isotropic
 };
 
 }  // namespace
 
 MaterialPtr pplastic(const PplasticParameters& parameters) {
-    if (!textured(parameters.diffuse_reflectance, parameters.specular_reflectance, parameters.alpha))
+    if (!textured(parameters.diffuse_reflectance, parameters.specular_reflectance, parameters.alpha,
+                  parameters.alpha_v))
         return std::make_shared<Pplastic>(parameters);
     // The base does not depend on the roughness of the boundary above it.
     PplasticParameters base = parameters;
     base.diffuse_reflectance = factor(parameters.diffuse_reflectance);
     base.specular_reflectance = {0};
     base.alpha = parameters.alpha.value;
+    base.alpha_v = 0;
     PplasticParameters boundary = parameters;
     boundary.diffuse_reflectance = {0};
     boundary.specular_reflectance = factor(parameters.specular_reflectance);
-    const auto make_boundary = [&boundary](double alpha) {
-        boundary.alpha = alpha;
+    const auto make_boundary = [&boundary](double u, double v) {
+        boundary.alpha = u;
+        boundary.alpha_v = v;
         return pplastic(boundary);
     };
     return sum(times(pplastic(base), parameters.diffuse_reflectance),
-               times(at_roughness(make_boundary, parameters.alpha), parameters.specular_reflectance));
+               times(at_roughness(make_boundary, parameters.alpha, parameters.alpha_v),
+                     parameters.specular_reflectance));
 }
 
 }  // namespace nicol

@@ -2,6 +2,7 @@
 // Variation of a material over a surface (SVBRDF).
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <span>
@@ -123,5 +124,16 @@ struct AlphaMask {
 /// barycentric weights, as if by chance. surface: number of the surface. Both sides of a surface have the
 /// same threshold, because a ray that meets them meets one surface.
 [[nodiscard]] float threshold_at(std::uint32_t surface, float b1, float b2);
+
+/// Returns whether is(layer, term) for a term of the material or, if it varies, of one of its layers.
+template <class Is>
+[[nodiscard]] bool any_term(const Material& material, const Is& is) {
+    if (const SpatialVariation* const variation = material.variation())
+        return std::ranges::any_of(variation->layers,
+                                   [&](const MaterialLayer& layer) { return any_term(*layer.material, is); });
+    for (int t = 0; t < material.terms(); ++t)
+        if (is(material, t)) return true;
+    return false;
+}
 
 }  // namespace nicol

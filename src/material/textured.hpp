@@ -29,4 +29,19 @@ template <class... Parameters>
     return alpha.texture ? with_roughness(make, alpha.texture) : make(alpha.value);
 }
 
+/// Returns make(alpha, alpha_v) of numbers, or an interpolation between roughnesses of the textures. alpha_v
+/// is 0 if both directions have one roughness.
+[[nodiscard]] inline MaterialPtr at_roughness(
+    const std::function<MaterialPtr(double alpha, double alpha_v)>& make, const NumberParameter& alpha,
+    const NumberParameter& alpha_v) {
+    const auto texture_of = [](const NumberParameter& number) {
+        return number.texture ? number.texture
+                              : constant_texture(glm::vec4(static_cast<float>(number.value)), 1);
+    };
+    if (alpha_v.texture ? alpha_v.texture == alpha.texture : alpha_v.value == 0)
+        return at_roughness([&](double both) { return make(both, 0); }, alpha);
+    if (!textured(alpha, alpha_v)) return make(alpha.value, alpha_v.value);
+    return with_roughness(make, texture_of(alpha), texture_of(alpha_v));
+}
+
 }  // namespace nicol

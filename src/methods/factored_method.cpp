@@ -15,10 +15,10 @@ void FactoredMethod::set_cache(std::filesystem::path folder, CacheNotice notice)
 void FactoredMethod::project(const TransferInput& input, RenderRun& run) {
     const int order = input.layout.order();
     const LightKind kind = input.layout.kind();
-    projecting_.run(input.materials, input.channels, order, kind, [&] {
+    projecting_.run(input.materials, input.sampled, input.channels, order, kind, [&] {
         const Stopwatch watch;
         Tables& known = tables_.change();
-        sizing_.run(input.channels, order, kind, [&] { known.clear(); });
+        sizing_.run(input.sampled, input.channels, order, kind, [&] { known.clear(); });
         Tables tables;
         const std::vector<MaterialPtr> materials = plain_materials(input.geometry.ranges);
         for (const MaterialPtr& material : materials) {
@@ -30,8 +30,8 @@ void FactoredMethod::project(const TransferInput& input, RenderRun& run) {
                                 static_cast<double>(tables.size()) / static_cast<double>(materials.size()));
             ++run.statistics.materials_projected;
             run.workers.run([&] {
-                tables.emplace(material,
-                               load_or_build(*material, input.layout, input.channels, folder_, notice_));
+                tables.emplace(material, load_or_build(*in_harmonics(material, input.sampled), input.layout,
+                                                       input.channels, folder_, notice_));
             });
         }
         known = std::move(tables);

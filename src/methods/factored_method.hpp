@@ -36,9 +36,9 @@ public:
 private:
     std::filesystem::path folder_;
     CacheNotice notice_;
-    // Inputs: channels, order, kind of the light.
-    Stage<int, int, LightKind> sizing_;
-    Stage<Version, int, int, LightKind> projecting_;
+    // Inputs: sampled terms, channels, order, kind of the light.
+    Stage<SampledTerms, int, int, LightKind> sizing_;
+    Stage<Version, SampledTerms, int, int, LightKind> projecting_;
     Versioned<Tables> tables_;
     // Inputs: order, kind of the light.
     VertexStage<int, LightKind> baking_{{}};

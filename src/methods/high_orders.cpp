@@ -19,9 +19,9 @@ void HighOrderTransfer::set_cache(std::filesystem::path folder, CacheNotice noti
 void HighOrderTransfer::project(const TransferInput& input, const DistantLight& light, HighOrders form,
                                 RenderRun& run) {
     const Stopwatch watch;
-    bool ran =
-        fitting_.run(input.materials, form, light.low, light.high, input.channels, light.polarized, [&] {
-            sizing_.run(form, light.low, light.high, input.channels, light.polarized, [&] {
+    bool ran = fitting_.run(
+        input.materials, input.sampled, form, light.low, light.high, input.channels, light.polarized, [&] {
+            sizing_.run(input.sampled, form, light.low, light.high, input.channels, light.polarized, [&] {
                 parts_.change().clear();
                 light_.reset();
                 kernels_.clear();
@@ -54,14 +54,15 @@ void HighOrderTransfer::fit(const TransferInput& input, const DistantLight& ligh
         run.progress.report("project",
                             static_cast<double>(parts.size()) / static_cast<double>(materials.size()));
         ++run.statistics.materials_projected;
+        const MaterialPtr projected = in_harmonics(material, input.sampled);
         run.workers.run([&] {
             Part part{.factors = HighOrderFactors::mirror(), .convolved = {}, .maps = {}};
             if (form == HighOrders::convolution) {
                 const int channels = material->channels() == 1 ? 1 : input.channels;
-                kernels[material] = mirrored_kernels(*material, light.high, channels);
+                kernels[material] = mirrored_kernels(*projected, light.high, channels);
             } else {
                 part.factors =
-                    load_or_fit(*material, light.low, light.high, input.channels, folder_, notice_);
+                    load_or_fit(*projected, light.low, light.high, input.channels, folder_, notice_);
             }
             parts.emplace(material, std::move(part));
         });

@@ -66,10 +66,10 @@ private:
 
     std::filesystem::path folder_;
     CacheNotice notice_;
-    // Inputs: form, low and high order, channels, whether the light is polarized. fitting_ also depends on
-    // the materials.
-    Stage<HighOrders, int, int, int, bool> sizing_;
-    Stage<Version, HighOrders, int, int, int, bool> fitting_;
+    // Inputs: sampled terms, form, low and high order, channels, whether the light is polarized. fitting_
+    // also depends on the materials.
+    Stage<SampledTerms, HighOrders, int, int, int, bool> sizing_;
+    Stage<Version, SampledTerms, HighOrders, int, int, int, bool> fitting_;
     Versioned<Parts> parts_;
     Version fitted_ = 0;  // version of the parts without their filtered maps
     std::map<MaterialPtr, std::vector<ConvolutionKernel>> kernels_;

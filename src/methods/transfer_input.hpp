@@ -9,6 +9,7 @@
 
 #include "harmonics/light_layout.hpp"
 #include "harmonics/psh.hpp"
+#include "material/sampled_terms.hpp"
 #include "surfaces/surface_state.hpp"
 
 namespace nicol {
@@ -19,6 +20,7 @@ struct TransferInput : SurfaceState {
     const PshVector& light;  ///< scaled coefficients in the geometry's axes; one channel if all are equal
     Version light_version;   ///< version of `light` and `layout`
     int channels;            ///< channels of the image
+    SampledTerms sampled;    ///< terms of materials that are not reflected in harmonics
     /// Whether pixels are shaded instead of vertices. If so, relight leaves light in the geometry's axes,
     /// which can be interpolated.
     bool at_pixels = false;

@@ -62,14 +62,14 @@ std::size_t parts_of(LightKind kind) {
 
 }  // namespace
 
-OrderSelector::Orders OrderSelector::choose(const Scene& scene, const EnvironmentPtr& projected,
+OrderSelector::Orders OrderSelector::choose(const Scene& scene, const Projected& projected,
                                             const SurfaceState& surfaces, const RenderOptions& options,
                                             std::uint64_t memory_limit) {
     measuring_.run(scene.environment(), projected, surfaces.materials, surfaces.versions, [&] {
         choosing_.reset();
         shares_.clear();
         mean_square_ = values_ = 0;
-        if (projected) measure(scene, projected, surfaces);
+        if (projected.light) measure(scene, projected, surfaces);
     });
     limiting_.run(scene.geometry_version(), scene.environment(), options.shadows, options.high_order_shadows,
                   options.bake_directions, options.high_orders, memory_limit,
@@ -110,16 +110,15 @@ OrderSelector::Orders OrderSelector::cheapest(double tolerance, bool split) {
     return best;
 }
 
-void OrderSelector::measure(const Scene& scene, const EnvironmentPtr& projected,
-                            const SurfaceState& surfaces) {
-    projecting_.run(scene.environment(), projected, [&] {
-        light_ = energies(projected->project(kOrder));
+void OrderSelector::measure(const Scene& scene, const Projected& projected, const SurfaceState& surfaces) {
+    projecting_.run(scene.environment(), projected.light, [&] {
+        light_ = energies(projected.light->project(kOrder));
         all_light_ =
-            projected == scene.environment() ? light_ : energies(scene.environment()->project(kOrder));
+            projected.light == scene.environment() ? light_ : energies(scene.environment()->project(kOrder));
     });
     const WorldGeometry& geometry = surfaces.geometry;
-    kind_ = light_kind(projected.get());
-    responding_.run(kind_, scene.channels(), [&] { responses_.clear(); });
+    kind_ = light_kind(projected.light.get());
+    responding_.run(kind_, projected.sampled, scene.channels(), [&] { responses_.clear(); });
     std::optional<VisibilityPower> visible;
     if (surfaces.visibility != nullptr)
         visible.emplace(*surfaces.visibility, *surfaces.directions, geometry.normals);
@@ -141,13 +140,20 @@ void OrderSelector::measure(const Scene& scene, const EnvironmentPtr& projected,
     for (const auto& [material, count] : vertices) {
         auto known = responses_.find(material);
         if (known == responses_.end()) {
-            Response response{.power = ResponsePower(*material, kOrder, kind_, scene.channels()),
-                              .missed = {}};
-            known = responses_.emplace(material, std::move(response)).first;
+            MaterialPtr in_orders = in_harmonics(material, projected.sampled);
+            const ResponsePower whole(*material, kOrder, kind_, scene.channels());
+            const ResponsePower power =
+                in_orders == material ? whole : ResponsePower(*in_orders, kOrder, kind_, scene.channels());
+            known = responses_
+                        .emplace(material, Response{.whole = whole,
+                                                    .projected = std::move(in_orders),
+                                                    .power = power,
+                                                    .missed = {}})
+                        .first;
         }
-        const ResponsePower& power = known->second.power;
-        Share& share = shares_.emplace_back(
-            Share{.material = material, .response = &known->second, .all = {}, .seen = {}, .left = {}});
+        const auto& [whole, in_orders, power, missed] = known->second;
+        Share& share =
+            shares_.emplace_back(Share{.response = &known->second, .all = {}, .seen = {}, .left = {}});
         share.all.fill(Spectrum(size));
         share.seen.fill(Spectrum(size));
         for (int c = 0; c < scene.channels(); ++c) {
@@ -160,7 +166,7 @@ void OrderSelector::measure(const Scene& scene, const EnvironmentPtr& projected,
                              fraction, output, share);
                 mean_square_ +=
                     static_cast<double>(count) *
-                    reflected(all_light_[channel][part], power.of(c, 0, part), couplings[part == 1 ? 1 : 0]);
+                    reflected(all_light_[channel][part], whole.of(c, 0, part), couplings[part == 1 ? 1 : 0]);
             }
         }
         values_ += static_cast<double>(count) * scene.channels();
@@ -208,7 +214,7 @@ const std::array<double, OrderSelector::kOutputs>& OrderSelector::missed(const S
     if (!fresh) return found->second;
     constexpr std::size_t angles = 4;
     const ResponsePower& power = share.response->power;
-    const SplitFit fit(*share.material, low, high, power.channels());
+    const SplitFit fit(*share.response->projected, low, high, power.channels());
     std::array<double, kOutputs> total{};
     for (int c = 0; c < power.channels(); ++c) {
         for (std::size_t output = 0; output < kOutputs; ++output)

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "material/response_power.hpp"
+#include "material/sampled_terms.hpp"
 #include "scene/scene.hpp"
 #include "stage/options.hpp"
 #include "surfaces/surface_state.hpp"
@@ -36,12 +37,19 @@ public:
         double rms = 0;  ///< RMS of s0 at the vertices, for light of scale 1
     };
 
+    /// What has orders.
+    struct Projected {
+        EnvironmentPtr light;  ///< part of the scene's environment
+        SampledTerms sampled;  ///< terms of materials that have no orders
+        bool operator==(const Projected&) const = default;
+    };
+
     /// Returns the fastest orders for the factored method with a predicted error of at most the options'
     /// tolerance or, if there are none, the orders of least error. High orders are chosen if their form is
     /// split. A low order above the options' needs no more than memory_limit bytes in all, and no more than
-    /// kMostBytes of transfer. projected: the part of the scene's environment that has orders; the error is
-    /// relative to the whole environment.
-    Orders choose(const Scene& scene, const EnvironmentPtr& projected, const SurfaceState& surfaces,
+    /// kMostBytes of transfer. The error is relative to the reflection of the whole environment by whole
+    /// materials.
+    Orders choose(const Scene& scene, const Projected& projected, const SurfaceState& surfaces,
                   const RenderOptions& options, std::uint64_t memory_limit);
 
     static constexpr std::uint64_t kMostBytes = std::uint64_t{1} << 30;
@@ -52,14 +60,15 @@ private:
 
     // Response of a material, independent of light and shadows.
     struct Response {
-        ResponsePower power;
+        ResponsePower whole;
+        MaterialPtr projected;  // terms that have orders
+        ResponsePower power;    // of these terms
         // Fraction of the energy that high orders do not catch, by low and high order.
         std::map<std::pair<int, int>, std::array<double, kOutputs>> missed;
     };
 
     // Share of a material in the mean square of the image's Stokes components, by order of the light.
     struct Share {
-        MaterialPtr material;
         Response* response;
         std::array<Spectrum, kOutputs> all;
         std::array<Spectrum, kOutputs> seen;  // without the energy that shadows move here from other orders
@@ -70,7 +79,7 @@ private:
     [[nodiscard]] Orders cheapest(double tolerance, bool split);
     [[nodiscard]] static int highest_low(const Scene& scene, RenderOptions options,
                                          std::uint64_t memory_limit);
-    void measure(const Scene& scene, const EnvironmentPtr& projected, const SurfaceState& surfaces);
+    void measure(const Scene& scene, const Projected& projected, const SurfaceState& surfaces);
     // Adds a part of the light to a share. light: its energies by order. power: energies of its reflection by
     // order. coupling: of VisibilityPower.
     static void add_part(const Spectrum& light, const Spectrum& power, std::span<const double> coupling,
@@ -78,9 +87,9 @@ private:
     double error(int low, int high);
     const std::array<double, kOutputs>& missed(const Share& share, int low, int high);
 
-    Stage<EnvironmentPtr, EnvironmentPtr, Version, SurfaceVersions> measuring_;
+    Stage<EnvironmentPtr, Projected, Version, SurfaceVersions> measuring_;
     LightKind kind_ = LightKind::unpolarized;
-    Stage<LightKind, int> responding_;  // kind and channels
+    Stage<LightKind, SampledTerms, int> responding_;  // kind, sampled terms, channels
     std::map<MaterialPtr, Response> responses_;
     // Energies by order, of each channel: of the projected light, and of all light.
     using LightPower = std::vector<std::array<Spectrum, ResponsePower::kParts>>;

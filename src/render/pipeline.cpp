@@ -22,6 +22,17 @@ constexpr std::size_t kMostTriangles = 4096;
 // extracted lights and of photographs (nicol-bench coarse).
 constexpr double kVarying = 0.3;
 
+// Returns the terms that do not reflect harmonics. Light that is given as harmonics has no detail that narrow
+// lobes would miss.
+SampledTerms sampled_terms(const Scene& scene, const RenderOptions& options) {
+    const EnvironmentPtr& environment = scene.environment();
+    if (environment == nullptr || options.bsdf_samples == 0 || options.method != Method::factored ||
+        options.high_orders == HighOrders::convolution)
+        return SampledTerms::none;
+    return environment->pixels().values != nullptr ? SampledTerms::anisotropic_narrow
+                                                   : SampledTerms::anisotropic;
+}
+
 double highest_order(const Material& material, int order) {
     return std::min(1 / narrowest_lobe(material), static_cast<double>(order));
 }
@@ -91,13 +102,15 @@ void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderO
 
     // project: a rotation of the whole scene is the opposite rotation of light and camera.
     split_.update(scene.environment(), given, run.statistics);
-    const RenderOptions options = choose_orders(scene, given, run);
+    const SampledTerms sampled = sampled_terms(scene, given);
+    const RenderOptions options = choose_orders(scene, given, sampled, run);
     const Projection projection = in_axes(of_world, surfaces_.to_world());
     const glm::dmat3 light_to_geometry =
         glm::transpose(glm::dmat3(surfaces_.to_world())) * scene.light_rotation();
     light_.update(split_.rest(), scene.light_scale(), options, light_to_geometry, run.statistics);
-    local_lights_.update(scene, {split_.extracted_lights(), light_to_geometry}, visibility_.surfaces(), rays,
-                         options, run.statistics);
+    local_lights_.update(
+        scene, {split_.extracted_lights(), scene.environment(), split_.rest(), sampled, light_to_geometry},
+        visibility_.surfaces(), rays, options, run.statistics);
     rays.release();
     pixels_ =
         options.shade_at == ShadeAt::pixels ||
@@ -110,6 +123,7 @@ void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderO
         *light_.rotated(),
         light_.rotated().version(),
         scene.channels(),
+        sampled,
         pixels_,
         (options.disabled_optimisations & skip_response_rows) != 0 ? std::size_t{4} : std::size_t{1},
         static_cast<std::size_t>(options.components)};
@@ -153,7 +167,8 @@ TransferMethod& Pipeline::method_for(Method method) {
     return factored_;
 }
 
-RenderOptions Pipeline::choose_orders(const Scene& scene, const RenderOptions& options, RenderRun& run) {
+RenderOptions Pipeline::choose_orders(const Scene& scene, const RenderOptions& options, SampledTerms sampled,
+                                      RenderRun& run) {
     // Error of dark places, where polarization must be distinguished from noise, relative to the error of the
     // image.
     constexpr double of_dark = 1.0 / 3;
@@ -169,7 +184,7 @@ RenderOptions Pipeline::choose_orders(const Scene& scene, const RenderOptions& o
     const Stopwatch watch;
     run.workers.run([&] {
         const OrderSelector::Orders orders =
-            selector_.choose(scene, split_.rest(), visibility_.state(), options, run.memory_limit);
+            selector_.choose(scene, {split_.rest(), sampled}, visibility_.state(), options, run.memory_limit);
         chosen.order_low = orders.low;
         chosen.order_high = orders.high;
         run.statistics.predicted_error = orders.error;

@@ -51,7 +51,8 @@ public:
 private:
     [[nodiscard]] TransferMethod& method_for(Method method);
     /// Returns the options with the orders that their tolerance allows.
-    RenderOptions choose_orders(const Scene& scene, const RenderOptions& options, RenderRun& run);
+    RenderOptions choose_orders(const Scene& scene, const RenderOptions& options, SampledTerms sampled,
+                                RenderRun& run);
     void shade(ShadeInput input, const Projection& projection, const RenderOptions& options,
                const DistantLight& distant, RenderExecutor& executor, RenderRun& run);
     void shade_pixels(const Scene& scene, ShadeInput input, const Projection& projection,

@@ -48,6 +48,10 @@ void check(const RenderOptions& options) {
         refuse("light_samples is " + std::to_string(options.light_samples) + "; it must lie in 1 to " +
                std::to_string(kMaxLightSamples));
     }
+    if (options.bsdf_samples < 0 || options.bsdf_samples > kMaxBsdfSamples) {
+        refuse("bsdf_samples is " + std::to_string(options.bsdf_samples) + "; it must lie in 0 to " +
+               std::to_string(kMaxBsdfSamples));
+    }
     if ((options.aovs & aov_variance) != 0) {
         refuse("aovs asks for the variance, which the reference method alone makes: others have no noise");
     }

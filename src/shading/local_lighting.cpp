@@ -6,9 +6,11 @@
 #include <bit>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 #include <optional>
 #include <utility>
 
+#include "material/sampled_terms.hpp"
 #include "material/spatial_variation.hpp"
 #include "shading/light_samples.hpp"
 #include "shading/normal_variation.hpp"
@@ -78,6 +80,9 @@ private:
     std::uint64_t count_ = 0;
 };
 
+// Solid angle over which a sample of a lobe is averaged, relative to its share of the lobe.
+constexpr float kOverlap = 1;
+
 // Returns the number of light samples for a light of this angular radius: `most` from 0.2 radians on, fewer
 // for smaller lights, because their soft shadows are narrower.
 std::uint32_t places_of(float angular_radius, std::uint32_t most) {
@@ -113,88 +118,191 @@ private:
 
 }  // namespace
 
+LocalLighting::LocalLighting(Lights lights, const RayScene* rays, int samples)
+    : lights_(std::move(lights)), rays_(rays), samples_(static_cast<std::uint32_t>(samples)) {}
+
+namespace {
+
 bool has_terms(const Material& material, bool smooth) {
-    if (const SpatialVariation* const variation = material.variation())
-        return std::ranges::any_of(variation->layers, [&](const MaterialLayer& layer) {
-            return has_terms(*layer.material, smooth);
-        });
-    for (int t = 0; t < material.terms(); ++t)
-        if (material.smooth(t) == smooth) return true;
-    return false;
+    return any_term(material,
+                    [smooth](const Material& layer, int term) { return layer.smooth(term) == smooth; });
 }
 
-LocalLighting::LocalLighting(std::vector<LightSourcePtr> sources, const RayScene* rays, int samples)
-    : sources_(std::move(sources)), rays_(rays), samples_(static_cast<std::uint32_t>(samples)) {}
+// Up to sixteen points, and their sums of reflected light.
+class LitBatch {
+public:
+    LitBatch(const Viewpoint& view, const LitPoints& points, const LitMaterial& material,
+             const RayScene* rays, std::span<std::array<Lanes, 4>> sums)
+        : points_(points),
+          material_(material),
+          all_((1U << points.positions.size()) - 1),
+          positions_(in_lanes(points.positions)),
+          origins_(points.origins.empty() ? positions_ : in_lanes(points.origins)),
+          facets_(points.facets.empty() ? LaneVectors() : in_lanes(points.facets)),
+          sums_(sums) {
+        std::ranges::copy(points.mirrored, mirrored_.value.begin());
+        reflected_.set(view, points.positions, points.normals, points.tangents);
+        if (rays != nullptr && points.shadowed) shadows_.emplace(*rays, positions_, origins_);
+    }
+
+    // Adds the rough terms' reflection of one light, but for terms that find it.
+    void add_source(const LightSource& source, SampledTerms find_it, std::uint32_t index,
+                    std::uint32_t most_samples) {
+        const float radius = source.angular_radius(points_.positions.front());
+        const std::uint32_t samples = places_of(radius, most_samples);
+        const float factor = 1 / static_cast<float>(samples);
+        seed(index);
+        LightShadows shadowing(shadows());
+        for (std::uint32_t k = 0; k < samples; ++k) {
+            Lanes u{}, v{};
+            if (radius > 0) light_samples(k, std::span(seeds_).first(points_.positions.size()), u, v);
+            source.sample(positions_, u, v, light_);
+            const std::uint32_t lit = shadowing.reached(k, light_, lit_points());
+            for_layers(lit, [&](const Material& layer, const LayerWeights* weights, std::uint32_t there) {
+                reflected_.add(layer, weights, light_, there, factor, sums_, find_it);
+            });
+        }
+    }
+
+    // Adds the smooth terms' reflection of one light.
+    void add_mirrored(const LightSource& source) {
+        source.intersect(origins_, reflected_.mirrored_directions(), light_);
+        add_mirrored();
+    }
+
+    // Adds the sampled terms' reflection of the environment.
+    void add_environment(const SampledEnvironment& environment) {
+        std::uint32_t index = kFirstLobe;
+        for_layers(all_, [&](const Material& layer, const LayerWeights* weights, std::uint32_t there) {
+            std::vector<glm::dvec2>& lobes = lobes_of(layer, environment.sampled());
+            for (const glm::dvec2& lobe : lobes) add_lobe(environment, layer, lobe, weights, there, index++);
+        });
+        if (environment.sampled() != SampledTerms::anisotropic_narrow || !any_layer_has(true)) return;
+        light_.towards = reflected_.mirrored_directions();
+        environment.look_up(true, mirrored_, light_);
+        add_mirrored();
+    }
+
+    // Returns whether a layer has smooth terms (or rough ones, if `smooth` is false).
+    [[nodiscard]] bool any_layer_has(bool smooth) const {
+        return std::ranges::any_of(material_.layers,
+                                   [&](const Material* layer) { return has_terms(*layer, smooth); });
+    }
+    [[nodiscard]] std::uint64_t rays() const { return shadows_ ? shadows_->count() : 0; }
+
+private:
+    // Returns an object that the thread keeps, so that frames allocate no memory.
+    static LaneLight& kept_light() {
+        thread_local LaneLight light;
+        return light;
+    }
+
+    // Seeds of lobes follow those of lights.
+    static constexpr std::uint32_t kFirstLobe = 1U << 31;
+
+    // Returns the different widths of a layer's sampled rough terms.
+    static std::vector<glm::dvec2>& lobes_of(const Material& layer, SampledTerms sampled) {
+        thread_local std::vector<glm::dvec2> lobes;
+        lobes.clear();
+        for (int t = 0; t < layer.terms(); ++t) {
+            if (layer.smooth(t) || !is_sampled(layer, t, sampled)) continue;
+            const glm::dvec2 widths = layer.lobe_widths(t);
+            if (std::ranges::find(lobes, widths) == lobes.end()) lobes.push_back(widths);
+        }
+        return lobes;
+    }
+
+    void add_lobe(const SampledEnvironment& environment, const Material& layer, const glm::dvec2& lobe,
+                  const LayerWeights* weights, std::uint32_t there, std::uint32_t index) {
+        const auto samples = static_cast<float>(environment.samples());
+        seed(index);
+        LightShadows shadowing(shadows());
+        for (std::uint32_t k = 0; k < environment.samples(); ++k) {
+            Lanes u{}, v{}, density, solid_angles;
+            light_samples(k, std::span(seeds_).first(points_.positions.size()), u, v);
+            reflected_.sample_lobe(lobe, u, v, light_.towards, density);
+            for (std::size_t i = 0; i < kLanes; ++i)
+                solid_angles[i] = kOverlap / (samples * density[i]) + mirrored_[i];
+            environment.look_up(std::max(lobe.x, lobe.y) < kNarrowestLobe, solid_angles, light_);
+            for (std::array<Lanes, 4>& stokes : light_.irradiance)
+                for (std::size_t p = 0; p < light_.components; ++p)
+                    for (std::size_t i = 0; i < kLanes; ++i) stokes[p][i] /= density[i];
+            const std::uint32_t lit = shadowing.reached(k, light_, there & lit_points());
+            if (lit != 0)
+                reflected_.add_sampled(layer, environment.sampled(), lobe, weights, light_, lit, 1 / samples,
+                                       sums_);
+        }
+    }
+
+    void add_mirrored() {
+        std::uint32_t lit = lit_points();
+        if (shadows_ && lit != 0) lit = shadows_->visible(light_, lit);
+        for_layers(lit, [&](const Material& layer, const LayerWeights* weights, std::uint32_t there) {
+            reflected_.add_mirrored(layer, weights, light_, there, sums_);
+        });
+    }
+
+    // Calls reflect(layer, weights, points) for those points that each layer covers.
+    template <class Reflect>
+    void for_layers(std::uint32_t points, const Reflect& reflect) {
+        for (std::size_t l = 0; l < material_.layers.size(); ++l) {
+            const LayerWeights* const weights = material_.weights.empty() ? nullptr : &material_.weights[l];
+            const std::uint32_t there = weights != nullptr ? points & weights->points : points;
+            if (there != 0) reflect(*material_.layers[l], weights, there);
+        }
+    }
+
+    // Dims the light as perturbed normals need, and returns the points that it may reach.
+    std::uint32_t lit_points() {
+        if (!points_.unperturbed.empty()) dim(points_, light_);
+        const std::uint32_t lit = all_ & light_.points & reflected_.lit(light_);
+        return points_.facets.empty() ? lit : lit & above(facets_, light_);
+    }
+
+    void seed(std::uint32_t index) {
+        for (std::size_t i = 0; i < points_.positions.size(); ++i)
+            seeds_[i] = sample_seed(points_.seeds[i], index);
+    }
+
+    [[nodiscard]] ShadowRays* shadows() { return shadows_ ? &*shadows_ : nullptr; }
+
+    const LitPoints& points_;
+    const LitMaterial& material_;
+    std::uint32_t all_;
+    LaneVectors positions_, origins_, facets_;
+    Lanes mirrored_{};
+    std::span<std::array<Lanes, 4>> sums_;
+    ReflectedLight reflected_;
+    LaneLight& light_ = kept_light();
+    std::optional<ShadowRays> shadows_;
+    std::array<std::uint32_t, kLanes> seeds_{};
+};
+
+}  // namespace
 
 std::uint64_t LocalLighting::add(const Viewpoint& view, const LitPoints& points, const LitMaterial& material,
                                  std::span<const std::span<glm::vec4>> out) const {
-    const std::size_t count = points.positions.size();
-    const std::uint32_t all = (1U << count) - 1;
-    const LaneVectors positions = in_lanes(points.positions);
-    const LaneVectors origins = points.origins.empty() ? positions : in_lanes(points.origins);
-    const LaneVectors facets = points.facets.empty() ? LaneVectors() : in_lanes(points.facets);
-    thread_local ReflectedLight reflected;
-    thread_local LaneLight light;
     thread_local std::vector<std::array<Lanes, 4>> sums;
-    reflected.set(view, points.positions, points.normals, points.tangents);
     sums.assign(out.size(), {});
-    std::optional<ShadowRays> shadows;
-    if (rays_ != nullptr && points.shadowed) shadows.emplace(*rays_, positions, origins);
-
-    // Calls reflect(layer, weights, points) for those lit points that the layer covers.
-    const auto for_layers = [&](std::uint32_t lit, const auto& reflect) {
-        for (std::size_t l = 0; l < material.layers.size(); ++l) {
-            const LayerWeights* const weights = material.weights.empty() ? nullptr : &material.weights[l];
-            const std::uint32_t there = weights != nullptr ? lit & weights->points : lit;
-            if (there != 0) reflect(*material.layers[l], weights, there);
-        }
-    };
-    const auto any_layer_has = [&](bool smooth) {
-        return std::ranges::any_of(material.layers,
-                                   [&](const Material* layer) { return has_terms(*layer, smooth); });
-    };
-    const auto lit_points = [&] {
-        const std::uint32_t lit = all & light.points & reflected.lit(light);
-        return points.facets.empty() ? lit : lit & above(facets, light);
-    };
-
-    std::array<std::uint32_t, kLanes> seeds{};
-    const bool all_smooth = !any_layer_has(false);  // light samples have no effect then
-    for (std::size_t s = 0; !all_smooth && s < sources_.size(); ++s) {
-        const LightSource& source = *sources_[s];
-        const float radius = source.angular_radius(points.positions.front());
-        const std::uint32_t samples = places_of(radius, samples_);
-        const float factor = 1 / static_cast<float>(samples);
-        for (std::size_t i = 0; i < count; ++i)
-            seeds[i] = sample_seed(points.seeds[i], static_cast<std::uint32_t>(s));
-        LightShadows shadowing(shadows ? &*shadows : nullptr);
-        for (std::uint32_t k = 0; k < samples; ++k) {
-            Lanes u{}, v{};
-            if (radius > 0) light_samples(k, std::span(seeds).first(count), u, v);
-            source.sample(positions, u, v, light);
-            if (!points.unperturbed.empty()) dim(points, light);
-            const std::uint32_t lit = shadowing.reached(k, light, lit_points());
-            for_layers(lit, [&](const Material& layer, const LayerWeights* weights, std::uint32_t there) {
-                reflected.add(layer, weights, light, there, factor, sums);
-            });
-        }
+    LitBatch batch(view, points, material, rays_, sums);
+    const SampledTerms sampled = lights_.environment ? lights_.environment->sampled() : SampledTerms::none;
+    if (batch.any_layer_has(false)) {  // light samples have no effect otherwise
+        std::uint32_t index = 0;
+        for (const LightSourcePtr& source : lights_.local)
+            batch.add_source(*source, SampledTerms::none, index++, samples_);
+        for (const LightSourcePtr& source : lights_.extracted)
+            batch.add_source(*source, sampled, index++, samples_);
     }
-    if (any_layer_has(true)) {
-        const LaneVectors mirrored = reflected.mirrored_directions();
-        for (const LightSourcePtr& source : sources_) {
-            source->intersect(origins, mirrored, light);
-            if (!points.unperturbed.empty()) dim(points, light);
-            std::uint32_t lit = lit_points();
-            if (shadows && lit != 0) lit = shadows->visible(light, lit);
-            for_layers(lit, [&](const Material& layer, const LayerWeights* weights, std::uint32_t there) {
-                reflected.add_mirrored(layer, weights, light, there, sums);
-            });
-        }
+    if (batch.any_layer_has(true)) {
+        for (const LightSourcePtr& source : lights_.local) batch.add_mirrored(*source);
+        if (sampled != SampledTerms::anisotropic_narrow)
+            for (const LightSourcePtr& source : lights_.extracted) batch.add_mirrored(*source);
     }
+    if (lights_.environment) batch.add_environment(*lights_.environment);
     for (std::size_t c = 0; c < out.size(); ++c)
-        for (std::size_t i = 0; i < count; ++i)
+        for (std::size_t i = 0; i < points.positions.size(); ++i)
             out[c][i] += glm::vec4(sums[c][0][i], sums[c][1][i], sums[c][2][i], sums[c][3][i]);
-    return shadows ? shadows->count() : 0;
+    return batch.rays();
 }
 
 }  // namespace nicol

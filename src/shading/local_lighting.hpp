@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Reflection of local lights: evaluates the pBRDF for each light and casts shadow rays.
+// Reflection without harmonics: evaluates the pBRDF for samples of local lights and of lobes, and casts
+// shadow rays.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -14,6 +16,7 @@
 #include "material/material.hpp"
 #include "polarization/viewpoint.hpp"
 #include "shading/light_source.hpp"
+#include "shading/sampled_environment.hpp"
 
 namespace nicol {
 
@@ -30,6 +33,8 @@ struct LitPoints {
     /// Unit normals without perturbation, for terminator_shadowing(). Empty: nothing is dimmed by it.
     std::span<const glm::vec3> unperturbed;
     std::span<const glm::vec3> origins;  ///< start points of shadow rays
+    /// Solid angles of the mirrored view directions that pixels cover. Empty: points cover nothing.
+    std::span<const float> mirrored;
     std::span<const std::uint32_t> seeds;
     bool shadowed;  ///< whether light may be occluded; false: no ray is traced
 };
@@ -40,16 +45,17 @@ struct LitMaterial {
     std::span<const LayerWeights> weights;  ///< empty: the weight is 1
 };
 
-/// Returns whether a material, or a layer of its variation(), has smooth terms (or rough ones, if `smooth` is
-/// false).
-[[nodiscard]] bool has_terms(const Material& material, bool smooth);
-
-/// Local lights and shadows. Immutable; threads share it.
+/// Local lights, the environment of sampled terms, and shadows. Immutable; threads share it.
 class LocalLighting {
 public:
+    struct Lights {
+        std::vector<LightSourcePtr> local;
+        std::vector<LightSourcePtr> extracted;          ///< lights of the environment
+        std::optional<SampledEnvironment> environment;  ///< distant light of sampled terms
+    };
     /// rays: surfaces that cast shadows, null for none; must outlive this object. samples: number of light
     /// samples for wide lights; narrower lights get fewer.
-    LocalLighting(std::vector<LightSourcePtr> sources, const RayScene* rays, int samples);
+    LocalLighting(Lights lights, const RayScene* rays, int samples);
 
     /// Adds to out[c][i] channel c's Stokes vector of point i towards the viewpoint, in the camera's frame
     /// field. Returns the number of rays.
@@ -57,7 +63,7 @@ public:
                       std::span<const std::span<glm::vec4>> out) const;
 
 private:
-    std::vector<LightSourcePtr> sources_;
+    Lights lights_;
     const RayScene* rays_;
     std::uint32_t samples_;
 };

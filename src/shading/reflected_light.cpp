@@ -4,8 +4,10 @@
 #include <numbers>
 
 #include "material/conductor.hpp"
+#include "material/microfacet.hpp"
 #include "polarization/lane_points.hpp"
 #include "simd/dispatch.hpp"
+#include "simd/lane_angle.hpp"
 #include "simd/lane_parts.hpp"
 #include "simd/work_space.hpp"
 
@@ -207,6 +209,73 @@ template <class Number>
     }
 }
 
+// Axes of surfaces in the world.
+struct SurfaceAxes {
+    const LaneVectors& tangent;
+    const LaneVectors& bitangent;
+    const LaneVectors& normal;
+};
+
+// Samples the facets that the viewer sees: the point of a disk that (u, v) chooses is projected to the half
+// sphere of directions that the facets' shape, stretched to a half sphere, shows the viewer.
+template <class Number>
+[[gnu::always_inline]] inline void sample_facets(const Facets<float>& facets, const LaneVectors& viewers,
+                                                 const SurfaceAxes& axes, const Lanes& us, const Lanes& vs,
+                                                 LaneVectors& directions, Lanes& densities) {
+    Lanes cosines, sines;
+    for (std::size_t i = 0; i < kLanes; ++i) turn(vs.value[i], cosines.value[i], sines.value[i]);
+    for (std::size_t first = 0; first < kLanes; first += kPart<Number>) {
+        Vector3<Number> viewer;
+        load_part(viewers, first, viewer);
+        viewer.z = viewer.z > 1e-6F ? viewer.z : Number{} + 1e-6F;
+        Number radius2, cosine, sine;
+        load_part(us, first, radius2);
+        load_part(cosines, first, cosine);
+        load_part(sines, first, sine);
+
+        const Vector3<Number> stretched =
+            normalized_or(Vector3<Number>{facets.alpha * viewer.x, facets.alpha_y * viewer.y, viewer.z}, 0.0F,
+                          Vector3<float>{0, 0, 1});
+        const Vector3<Number> across = normalized_or(Vector3<Number>{-stretched.y, stretched.x, Number{}},
+                                                     1e-12F, Vector3<float>{1, 0, 0});
+        const Vector3<Number> up = cross(stretched, across);
+        Number radius = radius2;
+        square_root(radius);
+        const Number a = radius * cosine;
+        const Number half_chord2 = 1.0F - a * a;
+        Number half_chord = half_chord2 > 0.0F ? half_chord2 : Number{};
+        square_root(half_chord);
+        const Number share = 0.5F * (1.0F + stretched.z);
+        const Number b = (1.0F - share) * half_chord + share * (radius * sine);
+        const Number rest2 = 1.0F - a * a - b * b;
+        Number rest = rest2 > 0.0F ? rest2 : Number{};
+        square_root(rest);
+        const Number rise = a * across.z + b * up.z + rest * stretched.z;
+        const Vector3<Number> half =
+            normalized_or(Vector3<Number>{facets.alpha * (a * across.x + b * up.x + rest * stretched.x),
+                                          facets.alpha_y * (a * across.y + b * up.y + rest * stretched.y),
+                                          rise > 1e-6F ? rise : Number{} + 1e-6F},
+                          0.0F, Vector3<float>{0, 0, 1});
+        Number along;
+        dot(viewer, half, along);
+        const Vector3<Number> light{2.0F * along * half.x - viewer.x, 2.0F * along * half.y - viewer.y,
+                                    2.0F * along * half.z - viewer.z};
+        Number seen, of_facets;
+        visibility_over_cosine(facets, viewer, seen);
+        density(facets, half, Number{} + 1.0F, of_facets);
+        store_part(Number(0.25F * seen * of_facets), first, densities);
+
+        Vector3<Number> x, y, z;
+        load_part(axes.tangent, first, x);
+        load_part(axes.bitangent, first, y);
+        load_part(axes.normal, first, z);
+        store_part(Vector3<Number>{light.x * x.x + light.y * y.x + light.z * z.x,
+                                   light.x * x.y + light.y * y.y + light.z * z.y,
+                                   light.x * x.z + light.y * y.z + light.z * z.z},
+                   first, directions);
+    }
+}
+
 }  // namespace
 
 void ReflectedLight::set(const Viewpoint& view, std::span<const glm::vec3> positions,
@@ -233,9 +302,31 @@ std::uint32_t ReflectedLight::lit(const LaneLight& light) const {
 }
 
 void ReflectedLight::add(const Material& material, const LayerWeights* weights, const LaneLight& light,
-                         std::uint32_t points, float factor, std::span<std::array<Lanes, 4>> out) const {
+                         std::uint32_t points, float factor, std::span<std::array<Lanes, 4>> out,
+                         SampledTerms find_it) const {
+    const auto has = [&](int term) {
+        return !material.smooth(term) && !finds_lights(material, term, find_it);
+    };
     add_terms(
-        Terms::rough, material, weights, light, points, [&](float cosine) { return factor * cosine; }, out);
+        has, material, weights, light, points, [&](float cosine) { return factor * cosine; }, out);
+}
+
+void ReflectedLight::sample_lobe(const glm::vec2& alpha, const Lanes& u, const Lanes& v,
+                                 LaneVectors& directions, Lanes& density) const {
+    dispatch<sample_facets<FourLanes>, sample_facets<EightLanes>, sample_facets<AllLanes>>(
+        Facets<float>{Distribution::ggx, alpha.x, alpha.y}, towards_viewer_,
+        SurfaceAxes{tangent_, bitangent_, normal_}, u, v, directions, density);
+}
+
+void ReflectedLight::add_sampled(const Material& material, SampledTerms sampled,
+                                 const glm::dvec2& lobe_widths, const LayerWeights* weights,
+                                 const LaneLight& light, std::uint32_t points, float factor,
+                                 std::span<std::array<Lanes, 4>> out) const {
+    const auto has = [&](int term) {
+        return is_sampled(material, term, sampled) && material.lobe_widths(term) == lobe_widths;
+    };
+    add_terms(
+        has, material, weights, light, points, [&](float cosine) { return factor * cosine; }, out);
 }
 
 LaneVectors ReflectedLight::mirrored_directions() const {
@@ -255,13 +346,12 @@ void ReflectedLight::add_mirrored(const Material& material, const LayerWeights* 
     // In the mirror direction the facets' pBRDF is Fresnel's matrix times D / (4 cos^2) with D = 1 / (pi
     // alpha^2), without shadowing or masking.
     constexpr auto scale = static_cast<float>(4 * std::numbers::pi * kSmoothAlpha * kSmoothAlpha);
-    add_terms(
-        Terms::smooth, material, weights, light, points, [](float cosine) { return scale * cosine * cosine; },
-        out);
+    add_terms([&](int term) { return material.smooth(term); }, material, weights, light, points,
+              [](float cosine) { return scale * cosine * cosine; }, out);
 }
 
-template <class Scale>
-void ReflectedLight::add_terms(Terms which, const Material& material, const LayerWeights* weights,
+template <class Has, class Scale>
+void ReflectedLight::add_terms(const Has& has, const Material& material, const LayerWeights* weights,
                                const LaneLight& light, std::uint32_t points, const Scale& scale_at,
                                std::span<std::array<Lanes, 4>> out) const {
     points &= light.points;
@@ -290,8 +380,8 @@ void ReflectedLight::add_terms(Terms which, const Material& material, const Laye
         for (std::size_t t = 0; t < terms; ++t) {
             const int term = static_cast<int>(t);
             const int own = material.channels() == 1 ? 0 : static_cast<int>(channel);
-            const bool some = material.smooth(term) == (which == Terms::smooth);
-            term_weights[channel * terms + t] = some ? static_cast<float>(material.weight(term, own)) : 0.0F;
+            term_weights[channel * terms + t] =
+                has(term) ? static_cast<float>(material.weight(term, own)) : 0.0F;
         }
     dispatch<add_lanes<FourLanes>, add_lanes<EightLanes>, add_lanes<AllLanes>>(
         Reflection{matrices, term_weights, light, incidence, weights, scale, frame_cosine_, frame_sine_},

@@ -5,12 +5,14 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <span>
 
 #include "light/lane_light.hpp"
 #include "material/layer_weights.hpp"
 #include "material/material.hpp"
+#include "material/sampled_terms.hpp"
 #include "polarization/viewpoint.hpp"
 
 namespace nicol {
@@ -32,9 +34,21 @@ public:
     /// Adds to out[channel] the light that `material` reflects at the points of lit() whose bit is set in
     /// `points`, as Stokes vectors in the camera's frame field, without the smooth terms. The light is the
     /// pBRDF times irradiance, times the cosine, times `factor` (above 0), times the weights of a layer
-    /// (null: 1). `material` must have no variation(). A light or a material of one channel serves all.
+    /// (null: 1). `material` must have no variation(). A light or a material of one channel serves all. Terms
+    /// that find the light by themselves, see finds_lights(), are left out.
     void add(const Material& material, const LayerWeights* weights, const LaneLight& light,
-             std::uint32_t points, float factor, std::span<std::array<Lanes, 4>> out) const;
+             std::uint32_t points, float factor, std::span<std::array<Lanes, 4>> out,
+             SampledTerms find_it = SampledTerms::none) const;
+
+    /// Computes a sample of the lobe of facets with roughness `alpha` along x and y: unit directions in the
+    /// positions' axes, which u and v in [0, 1) choose, and their density per steradian. The samples are
+    /// those of a GGX distribution's facets that the viewer sees (Heitz 2018).
+    void sample_lobe(const glm::vec2& alpha, const Lanes& u, const Lanes& v, LaneVectors& directions,
+                     Lanes& density) const;
+    /// Adds the terms with `lobe_widths` that `sampled` names. Otherwise equals add().
+    void add_sampled(const Material& material, SampledTerms sampled, const glm::dvec2& lobe_widths,
+                     const LayerWeights* weights, const LaneLight& light, std::uint32_t points, float factor,
+                     std::span<std::array<Lanes, 4>> out) const;
 
     /// Returns the unit directions, in the positions' axes, that the viewer sees in a mirror.
     [[nodiscard]] LaneVectors mirrored_directions() const;
@@ -44,11 +58,11 @@ public:
                       std::uint32_t points, std::span<std::array<Lanes, 4>> out) const;
 
 private:
-    enum class Terms { rough, smooth };
-    // Adds the terms of one kind; scale(cosine) is the factor of the pBRDF times the light.
-    template <class Scale>
-    void add_terms(Terms which, const Material& material, const LayerWeights* weights, const LaneLight& light,
-                   std::uint32_t points, const Scale& scale, std::span<std::array<Lanes, 4>> out) const;
+    // Adds the terms t with has(t); scale(cosine) is the factor of the pBRDF times the light.
+    template <class Has, class Scale>
+    void add_terms(const Has& has, const Material& material, const LayerWeights* weights,
+                   const LaneLight& light, std::uint32_t points, const Scale& scale,
+                   std::span<std::array<Lanes, 4>> out) const;
 
     // Axes of the surface's frames in the world.
     LaneVectors tangent_, bitangent_, normal_;

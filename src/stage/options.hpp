@@ -14,6 +14,7 @@ inline constexpr int kMaxRenderOrder = 32;
 inline constexpr int kSplitAutomatic = -1;
 inline constexpr int kMaxSplitLights = 64;
 inline constexpr int kMaxLightSamples = 1024;
+inline constexpr int kMaxBsdfSamples = 1024;
 
 /// Method that computes reflected light from incident light.
 enum class Method {
@@ -120,6 +121,10 @@ struct RenderOptions {
     /// light with an angular radius of 0.2 radians or more gets all samples; a smaller light gets
     /// proportionally fewer, but at least 4.
     int light_samples = 16;
+    /// Number of samples, per lit point and lobe, of the environment's reflection by anisotropic and by
+    /// narrow lobes, 0..kMaxBsdfSamples; 0: all lobes reflect harmonics, anisotropic ones as round ones.
+    /// Applies to Method::factored with HighOrders::split or none.
+    int bsdf_samples = 16;
     /// Stokes components of the image: 1 (s0), 3 (s0, s1, s2) or 4; the others are 0.
     int components = 4;
     /// Samples per pixel of the real-time methods, 1 to kMostDrawnSamples. Surfaces and the environment

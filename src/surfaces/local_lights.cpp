@@ -31,9 +31,33 @@ EmissiveSurface emissive_surface(const Instance& instance, std::uint32_t id, con
 
 }  // namespace
 
-void LocalLights::update(const Scene& scene, const ExtractedLights& split, const RefinedSurfaces& surfaces,
+void LocalLights::update(const Scene& scene, const DistantLight& distant, const RefinedSurfaces& surfaces,
                          SurfaceRays& rays, const RenderOptions& options, Statistics& statistics) {
-    const bool lit = scene.has_local_lights() || !split.extracted_lights.empty();
+    materials_.run(surfaces.version(), surfaces.material_version(), distant.sampled, [&] {
+        vertex_tangents_ = nicol::vertex_tangents(surfaces.geometry());
+        const auto any = [&](const auto& is) {
+            return std::ranges::any_of(surfaces.geometry().ranges, [&](const VertexRange& range) {
+                return any_term(*range.material, is);
+            });
+        };
+        const SampledTerms sampled = distant.sampled;
+        mirrors_ = any([](const Material& material, int term) { return material.smooth(term); });
+        finds_ =
+            any([=](const Material& material, int term) { return finds_lights(material, term, sampled); });
+        apart_ = any([=](const Material& material, int term) {
+            return is_sampled(material, term, sampled) && !finds_lights(material, term, sampled);
+        });
+    });
+    const EnvironmentPtr whole = finds_ ? distant.whole : nullptr, rest = apart_ ? distant.rest : nullptr;
+    filtering_.run(whole, rest, [&] {
+        Filtered& filtered = filtered_.change();
+        filtered.whole = whole ? std::make_shared<const LightPyramid>(*whole) : nullptr;
+        filtered.rest = rest == whole ? filtered.whole
+                        : rest        ? std::make_shared<const LightPyramid>(*rest)
+                                      : nullptr;
+    });
+    const bool sampled = whole != nullptr || rest != nullptr;
+    const bool lit = scene.has_local_lights() || !distant.extracted_lights.empty() || sampled;
     const bool shadows = options.shadows && lit;
     tracing_.run(surfaces.version(), shadows, [&] {
         rays_.change() = shadows ? rays.get() : nullptr;
@@ -44,44 +68,46 @@ void LocalLights::update(const Scene& scene, const ExtractedLights& split, const
             {.positions = geometry.positions, .normals = geometry.normals, .triangles = geometry.triangles},
             geometry.normals);
     });
-    materials_.run(surfaces.version(), surfaces.material_version(), [&] {
-        vertex_tangents_ = nicol::vertex_tangents(surfaces.geometry());
-        mirrors_ = std::ranges::any_of(surfaces.geometry().ranges, [](const VertexRange& range) {
-            return has_terms(*range.material, true);
-        });
-    });
     making_.run(scene.local_light_version(), scene.emission_version(), scene.geometry_version(),
-                surfaces.to_world(), rays_.version(), mirrors_, options.light_samples, split.extracted_lights,
-                split.rotation, scene.light_scale(), [&] {
+                surfaces.to_world(), rays_.version(), mirrors_, options.light_samples, options.bsdf_samples,
+                distant.sampled, filtered_.version(), distant.extracted_lights, distant.rotation,
+                scene.light_scale(), [&] {
                     if (!lit && !any()) return;  // the lighting of vertices stays as it is
-                    std::vector<LightSourcePtr> sources = make_sources(scene, split, surfaces.to_world());
-                    lights_ = sources.size();
+                    LocalLighting::Lights lights = make_lights(scene, distant, surfaces.to_world());
+                    lights_ = lights.local.size() + lights.extracted.size();
                     std::optional<LocalLighting>& lighting = lighting_.change();
                     lighting.reset();
                     if (!lit) return;
-                    lighting.emplace(std::move(sources), rays_->get(), options.light_samples);
+                    if (sampled)
+                        lights.environment.emplace(filtered_->whole, filtered_->rest,
+                                                   glm::mat3(glm::transpose(distant.rotation)),
+                                                   static_cast<float>(scene.light_scale()), distant.sampled,
+                                                   static_cast<std::uint32_t>(options.bsdf_samples));
+                    lighting.emplace(std::move(lights), rays_->get(), options.light_samples);
                 });
     statistics.local_lights = lights_;
+    if (whole) statistics.response_bytes += filtered_->whole->bytes();
+    if (rest && rest != whole) statistics.response_bytes += filtered_->rest->bytes();
 }
 
-std::vector<LightSourcePtr> LocalLights::make_sources(const Scene& scene, const ExtractedLights& split,
-                                                      const glm::dmat4& to_world) {
+LocalLighting::Lights LocalLights::make_lights(const Scene& scene, const DistantLight& distant,
+                                               const glm::dmat4& to_world) {
     const glm::dmat4 from_world = inverse_motion(to_world);
-    std::vector<LightSourcePtr> sources;
+    LocalLighting::Lights out;
     axes_.clear();
-    for (const LocalLight& light : scene.lights()) sources.push_back(light_source(light, from_world));
+    for (const LocalLight& light : scene.lights()) out.local.push_back(light_source(light, from_world));
     for (std::size_t i = 0; i < scene.instances().size(); ++i) {
         const Instance& instance = scene.instances()[i];
         if (!instance.emission) continue;
         EmissiveSurface surface = emissive_surface(instance, scene.ids()[i], from_world);
         surface.mirrored = mirrors_;
         axes_.emplace(scene.ids()[i], surface.axis);
-        if (LightSourcePtr source = light_source(surface)) sources.push_back(std::move(source));
+        if (LightSourcePtr source = light_source(surface)) out.local.push_back(std::move(source));
     }
-    for (const std::shared_ptr<const ExtractedLight>& extracted_light : split.extracted_lights)
-        sources.push_back(
-            std::make_unique<const ExtractedSource>(extracted_light, split.rotation, scene.light_scale()));
-    return sources;
+    for (const std::shared_ptr<const ExtractedLight>& extracted_light : distant.extracted_lights)
+        out.extracted.push_back(
+            std::make_unique<const ExtractedSource>(extracted_light, distant.rotation, scene.light_scale()));
+    return out;
 }
 
 }  // namespace nicol

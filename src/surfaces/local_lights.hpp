@@ -21,18 +21,20 @@
 
 namespace nicol {
 
-/// Local lights and emissive surfaces in the axes of the surfaces as drawn, and the ray hierarchy for their
-/// shadow rays.
+/// Local lights, emissive surfaces and the environment of sampled terms, in the axes of the surfaces as
+/// drawn, and the ray hierarchy for their shadow rays.
 class LocalLights {
 public:
-    /// Extracted lights of the scene's environment, and the rotation from the environment's axes to the
-    /// surfaces' axes.
-    struct ExtractedLights {
+    /// The scene's environment.
+    struct DistantLight {
         const std::vector<std::shared_ptr<const ExtractedLight>>& extracted_lights;
-        const glm::dmat3& rotation;
+        const EnvironmentPtr& whole;
+        const EnvironmentPtr& rest;  ///< without the extracted lights
+        SampledTerms sampled;        ///< terms that reflect samples of the rest
+        const glm::dmat3& rotation;  ///< from the environment's axes to the surfaces' axes
     };
     /// Takes over changes of the scene and the surfaces. rays: of the surfaces before their refinement.
-    void update(const Scene& scene, const ExtractedLights& split, const RefinedSurfaces& surfaces,
+    void update(const Scene& scene, const DistantLight& distant, const RefinedSurfaces& surfaces,
                 SurfaceRays& rays, const RenderOptions& options, Statistics& statistics);
 
     /// Returns a version that changes whenever the lighting changes.
@@ -51,18 +53,25 @@ public:
     [[nodiscard]] const glm::dvec3& axis_of(std::uint32_t instance) const { return axes_.at(instance); }
 
 private:
-    [[nodiscard]] std::vector<LightSourcePtr> make_sources(const Scene& scene, const ExtractedLights& split,
-                                                           const glm::dmat4& to_world);
+    [[nodiscard]] LocalLighting::Lights make_lights(const Scene& scene, const DistantLight& distant,
+                                                    const glm::dmat4& to_world);
 
     Stage<Version, bool> tracing_;  // vertices and triangles, whether anything casts shadows
     Versioned<std::shared_ptr<const RayScene>> rays_;
     std::vector<glm::vec3> vertex_origins_;
-    Stage<Version, Version> materials_;  // vertices and triangles, materials
+    Stage<Version, Version, SampledTerms> materials_;  // vertices and triangles, materials
     std::vector<glm::vec3> vertex_tangents_;
     bool mirrors_ = false;  // whether a material has smooth terms
-    // Inputs: lights, emission, placements of instances, the axes, rays, mirrors, light samples; extracted
-    // lights, their axes and scale.
-    Stage<Version, Version, Version, glm::dmat4, Version, bool, int,
+    bool finds_ = false;    // whether a material has sampled terms that find extracted lights
+    bool apart_ = false;    // whether a material has other sampled terms
+    Stage<EnvironmentPtr, EnvironmentPtr> filtering_;
+    struct Filtered {
+        std::shared_ptr<const LightPyramid> whole, rest;  // null: no term needs it
+    };
+    Versioned<Filtered> filtered_;
+    // Inputs: lights, emission, placements of instances, the axes, rays, mirrors, samples of lights and of
+    // lobes; sampled terms, their light; extracted lights, their axes and scale.
+    Stage<Version, Version, Version, glm::dmat4, Version, bool, int, int, SampledTerms, Version,
           std::vector<std::shared_ptr<const ExtractedLight>>, glm::dmat3, double>
         making_;
     Versioned<std::optional<LocalLighting>> lighting_;

@@ -40,7 +40,7 @@ struct BothExecutors {
         CHECK(actual.compute);
         CHECK(actual.pixels_shaded == expected.pixels_shaded);
         CHECK(actual.local_lights == expected.local_lights);
-        CHECK((actual.light_ms > 0) == (actual.local_lights > 0));
+        CHECK((actual.light_ms > 0) == (expected.light_ms > 0));
         check_alike(by_threads.image(), by_shaders.image(), actual.pixels_shaded > 0, texels);
     }
     [[nodiscard]] std::uint64_t rays() { return by_shaders.statistics().light_rays; }

@@ -209,3 +209,19 @@ IMAGE_TEST_CASE("the hits that threads read beside compute shaders are in the pr
         CHECK(taken() == taken_without);
     }
 }
+
+IMAGE_TEST_CASE("beside compute shaders sampled lobes are what they are beside threads") {
+    EquirectImage image(64, 33, 3);
+    for (std::size_t i = 0; i < image.data.size(); i += 4)
+        image.data[i] = 1 + std::sin(static_cast<float>(i * i % 97));
+    const MaterialPtr brushed = rough_conductor({.eta = {{0.2, -3.0}}, .alpha = 0.1, .alpha_v = 0.4});
+    for (const ShadeAt place : {ShadeAt::vertices, ShadeAt::pixels}) {
+        CAPTURE(static_cast<int>(place));
+        Scene scene = still(brushed, pplastic({.alpha = 0.03}));
+        scene.set_environment(image_environment(image), glm::dmat3(1), 1);
+        BothExecutors both(context, 3);
+        both.run(scene,
+                 {.order_low = 4, .order_high = 4, .shade_at = place, .pixel_samples = 4, .bsdf_samples = 8});
+        CHECK(both.rays() > 0);
+    }
+}

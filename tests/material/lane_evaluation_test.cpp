@@ -106,6 +106,8 @@ TEST_CASE("sixteen pairs of directions at once, as one by one") {
         {"plastic, ggx, smooth", plastic(0.05, ggx, 1.5), 0.05},
         {"plastic, sharp", plastic(0.001, beckmann, 1.5), 0.001},
         {"plastic, ggx, sharp", plastic(0.001, ggx, 1.5), 0.001},
+        {"plastic, brushed", pplastic({.ext_ior = 1, .alpha = 0.3, .alpha_v = 0.05, .distribution = ggx}),
+         0.05},
         {"plastic, index near 1", plastic(0.2, ggx, 1.0003), 0.2},
         {"plastic, total reflection", plastic(0.2, ggx, 0.8), 0.2},
         {"metal, beckmann", metal(0.1, beckmann), 0.1},

@@ -84,6 +84,7 @@ TEST_CASE("parameters out of range are named") {
     check_error(bad, CALL(pplastic({.ext_ior = -1})), "ext_ior");
     check_error(bad, CALL(pplastic({.alpha = 0})), "alpha");
     check_error(bad, CALL(pplastic({.alpha = nan})), "alpha");
+    check_error(bad, CALL(pplastic({.alpha_v = 2})), "alpha_v");
     check_error(bad, CALL(pplastic({.diffuse_reflectance = {.1, .2}, .specular_reflectance = {.1, .2, .3}})),
                 "channels");
     CHECK_THROWS_AS(diffuse({2}), Error);

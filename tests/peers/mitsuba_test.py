@@ -49,6 +49,10 @@ def metal(alpha):
         <float name="alpha" value="{alpha}"/><float name="eta" value="1.3"/><float name="k" value="3.2"/></bsdf>"""
 
 
+def brushed(bsdf, u, v):
+    return bsdf.replace('<float name="alpha" value="0.2"/>', f'<float name="alpha_u" value="{u}"/><float name="alpha_v" value="{v}"/>')
+
+
 def image(name, file, raw, scale):
     return f"""<texture name="{name}" type="bitmap"><string name="filename" value="{file}"/>
         <boolean name="raw" value="{raw}"/><transform name="to_uv"><scale x="{scale}" y="{scale}"/></transform></texture>"""
@@ -116,6 +120,10 @@ CASES = {
     "plastic, spot": (plastic(), plastic(), SPOT, 2),
     "plastic, area": (plastic(), plastic(), LAMP, 2),
     "metal, environment": (metal(0.3), None, FOREST, 2),
+    "brushed metal, environment": (brushed(metal(0.2), 0.1, 0.4), brushed(metal(0.2), 0.3, 0.05), FOREST, 2),
+    "brushed plastic, environment": (brushed(plastic(), 0.4, 0.1), None, FOREST, 2),
+    "brushed plastic, point": (brushed(plastic(), 0.15, 0.6), None, POINT, 2),
+    "narrow metal, environment": (metal(0.02), plastic(), FOREST, 2),
     "metal, directional": (metal(0.2), metal(0.4), DIRECTIONAL, 2),
     "metal, circular lamp": (metal(0.4), None, CIRCULAR_LAMP, 3),
     "metal, spot behind a polarizer": (metal(0.2), metal(0.4), PLATED_SPOT, 2, "volpath"),

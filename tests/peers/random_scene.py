@@ -170,7 +170,8 @@ class RandomScene:
         if kind == "diffuse":
             return Part(f'<bsdf type="diffuse">{reflectance}</bsdf>', kind)
         if kind == "pplastic":
-            return Part(f'<bsdf type="pplastic">{distribution}{number("alpha", alpha)}{diffuse}</bsdf>', f"pplastic {alpha:.2f}")
+            facets = self.choice(number("alpha", alpha), number("alpha_u", alpha) + number("alpha_v", alpha**0.5))
+            return Part(f'<bsdf type="pplastic">{distribution}{facets}{diffuse}</bsdf>', f"pplastic {alpha:.2f}{' brushed' if 'alpha_u' in facets else ''}")
         if kind == "plastic":
             return Part(f'<bsdf type="roughplastic">{distribution}{number("alpha", alpha)}{diffuse}</bsdf>', f"plastic {alpha:.2f}")
         if kind == "principled":

@@ -4,8 +4,10 @@
 #include "../material/chiral_material.hpp"
 #include "directions.hpp"
 #include "material/conductor.hpp"
+#include "material/microfacet.hpp"
 #include "material/plastic.hpp"
 #include "polarization/fresnel.hpp"
+#include "shading/light_samples.hpp"
 #include "shading/local_lighting.hpp"
 #include "test.hpp"
 
@@ -265,14 +267,92 @@ TEST_CASE("rough terms are no mirrors") {
     reflected.set(kPerspective, p.positions, p.normals);
     std::vector<std::array<Lanes, 4>> out(1);
     for (const MaterialPtr& rough : {plastic({.alpha = 0.3}), diffuse({0.5}), rough_conductor({})}) {
-        CHECK_FALSE(has_terms(*rough, true));
-        CHECK(has_terms(*rough, false));
         reflected.add_mirrored(*rough, nullptr, p.light, 0xFFF7, out);
         for (const float s0 : out[0][0].value) CHECK(s0 == 0);
     }
-    CHECK_FALSE(has_terms(*conductor({{0, -1}}), false));
-    CHECK(has_terms(*plastic({}), true));
-    CHECK(has_terms(*plastic({}), false));
+}
+
+TEST_CASE("samples of a lobe have the density of the facets that the viewer sees") {
+    std::mt19937 random(4);
+    Points p = some_points(random, kPerspective, 1, 1);
+    p.normals.assign(kLanes, glm::vec3(0));
+    constexpr std::uint32_t count = 4096;
+    for (const glm::dvec2& alpha : {glm::dvec2(0.02), glm::dvec2(0.1, 0.5), glm::dvec2(0.6, 0.2)}) {
+        CAPTURE(alpha.x);
+        for (std::size_t i = 0; i < kLanes; ++i) {
+            // Views from along the normal to grazing ones.
+            const glm::dvec3 viewer = kPerspective.towards(p.positions[i]);
+            const Frame around = frame_with_x(viewer, p.tangents[i]);
+            p.normals[i] = glm::vec3(around * direction(0.095 * static_cast<double>(i), 0));
+        }
+        ReflectedLight reflected;
+        reflected.set(kPerspective, p.positions, p.normals, p.tangents);
+        std::array<double, kLanes> within{}, wrong{};
+        std::array<std::uint32_t, kLanes> seeds;
+        for (std::uint32_t i = 0; i < kLanes; ++i) seeds[i] = 77 * i;
+        const LaneVectors mirrored = reflected.mirrored_directions();
+        const double radius = 2 * alpha.x;
+        const auto density = [&](std::size_t i, const glm::dvec3& light) {
+            const Frame surface = frame_with_x(glm::normalize(glm::dvec3(p.normals[i])), p.tangents[i]);
+            const glm::dvec3 viewer = kPerspective.towards(p.positions[i]) * surface;
+            const glm::dvec3 half = glm::normalize(viewer + light * surface);
+            if (!(half.z > 0)) return 0.0;
+            return facet_visibility(Distribution::ggx, alpha, viewer) *
+                   facet_density(Distribution::ggx, alpha, half) / (4 * viewer.z);
+        };
+        for (std::uint32_t k = 0; k < count; ++k) {
+            Lanes u, v, found;
+            LaneVectors lights;
+            light_samples(k, seeds, u, v);
+            reflected.sample_lobe(glm::vec2(alpha), u, v, lights, found);
+            for (std::size_t i = 0; i < kLanes; ++i) {
+                const glm::dvec3 light = lane(lights, i);
+                within[i] += glm::dot(light, lane(mirrored, i)) > std::cos(radius) ? 1.0 / count : 0.0;
+                const double expected = density(i, light);
+                wrong[i] = std::max(wrong[i], std::abs(static_cast<double>(found[i]) / expected - 1));
+            }
+        }
+        // The number of samples around the mirrored direction is the integral of the density.
+        constexpr int rings = 60, turns = 120;
+        for (std::size_t i = 0; i < kLanes; ++i) {
+            CAPTURE(i);
+            const Frame around = frame_with_x(lane(mirrored, i), p.tangents[i]);
+            double integral = 0;
+            for (int r = 0; r < rings; ++r)
+                for (int t = 0; t < turns; ++t) {
+                    const double z = 1 - (1 - std::cos(radius)) * (r + 0.5) / rings;
+                    integral += density(i, around * direction(std::acos(z), 2 * pi * (t + 0.5) / turns)) * 2 *
+                                pi * (1 - std::cos(radius)) / (rings * turns);
+                }
+            CHECK(within[i] == doctest::Approx(integral).epsilon(0.02));
+            CHECK(wrong[i] < 0.01);
+        }
+    }
+}
+
+TEST_CASE("terms that find lights by samples are not lit by light samples") {
+    std::mt19937 random(9);
+    const Points p = some_points(random, kPerspective, 4, 1);
+    ReflectedLight reflected;
+    reflected.set(kPerspective, p.positions, p.normals);
+    const MaterialPtr narrow = pplastic({.alpha = 0.09}), wide = pplastic({.alpha = 0.3});
+    constexpr SampledTerms sampled = SampledTerms::anisotropic_narrow;
+    std::vector<std::array<Lanes, 4>> all(1), parts(1), kept(1), same(1);
+    reflected.add(*narrow, nullptr, p.light, 0xFFF7, 1, all);
+    reflected.add(*narrow, nullptr, p.light, 0xFFF7, 1, kept, sampled);
+    parts = kept;
+    reflected.add_sampled(*narrow, sampled, glm::dvec2(0.09), nullptr, p.light, 0xFFF7, 1, parts);
+    reflected.add_sampled(*narrow, sampled, glm::dvec2(0.3), nullptr, p.light, 0xFFF7, 1, parts);
+    for (std::size_t q = 0; q < 4; ++q)
+        for (std::size_t i = 0; i < kLanes; ++i)
+            CHECK(parts[0][q][i] == doctest::Approx(all[0][q][i]).epsilon(1e-5));
+    bool differ = false;
+    for (std::size_t i = 0; i < kLanes; ++i) differ = differ || kept[0][0][i] < all[0][0][i];
+    CHECK(differ);
+    reflected.add(*wide, nullptr, p.light, 0xFFF7, 1, same, sampled);
+    std::vector<std::array<Lanes, 4>> whole(1);
+    reflected.add(*wide, nullptr, p.light, 0xFFF7, 1, whole);
+    for (std::size_t i = 0; i < kLanes; ++i) CHECK(same[0][0][i] == whole[0][0][i]);
 }
 
 TEST_CASE("lanes beyond the points given repeat the first") {

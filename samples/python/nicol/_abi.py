@@ -333,6 +333,10 @@ class Pplastic(Struct):
         ("diffuse_reflectance_texture", c_void_p),
         ("specular_reflectance_texture", c_void_p),
         ("alpha_texture", c_void_p),
+        ("alpha_u", c_float),
+        ("alpha_v", c_float),
+        ("alpha_u_texture", c_void_p),
+        ("alpha_v_texture", c_void_p),
     ]
     _defaults_ = {
         "int_ior": 1.49,
@@ -651,6 +655,8 @@ class RenderOptions(Struct):
         ("max_vertices", c_uint64),
         ("split_lights", c_int32),
         ("light_samples", c_uint32),
+        ("bsdf_samples", c_uint32),
+        ("reserved", c_uint32),
     ]
     _defaults_ = {
         "order_low": 4294967295,
@@ -663,6 +669,7 @@ class RenderOptions(Struct):
         "refine_tolerance": 0.02,
         "split_lights": -1,
         "light_samples": 16,
+        "bsdf_samples": 16,
     }
 
 

@@ -562,6 +562,10 @@ pub struct nicol_pplastic {
     pub diffuse_reflectance_texture: nicol_texture,
     pub specular_reflectance_texture: nicol_texture,
     pub alpha_texture: nicol_texture,
+    pub alpha_u: f32,
+    pub alpha_v: f32,
+    pub alpha_u_texture: nicol_texture,
+    pub alpha_v_texture: nicol_texture,
 }
 impl Default for nicol_pplastic {
     fn default() -> Self {
@@ -575,7 +579,7 @@ impl Default for nicol_pplastic {
     }
 }
 const _: () = {
-    assert!(size_of::<nicol_pplastic>() == 184);
+    assert!(size_of::<nicol_pplastic>() == 208);
     assert!(offset_of!(nicol_pplastic, struct_size) == 0);
     assert!(offset_of!(nicol_pplastic, distribution) == 4);
     assert!(offset_of!(nicol_pplastic, diffuse_reflectance) == 8);
@@ -587,6 +591,10 @@ const _: () = {
     assert!(offset_of!(nicol_pplastic, diffuse_reflectance_texture) == 160);
     assert!(offset_of!(nicol_pplastic, specular_reflectance_texture) == 168);
     assert!(offset_of!(nicol_pplastic, alpha_texture) == 176);
+    assert!(offset_of!(nicol_pplastic, alpha_u) == 184);
+    assert!(offset_of!(nicol_pplastic, alpha_v) == 188);
+    assert!(offset_of!(nicol_pplastic, alpha_u_texture) == 192);
+    assert!(offset_of!(nicol_pplastic, alpha_v_texture) == 200);
 };
 
 /// Plastic as Mitsuba 3's plastic and roughplastic: Fresnel reflection over a diffuse base, both depolarizing.
@@ -1171,6 +1179,8 @@ pub struct nicol_render_options {
     pub max_vertices: u64,
     pub split_lights: i32,
     pub light_samples: u32,
+    pub bsdf_samples: u32,
+    pub reserved: u32,
 }
 impl Default for nicol_render_options {
     fn default() -> Self {
@@ -1187,11 +1197,12 @@ impl Default for nicol_render_options {
         made.refine_tolerance = 0.02;
         made.split_lights = -1;
         made.light_samples = 16;
+        made.bsdf_samples = 16;
         made
     }
 }
 const _: () = {
-    assert!(size_of::<nicol_render_options>() == 128);
+    assert!(size_of::<nicol_render_options>() == 136);
     assert!(offset_of!(nicol_render_options, struct_size) == 0);
     assert!(offset_of!(nicol_render_options, method) == 4);
     assert!(offset_of!(nicol_render_options, order_low) == 8);
@@ -1217,6 +1228,8 @@ const _: () = {
     assert!(offset_of!(nicol_render_options, max_vertices) == 112);
     assert!(offset_of!(nicol_render_options, split_lights) == 120);
     assert!(offset_of!(nicol_render_options, light_samples) == 124);
+    assert!(offset_of!(nicol_render_options, bsdf_samples) == 128);
+    assert!(offset_of!(nicol_render_options, reserved) == 132);
 };
 
 #[repr(C)]

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+#include "light/light_pyramid.hpp"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "simd/lane_angle.hpp"
+
+namespace nicol {
+namespace {
+
+constexpr float kPi = std::numbers::pi_v<float>;
+
+// Columns of the last level. The Stokes frames of neighbouring columns turn by the angle between the columns
+// at the poles, so polarized light must not be averaged over wide columns.
+constexpr int kLeastColumns = 32;
+
+// Places within a texel, in texels, at which the level before is averaged.
+constexpr std::array<float, 4> kParts{0.125F, 0.375F, 0.625F, 0.875F};
+
+}  // namespace
+
+LightPyramid::LightPyramid(const Environment& environment)
+    : channels_(static_cast<std::size_t>(environment.channels())),
+      components_(environment.circular()    ? 4
+                  : environment.polarized() ? 3
+                                            : 1),
+      planes_(components_ > 1 ? channels_ : (channels_ + 3) / 4) {
+    const std::unique_ptr<const Environment> tabulated = environment.tabulated();
+    const EquirectImage image = (tabulated ? *tabulated : environment).image();
+    const std::size_t texels = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
+    Level& first = levels_.emplace_back(Level{.width = image.width,
+                                              .height = image.height,
+                                              .rows = static_cast<float>(image.height - 1),
+                                              .first_row = 0,
+                                              .texels = std::vector<glm::vec4>(planes_ * texels)});
+    for (std::size_t c = 0; c < channels_; ++c) {
+        const float* const from = image.data.data() + 4 * c * texels;
+        for (std::size_t i = 0; i < texels; ++i) {
+            if (components_ > 1)
+                first.texels[c * texels + i] = {from[4 * i], from[4 * i + 1], from[4 * i + 2],
+                                                from[4 * i + 3]};
+            else
+                first.texels[c / 4 * texels + i][static_cast<glm::length_t>(c % 4)] = from[4 * i];
+        }
+    }
+    while (levels_.back().width >= 2 * kLeastColumns && levels_.back().height >= kLeastColumns)
+        levels_.push_back(half_of(levels_.back(), planes_));
+}
+
+LightPyramid::Level LightPyramid::half_of(const Level& level, std::size_t planes) {
+    const int width = level.width / 2;
+    const int height = static_cast<int>(level.rows) / 2;
+    Level out{.width = width,
+              .height = height,
+              .rows = static_cast<float>(height),
+              .first_row = 0.5F,
+              .texels = std::vector<glm::vec4>(planes * static_cast<std::size_t>(width) *
+                                               static_cast<std::size_t>(height))};
+    tbb::parallel_for(0, static_cast<int>(planes) * height, [&](int line) {
+        const int row = line % height;
+        const auto plane = static_cast<std::size_t>(line / height);
+        glm::vec4* const texels =
+            out.texels.data() + static_cast<std::size_t>(line) * static_cast<std::size_t>(width);
+        float total = 0;
+        for (const float down : kParts) {
+            const float half_turn = (static_cast<float>(row) + down) / static_cast<float>(height);
+            // Rows near the poles cover less solid angle.
+            const float weight = std::sin(kPi * half_turn);
+            total += weight;
+            for (int x = 0; x < width; ++x)
+                for (const float right : kParts)
+                    texels[x] +=
+                        weight * at(level, plane, (static_cast<float>(x) + right) / static_cast<float>(width),
+                                    half_turn);
+        }
+        for (int x = 0; x < width; ++x) texels[x] /= total * static_cast<float>(kParts.size());
+    });
+    return out;
+}
+
+// Returns the interpolated texel at fractions of a turn from the first column and of half a turn from the
+// zenith, each in 0..1.
+glm::vec4 LightPyramid::at(const Level& level, std::size_t plane, float turn, float half_turn) {
+    const float x = turn * static_cast<float>(level.width) + 0.5F;
+    const float y =
+        std::clamp(half_turn * level.rows - level.first_row, 0.0F, static_cast<float>(level.height - 1));
+    const int after =
+        std::min(static_cast<int>(x), level.width);  // index of the column to the right, plus one
+    const int left = after == 0 ? level.width - 1 : after - 1;
+    const int right = after == level.width ? 0 : after;
+    const int upper = static_cast<int>(y);
+    const int lower = std::min(upper + 1, level.height - 1);
+    const float right_part = x - static_cast<float>(after);
+    const float lower_part = y - static_cast<float>(upper);
+    const auto width = static_cast<std::size_t>(level.width);
+    const glm::vec4* const texels =
+        level.texels.data() + plane * width * static_cast<std::size_t>(level.height);
+    const glm::vec4* const upper_row = texels + static_cast<std::size_t>(upper) * width;
+    const glm::vec4* const lower_row = texels + static_cast<std::size_t>(lower) * width;
+    const glm::vec4 a = upper_row[left] + right_part * (upper_row[right] - upper_row[left]);
+    const glm::vec4 b = lower_row[left] + right_part * (lower_row[right] - lower_row[left]);
+    return a + lower_part * (b - a);
+}
+
+void LightPyramid::look_up(const Lanes& solid_angles, LaneLight& out) const {
+    out.components = components_;
+    out.irradiance.resize(channels_);
+    const Level& first = levels_.front();
+    const float texel_height = kPi / first.rows;
+    const float texel = 2 * kPi / static_cast<float>(first.width) * texel_height;  // at the horizon
+    const auto last = static_cast<float>(levels_.size() - 1);
+    for (std::size_t i = 0; i < kLanes; ++i) {
+        const float x = out.towards.x[i], y = out.towards.y[i], z = out.towards.z[i];
+        const float across = std::sqrt(x * x + z * z);
+        const float quarter = 0.25F * quarter_turns(std::abs(x), std::abs(z));
+        const float from_front = z > 0 ? 0.5F - quarter : quarter;
+        const float turn = across > 0 ? (x < 0 ? 1 - from_front : from_front) : 0.0F;
+        const float height = 0.5F * quarter_turns(across, std::abs(y));
+        const float half_turn = y < 0 ? 1 - height : height;
+        put(out.x, i, across > 0 ? glm::vec3(-z, 0, x) / across : glm::vec3(1, 0, 0));
+
+        const float texels = solid_angles[i] / (texel * std::max(across, 0.5F * texel_height));
+        const float level = texels > 1 ? std::min(0.5F * std::log2(texels), last) : 0.0F;
+        const auto lower = static_cast<std::size_t>(level);
+        const float part = level - static_cast<float>(lower);
+        for (std::size_t plane = 0; plane < planes_; ++plane) {
+            glm::vec4 value = at(levels_[lower], plane, turn, half_turn);
+            if (part > 0) value += part * (at(levels_[lower + 1], plane, turn, half_turn) - value);
+            if (components_ > 1) {
+                for (std::size_t p = 0; p < components_; ++p)
+                    out.irradiance[plane][p][i] = value[static_cast<glm::length_t>(p)];
+                continue;
+            }
+            for (std::size_t c = 4 * plane; c < std::min(channels_, 4 * plane + 4); ++c)
+                out.irradiance[c][0][i] = value[static_cast<glm::length_t>(c % 4)];
+        }
+    }
+}
+
+std::size_t LightPyramid::bytes() const noexcept {
+    std::size_t out = 0;
+    for (const Level& level : levels_) out += level.texels.size() * sizeof(glm::vec4);
+    return out;
+}
+
+}  // namespace nicol

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// Terms of materials whose reflection of distant light is sampled, because tables of harmonics cannot hold
+// it.
+#pragma once
+
+#include "material/material.hpp"
+
+namespace nicol {
+
+/// Terms whose reflection of distant light is the mean over samples of their lobes. All other terms reflect
+/// the light's harmonics.
+enum class SampledTerms {
+    none,
+    anisotropic,         ///< terms whose lobes differ along x and along y
+    anisotropic_narrow,  ///< these, and terms with lobes narrower than kNarrowestLobe
+};
+
+/// Narrowest lobe, in radians, of which order 64 leaves no more than a few hundredths out.
+inline constexpr double kNarrowestLobe = 0.1;
+
+/// Returns whether a term of a material without variation() is sampled.
+[[nodiscard]] bool is_sampled(const Material& material, int term, SampledTerms sampled);
+/// Returns whether a sampled term has a lobe so narrow in all directions that its samples find extracted
+/// lights, too; all other terms are lit by samples of these lights.
+[[nodiscard]] bool finds_lights(const Material& material, int term, SampledTerms sampled);
+/// Returns the terms of a material without variation() that are not sampled, for tables of harmonics: the
+/// material itself if there is no other term, and a black material if there is no such term.
+[[nodiscard]] MaterialPtr in_harmonics(const MaterialPtr& material, SampledTerms sampled);
+
+}  // namespace nicol

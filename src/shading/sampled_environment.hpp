@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// Distant light for samples of lobes: filtered importance sampling (Krivanek and Colbert 2008).
+#pragma once
+
+#include <glm/mat3x3.hpp>
+#include <memory>
+#include <utility>
+
+#include "light/light_pyramid.hpp"
+#include "material/sampled_terms.hpp"
+
+namespace nicol {
+
+/// An environment that the sampled terms of materials reflect. Immutable; threads share it.
+class SampledEnvironment {
+public:
+    using Light = std::shared_ptr<const LightPyramid>;
+    /// Takes `whole`, the light for terms that find lights, and `rest`, the light for others, without
+    /// extracted lights; null if there are no such terms. to_environment: a rotation from the points' axes to
+    /// the environment's. scale: a factor of the light. samples: number per point and lobe.
+    SampledEnvironment(Light whole, Light rest, const glm::mat3& to_environment, float scale,
+                       SampledTerms sampled, std::uint32_t samples)
+        : whole_(std::move(whole)),
+          rest_(std::move(rest)),
+          to_environment_(to_environment),
+          scale_(scale),
+          sampled_(sampled),
+          samples_(samples) {}
+
+    [[nodiscard]] SampledTerms sampled() const noexcept { return sampled_; }
+    [[nodiscard]] std::uint32_t samples() const noexcept { return samples_; }
+
+    /// whole: whether extracted lights are included. Computes the mean radiance within solid angles around
+    /// the directions out.towards, which are unit vectors in the points' axes: all other members of `out`,
+    /// with radiance in place of irradiance.
+    void look_up(bool whole, const Lanes& solid_angles, LaneLight& out) const;
+
+private:
+    Light whole_, rest_;
+    glm::mat3 to_environment_;
+    float scale_;
+    SampledTerms sampled_;
+    std::uint32_t samples_;
+};
+
+}  // namespace nicol
