@@ -15,6 +15,9 @@ Report bench_coarse(const Options& given);
 /// Measures the distance from the reference method, by order.
 Report bench_error(const Options& options);
 
+/// Measures errors of brushed and nearly smooth surfaces, narrow openings and close lights.
+Report bench_extremes(const Options& given);
+
 /// Measures the cost of a frame beside drawing the triangles.
 Report bench_frame(const Options& options);
 

@@ -51,6 +51,11 @@ const Command commands[] = {
      bench_places,
      {"--backend", "--cache", "--size", "--samples", "--csv", "--json"},
      "errors far from the origin, on large floors and of close depths"},
+    {"extremes",
+     bench_extremes,
+     {"--backend", "--cache", "--size", "--samples", "--csv", "--json"},
+     "errors of brushed and nearly smooth surfaces, narrow openings, close lights and a fine\n"
+     "              checkerboard"},
     {"frame",
      bench_frame,
      {"SCENE.xml", "-D", "--light", "--backend", "--cache", "--size", "--orders", "--memory", "--seconds",

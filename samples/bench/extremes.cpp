@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+#include "commands.hpp"
+
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "comparison.hpp"
+#include "temporary_folder.hpp"
+
+namespace {
+
+const std::string kForest = R"(<emitter type="envmap"><string name="filename" value=")" NICOL_BENCH_ASSETS
+                            R"(/forest.exr"/></emitter>)";
+const std::string kEvenSky = R"(<emitter type="constant"/>)";
+
+std::string number(const char* name, const std::string& value) {
+    return std::string(R"(<float name=")") + name + R"(" value=")" + value + R"("/>)";
+}
+
+std::string metal(const std::string& along_u, const std::string& along_v) {
+    return R"(<bsdf type="roughconductor"><string name="material" value="Al"/>)" +
+           number("alpha_u", along_u) + number("alpha_v", along_v) + "</bsdf>";
+}
+
+std::string plastic(const std::string& alpha) {
+    return R"(<bsdf type="pplastic"><rgb name="diffuse_reflectance" value="0.1,0.27,0.36"/>)" +
+           number("alpha", alpha) + "</bsdf>";
+}
+
+const std::string kMatt = R"(<bsdf type="diffuse"><rgb name="reflectance" value="0.5,0.4,0.3"/></bsdf>)";
+
+// A square of edge 2 with its normal up, moved and scaled.
+std::string square(const std::string& transform, const std::string& inside) {
+    return R"(<shape type="rectangle"><transform name="to_world"><rotate x="1" angle="-90"/>)" + transform +
+           "</transform>" + inside + "</shape>";
+}
+
+std::string ball(const std::string& bsdf, const std::string& light) {
+    return light + R"(<shape type="sphere">)" + bsdf + "</shape>";
+}
+
+// Two sheets of edge 2 under an even sky, matt on both sides.
+std::string sheets(const std::string& apart) {
+    const std::string matt = R"(<bsdf type="twosided">)" + kMatt + "</bsdf>";
+    return kEvenSky + square("", matt) + square(R"(<translate y=")" + apart + R"("/>)", matt);
+}
+
+// A box of edge 2 whose roof is two strips beside an open one, under an even sky; the camera is inside.
+std::string open_box() {
+    std::string out = kEvenSky;
+    for (const char* turn : {R"(<rotate z="1" angle="90"/>)", R"(<rotate z="1" angle="-90"/>)",
+                             R"(<rotate x="1" angle="90"/>)", R"(<rotate x="1" angle="-90"/>)", ""})
+        out += square(std::string(R"(<translate y="-1"/>)") + turn, kMatt);
+    for (const char* side : {"-0.625", "0.625"})
+        out += square(std::string(R"(<scale x="0.375"/><rotate x="1" angle="180"/><translate x=")") + side +
+                          R"(" y="1"/>)",
+                      kMatt);
+    return out;
+}
+
+std::string light_above_floor(const std::string& height) {
+    return square(R"(<scale value="5"/>)", kMatt) +
+           square(R"(<scale value="0.5"/><rotate x="1" angle="180"/><translate y=")" + height + R"("/>)",
+                  R"(<emitter type="area"><rgb name="radiance" value="10,9,8"/></emitter>)");
+}
+
+// A ball on a floor under a distant sphere of light, whose angular radius has this sine.
+std::string disc_of_sky(const std::string& sine) {
+    return ball(plastic("0.2"), "") + square(R"(<scale value="4"/><translate y="-1"/>)", plastic("0.2")) +
+           R"(<shape type="sphere"><transform name="to_world"><scale value=")" + sine +
+           R"("/><translate x="0.4" y="0.8" z="0.447"/><scale value="100"/></transform>)" +
+           R"(<emitter type="area"><rgb name="radiance" value="1,0.9,0.8"/></emitter></shape>)";
+}
+
+std::string checkered_floor() {
+    return kEvenSky +
+           square(
+               R"(<scale value="20"/>)",
+               R"(<bsdf type="diffuse"><texture name="reflectance" type="checkerboard"><transform name="to_uv">)"
+               R"(<scale value="50"/></transform></texture></bsdf>)");
+}
+
+struct Row {
+    std::string name;
+    std::string content;
+    std::string origin = "0,1,4";
+    std::string target = "0,0,0";
+};
+
+std::vector<Row> rows() {
+    std::vector<Row> out;
+    for (const auto& [u, v] : {std::pair{"0.2", "0.2"}, {"0.1", "0.4"}, {"0.4", "0.1"}, {"0.05", "0.5"}})
+        out.push_back({std::string("aluminium, alpha ") + u + " and " + v, ball(metal(u, v), kForest)});
+    out.push_back({"principled, anisotropic 0.8",
+                   ball(R"(<bsdf type="principled"><rgb name="base_color" value="0.9,0.6,0.3"/>)" +
+                            number("metallic", "1") + number("roughness", "0.4") +
+                            number("anisotropic", "0.8") + "</bsdf>",
+                        kForest)});
+    for (const char* alpha : {"0.005", "0.01", "0.02", "0.03"})
+        out.push_back({std::string("aluminium, alpha ") + alpha, ball(metal(alpha, alpha), kForest)});
+    for (const char* alpha : {"0.005", "0.02", "0.05"})
+        out.push_back({std::string("plastic, alpha ") + alpha, ball(plastic(alpha), kForest)});
+    for (const char* apart : {"0.2", "0.5", "1"})
+        out.push_back({std::string("sheets ") + apart + " apart", sheets(apart), "0.5,0.1,4", "0,0.1,0"});
+    out.push_back({"box with a slit in its roof", open_box(), "0,-0.5,0.9", "0,-0.2,0"});
+    for (const char* height : {"0.5", "0.1", "0.02"})
+        out.push_back({std::string("square light ") + height + " above a floor", light_above_floor(height),
+                       "1,2,3", "0,0,0"});
+    out.push_back({"disc of the sky of 60 degrees", disc_of_sky("0.5"), "0,1,5"});
+    out.push_back({"disc of the sky of 90 degrees", disc_of_sky("0.707"), "0,1,5"});
+    out.push_back({"checkerboard of 100 x 100 squares", checkered_floor(), "0,4,20"});
+    return out;
+}
+
+// Measures one row, and names it in errors.
+Comparison::Measured measured(const SceneSource& source, const Row& row, std::uint32_t size,
+                              std::uint32_t samples) {
+    try {
+        return Comparison(source, size, samples, true)
+            .measure({.defaults = true, .shade_at = NICOL_SHADE_AT_AUTOMATIC, .samples = 8});
+    } catch (const std::exception& error) {
+        throw std::runtime_error(row.name + ": " + error.what());
+    }
+}
+
+void write_scene(const std::filesystem::path& path, const Row& row) {
+    std::ofstream out(path);
+    out << R"(<scene version="3.0.0"><sensor type="perspective"><float name="fov" value="40"/>)"
+        << R"(<transform name="to_world"><lookat origin=")" << row.origin << R"(" target=")" << row.target
+        << R"(" up="0,1,0"/></transform></sensor>)" << row.content << "</scene>";
+    if (!out.flush()) throw std::runtime_error(path.string() + ": cannot be written");
+}
+
+}  // namespace
+
+Report bench_extremes(const Options& given) {
+    const std::uint32_t size = given.size == 0 ? 128 : given.size;
+    const std::uint32_t samples = given.samples == 0 ? 1024 : given.samples;
+    const TemporaryFolder folder;
+    Options options = given;
+    const std::filesystem::path file = folder.path() / "scene.xml";
+    options.scene = file.string();
+
+    Report report({"s0", "s1", "s2", "predicted", "shade ms"});
+    for (const Row& row : rows()) {
+        write_scene(file, row);
+        const SceneSource source(options);
+        const Comparison::Measured found = measured(source, row, size, samples);
+        report.add(row.name, {found.errors[0], found.errors[1], found.errors[2],
+                              found.statistics.predicted_error, found.statistics.shade_ms});
+    }
+    report.note("Relative RMSE by default with 8 samples a pixel, " + std::to_string(size) + " x " +
+                std::to_string(size) + " pixels, against rays of " + std::to_string(samples) +
+                " samples twice, without their noise. Balls are in the forest.");
+    return report;
+}
