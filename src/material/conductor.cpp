@@ -75,6 +75,7 @@ public:
     }
     [[nodiscard]] double lobe_width(int) const noexcept override { return std::min(alpha_.x, alpha_.y); }
     [[nodiscard]] glm::dvec2 lobe_widths(int) const noexcept override { return alpha_; }
+    [[nodiscard]] Distribution distribution(int) const noexcept override { return p_.distribution; }
     [[nodiscard]] const Material& isotropic() const noexcept override {
         return isotropic_ ? *isotropic_ : *this;
     }

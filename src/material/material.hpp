@@ -22,6 +22,16 @@ struct SpatialVariation;
 class Material;
 using MaterialPtr = std::shared_ptr<const Material>;
 
+/// Distribution of the normals of a rough surface's facets.
+enum class Distribution { beckmann, ggx };
+
+/// Facets that reflect as a term of a material does, for samples of the term.
+struct Lobe {
+    glm::dvec2 alpha;  ///< roughness along x and along y
+    Distribution distribution;
+    bool operator==(const Lobe&) const = default;
+};
+
 /// Polarimetric reflectance (pBRDF) without the cosine: a sum of colourless terms, one weight per channel,
 /// M(channel) = sum over t of weight(t, channel) * evaluate(t, ...). Immutable.
 class Material {
@@ -60,6 +70,11 @@ public:
     [[nodiscard]] virtual glm::dvec2 lobe_widths(int term) const noexcept {
         return glm::dvec2(lobe_width(term));
     }
+
+    /// Returns the distribution of a term's facets; that with the longer tail for other terms.
+    [[nodiscard]] virtual Distribution distribution(int /*term*/) const noexcept { return Distribution::ggx; }
+    /// Returns the facets of a term.
+    [[nodiscard]] Lobe lobe(int term) const noexcept { return {lobe_widths(term), distribution(term)}; }
 
     /// Returns whether a term replaces a smooth surface: a narrow lobe in place of a mirror's delta function,
     /// which no table can hold. Such a term reflects nothing of lights without a size, although evaluate() is
@@ -106,8 +121,6 @@ protected:
 /// Returns M(channel), the sum over all terms, with the frames and range of Material::evaluate().
 [[nodiscard]] Mueller evaluate(const Material& material, int channel, const glm::dvec3& towards_light,
                                const glm::dvec3& towards_viewer);
-
-enum class Distribution { beckmann, ggx };
 
 /// Parameters of Mitsuba 3's `pplastic`: a rough dielectric boundary over a diffuse base.
 struct PplasticParameters {

@@ -59,6 +59,10 @@ public:
     [[nodiscard]] const Material& isotropic() const noexcept override {
         return isotropic_ ? *isotropic_ : *this;
     }
+    [[nodiscard]] Distribution distribution(int term) const noexcept override {
+        const Term& of = at(term);
+        return of.material->distribution(of.index);
+    }
     [[nodiscard]] bool smooth(int term) const noexcept override {
         const Term& of = at(term);
         return of.material->smooth(of.index);

@@ -75,6 +75,7 @@ public:
     [[nodiscard]] double lobe_width(int term) const noexcept override {
         return term == 0 ? 1 : p_.alpha.value;
     }
+    [[nodiscard]] Distribution distribution(int) const noexcept override { return p_.distribution; }
     [[nodiscard]] bool smooth(int term) const noexcept override { return smooth_ && term == 1; }
     [[nodiscard]] std::string content_key() const override {
         return Key(smooth_ ? "plastic" : "roughplastic")

@@ -96,6 +96,7 @@ public:
     [[nodiscard]] glm::dvec2 lobe_widths(int term) const noexcept override {
         return term == 0 ? glm::dvec2(1) : alpha_;
     }
+    [[nodiscard]] Distribution distribution(int) const noexcept override { return p_.distribution; }
     [[nodiscard]] const Material& isotropic() const noexcept override {
         return isotropic_ ? *isotropic_ : *this;
     }

@@ -33,6 +33,9 @@ public:
     [[nodiscard]] glm::dvec2 lobe_widths(int term) const noexcept override {
         return material_->lobe_widths(of(term));
     }
+    [[nodiscard]] Distribution distribution(int term) const noexcept override {
+        return material_->distribution(of(term));
+    }
     [[nodiscard]] bool smooth(int term) const noexcept override { return material_->smooth(of(term)); }
     [[nodiscard]] const Material& isotropic() const noexcept override {
         return isotropic_ ? *isotropic_ : *this;

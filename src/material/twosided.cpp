@@ -28,6 +28,9 @@ public:
     [[nodiscard]] const Material& isotropic() const noexcept override {
         return isotropic_ ? *isotropic_ : *this;
     }
+    [[nodiscard]] Distribution distribution(int term) const noexcept override {
+        return front_->distribution(term);
+    }
     [[nodiscard]] bool smooth(int term) const noexcept override { return front_->smooth(term); }
     [[nodiscard]] bool mirror_symmetric() const noexcept override { return front_->mirror_symmetric(); }
     [[nodiscard]] bool twosided() const noexcept override { return true; }

@@ -6,7 +6,6 @@
 #include <bit>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <glm/vec2.hpp>
 #include <optional>
 #include <utility>
 
@@ -79,9 +78,6 @@ private:
     const RayScene& scene_;
     std::uint64_t count_ = 0;
 };
-
-// Solid angle over which a sample of a lobe is averaged, relative to its share of the lobe.
-constexpr float kOverlap = 1;
 
 // Returns the number of light samples for a light of this angular radius: `most` from 0.2 radians on, fewer
 // for smaller lights, because their soft shadows are narrower.
@@ -174,8 +170,8 @@ public:
     void add_environment(const SampledEnvironment& environment) {
         std::uint32_t index = kFirstLobe;
         for_layers(all_, [&](const Material& layer, const LayerWeights* weights, std::uint32_t there) {
-            std::vector<glm::dvec2>& lobes = lobes_of(layer, environment.sampled());
-            for (const glm::dvec2& lobe : lobes) add_lobe(environment, layer, lobe, weights, there, index++);
+            std::vector<Lobe>& lobes = lobes_of(layer, environment.sampled());
+            for (const Lobe& lobe : lobes) add_lobe(environment, layer, lobe, weights, there, index++);
         });
         if (environment.sampled() != SampledTerms::anisotropic_narrow || !any_layer_has(true)) return;
         light_.towards = reflected_.mirrored_directions();
@@ -200,19 +196,19 @@ private:
     // Seeds of lobes follow those of lights.
     static constexpr std::uint32_t kFirstLobe = 1U << 31;
 
-    // Returns the different widths of a layer's sampled rough terms.
-    static std::vector<glm::dvec2>& lobes_of(const Material& layer, SampledTerms sampled) {
-        thread_local std::vector<glm::dvec2> lobes;
+    // Returns the different lobes of a layer's sampled rough terms.
+    static std::vector<Lobe>& lobes_of(const Material& layer, SampledTerms sampled) {
+        thread_local std::vector<Lobe> lobes;
         lobes.clear();
         for (int t = 0; t < layer.terms(); ++t) {
             if (layer.smooth(t) || !is_sampled(layer, t, sampled)) continue;
-            const glm::dvec2 widths = layer.lobe_widths(t);
-            if (std::ranges::find(lobes, widths) == lobes.end()) lobes.push_back(widths);
+            const Lobe lobe = layer.lobe(t);
+            if (std::ranges::find(lobes, lobe) == lobes.end()) lobes.push_back(lobe);
         }
         return lobes;
     }
 
-    void add_lobe(const SampledEnvironment& environment, const Material& layer, const glm::dvec2& lobe,
+    void add_lobe(const SampledEnvironment& environment, const Material& layer, const Lobe& lobe,
                   const LayerWeights* weights, std::uint32_t there, std::uint32_t index) {
         const auto samples = static_cast<float>(environment.samples());
         seed(index);
@@ -222,8 +218,8 @@ private:
             light_samples(k, std::span(seeds_).first(points_.positions.size()), u, v);
             reflected_.sample_lobe(lobe, u, v, light_.towards, density);
             for (std::size_t i = 0; i < kLanes; ++i)
-                solid_angles[i] = kOverlap / (samples * density[i]) + mirrored_[i];
-            environment.look_up(std::max(lobe.x, lobe.y) < kNarrowestLobe, solid_angles, light_);
+                solid_angles[i] = 1 / (samples * density[i]) + mirrored_[i];
+            environment.look_up(std::max(lobe.alpha.x, lobe.alpha.y) < kNarrowestLobe, solid_angles, light_);
             for (std::array<Lanes, 4>& stokes : light_.irradiance)
                 for (std::size_t p = 0; p < light_.components; ++p)
                     for (std::size_t i = 0; i < kLanes; ++i) stokes[p][i] /= density[i];

@@ -4,10 +4,9 @@
 #include <numbers>
 
 #include "material/conductor.hpp"
-#include "material/microfacet.hpp"
 #include "polarization/lane_points.hpp"
+#include "shading/facet_samples.hpp"
 #include "simd/dispatch.hpp"
-#include "simd/lane_angle.hpp"
 #include "simd/lane_parts.hpp"
 #include "simd/work_space.hpp"
 
@@ -209,73 +208,6 @@ template <class Number>
     }
 }
 
-// Axes of surfaces in the world.
-struct SurfaceAxes {
-    const LaneVectors& tangent;
-    const LaneVectors& bitangent;
-    const LaneVectors& normal;
-};
-
-// Samples the facets that the viewer sees: the point of a disk that (u, v) chooses is projected to the half
-// sphere of directions that the facets' shape, stretched to a half sphere, shows the viewer.
-template <class Number>
-[[gnu::always_inline]] inline void sample_facets(const Facets<float>& facets, const LaneVectors& viewers,
-                                                 const SurfaceAxes& axes, const Lanes& us, const Lanes& vs,
-                                                 LaneVectors& directions, Lanes& densities) {
-    Lanes cosines, sines;
-    for (std::size_t i = 0; i < kLanes; ++i) turn(vs.value[i], cosines.value[i], sines.value[i]);
-    for (std::size_t first = 0; first < kLanes; first += kPart<Number>) {
-        Vector3<Number> viewer;
-        load_part(viewers, first, viewer);
-        viewer.z = viewer.z > 1e-6F ? viewer.z : Number{} + 1e-6F;
-        Number radius2, cosine, sine;
-        load_part(us, first, radius2);
-        load_part(cosines, first, cosine);
-        load_part(sines, first, sine);
-
-        const Vector3<Number> stretched =
-            normalized_or(Vector3<Number>{facets.alpha * viewer.x, facets.alpha_y * viewer.y, viewer.z}, 0.0F,
-                          Vector3<float>{0, 0, 1});
-        const Vector3<Number> across = normalized_or(Vector3<Number>{-stretched.y, stretched.x, Number{}},
-                                                     1e-12F, Vector3<float>{1, 0, 0});
-        const Vector3<Number> up = cross(stretched, across);
-        Number radius = radius2;
-        square_root(radius);
-        const Number a = radius * cosine;
-        const Number half_chord2 = 1.0F - a * a;
-        Number half_chord = half_chord2 > 0.0F ? half_chord2 : Number{};
-        square_root(half_chord);
-        const Number share = 0.5F * (1.0F + stretched.z);
-        const Number b = (1.0F - share) * half_chord + share * (radius * sine);
-        const Number rest2 = 1.0F - a * a - b * b;
-        Number rest = rest2 > 0.0F ? rest2 : Number{};
-        square_root(rest);
-        const Number rise = a * across.z + b * up.z + rest * stretched.z;
-        const Vector3<Number> half =
-            normalized_or(Vector3<Number>{facets.alpha * (a * across.x + b * up.x + rest * stretched.x),
-                                          facets.alpha_y * (a * across.y + b * up.y + rest * stretched.y),
-                                          rise > 1e-6F ? rise : Number{} + 1e-6F},
-                          0.0F, Vector3<float>{0, 0, 1});
-        Number along;
-        dot(viewer, half, along);
-        const Vector3<Number> light{2.0F * along * half.x - viewer.x, 2.0F * along * half.y - viewer.y,
-                                    2.0F * along * half.z - viewer.z};
-        Number seen, of_facets;
-        visibility_over_cosine(facets, viewer, seen);
-        density(facets, half, Number{} + 1.0F, of_facets);
-        store_part(Number(0.25F * seen * of_facets), first, densities);
-
-        Vector3<Number> x, y, z;
-        load_part(axes.tangent, first, x);
-        load_part(axes.bitangent, first, y);
-        load_part(axes.normal, first, z);
-        store_part(Vector3<Number>{light.x * x.x + light.y * y.x + light.z * z.x,
-                                   light.x * x.y + light.y * y.y + light.z * z.y,
-                                   light.x * x.z + light.y * y.z + light.z * z.z},
-                   first, directions);
-    }
-}
-
 }  // namespace
 
 void ReflectedLight::set(const Viewpoint& view, std::span<const glm::vec3> positions,
@@ -311,19 +243,23 @@ void ReflectedLight::add(const Material& material, const LayerWeights* weights, 
         has, material, weights, light, points, [&](float cosine) { return factor * cosine; }, out);
 }
 
-void ReflectedLight::sample_lobe(const glm::vec2& alpha, const Lanes& u, const Lanes& v,
-                                 LaneVectors& directions, Lanes& density) const {
-    dispatch<sample_facets<FourLanes>, sample_facets<EightLanes>, sample_facets<AllLanes>>(
-        Facets<float>{Distribution::ggx, alpha.x, alpha.y}, towards_viewer_,
-        SurfaceAxes{tangent_, bitangent_, normal_}, u, v, directions, density);
+void ReflectedLight::sample_lobe(const Lobe& lobe, const Lanes& u, const Lanes& v, LaneVectors& directions,
+                                 Lanes& density) const {
+    LaneVectors local;
+    sample_facets(lobe, towards_viewer_, u, v, local, density);
+    for (std::size_t i = 0; i < kLanes; ++i) {
+        const float x = local.x[i], y = local.y[i], z = local.z[i];
+        directions.x[i] = z * normal_.x[i] + x * tangent_.x[i] + y * bitangent_.x[i];
+        directions.y[i] = z * normal_.y[i] + x * tangent_.y[i] + y * bitangent_.y[i];
+        directions.z[i] = z * normal_.z[i] + x * tangent_.z[i] + y * bitangent_.z[i];
+    }
 }
 
-void ReflectedLight::add_sampled(const Material& material, SampledTerms sampled,
-                                 const glm::dvec2& lobe_widths, const LayerWeights* weights,
-                                 const LaneLight& light, std::uint32_t points, float factor,
-                                 std::span<std::array<Lanes, 4>> out) const {
+void ReflectedLight::add_sampled(const Material& material, SampledTerms sampled, const Lobe& lobe,
+                                 const LayerWeights* weights, const LaneLight& light, std::uint32_t points,
+                                 float factor, std::span<std::array<Lanes, 4>> out) const {
     const auto has = [&](int term) {
-        return is_sampled(material, term, sampled) && material.lobe_widths(term) == lobe_widths;
+        return is_sampled(material, term, sampled) && material.lobe(term) == lobe;
     };
     add_terms(
         has, material, weights, light, points, [&](float cosine) { return factor * cosine; }, out);

@@ -5,7 +5,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <span>
 
@@ -40,13 +39,11 @@ public:
              std::uint32_t points, float factor, std::span<std::array<Lanes, 4>> out,
              SampledTerms find_it = SampledTerms::none) const;
 
-    /// Computes a sample of the lobe of facets with roughness `alpha` along x and y: unit directions in the
-    /// positions' axes, which u and v in [0, 1) choose, and their density per steradian. The samples are
-    /// those of a GGX distribution's facets that the viewer sees (Heitz 2018).
-    void sample_lobe(const glm::vec2& alpha, const Lanes& u, const Lanes& v, LaneVectors& directions,
+    /// Computes sample_facets(), with unit directions in the positions' axes.
+    void sample_lobe(const Lobe& lobe, const Lanes& u, const Lanes& v, LaneVectors& directions,
                      Lanes& density) const;
-    /// Adds the terms with `lobe_widths` that `sampled` names. Otherwise equals add().
-    void add_sampled(const Material& material, SampledTerms sampled, const glm::dvec2& lobe_widths,
+    /// Adds the terms with this lobe that `sampled` names. Otherwise equals add().
+    void add_sampled(const Material& material, SampledTerms sampled, const Lobe& lobe,
                      const LayerWeights* weights, const LaneLight& light, std::uint32_t points, float factor,
                      std::span<std::array<Lanes, 4>> out) const;
 

@@ -221,7 +221,7 @@ IMAGE_TEST_CASE("beside compute shaders sampled lobes are what they are beside t
         scene.set_environment(image_environment(image), glm::dmat3(1), 1);
         BothExecutors both(context, 3);
         both.run(scene,
-                 {.order_low = 4, .order_high = 4, .shade_at = place, .pixel_samples = 4, .bsdf_samples = 8});
+                 {.order_low = 4, .order_high = 4, .shade_at = place, .bsdf_samples = 8, .pixel_samples = 4});
         CHECK(both.rays() > 0);
     }
 }
