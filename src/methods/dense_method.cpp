@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "material/material_projection.hpp"
+#include "visibility/narrow_opening.hpp"
 
 namespace nicol {
 
@@ -98,6 +99,8 @@ void DenseMethod::build(const TransferInput& input, const VertexRange& range, bo
                 if (!builder) builder.emplace(material, shadows);
                 if (harmonics) {
                     harmonics->project(*input.visibility, v, input.geometry.normals[v], seen);
+                    scale_narrow_opening(*input.directions, *input.visibility, v, input.geometry.normals[v],
+                                         order, seen);
                     visibility.assign(seen.begin(), seen.end());
                 }
                 builder->build(input.geometry.normals[v], visibility, out.at(v - range.first));

@@ -4,15 +4,10 @@
 #include <limits>
 
 namespace nicol {
-namespace {
-
-glm::vec3 of_lane(const LaneVectors& v, std::size_t lane) {
-    return {v.x[lane], v.y[lane], v.z[lane]};
-}
-
-}  // namespace
-
 void SampledEnvironment::look_up(bool whole, const Lanes& solid_angles, LaneLight& out) const {
+    const auto of_lane = [](const LaneVectors& v, std::size_t i) {
+        return glm::vec3(v.x[i], v.y[i], v.z[i]);
+    };
     const LaneVectors directions = out.towards;
     for (std::size_t i = 0; i < kLanes; ++i) put(out.towards, i, to_environment_ * of_lane(directions, i));
     (whole ? whole_ : rest_)->look_up(solid_angles, out);

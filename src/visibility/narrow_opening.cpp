@@ -5,6 +5,9 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
+#include <vector>
+
+#include "harmonics/psh.hpp"
 
 namespace nicol {
 namespace {
@@ -45,6 +48,15 @@ float narrow_opening_factor(const DirectionSet& directions, const Visibility& vi
     const double factor = truncated > exact / kMost ? std::clamp(exact / truncated, kLeast, kMost) : kMost;
     const double share = std::clamp((kWide - exact) / (kWide - kNarrow), 0.0, 1.0);
     return static_cast<float>(1 + share * (factor - 1));
+}
+
+void scale_narrow_opening(const DirectionSet& directions, const Visibility& visibility, std::size_t vertex,
+                          const glm::vec3& normal, int order, std::span<float> coefficients) {
+    if (visibility.unoccluded(vertex)) return;
+    std::vector<float> zonal;
+    for (int l = 0; l <= order; l += 2) zonal.push_back(coefficients[psh_index(l, 0)]);
+    const float factor = narrow_opening_factor(directions, visibility, vertex, normal, zonal);
+    for (float& coefficient : coefficients) coefficient *= factor;
 }
 
 }  // namespace nicol

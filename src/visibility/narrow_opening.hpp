@@ -17,4 +17,8 @@ namespace nicol {
                                           std::size_t vertex, const glm::vec3& normal,
                                           std::span<const float> zonal);
 
+/// Multiplies a vertex's coefficients, [psh_index(l, m)], by the factor for this order.
+void scale_narrow_opening(const DirectionSet& directions, const Visibility& visibility, std::size_t vertex,
+                          const glm::vec3& normal, int order, std::span<float> coefficients);
+
 }  // namespace nicol

@@ -106,7 +106,7 @@ TEST_CASE("factored is the reference under light of its order, to 2e-4") {
     for (const std::uint32_t order : {4U, 9U}) {
         CAPTURE(order);
         const std::vector<float> truth =
-            points(Owned(make_context(NICOL_BACKEND_OSMESA)), order, NICOL_METHOD_REFERENCE, 1 << 16);
+            points(Owned(make_context(NICOL_BACKEND_OSMESA)), order, NICOL_METHOD_REFERENCE, 1 << 17);
         on_every_backend([&](nicol_context each) {
             const Distance apart(points(each, order, NICOL_METHOD_FACTORED, 1), truth);
             for (std::size_t p = 0; p < 4; ++p) CHECK(apart.error[p] < 2e-4 * apart.size[p]);

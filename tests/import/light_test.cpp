@@ -115,8 +115,8 @@ TEST_CASE("values of lights are those of Mitsuba without spectra") {
         const char* type;
         const char* name;
     };
-    for (const auto& [type, name] : {Row{"point", "intensity"}, Row{"spot", "intensity"},
-                                     Row{"directional", "irradiance"}, Row{"projector", "irradiance"}}) {
+    for (const auto& [type, name] :
+         {Row{"point", "intensity"}, Row{"spot", "intensity"}, Row{"directional", "irradiance"}}) {
         const auto value = [&, type = type, name = name](const std::string& tag, const std::string& text) {
             const std::vector<double> v =
                 light(type, "<" + tag + " name='" + name + "' value='" + text + "'/>").value;

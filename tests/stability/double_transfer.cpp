@@ -16,6 +16,7 @@
 #include "harmonics/light_coefficients.hpp"
 #include "harmonics/product.hpp"
 #include "harmonics/rotation.hpp"
+#include "visibility/narrow_opening.hpp"
 #include "visibility/visibility_in_double.hpp"
 
 namespace nicol::test {
@@ -174,7 +175,16 @@ std::vector<Image> shaded_in_double(const Vertices& vertices, const DirectionSet
     for (std::size_t v = 0; v < vertices.normals.size(); ++v) {
         const Frame surface = theta_phi_frame(glm::dvec3(vertices.normals[v]));
         const Sight sight(vertices.view, vertices.positions[v], surface);
-        product.set(visibility_in_double(vertices.visibility, v, vertices.normals[v], directions, 2 * order));
+        std::vector<double> seen =
+            visibility_in_double(vertices.visibility, v, vertices.normals[v], directions, 2 * order);
+        if (!vertices.visibility.unoccluded(v)) {
+            std::vector<float> zonal;
+            for (int l = 0; l <= order; l += 2) zonal.push_back(static_cast<float>(seen[psh_index(l, 0)]));
+            const float factor =
+                narrow_opening_factor(directions, vertices.visibility, v, vertices.normals[v], zonal);
+            for (double& coefficient : seen) coefficient *= static_cast<double>(factor);
+        }
+        product.set(seen);
         for (std::size_t i = 0; i < lights.size(); ++i) {
             const PshVector local = rotated(lights[i], glm::transpose(surface));
             for (int c = 0; c < channels; ++c) {

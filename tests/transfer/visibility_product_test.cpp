@@ -8,6 +8,7 @@
 #include "material/brute_force.hpp"
 #include "test.hpp"
 #include "transfer/visibility_product.hpp"
+#include "visibility/narrow_opening.hpp"
 
 using namespace nicol;
 
@@ -84,6 +85,7 @@ double error_of(const Scene& scene, const LightLayout& layout, int channels, con
     double largest = 0;
     for (std::size_t vertex = 0; vertex < scene.normals.size(); ++vertex) {
         harmonics.project(scene.visibility, vertex, scene.normals[vertex], v);
+        scale_narrow_opening(directions(), scene.visibility, vertex, scene.normals[vertex], order, v);
         const PshVector light = light_at(vertex, order, channels, layout.kind());
         for (int c = 0; c < channels; ++c) {
             reference.multiply(std::vector<double>(v.begin(), v.end()), light.channel(c), want.channel(0));
