@@ -15,9 +15,14 @@ namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;
 
-// Columns of the last level. The Stokes frames of neighbouring columns turn by the angle between the columns
-// at the poles, so polarized light must not be averaged over wide columns.
-constexpr int kLeastColumns = 32;
+// Columns of the last level, of unpolarized and of polarized light. The Stokes frames of neighbouring columns
+// turn by the angle between the columns at the poles, so polarized light must not be averaged over wide
+// columns.
+constexpr int kLeastColumns = 8;
+constexpr int kLeastPolarized = 32;
+
+// Most texels side by side that are averaged near the poles.
+constexpr float kMostColumns = 8;
 
 // Places within a texel, in texels, at which the level before is averaged.
 constexpr std::array<float, 4> kParts{0.125F, 0.375F, 0.625F, 0.875F};
@@ -48,7 +53,8 @@ LightPyramid::LightPyramid(const Environment& environment)
                 first.texels[c / 4 * texels + i][static_cast<glm::length_t>(c % 4)] = from[4 * i];
         }
     }
-    while (levels_.back().width >= 2 * kLeastColumns && levels_.back().height >= kLeastColumns)
+    const int least = components_ > 1 ? kLeastPolarized : kLeastColumns;
+    while (levels_.back().width >= 2 * least && levels_.back().height >= least)
         levels_.push_back(half_of(levels_.back(), planes_));
 }
 
@@ -107,12 +113,25 @@ glm::vec4 LightPyramid::at(const Level& level, std::size_t plane, float turn, fl
     return a + lower_part * (b - a);
 }
 
+// Returns the mean over `columns` texels side by side.
+glm::vec4 LightPyramid::across_columns(const Level& level, std::size_t plane, float turn, float half_turn,
+                                       float columns) {
+    const int taps = static_cast<int>(columns);
+    const float step = std::min(columns / static_cast<float>(level.width), 1.0F) / static_cast<float>(taps);
+    glm::vec4 sum(0);
+    for (int k = 0; k < taps; ++k) {
+        const float there = turn + (static_cast<float>(k) - 0.5F * static_cast<float>(taps - 1)) * step;
+        sum += at(level, plane, there - std::floor(there), half_turn);
+    }
+    return sum / static_cast<float>(taps);
+}
+
 void LightPyramid::look_up(const Lanes& solid_angles, LaneLight& out) const {
     out.components = components_;
     out.irradiance.resize(channels_);
     const Level& first = levels_.front();
-    const float texel_height = kPi / first.rows;
-    const float texel = 2 * kPi / static_cast<float>(first.width) * texel_height;  // at the horizon
+    // Solid angle of a texel of the first level at the horizon.
+    const float texel = 2 * kPi / static_cast<float>(first.width) * kPi / first.rows;
     const auto last = static_cast<float>(levels_.size() - 1);
     for (std::size_t i = 0; i < kLanes; ++i) {
         const float x = out.towards.x[i], y = out.towards.y[i], z = out.towards.z[i];
@@ -124,13 +143,18 @@ void LightPyramid::look_up(const Lanes& solid_angles, LaneLight& out) const {
         const float half_turn = y < 0 ? 1 - height : height;
         put(out.x, i, across > 0 ? glm::vec3(-z, 0, x) / across : glm::vec3(1, 0, 0));
 
-        const float texels = solid_angles[i] / (texel * std::max(across, 0.5F * texel_height));
+        const float texels = solid_angles[i] / texel;
         const float level = texels > 1 ? std::min(0.5F * std::log2(texels), last) : 0.0F;
+        // Texels near the poles are narrow: several side by side are as wide as one is high. Polarized light
+        // is not averaged over them, because their frames differ.
+        const float wide = std::sqrt(texels) * std::exp2(-level) / std::max(across, 1e-3F);
+        const float columns = components_ > 1 ? 1.0F : std::clamp(wide, 1.0F, kMostColumns);
         const auto lower = static_cast<std::size_t>(level);
         const float part = level - static_cast<float>(lower);
         for (std::size_t plane = 0; plane < planes_; ++plane) {
-            glm::vec4 value = at(levels_[lower], plane, turn, half_turn);
-            if (part > 0) value += part * (at(levels_[lower + 1], plane, turn, half_turn) - value);
+            glm::vec4 value = across_columns(levels_[lower], plane, turn, half_turn, columns);
+            if (part > 0)
+                value += part * (across_columns(levels_[lower + 1], plane, turn, half_turn, columns) - value);
             if (components_ > 1) {
                 for (std::size_t p = 0; p < components_; ++p)
                     out.irradiance[plane][p][i] = value[static_cast<glm::length_t>(p)];

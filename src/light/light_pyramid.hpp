@@ -38,6 +38,9 @@ private:
     [[nodiscard]] static Level half_of(const Level& level, std::size_t planes);
     [[nodiscard]] static glm::vec4 at(const Level& level, std::size_t plane, float turn, float half_turn);
 
+    [[nodiscard]] static glm::vec4 across_columns(const Level& level, std::size_t plane, float turn,
+                                                  float half_turn, float columns);
+
     std::size_t channels_;
     std::size_t components_;
     std::size_t planes_;  // one per channel if the light is polarized, else one per four channels

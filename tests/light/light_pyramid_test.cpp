@@ -51,8 +51,9 @@ Stokes mean_around(const Environment& light, int channel, const glm::dvec3& towa
 
 TEST_CASE("small solid angles see the environment's own light") {
     std::vector<glm::dvec3> directions = random_directions(16, 5);
-    directions[0] = {0, 1, 0};
-    directions[1] = {0, -1, 0};
+    directions[0] = direction(0.06, 1);
+    directions[0] = {directions[0].x, directions[0].z, directions[0].y};  // near the zenith
+    directions[1] = -directions[0];
     directions[2] = {0, 0, -1};
     for (const bool polarized : {false, true}) {
         for (const int channels : {1, 5}) {
