@@ -129,13 +129,13 @@ class LitBatch {
 public:
     LitBatch(const Viewpoint& view, const LitPoints& points, const LitMaterial& material,
              const RayScene* rays, std::span<std::array<Lanes, 4>> sums)
-        : points_(points),
-          material_(material),
-          all_((1U << points.positions.size()) - 1),
-          positions_(in_lanes(points.positions)),
+        : positions_(in_lanes(points.positions)),
           origins_(points.origins.empty() ? positions_ : in_lanes(points.origins)),
           facets_(points.facets.empty() ? LaneVectors() : in_lanes(points.facets)),
-          sums_(sums) {
+          points_(points),
+          material_(material),
+          sums_(sums),
+          all_((1U << points.positions.size()) - 1) {
         std::ranges::copy(points.mirrored, mirrored_.value.begin());
         reflected_.set(view, points.positions, points.normals, points.tangents);
         if (rays != nullptr && points.shadowed) shadows_.emplace(*rays, positions_, origins_);
@@ -262,16 +262,16 @@ private:
 
     [[nodiscard]] ShadowRays* shadows() { return shadows_ ? &*shadows_ : nullptr; }
 
-    const LitPoints& points_;
-    const LitMaterial& material_;
-    std::uint32_t all_;
     LaneVectors positions_, origins_, facets_;
     Lanes mirrored_{};
-    std::span<std::array<Lanes, 4>> sums_;
     ReflectedLight reflected_;
-    LaneLight& light_ = kept_light();
     std::optional<ShadowRays> shadows_;
     std::array<std::uint32_t, kLanes> seeds_{};
+    const LitPoints& points_;
+    const LitMaterial& material_;
+    LaneLight& light_ = kept_light();
+    std::span<std::array<Lanes, 4>> sums_;
+    std::uint32_t all_;
 };
 
 }  // namespace
