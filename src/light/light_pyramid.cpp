@@ -8,8 +8,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "simd/lane_angle.hpp"
-
 namespace nicol {
 namespace {
 
@@ -36,37 +34,21 @@ LightPyramid::LightPyramid(const Environment& environment)
                                             : 1),
       planes_(components_ > 1 ? channels_ : (channels_ + 3) / 4) {
     const std::unique_ptr<const Environment> tabulated = environment.tabulated();
-    const EquirectImage image = (tabulated ? *tabulated : environment).image();
-    const std::size_t texels = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
-    Level& first = levels_.emplace_back(Level{.width = image.width,
-                                              .height = image.height,
-                                              .rows = static_cast<float>(image.height - 1),
-                                              .first_row = 0,
-                                              .texels = std::vector<glm::vec4>(planes_ * texels)});
-    for (std::size_t c = 0; c < channels_; ++c) {
-        const float* const from = image.data.data() + 4 * c * texels;
-        for (std::size_t i = 0; i < texels; ++i) {
-            if (components_ > 1)
-                first.texels[c * texels + i] = {from[4 * i], from[4 * i + 1], from[4 * i + 2],
-                                                from[4 * i + 3]};
-            else
-                first.texels[c / 4 * texels + i][static_cast<glm::length_t>(c % 4)] = from[4 * i];
-        }
-    }
+    levels_.push_back(texels_of((tabulated ? *tabulated : environment).image(), components_ > 1, channels_));
     const int least = components_ > 1 ? kLeastPolarized : kLeastColumns;
     while (levels_.back().width >= 2 * least && levels_.back().height >= least)
         levels_.push_back(half_of(levels_.back(), planes_));
 }
 
-LightPyramid::Level LightPyramid::half_of(const Level& level, std::size_t planes) {
+EquirectTexels LightPyramid::half_of(const EquirectTexels& level, std::size_t planes) {
     const int width = level.width / 2;
     const int height = static_cast<int>(level.rows) / 2;
-    Level out{.width = width,
-              .height = height,
-              .rows = static_cast<float>(height),
-              .first_row = 0.5F,
-              .texels = std::vector<glm::vec4>(planes * static_cast<std::size_t>(width) *
-                                               static_cast<std::size_t>(height))};
+    EquirectTexels out{.width = width,
+                       .height = height,
+                       .rows = static_cast<float>(height),
+                       .first_row = 0.5F,
+                       .texels = std::vector<glm::vec4>(planes * static_cast<std::size_t>(width) *
+                                                        static_cast<std::size_t>(height))};
     tbb::parallel_for(0, static_cast<int>(planes) * height, [&](int line) {
         const int row = line % height;
         const auto plane = static_cast<std::size_t>(line / height);
@@ -81,47 +63,23 @@ LightPyramid::Level LightPyramid::half_of(const Level& level, std::size_t planes
             for (int x = 0; x < width; ++x)
                 for (const float right : kParts)
                     texels[x] +=
-                        weight * at(level, plane, (static_cast<float>(x) + right) / static_cast<float>(width),
-                                    half_turn);
+                        weight * level.at(plane, (static_cast<float>(x) + right) / static_cast<float>(width),
+                                          half_turn);
         }
         for (int x = 0; x < width; ++x) texels[x] /= total * static_cast<float>(kParts.size());
     });
     return out;
 }
 
-// Returns the interpolated texel at fractions of a turn from the first column and of half a turn from the
-// zenith, each in 0..1.
-glm::vec4 LightPyramid::at(const Level& level, std::size_t plane, float turn, float half_turn) {
-    const float x = turn * static_cast<float>(level.width) + 0.5F;
-    const float y =
-        std::clamp(half_turn * level.rows - level.first_row, 0.0F, static_cast<float>(level.height - 1));
-    const int after =
-        std::min(static_cast<int>(x), level.width);  // index of the column to the right, plus one
-    const int left = after == 0 ? level.width - 1 : after - 1;
-    const int right = after == level.width ? 0 : after;
-    const int upper = static_cast<int>(y);
-    const int lower = std::min(upper + 1, level.height - 1);
-    const float right_part = x - static_cast<float>(after);
-    const float lower_part = y - static_cast<float>(upper);
-    const auto width = static_cast<std::size_t>(level.width);
-    const glm::vec4* const texels =
-        level.texels.data() + plane * width * static_cast<std::size_t>(level.height);
-    const glm::vec4* const upper_row = texels + static_cast<std::size_t>(upper) * width;
-    const glm::vec4* const lower_row = texels + static_cast<std::size_t>(lower) * width;
-    const glm::vec4 a = upper_row[left] + right_part * (upper_row[right] - upper_row[left]);
-    const glm::vec4 b = lower_row[left] + right_part * (lower_row[right] - lower_row[left]);
-    return a + lower_part * (b - a);
-}
-
 // Returns the mean over `columns` texels side by side.
-glm::vec4 LightPyramid::across_columns(const Level& level, std::size_t plane, float turn, float half_turn,
-                                       float columns) {
+glm::vec4 LightPyramid::across_columns(const EquirectTexels& level, std::size_t plane, float turn,
+                                       float half_turn, float columns) {
     const int taps = static_cast<int>(columns);
     const float step = std::min(columns / static_cast<float>(level.width), 1.0F) / static_cast<float>(taps);
     glm::vec4 sum(0);
     for (int k = 0; k < taps; ++k) {
         const float there = turn + (static_cast<float>(k) - 0.5F * static_cast<float>(taps - 1)) * step;
-        sum += at(level, plane, there - std::floor(there), half_turn);
+        sum += level.at(plane, there - std::floor(there), half_turn);
     }
     return sum / static_cast<float>(taps);
 }
@@ -129,18 +87,13 @@ glm::vec4 LightPyramid::across_columns(const Level& level, std::size_t plane, fl
 void LightPyramid::look_up(const Lanes& solid_angles, LaneLight& out) const {
     out.components = components_;
     out.irradiance.resize(channels_);
-    const Level& first = levels_.front();
+    const EquirectTexels& first = levels_.front();
     // Solid angle of a texel of the first level at the horizon.
     const float texel = 2 * kPi / static_cast<float>(first.width) * kPi / first.rows;
     const auto last = static_cast<float>(levels_.size() - 1);
     for (std::size_t i = 0; i < kLanes; ++i) {
         const float x = out.towards.x[i], y = out.towards.y[i], z = out.towards.z[i];
-        const float across = std::sqrt(x * x + z * z);
-        const float quarter = 0.25F * quarter_turns(std::abs(x), std::abs(z));
-        const float from_front = z > 0 ? 0.5F - quarter : quarter;
-        const float turn = across > 0 ? (x < 0 ? 1 - from_front : from_front) : 0.0F;
-        const float height = 0.5F * quarter_turns(across, std::abs(y));
-        const float half_turn = y < 0 ? 1 - height : height;
+        const auto [turn, half_turn, across] = equirect_place(x, y, z);
         put(out.x, i, across > 0 ? glm::vec3(-z, 0, x) / across : glm::vec3(1, 0, 0));
 
         const float texels = solid_angles[i] / texel;
@@ -168,7 +121,7 @@ void LightPyramid::look_up(const Lanes& solid_angles, LaneLight& out) const {
 
 std::size_t LightPyramid::bytes() const noexcept {
     std::size_t out = 0;
-    for (const Level& level : levels_) out += level.texels.size() * sizeof(glm::vec4);
+    for (const EquirectTexels& level : levels_) out += level.texels.size() * sizeof(glm::vec4);
     return out;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "light/environment.hpp"
+#include "light/equirect_texels.hpp"
 #include "light/lane_light.hpp"
 
 namespace nicol {
@@ -25,26 +26,14 @@ public:
     [[nodiscard]] std::size_t bytes() const noexcept;
 
 private:
-    // Level of the pyramid. Columns are pixel-centred. Rows are vertex-centred in the first level, as in
-    // EquirectImage, and pixel-centred in the others.
-    struct Level {
-        int width;
-        int height;
-        float rows;                     // rows from the zenith to the nadir
-        float first_row;                // distance of the first row from the zenith, in rows
-        std::vector<glm::vec4> texels;  // [plane][row][column]
-    };
-
-    [[nodiscard]] static Level half_of(const Level& level, std::size_t planes);
-    [[nodiscard]] static glm::vec4 at(const Level& level, std::size_t plane, float turn, float half_turn);
-
-    [[nodiscard]] static glm::vec4 across_columns(const Level& level, std::size_t plane, float turn,
+    [[nodiscard]] static EquirectTexels half_of(const EquirectTexels& level, std::size_t planes);
+    [[nodiscard]] static glm::vec4 across_columns(const EquirectTexels& level, std::size_t plane, float turn,
                                                   float half_turn, float columns);
 
     std::size_t channels_;
     std::size_t components_;
     std::size_t planes_;  // one per channel if the light is polarized, else one per four channels
-    std::vector<Level> levels_;
+    std::vector<EquirectTexels> levels_;  // rows are pixel-centred but in the first level
 };
 
 }  // namespace nicol

@@ -8,7 +8,6 @@
 #include "polarization/lane_points.hpp"
 #include "polarization/view_geometry.hpp"
 #include "simd/dispatch.hpp"
-#include "simd/lane_angle.hpp"
 
 namespace nicol {
 // Image positions of rays: turns about the vertical, and half turns from the zenith. cosine and sine rotate
@@ -27,14 +26,10 @@ namespace {
         const float x = rays.x.value[i];
         const float y = rays.y.value[i];
         const float z = rays.z.value[i];
-        const float across2 = x * x + z * z;
-        const float across = std::sqrt(across2);
-        const float quarter = 0.25F * quarter_turns(std::abs(x), std::abs(z));
-        const float from_front = z > 0 ? 0.5F - quarter : quarter;
-        const float turn = x < 0 ? 1 - from_front : from_front;
-        out.turn.value[i] = across > 0 ? turn : 0.0F;
-        const float height = 0.5F * quarter_turns(across, std::abs(y));
-        out.half_turn.value[i] = y < 0 ? 1 - height : height;
+        const EquirectPlace place = equirect_place(x, y, z);
+        const float across = place.across;
+        out.turn.value[i] = place.turn;
+        out.half_turn.value[i] = place.half_turn;
 
         // The x axes of both frames are orthogonal to the ray: ray x up, and (-z, 0, x) or, at the poles, (1,
         // 0, 0).
@@ -45,7 +40,7 @@ namespace {
         dot(to, from, c);
         float s = 0;
         dot(to, cross(from, ray), s);
-        const float length = std::sqrt(across2 + y * y);
+        const float length = std::sqrt(x * x + z * z + y * y);
         const float along = c * length;
         const float inverse = 1 / (along * along + s * s);
         out.cosine.value[i] = (along * along - s * s) * inverse;
@@ -64,24 +59,9 @@ struct Background::Pixels {
     BackgroundPlaces places;
 };
 
-Background::Background(const Environment& environment, int channels) : polarized_(environment.polarized()) {
-    const EquirectImage image = environment.image();
-    width_ = image.width;
-    height_ = image.height;
-    const std::size_t texels = static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
-    const auto count = static_cast<std::size_t>(channels);
-    texels_.resize((polarized_ ? count : (count + 3) / 4) * texels);
-    for (std::size_t c = 0; c < count; ++c) {
-        const float* const from = image.data.data() + (image.channels == 1 ? 0 : 4 * c * texels);
-        for (std::size_t i = 0; i < texels; ++i) {
-            if (polarized_) {
-                texels_[c * texels + i] = {from[4 * i], from[4 * i + 1], from[4 * i + 2], from[4 * i + 3]};
-            } else {
-                texels_[c / 4 * texels + i][static_cast<glm::length_t>(c % 4)] = from[4 * i];
-            }
-        }
-    }
-}
+Background::Background(const Environment& environment, int channels)
+    : polarized_(environment.polarized()),
+      texels_(texels_of(environment.image(), polarized_, static_cast<std::size_t>(channels))) {}
 
 void Background::add(const PixelRays& rays, float scale, std::size_t components, std::size_t first,
                      std::size_t last, std::span<const float> coverage,
@@ -146,24 +126,8 @@ void Background::add(const Pixels& pixels, std::size_t components,
     }
 }
 
-// Returns the interpolated texel. Columns are pixel-centred and periodic, rows vertex-centred.
 glm::vec4 Background::at(std::size_t plane, const Pixels& pixels, std::size_t lane) const {
-    const float x = pixels.places.turn[lane] * static_cast<float>(width_) + 0.5F;
-    const float y = pixels.places.half_turn[lane] * static_cast<float>(height_ - 1);
-    const int above = std::min(static_cast<int>(x), width_);  // index of the column to the right, plus one
-    const int left = above == 0 ? width_ - 1 : above - 1;
-    const int right = above == width_ ? 0 : above;
-    const int upper = std::min(static_cast<int>(y), height_ - 1);
-    const int lower = std::min(upper + 1, height_ - 1);
-    const float right_part = x - static_cast<float>(above);
-    const float lower_part = y - static_cast<float>(upper);
-    const auto w = static_cast<std::size_t>(width_);
-    const glm::vec4* const texels = texels_.data() + plane * w * static_cast<std::size_t>(height_);
-    const glm::vec4* const upper_row = texels + static_cast<std::size_t>(upper) * w;
-    const glm::vec4* const lower_row = texels + static_cast<std::size_t>(lower) * w;
-    const glm::vec4 a = upper_row[left] + right_part * (upper_row[right] - upper_row[left]);
-    const glm::vec4 b = lower_row[left] + right_part * (lower_row[right] - lower_row[left]);
-    return a + lower_part * (b - a);
+    return texels_.at(plane, pixels.places.turn[lane], pixels.places.half_turn[lane]);
 }
 
 }  // namespace nicol

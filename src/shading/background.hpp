@@ -6,9 +6,8 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <span>
-#include <vector>
 
-#include "light/environment.hpp"
+#include "light/equirect_texels.hpp"
 
 namespace nicol {
 
@@ -38,9 +37,7 @@ private:
     void add(const Pixels& pixels, std::size_t components, std::span<const std::span<glm::vec4>> out) const;
 
     bool polarized_;
-    int width_;
-    int height_;
-    std::vector<glm::vec4> texels_;  // Stokes vectors of channel after channel, or s0 of four channels
+    EquirectTexels texels_;
 };
 
 }  // namespace nicol

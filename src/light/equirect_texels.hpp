@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+// Texels of equirectangular images, and where directions lie in them.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <glm/vec4.hpp>
+#include <vector>
+
+#include "light/environment.hpp"
+#include "simd/lane_angle.hpp"
+
+namespace nicol {
+
+/// Place of a direction in an equirectangular image.
+struct EquirectPlace {
+    float turn;       ///< turns about the vertical, 0 to 1
+    float half_turn;  ///< half turns from the zenith, 0 to 1
+    float across;     ///< distance of the direction from the vertical
+};
+
+/// Returns the place of a direction of any length but 0.
+[[gnu::always_inline]] inline EquirectPlace equirect_place(float x, float y, float z) {
+    const float across = std::sqrt(x * x + z * z);
+    const float quarter = 0.25F * quarter_turns(std::abs(x), std::abs(z));
+    const float from_front = z > 0 ? 0.5F - quarter : quarter;
+    const float turn = x < 0 ? 1 - from_front : from_front;
+    const float height = 0.5F * quarter_turns(across, std::abs(y));
+    return {across > 0 ? turn : 0.0F, y < 0 ? 1 - height : height, across};
+}
+
+/// Planes of texels. Columns are pixel-centred and periodic.
+struct EquirectTexels {
+    int width;
+    int height;
+    float rows;                     ///< rows from the zenith to the nadir
+    float first_row;                ///< distance of the first row from the zenith, in rows
+    std::vector<glm::vec4> texels;  ///< [plane][row][column]
+
+    /// Returns the interpolated texel of a plane.
+    [[nodiscard]] glm::vec4 at(std::size_t plane, float turn, float half_turn) const {
+        const float x = turn * static_cast<float>(width) + 0.5F;
+        const float y = std::clamp(half_turn * rows - first_row, 0.0F, static_cast<float>(height - 1));
+        const int after = std::min(static_cast<int>(x), width);  // the column to the right, plus one
+        const int left = after == 0 ? width - 1 : after - 1;
+        const int right = after == width ? 0 : after;
+        const int upper = static_cast<int>(y);
+        const int lower = std::min(upper + 1, height - 1);
+        const float right_part = x - static_cast<float>(after);
+        const float lower_part = y - static_cast<float>(upper);
+        const auto w = static_cast<std::size_t>(width);
+        const glm::vec4* const of_plane = texels.data() + plane * w * static_cast<std::size_t>(height);
+        const glm::vec4* const upper_row = of_plane + static_cast<std::size_t>(upper) * w;
+        const glm::vec4* const lower_row = of_plane + static_cast<std::size_t>(lower) * w;
+        const glm::vec4 a = upper_row[left] + right_part * (upper_row[right] - upper_row[left]);
+        const glm::vec4 b = lower_row[left] + right_part * (lower_row[right] - lower_row[left]);
+        return a + lower_part * (b - a);
+    }
+};
+
+/// Returns the texels of an image, whose rows are vertex-centred: a plane of Stokes vectors for each channel
+/// of polarized light, else a plane of s0 for four channels. An image of one channel serves all channels.
+[[nodiscard]] EquirectTexels texels_of(const EquirectImage& image, bool polarized, std::size_t channels);
+
+}  // namespace nicol
