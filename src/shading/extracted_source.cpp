@@ -6,6 +6,8 @@
 #include <limits>
 #include <utility>
 
+#include "shading/rotated_light.hpp"
+
 namespace nicol {
 namespace {
 
@@ -93,14 +95,8 @@ void ExtractedSource::sample(const LaneVectors& /*points*/, const Lanes& u, cons
 
 void ExtractedSource::intersect(const LaneVectors& /*points*/, const LaneVectors& directions,
                                 LaneLight& out) const {
-    LaneVectors own;  // directions in the extracted light's axes
-    for (std::size_t i = 0; i < kLanes; ++i) put(own, i, of_lane(directions, i) * axes_);
-    extracted_light_->intersect(own, out);
     out.towards = directions;
-    for (std::size_t i = 0; i < kLanes; ++i) put(out.x, i, axes_ * of_lane(out.x, i));
-    for (std::array<Lanes, 4>& stokes : out.irradiance)
-        for (std::size_t p = 0; p < components_; ++p)
-            for (std::size_t i = 0; i < kLanes; ++i) stokes[p][i] *= scale_;
+    look_up_rotated(axes_, scale_, out, [&] { extracted_light_->intersect(out.towards, out); });
 }
 
 }  // namespace nicol

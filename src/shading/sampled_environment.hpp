@@ -16,13 +16,13 @@ class SampledEnvironment {
 public:
     using Light = std::shared_ptr<const LightPyramid>;
     /// Takes `whole`, the light for terms that find lights, and `rest`, the light for others, without
-    /// extracted lights; null if there are no such terms. to_environment: a rotation from the points' axes to
-    /// the environment's. scale: a factor of the light. samples: number per point and lobe.
-    SampledEnvironment(Light whole, Light rest, const glm::mat3& to_environment, float scale,
-                       SampledTerms sampled, std::uint32_t samples)
+    /// extracted lights; null if there are no such terms. to_points: a rotation from the environment's axes
+    /// to the points'. scale: a factor of the light. samples: number per point and lobe.
+    SampledEnvironment(Light whole, Light rest, const glm::mat3& to_points, float scale, SampledTerms sampled,
+                       std::uint32_t samples)
         : whole_(std::move(whole)),
           rest_(std::move(rest)),
-          to_environment_(to_environment),
+          to_points_(to_points),
           scale_(scale),
           sampled_(sampled),
           samples_(samples) {}
@@ -37,7 +37,7 @@ public:
 
 private:
     Light whole_, rest_;
-    glm::mat3 to_environment_;
+    glm::mat3 to_points_;
     float scale_;
     SampledTerms sampled_;
     std::uint32_t samples_;

@@ -68,23 +68,22 @@ void LocalLights::update(const Scene& scene, const DistantLight& distant, const 
             {.positions = geometry.positions, .normals = geometry.normals, .triangles = geometry.triangles},
             geometry.normals);
     });
-    making_.run(scene.local_light_version(), scene.emission_version(), scene.geometry_version(),
-                surfaces.to_world(), rays_.version(), mirrors_, options.light_samples, options.bsdf_samples,
-                distant.sampled, filtered_.version(), distant.extracted_lights, distant.rotation,
-                scene.light_scale(), [&] {
-                    if (!lit && !any()) return;  // the lighting of vertices stays as it is
-                    LocalLighting::Lights lights = make_lights(scene, distant, surfaces.to_world());
-                    lights_ = lights.local.size() + lights.extracted.size();
-                    std::optional<LocalLighting>& lighting = lighting_.change();
-                    lighting.reset();
-                    if (!lit) return;
-                    if (sampled)
-                        lights.environment.emplace(filtered_->whole, filtered_->rest,
-                                                   glm::mat3(glm::transpose(distant.rotation)),
-                                                   static_cast<float>(scene.light_scale()), distant.sampled,
-                                                   static_cast<std::uint32_t>(options.bsdf_samples));
-                    lighting.emplace(std::move(lights), rays_->get(), options.light_samples);
-                });
+    making_.run(
+        scene.local_light_version(), scene.emission_version(), scene.geometry_version(), surfaces.to_world(),
+        rays_.version(), mirrors_, options.light_samples, options.bsdf_samples, distant.sampled,
+        filtered_.version(), distant.extracted_lights, distant.rotation, scene.light_scale(), [&] {
+            if (!lit && !any()) return;  // the lighting of vertices stays as it is
+            LocalLighting::Lights lights = make_lights(scene, distant, surfaces.to_world());
+            lights_ = lights.local.size() + lights.extracted.size();
+            std::optional<LocalLighting>& lighting = lighting_.change();
+            lighting.reset();
+            if (!lit) return;
+            if (sampled)
+                lights.environment.emplace(filtered_->whole, filtered_->rest, glm::mat3(distant.rotation),
+                                           static_cast<float>(scene.light_scale()), distant.sampled,
+                                           static_cast<std::uint32_t>(options.bsdf_samples));
+            lighting.emplace(std::move(lights), rays_->get(), options.light_samples);
+        });
     statistics.local_lights = lights_;
     if (whole) statistics.response_bytes += filtered_->whole->bytes();
     if (rest && rest != whole) statistics.response_bytes += filtered_->rest->bytes();
