@@ -154,26 +154,17 @@ void VisibilityProduct::compute_block(std::size_t block, const Input& input, std
     project_block(input.harmonics, input.visibility, input.normals, first,
                   std::min(kLanes, vertices_.size() - block * kLanes), coefficients.data());
     if (input.keep != nullptr) input.keep->set(first / kLanes, coefficients.data());
-    for (std::size_t i = 0; i < kLanes && block * kLanes + i < vertices_.size(); ++i)
-        scale_narrow(vertices_[block * kLanes + i], input, i, coefficients);
+    const std::span numbers_of_lanes(coefficients.front().value.data(), coefficients.size() * kLanes);
+    for (std::size_t i = 0; i < kLanes && block * kLanes + i < vertices_.size(); ++i) {
+        const std::size_t vertex = vertices_[block * kLanes + i];
+        scale_narrow_opening(input.directions, input.visibility, vertex, input.normals[vertex],
+                             layout_.order(), numbers_of_lanes.subspan(i), kLanes);
+    }
     if (matrices_) {
         matrices_->make(coefficients.data(), numbers.data());
     } else {
         grid_->sample(coefficients.data(), numbers.data());
     }
-}
-
-void VisibilityProduct::scale_narrow(std::size_t vertex, const Input& input, std::size_t lane,
-                                     std::span<Lanes> coefficients) const {
-    if (input.visibility.unoccluded(vertex)) return;
-    std::array<float, VisibilityHarmonics::kHighestOrder / 4 + 1> zonal;
-    const std::size_t count = static_cast<std::size_t>(layout_.order()) / 2 + 1;
-    for (std::size_t k = 0; k < count; ++k)
-        zonal[k] = coefficients[psh_index(static_cast<int>(2 * k), 0)][lane];
-    const float factor = narrow_opening_factor(input.directions, input.visibility, vertex,
-                                               input.normals[vertex], std::span(zonal).first(count));
-    if (factor == 1) return;
-    for (Lanes& lanes : coefficients) lanes[lane] *= factor;
 }
 
 void VisibilityProduct::store_block(std::size_t block, std::span<const Lanes> numbers) {

@@ -20,7 +20,7 @@ namespace nicol {
 
 /// The product V f (Eq. 54) of visibility and Stokes vector field at every vertex, in the vertices' frames.
 /// It is truncated at the order of f and exact for the coefficients of V (VisibilityHarmonics) up to twice
-/// that order, which are scaled in narrow openings (narrow_opening_factor()). Numbers have 16 bits; each is
+/// that order, which are scaled in narrow openings (scale_narrow_opening()). Numbers have 16 bits; each is
 /// off by at most 3.1e-5. If the directions do not resolve twice the order, the bound is 3.1e-5 times the
 /// power of two that the largest number requires. Blocks of sixteen consecutive unoccluded vertices cost
 /// nothing. Immutable once made.
@@ -91,9 +91,6 @@ private:
     void find_vertices(const Visibility& visibility);
     void find_unit(const Input& input);
     void compute_block(std::size_t block, const Input& input, std::span<Lanes> numbers) const;
-    // Corrects a lane's coefficients for what the product's order leaves out in a narrow opening.
-    void scale_narrow(std::size_t vertex, const Input& input, std::size_t lane,
-                      std::span<Lanes> coefficients) const;
     void store_block(std::size_t block, std::span<const Lanes> numbers);
 
     LightLayout layout_;

@@ -51,12 +51,14 @@ float narrow_opening_factor(const DirectionSet& directions, const Visibility& vi
 }
 
 void scale_narrow_opening(const DirectionSet& directions, const Visibility& visibility, std::size_t vertex,
-                          const glm::vec3& normal, int order, std::span<float> coefficients) {
+                          const glm::vec3& normal, int order, std::span<float> coefficients,
+                          std::size_t stride) {
     if (visibility.unoccluded(vertex)) return;
     std::vector<float> zonal;
-    for (int l = 0; l <= order; l += 2) zonal.push_back(coefficients[psh_index(l, 0)]);
+    for (int l = 0; l <= order; l += 2) zonal.push_back(coefficients[stride * psh_index(l, 0)]);
     const float factor = narrow_opening_factor(directions, visibility, vertex, normal, zonal);
-    for (float& coefficient : coefficients) coefficient *= factor;
+    if (factor == 1) return;
+    for (std::size_t k = 0; k < coefficients.size(); k += stride) coefficients[k] *= factor;
 }
 
 }  // namespace nicol

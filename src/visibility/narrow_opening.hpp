@@ -17,8 +17,10 @@ namespace nicol {
                                           std::size_t vertex, const glm::vec3& normal,
                                           std::span<const float> zonal);
 
-/// Multiplies a vertex's coefficients, [psh_index(l, m)], by the factor for this order.
+/// Multiplies a vertex's coefficients by the factor for this order. Coefficient psh_index(l, m) is at
+/// stride times this index.
 void scale_narrow_opening(const DirectionSet& directions, const Visibility& visibility, std::size_t vertex,
-                          const glm::vec3& normal, int order, std::span<float> coefficients);
+                          const glm::vec3& normal, int order, std::span<float> coefficients,
+                          std::size_t stride = 1);
 
 }  // namespace nicol
