@@ -14,9 +14,9 @@
 namespace nicol {
 namespace {
 
-std::array<glm::vec3, 3> corners_of(const WorldGeometry& geometry, std::uint32_t triangle) {
-    const glm::uvec3& t = geometry.triangles[triangle];
-    return {geometry.positions[t.x], geometry.positions[t.y], geometry.positions[t.z]};
+// Returns the vectors of vertices at the corners of a triangle.
+std::array<glm::vec3, 3> corners_of(std::span<const glm::vec3> vectors, const glm::uvec3& triangle) {
+    return {vectors[triangle.x], vectors[triangle.y], vectors[triangle.z]};
 }
 
 glm::vec3 facet_of(const std::array<glm::vec3, 3>& corners, const glm::vec3& otherwise) {
@@ -65,6 +65,9 @@ std::uint64_t PixelLights::add(const PixelBatch& batch, std::span<const std::spa
     const SpatialVariation* const variation = range.material->variation();
     const bool turned = variation != nullptr && variation->normal.kind != NormalVariation::Kind::none;
     const bool dimmed = turned && variation->normal.shadowed;
+    const bool sampled = any_term(*range.material, [this](const Material& layer, int term) {
+        return is_sampled(layer, term, lights_.lighting().sampled());
+    });
     std::uint64_t rays = 0;
     std::vector<std::span<glm::vec4>> channels(out.size());
     for (std::size_t first = 0; first < points.size(); first += kLanes) {
@@ -74,15 +77,15 @@ std::uint64_t PixelLights::add(const PixelBatch& batch, std::span<const std::spa
         std::array<float, kLanes> mirrored;
         std::array<std::uint32_t, kLanes> seeds;
         for (std::size_t i = 0; i < count; ++i) {
-            const std::array corners = corners_of(input_.geometry, points[first + i].triangle);
+            const glm::uvec3& triangle = input_.geometry.triangles[points[first + i].triangle];
+            const std::array corners = corners_of(input_.geometry.positions, triangle);
             facets[i] = facet_of(corners, surface.normals[i]);
             origins[i] = surface.positions[i] + static_cast<float>(ray_offset(corners)) * facets[i];
             seeds[i] = sample_seed(points[first + i].pixel, input_.seed);
-            const glm::uvec3& t = input_.geometry.triangles[points[first + i].triangle];
-            mirrored[i] = mirrored_solid_angle(
-                input_.projection, input_.hits.width(), input_.hits.height(), corners,
-                {input_.geometry.normals[t.x], input_.geometry.normals[t.y], input_.geometry.normals[t.z]},
-                surface.positions[i], facets[i]);
+            if (sampled)
+                mirrored[i] = mirrored_solid_angle(
+                    input_.projection, input_.hits.width(), input_.hits.height(), corners,
+                    corners_of(input_.geometry.normals, triangle), surface.positions[i], facets[i]);
             if (!anisotropic) continue;
             const glm::vec3 weights(surface.weights[0][i], surface.weights[1][i], surface.weights[2][i]);
             tangents[i] = tangent(input_.geometry, points[first + i].triangle, weights);
@@ -100,7 +103,7 @@ std::uint64_t PixelLights::add(const PixelBatch& batch, std::span<const std::spa
                                     .facets = turned ? of_facets : std::span<glm::vec3>(),
                                     .unperturbed = std::span(surface.unperturbed).first(dimmed ? count : 0),
                                     .origins = std::span(origins).first(count),
-                                    .mirrored = std::span(mirrored).first(count),
+                                    .mirrored = std::span(mirrored).first(sampled ? count : 0),
                                     .seeds = std::span(seeds).first(count),
                                     .shadowed = shadowed},
                                    {.layers = layers, .weights = weights}, channels);

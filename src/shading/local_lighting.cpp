@@ -281,17 +281,16 @@ std::uint64_t LocalLighting::add(const Viewpoint& view, const LitPoints& points,
     thread_local std::vector<std::array<Lanes, 4>> sums;
     sums.assign(out.size(), {});
     LitBatch batch(view, points, material, rays_, sums);
-    const SampledTerms sampled = lights_.environment ? lights_.environment->sampled() : SampledTerms::none;
     if (batch.any_layer_has(false)) {  // light samples have no effect otherwise
         std::uint32_t index = 0;
         for (const LightSourcePtr& source : lights_.local)
             batch.add_source(*source, SampledTerms::none, index++, samples_);
         for (const LightSourcePtr& source : lights_.extracted)
-            batch.add_source(*source, sampled, index++, samples_);
+            batch.add_source(*source, sampled(), index++, samples_);
     }
     if (batch.any_layer_has(true)) {
         for (const LightSourcePtr& source : lights_.local) batch.add_mirrored(*source);
-        if (sampled != SampledTerms::anisotropic_narrow)
+        if (sampled() != SampledTerms::anisotropic_narrow)
             for (const LightSourcePtr& source : lights_.extracted) batch.add_mirrored(*source);
     }
     if (lights_.environment) batch.add_environment(*lights_.environment);

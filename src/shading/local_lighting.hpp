@@ -33,7 +33,8 @@ struct LitPoints {
     /// Unit normals without perturbation, for terminator_shadowing(). Empty: nothing is dimmed by it.
     std::span<const glm::vec3> unperturbed;
     std::span<const glm::vec3> origins;  ///< start points of shadow rays
-    /// Solid angles of the mirrored view directions that pixels cover. Empty: points cover nothing.
+    /// Solid angles of the mirrored view directions that pixels cover, for sampled terms. Empty: points cover
+    /// nothing.
     std::span<const float> mirrored;
     std::span<const std::uint32_t> seeds;
     bool shadowed;  ///< whether light may be occluded; false: no ray is traced
@@ -56,6 +57,11 @@ public:
     /// rays: surfaces that cast shadows, null for none; must outlive this object. samples: number of light
     /// samples for wide lights; narrower lights get fewer.
     LocalLighting(Lights lights, const RayScene* rays, int samples);
+
+    /// Returns the terms that reflect samples of the environment.
+    [[nodiscard]] SampledTerms sampled() const noexcept {
+        return lights_.environment ? lights_.environment->sampled() : SampledTerms::none;
+    }
 
     /// Adds to out[c][i] channel c's Stokes vector of point i towards the viewpoint, in the camera's frame
     /// field. Returns the number of rays.
