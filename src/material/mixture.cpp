@@ -60,8 +60,7 @@ public:
         return isotropic_ ? *isotropic_ : *this;
     }
     [[nodiscard]] Distribution distribution(int term) const noexcept override {
-        const Term& of = at(term);
-        return of.material->distribution(of.index);
+        return at(term).material->distribution(at(term).index);
     }
     [[nodiscard]] bool smooth(int term) const noexcept override {
         const Term& of = at(term);

@@ -84,9 +84,9 @@ bool is_sampled(const Material& material, int term, SampledTerms sampled) {
 }
 
 bool finds_lights(const Material& material, int term, SampledTerms sampled) {
+    if (sampled != SampledTerms::anisotropic_narrow || !is_sampled(material, term, sampled)) return false;
     const glm::dvec2 widths = material.lobe_widths(term);
-    return sampled == SampledTerms::anisotropic_narrow && is_sampled(material, term, sampled) &&
-           std::max(widths.x, widths.y) < kNarrowestLobe;
+    return std::max(widths.x, widths.y) < kNarrowestLobe;
 }
 
 MaterialPtr in_harmonics(const MaterialPtr& material, SampledTerms sampled) {

@@ -15,8 +15,21 @@ constexpr float kLeastCosine = 1e-6F;
 
 struct Samples {
     const LaneVectors& viewers;
-    Lanes radius, cosine, sine;  // points of a disk
+    Lanes x, y;  // points of a disk, or slopes over alpha
 };
+
+template <class Number>
+struct Sample {
+    Vector3<Number> viewer;
+    Number x, y;
+};
+
+template <class Number>
+[[gnu::always_inline]] inline void load(const Samples& samples, std::size_t first, Sample<Number>& out) {
+    load_part(samples.viewers, first, out.viewer);
+    load_part(samples.x, first, out.x);
+    load_part(samples.y, first, out.y);
+}
 
 // Mirrors the viewer at a unit half vector. Returns the cosine between the two.
 template <class Number>
@@ -34,13 +47,10 @@ template <class Number>
 [[gnu::always_inline]] inline void sample_seen(const Facets<float>& facets, const Samples& samples,
                                                LaneVectors& lights, Lanes& densities) {
     for (std::size_t first = 0; first < kLanes; first += kPart<Number>) {
-        Vector3<Number> viewer;
-        load_part(samples.viewers, first, viewer);
+        Sample<Number> sample;
+        load(samples, first, sample);
+        Vector3<Number> viewer = sample.viewer;
         viewer.z = viewer.z > kLeastCosine ? viewer.z : Number{} + kLeastCosine;
-        Number radius, cosine, sine;
-        load_part(samples.radius, first, radius);
-        load_part(samples.cosine, first, cosine);
-        load_part(samples.sine, first, sine);
 
         const Vector3<Number> stretched =
             normalized_or(Vector3<Number>{facets.alpha * viewer.x, facets.alpha_y * viewer.y, viewer.z}, 0.0F,
@@ -48,12 +58,12 @@ template <class Number>
         const Vector3<Number> across = normalized_or(Vector3<Number>{-stretched.y, stretched.x, Number{}},
                                                      1e-12F, Vector3<float>{1, 0, 0});
         const Vector3<Number> up = cross(stretched, across);
-        const Number a = radius * cosine;
+        const Number a = sample.x;
         const Number half_chord2 = 1.0F - a * a;
         Number half_chord = half_chord2 > 0.0F ? half_chord2 : Number{};
         square_root(half_chord);
         const Number share = 0.5F * (1.0F + stretched.z);
-        const Number b = (1.0F - share) * half_chord + share * (radius * sine);
+        const Number b = (1.0F - share) * half_chord + share * sample.y;
         const Number rest2 = 1.0F - a * a - b * b;
         Number rest = rest2 > 0.0F ? rest2 : Number{};
         square_root(rest);
@@ -71,22 +81,18 @@ template <class Number>
     }
 }
 
-// `radius` holds the slope over alpha.
+// The facets have the sampled slopes.
 template <class Number>
 [[gnu::always_inline]] inline void sample_all(const Facets<float>& facets, const Samples& samples,
                                               LaneVectors& lights, Lanes& densities) {
     for (std::size_t first = 0; first < kLanes; first += kPart<Number>) {
-        Vector3<Number> viewer;
-        load_part(samples.viewers, first, viewer);
-        Number slope, cosine, sine;
-        load_part(samples.radius, first, slope);
-        load_part(samples.cosine, first, cosine);
-        load_part(samples.sine, first, sine);
+        Sample<Number> sample;
+        load(samples, first, sample);
         const Vector3<Number> half = normalized_or(
-            Vector3<Number>{facets.alpha * slope * cosine, facets.alpha_y * slope * sine, Number{} + 1.0F},
-            0.0F, Vector3<float>{0, 0, 1});
+            Vector3<Number>{facets.alpha * sample.x, facets.alpha_y * sample.y, Number{} + 1.0F}, 0.0F,
+            Vector3<float>{0, 0, 1});
         Number along, of_facets;
-        mirror(viewer, half, first, lights, along);
+        mirror(sample.viewer, half, first, lights, along);
         density(facets, half, Number{} + 1.0F, of_facets);
         along = along > kLeastCosine ? along : Number{} + kLeastCosine;
         store_part(Number(0.25F * of_facets * half.z / along), first, densities);
@@ -100,10 +106,12 @@ void sample_facets(const Lobe& lobe, const LaneVectors& towards_viewer, const La
     const bool ggx = lobe.distribution == Distribution::ggx;
     const Facets<float> facets{lobe.distribution, static_cast<float>(lobe.alpha.x),
                                static_cast<float>(lobe.alpha.y)};
-    Samples samples{.viewers = towards_viewer, .radius = {}, .cosine = {}, .sine = {}};
+    Samples samples{.viewers = towards_viewer, .x = {}, .y = {}};
     for (std::size_t i = 0; i < kLanes; ++i) {
-        turn(v[i], samples.cosine[i], samples.sine[i]);
-        samples.radius[i] = std::sqrt(ggx ? u[i] : -std::log1p(-std::min(u[i], 1 - 1e-6F)));
+        const float radius = std::sqrt(ggx ? u[i] : -std::log1p(-std::min(u[i], 1 - 1e-6F)));
+        turn(v[i], samples.x[i], samples.y[i]);
+        samples.x[i] *= radius;
+        samples.y[i] *= radius;
     }
     if (ggx)
         dispatch<sample_seen<FourLanes>, sample_seen<EightLanes>, sample_seen<AllLanes>>(

@@ -247,12 +247,7 @@ void ReflectedLight::sample_lobe(const Lobe& lobe, const Lanes& u, const Lanes& 
                                  Lanes& density) const {
     LaneVectors local;
     sample_facets(lobe, towards_viewer_, u, v, local, density);
-    for (std::size_t i = 0; i < kLanes; ++i) {
-        const float x = local.x[i], y = local.y[i], z = local.z[i];
-        directions.x[i] = z * normal_.x[i] + x * tangent_.x[i] + y * bitangent_.x[i];
-        directions.y[i] = z * normal_.y[i] + x * tangent_.y[i] + y * bitangent_.y[i];
-        directions.z[i] = z * normal_.z[i] + x * tangent_.z[i] + y * bitangent_.z[i];
-    }
+    directions = in_world(local);
 }
 
 void ReflectedLight::add_sampled(const Material& material, SampledTerms sampled, const Lobe& lobe,
@@ -266,12 +261,21 @@ void ReflectedLight::add_sampled(const Material& material, SampledTerms sampled,
 }
 
 LaneVectors ReflectedLight::mirrored_directions() const {
+    LaneVectors mirrored = towards_viewer_;
+    for (std::size_t i = 0; i < kLanes; ++i) {
+        mirrored.x[i] = -mirrored.x[i];
+        mirrored.y[i] = -mirrored.y[i];
+    }
+    return in_world(mirrored);
+}
+
+LaneVectors ReflectedLight::in_world(const LaneVectors& local) const {
     LaneVectors out;
     for (std::size_t i = 0; i < kLanes; ++i) {
-        const float x = towards_viewer_.x[i], y = towards_viewer_.y[i], z = towards_viewer_.z[i];
-        out.x[i] = z * normal_.x[i] - x * tangent_.x[i] - y * bitangent_.x[i];
-        out.y[i] = z * normal_.y[i] - x * tangent_.y[i] - y * bitangent_.y[i];
-        out.z[i] = z * normal_.z[i] - x * tangent_.z[i] - y * bitangent_.z[i];
+        const float x = local.x[i], y = local.y[i], z = local.z[i];
+        out.x[i] = z * normal_.x[i] + x * tangent_.x[i] + y * bitangent_.x[i];
+        out.y[i] = z * normal_.y[i] + x * tangent_.y[i] + y * bitangent_.y[i];
+        out.z[i] = z * normal_.z[i] + x * tangent_.z[i] + y * bitangent_.z[i];
     }
     return out;
 }
@@ -312,13 +316,14 @@ void ReflectedLight::add_terms(const Has& has, const Material& material, const L
     material.evaluate_lanes(incidence.towards_light, towards_viewer_, light.components == 1 ? 1 : 4,
                             matrices);
     const std::span<float> term_weights = work_space<ReflectedLight, float>(terms * out.size());
-    for (std::size_t channel = 0; channel < out.size(); ++channel)
-        for (std::size_t t = 0; t < terms; ++t) {
-            const int term = static_cast<int>(t);
+    for (std::size_t t = 0; t < terms; ++t) {
+        const int term = static_cast<int>(t);
+        const bool some = has(term);
+        for (std::size_t channel = 0; channel < out.size(); ++channel) {
             const int own = material.channels() == 1 ? 0 : static_cast<int>(channel);
-            term_weights[channel * terms + t] =
-                has(term) ? static_cast<float>(material.weight(term, own)) : 0.0F;
+            term_weights[channel * terms + t] = some ? static_cast<float>(material.weight(term, own)) : 0.0F;
         }
+    }
     dispatch<add_lanes<FourLanes>, add_lanes<EightLanes>, add_lanes<AllLanes>>(
         Reflection{matrices, term_weights, light, incidence, weights, scale, frame_cosine_, frame_sine_},
         out);

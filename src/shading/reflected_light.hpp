@@ -55,6 +55,8 @@ public:
                       std::uint32_t points, std::span<std::array<Lanes, 4>> out) const;
 
 private:
+    // Returns directions of the surface's frames in the positions' axes.
+    [[nodiscard]] LaneVectors in_world(const LaneVectors& local) const;
     // Adds the terms t with has(t); scale(cosine) is the factor of the pBRDF times the light.
     template <class Has, class Scale>
     void add_terms(const Has& has, const Material& material, const LayerWeights* weights,
