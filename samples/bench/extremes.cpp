@@ -2,13 +2,13 @@
 #include "commands.hpp"
 
 #include <filesystem>
-#include <fstream>
 #include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "comparison.hpp"
+#include "scene_file.hpp"
 #include "temporary_folder.hpp"
 
 namespace {
@@ -127,14 +127,6 @@ Comparison::Measured measured(const SceneSource& source, const Row& row, std::ui
     }
 }
 
-void write_scene(const std::filesystem::path& path, const Row& row) {
-    std::ofstream out(path);
-    out << R"(<scene version="3.0.0"><sensor type="perspective"><float name="fov" value="40"/>)"
-        << R"(<transform name="to_world"><lookat origin=")" << row.origin << R"(" target=")" << row.target
-        << R"(" up="0,1,0"/></transform></sensor>)" << row.content << "</scene>";
-    if (!out.flush()) throw std::runtime_error(path.string() + ": cannot be written");
-}
-
 }  // namespace
 
 Report bench_extremes(const Options& given) {
@@ -147,7 +139,7 @@ Report bench_extremes(const Options& given) {
 
     Report report({"s0", "s1", "s2", "predicted", "shade ms"});
     for (const Row& row : rows()) {
-        write_scene(file, row);
+        write_scene(file, row.origin, row.target, row.content);
         const SceneSource source(options);
         const Comparison::Measured found = measured(source, row, size, samples);
         report.add(row.name, {found.errors[0], found.errors[1], found.errors[2],

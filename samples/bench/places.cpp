@@ -4,14 +4,13 @@
 #include <array>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <sstream>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "comparison.hpp"
+#include "scene_file.hpp"
 #include "temporary_folder.hpp"
 
 namespace {
@@ -25,11 +24,16 @@ struct Place {
     std::string light = "environment";
 };
 
-std::string at(const Place& place, double x, double y, double z) {
+// Returns a number with all its digits, because far places need them.
+std::string exact(double number) {
     std::ostringstream out;
     out.precision(17);
-    out << place.offset + x << ',' << place.offset + y << ',' << place.offset + z;
+    out << number;
     return out.str();
+}
+
+std::string at(const Place& place, double x, double y, double z) {
+    return exact(place.offset + x) + "," + exact(place.offset + y) + "," + exact(place.offset + z);
 }
 
 std::string light_of(const Place& place) {
@@ -44,33 +48,27 @@ std::string light_of(const Place& place) {
            R"(" up="0,1,0"/></transform><emitter type="area"><rgb name="radiance" value="10,9,8"/></emitter></shape>)";
 }
 
-// Writes positions with all digits, because far places need them.
 void write_ball(const std::filesystem::path& path, const Place& place) {
-    std::ofstream out(path);
-    out.precision(17);
-    out << R"(<scene version="3.0.0"><sensor type="perspective"><float name="fov" value="40"/><transform name="to_world"><lookat origin=")"
-        << at(place, 0, 3, 6) << R"(" target=")" << at(place, 0, 0.7, 0)
-        << R"(" up="0,1,0"/></transform></sensor>)" << light_of(place)
-        << R"(<bsdf type="pplastic" id="m"><rgb name="diffuse_reflectance" value="0.4,0.2,0.1"/><float name="alpha" value="0.2"/></bsdf>)"
-        << R"(<shape type="sphere"><transform name="to_world"><translate value=")" << at(place, 0, 1, 0)
-        << R"("/></transform><ref id="m"/></shape>)"
-        << R"(<shape type="rectangle"><transform name="to_world"><scale value=")" << place.floor
-        << R"("/><rotate x="1" angle="-90"/><translate value=")" << at(place, 0, 0, 0)
-        << R"("/></transform><ref id="m"/></shape></scene>)";
-    if (!out.flush()) throw std::runtime_error(path.string() + ": cannot be written");
+    write_scene(
+        path, at(place, 0, 3, 6), at(place, 0, 0.7, 0),
+        light_of(place) +
+            R"(<bsdf type="pplastic" id="m"><rgb name="diffuse_reflectance" value="0.4,0.2,0.1"/><float name="alpha" value="0.2"/></bsdf>)"
+            R"(<shape type="sphere"><transform name="to_world"><translate value=")" +
+            at(place, 0, 1, 0) +
+            R"("/></transform><ref id="m"/></shape><shape type="rectangle"><transform name="to_world"><scale value=")" +
+            exact(place.floor) + R"("/><rotate x="1" angle="-90"/><translate value=")" + at(place, 0, 0, 0) +
+            R"("/></transform><ref id="m"/></shape>)");
 }
 
 // Writes two walls, the farther of which is white.
 void write_walls(const std::filesystem::path& path, double near, double far) {
-    std::ofstream out(path);
-    out.precision(17);
-    out << R"(<scene version="3.0.0"><sensor type="perspective"><float name="fov" value="40"/><transform name="to_world"><lookat origin="0,0,0" target="0.3,0.2,1" up="0,1,0"/></transform></sensor><emitter type="constant"/>)";
-    for (const auto& [distance, reflectance] : {std::pair{near, 0.1}, {far, 0.9}})
-        out << R"(<shape type="rectangle"><transform name="to_world"><scale value="5000"/><rotate x="1" angle="180"/><translate value="0,0,)"
-            << distance << R"("/></transform><bsdf type="diffuse"><spectrum name="reflectance" value=")"
-            << reflectance << R"("/></bsdf></shape>)";
-    out << "</scene>";
-    if (!out.flush()) throw std::runtime_error(path.string() + ": cannot be written");
+    std::string walls = R"(<emitter type="constant"/>)";
+    for (const auto& [distance, reflectance] : {std::pair{near, "0.1"}, {far, "0.9"}})
+        walls +=
+            R"(<shape type="rectangle"><transform name="to_world"><scale value="5000"/><rotate x="1" angle="180"/><translate value="0,0,)" +
+            exact(distance) + R"("/></transform><bsdf type="diffuse"><spectrum name="reflectance" value=")" +
+            reflectance + R"("/></bsdf></shape>)";
+    write_scene(path, "0,0,0", "0.3,0.2,1", walls);
 }
 
 Recipe usual() {

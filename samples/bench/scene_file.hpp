@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: MIT
+// Scene files that sub-commands write.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+/// Writes a scene seen by a perspective camera of 40 degrees. origin, target: of its lookat, as in the file.
+/// content: lights and shapes. Throws std::runtime_error.
+void write_scene(const std::filesystem::path& path, const std::string& origin, const std::string& target,
+                 const std::string& content);
