@@ -1216,7 +1216,7 @@ typedef struct nicol_render_options {
      * spread best. */
     uint32_t samples;
     nicol_executor executor; /* device that runs relight and shade, default automatic */
-    /* Seed of the reference method and of the samples of local lights, default 0. Equal seeds give equal
+    /* Seed of the reference method and of the samples of lights and lobes, default 0. Equal seeds give equal
      * images, whatever the number of threads. */
     uint64_t seed;
     /* Largest predicted error of the orders left out if both orders are automatic, finite and not negative,

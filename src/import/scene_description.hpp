@@ -157,8 +157,8 @@ using SceneParameters = std::map<std::string, std::string>;
 /// incidence; others are elements of the scene, and for load_scene() to put before its lights. An emissive
 /// shape and has no bsdf is black, another without one is grey. An instance becomes a shape for each member
 /// of its group. Integrators but for their AOVs and hide_emitters, samplers but for their sample_count, and
-/// reconstruction filters are not followed, which one notice says; a roughness that differs by direction has
-/// a notice that says where it is followed, and of pplastic becomes its geometric mean. <rgb> takes one
+/// reconstruction filters are not followed, which one notice says; a roughness that differs by direction
+/// becomes, with a notice, its geometric mean where a material is isotropic. <rgb> takes one
 /// value, three, or #rrggbb, which is linear n / 255; <spectrum> a file, too, of lines with a wavelength in
 /// nm and a value, behind # a comment, which is read. Other filenames are not opened, but looked for: in the
 /// folders of <path>, the newest first, in the folder of the file that holds them, then in those of the files

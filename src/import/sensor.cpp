@@ -76,8 +76,6 @@ bool is_rigid(const glm::dmat4& m) {
     return true;
 }
 
-}  // namespace
-
 /// Returns the number of samples of a pixel. The kind of sampler has no effect.
 std::uint32_t sample_count_of(pugi::xml_node sampler, Notices& notices) {
     constexpr std::uint32_t otherwise = 4;  // as in Mitsuba
@@ -92,6 +90,8 @@ std::uint32_t sample_count_of(pugi::xml_node sampler, Notices& notices) {
                           std::to_string(most) + "; " + std::to_string(otherwise) + " is taken");
     return otherwise;
 }
+
+}  // namespace
 
 /// Without `fov`, the diagonal of 35 mm film behind a lens of this focal length.
 void read_field_of_view(Plugin& plugin, double& fov, SensorDescription::FovAxis& axis) {

@@ -478,17 +478,11 @@ TEST_CASE("v is turned where a file counts it upwards, unless the scene says oth
 TEST_CASE("Mitsuba's scenes with textures are read") {
     const std::filesystem::path folder = test_data("mitsuba_scenes/tests/scenes/bsdf_spheres");
     if (folder.empty()) return;
-    struct Case {
-        const char* name;
-        std::size_t notices;
-    };
-    for (const auto& [name, notices] :
-         {Case{"bumpmap", 1}, Case{"normalmap", 1}, Case{"textured_diffuse", 1},
-          Case{"textured_roughconductor", 1}, Case{"normalmap_roughconductor", 1},
-          Case{"normalmap_identity_roughconductor", 1}}) {
+    for (const char* name : {"bumpmap", "normalmap", "textured_diffuse", "textured_roughconductor",
+                             "normalmap_roughconductor", "normalmap_identity_roughconductor"}) {
         CAPTURE(name);
         const LoadedScene loaded = load_scene(folder / ("test_" + std::string(name) + "_path.xml"), {});
-        CHECK(loaded.notices.size() == notices);
+        CHECK(loaded.notices.size() == 1);
         CHECK(loaded.scene.instances().size() == 2);
         CHECK(loaded.scene.lights().size() == 1);
     }
