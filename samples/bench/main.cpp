@@ -53,7 +53,7 @@ const Command commands[] = {
      "errors far from the origin, on large floors and of close depths"},
     {"extremes",
      bench_extremes,
-     {"--backend", "--cache", "--size", "--samples", "--csv", "--json"},
+     {"--backend", "--cache", "--size", "--samples", "--only", "--csv", "--json"},
      "errors of brushed and nearly smooth surfaces, narrow openings, close lights and a fine\n"
      "              checkerboard"},
     {"frame",
@@ -108,6 +108,7 @@ const Help option_help[] = {
     {"--orders",
      "--orders A-B    from order A to B, 0 to 32 (frame: low order A, high order B;\n                  "
      "materials and textures: likewise; without it 4 and 64, 9 and 64)"},
+    {"--only", "--only TEXT     measures the rows whose names contain it"},
     {"--converged",
      "--converged N   errors against the factored method to order N too, 1 to 32: truncation alone"},
     {"--memory", "--memory GB     most that matrices of the dense method may take; default 4"},

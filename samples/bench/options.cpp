@@ -54,6 +54,8 @@ void assign(const std::string& name, const std::string& value, Options& options)
         options.memory = number(name, value, 0.0, 1e6, "gigabytes, 0 to 1000000");
     } else if (name == "--seconds") {
         options.seconds = number(name, value, 1e-6, 3600.0, "above 0, at most 3600");
+    } else if (name == "--only") {
+        options.only = value;
     } else if (name == "--cache") {
         options.cache = value;
     } else if (name == "--plot") {

@@ -23,6 +23,7 @@ struct Options {
     double memory = 4;  ///< in GB
     double seconds = 1;
     bool large = false;
+    std::string only;  ///< part of a row's name
     std::string cache;
     std::string plot;
     std::string csv;

@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
-#include "comparison.hpp"
 #include "scene_file.hpp"
 #include "temporary_folder.hpp"
+#include "truth.hpp"
 
 namespace {
 
@@ -137,9 +137,7 @@ Report bench_places(const Options& given) {
     for (const char* light : kLights) {
         for (const double floor : {1e2, 3e4, 1e6}) {
             write_ball(file, {.floor = floor, .light = light});
-            const SceneSource source(options);
-            const Comparison comparison(source, size, samples, true);
-            const StokesErrors errors = comparison.errors(usual());
+            const StokesErrors errors = default_errors(SceneSource(options), size, samples).errors;
             report.add(
                 std::string(light) + ", a floor of " + shortest(floor) + " times the ball, against rays",
                 {errors[0], errors[1], errors[2]});

@@ -55,3 +55,15 @@ Image reduced_image(const Stage& stage, const Recipe& recipe, nicol_framebuffer 
     stage.render(recipe.options(), framebuffer);
     return reduced(read_image(framebuffer), kReduction);
 }
+
+DefaultErrors default_errors(const SceneSource& source, std::uint32_t size, std::uint32_t samples) {
+    const Truth truth = make_truth(source, size, samples, true);
+    const Stage stage(source);
+    const Framebuffer framebuffer = stage.framebuffer(size, size);
+    const Recipe usual{.defaults = true, .shade_at = NICOL_SHADE_AT_AUTOMATIC, .samples = 8};
+    stage.render(usual.options(), framebuffer.get());
+    DefaultErrors found{.errors = truth.errors(read_image(framebuffer.get())),
+                        .statistics = NICOL_STATISTICS_INIT};
+    check(nicol_framebuffer_get_statistics(framebuffer.get(), &found.statistics));
+    return found;
+}
