@@ -4,6 +4,7 @@
 // valid, because the contract requires valid ones.
 #define DOCTEST_CONFIG_IMPLEMENT
 #include <set>
+#include <string_view>
 
 #include "capi/contract.hpp"
 
@@ -12,6 +13,7 @@ namespace {
 using namespace capi_test;
 
 constexpr int kMaxCalls = 24;
+constexpr Slot kMaxVertices = 2000;  // finer meshes are slow to bake
 constexpr std::size_t kMemoryDoubles = (std::size_t{1} << 16) / sizeof(double);
 
 /// A reader of the input, which returns zeros beyond its end.
@@ -67,6 +69,7 @@ Slot whole_number(const std::string& name, Bytes& bytes) {
     if (name.ends_with("count") && value > kMemoryDoubles) return UINT64_MAX;
     if (name == "executor" && value == NICOL_EXECUTOR_COMPUTE) return NICOL_EXECUTOR_CPU;
     if (name == "samples" && value > 64 && value <= 65537) return 1;
+    if (name == "max_vertices" && (value == 0 || value > kMaxVertices)) return kMaxVertices;
     return value;
 }
 double real_number(const std::string& name, Bytes& bytes) {
@@ -114,6 +117,10 @@ public:
     }
     ~Handles() {
         end_jobs();
+        for (const Addition& added : additions_) {
+            const std::array<Slot, 2> slots{added.scene, added.id};
+            added.remove->call(slots.data());  // fails if the program removed it, or released the scene
+        }
         for (std::size_t type = alive_.size(); type-- > 0;)
             for (const Slot handle : alive_[type])
                 for (; references_[handle] > 0; --references_[handle]) release(type, handle);
@@ -135,6 +142,12 @@ public:
         if (std::ranges::find(alive_[type], handle) == alive_[type].end()) alive_[type].push_back(handle);
         if (type == handle_type<nicol_job>() && references_[handle] == 0) hold(argument<nicol_job>(handle));
         ++references_[handle];
+    }
+    /// Notes what a nicol_scene_add_... added to a scene: kept, it would slow down all later inputs.
+    void add_to_scene(const std::string& adder, Slot scene, Slot id) {
+        constexpr std::string_view prefix = "nicol_scene_add_";
+        const std::string remover = "nicol_scene_remove_" + adder.substr(prefix.size());
+        additions_.push_back({.remove = &::function(remover), .scene = scene, .id = id});
     }
     [[nodiscard]] bool may_release(Slot handle) {
         const bool is_base = std::ranges::find(base_.handles, handle) != base_.handles.end();
@@ -165,8 +178,14 @@ private:
         }
     }
 
+    struct Addition {
+        const Function* remove;
+        Slot scene, id;
+    };
+
     const Everything& base_;
     std::vector<nicol_job> jobs_;
+    std::vector<Addition> additions_;
     std::array<std::vector<Slot>, handle_names.size()> alive_;
     std::map<Slot, int> references_;
     std::vector<Slot> released_;
@@ -185,6 +204,9 @@ void call(const Function& function, const Everything& all, Handles& handles, Byt
                                       handles.choose(handle_type<nicol_material>(), bytes)};
                 std::memcpy(arguments.memory(i).data() + offsetof(nicol_instance, mesh), parts, sizeof parts);
             }
+            if (function.name.starts_with("nicol_render") && parameter.name == std::string_view("options"))
+                std::memcpy(arguments.memory(i).data() + offsetof(nicol_render_options, max_vertices),
+                            &kMaxVertices, sizeof kMaxVertices);
             const auto& fields = fields_of(function.name + "." + parameter.name);
             for (std::size_t changes = bytes.below(4); changes > 0 && !fields.empty(); --changes)
                 change_field(arguments.memory(i), fields, function.name, bytes);
@@ -214,6 +236,11 @@ void call(const Function& function, const Everything& all, Handles& handles, Byt
     }
     if (is_release) handles.take(function.parameters[0].type, slots[0]);
     if (is_retain) handles.add(function.parameters[0].type, slots[0]);
+    if (function.name.starts_with("nicol_scene_add_") && slots.back() != 0) {
+        std::uint32_t id = 0;
+        std::memcpy(&id, arguments.memory(slots.size() - 1).data(), sizeof id);
+        handles.add_to_scene(function.name, slots[0], id);
+    }
     for (std::size_t i = 0; i < slots.size(); ++i) {
         if (function.parameters[i].kind != Kind::new_handle || slots[i] == 0) continue;
         const std::size_t type = function.parameters[i].type;
