@@ -34,6 +34,8 @@ constexpr double kOffsets = 64;
 // kShort may err by more, in inverse proportion to their length, because there is less area at them.
 constexpr double kShortest = 1.0 / 256;
 constexpr double kShort = 1.0 / 32;
+// Smallest share of the tolerance that is asked for where little light arrives.
+constexpr double kStrictest = 0.25;
 
 glm::vec3 unit(const glm::vec3& v) {
     return {glm::normalize(glm::dvec3(v))};
@@ -139,7 +141,14 @@ private:
     // Returns whether the interpolation error of an edge is too large.
     [[nodiscard]] bool wrong(double error, std::uint32_t a, std::uint32_t b) const {
         const double here = length(a, b);
-        return here > shortest(a, b) && error * std::min(here, short_) > options_.tolerance * short_;
+        return here > shortest(a, b) && error * std::min(here, short_) > tolerance(a, b) * short_;
+    }
+
+    // Returns the tolerance at an edge: relative to the light that arrives there, because a picture of the
+    // inside of a box holds no other light.
+    [[nodiscard]] double tolerance(std::uint32_t a, std::uint32_t b) const {
+        const double hidden = static_cast<double>(hidden_[rows_[a]].x + hidden_[rows_[b]].x) / 2;
+        return options_.tolerance * std::clamp(1 - hidden, kStrictest, 1.0);
     }
 
     // Returns the square root of the area of triangles with an occluded vertex.

@@ -14,7 +14,8 @@ namespace nicol {
 
 struct RefineOptions {
     /// Largest interpolation error along an edge in the hidden irradiance (of a white environment) and its
-    /// first moment, relative to the irradiance without shadows. Above 0.
+    /// first moment, relative to the irradiance without shadows. Stricter where much is hidden: relative to
+    /// the irradiance that is left, to a quarter. Above 0.
     double tolerance = 0.02;
     /// Largest number of vertices of the result. Nothing is refined if there are as many already.
     std::size_t max_vertices = 65536;

@@ -116,6 +116,28 @@ TEST_CASE("interpolation meets what rays find between vertices, on floors of any
     }
 }
 
+TEST_CASE("errors are small beside the light that is left, under a low roof") {
+    Mesh mesh;
+    append(mesh, make_rectangle(1), 1, {0, 0, 0});
+    append(mesh, make_rectangle(1), 1, {0, 0, 0.5F});
+    const Refined refined = refine(mesh, {.tolerance = 0.02, .max_vertices = 20000});
+    const Surface surface(mesh, refined.refinement);
+    Mesh probes = mesh;
+    append(probes, make_rectangle(16), 0.95F, {0, 0, 0});
+    const Visibility truth = bake(geometry_of(probes), directions());
+    double sum = 0;
+    double power = 0;
+    for (std::size_t v = mesh.positions.size(); v < probes.positions.size(); ++v) {
+        const glm::vec3 p = probes.positions[v];
+        const double seen = seen_from(truth, v);
+        const double error = surface.seen(static_cast<double>(p.x), static_cast<double>(p.y)) - seen;
+        sum += error * error;
+        power += seen * seen;
+    }
+    CAPTURES(surface.positions.size(), std::sqrt(power));
+    CHECK(std::sqrt(sum / power) < 0.015);
+}
+
 TEST_CASE("added vertices see what a bake of the refined mesh finds") {
     const Mesh mesh = cube_on_floor(1);
     const Refined refined = refine(mesh, {.tolerance = 0.03, .max_vertices = 20000});
