@@ -129,6 +129,7 @@ struct SceneState {
     // The renderer is used only with the session's lock.
     Renderer renderer;
     bool darkness_noticed = false;
+    bool error_noticed = false;
     // The film and the files come from the scene file and never change.
     std::optional<Film> film;
     std::vector<FileRecord> files;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Renders, directly and as jobs.
 #include <functional>
+#include <iomanip>
 #include <memory>
+#include <sstream>
 #include <string>
 #include <utility>
 
@@ -184,6 +186,20 @@ void notice_darkness(const Scene& scene, SceneState& state, const Session& sessi
     session.notice(state.files.front().path.string() + ": no emitter lights the scene.");
 }
 
+// Reports once per scene that an image's predicted error exceeds the tolerance.
+void notice_error(const Statistics& statistics, const RenderOptions& options, SceneState& state,
+                  const Session& session) {
+    if (options.method == Method::reference || !(options.tolerance > 0) ||
+        !(statistics.predicted_error > options.tolerance) || std::exchange(state.error_noticed, true))
+        return;
+    std::ostringstream text;
+    if (!state.files.empty()) text << state.files.front().path.string() << ": ";
+    text << std::setprecision(2) << "the predicted error is " << statistics.predicted_error
+         << ", the tolerance " << options.tolerance
+         << "; more of light_samples, bsdf_samples or pixel_samples reduces it.";
+    session.notice(text.str());
+}
+
 // Throws Error(cancelled) if a job that waits for the host's context was cancelled or nobody can lend it.
 void require_awaited(const Job& job, const Session& session) {
     job.check();
@@ -207,6 +223,7 @@ nicol_result nicol_render(nicol_scene scene, const nicol_camera* camera, const n
         const Edit edit(self.content);
         notice_darkness(self.content->scene, *self.content, *self.session);
         self.content->renderer.render(self.content->scene, call.camera, call.options, *target.content);
+        notice_error(target.content->statistics(), call.options, *self.content, *self.session);
     });
 }
 
@@ -235,6 +252,7 @@ nicol_result nicol_render_async(nicol_scene scene, const nicol_camera* camera,
                 options.progress = job_progress(running, call.options);
                 notice_darkness(snapshot, *state, *session);
                 state->renderer.render(snapshot, call.camera, options, *target);
+                notice_error(target->statistics(), options, *state, *session);
             },
             [session = self.session] { session->gl->wake(); });
         auto* const handle = make_handle<nicol_job_impl>(self.session, made);

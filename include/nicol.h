@@ -1244,7 +1244,7 @@ typedef struct nicol_render_options {
     uint32_t pixel_samples;
     /* Largest interpolation error of shadows, as a fraction of the light, 0 to 1, default 0.02; 0: no
      * triangle is split. The bake splits triangles where shadows change faster than the mesh is fine, until
-     * the error in the hidden part of uniform light is at most this fraction of all of the light. */
+     * the error of uniform light is at most this fraction of what arrives, or of a quarter of it all. */
     double refine_tolerance;
     /* Largest number of vertices after splitting; 0, the default: 65536, or four times the original number if
      * that is more. A memory_limit lowers the number. */
@@ -1254,7 +1254,7 @@ typedef struct nicol_render_options {
      * default NICOL_SPLIT_AUTOMATIC: the lights that the orders would miss. */
     int32_t split_lights;
     /* Number of light samples of the real-time methods, per local light with a size and per point or pixel, 1
-     * to 1024, default 16. Fewer samples are faster, and leave steps in soft shadows. */
+     * to 1024, default 16; up to twice as many for very wide lights. Fewer are faster and noisier. */
     uint32_t light_samples;
     /* Number of samples of the environment, per lobe and per point or pixel, that the factored method takes
      * for lobes which harmonics cannot hold, 0 to 1024, default 16: anisotropic lobes, and lobes narrower
@@ -1381,8 +1381,8 @@ typedef struct nicol_statistics {
     double trace_ms;                /* reference: time of tracing rays */
     uint32_t compute;               /* 1 if compute shaders relit and shaded, 0 if threads did */
     uint32_t order_low;             /* order_low of the rendered light, as the option says or as it was chosen */
-    double predicted_error;         /* predicted error of the orders left out, if a tolerance was given; may exceed a tolerance
-                                       that no orders reach; interpolation between vertices is not included */
+    double predicted_error;         /* predicted error of the orders left out, if a tolerance was given, and of the samples of
+                                       lights and lobes; interpolation between vertices is not included */
     /* Counts of recomputed work, up to pixels_shaded; 0 if all was kept from the render before. */
     uint64_t lights_projected;      /* environments projected to coefficients */
     uint64_t materials_projected;   /* tables, matrices and sets of lobes of materials, also from the cache folder */

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "devices/light_image.hpp"
 
-#include <atomic>
+#include <tbb/combinable.h>
 
 #include "devices/pixel_lights.hpp"
 #include "draw/visibility_buffer.hpp"
@@ -17,7 +17,7 @@ void find_light_image(const PixelInput& input, std::size_t first, std::size_t la
     const PixelLights lights(*input.local_lights, input);
     const std::size_t pixels =
         static_cast<std::size_t>(input.hits.width()) * static_cast<std::size_t>(input.hits.height());
-    std::atomic<std::uint64_t> rays = 0;
+    tbb::combinable<LightingTally> tallies;
     run.workers.for_vertices(first, last, pixels, "shade", run.progress,
                              [&](std::size_t begin, std::size_t end) {
                                  thread_local std::vector<PixelPoint> points;
@@ -34,11 +34,11 @@ void find_light_image(const PixelInput& input, std::size_t first, std::size_t la
                                      std::vector<std::span<glm::vec4>> stokes;
                                      for (std::size_t c = 0; c < out.size(); ++c)
                                          stokes.push_back(std::span(sums).subspan(c * count, count));
-                                     rays += lights.add(batch, stokes);
+                                     tallies.local() += lights.add(batch, stokes);
                                      batch.gather(stokes, input.most_components, first, image);
                                  }
                              });
-    run.statistics.light_rays += rays;
+    tallies.combine_each([&](const LightingTally& tally) { run.add(tally); });
     run.statistics.light_ms += watch.milliseconds();
 }
 

@@ -55,7 +55,7 @@ std::vector<const Material*> layers_of(const Material& material) {
 
 }  // namespace
 
-std::uint64_t PixelLights::add(const PixelBatch& batch, std::span<const std::span<glm::vec4>> out) const {
+LightingTally PixelLights::add(const PixelBatch& batch, std::span<const std::span<glm::vec4>> out) const {
     const std::span points = batch.points();
     const PixelPoint& any = points.front();
     const VertexRange& range = input_.geometry.ranges[any.range];
@@ -68,7 +68,7 @@ std::uint64_t PixelLights::add(const PixelBatch& batch, std::span<const std::spa
     const bool sampled = any_term(*range.material, [this](const Material& layer, int term) {
         return is_sampled(layer, term, lights_.lighting().sampled());
     });
-    std::uint64_t rays = 0;
+    LightingTally tally;
     std::vector<std::span<glm::vec4>> channels(out.size());
     for (std::size_t first = 0; first < points.size(); first += kLanes) {
         const std::size_t count = std::min(kLanes, points.size() - first);
@@ -95,7 +95,7 @@ std::uint64_t PixelLights::add(const PixelBatch& batch, std::span<const std::spa
             weights = batch.weights().subspan(first / kLanes * layers.size(), layers.size());
         for (std::size_t c = 0; c < out.size(); ++c) channels[c] = out[c].subspan(first, count);
         const std::span of_facets = std::span(facets).first(count);
-        rays +=
+        tally +=
             lights_.lighting().add(input_.view,
                                    {.positions = std::span(surface.positions).first(count),
                                     .normals = std::span(surface.normals).first(count),
@@ -109,7 +109,7 @@ std::uint64_t PixelLights::add(const PixelBatch& batch, std::span<const std::spa
                                    {.layers = layers, .weights = weights}, channels);
         if (range.emission != nullptr) add_emission(range, batch, first, channels);
     }
-    return rays;
+    return tally;
 }
 
 void PixelLights::add_emission(const VertexRange& range, const PixelBatch& batch, std::size_t first,

@@ -18,9 +18,8 @@ public:
     /// Keeps references to both arguments, which must outlive the object.
     PixelLights(const LocalLights& lights, const PixelInput& input) : lights_(lights), input_(input) {}
 
-    /// Adds to out[c][point] the batch's reflection of local lights and its emission. Returns the number of
-    /// rays.
-    std::uint64_t add(const PixelBatch& batch, std::span<const std::span<glm::vec4>> out) const;
+    /// Adds to out[c][point] the batch's reflection of local lights and its emission.
+    LightingTally add(const PixelBatch& batch, std::span<const std::span<glm::vec4>> out) const;
 
 private:
     void add_emission(const VertexRange& range, const PixelBatch& batch, std::size_t first,

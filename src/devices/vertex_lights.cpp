@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "devices/vertex_lights.hpp"
 
+#include <tbb/combinable.h>
+
 #include <array>
-#include <atomic>
 #include <vector>
 
 #include "shading/emission.hpp"
@@ -10,30 +11,30 @@
 namespace nicol {
 
 void VertexLights::add(RenderRun& run, std::span<const std::span<glm::vec4>> out) const {
-    std::atomic<std::uint64_t> rays = 0;
+    tbb::combinable<LightingTally> tallies;
     for (const VertexRange& range : input_.geometry.ranges) {
         run.workers.for_vertices(
             range.first, range.last, input_.geometry.positions.size(), "shade", run.progress,
-            [&](std::size_t begin, std::size_t end) { rays += add(range, begin, end, out); });
+            [&](std::size_t begin, std::size_t end) { tallies.local() += add(range, begin, end, out); });
     }
-    run.statistics.light_rays += rays;
+    tallies.combine_each([&](const LightingTally& tally) { run.add(tally); });
 }
 
-std::uint64_t VertexLights::add(const VertexRange& range, std::size_t first, std::size_t last,
+LightingTally VertexLights::add(const VertexRange& range, std::size_t first, std::size_t last,
                                 std::span<const std::span<glm::vec4>> out) const {
-    std::uint64_t rays = 0;
+    LightingTally tally;
     std::array<std::uint32_t, kLanes> vertices;
     std::size_t count = 0;
     for (std::size_t v = first; v < last; ++v) {
         if (input_.chosen[v] != 0) vertices[count++] = static_cast<std::uint32_t>(v);
         if (count < kLanes && v + 1 < last) continue;
-        if (count > 0) rays += add(range, std::span(vertices).first(count), out);
+        if (count > 0) tally += add(range, std::span(vertices).first(count), out);
         count = 0;
     }
-    return rays;
+    return tally;
 }
 
-std::uint64_t VertexLights::add(const VertexRange& range, std::span<const std::uint32_t> vertices,
+LightingTally VertexLights::add(const VertexRange& range, std::span<const std::uint32_t> vertices,
                                 std::span<const std::span<glm::vec4>> out) const {
     const std::size_t count = vertices.size();
     const WorldGeometry& geometry = input_.geometry;
@@ -57,7 +58,7 @@ std::uint64_t VertexLights::add(const VertexRange& range, std::span<const std::u
         channels.push_back(std::span(sums).subspan(c * count, count));
 
     const Material* const material = range.material.get();
-    const std::uint64_t rays =
+    const LightingTally tally =
         lights_.lighting().add(input_.view,
                                {.positions = std::span(positions).first(count),
                                 .normals = std::span(normals).first(count),
@@ -79,7 +80,7 @@ std::uint64_t VertexLights::add(const VertexRange& range, std::span<const std::u
                 out[c][vertices[i]][static_cast<glm::length_t>(p)] +=
                     channels[c][i][static_cast<glm::length_t>(p)];
         }
-    return rays;
+    return tally;
 }
 
 }  // namespace nicol

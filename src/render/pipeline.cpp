@@ -157,9 +157,22 @@ void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderO
         shade(shaded, projection, options, distant, executor, run);
     }
 
+    run.statistics.predicted_error = predicted_error(run.lighting, projection).relative();
     method.count(input, run.statistics);
     executor.count(run.statistics);
     count(input, distant, run.statistics);
+}
+
+PredictedError Pipeline::predicted_error(const LightingTally& lighting, const Projection& projection) {
+    if (!local_lights_.any()) lighting_ = {};
+    if (lighting.values > 0) lighting_ = lighting;
+    PredictedError out = predicted_;
+    if (lighting_.values == 0) return out;
+    // An image that is one of many samples of its pixels has their mean's noise.
+    const double share = projection.sample_size * projection.sample_size;
+    const auto values = static_cast<double>(lighting_.values);
+    out.add(share * lighting_.noise / values, lighting_.power / values);
+    return out;
 }
 
 TransferMethod& Pipeline::method_for(Method method) {
@@ -173,6 +186,7 @@ RenderOptions Pipeline::choose_orders(const Scene& scene, const RenderOptions& o
     // image.
     constexpr double of_dark = 1.0 / 3;
     RenderOptions chosen = options;
+    predicted_ = {};
     noise_ = 0;
     if (scene.environment() == nullptr) {  // the reflection of local lights has no orders
         chosen.order_low = chosen.order_high = 0;
@@ -187,8 +201,10 @@ RenderOptions Pipeline::choose_orders(const Scene& scene, const RenderOptions& o
             selector_.choose(scene, {split_.rest(), sampled}, visibility_.state(), options, run.memory_limit);
         chosen.order_low = orders.low;
         chosen.order_high = orders.high;
-        run.statistics.predicted_error = orders.error;
-        const double noise = of_dark * orders.error * orders.rms * scene.light_scale();
+        const double rms = orders.rms * scene.light_scale();
+        const double error = orders.error * rms;
+        predicted_.add(error * error, rms * rms);
+        const double noise = of_dark * error;
         // Rounded to steps, so that the noise stays the same when an object moves.
         if (noise > 0) noise_ = static_cast<float>(std::exp2(std::round(2 * std::log2(noise)) / 2));
     });

@@ -17,6 +17,7 @@
 #include "render/light_projection.hpp"
 #include "render/light_split.hpp"
 #include "render/order_selector.hpp"
+#include "render/predicted_error.hpp"
 #include "render/scene_visibility.hpp"
 #include "scene/projection.hpp"
 #include "scene/scene.hpp"
@@ -58,6 +59,9 @@ private:
     void shade_pixels(const Scene& scene, ShadeInput input, const Projection& projection,
                       const RenderOptions& options, bool high_orders, RenderExecutor& executor,
                       RenderRun& run, const DrawHits& draw_hits);
+    /// Returns the predicted error of the chosen orders and of light samples: these, or those of the last
+    /// image if nothing was shaded.
+    PredictedError predicted_error(const LightingTally& lighting, const Projection& projection);
     /// Sets chosen_ to 1 for each vertex that can be seen.
     void find_seen(const WorldGeometry& geometry, const Projection& projection, const RenderOptions& options,
                    RenderRun& run);
@@ -76,7 +80,9 @@ private:
     HighOrderTransfer high_orders_;
     LocalLights local_lights_;
     bool pixels_ = false;
-    float noise_ = 0;  // noise for make_physical()
+    float noise_ = 0;           // noise for make_physical()
+    PredictedError predicted_;  // of the chosen orders
+    LightingTally lighting_{};  // of the samples that the image holds
 
     // Inputs: executor, method, view, light of low and high orders, local lights, form of the high orders,
     // with shadows, physical, noise, channels, least and most components.

@@ -46,6 +46,16 @@ struct LitMaterial {
     std::span<const LayerWeights> weights;  ///< empty: the weight is 1
 };
 
+/// Rays of light samples, and the noise that the samples leave in s0.
+struct LightingTally {
+    std::uint64_t rays = 0;
+    std::uint64_t values = 0;  ///< number of points, times channels
+    double power = 0;          ///< sum over the values of s0^2
+    double noise = 0;          ///< sum over the values of the expected squared error of s0
+
+    LightingTally& operator+=(const LightingTally& other);
+};
+
 /// Local lights, the environment of sampled terms, and shadows. Immutable; threads share it.
 class LocalLighting {
 public:
@@ -64,8 +74,8 @@ public:
     }
 
     /// Adds to out[c][i] channel c's Stokes vector of point i towards the viewpoint, in the camera's frame
-    /// field. Returns the number of rays.
-    std::uint64_t add(const Viewpoint& view, const LitPoints& points, const LitMaterial& material,
+    /// field. The noise is estimated from the difference of both halves of each light's samples.
+    LightingTally add(const Viewpoint& view, const LitPoints& points, const LitMaterial& material,
                       std::span<const std::span<glm::vec4>> out) const;
 
 private:

@@ -12,6 +12,7 @@
 #include <limits>
 
 #include "progress.hpp"
+#include "shading/local_lighting.hpp"
 #include "simd/lanes.hpp"
 #include "stage/statistics.hpp"
 #include "worker_count.hpp"
@@ -83,6 +84,12 @@ struct RenderRun {
     Statistics& statistics;
     /// Largest number of bytes that a scene may take, if orders are chosen.
     std::uint64_t memory_limit = std::numeric_limits<std::uint64_t>::max();
+    LightingTally lighting{};  ///< of local lights and sampled terms
+
+    void add(const LightingTally& tally) {
+        lighting += tally;
+        statistics.light_rays += tally.rays;
+    }
 };
 
 }  // namespace nicol

@@ -156,3 +156,46 @@ TEST_CASE("caches that are damaged or cannot be kept are notices, from jobs too"
         CHECK_FALSE(notices(folder.write("file", "not a folder")).empty());
     });
 }
+
+TEST_CASE("the noise of light samples is predicted, and told once where it exceeds the tolerance") {
+    for (const nicol_backend backend : every_backend) {
+        Log log;
+        const Owned context(logging_context(backend, log, ""));
+        const TemporaryFolder folder;
+        const std::string path = folder.write("square.xml", R"(<scene version="3.0.0">
+            <sensor type="perspective"><float name="fov" value="40"/>
+                <transform name="to_world"><lookat origin="0,3,4" target="0,0,0" up="0,1,0"/></transform>
+                <film type="hdrfilm"><integer name="width" value="24"/>
+                    <integer name="height" value="16"/></film></sensor>
+            <shape type="rectangle"><transform name="to_world"><rotate x="1" angle="-90"/>
+                <scale value="5"/></transform></shape>
+            <shape type="rectangle"><transform name="to_world"><rotate x="1" angle="90"/>
+                <translate y="0.5"/></transform><emitter type="area"/></shape></scene>)");
+        const LoadedScene loaded(context, path);
+        nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
+        options.tolerance = 1;
+        std::vector<double> predicted;
+        for (const std::uint32_t samples : {4U, 64U, 1024U}) {
+            options.light_samples = samples;
+            OK(nicol_render(loaded.scene, &loaded.camera, &options, loaded.framebuffer));
+            predicted.push_back(statistics_of(loaded.framebuffer).predicted_error);
+            OK(nicol_render(loaded.scene, &loaded.camera, &options,
+                            loaded.framebuffer));  // what is kept has the same error
+            CHECK(statistics_of(loaded.framebuffer).predicted_error == predicted.back());
+        }
+        CHECK(predicted[0] < 1);
+        CHECK(predicted[1] < 0.5 * predicted[0]);
+        CHECK(predicted[2] < 0.5 * predicted[1]);
+        CHECK(predicted[2] > 0);
+
+        static_cast<void>(log.take());
+        for (const double tolerance : {2 * predicted[2], 0.5 * predicted[2], 0.4 * predicted[2]}) {
+            options.tolerance = tolerance;
+            OK(nicol_render(loaded.scene, &loaded.camera, &options, loaded.framebuffer));
+            const std::vector<Entry> entries = log.take();
+            CAPTURE(tolerance);
+            CHECK(count_of(entries, "light_samples") == (tolerance == 0.5 * predicted[2] ? 1 : 0));
+            for (const Entry& entry : entries) CHECK(entry.message.find("square.xml") != std::string::npos);
+        }
+    }
+}

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "devices/cpu/cpu_executor.hpp"
 
+#include <tbb/combinable.h>
+
 #include <algorithm>
 #include <atomic>
 #include <deque>
@@ -234,17 +236,17 @@ void CpuExecutor::run_pixels(const PixelInput& input, std::span<PixelSurface> su
     const bool fractions = input.high_orders != nullptr && !input.high_orders->visibility()->empty();
     const PixelShading shading(input, surfaces, fractions ? fractions_ : std::span<const glm::vec2>());
     std::atomic<std::uint64_t> shaded = 0;
-    std::atomic<std::uint64_t> rays = 0;
+    tbb::combinable<LightingTally> tallies;
     std::atomic<double> light_seconds = 0;
     run.workers.for_vertices(0, pixels, pixels, "shade", run.progress,
                              [&](std::size_t begin, std::size_t end) {
                                  const PixelCounts counts = shading.run(begin, end, channels);
                                  shaded += counts.shaded;
-                                 rays += counts.rays;
+                                 tallies.local() += counts.lighting;
                                  light_seconds += counts.light_seconds;
                              });
     run.statistics.pixels_shaded += shaded;
-    run.statistics.light_rays += rays;
+    tallies.combine_each([&](const LightingTally& tally) { run.add(tally); });
     run.statistics.light_ms += 1e3 * light_seconds / run.workers.count();
 }
 

@@ -109,7 +109,7 @@ void PixelShading::shade(const PixelBatch& batch, Work& work, std::span<const st
 void PixelShading::add_local_lights(const PixelBatch& batch, std::span<const std::span<glm::vec4>> stokes,
                                     PixelCounts& counts) const {
     const Stopwatch watch;
-    counts.rays += local_lights_->add(batch, stokes);
+    counts.lighting += local_lights_->add(batch, stokes);
     counts.light_seconds += 1e-3 * watch.milliseconds();
 }
 

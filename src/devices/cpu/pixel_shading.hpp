@@ -41,8 +41,8 @@ struct PixelSurface {
 
 /// Counts and times of shading pixels.
 struct PixelCounts {
-    std::size_t shaded = 0;    ///< number of shaded points
-    std::uint64_t rays = 0;    ///< rays to local lights
+    std::size_t shaded = 0;  ///< number of shaded points
+    LightingTally lighting{};
     double light_seconds = 0;  ///< time of one thread for local lights, in seconds
 };
 
