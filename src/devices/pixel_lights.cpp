@@ -6,6 +6,8 @@
 #include <glm/geometric.hpp>
 #include <vector>
 
+#include "devices/mirrored_pixel.hpp"
+#include "draw/visibility_buffer.hpp"
 #include "geometry/ray_scene.hpp"
 #include "shading/emission.hpp"
 #include "shading/light_samples.hpp"
@@ -25,24 +27,6 @@ glm::vec3 facet_of(const std::array<glm::vec3, 3>& corners, const glm::vec3& oth
     const glm::dvec3 normal = glm::cross(glm::dvec3(corners[1]) - corner, glm::dvec3(corners[2]) - corner);
     const double length = glm::length(normal);
     return length > 0 ? glm::vec3(normal / length) : otherwise;
-}
-
-// Returns the solid angle of the mirrored view directions in a pixel that shows a triangle: that of the
-// pixel, and that of the normals, magnified by the reflection. normals: of the corners.
-float mirrored_solid_angle(const Projection& projection, int width, int height,
-                           const std::array<glm::vec3, 3>& corners, const std::array<glm::vec3, 3>& normals,
-                           const glm::vec3& position, const glm::vec3& facet) {
-    const glm::dvec3 away = glm::dvec3(position) - projection.view.eye;
-    const double distance2 = projection.view.orthographic ? 1 : glm::dot(away, away);
-    const double cosine = glm::dot(projection.view.towards(glm::dvec3(position)), glm::dvec3(facet));
-    const double pixel = 4 * projection.half_width / width * projection.half_height / height;
-    const auto area = [](const std::array<glm::vec3, 3>& of) {
-        return glm::length(glm::cross(glm::dvec3(of[1] - of[0]), glm::dvec3(of[2] - of[0]))) / 2;
-    };
-    const double shown = pixel * distance2 / std::max(cosine, 1e-3);  // area of the triangle's plane
-    const double of_triangle = area(corners);
-    const double curved = of_triangle > 0 ? 4 * cosine * area(normals) * shown / of_triangle : 0;
-    return static_cast<float>((projection.view.orthographic ? 0 : pixel) + curved);
 }
 
 std::vector<const Material*> layers_of(const Material& material) {
@@ -74,7 +58,7 @@ LightingTally PixelLights::add(const PixelBatch& batch, std::span<const std::spa
         const std::size_t count = std::min(kLanes, points.size() - first);
         const LaneSurface& surface = batch.surfaces()[first / kLanes];
         std::array<glm::vec3, kLanes> facets, origins, tangents;
-        std::array<float, kLanes> mirrored;
+        std::array<std::array<glm::vec3, 2>, kLanes> mirrored;
         std::array<std::uint32_t, kLanes> seeds;
         for (std::size_t i = 0; i < count; ++i) {
             const glm::uvec3& triangle = input_.geometry.triangles[points[first + i].triangle];
@@ -83,9 +67,11 @@ LightingTally PixelLights::add(const PixelBatch& batch, std::span<const std::spa
             origins[i] = surface.positions[i] + static_cast<float>(ray_offset(corners)) * facets[i];
             seeds[i] = sample_seed(points[first + i].pixel, input_.seed);
             if (sampled)
-                mirrored[i] = mirrored_solid_angle(
-                    input_.projection, input_.hits.width(), input_.hits.height(), corners,
-                    corners_of(input_.geometry.normals, triangle), surface.positions[i], facets[i]);
+                mirrored[i] = mirrored_steps(input_.projection, input_.hits.width(), input_.hits.height(),
+                                             {.corners = corners,
+                                              .normals = corners_of(input_.geometry.normals, triangle),
+                                              .facet = facets[i]},
+                                             surface.positions[i], surface.normals[i]);
             if (!anisotropic) continue;
             const glm::vec3 weights(surface.weights[0][i], surface.weights[1][i], surface.weights[2][i]);
             tangents[i] = tangent(input_.geometry, points[first + i].triangle, weights);

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <optional>
@@ -12,8 +11,10 @@
 #include "material/sampled_terms.hpp"
 #include "material/spatial_variation.hpp"
 #include "shading/light_samples.hpp"
+#include "shading/mirrored_pixels.hpp"
 #include "shading/normal_variation.hpp"
 #include "shading/reflected_light.hpp"
+#include "shading/shadow_rays.hpp"
 
 namespace nicol {
 namespace {
@@ -47,61 +48,6 @@ void dim(const LitPoints& points, LaneLight& light) {
             for (std::size_t i = 0; i < kLanes; ++i) of_channel[p][i] *= factor[i];
 }
 
-// Shadow rays of points. They begin at origins beside the points, so that the points' own surface does not
-// occlude them.
-class ShadowRays {
-public:
-    ShadowRays(const RayScene& scene, const LaneVectors& points, const LaneVectors& origins) : scene_(scene) {
-        for (std::size_t i = 0; i < kLanes; ++i) {
-            lifts_.x[i] = origins.x[i] - points.x[i];
-            lifts_.y[i] = origins.y[i] - points.y[i];
-            lifts_.z[i] = origins.z[i] - points.z[i];
-        }
-        packet_.origin_x = origins.x.value;
-        packet_.origin_y = origins.y.value;
-        packet_.origin_z = origins.z.value;
-    }
-
-    // Returns the bits of `points` whose light sample, as seen from the points, is not occluded. Rays end at
-    // the samples: parallel to the light's direction they would pass through a light that is close.
-    std::uint32_t visible(const LaneLight& light, std::uint32_t points) {
-        for (std::size_t i = 0; i < kLanes; ++i) {
-            const float nearness = 1 / light.distance[i];  // 0 for distant lights
-            const float x = light.towards.x[i] - nearness * lifts_.x[i];
-            const float y = light.towards.y[i] - nearness * lifts_.y[i];
-            const float z = light.towards.z[i] - nearness * lifts_.z[i];
-            const float length = std::sqrt(x * x + y * y + z * z);
-            packet_.direction_x[i] = x / length;
-            packet_.direction_y[i] = y / length;
-            packet_.direction_z[i] = z / length;
-            packet_.farthest[i] = light.distance[i] * length;
-        }
-        return traced(points);
-    }
-
-    // Returns the same of light that was found from the origins.
-    std::uint32_t visible_from_origins(const LaneLight& light, std::uint32_t points) {
-        packet_.direction_x = light.towards.x.value;
-        packet_.direction_y = light.towards.y.value;
-        packet_.direction_z = light.towards.z.value;
-        packet_.farthest = light.distance.value;
-        return traced(points);
-    }
-
-    [[nodiscard]] std::uint64_t count() const { return count_; }
-
-private:
-    std::uint32_t traced(std::uint32_t points) {
-        count_ += static_cast<std::uint64_t>(std::popcount(points));
-        return points & ~std::uint32_t{scene_.occluded(packet_, static_cast<std::uint16_t>(points))};
-    }
-
-    RayPacket packet_;
-    LaneVectors lifts_;  // from the points to the rays' origins
-    const RayScene& scene_;
-    std::uint64_t count_ = 0;
-};
-
 // Returns the number of light samples for a light of this angular radius: `most` from 0.2 radians on, fewer
 // for smaller lights, because their soft shadows are narrower, and twice as many from 0.8 radians on, because
 // such lights are much wider than the lobes that see them.
@@ -115,29 +61,6 @@ std::uint32_t places_of(float angular_radius, std::uint32_t most) {
     const auto strata = static_cast<std::uint32_t>(std::ceil(wanted / fewest));
     return std::min(fewest * strata, std::max(most, static_cast<std::uint32_t>(wanted)));
 }
-
-// Shadows of one light with few rays: if the first few samples are visible from all points, or hidden from
-// all points, the other samples are assumed to be so too.
-class LightShadows {
-public:
-    explicit LightShadows(ShadowRays* rays) : rays_(rays) {}
-
-    // Returns the bits of `points` that the k-th light sample reaches.
-    std::uint32_t reached(std::uint32_t k, const LaneLight& light, std::uint32_t points) {
-        if (rays_ == nullptr || points == 0) return points;
-        constexpr std::uint32_t probes = 4;
-        if (k >= probes && seen_ != hidden_) return seen_ ? points : 0;
-        const std::uint32_t visible = rays_->visible(light, points);
-        seen_ = seen_ || visible != 0;
-        hidden_ = hidden_ || visible != points;
-        return visible;
-    }
-
-private:
-    ShadowRays* rays_;
-    bool seen_ = false;    // whether any sample is visible from any point
-    bool hidden_ = false;  // whether any sample is hidden from any point
-};
 
 }  // namespace
 
@@ -163,7 +86,7 @@ public:
           material_(material),
           sums_(sums),
           all_((1U << points.positions.size()) - 1) {
-        std::ranges::copy(points.mirrored, mirrored_.value.begin());
+        spread_.set(points.mirrored);
         reflected_.set(view, points.positions, points.normals, points.tangents);
         if (rays != nullptr && points.shadowed) shadows_.emplace(*rays, positions_, origins_);
     }
@@ -202,7 +125,7 @@ public:
         });
         if (environment.sampled() != SampledTerms::anisotropic_narrow || !any_layer_has(true)) return;
         light_.towards = reflected_.mirrored_directions();
-        environment.look_up(true, mirrored_, light_);
+        look_up_mirrored(environment);
         add_mirrored();
     }
 
@@ -261,8 +184,10 @@ private:
         for (const std::array<Lanes, 4>& stokes : sums_) out.push_back(stokes[0]);
     }
 
-    // Seeds of lobes follow those of lights.
+    // Seeds of lobes, and of places in pixels, follow those of lights.
     static constexpr std::uint32_t kFirstLobe = 1U << 31;
+    static constexpr std::uint32_t kFirstPlace = 3U << 30;
+    static constexpr std::uint32_t kMirror = (1U << 30) - 1;
 
     // Returns the different lobes of a layer's sampled rough terms.
     static std::vector<Lobe>& lobes_of(const Material& layer, SampledTerms sampled) {
@@ -280,14 +205,14 @@ private:
                   const LayerWeights* weights, std::uint32_t there, std::uint32_t index) {
         const auto samples = static_cast<float>(environment.samples());
         seed(index);
+        seed_places(index - kFirstLobe);
         LightShadows shadowing(shadows());
         for_samples(environment.samples(), [&](std::uint32_t k) {
-            Lanes u{}, v{}, density, solid_angles;
+            Lanes u{}, v{}, density, lobes;
             light_samples(k, std::span(seeds_).first(points_.positions.size()), u, v);
             reflected_.sample_lobe(lobe, u, v, light_.towards, density);
-            for (std::size_t i = 0; i < kLanes; ++i)
-                solid_angles[i] = 1 / (samples * density[i]) + mirrored_[i];
-            environment.look_up(std::max(lobe.alpha.x, lobe.alpha.y) < kNarrowestLobe, solid_angles, light_);
+            for (std::size_t i = 0; i < kLanes; ++i) lobes[i] = 1 / density[i];
+            look_up(environment, std::max(lobe.alpha.x, lobe.alpha.y) < kNarrowestLobe, k, lobes);
             for (std::array<Lanes, 4>& stokes : light_.irradiance)
                 for (std::size_t p = 0; p < light_.components; ++p)
                     for (std::size_t i = 0; i < kLanes; ++i) stokes[p][i] /= density[i];
@@ -296,6 +221,44 @@ private:
                 reflected_.add_sampled(layer, environment.sampled(), lobe, weights, light_, lit, 1 / samples,
                                        sums_);
         });
+    }
+
+    // Looks the environment up in the k-th place of the pixels around light_.towards. lobes: solid angles of
+    // the lobe around these directions.
+    void look_up(const SampledEnvironment& environment, bool whole, std::uint32_t k, const Lanes& lobes) {
+        Lanes solid_angles;
+        bool spread = false;
+        for (std::size_t i = 0; i < kLanes; ++i) {
+            solid_angles[i] = spread_.solid_angle(i, lobes[i], static_cast<float>(environment.samples()));
+            spread = spread || spread_.part(i, lobes[i]) > 0;
+        }
+        if (!spread) return environment.look_up(whole, solid_angles, light_);
+        const LaneVectors towards = light_.towards;
+        Lanes u{}, v{};
+        light_samples(shuffled_sample(k, environment.samples()),
+                      std::span(place_seeds_).first(points_.positions.size()), u, v);
+        spread_.move(u, v, lobes, light_.towards);
+        environment.look_up(whole, solid_angles, light_);
+        light_.towards = towards;
+    }
+
+    // Sets the light to the mean over the pixels around light_.towards.
+    void look_up_mirrored(const SampledEnvironment& environment) {
+        thread_local std::vector<std::array<Lanes, 4>> sums;
+        const auto samples = static_cast<float>(environment.samples());
+        Lanes mirror;
+        mirror.value.fill(MirroredPixels::kLeast);
+        seed_places(kMirror);
+        sums.clear();
+        for (std::uint32_t k = 0; k < environment.samples(); ++k) {
+            look_up(environment, true, k, mirror);
+            sums.resize(light_.irradiance.size(), {});
+            for (std::size_t c = 0; c < sums.size(); ++c)
+                for (std::size_t p = 0; p < light_.components; ++p)
+                    for (std::size_t i = 0; i < kLanes; ++i)
+                        sums[c][p][i] += light_.irradiance[c][p][i] / samples;
+        }
+        std::ranges::copy(sums, light_.irradiance.begin());
     }
 
     void add_mirrored() {
@@ -328,13 +291,19 @@ private:
             seeds_[i] = sample_seed(points_.seeds[i], index);
     }
 
+    void seed_places(std::uint32_t index) {
+        for (std::size_t i = 0; i < points_.positions.size(); ++i)
+            place_seeds_[i] = sample_seed(points_.seeds[i], kFirstPlace + index);
+    }
+
     [[nodiscard]] ShadowRays* shadows() { return shadows_ ? &*shadows_ : nullptr; }
 
     LaneVectors positions_, origins_, facets_;
-    Lanes mirrored_{};
+    MirroredPixels spread_;
     ReflectedLight reflected_;
     std::optional<ShadowRays> shadows_;
     std::array<std::uint32_t, kLanes> seeds_{};
+    std::array<std::uint32_t, kLanes> place_seeds_{};  // of places in pixels
     const LitPoints& points_;
     const LitMaterial& material_;
     LaneLight& light_ = kept_light();

@@ -3,6 +3,7 @@
 // shadow rays.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -33,9 +34,9 @@ struct LitPoints {
     /// Unit normals without perturbation, for terminator_shadowing(). Empty: nothing is dimmed by it.
     std::span<const glm::vec3> unperturbed;
     std::span<const glm::vec3> origins;  ///< start points of shadow rays
-    /// Solid angles of the mirrored view directions that pixels cover, for sampled terms. Empty: points cover
-    /// nothing.
-    std::span<const float> mirrored;
+    /// Changes of the mirrored view direction from pixel to pixel, to the right and down, for sampled terms.
+    /// Empty: points cover nothing.
+    std::span<const std::array<glm::vec3, 2>> mirrored;
     std::span<const std::uint32_t> seeds;
     bool shadowed;  ///< whether light may be occluded; false: no ray is traced
 };

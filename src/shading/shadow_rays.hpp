@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// Shadow rays from sixteen points to samples of lights.
+#pragma once
+
+#include <cstdint>
+
+#include "geometry/ray_scene.hpp"
+#include "light/lane_light.hpp"
+
+namespace nicol {
+
+/// Shadow rays of points. They begin at origins beside the points, so that the points' own surface does not
+/// occlude them.
+class ShadowRays {
+public:
+    /// Keeps a reference to the scene.
+    ShadowRays(const RayScene& scene, const LaneVectors& points, const LaneVectors& origins);
+
+    /// Returns the bits of `points` whose light sample, as seen from the points, is not occluded. Rays end at
+    /// the samples: parallel to the light's direction they would pass through a light that is close.
+    [[nodiscard]] std::uint32_t visible(const LaneLight& light, std::uint32_t points);
+    /// Returns the same of light that was found from the origins.
+    [[nodiscard]] std::uint32_t visible_from_origins(const LaneLight& light, std::uint32_t points);
+
+    /// Returns the number of rays.
+    [[nodiscard]] std::uint64_t count() const { return count_; }
+
+private:
+    std::uint32_t traced(std::uint32_t points);
+
+    RayPacket packet_;
+    LaneVectors lifts_;  // from the points to the rays' origins
+    const RayScene& scene_;
+    std::uint64_t count_ = 0;
+};
+
+/// Shadows of one light with few rays: if the first few samples are visible from all points, or hidden from
+/// all points, the other samples are assumed to be so too.
+class LightShadows {
+public:
+    /// rays: null if nothing casts shadows.
+    explicit LightShadows(ShadowRays* rays) : rays_(rays) {}
+
+    /// Returns the bits of `points` that the k-th light sample reaches.
+    [[nodiscard]] std::uint32_t reached(std::uint32_t k, const LaneLight& light, std::uint32_t points);
+
+private:
+    ShadowRays* rays_;
+    bool seen_ = false;    // whether any sample is visible from any point
+    bool hidden_ = false;  // whether any sample is hidden from any point
+};
+
+}  // namespace nicol
