@@ -108,9 +108,12 @@ void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderO
     const glm::dmat3 light_to_geometry =
         glm::transpose(glm::dmat3(surfaces_.to_world())) * scene.light_rotation();
     light_.update(split_.rest(), scene.light_scale(), options, light_to_geometry, run.statistics);
+    // Where the bake found that nothing is occluded, local lights need no shadow rays either.
+    RenderOptions lighting = options;
+    if (scene.environment() != nullptr && surfaces.visibility == nullptr) lighting.shadows = false;
     local_lights_.update(
         scene, {split_.extracted_lights(), scene.environment(), split_.rest(), sampled, light_to_geometry},
-        visibility_.surfaces(), rays, options, run.statistics);
+        visibility_.surfaces(), rays, lighting, run.statistics);
     rays.release();
     pixels_ =
         options.shade_at == ShadeAt::pixels ||

@@ -225,3 +225,29 @@ IMAGE_TEST_CASE("local lights are those of the reference method") {
         }
     }
 }
+
+IMAGE_TEST_CASE("local lights cast no rays where the bake found that nothing is occluded") {
+    for (const ShadeAt shade_at : {ShadeAt::pixels, ShadeAt::vertices}) {
+        CAPTURE(shade_at == ShadeAt::pixels);
+        Scene alone;
+        alone.add({.mesh = test::coarse_sphere(12), .material = plastic()});
+        alone.set_environment(constant_environment({0.1}), glm::dmat3(1), 1);
+        alone.add_light({.value = {20}, .to_world = aimed({1, 3, 1.5})});
+        Studio render(context);
+        const StokesImage image = render(alone, options(shade_at));
+        CHECK(render.statistics.light_rays == 0);
+        CHECK(render.statistics.bake_rays > 0);
+        CHECK(rms(minus(image, render(alone, options(shade_at, false)))) == 0);
+
+        Scene shadowed = alone;
+        shadowed.add({.mesh = test::coarse_sphere(4),
+                      .material = plastic(),
+                      .to_world = test::at(0.6, 1.5, 0.8, 0.3)});
+        const StokesImage unshadowed = render(shadowed, options(shade_at, false));
+        CHECK(rms(minus(render(shadowed, options(shade_at)), unshadowed)) > 0.001);
+        CHECK(render.statistics.light_rays > 0);
+        // It was baked, then nothing is occluded any more.
+        CHECK(rms(minus(render(alone, options(shade_at)), image)) < 1e-6);
+        CHECK(render.statistics.light_rays == 0);
+    }
+}
