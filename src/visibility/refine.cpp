@@ -4,11 +4,13 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vec4.hpp>
 #include <numbers>
+#include <set>
 #include <unordered_map>
 #include <utility>
 
@@ -151,11 +153,16 @@ private:
         return options_.tolerance * std::clamp(1 - hidden, kStrictest, 1.0);
     }
 
-    // Returns the square root of the area of triangles with an occluded vertex.
+    // Returns the square root of the area of triangles with an occluded vertex. Triangles that are there twice
+    // count once.
     [[nodiscard]] double shadowed_extent() const {
         double area = 0;
+        std::set<std::array<std::uint32_t, 3>> counted;
         for (const glm::uvec3& t : mesh_.triangles()) {
             if (!occluded(t.x) && !occluded(t.y) && !occluded(t.z)) continue;
+            std::array<std::uint32_t, 3> corners{t.x, t.y, t.z};
+            std::ranges::sort(corners);
+            if (!counted.insert(corners).second) continue;
             const glm::dvec3 a(mesh_.positions()[t.x]);
             area += glm::length(glm::cross(glm::dvec3(mesh_.positions()[t.y]) - a,
                                            glm::dvec3(mesh_.positions()[t.z]) - a)) /

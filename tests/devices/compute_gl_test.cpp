@@ -130,8 +130,9 @@ IMAGE_TEST_CASE("options and changes reach compute shaders") {
         comparison.run(scene, options, above);
         BothExecutors fresh(context, 3);
         fresh.run(scene, options, above);
-        BothExecutors::check_alike(fresh.by_threads.image(), comparison.by_threads.image());
-        BothExecutors::check_alike(fresh.by_shaders.image(), comparison.by_shaders.image());
+        // After moves, few of the vertices that refinement adds lie elsewhere.
+        BothExecutors::check_alike(fresh.by_threads.image(), comparison.by_threads.image(), false, true);
+        BothExecutors::check_alike(fresh.by_shaders.image(), comparison.by_shaders.image(), false, true);
         options.physical = true;
         options.dering = 1e-3;
         comparison.run(scene, options, above);
