@@ -46,21 +46,29 @@ def torus(context, rows, columns):
     return nicol.Mesh.create(context, nicol.mesh_data(places, np.stack(corners, -1).reshape(-1, 3)))
 
 
-def render_torus(context, size, **options):
-    """Returns Stokes vectors like render(), of 260 vertices in the forest."""
+def plastic(context):
     red = nicol.Spectrum(count=3, values=[0.13, 0.035, 0.015] + 13 * [0])
+    return nicol.Material.create_pplastic(
+        context, nicol.Pplastic(diffuse_reflectance=red, distribution=nicol.DISTRIBUTION_GGX, alpha=0.15)
+    )
+
+
+def brushed_gold(context):
+    return nicol.Material.create_conductor(context, nicol.Conductor(metal=b"Au", alpha_u=0.1, alpha_v=0.4))
+
+
+def render_in_forest(context, make_mesh, make_material, fov, brightness, size, **options):
+    """Returns Stokes vectors like render(), of one mesh in the forest."""
     with (
         nicol.Scene.create(context) as scene,
-        torus(context, 20, 13) as mesh,
-        nicol.Material.create_pplastic(
-            context, nicol.Pplastic(diffuse_reflectance=red, distribution=nicol.DISTRIBUTION_GGX, alpha=0.15)
-        ) as material,
+        make_mesh(context) as mesh,
+        make_material(context) as material,
         nicol.Environment.load(context, os.path.join(SAMPLES, "assets", "forest_blurred.exr")) as light,
         nicol.Framebuffer.create(context, 2 * size, 2 * size, 3) as framebuffer,
     ):
         scene.add_instance(nicol.Instance(mesh=mesh, material=material))
-        scene.set_environment(light, None, 2)
-        camera = nicol.Camera(fov=38)
+        scene.set_environment(light, None, brightness)
+        camera = nicol.Camera(fov=fov)
         camera.look_at((1.5, 3, 3), (0, 0, 0), (0, 1, 0))
         nicol.render(scene, camera, nicol.RenderOptions(**options), framebuffer)
         stokes = np.stack([framebuffer.plane(nicol.PLANE_STOKES, channel=c) for c in range(3)], axis=2)
@@ -143,12 +151,21 @@ def main():
         images = [s0(stokes), polarizer(stokes, 0), polarizer(stokes, 90), dolp(stokes), aolp(stokes, 34)]
         write_png(os.path.join(folder, "strip.png"), sheet([images]))
 
+        def coarse_torus(made_in):
+            return torus(made_in, 20, 13)
+
+        rays = {"method": nicol.METHOD_REFERENCE, "samples": 256}
         coarse = [
-            render_torus(context, 256, shade_at=nicol.SHADE_AT_VERTICES),
-            render_torus(context, 256, shade_at=nicol.SHADE_AT_PIXELS),
-            render_torus(context, 256, method=nicol.METHOD_REFERENCE, samples=256),
+            render_in_forest(context, coarse_torus, plastic, 38, 2, 256, **options)
+            for options in ({"shade_at": nicol.SHADE_AT_VERTICES}, {"shade_at": nicol.SHADE_AT_PIXELS}, rays)
         ]
         write_png(os.path.join(folder, "coarse.png"), sheet([list(map(s0, coarse)), list(map(dolp, coarse))]))
+
+        brushed = [
+            render_in_forest(context, nicol.Mesh.create_sphere, brushed_gold, 30, 0.5, 256, **options)
+            for options in ({"pixel_samples": 8, "bsdf_samples": 0}, {"pixel_samples": 8}, rays)
+        ]
+        write_png(os.path.join(folder, "brushed.png"), sheet([list(map(s0, brushed)), list(map(dolp, brushed))]))
 
         rows = []
         for scene_file in ("snail_hdr.xml", "snail_sky.xml"):
