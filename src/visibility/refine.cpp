@@ -153,8 +153,8 @@ private:
         return options_.tolerance * std::clamp(1 - hidden, kStrictest, 1.0);
     }
 
-    // Returns the square root of the area of triangles with an occluded vertex. Triangles that are there twice
-    // count once.
+    // Returns the square root of the area of triangles with an occluded vertex. Triangles that are there
+    // twice count once.
     [[nodiscard]] double shadowed_extent() const {
         double area = 0;
         std::set<std::array<std::uint32_t, 3>> counted;
