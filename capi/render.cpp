@@ -186,17 +186,20 @@ void notice_darkness(const Scene& scene, SceneState& state, const Session& sessi
     session.notice(state.files.front().path.string() + ": no emitter lights the scene.");
 }
 
-// Reports once per scene that an image's predicted error exceeds the tolerance.
+// Reports once per scene that an image's predicted error exceeds the tolerance. Orders that are given are
+// no wish for one.
 void notice_error(const Statistics& statistics, const RenderOptions& options, SceneState& state,
                   const Session& session) {
-    if (options.method == Method::reference || !(options.tolerance > 0) ||
+    if (options.method == Method::reference || !options.choose_orders || !(options.tolerance > 0) ||
         !(statistics.predicted_error > options.tolerance) || std::exchange(state.error_noticed, true))
         return;
     std::ostringstream text;
     if (!state.files.empty()) text << state.files.front().path.string() << ": ";
     text << std::setprecision(2) << "the predicted error is " << statistics.predicted_error
          << ", the tolerance " << options.tolerance
-         << "; more of light_samples, bsdf_samples or pixel_samples reduces it.";
+         << (statistics.order_error > options.tolerance
+                 ? "; no orders reach it."
+                 : "; more of light_samples, bsdf_samples or pixel_samples reduces it.");
     session.notice(text.str());
 }
 

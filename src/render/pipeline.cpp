@@ -204,6 +204,7 @@ RenderOptions Pipeline::choose_orders(const Scene& scene, const RenderOptions& o
             selector_.choose(scene, {split_.rest(), sampled}, visibility_.state(), options, run.memory_limit);
         chosen.order_low = orders.low;
         chosen.order_high = orders.high;
+        run.statistics.order_error = orders.error;
         const double rms = orders.rms * scene.light_scale();
         const double error = orders.error * rms;
         predicted_.add(error * error, rms * rms);

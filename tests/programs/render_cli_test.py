@@ -125,7 +125,7 @@ class Success(RenderTest):
         self.assertEqual(run.stderr.count("notice: "), 1, run.stderr)
         self.assertIn("solids.gltf: no emitter lights the scene", run.stderr)
         run = self.assert_succeeds(os.path.join(assets, "textured.gltf"), "--environment", "light.exr", "-o", "out/a.exr",
-                                   "--size", "96x64", "--order-low", "4", "--tolerance", "0.05")
+                                   "--size", "96x64", "--order-low", "4")
         self.assertEqual(run.stderr, "")
 
     def test_images_and_statistics(self):
