@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "shading/light_samples.hpp"
 
+#include <bit>
 #include <cmath>
 #include <set>
 
