@@ -71,10 +71,6 @@ void write_walls(const std::filesystem::path& path, double near, double far) {
     write_scene(path, "0,0,0", "0.3,0.2,1", walls);
 }
 
-Recipe usual() {
-    return {.defaults = true, .shade_at = NICOL_SHADE_AT_AUTOMATIC, .samples = 8};
-}
-
 Image rendered(const Options& options, const nicol_render_options& wanted, std::uint32_t size) {
     const SceneSource source(options);
     const Stage stage(source);
@@ -131,7 +127,7 @@ Report bench_places(const Options& given) {
                     difference(rendered(options, wanted, size), still));
             }
         };
-        add("by default", usual().options());
+        add("by default", default_recipe().options());
         add("by rays", reference_options(16, 1, true));
     }
     for (const char* light : kLights) {

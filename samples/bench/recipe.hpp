@@ -27,5 +27,10 @@ struct Recipe {
     [[nodiscard]] nicol_render_options options() const;
 };
 
+/// Returns the recipe of the library's defaults with 8 samples a pixel.
+inline Recipe default_recipe() {
+    return {.defaults = true, .shade_at = NICOL_SHADE_AT_AUTOMATIC, .samples = 8};
+}
+
 /// Returns options of the reference method.
 nicol_render_options reference_options(std::uint32_t samples, std::uint64_t seed, bool shadows);

@@ -60,8 +60,7 @@ DefaultErrors default_errors(const SceneSource& source, std::uint32_t size, std:
     const Truth truth = make_truth(source, size, samples, true);
     const Stage stage(source);
     const Framebuffer framebuffer = stage.framebuffer(size, size);
-    const Recipe usual{.defaults = true, .shade_at = NICOL_SHADE_AT_AUTOMATIC, .samples = 8};
-    stage.render(usual.options(), framebuffer.get());
+    stage.render(default_recipe().options(), framebuffer.get());
     DefaultErrors found{.errors = truth.errors(read_image(framebuffer.get())),
                         .statistics = NICOL_STATISTICS_INIT};
     check(nicol_framebuffer_get_statistics(framebuffer.get(), &found.statistics));

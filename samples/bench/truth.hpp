@@ -16,7 +16,7 @@ inline constexpr std::uint32_t kReduction = 4;
 /// Renders into a framebuffer of kReduction times the size and averages.
 Image reduced_image(const Stage& stage, const Recipe& recipe, nicol_framebuffer framebuffer);
 
-/// Default options with 8 samples a pixel, against the reference method.
+/// Errors of default_recipe() against the reference method.
 struct DefaultErrors {
     StokesErrors errors;
     nicol_statistics statistics;

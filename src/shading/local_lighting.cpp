@@ -226,18 +226,20 @@ private:
     // Looks the environment up in the k-th place of the pixels around light_.towards. lobes: solid angles of
     // the lobe around these directions.
     void look_up(const SampledEnvironment& environment, bool whole, std::uint32_t k, const Lanes& lobes) {
-        Lanes solid_angles;
+        Lanes parts, solid_angles;
         bool spread = false;
         for (std::size_t i = 0; i < kLanes; ++i) {
-            solid_angles[i] = spread_.solid_angle(i, lobes[i], static_cast<float>(environment.samples()));
-            spread = spread || spread_.part(i, lobes[i]) > 0;
+            parts[i] = spread_.part(i, lobes[i]);
+            solid_angles[i] =
+                spread_.solid_angle(i, lobes[i], parts[i], static_cast<float>(environment.samples()));
+            spread = spread || parts[i] > 0;
         }
         if (!spread) return environment.look_up(whole, solid_angles, light_);
         const LaneVectors towards = light_.towards;
         Lanes u{}, v{};
         light_samples(shuffled_sample(k, environment.samples()),
                       std::span(place_seeds_).first(points_.positions.size()), u, v);
-        spread_.move(u, v, lobes, light_.towards);
+        spread_.move(u, v, parts, light_.towards);
         environment.look_up(whole, solid_angles, light_);
         light_.towards = towards;
     }

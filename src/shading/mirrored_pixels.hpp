@@ -31,19 +31,17 @@ struct MirroredPixels {
     [[nodiscard]] float part(std::size_t i, float lobe) const {
         return std::clamp(2 * solid_angles[i] - lobe, 0.0F, lobe) / std::max(lobe, kLeast);
     }
-    /// Returns the solid angle that one of so many samples of a lobe looks up.
-    [[nodiscard]] float solid_angle(std::size_t i, float lobe, float samples) const {
+    /// Returns the solid angle that one of so many samples of a lobe looks up, spread over that part.
+    [[nodiscard]] float solid_angle(std::size_t i, float lobe, float spread, float samples) const {
         constexpr float overlap = 2;  // measured best
-        const float spread = part(i, lobe);
         return lobe / samples + solid_angles[i] * (1 - spread + spread * overlap / samples);
     }
 
-    /// Moves directions from the middles to the place (u, v), each in [0, 1), of the part of the pixels that
-    /// samples of these lobes are spread over, and makes them unit vectors.
-    void move(const Lanes& u, const Lanes& v, const Lanes& lobes, LaneVectors& directions) const {
+    /// Moves directions from the middles to the place (u, v), each in [0, 1), of these parts of the pixels,
+    /// and makes them unit vectors.
+    void move(const Lanes& u, const Lanes& v, const Lanes& parts, LaneVectors& directions) const {
         for (std::size_t i = 0; i < kLanes; ++i) {
-            const float spread = part(i, lobes[i]);
-            const float right = spread * (u[i] - 0.5F), down = spread * (v[i] - 0.5F);
+            const float right = parts[i] * (u[i] - 0.5F), down = parts[i] * (v[i] - 0.5F);
             const float x = directions.x[i] + right * across[0].x[i] + down * across[1].x[i];
             const float y = directions.y[i] + right * across[0].y[i] + down * across[1].y[i];
             const float z = directions.z[i] + right * across[0].z[i] + down * across[1].z[i];
