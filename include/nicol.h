@@ -1256,18 +1256,18 @@ typedef struct nicol_render_options {
     /* Number of light samples of the real-time methods, per local light with a size and per point or pixel, 1
      * to 1024, default 16; up to twice as many for very wide lights. Fewer are faster and noisier. */
     uint32_t light_samples;
-    /* Number of samples of the environment, per lobe and per point or pixel, that the factored method takes
-     * for lobes which harmonics cannot hold, 0 to 1024, default 16: anisotropic lobes, and lobes narrower
-     * than 0.1 if the environment is an image. They are weighted by the pBRDF, see the environment filtered
-     * by their solid angle, and cast shadow rays. 0: none; all lobes are those of harmonics, and anisotropic
-     * ones round. */
+    /* Largest number of samples of the environment, per lobe and per point or pixel, that the factored method
+     * takes for lobes which harmonics cannot hold, 0 to 1024, default 32: anisotropic lobes, and lobes
+     * narrower than 0.1 if the environment is an image. Longer lobes take more; those of GGX up to half as
+     * many again. Samples are weighted by the pBRDF, see the environment averaged over the gaps between them,
+     * and cast shadow rays. 0: none; all lobes are those of harmonics, and anisotropic ones round. */
     uint32_t bsdf_samples;
     uint32_t reserved; /* 0 */
 } nicol_render_options;
 /* clang-format off */
 #define NICOL_RENDER_OPTIONS_INIT \
     { sizeof(nicol_render_options), 0, NICOL_ORDER_AUTOMATIC, NICOL_ORDER_AUTOMATIC, 0, 1, NICOL_DIRECTIONS_AUTOMATIC, 1, 0, 0, 0, 256, 0, 0, \
-      0.03, 0, 0, 1, 0, 0, 0, 0.02, 0, NICOL_SPLIT_AUTOMATIC, 16, 16, 0 }
+      0.03, 0, 0, 1, 0, 0, 0, 0.02, 0, NICOL_SPLIT_AUTOMATIC, 16, 32, 0 }
 /* clang-format on */
 
 /* Creates a framebuffer. width and height are 1 to NICOL_MAX_SIZE pixels (the driver may allow less), and at

@@ -921,7 +921,7 @@ return {
         polarization_element = { true, { to_world = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 }, retardance = 90, transmittance = 1 } },
         instance = { true, { to_world = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 } } },
         scene_file = { true, {} },
-        render_options = { true, { order_low = 4294967295, order_high = 4294967295, shadows = 1, physical = 1, samples = 256, tolerance = 0.03, high_order_shadows = 1, refine_tolerance = 0.02, split_lights = -1, light_samples = 16, bsdf_samples = 16 } },
+        render_options = { true, { order_low = 4294967295, order_high = 4294967295, shadows = 1, physical = 1, samples = 256, tolerance = 0.03, high_order_shadows = 1, refine_tolerance = 0.02, split_lights = -1, light_samples = 16, bsdf_samples = 32 } },
         job_status = { true, {} },
         statistics = { true, {} },
         plane_buffer = { true, {} },

@@ -590,7 +590,7 @@ export const types = [
       ["max_vertices", "uint64_t", 0],
       ["split_lights", "int32_t", 0, -1],
       ["light_samples", "uint32_t", 0, 16],
-      ["bsdf_samples", "uint32_t", 0, 16],
+      ["bsdf_samples", "uint32_t", 0, 32],
       ["reserved", "uint32_t", 0],
     ],
   },

@@ -8,6 +8,10 @@
 namespace nicol {
 namespace {
 
+// Largest distance between a sample's place and the point that is shaded for it, in samples. Points that are
+// farther away are not of the sample's surface.
+constexpr double kFarthest = 1;
+
 // Returns the change of a triangle's interpolated normal along a way in its plane, orthogonal to the normal.
 glm::dvec3 turn_of_normal(const ShownTriangle& triangle, const glm::dvec3& way, const glm::dvec3& normal) {
     const glm::dvec3 corner(triangle.corners[0]);
@@ -26,23 +30,23 @@ glm::dvec3 turn_of_normal(const ShownTriangle& triangle, const glm::dvec3& way, 
 
 }  // namespace
 
-std::array<glm::vec3, 2> mirrored_steps(const Projection& projection, int width, int height,
-                                        const ShownTriangle& triangle, const glm::vec3& position,
-                                        const glm::vec3& normal) {
+MirroredPixel mirrored_pixel(const Projection& projection, int width, int height,
+                             const ShownTriangle& triangle, const glm::vec3& position,
+                             const glm::vec3& normal, const glm::dvec2& middle) {
     const Viewpoint& view = projection.view;
     const glm::dvec3 away = glm::dvec3(position) - view.eye;
     const glm::dvec3 sight = -view.towards(glm::dvec3(position));
     const glm::dvec3 n(normal);
     const glm::dvec3 facet(triangle.facet);
     const double seen = glm::dot(sight, facet);
-    const std::array<glm::dvec3, 2> across{
-        view.right * (2 * projection.sample_size * projection.half_width / width),
-        view.up * (-2 * projection.sample_size * projection.half_height / height)};
-    std::array<glm::vec3, 2> out{};
+    const double depth = view.orthographic ? 1 : glm::dot(away, view.forward);
+    // On the image plane, which is at unit distance in a perspective view.
+    const glm::dvec2 sample(2 * projection.sample_size * projection.half_width / width,
+                            -2 * projection.sample_size * projection.half_height / height);
+    const std::array<glm::dvec3, 2> across{view.right * sample.x, view.up * sample.y};
+    MirroredPixel out;
     for (std::size_t i = 0; i < 2; ++i) {
         const glm::dvec3 upright = across[i] - glm::dot(across[i], sight) * sight;
-        // Of a perspective view, `across` lies on the image plane at unit distance.
-        const double depth = view.orthographic ? 1 : glm::dot(away, view.forward);
         const glm::dvec3 turn = view.orthographic ? glm::dvec3(0.0) : upright * (depth / glm::length(away));
         glm::dvec3 way = upright * depth;
         if (std::abs(seen) > 1e-3) way -= glm::dot(way, facet) / seen * sight;
@@ -51,8 +55,12 @@ std::array<glm::vec3, 2> mirrored_steps(const Projection& projection, int width,
             turn - 2 * (glm::dot(turn, n) + glm::dot(sight, bent)) * n - 2 * glm::dot(sight, n) * bent;
         const double length = glm::length(step);
         if (!std::isfinite(length)) continue;
-        out[i] = glm::vec3(step / std::max(1.0, length));
+        out.steps[i] = glm::vec3(step / std::max(1.0, length));
     }
+    const glm::dvec2 shown = glm::dvec2(glm::dot(away, view.right), glm::dot(away, view.up)) / depth;
+    const glm::dvec2 beside = (middle - shown) / sample;
+    if (!(glm::length(beside) < kFarthest)) return out;
+    out.shift = static_cast<float>(beside.x) * out.steps[0] + static_cast<float>(beside.y) * out.steps[1];
     return out;
 }
 

@@ -3,9 +3,11 @@
 #pragma once
 
 #include <array>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include "scene/projection.hpp"
+#include "shading/reflected_nodes.hpp"
 
 namespace nicol {
 
@@ -16,11 +18,11 @@ struct ShownTriangle {
     glm::vec3 facet;                   ///< unit geometric normal, either sign
 };
 
-/// Returns the changes of the mirrored view direction from one sample of an image of width x height pixels
-/// to the next to the right and to the next below. position: that of the sample, on the triangle. normal: the
-/// unit shading normal there. Each change is at most 1 long.
-[[nodiscard]] std::array<glm::vec3, 2> mirrored_steps(const Projection& projection, int width, int height,
-                                                      const ShownTriangle& triangle,
-                                                      const glm::vec3& position, const glm::vec3& normal);
+/// Returns what a sample of an image of width x height pixels shows mirrored. position: that of the shown
+/// point, on the triangle. normal: the unit shading normal there. middle: the sample's place on the image
+/// plane, see on_image_plane(), which may be beside the point. Each change of direction is at most 1 long.
+[[nodiscard]] MirroredPixel mirrored_pixel(const Projection& projection, int width, int height,
+                                           const ShownTriangle& triangle, const glm::vec3& position,
+                                           const glm::vec3& normal, const glm::dvec2& middle);
 
 }  // namespace nicol

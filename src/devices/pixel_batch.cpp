@@ -175,6 +175,13 @@ void TexturedPixels::find(const SpatialVariation& variation, bool back, const Te
     }
 }
 
+glm::dvec2 PixelPoint::on_image_plane(const Projection& projection, int width, int height) const {
+    const auto columns = static_cast<std::uint32_t>(width);
+    const std::uint32_t column = pixel % columns, row = pixel / columns;
+    return nicol::on_image_plane(projection, width, height, column + 0.5 + static_cast<double>(at.x),
+                                 row + 0.5 + static_cast<double>(at.y));
+}
+
 void PixelBatch::take(const PixelInput& input, std::span<const PixelPoint> points) {
     const std::uint64_t group = points.front().group();
     std::size_t count = 0;
@@ -188,7 +195,6 @@ void PixelBatch::take(const PixelInput& input, std::span<const PixelPoint> point
 
 void PixelBatch::find_surfaces(const PixelInput& input) {
     const WorldGeometry& geometry = input.geometry;
-    const auto width = static_cast<std::size_t>(input.hits.width());
     for (std::size_t begin = 0; begin < points_.size(); begin += kLanes) {
         const std::size_t count = std::min(kLanes, points_.size() - begin);
         std::array<Corners, kLanes> triangles;
@@ -196,12 +202,8 @@ void PixelBatch::find_surfaces(const PixelInput& input) {
         for (std::size_t i = 0; i < count; ++i) {
             const PixelPoint& point = points_[begin + i];
             triangles[i] = geometry.triangles[point.triangle];
-            const std::size_t column = point.pixel % width;
-            const std::size_t row = point.pixel / width;
             at[i] =
-                glm::vec2(on_image_plane(input.projection, input.hits.width(), input.hits.height(),
-                                         static_cast<double>(column) + 0.5 + static_cast<double>(point.at.x),
-                                         static_cast<double>(row) + 0.5 + static_cast<double>(point.at.y)));
+                glm::vec2(point.on_image_plane(input.projection, input.hits.width(), input.hits.height()));
         }
         find_surface(input.view, geometry.positions, geometry.normals, std::span(triangles).first(count),
                      std::span(at).first(count), surfaces_[begin / kLanes]);

@@ -29,6 +29,8 @@ struct PixelPoint {
 
     /// Returns the group. Points of one group are shaded by the same data.
     [[nodiscard]] std::uint64_t group() const { return std::uint64_t{2} * range + occluded; }
+    /// Returns the mean position of the point's samples, see nicol::on_image_plane().
+    [[nodiscard]] glm::dvec2 on_image_plane(const Projection& projection, int width, int height) const;
 };
 
 /// Lists the points of pixels first <= i < last; the points of a group are consecutive. Also writes the

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <vector>
 
@@ -58,7 +59,7 @@ LightingTally PixelLights::add(const PixelBatch& batch, std::span<const std::spa
         const std::size_t count = std::min(kLanes, points.size() - first);
         const LaneSurface& surface = batch.surfaces()[first / kLanes];
         std::array<glm::vec3, kLanes> facets, origins, tangents;
-        std::array<std::array<glm::vec3, 2>, kLanes> mirrored;
+        std::array<MirroredPixel, kLanes> mirrored;
         std::array<std::uint32_t, kLanes> seeds;
         for (std::size_t i = 0; i < count; ++i) {
             const glm::uvec3& triangle = input_.geometry.triangles[points[first + i].triangle];
@@ -66,12 +67,7 @@ LightingTally PixelLights::add(const PixelBatch& batch, std::span<const std::spa
             facets[i] = facet_of(corners, surface.normals[i]);
             origins[i] = surface.positions[i] + static_cast<float>(ray_offset(corners)) * facets[i];
             seeds[i] = sample_seed(points[first + i].pixel, input_.seed);
-            if (sampled)
-                mirrored[i] = mirrored_steps(input_.projection, input_.hits.width(), input_.hits.height(),
-                                             {.corners = corners,
-                                              .normals = corners_of(input_.geometry.normals, triangle),
-                                              .facet = facets[i]},
-                                             surface.positions[i], surface.normals[i]);
+            if (sampled) mirrored[i] = mirrored_at(points[first + i], surface, i, facets[i]);
             if (!anisotropic) continue;
             const glm::vec3 weights(surface.weights[0][i], surface.weights[1][i], surface.weights[2][i]);
             tangents[i] = tangent(input_.geometry, points[first + i].triangle, weights);
@@ -96,6 +92,21 @@ LightingTally PixelLights::add(const PixelBatch& batch, std::span<const std::spa
         if (range.emission != nullptr) add_emission(range, batch, first, channels);
     }
     return tally;
+}
+
+MirroredPixel PixelLights::mirrored_at(const PixelPoint& point, const LaneSurface& surface, std::size_t lane,
+                                       const glm::vec3& facet) const {
+    const glm::uvec3& triangle = input_.geometry.triangles[point.triangle];
+    const int width = input_.hits.width(), height = input_.hits.height();
+    MirroredPixel out = mirrored_pixel(input_.projection, width, height,
+                                       {.corners = corners_of(input_.geometry.positions, triangle),
+                                        .normals = corners_of(input_.geometry.normals, triangle),
+                                        .facet = facet},
+                                       surface.positions[lane], surface.normals[lane],
+                                       point.on_image_plane(input_.projection, width, height));
+    // The point stands for its part of the pixel.
+    for (glm::vec3& step : out.steps) step *= std::sqrt(point.weight);
+    return out;
 }
 
 void PixelLights::add_emission(const VertexRange& range, const PixelBatch& batch, std::size_t first,

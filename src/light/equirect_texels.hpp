@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstring>
 #include <glm/vec4.hpp>
 #include <vector>
 
 #include "light/environment.hpp"
 #include "simd/lane_angle.hpp"
+#include "simd/lane_parts.hpp"
 
 namespace nicol {
 
@@ -28,6 +30,12 @@ struct EquirectPlace {
     const float turn = x < 0 ? 1 - from_front : from_front;
     const float height = 0.5F * quarter_turns(across, std::abs(y));
     return {across > 0 ? turn : 0.0F, y < 0 ? 1 - height : height, across};
+}
+
+[[gnu::always_inline]] inline FourLanes in_register(const glm::vec4& texel) {
+    FourLanes out;
+    std::memcpy(&out, &texel, sizeof out);
+    return out;
 }
 
 /// Planes of texels. Columns are pixel-centred and periodic.
@@ -53,9 +61,13 @@ struct EquirectTexels {
         const glm::vec4* const of_plane = texels.data() + plane * w * static_cast<std::size_t>(height);
         const glm::vec4* const upper_row = of_plane + static_cast<std::size_t>(upper) * w;
         const glm::vec4* const lower_row = of_plane + static_cast<std::size_t>(lower) * w;
-        const glm::vec4 a = upper_row[left] + right_part * (upper_row[right] - upper_row[left]);
-        const glm::vec4 b = lower_row[left] + right_part * (lower_row[right] - lower_row[left]);
-        return a + lower_part * (b - a);
+        const FourLanes above_left = in_register(upper_row[left]), below_left = in_register(lower_row[left]);
+        const FourLanes a = above_left + right_part * (in_register(upper_row[right]) - above_left);
+        const FourLanes b = below_left + right_part * (in_register(lower_row[right]) - below_left);
+        const FourLanes mean = a + lower_part * (b - a);
+        glm::vec4 out;
+        std::memcpy(&out, &mean, sizeof out);
+        return out;
     }
 };
 

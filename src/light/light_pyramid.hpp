@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Distant light averaged over solid angles, for samples of lobes.
+// Distant light averaged over solid angles, for lobes of materials.
 #pragma once
 
 #include <cstddef>
@@ -12,28 +12,28 @@
 
 namespace nicol {
 
-/// Images of an environment, each with half as many columns as the one before (a mip map). Immutable; threads
-/// share it.
+/// An environment's image, and images of its light averaged over round blobs, each of twice the variance of
+/// the one before. Immutable; threads share it.
 class LightPyramid {
 public:
     explicit LightPyramid(const Environment& environment);
 
-    /// Computes the mean radiance within about `solid_angles`, in steradians, around unit directions
-    /// `out.towards`, in the environment's axes: out.irradiance, out.x and out.components. Linear between
-    /// levels, bilinear in each.
-    void look_up(const Lanes& solid_angles, LaneLight& out) const;
+    /// Computes the mean radiance in blobs around unit directions `out.towards`, in the environment's axes:
+    /// out.irradiance, out.x and out.components. variances: of the blobs, along each axis, in square radians.
+    /// Blobs are close to normal distributions.
+    void look_up(const Lanes& variances, LaneLight& out) const;
 
     [[nodiscard]] std::size_t bytes() const noexcept;
 
 private:
-    [[nodiscard]] static EquirectTexels half_of(const EquirectTexels& level, std::size_t planes);
-    [[nodiscard]] static glm::vec4 across_columns(const EquirectTexels& level, std::size_t plane, float turn,
-                                                  float half_turn, float columns);
+    [[nodiscard]] EquirectTexels half_of(const EquirectTexels& image) const;
+    [[nodiscard]] EquirectTexels blurred(const EquirectTexels& image, int width, double variance) const;
 
     std::size_t channels_;
     std::size_t components_;
-    std::size_t planes_;  // one per channel if the light is polarized, else one per four channels
-    std::vector<EquirectTexels> levels_;  // rows are pixel-centred but in the first level
+    std::size_t planes_;    // one per channel if the light is polarized, else one per four channels
+    float first_variance_;  // of level 1
+    std::vector<EquirectTexels> levels_;  // level 0 is the image itself
 };
 
 }  // namespace nicol

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cstring>
 
 #include "simd/dispatch.hpp"
@@ -41,19 +40,15 @@ using LaneBits [[gnu::vector_size(64)]] = std::uint32_t;
 }
 
 // Applies Owen's scrambling to a binary fraction whose first bit is the lowest, by Laine and Karras' hash
-// (2011). The seed and the preceding bits determine whether a bit is flipped.
-[[gnu::always_inline]] inline void hash(std::uint32_t fraction, const LaneBits& seeds, LaneBits& out) {
-    out = fraction + seeds;
-    out ^= out * 0x6C50B47CU;
-    out ^= out * 0xB82F1E52U;
-    out ^= out * 0xC7AFE638U;
-    out ^= out * 0x8D22F6E6U;
-}
-
-// Returns the same, but the result's first bit is the highest.
-[[gnu::always_inline]] inline void scramble(std::uint32_t fraction, const LaneBits& seeds, LaneBits& out) {
-    hash(fraction, seeds, out);
-    reverse(out);
+// (2011). The seed and the preceding bits determine whether a bit is flipped. The result's first bit is the
+// highest.
+[[gnu::always_inline]] inline void scramble(std::uint32_t fraction, const LaneBits& seeds, LaneBits& x) {
+    x = fraction + seeds;
+    x ^= x * 0x6C50B47CU;
+    x ^= x * 0xB82F1E52U;
+    x ^= x * 0xC7AFE638U;
+    x ^= x * 0x8D22F6E6U;
+    reverse(x);
 }
 
 // Scrambles both dimensions. `second`: fraction whose first bit is the lowest.
@@ -73,19 +68,6 @@ using LaneBits [[gnu::vector_size(64)]] = std::uint32_t;
 
 std::uint32_t sample_seed(std::uint32_t point, std::uint32_t light) {
     return mixed(mixed(point) + 0x9E3779B9U * light);
-}
-
-std::uint32_t shuffled_sample(std::uint32_t index, std::uint32_t count) {
-    // Owen's scrambling of the index, whose first bit is the highest: its lowest bit, which chooses the half
-    // of the square, then depends on all others.
-    const int unused = 32 - std::bit_width(count - 1);
-    if (unused == 32) return 0;
-    LaneBits bits = LaneBits{} + index;
-    reverse(bits);
-    hash(bits[0] >> unused, LaneBits{} + 0x5BD1E995U, bits);
-    bits <<= unused;
-    reverse(bits);
-    return bits[0];
 }
 
 void light_samples(std::uint32_t index, std::span<const std::uint32_t> seeds, Lanes& u, Lanes& v) {

@@ -14,11 +14,6 @@ namespace nicol {
 /// contains one of the first 2^k points of a seed.
 void light_samples(std::uint32_t index, std::span<const std::uint32_t> seeds, Lanes& u, Lanes& v);
 
-/// Returns the index of the sample to take beside the `index`-th of `count` if both together choose a point
-/// of [0, 1)^4: points of equal indices would depend on each other, whatever their seeds. Permutes the
-/// indices below the next power of two.
-[[nodiscard]] std::uint32_t shuffled_sample(std::uint32_t index, std::uint32_t count);
-
 /// Returns the seed of a point for a light; equal arguments give equal seeds.
 [[nodiscard]] std::uint32_t sample_seed(std::uint32_t point, std::uint32_t light);
 

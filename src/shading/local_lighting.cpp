@@ -11,9 +11,9 @@
 #include "material/sampled_terms.hpp"
 #include "material/spatial_variation.hpp"
 #include "shading/light_samples.hpp"
-#include "shading/mirrored_pixels.hpp"
 #include "shading/normal_variation.hpp"
 #include "shading/reflected_light.hpp"
+#include "shading/reflected_nodes.hpp"
 #include "shading/shadow_rays.hpp"
 
 namespace nicol {
@@ -86,8 +86,8 @@ public:
           material_(material),
           sums_(sums),
           all_((1U << points.positions.size()) - 1) {
-        spread_.set(points.mirrored);
         reflected_.set(view, points.positions, points.normals, points.tangents);
+        set_pixels(points.mirrored);
         if (rays != nullptr && points.shadowed) shadows_.emplace(*rays, positions_, origins_);
     }
 
@@ -99,7 +99,10 @@ public:
         const float factor = 1 / static_cast<float>(samples);
         seed(index);
         LightShadows shadowing(shadows());
-        for_samples(samples, [&](std::uint32_t k) {
+        Lanes weights, shares;
+        weights.value.fill(static_cast<float>(samples / 2) * factor);
+        shares.value.fill(0.4F);  // measured: 0.3 to 0.5, because each half fills the gaps of the other
+        for_samples(samples, samples / 2, weights, shares, [&](std::uint32_t k) {
             Lanes u{}, v{};
             if (radius > 0) light_samples(k, std::span(seeds_).first(points_.positions.size()), u, v);
             source.sample(positions_, u, v, light_);
@@ -118,13 +121,11 @@ public:
 
     // Adds the sampled terms' reflection of the environment.
     void add_environment(const SampledEnvironment& environment) {
-        std::uint32_t index = kFirstLobe;
         for_layers(all_, [&](const Material& layer, const LayerWeights* weights, std::uint32_t there) {
             std::vector<Lobe>& lobes = lobes_of(layer, environment.sampled());
-            for (const Lobe& lobe : lobes) add_lobe(environment, layer, lobe, weights, there, index++);
+            for (const Lobe& lobe : lobes) add_lobe(environment, layer, lobe, weights, there);
         });
         if (environment.sampled() != SampledTerms::anisotropic_narrow || !any_layer_has(true)) return;
-        light_.towards = reflected_.mirrored_directions();
         look_up_mirrored(environment);
         add_mirrored();
     }
@@ -151,43 +152,40 @@ private:
         return light;
     }
 
-    // Calls add(k) for each sample k, and estimates the noise of the samples' mean.
+    // Calls add(k) for each sample k, and estimates the error of their sum from both halves. half: number of
+    // samples in the first half. weights: of the first half. shares: of the error that independent halves
+    // would have.
     template <class Add>
-    void for_samples(std::uint32_t samples, const Add& add) {
-        const std::uint32_t half = samples / 2;
+    void for_samples(std::uint32_t samples, std::uint32_t half, const Lanes& weights, const Lanes& shares,
+                     const Add& add) {
         thread_local std::vector<Lanes> before, between;
         keep_s0(before);
         for (std::uint32_t k = 0; k < half; ++k) add(k);
         keep_s0(between);
         for (std::uint32_t k = half; k < samples; ++k) add(k);
-        if (half == 0) return;
-        // Both halves estimate the same mean. If they were independent, the variance of the whole would be
-        // the square of their difference times half (samples - half) / samples^2; the sums hold a samples-th
-        // of each sample. But each half fills the gaps of the other.
-        constexpr double stratified = 0.4;  // measured: 0.3 to 0.5
-        const auto first = static_cast<float>(half);
-        const auto second = static_cast<float>(samples - half);
+        if (half == 0 || half == samples) return;
+        // Both halves estimate the same. If they were independent, the variance of the whole would be the
+        // square of their difference times both weights.
         Lanes squares{};
         for (std::size_t c = 0; c < sums_.size(); ++c) {
             for (std::size_t i = 0; i < kLanes; ++i) {
+                const float first = weights[i], second = 1 - first;
                 const float difference =
-                    (between[c][i] - before[c][i]) / first - (sums_[c][0][i] - between[c][i]) / second;
-                squares[i] += difference * difference;
+                    (between[c][i] - before[c][i]) * second - (sums_[c][0][i] - between[c][i]) * first;
+                squares[i] += difference * difference / std::max(first * second, kLeastWeight);
             }
         }
-        double sum = 0;
-        for (const float square : squares.value) sum += double{square};
-        noise_ += stratified * sum * double{first * second};
+        for (std::size_t i = 0; i < points_.positions.size(); ++i)
+            noise_ += double{shares[i]} * double{squares[i]};
     }
     void keep_s0(std::vector<Lanes>& out) const {
         out.clear();
         for (const std::array<Lanes, 4>& stokes : sums_) out.push_back(stokes[0]);
     }
 
-    // Seeds of lobes, and of places in pixels, follow those of lights.
-    static constexpr std::uint32_t kFirstLobe = 1U << 31;
-    static constexpr std::uint32_t kFirstPlace = 3U << 30;
-    static constexpr std::uint32_t kMirror = (1U << 30) - 1;
+    static constexpr float kLeastWeight = 1e-3F;
+    // Share of for_samples() for nodes that are close enough; measured.
+    static constexpr float kNodesError = 0.1F;
 
     // Returns the different lobes of a layer's sampled rough terms.
     static std::vector<Lobe>& lobes_of(const Material& layer, SampledTerms sampled) {
@@ -202,63 +200,52 @@ private:
     }
 
     void add_lobe(const SampledEnvironment& environment, const Material& layer, const Lobe& lobe,
-                  const LayerWeights* weights, std::uint32_t there, std::uint32_t index) {
-        const auto samples = static_cast<float>(environment.samples());
-        seed(index);
-        seed_places(index - kFirstLobe);
+                  const LayerWeights* weights, std::uint32_t there) {
+        const bool whole = std::max(lobe.alpha.x, lobe.alpha.y) < kNarrowestLobe;
         LightShadows shadowing(shadows());
-        for_samples(environment.samples(), [&](std::uint32_t k) {
-            Lanes u{}, v{}, density, lobes;
-            light_samples(k, std::span(seeds_).first(points_.positions.size()), u, v);
-            reflected_.sample_lobe(lobe, u, v, light_.towards, density);
-            for (std::size_t i = 0; i < kLanes; ++i) lobes[i] = 1 / density[i];
-            look_up(environment, std::max(lobe.alpha.x, lobe.alpha.y) < kNarrowestLobe, k, lobes);
-            for (std::array<Lanes, 4>& stokes : light_.irradiance)
-                for (std::size_t p = 0; p < light_.components; ++p)
-                    for (std::size_t i = 0; i < kLanes; ++i) stokes[p][i] /= density[i];
-            const std::uint32_t lit = shadowing.reached(k, light_, there & lit_points());
-            if (lit != 0)
-                reflected_.add_sampled(layer, environment.sampled(), lobe, weights, light_, lit, 1 / samples,
-                                       sums_);
-        });
-    }
-
-    // Looks the environment up in the k-th place of the pixels around light_.towards. lobes: solid angles of
-    // the lobe around these directions.
-    void look_up(const SampledEnvironment& environment, bool whole, std::uint32_t k, const Lanes& lobes) {
-        Lanes parts, solid_angles;
-        bool spread = false;
-        for (std::size_t i = 0; i < kLanes; ++i) {
-            parts[i] = spread_.part(i, lobes[i]);
-            solid_angles[i] =
-                spread_.solid_angle(i, lobes[i], parts[i], static_cast<float>(environment.samples()));
-            spread = spread || parts[i] > 0;
+        std::uint32_t traced = 0;
+        for (const SlopePart& part : slope_parts(lobe.distribution)) {
+            const ReflectedNodes nodes(environment.grids(), lobe, part, reflected_.towards_viewer(), pixels_);
+            const auto count = static_cast<std::uint32_t>(nodes.count());
+            const std::uint32_t even = (count + 1) / 2;
+            Lanes shares;
+            for (std::size_t i = 0; i < kLanes; ++i)
+                shares[i] = std::min(1.0F, kNodesError * std::pow(nodes.excess()[i], 4.0F));
+            // Even nodes come first, because either half of the nodes is spread over the lobe.
+            for_samples(count, even, nodes.even_shares(), shares, [&](std::uint32_t k) {
+                const ReflectedNode node = nodes.node(k < even ? 2 * k : 2 * (k - even) + 1);
+                look_up(environment, whole, node);
+                for (std::array<Lanes, 4>& stokes : light_.irradiance)
+                    for (std::size_t p = 0; p < light_.components; ++p)
+                        for (std::size_t i = 0; i < kLanes; ++i) stokes[p][i] *= node.weights[i];
+                const std::uint32_t lit = shadowing.reached(traced++, light_, there & lit_points());
+                if (lit != 0)
+                    reflected_.add_sampled(layer, environment.sampled(), lobe, weights, light_, lit, 1,
+                                           sums_);
+            });
         }
-        if (!spread) return environment.look_up(whole, solid_angles, light_);
-        const LaneVectors towards = light_.towards;
-        Lanes u{}, v{};
-        light_samples(shuffled_sample(k, environment.samples()),
-                      std::span(place_seeds_).first(points_.positions.size()), u, v);
-        spread_.move(u, v, parts, light_.towards);
-        environment.look_up(whole, solid_angles, light_);
-        light_.towards = towards;
     }
 
-    // Sets the light to the mean over the pixels around light_.towards.
+    // Sets the light to that of the environment at a node.
+    void look_up(const SampledEnvironment& environment, bool whole, const ReflectedNode& node) {
+        light_.towards = reflected_.in_world(node.seen);
+        environment.look_up(whole, node.variances, light_);
+        light_.towards = reflected_.in_world(node.towards);
+    }
+
+    // Sets the light to the mean over the pixels around the mirrored directions.
     void look_up_mirrored(const SampledEnvironment& environment) {
         thread_local std::vector<std::array<Lanes, 4>> sums;
-        const auto samples = static_cast<float>(environment.samples());
-        Lanes mirror;
-        mirror.value.fill(MirroredPixels::kLeast);
-        seed_places(kMirror);
+        const ReflectedNodes nodes(environment.grids(), reflected_.towards_viewer(), pixels_);
         sums.clear();
-        for (std::uint32_t k = 0; k < environment.samples(); ++k) {
-            look_up(environment, true, k, mirror);
+        for (std::size_t k = 0; k < nodes.count(); ++k) {
+            const ReflectedNode node = nodes.node(k);
+            look_up(environment, true, node);
             sums.resize(light_.irradiance.size(), {});
             for (std::size_t c = 0; c < sums.size(); ++c)
                 for (std::size_t p = 0; p < light_.components; ++p)
                     for (std::size_t i = 0; i < kLanes; ++i)
-                        sums[c][p][i] += light_.irradiance[c][p][i] / samples;
+                        sums[c][p][i] += light_.irradiance[c][p][i] * node.weights[i];
         }
         std::ranges::copy(sums, light_.irradiance.begin());
     }
@@ -288,24 +275,29 @@ private:
         return points_.facets.empty() ? lit : lit & above(facets_, light_);
     }
 
+    void set_pixels(std::span<const MirroredPixel> pixels) {
+        if (pixels.empty()) return;
+        for (std::size_t i = 0; i < kLanes; ++i) {
+            const MirroredPixel& pixel = pixels[std::min(i, pixels.size() - 1)];
+            put(pixels_.shift, i, pixel.shift);
+            for (std::size_t k = 0; k < 2; ++k) put(pixels_.steps[k], i, pixel.steps[k]);
+        }
+        pixels_.shift = reflected_.in_surface(pixels_.shift);
+        for (LaneVectors& steps : pixels_.steps) steps = reflected_.in_surface(steps);
+    }
+
     void seed(std::uint32_t index) {
         for (std::size_t i = 0; i < points_.positions.size(); ++i)
             seeds_[i] = sample_seed(points_.seeds[i], index);
     }
 
-    void seed_places(std::uint32_t index) {
-        for (std::size_t i = 0; i < points_.positions.size(); ++i)
-            place_seeds_[i] = sample_seed(points_.seeds[i], kFirstPlace + index);
-    }
-
     [[nodiscard]] ShadowRays* shadows() { return shadows_ ? &*shadows_ : nullptr; }
 
     LaneVectors positions_, origins_, facets_;
-    MirroredPixels spread_;
     ReflectedLight reflected_;
+    MirroredPixels pixels_;  // in the surfaces' frames
     std::optional<ShadowRays> shadows_;
     std::array<std::uint32_t, kLanes> seeds_{};
-    std::array<std::uint32_t, kLanes> place_seeds_{};  // of places in pixels
     const LitPoints& points_;
     const LitMaterial& material_;
     LaneLight& light_ = kept_light();

@@ -17,6 +17,7 @@
 #include "material/material.hpp"
 #include "polarization/viewpoint.hpp"
 #include "shading/light_source.hpp"
+#include "shading/reflected_nodes.hpp"
 #include "shading/sampled_environment.hpp"
 
 namespace nicol {
@@ -33,10 +34,8 @@ struct LitPoints {
     std::span<const glm::vec3> facets;
     /// Unit normals without perturbation, for terminator_shadowing(). Empty: nothing is dimmed by it.
     std::span<const glm::vec3> unperturbed;
-    std::span<const glm::vec3> origins;  ///< start points of shadow rays
-    /// Changes of the mirrored view direction from pixel to pixel, to the right and down, for sampled terms.
-    /// Empty: points cover nothing.
-    std::span<const std::array<glm::vec3, 2>> mirrored;
+    std::span<const glm::vec3> origins;       ///< start points of shadow rays
+    std::span<const MirroredPixel> mirrored;  ///< for sampled terms; empty: points cover nothing
     std::span<const std::uint32_t> seeds;
     bool shadowed;  ///< whether light may be occluded; false: no ray is traced
 };

@@ -5,7 +5,6 @@
 
 #include "material/conductor.hpp"
 #include "polarization/lane_points.hpp"
-#include "shading/facet_samples.hpp"
 #include "simd/dispatch.hpp"
 #include "simd/lane_parts.hpp"
 #include "simd/work_space.hpp"
@@ -243,13 +242,6 @@ void ReflectedLight::add(const Material& material, const LayerWeights* weights, 
         has, material, weights, light, points, [&](float cosine) { return factor * cosine; }, out);
 }
 
-void ReflectedLight::sample_lobe(const Lobe& lobe, const Lanes& u, const Lanes& v, LaneVectors& directions,
-                                 Lanes& density) const {
-    LaneVectors local;
-    sample_facets(lobe, towards_viewer_, u, v, local, density);
-    directions = in_world(local);
-}
-
 void ReflectedLight::add_sampled(const Material& material, SampledTerms sampled, const Lobe& lobe,
                                  const LayerWeights* weights, const LaneLight& light, std::uint32_t points,
                                  float factor, std::span<std::array<Lanes, 4>> out) const {
@@ -276,6 +268,17 @@ LaneVectors ReflectedLight::in_world(const LaneVectors& local) const {
         out.x[i] = z * normal_.x[i] + x * tangent_.x[i] + y * bitangent_.x[i];
         out.y[i] = z * normal_.y[i] + x * tangent_.y[i] + y * bitangent_.y[i];
         out.z[i] = z * normal_.z[i] + x * tangent_.z[i] + y * bitangent_.z[i];
+    }
+    return out;
+}
+
+LaneVectors ReflectedLight::in_surface(const LaneVectors& world) const {
+    LaneVectors out;
+    for (std::size_t i = 0; i < kLanes; ++i) {
+        const float x = world.x[i], y = world.y[i], z = world.z[i];
+        out.x[i] = x * tangent_.x[i] + y * tangent_.y[i] + z * tangent_.z[i];
+        out.y[i] = x * bitangent_.x[i] + y * bitangent_.y[i] + z * bitangent_.z[i];
+        out.z[i] = x * normal_.x[i] + y * normal_.y[i] + z * normal_.z[i];
     }
     return out;
 }

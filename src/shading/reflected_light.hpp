@@ -39,9 +39,11 @@ public:
              std::uint32_t points, float factor, std::span<std::array<Lanes, 4>> out,
              SampledTerms find_it = SampledTerms::none) const;
 
-    /// Computes sample_facets(), with unit directions in the positions' axes.
-    void sample_lobe(const Lobe& lobe, const Lanes& u, const Lanes& v, LaneVectors& directions,
-                     Lanes& density) const;
+    /// Returns unit directions towards the viewer, in the surfaces' frames.
+    [[nodiscard]] const LaneVectors& towards_viewer() const { return towards_viewer_; }
+    /// Returns vectors of the surfaces' frames in the positions' axes, and the other way round.
+    [[nodiscard]] LaneVectors in_world(const LaneVectors& local) const;
+    [[nodiscard]] LaneVectors in_surface(const LaneVectors& world) const;
     /// Adds the terms with this lobe that `sampled` names. Otherwise equals add().
     void add_sampled(const Material& material, SampledTerms sampled, const Lobe& lobe,
                      const LayerWeights* weights, const LaneLight& light, std::uint32_t points, float factor,
@@ -55,8 +57,6 @@ public:
                       std::uint32_t points, std::span<std::array<Lanes, 4>> out) const;
 
 private:
-    // Returns directions of the surface's frames in the positions' axes.
-    [[nodiscard]] LaneVectors in_world(const LaneVectors& local) const;
     // Adds the terms t with has(t); scale(cosine) is the factor of the pBRDF times the light.
     template <class Has, class Scale>
     void add_terms(const Has& has, const Material& material, const LayerWeights* weights,

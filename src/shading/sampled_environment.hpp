@@ -8,6 +8,7 @@
 
 #include "light/light_pyramid.hpp"
 #include "material/sampled_terms.hpp"
+#include "shading/node_grids.hpp"
 
 namespace nicol {
 
@@ -25,22 +26,23 @@ public:
           to_points_(to_points),
           scale_(scale),
           sampled_(sampled),
-          samples_(samples) {}
+          grids_(samples) {}
 
     [[nodiscard]] SampledTerms sampled() const noexcept { return sampled_; }
-    [[nodiscard]] std::uint32_t samples() const noexcept { return samples_; }
+    /// Returns grids for the nodes of lobes.
+    [[nodiscard]] const NodeGrids& grids() const noexcept { return grids_; }
 
-    /// whole: whether extracted lights are included. Computes the mean radiance within solid angles around
-    /// the directions out.towards, which are unit vectors in the points' axes: all other members of `out`,
-    /// with radiance in place of irradiance.
-    void look_up(bool whole, const Lanes& solid_angles, LaneLight& out) const;
+    /// whole: whether extracted lights are included. Computes the mean radiance in blobs of these variances,
+    /// see LightPyramid, around the directions out.towards, which are unit vectors in the points' axes: all
+    /// other members of `out`, with radiance in place of irradiance.
+    void look_up(bool whole, const Lanes& variances, LaneLight& out) const;
 
 private:
     Light whole_, rest_;
     glm::mat3 to_points_;
     float scale_;
     SampledTerms sampled_;
-    std::uint32_t samples_;
+    NodeGrids grids_;
 };
 
 }  // namespace nicol

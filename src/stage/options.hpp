@@ -121,10 +121,10 @@ struct RenderOptions {
     /// light with an angular radius of 0.2 radians or more gets all samples; a smaller light gets
     /// proportionally fewer, but at least 4.
     int light_samples = 16;
-    /// Number of samples, per lit point and lobe, of the environment's reflection by anisotropic and by
-    /// narrow lobes, 0..kMaxBsdfSamples; 0: all lobes reflect harmonics, anisotropic ones as round ones.
-    /// Applies to Method::factored with HighOrders::split or none.
-    int bsdf_samples = 16;
+    /// Largest number of samples, per lit point and lobe, of the environment's reflection by anisotropic and
+    /// by narrow lobes, 0..kMaxBsdfSamples; lobes of GGX take up to half as many again. 0: all lobes reflect
+    /// harmonics, anisotropic ones as round ones. Applies to Method::factored with HighOrders::split or none.
+    int bsdf_samples = 32;
     /// Stokes components of the image: 1 (s0), 3 (s0, s1, s2) or 4; the others are 0.
     int components = 4;
     /// Samples per pixel of the real-time methods, 1 to kMostDrawnSamples. Surfaces and the environment

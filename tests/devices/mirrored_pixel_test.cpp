@@ -51,15 +51,21 @@ TEST_CASE("Steps of mirrored directions are those from pixel to pixel") {
                     triangle.corners[k] = triangle.normals[k] = of_ball;
                 }
                 triangle.facet = glm::vec3(here.normal);
-                const auto steps = mirrored_steps(projection, width, height, triangle,
-                                                  glm::vec3(here.position), glm::vec3(here.normal));
+                // The sample's place is beside the shaded point.
+                const glm::dvec2 beside = place + glm::dvec2(0.2, -0.1);
+                const MirroredPixel pixel = mirrored_pixel(
+                    projection, width, height, triangle, glm::vec3(here.position), glm::vec3(here.normal),
+                    on_image_plane(projection, width, height, beside.x, beside.y));
+                const glm::dvec3 shift =
+                    seen_of_ball(projection, width, height, beside).mirrored - here.mirrored;
+                CHECK(glm::distance(glm::dvec3(pixel.shift), shift) < 0.04 * glm::length(shift));
                 constexpr double part = 0.05;
                 for (const std::size_t k : {std::size_t{0}, std::size_t{1}}) {
                     const glm::dvec2 way = k == 0 ? glm::dvec2(part, 0) : glm::dvec2(0, part);
                     const glm::dvec3 there = (seen_of_ball(projection, width, height, place + way).mirrored -
                                               seen_of_ball(projection, width, height, place - way).mirrored) *
                                              (sample_size / (2 * part));
-                    CHECK(glm::distance(glm::dvec3(steps[k]), there) < 0.03 * glm::length(there));
+                    CHECK(glm::distance(glm::dvec3(pixel.steps[k]), there) < 0.03 * glm::length(there));
                 }
             }
         }

@@ -8,12 +8,12 @@ using namespace nicol;
 
 namespace {
 
-LaneLight look_up(const Environment& light, const std::vector<glm::dvec3>& directions, float solid_angle) {
+LaneLight look_up(const Environment& light, const std::vector<glm::dvec3>& directions, float variance) {
     LaneLight out;
     for (std::size_t i = 0; i < kLanes; ++i) put(out.towards, i, glm::vec3(directions[i]));
-    Lanes solid_angles;
-    solid_angles.value.fill(solid_angle);
-    LightPyramid(light).look_up(solid_angles, out);
+    Lanes variances;
+    variances.value.fill(variance);
+    LightPyramid(light).look_up(variances, out);
     return out;
 }
 
@@ -30,18 +30,22 @@ Stokes found(const LaneLight& light, std::size_t channel, std::size_t i) {
     return rotated(s, angle_between(frame_with_x(along, lane(light.x, i)), theta_phi_frame(along)));
 }
 
-// Returns the mean light within a solid angle around a direction, in theta_phi_frame() of that direction.
-Stokes mean_around(const Environment& light, int channel, const glm::dvec3& towards, double solid_angle) {
-    constexpr int rings = 12, around = 24;
+// Returns the mean light in a normally distributed blob around a direction, in theta_phi_frame() of that
+// direction.
+Stokes mean_around(const Environment& light, int channel, const glm::dvec3& towards, double variance) {
+    constexpr int rings = 24, around = 24;
     const Frame axes = theta_phi_frame(-towards);
     Stokes sum(0.0);
     for (int r = 0; r < rings; ++r)
         for (int a = 0; a < around; ++a) {
-            const double z = 1 - solid_angle / (2 * pi) * (r + 0.5) / rings;
-            const glm::dvec3 along = axes * direction(std::acos(z), 2 * pi * (a + 0.5) / around);
+            const double angle = std::sqrt(-2 * variance * std::log((r + 0.5) / rings));
+            const glm::dvec3 along = axes * direction(angle, 2 * pi * (a + 0.5) / around);
             // The frame at `along` is parallel to the frame at the centre.
-            const Frame parallel = frame_with_x(along, axes[0]);
-            sum += rotated(light.radiance(channel, -along), angle_between(theta_phi_frame(along), parallel)) /
+            const glm::dvec3 centre = -towards;
+            const glm::dvec3 x =
+                axes[0] - glm::dot(axes[0], along) / (1 + glm::dot(centre, along)) * (centre + along);
+            sum += rotated(light.radiance(channel, -along),
+                           angle_between(theta_phi_frame(along), frame_with_x(along, x))) /
                    static_cast<double>(rings * around);
         }
     return sum;
@@ -49,7 +53,7 @@ Stokes mean_around(const Environment& light, int channel, const glm::dvec3& towa
 
 }  // namespace
 
-TEST_CASE("small solid angles see the environment's own light") {
+TEST_CASE("small blobs see the environment's own light") {
     std::vector<glm::dvec3> directions = random_directions(16, 5);
     directions[0] = direction(0.06, 1);
     directions[0] = {directions[0].x, directions[0].z, directions[0].y};  // near the zenith
@@ -59,7 +63,7 @@ TEST_CASE("small solid angles see the environment's own light") {
         for (const int channels : {1, 5}) {
             CAPTURES(polarized, channels);
             const auto light = image_environment(random_image(128, 65, channels, 3, polarized));
-            const LaneLight out = look_up(*light, directions, 1e-6F);
+            const LaneLight out = look_up(*light, directions, 1e-9F);
             CHECK(out.components == (polarized ? 4 : 1));
             for (int c = 0; c < channels; ++c)
                 for (std::size_t i = 0; i < kLanes; ++i)
@@ -69,18 +73,65 @@ TEST_CASE("small solid angles see the environment's own light") {
     }
 }
 
-TEST_CASE("larger solid angles see the mean") {
-    const std::vector<glm::dvec3> directions = random_directions(16, 6);
-    const auto light = psh_environment(random_field(6, 1, 4));
-    for (const float solid_angle : {0.01F, 0.05F, 0.2F}) {
-        CAPTURE(solid_angle);
-        const LaneLight out = look_up(*light, directions, solid_angle);
-        for (std::size_t i = 0; i < kLanes; ++i)
-            CHECK(glm::distance(found(out, 0, i), mean_around(*light, 0, directions[i],
-                                                              static_cast<double>(solid_angle))) < 0.02);
+TEST_CASE("blobs keep the light and its place, and have the wanted variance") {
+    constexpr double width = 0.04 * 0.04 / 2;                        // variance of the light along each axis
+    constexpr double own = width + 4 * pi * pi / (512 * 512 * 6.0);  // interpolated
+    for (const glm::dvec3& to :
+         {glm::dvec3(0.3, 0.8, 0.5), {0, 1, 0}, {1, 1, 1}, {0.1, 0.2, -1}, {1, 0, 1}}) {
+        const glm::dvec3 middle = glm::normalize(to);
+        EquirectImage image(512, 257, 1);
+        for (int y = 0; y < image.height; ++y) {
+            for (int x = 0; x < image.width; ++x) {
+                const glm::dvec3 d = towards((x + 0.5) / image.width, y / (image.height - 1.0));
+                image.at(0, y, x)[0] = static_cast<float>(std::exp((glm::dot(d, middle) - 1) / width));
+            }
+        }
+        const LightPyramid pyramid(*image_environment(image));
+        for (const float variance : {0.0F, 1e-4F, 1e-3F, 4e-3F, 0.01F, 0.02F, 0.05F}) {
+            CAPTURES(to.x, to.y, to.z, variance);
+            constexpr int rows = 256, columns = 512;
+            Lanes variances;
+            variances.value.fill(variance);
+            double total = 0, squares = 0;
+            glm::dvec3 sum(0.0);
+            for (int y = 0; y < rows; ++y) {
+                for (int x = 0; x < columns; x += static_cast<int>(kLanes)) {
+                    std::array<glm::dvec3, kLanes> directions;
+                    LaneLight out;
+                    for (std::size_t i = 0; i < kLanes; ++i) {
+                        directions[i] =
+                            towards((x + static_cast<double>(i) + 0.5) / columns, (y + 0.5) / rows);
+                        put(out.towards, i, glm::vec3(directions[i]));
+                    }
+                    pyramid.look_up(variances, out);
+                    const double weight = std::sin(pi * (y + 0.5) / rows) * pi / rows * 2 * pi / columns;
+                    for (std::size_t i = 0; i < kLanes; ++i) {
+                        const double light = weight * static_cast<double>(out.irradiance[0][0][i]);
+                        const double angle = std::acos(std::min(1.0, glm::dot(directions[i], middle)));
+                        total += light;
+                        sum += light * directions[i];
+                        squares += light * angle * angle;
+                    }
+                }
+            }
+            const double found = squares / total / 2 - own, w = static_cast<double>(variance);
+            CHECK(total == doctest::Approx(2 * pi * width).epsilon(0.07));  // at the pole; 0.02 elsewhere
+            CHECK(glm::distance(glm::normalize(sum), middle) < 0.03 * std::sqrt(w) + 1e-4);
+            CHECK(std::abs(found - w) < 0.12 * w + 0.02 * own);
+        }
     }
-    // Noise vanishes in the mean, so that a sharp look-up fails.
-    const auto noise = image_environment(random_image(512, 257, 1, 8));
-    const LaneLight out = look_up(*noise, directions, 0.2F);
-    for (std::size_t i = 0; i < kLanes; ++i) CHECK(std::abs(found(out, 0, i)[0] - 1) < 0.1);
+}
+
+TEST_CASE("larger blobs see the mean") {
+    std::vector<glm::dvec3> directions = random_directions(16, 6);
+    directions[0] = {0, 1, 0};
+    directions[1] = glm::normalize(glm::dvec3(0.01, -1, 0.02));
+    const auto light = psh_environment(random_field(6, 1, 4));
+    for (const float variance : {0.002F, 0.01F, 0.04F}) {
+        CAPTURE(variance);
+        const LaneLight out = look_up(*light, directions, variance);
+        for (std::size_t i = 0; i < kLanes; ++i)
+            CHECK(glm::distance(found(out, 0, i),
+                                mean_around(*light, 0, directions[i], static_cast<double>(variance))) < 0.02);
+    }
 }

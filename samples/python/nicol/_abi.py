@@ -669,7 +669,7 @@ class RenderOptions(Struct):
         "refine_tolerance": 0.02,
         "split_lights": -1,
         "light_samples": 16,
-        "bsdf_samples": 16,
+        "bsdf_samples": 32,
     }
 
 

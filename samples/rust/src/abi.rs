@@ -1197,7 +1197,7 @@ impl Default for nicol_render_options {
         made.refine_tolerance = 0.02;
         made.split_lights = -1;
         made.light_samples = 16;
-        made.bsdf_samples = 16;
+        made.bsdf_samples = 32;
         made
     }
 }

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+// Quadrature over the directions that pixels see reflected by the facets of a lobe.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <glm/mat2x2.hpp>
+#include <glm/vec3.hpp>
+#include <span>
+
+#include "material/material.hpp"
+#include "polarization/lane_points.hpp"
+#include "shading/node_grids.hpp"
+
+namespace nicol {
+
+/// Directions that a pixel sees mirrored by a surface: a parallelogram.
+struct MirroredPixel {
+    glm::vec3 shift{0.0F};  ///< from the mirrored direction at the shaded point to the parallelogram's middle
+    /// Changes of the direction across the pixel, to the right and down.
+    std::array<glm::vec3, 2> steps{glm::vec3(0.0F), glm::vec3(0.0F)};
+};
+
+/// The same of sixteen points.
+struct MirroredPixels {
+    LaneVectors shift{};
+    std::array<LaneVectors, 2> steps{};
+};
+
+/// Normal distribution of slopes, part of the distribution of facets' slopes.
+struct SlopePart {
+    float deviation;  ///< standard deviation over alpha
+    float share;      ///< of the facets
+    float nodes;      ///< largest number of nodes, over that of the grids
+    /// Largest blob, relative to the shorter axis of what the part reflects, for which nodes are spent.
+    float blob;
+};
+
+/// Returns the parts of a distribution of facets. GGX has two; they leave a few thousandths of the slopes
+/// out.
+[[nodiscard]] std::span<const SlopePart> slope_parts(Distribution distribution);
+
+/// Directions of sixteen points, in their surfaces' frames.
+struct ReflectedNode {
+    LaneVectors towards;  ///< unit directions towards light that facets reflect to the viewer
+    LaneVectors seen;     ///< unit directions around which the light is to be averaged, for the pixels
+    Lanes variances;      ///< of the blobs to average over, along each axis, in square radians
+    Lanes weights;        ///< solid angles: factors of the pBRDF times the cosine times the light
+};
+
+/// The nodes of sixteen points. Sums over them have the second moments of the integral over all directions
+/// and over the pixels.
+class ReflectedNodes {
+public:
+    /// Takes the nodes of a part of a lobe. Keeps references to all but `part`, which must outlive the
+    /// object.
+    ReflectedNodes(const NodeGrids& grids, const Lobe& lobe, const SlopePart& part,
+                   const LaneVectors& towards_viewer, const MirroredPixels& pixels);
+    /// Takes the nodes of a mirror, whose weights add up to 1.
+    ReflectedNodes(const NodeGrids& grids, const LaneVectors& towards_viewer, const MirroredPixels& pixels);
+
+    /// Returns the largest number of nodes of a point. The nodes of others end with weights of 0.
+    [[nodiscard]] std::size_t count() const noexcept { return count_; }
+    [[nodiscard]] ReflectedNode node(std::size_t k) const;
+    /// Returns the shares of even nodes in the weights of a lobe's part.
+    [[nodiscard]] const Lanes& even_shares() const noexcept { return even_shares_; }
+    /// Returns how far the blobs are too wide for what the lobe reflects: 1 or more.
+    [[nodiscard]] const Lanes& excess() const noexcept { return excess_; }
+
+private:
+    void set_all(const NodeGrids& grids, float largest_blob, std::size_t most);
+    void set(std::size_t lane, const NodeGrids& grids, float largest_blob, std::size_t most);
+
+    Lobe lobe_;
+    glm::vec2 deviations_;  // of the slopes along x and along y
+    float share_;
+    const LaneVectors& towards_viewer_;
+    const MirroredPixels& pixels_;
+    std::array<const NodeGrid*, kLanes> grids_{};
+    std::size_t count_ = 0;
+    // From a node's x and y to slopes, and to changes of direction beyond those of the slopes.
+    std::array<std::array<Lanes, 2>, 2> slopes_;
+    std::array<LaneVectors, 2> moves_;
+    Lanes blob_x_, blob_y_;
+    Lanes even_shares_, excess_;
+    Lanes lobes_;  // share of the lobe in the solid angle of lobe and pixel
+};
+
+}  // namespace nicol

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#include "shading/node_grids.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "test.hpp"
+
+using namespace nicol;
+
+namespace {
+
+/// Returns the weighted mean of the products x^i y^j over every step-th node from `first` on.
+double moment(const NodeGrid& grid, int i, int j, std::size_t first = 0, std::size_t step = 1) {
+    double sum = 0, weights = 0;
+    for (std::size_t k = first; k < grid.size(); k += step) {
+        const auto weight = static_cast<double>(grid.weights[k]);
+        sum += weight * std::pow(static_cast<double>(grid.x[k]), i) *
+               std::pow(static_cast<double>(grid.y[k]), j);
+        weights += weight;
+    }
+    return sum / weights;
+}
+
+}  // namespace
+
+TEST_CASE("grids have the moments of what they stand for") {
+    for (const std::size_t count : {1U, 4U, 7U, 16U, 32U, 100U}) {
+        const NodeGrids grids(count);
+        CHECK(grids.count() == count);
+        for (const bool normal : {false, true}) {
+            std::size_t largest = 0;
+            for (const NodeGrid& grid : normal ? grids.normal() : grids.uniform()) {
+                CAPTURES(count, normal, grid.size());
+                CHECK(grid.size() >= largest);  // small ones first
+                largest = grid.size();
+                double total = 0;
+                for (const float weight : grid.weights) total += static_cast<double>(weight);
+                CHECK(total == doctest::Approx(1));
+                const bool column = std::ranges::all_of(grid.y, [](float y) { return y == 0; });
+                CHECK(std::abs(moment(grid, 1, 0)) < 1e-5);
+                CHECK(std::abs(moment(grid, 0, 1)) < 1e-5);
+                CHECK(std::abs(moment(grid, 1, 1)) < 1e-5);
+                CHECK(moment(grid, 2, 0) == doctest::Approx(grid.size() > 1 ? 1 : 0).epsilon(1e-4));
+                CHECK(moment(grid, 0, 2) == doctest::Approx(column ? 0 : 1).epsilon(1e-4));
+                // Kurtosis: 3 of a normal distribution, 9/5 of a uniform one.
+                if (grid.blob_x < 0.4F)
+                    CHECK(moment(grid, 4, 0) == doctest::Approx(normal ? 2.75 : 1.78).epsilon(0.08));
+            }
+            CHECK(largest == count);
+        }
+    }
+}
+
+TEST_CASE("half of a grid's nodes, and the first ones, are spread over it") {
+    const NodeGrids grids(32);
+    for (const NodeGrid& grid : grids.uniform()) {
+        if (grid.size() < 12) continue;
+        CAPTURES(grid.size(), grid.blob_x);
+        double even = 0;
+        for (std::size_t k = 0; k < grid.size(); k += 2) even += static_cast<double>(grid.weights[k]);
+        CHECK(even == doctest::Approx(static_cast<double>(grid.even_share)).epsilon(1e-4));
+        CHECK(std::abs(even - 0.5) < 0.05);
+        for (const std::size_t first : {std::size_t{0}, std::size_t{1}}) {
+            CHECK(std::abs(moment(grid, 1, 0, first, 2)) < 0.5);
+            CHECK(std::abs(moment(grid, 2, 0, first, 2) - 1) < 0.3);
+        }
+        const auto [low, high] = std::minmax_element(grid.x.begin(), grid.x.begin() + 4);
+        CHECK(*high - *low > 0.8F);
+    }
+}

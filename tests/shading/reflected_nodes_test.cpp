@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+#include "shading/reflected_nodes.hpp"
+
+#include <glm/geometric.hpp>
+
+#include "directions.hpp"
+#include "material/microfacet.hpp"
+#include "polarization/stokes.hpp"
+#include "test.hpp"
+
+using namespace nicol;
+
+namespace {
+
+glm::dvec3 lane(const LaneVectors& v, std::size_t i) {
+    return {v.x[i], v.y[i], v.z[i]};
+}
+
+/// Returns the light of a normally distributed blob of light around `middle`, averaged over a blob of a
+/// variance around a direction.
+double light(const glm::dvec3& towards, const glm::dvec3& middle, double own, double variance) {
+    const double angle = std::acos(std::clamp(glm::dot(towards, middle), -1.0, 1.0));
+    return own / (own + variance) * std::exp(-angle * angle / (2 * (own + variance)));
+}
+
+}  // namespace
+
+TEST_CASE("nodes add up to the integral over the lobe and the pixel") {
+    // Directions to viewers from above the surface to 70 degrees.
+    LaneVectors viewers;
+    for (std::size_t i = 0; i < kLanes; ++i)
+        put(viewers, i, glm::vec3(direction(0.08 * static_cast<double>(i), 0.7 * static_cast<double>(i))));
+    const struct {
+        Lobe lobe;
+        double pixel;      // width, in radians
+        double variance;   // of the light
+        double tolerance;  // of the largest value
+    } rows[] = {{{glm::dvec2(0.02), Distribution::beckmann}, 0, 1e-3, 0.03},
+                {{glm::dvec2(0.02), Distribution::beckmann}, 0.1, 1e-3, 0.11},
+                {{glm::dvec2(0.001), Distribution::beckmann}, 0.1, 1e-3, 0.05},
+                {{{0.1, 0.4}, Distribution::beckmann}, 0, 0.01, 0.06},
+                {{{0.4, 0.1}, Distribution::beckmann}, 0.05, 0.01, 0.06},
+                {{glm::dvec2(0.05), Distribution::ggx}, 0, 5e-3, 0.09},
+                {{{0.1, 0.3}, Distribution::ggx}, 0, 0.01, 0.1}};
+    const NodeGrids grids(32);
+    for (const auto& row : rows) {
+        CAPTURES(row.lobe.alpha.x, row.lobe.alpha.y, row.pixel, static_cast<int>(row.lobe.distribution));
+        MirroredPixels pixels;
+        for (std::size_t i = 0; i < kLanes; ++i) {
+            const glm::dvec3 viewer = lane(viewers, i);
+            const Frame axes = frame_with_x(glm::dvec3(-viewer.x, -viewer.y, viewer.z), {0.3, 0.8, 0.1});
+            put(pixels.steps[0], i, glm::vec3(row.pixel * axes[0]));
+            put(pixels.steps[1], i, glm::vec3(0.7 * row.pixel * axes[1]));
+        }
+        for (const glm::dvec2& beside : {glm::dvec2(0, 0), {0.05, 0.02}, {-0.1, 0.2}}) {
+            std::array<double, kLanes> found{}, expected{};
+            std::array<glm::dvec3, kLanes> middles;
+            for (std::size_t i = 0; i < kLanes; ++i) {
+                const glm::dvec3 viewer = lane(viewers, i);
+                middles[i] = glm::normalize(glm::dvec3(-viewer.x + beside.x, -viewer.y + beside.y, viewer.z));
+            }
+            for (const SlopePart& part : slope_parts(row.lobe.distribution)) {
+                const ReflectedNodes nodes(grids, row.lobe, part, viewers, pixels);
+                for (std::size_t k = 0; k < nodes.count(); ++k) {
+                    const ReflectedNode node = nodes.node(k);
+                    for (std::size_t i = 0; i < kLanes; ++i) {
+                        const glm::dvec3 towards = lane(node.towards, i),
+                                         half = glm::normalize(towards + lane(viewers, i));
+                        // Facets of a density that is 1 when summed over all slopes.
+                        const double facets = facet_density(row.lobe.distribution, row.lobe.alpha, half) *
+                                              half.z / (4 * glm::dot(half, towards));
+                        found[i] += static_cast<double>(node.weights[i]) * facets *
+                                    light(lane(node.seen, i), middles[i], row.variance,
+                                          static_cast<double>(node.variances[i]));
+                    }
+                }
+            }
+            // Slopes at equal steps of probability, and places in the pixel.
+            constexpr int rings = 40, turns = 48, places = 4;
+            for (std::size_t i = 0; i < kLanes; ++i) {
+                const glm::dvec3 viewer = lane(viewers, i);
+                for (int r = 0; r < rings; ++r)
+                    for (int t = 0; t < turns; ++t) {
+                        const double rest = (r + 0.5) / rings;  // probability of steeper slopes
+                        const double steep = std::sqrt(
+                            row.lobe.distribution == Distribution::ggx ? 1 / rest - 1 : -std::log(rest));
+                        const double angle = 2 * pi * (t + 0.5 * (r % 2)) / turns;
+                        const glm::dvec3 half =
+                            glm::normalize(glm::dvec3(row.lobe.alpha.x * steep * std::cos(angle),
+                                                      row.lobe.alpha.y * steep * std::sin(angle), 1));
+                        if (!(glm::dot(viewer, half) > 0)) continue;
+                        const glm::dvec3 towards = 2 * glm::dot(viewer, half) * half - viewer;
+                        for (int p = 0; p < places * places; ++p) {
+                            const glm::dvec2 at((p % places + 0.5) / places - 0.5,
+                                                (p / places + 0.5) / places - 0.5);
+                            const glm::dvec3 seen = glm::normalize(towards + at.x * lane(pixels.steps[0], i) +
+                                                                   at.y * lane(pixels.steps[1], i));
+                            expected[i] +=
+                                light(seen, middles[i], row.variance, 0) / (rings * turns * places * places);
+                        }
+                    }
+            }
+            double largest = 0, wrong = 0;
+            for (std::size_t i = 0; i < kLanes; ++i) {
+                largest = std::max(largest, expected[i]);
+                wrong = std::max(wrong, std::abs(found[i] - expected[i]));
+            }
+            CAPTURES(beside.x, beside.y, largest, wrong);
+            if (largest > 0.05) CHECK(wrong < row.tolerance * largest);
+        }
+    }
+}
+
+TEST_CASE("a mirror's nodes cover the pixel around its shifted middle") {
+    LaneVectors viewers;
+    MirroredPixels pixels;
+    const glm::dvec3 viewer = direction(0.5, 0.3), mirrored(-viewer.x, -viewer.y, viewer.z);
+    const Frame axes = frame_with_x(mirrored, {0, 0, 1});
+    for (std::size_t i = 0; i < kLanes; ++i) {
+        put(viewers, i, glm::vec3(viewer));
+        put(pixels.shift, i, glm::vec3(0.01 * axes[0]));
+        put(pixels.steps[0], i, glm::vec3(0.04 * axes[0]));
+        put(pixels.steps[1], i, glm::vec3(0.02 * axes[1]));
+    }
+    const NodeGrids grids(32);
+    const ReflectedNodes nodes(grids, viewers, pixels);
+    double total = 0;
+    glm::dvec2 mean(0.0), squares(0.0);
+    for (std::size_t k = 0; k < nodes.count(); ++k) {
+        const ReflectedNode node = nodes.node(k);
+        CHECK(glm::distance(lane(node.towards, 3), mirrored) < 1e-6);
+        const auto weight = static_cast<double>(node.weights[3]);
+        const glm::dvec2 at(glm::dot(axes[0], lane(node.seen, 3)), glm::dot(axes[1], lane(node.seen, 3)));
+        total += weight;
+        mean += weight * at;
+        squares += weight * (at * at + static_cast<double>(node.variances[3]));
+    }
+    CHECK(total == doctest::Approx(1));
+    CHECK(glm::distance(mean, glm::dvec2(0.01, 0)) < 1e-4);
+    CHECK(squares.x - mean.x * mean.x == doctest::Approx(0.04 * 0.04 / 12).epsilon(0.02));
+    CHECK(squares.y == doctest::Approx(0.02 * 0.02 / 12).epsilon(0.02));
+}
