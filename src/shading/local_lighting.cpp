@@ -98,7 +98,8 @@ public:
         const std::uint32_t samples = places_of(radius, most_samples);
         const float factor = 1 / static_cast<float>(samples);
         seed(index);
-        LightShadows shadowing(shadows());
+        constexpr std::uint32_t probes = 4;
+        LightShadows shadowing(shadows(), probes);
         Lanes weights, shares;
         weights.value.fill(static_cast<float>(samples / 2) * factor);
         shares.value.fill(0.4F);  // measured: 0.3 to 0.5, because each half fills the gaps of the other
@@ -106,7 +107,7 @@ public:
             Lanes u{}, v{};
             if (radius > 0) light_samples(k, std::span(seeds_).first(points_.positions.size()), u, v);
             source.sample(positions_, u, v, light_);
-            const std::uint32_t lit = shadowing.reached(k, light_, lit_points());
+            const std::uint32_t lit = shadowing.reached(light_, lit_points());
             for_layers(lit, [&](const Material& layer, const LayerWeights* weights, std::uint32_t there) {
                 reflected_.add(layer, weights, light_, there, factor, sums_, find_it);
             });
@@ -202,8 +203,6 @@ private:
     void add_lobe(const SampledEnvironment& environment, const Material& layer, const Lobe& lobe,
                   const LayerWeights* weights, std::uint32_t there) {
         const bool whole = std::max(lobe.alpha.x, lobe.alpha.y) < kNarrowestLobe;
-        LightShadows shadowing(shadows());
-        std::uint32_t traced = 0;
         for (const SlopePart& part : slope_parts(lobe.distribution)) {
             const ReflectedNodes nodes(environment.grids(), lobe, part, reflected_.towards_viewer(), pixels_);
             const auto count = static_cast<std::uint32_t>(nodes.count());
@@ -211,6 +210,7 @@ private:
             Lanes shares;
             for (std::size_t i = 0; i < kLanes; ++i)
                 shares[i] = std::min(1.0F, kNodesError * std::pow(nodes.excess()[i], 4.0F));
+            LightShadows shadowing(shadows(), even);
             // Even nodes come first, because either half of the nodes is spread over the lobe.
             for_samples(count, even, nodes.even_shares(), shares, [&](std::uint32_t k) {
                 const ReflectedNode node = nodes.node(k < even ? 2 * k : 2 * (k - even) + 1);
@@ -218,7 +218,7 @@ private:
                 for (std::array<Lanes, 4>& stokes : light_.irradiance)
                     for (std::size_t p = 0; p < light_.components; ++p)
                         for (std::size_t i = 0; i < kLanes; ++i) stokes[p][i] *= node.weights[i];
-                const std::uint32_t lit = shadowing.reached(traced++, light_, there & lit_points());
+                const std::uint32_t lit = shadowing.reached(light_, there & lit_points());
                 if (lit != 0)
                     reflected_.add_sampled(layer, environment.sampled(), lobe, weights, light_, lit, 1,
                                            sums_);

@@ -14,18 +14,24 @@ namespace nicol {
 namespace {
 
 constexpr float kLeastCosine = 1e-6F;
+// Cosine to the viewer over the deviation of slopes in his direction, beyond which nearly all facets are seen
+// alike.
+constexpr float kFewHidden = 30;
+constexpr float kMostMoved = 8;  // largest exponent of the ratio of two distributions of nodes
 
-// The same as SlopePart::blob where the pixel counts beside the lobe, because its edges are sharp, and how
+// SlopePart::blob where the pixel counts beside the lobe, because its edges are sharp, and how
 // many times as wide, squared, the lobe is where it does not.
 constexpr float kLargestOfPixels = 0.55F;
 constexpr float kSmallPixel = 16;
+// Widest blob, in radians, for which nodes are spent: the pBRDF of wide lobes changes within it.
+constexpr float kWidest = 0.25F;
 
 // Beckmann's slopes are normally distributed. GGX's slopes are a mixture of normal distributions: of two,
 // these keep the number of slopes beyond 0.5, 1, 2, 3 and 4 alpha within a fiftieth.
 constexpr std::array<SlopePart, 1> kBeckmann{
-    {{.deviation = std::numbers::sqrt2_v<float> / 2, .share = 1, .nodes = 1, .blob = 0.8F}}};
-constexpr std::array<SlopePart, 2> kGgx{{{.deviation = 0.6455F, .share = 0.68F, .nodes = 1, .blob = 0.8F},
-                                         {.deviation = 2.041F, .share = 0.32F, .nodes = 0.5F, .blob = 1.3F}}};
+    {{.deviation = std::numbers::sqrt2_v<float> / 2, .share = 1, .nodes = 1, .blob = 1}}};
+constexpr std::array<SlopePart, 2> kGgx{{{.deviation = 0.6455F, .share = 0.68F, .nodes = 1, .blob = 1},
+                                         {.deviation = 2.041F, .share = 0.32F, .nodes = 0.5F, .blob = 0.9F}}};
 
 // Returns the rotation or reflection that is nearest to a matrix.
 glm::mat2 nearest_orthogonal(const glm::mat2& m) {
@@ -76,6 +82,12 @@ struct FacetNodes {
     const std::array<LaneVectors, 2>& moves;
     const LaneVectors& shift;
     const Lanes& lobes;
+    glm::vec2 deviations;
+    const std::array<Lanes, 2>& middle;
+    const std::array<Lanes, 2>& rests;
+    const Lanes& narrowing;
+    const Lanes& middle_way;
+    const Lanes& middle_area;
 };
 
 template <class Number>
@@ -92,7 +104,12 @@ template <class Number>
         load_part(r.viewers, first, viewer);
 
         // A facet of these slopes, and what it mirrors to the viewer.
-        const Vector3<Number> steep{axis_x * a + other_x * b, axis_y * a + other_y * b, Number{} + 1.0F};
+        Number middle_x, middle_y;
+        load_part(r.middle[0], first, middle_x);
+        load_part(r.middle[1], first, middle_y);
+        const Number x = middle_x + axis_x * a + other_x * b;
+        const Number y = middle_y + axis_y * a + other_y * b;
+        const Vector3<Number> steep{r.deviations.x * x, r.deviations.y * y, Number{} + 1.0F};
         const Number length2 = steep.x * steep.x + steep.y * steep.y + 1.0F;
         Number length = length2;
         square_root(length);
@@ -107,23 +124,36 @@ template <class Number>
         Number of_facets;
         density(r.facets, steep, length2, of_facets);
         load_part(r.nodes.weights, first, weight);
+        // The nodes are those of the slopes that the viewer sees.
+        Number rest_x, rest_y, narrowing;
+        load_part(r.rests[0], first, rest_x);
+        load_part(r.rests[1], first, rest_y);
+        load_part(r.narrowing, first, narrowing);
+        rest_x *= a;
+        rest_y *= b;
+        Number moved = 0.5F * (rest_x * rest_x + rest_y * rest_y - x * x - y * y) - kMostMoved;
+        moved = moved < 0.0F ? moved : Number{};
+        moved = moved > -80.0F ? moved : Number{} - 80.0F;
+        exponential(moved);
         const auto seen = (along > kLeastCosine) & (of_facets > 0.0F);
-        weight = seen ? 4.0F * weight * along / (of_facets * cosine) : Number{};
+        weight = seen
+                     ? 4.0F * std::exp(kMostMoved) * weight * narrowing * moved * along / (of_facets * cosine)
+                     : Number{};
         store_part(weight, first, out.weights);
 
         // How a change of the slopes along the grid's x, and of both slopes, changes the direction, relative
         // to the same changes in the middle of the grid.
-        const Number steep2 = axis_x * axis_x + axis_y * axis_y;
-        const Number rise = axis_x * half.x + axis_y * half.y;
-        const Number beside = axis_x * viewer.x + axis_y * viewer.y;
-        const Number turn = beside - along * rise;
-        Number way = turn * turn + along * along * (steep2 - rise * rise);
+        const Number slope_x = r.deviations.x * axis_x, slope_y = r.deviations.y * axis_y;
+        const Number rise = slope_x * half.x + slope_y * half.y;
+        const Number turn = slope_x * viewer.x + slope_y * viewer.y - along * rise;
+        Number way = turn * turn + along * along * (slope_x * slope_x + slope_y * slope_y - rise * rise);
+        Number middle_way, middle_area;
+        load_part(r.middle_way, first, middle_way);
+        load_part(r.middle_area, first, middle_area);
         const Number least = Number{} + 1e-20F;
-        const Number middle_z = viewer.z > kLeastCosine ? viewer.z : Number{} + kLeastCosine;
-        Number middle_way = beside * beside + middle_z * middle_z * steep2;
         way = cosine * cosine * (way > least ? way : least) / (middle_way > least ? middle_way : least);
         square_root(way);
-        Number area = along * cosine * cosine * cosine / middle_z;
+        Number area = along * cosine * cosine * cosine / (middle_area > least ? middle_area : least);
         area = area > 0.0F ? area : Number{};
         load_part(r.lobes, first, lobe);
         load_part(r.nodes.blob_x, first, blob_x);
@@ -182,11 +212,18 @@ void ReflectedNodes::set(std::size_t lane_index, const NodeGrids& grids, float l
                          std::size_t most) {
     const std::size_t i = lane_index;
     const glm::vec3 viewer = lane(towards_viewer_, i);
-    const glm::vec3 mirrored(-viewer.x, -viewer.y, viewer.z);
-    const std::array<glm::vec3, 2> axes = axes_across(mirrored);
-    // Changes of direction by the slopes, in standard deviations, around the mirrored direction.
-    const std::array<glm::vec3, 2> by_slopes{2 * deviations_.x * glm::vec3(viewer.z, 0, viewer.x),
-                                             2 * deviations_.y * glm::vec3(0, viewer.z, viewer.y)};
+    // A facet of the middle slopes, and the changes of the direction that it mirrors by the slopes, in
+    // standard deviations.
+    const Seen seen = seen_slopes(viewer);
+    const glm::vec3 facet = glm::normalize(glm::vec3(deviations_ * seen.mean, 1));
+    const float along = glm::dot(viewer, facet);
+    const std::array<glm::vec3, 2> axes = axes_across(2 * along * facet - viewer);
+    std::array<glm::vec3, 2> by_slopes;
+    for (std::size_t k = 0; k < 2; ++k) {
+        const glm::vec3 slope(deviations_ * seen.spread[static_cast<glm::length_t>(k)], 0);
+        const glm::vec3 turned = facet.z * (slope - glm::dot(slope, facet) * facet);
+        by_slopes[k] = 2.0F * (glm::dot(viewer, turned) * facet + along * turned);
+    }
     const float even = std::sqrt(1 / 12.0F);  // standard deviation of an even distribution of width 1
     glm::mat2 lobe, pixel;
     for (glm::length_t k = 0; k < 2; ++k) {
@@ -206,8 +243,8 @@ void ReflectedNodes::set(std::size_t lane_index, const NodeGrids& grids, float l
 
     const NodeGrid* best = nullptr;
     float blob = 0;
-    const float enough =
-        (kSmallPixel * squares(pixel) < squares(lobe) ? largest_blob : kLargestOfPixels) * shorter;
+    const float enough = std::min(
+        (kSmallPixel * squares(pixel) < squares(lobe) ? largest_blob : kLargestOfPixels) * shorter, kWidest);
     for (const NodeGrid& grid : lobe_is_wider ? grids.normal() : grids.uniform()) {
         if (best != nullptr && (grid.size() > most || blob <= enough)) break;
         const float wide = std::max(longer * grid.blob_x, shorter * grid.blob_y);
@@ -231,11 +268,36 @@ void ReflectedNodes::set(std::size_t lane_index, const NodeGrids& grids, float l
         const auto n = static_cast<std::size_t>(k);
         const glm::vec2 chosen = rests[k] * turn[k];
         const glm::vec2 moved = rests[k] * root[k] - lobe * chosen;
-        slopes_[n][0][i] = deviations_.x * chosen.x;
-        slopes_[n][1][i] = deviations_.y * chosen.y;
+        const glm::vec2 slopes = seen.spread * chosen;
+        slopes_[n][0][i] = slopes.x;
+        slopes_[n][1][i] = slopes.y;
+        rests_[n][i] = rests[k];
         put(moves_[n], i, moved.x * axes[0] + moved.y * axes[1]);
     }
+    middle_[0][i] = seen.mean.x;
+    middle_[1][i] = seen.mean.y;
+    narrowing_[i] = glm::determinant(seen.spread);
+    const glm::vec3 by_first = rests.x * (by_slopes[0] * turn[0].x + by_slopes[1] * turn[0].y);
+    middle_way_[i] = glm::dot(by_first, by_first) / 4;
+    middle_area_[i] = along * facet.z * facet.z * facet.z;
     lobes_[i] = area > 0 ? std::min(1.0F, std::abs(glm::determinant(lobe)) / area) : 0.0F;
+}
+
+ReflectedNodes::Seen ReflectedNodes::seen_slopes(const glm::vec3& viewer) const {
+    const glm::vec2 towards = deviations_ * glm::vec2(viewer);
+    const float steepness = glm::length(towards);
+    if (!(steepness > 0)) return {};
+    // A facet looks as large as a + x, where x is its slope towards the viewer, and is not seen where that is
+    // below 0.
+    const float a = std::max(viewer.z, 0.0F) / steepness;
+    if (a > kFewHidden) return {};
+    const float density = std::exp(-0.5F * a * a) / std::sqrt(2 * std::numbers::pi_v<float>);
+    const float front = 0.5F * std::erfc(-a / std::numbers::sqrt2_v<float>);
+    const float all = a * front + density;
+    const float mean = front / all;
+    const float deviation = std::sqrt(std::max(0.1F, 1 + density / all - mean * mean));
+    const glm::vec2 axis = towards / steepness;
+    return {mean * axis, glm::mat2(1.0F) + (deviation - 1) * glm::outerProduct(axis, axis)};
 }
 
 ReflectedNode ReflectedNodes::node(std::size_t k) const {
@@ -253,7 +315,9 @@ ReflectedNode ReflectedNodes::node(std::size_t k) const {
     const Facets<float> facets{lobe_.distribution, static_cast<float>(lobe_.alpha.x),
                                static_cast<float>(lobe_.alpha.y)};
     dispatch<reflect<FourLanes>, reflect<EightLanes>, reflect<AllLanes>>(
-        FacetNodes{facets, nodes, towards_viewer_, slopes_, moves_, pixels_.shift, lobes_}, out);
+        FacetNodes{facets, nodes, towards_viewer_, slopes_, moves_, pixels_.shift, lobes_, deviations_,
+                   middle_, rests_, narrowing_, middle_way_, middle_area_},
+        out);
     if (deviations_ == glm::vec2(0.0F)) out.weights = nodes.weights;  // a mirror's density is infinite
     return out;
 }

@@ -69,6 +69,12 @@ public:
 
 private:
     void set_all(const NodeGrids& grids, float largest_blob, std::size_t most);
+    // Normal distribution of slopes, in standard deviations of the facets' own: those that the viewer sees.
+    struct Seen {
+        glm::vec2 mean{0.0F};
+        glm::mat2 spread{1.0F};
+    };
+    [[nodiscard]] Seen seen_slopes(const glm::vec3& viewer) const;
     void set(std::size_t lane, const NodeGrids& grids, float largest_blob, std::size_t most);
 
     Lobe lobe_;
@@ -78,10 +84,17 @@ private:
     const MirroredPixels& pixels_;
     std::array<const NodeGrid*, kLanes> grids_{};
     std::size_t count_ = 0;
-    // From a node's x and y to slopes, and to changes of direction beyond those of the slopes.
-    std::array<std::array<Lanes, 2>, 2> slopes_;
+    // From a node's x and y to slopes beside the middle, and to changes of direction beyond those of the
+    // slopes.
+    std::array<std::array<Lanes, 2>, 2> slopes_;  // in standard deviations
     std::array<LaneVectors, 2> moves_;
+    std::array<Lanes, 2> middle_;  // slopes, in standard deviations
+    std::array<Lanes, 2> rests_;   // standard deviations of the nodes, without blobs
+    Lanes narrowing_;              // of the slopes that the viewer sees, over all
     Lanes blob_x_, blob_y_;
+    // Factors from changes of slopes to those of direction at the middle slopes: along x, squared, and of
+    // areas.
+    Lanes middle_way_, middle_area_;
     Lanes even_shares_, excess_;
     Lanes lobes_;  // share of the lobe in the solid angle of lobe and pixel
 };

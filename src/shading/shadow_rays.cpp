@@ -46,10 +46,10 @@ std::uint32_t ShadowRays::traced(std::uint32_t points) {
     return points & ~std::uint32_t{scene_.occluded(packet_, static_cast<std::uint16_t>(points))};
 }
 
-std::uint32_t LightShadows::reached(std::uint32_t k, const LaneLight& light, std::uint32_t points) {
+std::uint32_t LightShadows::reached(const LaneLight& light, std::uint32_t points) {
     if (rays_ == nullptr || points == 0) return points;
-    constexpr std::uint32_t probes = 4;
-    if (k >= probes && seen_ != hidden_) return seen_ ? points : 0;
+    if (traced_ >= probes_ && seen_ != hidden_) return seen_ ? points : 0;
+    ++traced_;
     const std::uint32_t visible = rays_->visible(light, points);
     seen_ = seen_ || visible != 0;
     hidden_ = hidden_ || visible != points;

@@ -34,18 +34,21 @@ private:
     std::uint64_t count_ = 0;
 };
 
-/// Shadows of one light with few rays: if the first few samples are visible from all points, or hidden from
-/// all points, the other samples are assumed to be so too.
+/// Shadows of one light or lobe with few rays: if the first few samples are visible from all points, or
+/// hidden from all points, the other samples are assumed to be so too.
 class LightShadows {
 public:
-    /// rays: null if nothing casts shadows.
-    explicit LightShadows(ShadowRays* rays) : rays_(rays) {}
+    /// rays: null if nothing casts shadows. probes: number of those first samples; samples that light no
+    /// point do not count.
+    LightShadows(ShadowRays* rays, std::uint32_t probes) : rays_(rays), probes_(probes) {}
 
-    /// Returns the bits of `points` that the k-th light sample reaches.
-    [[nodiscard]] std::uint32_t reached(std::uint32_t k, const LaneLight& light, std::uint32_t points);
+    /// Returns the bits of `points` that the next light sample reaches.
+    [[nodiscard]] std::uint32_t reached(const LaneLight& light, std::uint32_t points);
 
 private:
     ShadowRays* rays_;
+    std::uint32_t probes_;
+    std::uint32_t traced_ = 0;
     bool seen_ = false;    // whether any sample is visible from any point
     bool hidden_ = false;  // whether any sample is hidden from any point
 };
