@@ -36,8 +36,8 @@ struct SlopePart {
     float blob;
 };
 
-/// Returns the parts of a distribution of facets. GGX has two; they leave a few thousandths of the slopes
-/// out.
+/// Returns the parts of a distribution of facets. GGX has two, which leave about a fiftieth of the slopes
+/// out, the steepest ones.
 [[nodiscard]] std::span<const SlopePart> slope_parts(Distribution distribution);
 
 /// Directions of sixteen points, in their surfaces' frames.
@@ -64,7 +64,7 @@ public:
     [[nodiscard]] ReflectedNode node(std::size_t k) const;
     /// Returns the shares of even nodes in the weights of a lobe's part.
     [[nodiscard]] const Lanes& even_shares() const noexcept { return even_shares_; }
-    /// Returns how far the blobs are too wide for what the lobe reflects: 1 or more.
+    /// Returns how much wider the blobs are than the wanted ones: 1 or more.
     [[nodiscard]] const Lanes& excess() const noexcept { return excess_; }
 
 private:
