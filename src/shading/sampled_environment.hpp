@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Distant light for samples of lobes: filtered importance sampling (Krivanek and Colbert 2008).
+// Distant light for the nodes of lobes.
 #pragma once
 
 #include <glm/mat3x3.hpp>
@@ -18,19 +18,19 @@ public:
     using Light = std::shared_ptr<const LightPyramid>;
     /// Takes `whole`, the light for terms that find lights, and `rest`, the light for others, without
     /// extracted lights; null if there are no such terms. to_points: a rotation from the environment's axes
-    /// to the points'. scale: a factor of the light. samples: number per point and lobe.
+    /// to the points'. scale: a factor of the light. grids: for the nodes of lobes.
     SampledEnvironment(Light whole, Light rest, const glm::mat3& to_points, float scale, SampledTerms sampled,
-                       std::uint32_t samples)
+                       std::shared_ptr<const NodeGrids> grids)
         : whole_(std::move(whole)),
           rest_(std::move(rest)),
           to_points_(to_points),
           scale_(scale),
           sampled_(sampled),
-          grids_(samples) {}
+          grids_(std::move(grids)) {}
 
     [[nodiscard]] SampledTerms sampled() const noexcept { return sampled_; }
     /// Returns grids for the nodes of lobes.
-    [[nodiscard]] const NodeGrids& grids() const noexcept { return grids_; }
+    [[nodiscard]] const NodeGrids& grids() const noexcept { return *grids_; }
 
     /// whole: whether extracted lights are included. Computes the mean radiance in blobs of these variances,
     /// see LightPyramid, around the directions out.towards, which are unit vectors in the points' axes: all
@@ -42,7 +42,7 @@ private:
     glm::mat3 to_points_;
     float scale_;
     SampledTerms sampled_;
-    NodeGrids grids_;
+    std::shared_ptr<const NodeGrids> grids_;
 };
 
 }  // namespace nicol

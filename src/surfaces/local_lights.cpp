@@ -57,6 +57,12 @@ void LocalLights::update(const Scene& scene, const DistantLight& distant, const 
                                       : nullptr;
     });
     const bool sampled = whole != nullptr || rest != nullptr;
+    if (sampled) {
+        placing_.run(options.bsdf_samples, [&] {
+            grids_.change() =
+                std::make_shared<const NodeGrids>(static_cast<std::size_t>(options.bsdf_samples));
+        });
+    }
     const bool lit = scene.has_local_lights() || !distant.extracted_lights.empty() || sampled;
     const bool shadows = options.shadows && lit;
     tracing_.run(surfaces.version(), shadows, [&] {
@@ -70,7 +76,7 @@ void LocalLights::update(const Scene& scene, const DistantLight& distant, const 
     });
     making_.run(
         scene.local_light_version(), scene.emission_version(), scene.geometry_version(), surfaces.to_world(),
-        rays_.version(), mirrors_, options.light_samples, options.bsdf_samples, distant.sampled,
+        rays_.version(), mirrors_, options.light_samples, grids_.version(), distant.sampled,
         filtered_.version(), distant.extracted_lights, distant.rotation, scene.light_scale(), [&] {
             if (!lit && !any()) return;  // the lighting of vertices stays as it is
             LocalLighting::Lights lights = make_lights(scene, distant, surfaces.to_world());
@@ -80,8 +86,7 @@ void LocalLights::update(const Scene& scene, const DistantLight& distant, const 
             if (!lit) return;
             if (sampled)
                 lights.environment.emplace(filtered_->whole, filtered_->rest, glm::mat3(distant.rotation),
-                                           static_cast<float>(scene.light_scale()), distant.sampled,
-                                           static_cast<std::uint32_t>(options.bsdf_samples));
+                                           static_cast<float>(scene.light_scale()), distant.sampled, *grids_);
             lighting.emplace(std::move(lights), rays_->get(), options.light_samples);
         });
     statistics.local_lights = lights_;

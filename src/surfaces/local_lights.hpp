@@ -69,9 +69,11 @@ private:
         std::shared_ptr<const LightPyramid> whole, rest;  // null: no term needs it
     };
     Versioned<Filtered> filtered_;
-    // Inputs: lights, emission, placements of instances, the axes, rays, mirrors, samples of lights and of
-    // lobes; sampled terms, their light; extracted lights, their axes and scale.
-    Stage<Version, Version, Version, glm::dmat4, Version, bool, int, int, SampledTerms, Version,
+    Stage<int> placing_;  // samples of lobes
+    Versioned<std::shared_ptr<const NodeGrids>> grids_;
+    // Inputs: lights, emission, placements of instances, the axes, rays, mirrors, samples of lights, grids
+    // of lobes; sampled terms, their light; extracted lights, their axes and scale.
+    Stage<Version, Version, Version, glm::dmat4, Version, bool, int, Version, SampledTerms, Version,
           std::vector<std::shared_ptr<const ExtractedLight>>, glm::dmat3, double>
         making_;
     Versioned<std::optional<LocalLighting>> lighting_;
