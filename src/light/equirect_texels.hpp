@@ -71,6 +71,10 @@ struct EquirectTexels {
     }
 };
 
+/// Returns black texels of width x height. centred: whether rows are pixel-centred; else the first is the
+/// zenith and the last the nadir.
+[[nodiscard]] EquirectTexels black_texels(int width, int height, bool centred, std::size_t planes);
+
 /// Returns the texels of an image, whose rows are vertex-centred: a plane of Stokes vectors for each channel
 /// of polarized light, else a plane of s0 for four channels. An image of one channel serves all channels.
 [[nodiscard]] EquirectTexels texels_of(const EquirectImage& image, bool polarized, std::size_t channels);

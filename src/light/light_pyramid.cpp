@@ -129,12 +129,7 @@ LightPyramid::LightPyramid(const Environment& environment)
 EquirectTexels LightPyramid::half_of(const EquirectTexels& image) const {
     const int width = image.width / 2;
     const int height = static_cast<int>(image.rows) / 2;
-    EquirectTexels out{.width = width,
-                       .height = height,
-                       .rows = static_cast<float>(height),
-                       .first_row = 0.5F,
-                       .texels = std::vector<glm::vec4>(planes_ * static_cast<std::size_t>(width) *
-                                                        static_cast<std::size_t>(height))};
+    EquirectTexels out = black_texels(width, height, true, planes_);
     tbb::parallel_for(0, static_cast<int>(planes_) * height, [&](int line) {
         const int row = line % height;
         const auto plane = static_cast<std::size_t>(line / height);
@@ -161,13 +156,8 @@ EquirectTexels LightPyramid::half_of(const EquirectTexels& image) const {
 // `variance` includes that of the result's interpolation, which averages over less of a parallel of latitude
 // than of a meridian.
 EquirectTexels LightPyramid::blurred(const EquirectTexels& image, int width, double variance) const {
-    const int rows = (width + 1) / 2, height = rows + 1;
-    EquirectTexels out{.width = width,
-                       .height = height,
-                       .rows = static_cast<float>(rows),
-                       .first_row = 0,
-                       .texels = std::vector<glm::vec4>(planes_ * static_cast<std::size_t>(width) *
-                                                        static_cast<std::size_t>(height))};
+    const int height = (width + 1) / 2 + 1;
+    EquirectTexels out = black_texels(width, height, false, planes_);
     tbb::parallel_for(0, height, [&](int row) {
         const float half_turn = static_cast<float>(row) / out.rows;
         const float angle = std::numbers::pi_v<float> * half_turn;
