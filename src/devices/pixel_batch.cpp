@@ -170,8 +170,7 @@ void TexturedPixels::find(const SpatialVariation& variation, bool back, const Te
         if (variation.normal.kind == NormalVariation::Kind::none) continue;
         surfaces[b].unperturbed = surfaces[b].normals;
         turn_normals(variation.normal, block.points, block.axes, back, block.towards_viewer, block.normals);
-        for (std::size_t i = 0; i < kLanes; ++i)
-            surfaces[b].normals[i] = {block.normals.x[i], block.normals.y[i], block.normals.z[i]};
+        for (std::size_t i = 0; i < kLanes; ++i) surfaces[b].normals[i] = vector_at(block.normals, i);
     }
 }
 

@@ -23,6 +23,11 @@ inline void put(LaneVectors& lanes, std::size_t i, const glm::vec3& v) {
     lanes.z[i] = v.z;
 }
 
+/// Returns the vector of a lane.
+[[nodiscard]] inline glm::vec3 vector_at(const LaneVectors& lanes, std::size_t i) {
+    return {lanes.x[i], lanes.y[i], lanes.z[i]};
+}
+
 [[gnu::always_inline]] inline Vector3<float> components(const glm::vec3& v) {
     return {v.x, v.y, v.z};
 }

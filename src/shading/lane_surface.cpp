@@ -131,9 +131,8 @@ void find_surface(const Viewpoint& view, std::span<const glm::vec3> positions,
     out.weights = points.weights;
     for (std::size_t i = 0; i < kLanes; ++i) {
         const Corners& corners = triangles[i < triangles.size() ? i : 0];
-        out.positions[i] =
-            positions[corners.x] + glm::vec3(points.offset.x[i], points.offset.y[i], points.offset.z[i]);
-        out.normals[i] = {points.normal.x[i], points.normal.y[i], points.normal.z[i]};
+        out.positions[i] = positions[corners.x] + vector_at(points.offset, i);
+        out.normals[i] = vector_at(points.normal, i);
     }
 }
 

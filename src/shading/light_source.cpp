@@ -81,7 +81,7 @@ void SourceColor::put_axes(LaneLight& out) const {
     // precision.
     constexpr float parallel = 1e-10F;
     for (std::size_t i = 0; i < kLanes; ++i) {
-        const glm::vec3 towards(out.towards.x[i], out.towards.y[i], out.towards.z[i]);
+        const glm::vec3 towards = vector_at(out.towards, i);
         const float along = axis_.x * towards.x + axis_.y * towards.y + axis_.z * towards.z;
         glm::vec3 x = axis_ - along * towards;
         float square = x.x * x.x + x.y * x.y + x.z * x.z;

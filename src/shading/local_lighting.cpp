@@ -40,7 +40,7 @@ void dim(const LitPoints& points, LaneLight& light) {
     Lanes factor{};
     for (std::size_t i = 0; i < points.unperturbed.size(); ++i) {
         const glm::vec3& normal = points.unperturbed[i];
-        const glm::vec3 towards(light.towards.x[i], light.towards.y[i], light.towards.z[i]);
+        const glm::vec3 towards = vector_at(light.towards, i);
         factor[i] = terminator_shadowing(glm::dot(normal, points.normals[i]), glm::dot(normal, towards));
     }
     for (std::array<Lanes, 4>& of_channel : light.irradiance)
@@ -209,8 +209,10 @@ private:
             const auto count = static_cast<std::uint32_t>(nodes.count());
             const std::uint32_t even = (count + 1) / 2;
             Lanes shares;
-            for (std::size_t i = 0; i < kLanes; ++i)
-                shares[i] = std::min(1.0F, kNodesError * std::pow(nodes.excess()[i], 4.0F));
+            for (std::size_t i = 0; i < kLanes; ++i) {
+                const float square = nodes.excess()[i] * nodes.excess()[i];
+                shares[i] = std::min(1.0F, kNodesError * square * square);
+            }
             LightShadows shadowing(shadows(), even);
             // Even nodes come first, because either half of the nodes is spread over the lobe.
             for_samples(count, even, nodes.even_shares(), shares, [&](std::uint32_t k) {

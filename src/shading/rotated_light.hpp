@@ -13,14 +13,11 @@ namespace nicol {
 /// light is scaled. to_points: rotation from the environment's axes to the points'.
 template <class LookUp>
 void look_up_rotated(const glm::mat3& to_points, float scale, LaneLight& out, const LookUp& look_up) {
-    const auto of_lane = [](const LaneVectors& v, std::size_t i) {
-        return glm::vec3(v.x[i], v.y[i], v.z[i]);
-    };
     const LaneVectors directions = out.towards;
-    for (std::size_t i = 0; i < kLanes; ++i) put(out.towards, i, of_lane(directions, i) * to_points);
+    for (std::size_t i = 0; i < kLanes; ++i) put(out.towards, i, vector_at(directions, i) * to_points);
     look_up();
     out.towards = directions;
-    for (std::size_t i = 0; i < kLanes; ++i) put(out.x, i, to_points * of_lane(out.x, i));
+    for (std::size_t i = 0; i < kLanes; ++i) put(out.x, i, to_points * vector_at(out.x, i));
     for (std::array<Lanes, 4>& stokes : out.irradiance)
         for (std::size_t p = 0; p < out.components; ++p)
             for (std::size_t i = 0; i < kLanes; ++i) stokes[p][i] *= scale;

@@ -120,7 +120,7 @@ void PointSource::intersect(const LaneVectors&, const LaneVectors&, LaneLight& o
 
 void PointSource::aim(const LaneVectors& directions, Lanes& factor, TexturePoints& at, LaneLight& out) const {
     for (std::size_t i = 0; i < kLanes; ++i) {
-        const glm::dvec3 direction(directions.x[i], directions.y[i], directions.z[i]);
+        const glm::dvec3 direction(vector_at(directions, i));
         const double aimed = pattern(light_, direction);
         if (aimed == 0) out.points &= ~(1U << i);
         factor[i] *= static_cast<float>(aimed);
@@ -177,7 +177,7 @@ void SphereSource::sample(const LaneVectors& points, const Lanes& u, const Lanes
     Lanes solid_angle;
     out.points = 0;
     for (std::size_t i = 0; i < kLanes; ++i) {
-        const glm::vec3 way = centre_ - glm::vec3(points.x[i], points.y[i], points.z[i]);
+        const glm::vec3 way = centre_ - vector_at(points, i);
         const float to_centre = std::sqrt(way.x * way.x + way.y * way.y + way.z * way.z);
         const bool outside = to_centre > radius_;
         if (outside) out.points |= 1U << i;
@@ -211,8 +211,8 @@ void SphereSource::intersect(const LaneVectors& points, const LaneVectors& direc
     out.towards = directions;
     out.points = 0;
     for (std::size_t i = 0; i < kLanes; ++i) {
-        const glm::vec3 way = centre_ - glm::vec3(points.x[i], points.y[i], points.z[i]);
-        const glm::vec3 direction(directions.x[i], directions.y[i], directions.z[i]);
+        const glm::vec3 way = centre_ - vector_at(points, i);
+        const glm::vec3 direction = vector_at(directions, i);
         const float along = glm::dot(way, direction);
         const glm::vec3 beside = way - along * direction;
         const float square = radius_ * radius_;

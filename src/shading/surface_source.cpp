@@ -297,8 +297,8 @@ void SurfaceSource::sample(const LaneVectors& points, const Lanes& u, const Lane
         FoundPatchSamples{out, factor, weights});
     for (std::size_t i = 0; i < kLanes && close; ++i)
         if ((out.points >> i & 1) != 0)
-            sample_near(indices[i], glm::dvec3(points.x[i], points.y[i], points.z[i]),
-                        static_cast<double>(u[i]), static_cast<double>(v[i]), i, out, factor, weights);
+            sample_near(indices[i], glm::dvec3(vector_at(points, i)), static_cast<double>(u[i]),
+                        static_cast<double>(v[i]), i, out, factor, weights);
     if (!color_.textured()) return color_.put(factor, out);
     TexturePoints at{};
     for (std::size_t i = 0; i < kLanes && !texcoords_.empty(); ++i) {
@@ -316,8 +316,8 @@ void SurfaceSource::intersect(const LaneVectors& points, const LaneVectors& dire
     if (!rays_) return;
     for (std::size_t i = 0; i < kLanes; ++i) {
         one[i] = 1;
-        const glm::vec3 origin(points.x[i], points.y[i], points.z[i]);
-        const glm::vec3 direction(directions.x[i], directions.y[i], directions.z[i]);
+        const glm::vec3 origin = vector_at(points, i);
+        const glm::vec3 direction = vector_at(directions, i);
         const glm::vec3 way = centre_ - origin;
         const glm::vec3 beside = way - glm::dot(way, direction) * direction;
         if (glm::dot(beside, beside) > radius_ * radius_) continue;
