@@ -7,7 +7,6 @@
 #include <glm/geometric.hpp>
 #include <vector>
 
-#include "devices/mirrored_pixel.hpp"
 #include "draw/visibility_buffer.hpp"
 #include "geometry/ray_scene.hpp"
 #include "shading/emission.hpp"
@@ -67,7 +66,11 @@ LightingTally PixelLights::add(const PixelBatch& batch, std::span<const std::spa
             facets[i] = facet_of(corners, surface.normals[i]);
             origins[i] = surface.positions[i] + static_cast<float>(ray_offset(corners)) * facets[i];
             seeds[i] = sample_seed(points[first + i].pixel, input_.seed);
-            if (sampled) mirrored[i] = mirrored_at(points[first + i], surface, i, facets[i]);
+            if (sampled)
+                mirrored[i] = mirrored_at(points[first + i], surface, i,
+                                          {.corners = corners,
+                                           .normals = corners_of(input_.geometry.normals, triangle),
+                                           .facet = facets[i]});
             if (!anisotropic) continue;
             const glm::vec3 weights(surface.weights[0][i], surface.weights[1][i], surface.weights[2][i]);
             tangents[i] = tangent(input_.geometry, points[first + i].triangle, weights);
@@ -95,15 +98,11 @@ LightingTally PixelLights::add(const PixelBatch& batch, std::span<const std::spa
 }
 
 MirroredPixel PixelLights::mirrored_at(const PixelPoint& point, const LaneSurface& surface, std::size_t lane,
-                                       const glm::vec3& facet) const {
-    const glm::uvec3& triangle = input_.geometry.triangles[point.triangle];
+                                       const ShownTriangle& triangle) const {
     const int width = input_.hits.width(), height = input_.hits.height();
-    MirroredPixel out = mirrored_pixel(input_.projection, width, height,
-                                       {.corners = corners_of(input_.geometry.positions, triangle),
-                                        .normals = corners_of(input_.geometry.normals, triangle),
-                                        .facet = facet},
-                                       surface.positions[lane], surface.normals[lane],
-                                       point.on_image_plane(input_.projection, width, height));
+    MirroredPixel out =
+        mirrored_pixel(input_.projection, width, height, triangle, surface.positions[lane],
+                       surface.normals[lane], point.on_image_plane(input_.projection, width, height));
     // The point stands for its part of the pixel.
     for (glm::vec3& step : out.steps) step *= std::sqrt(point.weight);
     return out;

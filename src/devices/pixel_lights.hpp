@@ -7,9 +7,9 @@
 #include <glm/vec4.hpp>
 #include <span>
 
+#include "devices/mirrored_pixel.hpp"
 #include "devices/pixel_batch.hpp"
 #include "methods/executor.hpp"
-#include "shading/reflected_nodes.hpp"
 #include "surfaces/local_lights.hpp"
 
 namespace nicol {
@@ -23,10 +23,9 @@ public:
     LightingTally add(const PixelBatch& batch, std::span<const std::span<glm::vec4>> out) const;
 
 private:
-    // Returns what a point's pixel shows mirrored. lane: of the point in `surface`. facet: unit normal of its
-    // triangle.
+    // Returns what a point's pixel shows mirrored. lane: of the point in `surface`.
     [[nodiscard]] MirroredPixel mirrored_at(const PixelPoint& point, const LaneSurface& surface,
-                                            std::size_t lane, const glm::vec3& facet) const;
+                                            std::size_t lane, const ShownTriangle& triangle) const;
     void add_emission(const VertexRange& range, const PixelBatch& batch, std::size_t first,
                       std::span<const std::span<glm::vec4>> out) const;
 

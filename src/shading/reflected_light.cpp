@@ -275,10 +275,9 @@ LaneVectors ReflectedLight::in_world(const LaneVectors& local) const {
 LaneVectors ReflectedLight::in_surface(const LaneVectors& world) const {
     LaneVectors out;
     for (std::size_t i = 0; i < kLanes; ++i) {
-        const float x = world.x[i], y = world.y[i], z = world.z[i];
-        out.x[i] = x * tangent_.x[i] + y * tangent_.y[i] + z * tangent_.z[i];
-        out.y[i] = x * bitangent_.x[i] + y * bitangent_.y[i] + z * bitangent_.z[i];
-        out.z[i] = x * normal_.x[i] + y * normal_.y[i] + z * normal_.z[i];
+        Vector3<float> v;
+        load_part(world, i, v);
+        store_part(along(tangent_, bitangent_, normal_, i, v), i, out);
     }
     return out;
 }

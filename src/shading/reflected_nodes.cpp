@@ -7,6 +7,7 @@
 #include <glm/matrix.hpp>
 #include <numbers>
 
+#include "geometry/perpendicular.hpp"
 #include "material/microfacet.hpp"
 #include "simd/dispatch.hpp"
 
@@ -58,121 +59,10 @@ float squares(const glm::mat2& m) {
     return glm::dot(m[0], m[0]) + glm::dot(m[1], m[1]);
 }
 
-glm::vec3 lane(const LaneVectors& v, std::size_t i) {
-    return {v.x[i], v.y[i], v.z[i]};
-}
-
 // Returns two unit vectors that are orthogonal to n and to each other.
 std::array<glm::vec3, 2> axes_across(const glm::vec3& n) {
-    const glm::vec3 aside = std::abs(n.x) < 0.6F ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0);
-    const glm::vec3 x = glm::normalize(glm::cross(aside, n));
+    const glm::vec3 x(perpendicular(glm::dvec3(n)));
     return {x, glm::cross(n, x)};
-}
-
-// Nodes of sixteen points on their grids.
-struct GridNodes {
-    Lanes x, y, weights, blob_x, blob_y;
-};
-
-struct FacetNodes {
-    const Facets<float> facets;
-    const GridNodes& nodes;
-    const LaneVectors& viewers;
-    const std::array<std::array<Lanes, 2>, 2>& slopes;
-    const std::array<LaneVectors, 2>& moves;
-    const LaneVectors& shift;
-    const Lanes& lobes;
-    glm::vec2 deviations;
-    const std::array<Lanes, 2>& middle;
-    const std::array<Lanes, 2>& rests;
-    const Lanes& narrowing;
-    const Lanes& middle_way;
-    const Lanes& middle_area;
-};
-
-template <class Number>
-[[gnu::always_inline]] inline void reflect(const FacetNodes& r, ReflectedNode& out) {
-    for (std::size_t first = 0; first < kLanes; first += kPart<Number>) {
-        Number a, b, axis_x, axis_y, other_x, other_y, weight, lobe, blob_x, blob_y;
-        load_part(r.nodes.x, first, a);
-        load_part(r.nodes.y, first, b);
-        load_part(r.slopes[0][0], first, axis_x);
-        load_part(r.slopes[0][1], first, axis_y);
-        load_part(r.slopes[1][0], first, other_x);
-        load_part(r.slopes[1][1], first, other_y);
-        Vector3<Number> viewer;
-        load_part(r.viewers, first, viewer);
-
-        // A facet of these slopes, and what it mirrors to the viewer.
-        Number middle_x, middle_y;
-        load_part(r.middle[0], first, middle_x);
-        load_part(r.middle[1], first, middle_y);
-        const Number x = middle_x + axis_x * a + other_x * b;
-        const Number y = middle_y + axis_y * a + other_y * b;
-        const Vector3<Number> steep{r.deviations.x * x, r.deviations.y * y, Number{} + 1.0F};
-        const Number length2 = steep.x * steep.x + steep.y * steep.y + 1.0F;
-        Number length = length2;
-        square_root(length);
-        const Number cosine = 1.0F / length;
-        const Vector3<Number> half{steep.x * cosine, steep.y * cosine, cosine};
-        Number along;
-        dot(viewer, half, along);
-        const Vector3<Number> towards{2.0F * along * half.x - viewer.x, 2.0F * along * half.y - viewer.y,
-                                      2.0F * along * half.z - viewer.z};
-        store_part(towards, first, out.towards);
-
-        Number of_facets;
-        density(r.facets, steep, length2, of_facets);
-        load_part(r.nodes.weights, first, weight);
-        // The nodes are those of the slopes that the viewer sees.
-        Number rest_x, rest_y, narrowing;
-        load_part(r.rests[0], first, rest_x);
-        load_part(r.rests[1], first, rest_y);
-        load_part(r.narrowing, first, narrowing);
-        rest_x *= a;
-        rest_y *= b;
-        Number moved = 0.5F * (rest_x * rest_x + rest_y * rest_y - x * x - y * y) - kMostMoved;
-        moved = moved < 0.0F ? moved : Number{};
-        moved = moved > -80.0F ? moved : Number{} - 80.0F;
-        exponential(moved);
-        const auto seen = (along > kLeastCosine) & (of_facets > 0.0F);
-        weight = seen
-                     ? 4.0F * std::exp(kMostMoved) * weight * narrowing * moved * along / (of_facets * cosine)
-                     : Number{};
-        store_part(weight, first, out.weights);
-
-        // How a change of the slopes along the grid's x, and of both slopes, changes the direction, relative
-        // to the same changes in the middle of the grid.
-        const Number slope_x = r.deviations.x * axis_x, slope_y = r.deviations.y * axis_y;
-        const Number rise = slope_x * half.x + slope_y * half.y;
-        const Number turn = slope_x * viewer.x + slope_y * viewer.y - along * rise;
-        Number way = turn * turn + along * along * (slope_x * slope_x + slope_y * slope_y - rise * rise);
-        Number middle_way, middle_area;
-        load_part(r.middle_way, first, middle_way);
-        load_part(r.middle_area, first, middle_area);
-        const Number least = Number{} + 1e-20F;
-        way = cosine * cosine * (way > least ? way : least) / (middle_way > least ? middle_way : least);
-        square_root(way);
-        Number area = along * cosine * cosine * cosine / (middle_area > least ? middle_area : least);
-        area = area > 0.0F ? area : Number{};
-        load_part(r.lobes, first, lobe);
-        load_part(r.nodes.blob_x, first, blob_x);
-        load_part(r.nodes.blob_y, first, blob_y);
-        blob_x *= 1.0F + lobe * (way - 1.0F);
-        blob_y *= 1.0F + lobe * (area / way - 1.0F);
-        const Number blob = blob_x > blob_y ? blob_x : blob_y;
-        store_part(Number(blob * blob), first, out.variances);
-
-        Vector3<Number> move, other_move, shift;
-        load_part(r.moves[0], first, move);
-        load_part(r.moves[1], first, other_move);
-        load_part(r.shift, first, shift);
-        store_part(normalized_or(Vector3<Number>{towards.x + shift.x + a * move.x + b * other_move.x,
-                                                 towards.y + shift.y + a * move.y + b * other_move.y,
-                                                 towards.z + shift.z + a * move.z + b * other_move.z},
-                                 0.0F, Vector3<float>{0, 0, 1}),
-                   first, out.seen);
-    }
 }
 
 }  // namespace
@@ -211,7 +101,7 @@ void ReflectedNodes::set_all(const NodeGrids& grids, float largest_blob, std::si
 void ReflectedNodes::set(std::size_t lane_index, const NodeGrids& grids, float largest_blob,
                          std::size_t most) {
     const std::size_t i = lane_index;
-    const glm::vec3 viewer = lane(towards_viewer_, i);
+    const glm::vec3 viewer = vector_at(towards_viewer_, i);
     // A facet of the middle slopes, and the changes of the direction that it mirrors by the slopes, in
     // standard deviations.
     const Seen seen = seen_slopes(viewer);
@@ -231,7 +121,7 @@ void ReflectedNodes::set(std::size_t lane_index, const NodeGrids& grids, float l
         for (glm::length_t a = 0; a < 2; ++a) {
             const glm::vec3& axis = axes[static_cast<std::size_t>(a)];
             lobe[k][a] = glm::dot(by_slopes[n], axis);
-            pixel[k][a] = even * glm::dot(lane(pixels_.steps[n], i), axis);
+            pixel[k][a] = even * glm::dot(vector_at(pixels_.steps[n], i), axis);
         }
     }
     const bool lobe_is_wider = squares(lobe) >= squares(pixel);
@@ -300,6 +190,93 @@ ReflectedNodes::Seen ReflectedNodes::seen_slopes(const glm::vec3& viewer) const 
     return {mean * axis, glm::mat2(1.0F) + (deviation - 1) * glm::outerProduct(axis, axis)};
 }
 
+template <class Number>
+[[gnu::always_inline]] inline void ReflectedNodes::reflect(const ReflectedNodes& r,
+                                                           const Facets<float>& facets,
+                                                           const GridNodes& nodes, ReflectedNode& out) {
+    for (std::size_t first = 0; first < kLanes; first += kPart<Number>) {
+        Number a, b, axis_x, axis_y, other_x, other_y, weight, lobe, blob_x, blob_y;
+        load_part(nodes.x, first, a);
+        load_part(nodes.y, first, b);
+        load_part(r.slopes_[0][0], first, axis_x);
+        load_part(r.slopes_[0][1], first, axis_y);
+        load_part(r.slopes_[1][0], first, other_x);
+        load_part(r.slopes_[1][1], first, other_y);
+        Vector3<Number> viewer;
+        load_part(r.towards_viewer_, first, viewer);
+
+        // A facet of these slopes, and what it mirrors to the viewer.
+        Number middle_x, middle_y;
+        load_part(r.middle_[0], first, middle_x);
+        load_part(r.middle_[1], first, middle_y);
+        const Number x = middle_x + axis_x * a + other_x * b;
+        const Number y = middle_y + axis_y * a + other_y * b;
+        const Vector3<Number> steep{r.deviations_.x * x, r.deviations_.y * y, Number{} + 1.0F};
+        const Number length2 = steep.x * steep.x + steep.y * steep.y + 1.0F;
+        Number length = length2;
+        square_root(length);
+        const Number cosine = 1.0F / length;
+        const Vector3<Number> half{steep.x * cosine, steep.y * cosine, cosine};
+        Number along;
+        dot(viewer, half, along);
+        const Vector3<Number> towards{2.0F * along * half.x - viewer.x, 2.0F * along * half.y - viewer.y,
+                                      2.0F * along * half.z - viewer.z};
+        store_part(towards, first, out.towards);
+
+        Number of_facets;
+        density(facets, steep, length2, of_facets);
+        load_part(nodes.weights, first, weight);
+        // The nodes are those of the slopes that the viewer sees.
+        Number rest_x, rest_y, narrowing;
+        load_part(r.rests_[0], first, rest_x);
+        load_part(r.rests_[1], first, rest_y);
+        load_part(r.narrowing_, first, narrowing);
+        rest_x *= a;
+        rest_y *= b;
+        Number moved = 0.5F * (rest_x * rest_x + rest_y * rest_y - x * x - y * y) - kMostMoved;
+        moved = moved < 0.0F ? moved : Number{};
+        moved = moved > -80.0F ? moved : Number{} - 80.0F;
+        exponential(moved);
+        const auto seen = (along > kLeastCosine) & (of_facets > 0.0F);
+        weight = seen
+                     ? 4.0F * std::exp(kMostMoved) * weight * narrowing * moved * along / (of_facets * cosine)
+                     : Number{};
+        store_part(weight, first, out.weights);
+
+        // How a change of the slopes along the grid's x, and of both slopes, changes the direction, relative
+        // to the same changes in the middle of the grid.
+        const Number slope_x = r.deviations_.x * axis_x, slope_y = r.deviations_.y * axis_y;
+        const Number rise = slope_x * half.x + slope_y * half.y;
+        const Number turn = slope_x * viewer.x + slope_y * viewer.y - along * rise;
+        Number way = turn * turn + along * along * (slope_x * slope_x + slope_y * slope_y - rise * rise);
+        Number middle_way, middle_area;
+        load_part(r.middle_way_, first, middle_way);
+        load_part(r.middle_area_, first, middle_area);
+        const Number least = Number{} + 1e-20F;
+        way = cosine * cosine * (way > least ? way : least) / (middle_way > least ? middle_way : least);
+        square_root(way);
+        Number area = along * cosine * cosine * cosine / (middle_area > least ? middle_area : least);
+        area = area > 0.0F ? area : Number{};
+        load_part(r.lobes_, first, lobe);
+        load_part(r.blob_x_, first, blob_x);
+        load_part(r.blob_y_, first, blob_y);
+        blob_x *= 1.0F + lobe * (way - 1.0F);
+        blob_y *= 1.0F + lobe * (area / way - 1.0F);
+        const Number blob = blob_x > blob_y ? blob_x : blob_y;
+        store_part(Number(blob * blob), first, out.variances);
+
+        Vector3<Number> move, other_move, shift;
+        load_part(r.moves_[0], first, move);
+        load_part(r.moves_[1], first, other_move);
+        load_part(r.pixels_.shift, first, shift);
+        store_part(normalized_or(Vector3<Number>{towards.x + shift.x + a * move.x + b * other_move.x,
+                                                 towards.y + shift.y + a * move.y + b * other_move.y,
+                                                 towards.z + shift.z + a * move.z + b * other_move.z},
+                                 0.0F, Vector3<float>{0, 0, 1}),
+                   first, out.seen);
+    }
+}
+
 ReflectedNode ReflectedNodes::node(std::size_t k) const {
     GridNodes nodes;
     for (std::size_t i = 0; i < kLanes; ++i) {
@@ -309,15 +286,10 @@ ReflectedNode ReflectedNodes::node(std::size_t k) const {
         nodes.y[i] = has ? grid.y[k] : 0.0F;
         nodes.weights[i] = has ? share_ * grid.weights[k] : 0.0F;
     }
-    nodes.blob_x = blob_x_;
-    nodes.blob_y = blob_y_;
     ReflectedNode out;
     const Facets<float> facets{lobe_.distribution, static_cast<float>(lobe_.alpha.x),
                                static_cast<float>(lobe_.alpha.y)};
-    dispatch<reflect<FourLanes>, reflect<EightLanes>, reflect<AllLanes>>(
-        FacetNodes{facets, nodes, towards_viewer_, slopes_, moves_, pixels_.shift, lobes_, deviations_,
-                   middle_, rests_, narrowing_, middle_way_, middle_area_},
-        out);
+    dispatch<reflect<FourLanes>, reflect<EightLanes>, reflect<AllLanes>>(*this, facets, nodes, out);
     if (deviations_ == glm::vec2(0.0F)) out.weights = nodes.weights;  // a mirror's density is infinite
     return out;
 }

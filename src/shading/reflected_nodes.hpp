@@ -9,6 +9,7 @@
 #include <span>
 
 #include "material/material.hpp"
+#include "material/microfacet.hpp"
 #include "polarization/lane_points.hpp"
 #include "shading/node_grids.hpp"
 
@@ -68,6 +69,14 @@ public:
     [[nodiscard]] const Lanes& excess() const noexcept { return excess_; }
 
 private:
+    // The k-th nodes of sixteen points on their grids.
+    struct GridNodes {
+        Lanes x, y, weights;
+    };
+    // Computes what the facets at these nodes reflect.
+    template <class Number>
+    static void reflect(const ReflectedNodes& r, const Facets<float>& facets, const GridNodes& nodes,
+                        ReflectedNode& out);
     void set_all(const NodeGrids& grids, float largest_blob, std::size_t most);
     // Normal distribution of slopes, in standard deviations of the facets' own: those that the viewer sees.
     struct Seen {
