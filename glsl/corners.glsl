@@ -6,7 +6,7 @@
 layout(std430, binding = CORNERS) readonly buffer Corners { float corners[]; };  // [triangle][corner_numbers]
 
 uniform int corner_numbers;
-uniform bool colored;  // whether triangles have colours
+uniform bool colored;  // whether triangles have colours; they come last
 
 // Returns the texture point with these barycentric weights, without footprint.
 TexturePoint texture_point(int triangle, vec3 weight) {
@@ -15,7 +15,7 @@ TexturePoint texture_point(int triangle, vec3 weight) {
     for (int k = 0; k < 3; ++k) {
         int at = first + 2 * k;
         point.uv += weight[k] * vec2(corners[at], corners[at + 1]);
-        int color = first + 12 + 3 * k;
+        int color = first + corner_numbers - 9 + 3 * k;
         if (colored) point.color += weight[k] * vec3(corners[color], corners[color + 1], corners[color + 2]);
     }
     return point;

@@ -38,6 +38,7 @@ const uint FACTOR_WORDS = 5u;
 uniform int count;
 uniform int stride;          // step of the weights from layer to layer
 uniform bool back;           // whether this is the back of a two-sided surface
+uniform bool with_tangents;  // whether the corners have tangents
 uniform vec2 pixel_size;     // size of a pixel at unit distance, or in the world
 
 TexturePoint point_of(int triangle, vec3 weight, vec3 position, out vec3 by_u, out vec3 by_v) {
@@ -78,6 +79,18 @@ vec3 mapped(vec4 value, vec3 by_u, vec3 by_v, vec3 n) {
     if (table[MIRRORED_Y] != 0u && dot(y, by_v) > 0.0) y = -y;
     vec3 local = 2.0 * value.xyz - 1.0;
     return direction(local.x * x + local.y * y + local.z * n, n);
+}
+
+// Replaces the axes by those of the corners' tangents, unless these are 0; see tangent_axes().
+void follow_tangents(int triangle, vec3 weight, vec3 n, inout vec3 by_u, inout vec3 by_v) {
+    vec4 tangent = vec4(0.0);
+    for (int k = 0; k < 3; ++k) {
+        int at = corner_numbers * triangle + 12 + 4 * k;
+        tangent += weight[k] * vec4(corners[at], corners[at + 1], corners[at + 2], corners[at + 3]);
+    }
+    if (tangent.xyz == vec3(0.0)) return;
+    by_u = tangent.xyz;
+    by_v = (tangent.w < 0.0 ? 1.0 : -1.0) * cross(n, by_u);
 }
 
 vec3 bumped(uint texture, TexturePoint point, vec3 by_u, vec3 by_v, vec3 n) {
@@ -122,13 +135,16 @@ void main() {
     vec3 position = vec3(positions[3 * i], positions[3 * i + 1], positions[3 * i + 2]);
     vec2 weight = barycentric[i];
     vec3 by_u, by_v;
-    TexturePoint point = point_of(int(points[i].triangle), vec3(1.0 - weight.x - weight.y, weight.x, weight.y),
-                                  position, by_u, by_v);
+    int triangle = int(points[i].triangle);
+    vec3 weights_of_corners = vec3(1.0 - weight.x - weight.y, weight.x, weight.y);
+    TexturePoint point = point_of(triangle, weights_of_corners, position, by_u, by_v);
     vec4 values[TEXTURES];
     evaluate_textures(FIRST_TEXTURE, point, values);
 
     if (table[NORMAL_KIND] != 0u) {
         vec3 normal = vec3(normals[3 * i], normals[3 * i + 1], normals[3 * i + 2]);
+        if (with_tangents && table[NORMAL_KIND] == NORMAL_MAP)
+            follow_tangents(triangle, weights_of_corners, back ? -normal : normal, by_u, by_v);
         normal = perturbed_normal(point, values, by_u, by_v, position, normal);
         for (int k = 0; k < 3; ++k) normals[3 * i + k] = normal[k];
     }

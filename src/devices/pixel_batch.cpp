@@ -8,6 +8,7 @@
 #include "draw/visibility_buffer.hpp"
 #include "shading/lane_footprint.hpp"
 #include "shading/normal_variation.hpp"
+#include "shading/tangent_rotation.hpp"
 
 namespace nicol {
 namespace {
@@ -64,11 +65,14 @@ PixelSteps steps_of(const TextureView& view) {
 // Input of textures and normals at sixteen points.
 class Block {
 public:
-    Block(const SpatialVariation& variation, const TextureView& view)
+    // back: whether the surface is the second side of a two-sided instance.
+    Block(const SpatialVariation& variation, bool back, const TextureView& view)
         : view_(view),
           steps_(steps_of(view)),
+          front_(back ? -1.0F : 1.0F),
           footprint_(variation.needs_footprint()),
-          axes_(footprint_ || variation.normal.kind != NormalVariation::Kind::none) {}
+          axes_(footprint_ || variation.normal.kind != NormalVariation::Kind::none ||
+                variation.rotation.any()) {}
 
     // Sets the input at points of up to sixteen triangles; the other lanes repeat the first.
     void set(std::span<const std::uint32_t> triangles, const LaneSurface& surface) {
@@ -99,13 +103,36 @@ public:
             }
         }
         if (footprint_) find_footprints(steps_, axes, towards_viewer, points);
+        material_axes = axes;
+        if (axes_ && !view_.geometry.tangents.empty()) follow_tangents(triangles, surface);
+    }
+
+    // Returns the rotated x axis at a point.
+    [[nodiscard]] glm::vec3 tangent(const TangentRotation& rotation, std::size_t i) const {
+        return rotated_tangent(
+            rotation, points.at(i),
+            {.by_u = vector_at(material_axes.by_u, i), .by_v = vector_at(material_axes.by_v, i)},
+            front_ * vector_at(normals, i));
     }
 
     TexturePoints points{};
     LaneTextureAxes axes{};
+    LaneTextureAxes material_axes{};  // those that normal maps and anisotropic materials follow
     LaneVectors towards_viewer, normals;
 
 private:
+    void follow_tangents(std::span<const std::uint32_t> triangles, const LaneSurface& surface) {
+        for (std::size_t i = 0; i < kLanes; ++i) {
+            const glm::vec3 weights(surface.weights[0][i], surface.weights[1][i], surface.weights[2][i]);
+            const TextureAxes of_tangents =
+                tangent_axes(view_.geometry.tangents[triangles[i < triangles.size() ? i : 0]], weights,
+                             front_ * surface.normals[i],
+                             {.by_u = vector_at(axes.by_u, i), .by_v = vector_at(axes.by_v, i)});
+            put(material_axes.by_u, i, of_tangents.by_u);
+            put(material_axes.by_v, i, of_tangents.by_v);
+        }
+    }
+
     void use(std::uint32_t triangle, const std::array<glm::vec2, 3>& texcoords) {
         known_ = triangle;
         const std::vector<glm::vec3>& positions = view_.geometry.positions;
@@ -115,6 +142,7 @@ private:
 
     const TextureView& view_;
     PixelSteps steps_;
+    float front_;  // factor of normals that makes them those of the front
     bool footprint_, axes_;
     std::uint32_t known_ = ~std::uint32_t{0};  // previous triangle, which is often the same
     TextureAxes triangle_axes_;
@@ -161,15 +189,19 @@ void TexturedPixels::find(const SpatialVariation& variation, bool back, const Te
                           std::span<const std::uint32_t> triangles, std::span<LaneSurface> surfaces) {
     const std::size_t layers = variation.layers.size();
     weights_.resize(surfaces.size() * layers);
-    Block block(variation, view);
+    Block block(variation, back, view);
     for (std::size_t b = 0; b < surfaces.size(); ++b) {
         const std::span own = triangles.subspan(b * kLanes, std::min(kLanes, triangles.size() - b * kLanes));
         block.set(own, surfaces[b]);
         const std::span weights = std::span(weights_).subspan(b * layers, layers);
         variation.weights(block.points, weights);
+        for (std::size_t i = 0; i < kLanes && variation.rotation.any(); ++i)
+            surfaces[b].tangents[i] = block.tangent(variation.rotation, i);
         if (variation.normal.kind == NormalVariation::Kind::none) continue;
         surfaces[b].unperturbed = surfaces[b].normals;
-        turn_normals(variation.normal, block.points, block.axes, back, block.towards_viewer, block.normals);
+        const bool map = variation.normal.kind == NormalVariation::Kind::map;
+        turn_normals(variation.normal, block.points, map ? block.material_axes : block.axes, back,
+                     block.towards_viewer, block.normals);
         for (std::size_t i = 0; i < kLanes; ++i) surfaces[b].normals[i] = vector_at(block.normals, i);
     }
 }

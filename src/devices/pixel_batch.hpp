@@ -50,7 +50,8 @@ struct TextureView {
 /// Textures at a batch of pixels of one surface. Holds results, so each thread needs its own object.
 class TexturedPixels {
 public:
-    /// Finds the textures at points of triangles, and perturbs the normals of surfaces[block of sixteen].
+    /// Finds the textures at points of triangles, and perturbs the normals of surfaces[block of sixteen] and
+    /// rotates their tangents.
     /// back: whether the surface is the second side of a two-sided instance, the mirror image of the front.
     void find(const SpatialVariation& variation, bool back, const TextureView& view,
               std::span<const std::uint32_t> triangles, std::span<LaneSurface> surfaces);

@@ -72,6 +72,10 @@ LightingTally PixelLights::add(const PixelBatch& batch, std::span<const std::spa
                                            .normals = corners_of(input_.geometry.normals, triangle),
                                            .facet = facets[i]});
             if (!anisotropic) continue;
+            if (variation != nullptr && variation->rotation.any()) {
+                tangents[i] = surface.tangents[i];
+                continue;
+            }
             const glm::vec3 weights(surface.weights[0][i], surface.weights[1][i], surface.weights[2][i]);
             tangents[i] = tangent(input_.geometry, points[first + i].triangle, weights);
         }

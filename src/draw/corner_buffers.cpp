@@ -17,6 +17,7 @@ void CornerBuffers::update(const WorldGeometry& geometry, Version geometry_versi
     copying_.run(geometry_version, material_version, [&] {
         buffer_.reset();
         colored_ = !geometry.colors.empty();
+        with_tangents_ = !geometry.tangents.empty();
         const auto of_triangle = static_cast<std::size_t>(numbers());
         const std::size_t most = context_->limits().storage_bytes / sizeof(float) / of_triangle;
         if (geometry.triangles.size() > most)
@@ -35,6 +36,9 @@ void CornerBuffers::update(const WorldGeometry& geometry, Version geometry_versi
                 {geometry.positions[c.x], geometry.positions[c.y], geometry.positions[c.z]}, texcoords);
             for (const glm::vec3& axis : {axes.by_u, axes.by_v})
                 all.insert(all.end(), {axis.x, axis.y, axis.z});
+            if (with_tangents_)
+                for (const glm::vec4& tangent : geometry.tangents[t])
+                    all.insert(all.end(), {tangent.x, tangent.y, tangent.z, tangent.w});
             if (!colored_) continue;
             for (const glm::vec3& color : geometry.colors[t])
                 all.insert(all.end(), {color.x, color.y, color.z});

@@ -21,14 +21,17 @@ public:
     void update(const WorldGeometry& geometry, Version geometry_version, Version material_version);
 
     /// Binds the buffer, which has numbers() floats per triangle: u and v of the corners; the shifts of a
-    /// point as u and as v grows; the colours of the corners, if colored().
+    /// point as u and as v grows; the tangents of the corners, if with_tangents(); their colours, if
+    /// colored().
     void bind(unsigned binding) const { buffer_->bind_storage(binding); }
-    [[nodiscard]] int numbers() const noexcept { return colored_ ? 21 : 12; }
+    [[nodiscard]] int numbers() const noexcept { return 12 + (with_tangents_ ? 12 : 0) + (colored_ ? 9 : 0); }
+    [[nodiscard]] bool with_tangents() const noexcept { return with_tangents_; }
     [[nodiscard]] bool colored() const noexcept { return colored_; }
 
 private:
     std::shared_ptr<gl::Context> context_;
     Stage<Version, Version> copying_;
+    bool with_tangents_ = false;
     bool colored_ = false;
     std::optional<gl::Buffer> buffer_;
 };

@@ -134,6 +134,9 @@ Mesh divided(const Mesh& mesh, const EdgeBisection& bisection) {
     }
     if (mesh.texcoords.empty()) return out;
     out.texcoord_triangles.clear();
+    const auto mean = [](const auto& values, const glm::uvec3& of, const glm::vec3& w) {
+        return w.x * values[of.x] + w.y * values[of.y] + w.z * values[of.z];
+    };
     for (const TrianglePart& part : triangle_parts(mesh.triangles, mesh.positions.size(), bisection.parents(),
                                                    bisection.triangles(), bisection.sources())) {
         const glm::uvec3& of = mesh.texcoord_triangles[part.source];
@@ -141,8 +144,8 @@ Mesh divided(const Mesh& mesh, const EdgeBisection& bisection) {
         for (glm::length_t k = 0; k < 3; ++k) {
             const glm::vec3& w = part.corners[static_cast<std::size_t>(k)];
             corners[k] = static_cast<std::uint32_t>(out.texcoords.size());
-            out.texcoords.push_back(w.x * mesh.texcoords[of.x] + w.y * mesh.texcoords[of.y] +
-                                    w.z * mesh.texcoords[of.z]);
+            out.texcoords.push_back(mean(mesh.texcoords, of, w));
+            if (!mesh.tangents.empty()) out.tangents.push_back(mean(mesh.tangents, of, w));
         }
         out.texcoord_triangles.push_back(corners);
     }

@@ -53,6 +53,7 @@ void check_vertices(const Mesh& mesh, std::string_view name) {
     check_finite(mesh.colors, "the colour of vertex ", name);
     check_finite(mesh.face_colors, "the colour of face ", name);
     check_finite(mesh.texcoords, "texture coordinate ", name);
+    check_finite(mesh.tangents, "the tangent of texture coordinate ", name);
 }
 
 void check_indices(const std::vector<glm::uvec3>& triangles, std::size_t count, const char* what,
@@ -75,6 +76,7 @@ std::size_t validate(Mesh& mesh, std::string_view name) {
         refuse(name, "texture coordinates at " + std::to_string(with_texcoords) + " faces of " +
                          std::to_string(mesh.triangles.size()) + "; give them at each or at none");
     check_indices(mesh.texcoord_triangles, mesh.texcoords.size(), "texture coordinate ", name);
+    mesh.tangents = transformed_tangents(mesh, glm::dmat3(1.0));
     const std::size_t flat = geometry::remove_flat_triangles(mesh);
     if (mesh.triangles.empty())
         refuse(name,
@@ -92,7 +94,20 @@ void flip_texcoords(Mesh& mesh) {
 
 void flip_normals(Mesh& mesh) {
     for (glm::vec3& n : mesh.normals) n = -n;
+    for (glm::vec4& t : mesh.tangents) t.w = -t.w;
     reverse(mesh);
+}
+
+std::vector<glm::vec4> transformed_tangents(const Mesh& mesh, const glm::dmat3& linear) {
+    const float side = glm::determinant(linear) < 0.0 ? -1.0F : 1.0F;
+    std::vector<glm::vec4> out;
+    out.reserve(mesh.tangents.size());
+    for (const glm::vec4& tangent : mesh.tangents) {
+        const glm::dvec3 along = linear * glm::dvec3(tangent);
+        const double length = glm::length(along);
+        out.emplace_back(length > 0 ? along / length : along, tangent.w < 0 ? -side : side);
+    }
+    return out;
 }
 
 Mesh transformed(const Mesh& mesh, const glm::dmat4& to_world) {
@@ -114,6 +129,7 @@ Mesh transformed(const Mesh& mesh, const glm::dmat4& to_world) {
                         "a mesh's transform moves vertices out of the range of float");
     }
     for (glm::vec3& n : out.normals) n = glm::vec3(glm::normalize(for_normals * glm::dvec3(n)));
+    out.tangents = transformed_tangents(mesh, linear);
     if (glm::determinant(linear) < 0.0) reverse(out);
     return out;
 }

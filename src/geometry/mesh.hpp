@@ -5,9 +5,11 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -29,6 +31,10 @@ struct Mesh {
     /// vertices, which a seam of texture coordinates must not split.
     std::vector<glm::vec2> texcoords;
     std::vector<glm::uvec3> texcoord_triangles;  ///< indices into texcoords; empty without texcoords
+    /// Tangents, one per texture coordinate, or empty: x, y and z are the x axis of normal maps and of
+    /// anisotropic materials, unit after validate(), or 0 where the texture coordinates give that axis. The y
+    /// axis is w cross(normal, x); w is 1 or -1.
+    std::vector<glm::vec4> tangents;
 };
 
 /// Reads Wavefront OBJ, PLY (text, binary), OFF (text), STL (text, binary) or Mitsuba's serialized meshes,
@@ -53,6 +59,7 @@ inline constexpr double kStlCreaseDegrees = 40.0;
 /// Checks a mesh and completes its normals; `name` begins every message. All indices are 0-based.
 /// - If there are no normals at all, smooth_normals() makes them. A normal of zero length is replaced by the
 ///   smooth normal there, or by +z if no face uses the vertex. Every normal ends up with unit length.
+/// - Tangents get unit length.
 /// - Triangles without area (two corners that share a vertex or a position, or three on one line) are
 ///   removed.
 /// Returns the number of removed triangles. Throws Error(invalid_file): no vertices, no triangles with an
@@ -89,6 +96,9 @@ void flip_normals(Mesh& mesh);
 /// winding is reversed if `to_world` mirrors, so that the front stays the front. Throws
 /// Error(invalid_argument) unless `to_world` is finite and invertible with last row (0, 0, 0, 1).
 [[nodiscard]] Mesh transformed(const Mesh& mesh, const glm::dmat4& to_world);
+
+/// Returns the tangents of transformed(); linear: the transform's first three rows and columns.
+[[nodiscard]] std::vector<glm::vec4> transformed_tangents(const Mesh& mesh, const glm::dmat3& linear);
 
 /// Returns a sphere of 14,442 vertices: an icosahedron whose edges are cut in 38. Vertices lie on the sphere,
 /// its points on the coordinate axes among them, and normals are exact. No edge spans more than 2.0 degrees,

@@ -94,6 +94,7 @@ Mesh with_face_normals(const Mesh& mesh) {
     Mesh out;
     out.texcoords = mesh.texcoords;
     out.texcoord_triangles = mesh.texcoord_triangles;
+    out.tangents = mesh.tangents;
     out.face_colors = mesh.face_colors;
     for (const glm::uvec3& t : mesh.triangles) {
         const auto first = static_cast<std::uint32_t>(out.positions.size());

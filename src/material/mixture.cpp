@@ -8,9 +8,7 @@
 #include <utility>
 
 #include "arguments.hpp"
-#include "material/key.hpp"
 #include "material/reflectance.hpp"
-#include "simd/work_space.hpp"
 
 namespace nicol {
 namespace {
@@ -25,155 +23,9 @@ constexpr double kAlphaRatio = 1.2;
 constexpr std::size_t kMostValues = 16;
 constexpr std::size_t kMostOfPair = 8;
 
-/// Sum of weighted layers. Its terms are those of the layers, times the mean of the layer's weight.
-class Layered final : public Material {
-public:
-    explicit Layered(SpatialVariation variation) : variation_(std::move(variation)) {
-        for (const MaterialLayer& layer : variation_.layers) add(layer);
-        varies_ = variation_.normal.kind != NormalVariation::Kind::none || variation_.opacity != nullptr ||
-                  !variation_.textures.empty();
-        // A material whose mean is black still has a term.
-        if (terms_.empty())
-            terms_.push_back(
-                {.material = variation_.layers.front().material, .index = 0, .scale = glm::dvec3(0)});
-        make_isotropic();
-        make_behind();
-    }
-
-    [[nodiscard]] int channels() const noexcept override { return channels_; }
-    [[nodiscard]] int terms() const noexcept override { return static_cast<int>(terms_.size()); }
-    [[nodiscard]] double weight(int term, int channel) const override {
-        const Term& of = at(term);
-        const int own = of.material->channels() == 1 ? 0 : channel;
-        // The scales are equal unless there are three channels.
-        return of.material->weight(of.index, own) * of.scale[channels_ == 3 ? channel : 0];
-    }
-    [[nodiscard]] double lobe_width(int term) const noexcept override {
-        const Term& of = at(term);
-        return of.material->lobe_width(of.index);
-    }
-    [[nodiscard]] glm::dvec2 lobe_widths(int term) const noexcept override {
-        const Term& of = at(term);
-        return of.material->lobe_widths(of.index);
-    }
-    [[nodiscard]] const Material& isotropic() const noexcept override {
-        return isotropic_ ? *isotropic_ : *this;
-    }
-    [[nodiscard]] Distribution distribution(int term) const noexcept override {
-        return at(term).material->distribution(at(term).index);
-    }
-    [[nodiscard]] bool smooth(int term) const noexcept override {
-        const Term& of = at(term);
-        return of.material->smooth(of.index);
-    }
-    [[nodiscard]] bool mirror_symmetric() const noexcept override {
-        return std::ranges::all_of(
-            variation_.layers, [](const MaterialLayer& layer) { return layer.material->mirror_symmetric(); });
-    }
-    [[nodiscard]] bool twosided() const noexcept override {
-        return std::ranges::any_of(variation_.layers, has_two_sides);
-    }
-    [[nodiscard]] MaterialPtr behind() const override { return behind_; }
-    [[nodiscard]] std::string content_key() const override {
-        Key key("layered");
-        for (const Term& term : terms_) {
-            const std::string own = term.material->content_key();
-            if (own.empty()) return {};
-            key.add("of", "(" + own + ")").add("term", term.index);
-            for (glm::length_t c = 0; c < 3; ++c) key.add("scale", term.scale[c]);
-        }
-        return key.text();
-    }
-    [[nodiscard]] const SpatialVariation* variation() const noexcept override {
-        return varies_ ? &variation_ : nullptr;
-    }
-
-    [[nodiscard]] Mueller evaluate(int term, const glm::dvec3& towards_light,
-                                   const glm::dvec3& towards_viewer) const override {
-        const Term& of = at(term);
-        return of.material->evaluate(of.index, towards_light, towards_viewer);
-    }
-    void evaluate_lanes(const LaneVectors& towards_light, const LaneVectors& towards_viewer,
-                        std::size_t columns, std::span<LaneMueller> out) const override {
-        // Terms of one layer follow each other, so each layer is evaluated once.
-        const Material* evaluated = nullptr;
-        std::span<LaneMueller> of_layer;
-        for (std::size_t t = 0; t < terms_.size(); ++t) {
-            const Material& material = *terms_[t].material;
-            if (&material != evaluated) {
-                evaluated = &material;
-                of_layer = work_space<Layered, LaneMueller>(static_cast<std::size_t>(material.terms()));
-                material.evaluate_lanes(towards_light, towards_viewer, columns, of_layer);
-            }
-            out[t] = of_layer[static_cast<std::size_t>(terms_[t].index)];
-        }
-    }
-
-private:
-    struct Term {
-        MaterialPtr material;
-        int index;
-        glm::dvec3 scale;
-    };
-    [[nodiscard]] const Term& at(int term) const { return terms_[static_cast<std::size_t>(term)]; }
-
-    void make_isotropic() {
-        const auto anisotropic = [](const MaterialLayer& layer) { return layer.material->anisotropic(); };
-        if (std::ranges::none_of(variation_.layers, anisotropic)) return;
-        SpatialVariation layers = variation_;
-        // Each layer's material owns its isotropic counterpart.
-        for (MaterialLayer& layer : layers.layers)
-            layer.material = MaterialPtr(layer.material, &layer.material->isotropic());
-        isotropic_ = std::make_shared<const Layered>(std::move(layers));
-    }
-
-    void make_behind() {
-        SpatialVariation layers = variation_;
-        std::erase_if(layers.layers, [](const MaterialLayer& layer) { return !has_two_sides(layer); });
-        bool same = layers.layers.empty() || layers.layers.size() == variation_.layers.size();
-        for (MaterialLayer& layer : layers.layers) {
-            const MaterialPtr behind = layer.material->behind();
-            if (!behind) continue;
-            layer.material = behind;
-            same = false;
-        }
-        if (!same) behind_ = layered(std::move(layers));
-    }
-
-    static bool has_two_sides(const MaterialLayer& layer) { return layer.material->twosided(); }
-
-    void add(const MaterialLayer& layer) {
-        glm::vec3 mean = layer.scale;
-        for (const LayerFactor& factor : layer.factors) {
-            const Texture& texture = *variation_.textures[factor.texture];
-            mean *= factor_value(factor, texture.mean());
-            if (factor.colored() && texture.channels() > 1) need_channels(3);
-        }
-        if (layer.scale != glm::vec3(layer.scale.x)) need_channels(3);
-        need_channels(layer.material->channels());
-        if (mean == glm::vec3(0)) return;
-        for (int t = 0; t < layer.material->terms(); ++t) {
-            bool black = true;
-            for (int c = 0; c < layer.material->channels(); ++c)
-                black = black && layer.material->weight(t, c) == 0;
-            if (!black) terms_.push_back({.material = layer.material, .index = t, .scale = mean});
-        }
-    }
-
-    void need_channels(int count) {
-        require(count == 1 || channels_ == 1 || count == channels_,
-                "parts or textures of " + std::to_string(channels_) + " and " + std::to_string(count) +
-                    " channels; expected 1 or as many as the others");
-        channels_ = std::max(channels_, count);
-    }
-
-    SpatialVariation variation_;
-    bool varies_ = false;
-    int channels_ = 1;
-    std::vector<Term> terms_;
-    MaterialPtr isotropic_;  // null: no layer is anisotropic
-    MaterialPtr behind_;     // null: all layers are the same on the back, or none is two-sided
-};
+bool is_anisotropic(const MaterialLayer& layer) {
+    return layer.material->anisotropic();
+}
 
 SpatialVariation parts_of(const MaterialPtr& material, const char* of) {
     require(material != nullptr, std::string(of) + ": the material is null; give one");
@@ -208,13 +60,19 @@ void multiply(SpatialVariation& variation, LayerFactor factor, const TexturePtr&
 }
 
 /// Appends the layers of `from` to `to`. Unless `to` has no layers yet, both must have the same normal
-/// variation and the same opacity.
+/// variation and the same opacity, and if both are anisotropic the same rotation.
 void append(const SpatialVariation& from, SpatialVariation& to, const char* of) {
     const bool first = to.layers.empty();
     require(first || (from.normal == to.normal && from.opacity == to.opacity &&
                       from.translucent == to.translucent),
             std::string(of) +
                 ": the parts have normal maps, bump maps or opacities of their own; give them to the whole");
+    if (first || std::ranges::any_of(from.layers, is_anisotropic)) {
+        require(
+            from.rotation == to.rotation || std::ranges::none_of(to.layers, is_anisotropic),
+            std::string(of) + ": the parts' axes are rotated in different ways; rotate those of the whole");
+        to.rotation = from.rotation;
+    }
     to.normal = from.normal;
     to.opacity = from.opacity;
     to.translucent = from.translucent;
@@ -265,18 +123,6 @@ MaterialPtr interpolated(const std::function<MaterialPtr(double t)>& make, const
 }
 
 }  // namespace
-
-MaterialPtr layered(SpatialVariation variation) {
-    require(!variation.layers.empty(), "layered: there is no layer");
-    require(variation.textures.size() <= SpatialVariation::kMostTextures,
-            "a material of " + std::to_string(variation.textures.size()) + " textures; at most " +
-                std::to_string(SpatialVariation::kMostTextures));
-    const bool plain = variation.layers.size() == 1 && variation.textures.empty() &&
-                       variation.opacity == nullptr && variation.normal.kind == NormalVariation::Kind::none &&
-                       variation.layers.front().scale == glm::vec3(1);
-    if (plain) return variation.layers.front().material;
-    return std::make_shared<Layered>(std::move(variation));
-}
 
 namespace {
 
@@ -383,6 +229,17 @@ MaterialPtr bump_mapped(MaterialPtr material, TexturePtr heights, double scale, 
                   .scale = scale,
                   .reversed_back = options.reversed_back || material->twosided(),
                   .shadowed = options.shadowed};
+    return layered(std::move(out));
+}
+
+MaterialPtr rotated(const MaterialPtr& material, TexturePtr directions, double angle) {
+    SpatialVariation out = parts_of(material, "rotation");
+    require(std::isfinite(angle), "rotation: the angle is not finite");
+    require(directions == nullptr || directions->channels() >= 3,
+            "rotation: the texture has 1 channel; expected 3, of which the first two are the direction");
+    require(!out.rotation.any(), "rotation: the material's axes are rotated already");
+    if (!material->anisotropic()) return material;
+    out.rotation = {.directions = std::move(directions), .angle = angle};
     return layered(std::move(out));
 }
 

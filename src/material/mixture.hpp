@@ -13,7 +13,7 @@
 namespace nicol {
 
 /// All functions throw Error(invalid_argument) that names what is wrong: null, channels that do not fit, or
-/// parts that differ in twosided(), in normals or in opacity.
+/// parts that differ in normals, in the rotation of anisotropic parts or in opacity.
 
 /// Returns the material that a variation describes.
 [[nodiscard]] MaterialPtr layered(SpatialVariation variation);
@@ -55,6 +55,10 @@ struct MapOptions {
                                         const MapOptions& options = {});
 [[nodiscard]] MaterialPtr bump_mapped(MaterialPtr material, TexturePtr heights, double scale,
                                       const MapOptions& options = {});
+
+/// Returns the material with the axes of its anisotropic parts rotated within the surface. directions: see
+/// TangentRotation; null: none. angle: in radians.
+[[nodiscard]] MaterialPtr rotated(const MaterialPtr& material, TexturePtr directions, double angle);
 
 /// Returns the material cut out where the opacity is below 0.5. `translucent` is explained at
 /// SpatialVariation.

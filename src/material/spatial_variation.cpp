@@ -23,7 +23,7 @@ template <class Needs>
 bool any_texture(const SpatialVariation& variation, const Needs& needs) {
     const auto of = [&](const TexturePtr& texture) { return texture != nullptr && needs(*texture); };
     return std::ranges::any_of(variation.textures, of) || of(variation.normal.texture) ||
-           of(variation.opacity);
+           of(variation.rotation.directions) || of(variation.opacity);
 }
 
 // Values of a texture at sixteen points, with the range of the first channel.
@@ -150,7 +150,7 @@ bool SpatialVariation::needs_footprint() const {
     const auto needs = [](const TexturePtr& texture) {
         return texture != nullptr && texture->needs_footprint();
     };
-    return needs(normal.texture) || std::ranges::any_of(textures, needs);
+    return needs(normal.texture) || needs(rotation.directions) || std::ranges::any_of(textures, needs);
 }
 
 bool SpatialVariation::present(const TexturePoint& point, float threshold) const {

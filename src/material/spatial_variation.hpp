@@ -68,6 +68,17 @@ struct NormalVariation {
     bool operator==(const NormalVariation&) const = default;
 };
 
+/// Rotation of the axes of an anisotropic material within the surface; see rotated_tangent().
+struct TangentRotation {
+    /// The first two of 2 t - 1 are the rotated x axis in the frame of x and y, in which y points to where v
+    /// falls. Null: x.
+    TexturePtr directions;
+    double angle = 0;  ///< radians from x towards y, after that
+
+    [[nodiscard]] bool any() const noexcept { return directions != nullptr || angle != 0; }
+    bool operator==(const TangentRotation&) const = default;
+};
+
 /// Variation of a material: M(point, channel) = sum of weight(layer, point, channel) M_layer(channel).
 struct SpatialVariation {
     static constexpr std::size_t kMostTextures = 16;
@@ -75,6 +86,7 @@ struct SpatialVariation {
     std::vector<TexturePtr> textures;  ///< textures of the factors, each once, at most kMostTextures
     std::vector<MaterialLayer> layers;
     NormalVariation normal;
+    TangentRotation rotation;
     /// Opacity: the fourth channel of a texture with four channels, else the first. Null: the surface is
     /// present everywhere.
     TexturePtr opacity;
@@ -100,6 +112,13 @@ struct SpatialVariation {
 [[nodiscard]] inline bool needs_colors(const Material& material, ColorsOf of) {
     const SpatialVariation* const variation = material.variation();
     return variation != nullptr && variation->needs_colors(of);
+}
+
+/// Returns whether the tangents of a mesh change how the material looks.
+[[nodiscard]] inline bool follows_tangents(const Material& material) {
+    const SpatialVariation* const variation = material.variation();
+    return material.anisotropic() ||
+           (variation != nullptr && variation->normal.kind == NormalVariation::Kind::map);
 }
 
 /// Alpha mask of a material: the members of these names of SpatialVariation.

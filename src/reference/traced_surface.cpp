@@ -7,6 +7,7 @@
 #include "geometry/perpendicular.hpp"
 #include "material/spatial_variation.hpp"
 #include "shading/normal_variation.hpp"
+#include "shading/tangent_rotation.hpp"
 
 namespace nicol {
 namespace {
@@ -14,6 +15,10 @@ namespace {
 template <class Value>
 std::array<Value, 3> corners_of(const std::vector<Value>& values, const glm::uvec3& corners) {
     return {values[corners.x], values[corners.y], values[corners.z]};
+}
+
+glm::dvec3 weights_of(const RayHit& hit) {
+    return {1 - hit.b1 - hit.b2, hit.b1, hit.b2};
 }
 
 TexturePoint texture_point(const TracedSurface& surface, std::uint32_t triangle, const glm::vec3& weights) {
@@ -34,17 +39,23 @@ TextureAxes texture_axes(const Mesh& mesh, std::uint32_t triangle) {
                                corners_of(mesh.texcoords, mesh.texcoord_triangles[triangle]));
 }
 
-// Returns the frame of a shading normal, which a texture may have perturbed, for the surface's material.
-Frame surface_frame(const TracedSurface& surface, std::uint32_t triangle, const glm::dvec3& unturned,
-                    const glm::dvec3& normal) {
-    if (!surface.front.material->anisotropic()) return theta_phi_frame(normal);
-    const glm::dvec3 by_u(texture_axes(surface.mesh, triangle).by_u);
-    const glm::dvec3 x = perpendicular(normal, perpendicular(unturned, by_u));
-    return {x, glm::cross(normal, x), normal};
+// Returns the axes that normal maps and anisotropic materials follow. normal: unit normal of the front.
+TextureAxes material_axes(const Mesh& mesh, const RayHit& hit, const glm::dvec3& normal) {
+    const TextureAxes axes = texture_axes(mesh, hit.triangle);
+    if (mesh.tangents.empty()) return axes;
+    return tangent_axes(corners_of(mesh.tangents, mesh.texcoord_triangles[hit.triangle]),
+                        glm::vec3(weights_of(hit)), glm::vec3(normal), axes);
 }
 
-glm::dvec3 weights_of(const RayHit& hit) {
-    return {1 - hit.b1 - hit.b2, hit.b1, hit.b2};
+// Returns the frame of a shading normal, which a texture may have perturbed, for an anisotropic material.
+Frame anisotropic_frame(const TextureAxes& axes, const SurfaceHit& hit, bool back, const glm::dvec3& normal,
+                        const SpatialVariation* variation) {
+    glm::vec3 along = axes.by_u;
+    if (variation != nullptr && variation->rotation.any())
+        along = rotated_tangent(variation->rotation, hit.point, axes,
+                                glm::vec3(back ? -hit.unturned : hit.unturned));
+    const glm::dvec3 x = perpendicular(normal, perpendicular(hit.unturned, glm::dvec3(along)));
+    return {x, glm::cross(normal, x), normal};
 }
 
 }  // namespace
@@ -113,18 +124,24 @@ SurfaceHit surface_hit(const TracedSurface& surface, const RayHit& hit, const gl
                    .frame = {},
                    .towards_viewer = {},
                    .point = {}};
-    if (const SpatialVariation* const variation = surface.front.material->variation()) {
+    const SpatialVariation* const variation = surface.front.material->variation();
+    const TextureAxes axes = material_axes(surface.mesh, hit, back ? -shading_normal : shading_normal);
+    if (variation != nullptr) {
         out.point = texture_point(surface, hit.triangle, glm::vec3(weights_of(hit)));
         if (variation->normal.kind != NormalVariation::Kind::none) {
             out.dimmed = variation->normal.shadowed;
             const glm::vec3 normal_of_mesh(shading_normal);
-            const glm::vec3 turned = perturbed_normal(
-                variation->normal, out.point, texture_axes(surface.mesh, hit.triangle), normal_of_mesh, back);
+            const bool map = variation->normal.kind == NormalVariation::Kind::map;
+            const glm::vec3 turned =
+                perturbed_normal(variation->normal, out.point,
+                                 map ? axes : texture_axes(surface.mesh, hit.triangle), normal_of_mesh, back);
             shading_normal =
                 glm::normalize(glm::dvec3(facing(turned, normal_of_mesh, glm::vec3(towards_viewer))));
         }
     }
-    out.frame = surface_frame(surface, hit.triangle, out.unturned, shading_normal);
+    out.frame = surface.front.material->anisotropic()
+                    ? anisotropic_frame(axes, out, back, shading_normal, variation)
+                    : theta_phi_frame(shading_normal);
     out.towards_viewer = glm::normalize(towards_viewer * out.frame);
     return out;
 }

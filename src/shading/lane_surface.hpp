@@ -20,6 +20,8 @@ struct LaneSurface {
     std::array<glm::vec3, kLanes> normals;  ///< unit normals
     /// Unit normals without a texture's perturbation; set only if a texture perturbs normals.
     std::array<glm::vec3, kLanes> unperturbed;
+    /// X axes of anisotropic materials, unit or 0; set only if a texture or an angle rotates them.
+    std::array<glm::vec3, kLanes> tangents;
 };
 
 /// Corners of a triangle: indices of vertices.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <limits>
 
 #include "polarization/view_geometry.hpp"
@@ -169,6 +170,15 @@ TextureAxes texture_axes(const std::array<glm::vec3, 3>& positions,
     return {.by_u = (d2.y * along1 - d1.y * along2) / area, .by_v = (d1.x * along2 - d2.x * along1) / area};
 }
 
+TextureAxes tangent_axes(const std::array<glm::vec4, 3>& tangents, const glm::vec3& weights,
+                         const glm::vec3& normal, const TextureAxes& otherwise) {
+    const glm::vec4 tangent = weights.x * tangents[0] + weights.y * tangents[1] + weights.z * tangents[2];
+    const glm::vec3 x(tangent);
+    if (x == glm::vec3(0)) return otherwise;
+    const glm::vec3 y = glm::cross(normal, x);
+    return {.by_u = x, .by_v = tangent.w < 0 ? y : -y};
+}
+
 glm::vec3 perturbed_normal(const NormalVariation& variation, const TexturePoint& point,
                            const TextureAxes& axes, const glm::vec3& normal, bool back) {
     const bool map = variation.kind == NormalVariation::Kind::map;
@@ -201,10 +211,8 @@ void turn_normals(const NormalVariation& variation, const TexturePoints& points,
         texture = {color[0], color[1], color[2]};
     } else {
         for (std::size_t i = 0; i < kLanes; ++i) {
-            const glm::vec2 slope = static_cast<float>(variation.scale) *
-                                    variation.texture->gradient({.uv = {points.uv[0][i], points.uv[1][i]},
-                                                                 .du = {points.du[0][i], points.du[1][i]},
-                                                                 .dv = {points.dv[0][i], points.dv[1][i]}});
+            const glm::vec2 slope =
+                static_cast<float>(variation.scale) * variation.texture->gradient(points.at(i));
             texture.x[i] = slope.x;
             texture.y[i] = slope.y;
             texture.z[i] = 0;

@@ -5,6 +5,7 @@
 #include <array>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 
 #include "material/spatial_variation.hpp"
 #include "polarization/lane_points.hpp"
@@ -17,13 +18,19 @@ struct TextureAxes {
     glm::vec3 by_u{0};
     glm::vec3 by_v{0};
 };
-/// Texture axes of sixteen triangles.
+/// Texture axes at sixteen points.
 struct LaneTextureAxes {
     LaneVectors by_u, by_v;
 };
 /// Returns the texture axes of one triangle.
 [[nodiscard]] TextureAxes texture_axes(const std::array<glm::vec3, 3>& positions,
                                        const std::array<glm::vec2, 3>& texcoords);
+
+/// Returns axes like texture_axes() at a point of a triangle whose corners have these tangents
+/// (Mesh::tangents), or `otherwise` if the tangents are 0. Only the direction of by_u, and whether y points
+/// to where v falls, are meant. normal: unit normal of the front.
+[[nodiscard]] TextureAxes tangent_axes(const std::array<glm::vec4, 3>& tangents, const glm::vec3& weights,
+                                       const glm::vec3& normal, const TextureAxes& otherwise);
 
 /// Returns the perturbed unit normal at a point, from the interpolated unit normal. Returns the interpolated
 /// normal if `axes` are 0 or the texture gives no direction. `back`: the normal is that of the back of a

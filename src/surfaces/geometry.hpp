@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 #include <vector>
 
 #include "geometry/ray_scene.hpp"
@@ -42,11 +43,15 @@ struct WorldGeometry {
     /// Mesh colours at the triangles' corners, of vertices or of faces as the material needs, in the order of
     /// `triangles`; 1 for meshes without such colours. Empty unless a material needs them.
     std::vector<std::array<glm::vec3, 3>> colors;
+    /// Tangents of the triangles' corners (Mesh::tangents), in the order of `triangles`; the y axis refers to
+    /// the normal of the front. Empty unless a mesh of a material with a normal map or of an anisotropic
+    /// material has tangents; 0 for other meshes.
+    std::vector<std::array<glm::vec4, 3>> tangents;
 
     [[nodiscard]] std::size_t bytes() const noexcept {
         return (positions.size() + normals.size()) * sizeof(glm::vec3) +
                triangles.size() * sizeof(glm::uvec3) + texcoords.size() * sizeof(texcoords.front()) +
-               colors.size() * sizeof(colors.front());
+               colors.size() * sizeof(colors.front()) + tangents.size() * sizeof(tangents.front());
     }
 };
 

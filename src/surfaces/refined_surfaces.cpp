@@ -91,6 +91,7 @@ void RefinedSurfaces::update(const SceneGeometry& surfaces, const std::shared_pt
         }
         refined->texcoords = of_parts(given.texcoords, parts);
         refined->colors = of_parts(given.colors, parts);
+        refined->tangents = of_parts(given.tangents, parts);
         corners_ = surfaces.material_version();
     }
     const std::shared_ptr<const WorldGeometry> next = refined ? refined : surfaces.shared_geometry();

@@ -250,6 +250,11 @@ void SceneGeometry::set_materials(const Scene& scene) {
 void SceneGeometry::set_corners() {
     bool texcoords = false;
     bool colors = false;
+    const auto has_tangents = [this](const Piece& piece) {
+        return !piece.mesh->tangents.empty() &&
+               follows_tangents(*geometry_->ranges[range_of(*geometry_, piece.first)].material);
+    };
+    const bool tangents = std::ranges::any_of(pieces_, has_tangents);
     for (const VertexRange& range : geometry_->ranges) {
         const SpatialVariation* const variation = range.material->variation();
         texcoords = texcoords || range.material->anisotropic() ||
@@ -260,18 +265,27 @@ void SceneGeometry::set_corners() {
     }
     geometry_->texcoords.clear();
     geometry_->colors.clear();
+    geometry_->tangents.clear();
     for (const bool twosided : {false, true}) {
         for (const Piece& piece : pieces_) {
             if (piece.twosided != twosided) continue;
             const Mesh& mesh = piece.parts();
             const Material& material = *geometry_->ranges[range_of(*geometry_, piece.first)].material;
             const std::size_t count = mesh.triangles.size();
+            std::vector<glm::vec4> of_corners;
+            if (has_tangents(piece))
+                of_corners =
+                    piece.divided ? mesh.tangents : transformed_tangents(mesh, glm::dmat3(piece.placement));
             for (const bool back : {false, true}) {
                 if (back && !twosided) continue;
                 const bool flipped = piece.mirrored() != back;
                 if (texcoords) {
                     append_corners(mesh.texcoords, mesh.texcoord_triangles, count, glm::vec2(0), flipped,
                                    geometry_->texcoords);
+                }
+                if (tangents) {
+                    append_corners(of_corners, mesh.texcoord_triangles, count, glm::vec4(0), flipped,
+                                   geometry_->tangents);
                 }
                 if (colors && needs_colors(material, ColorsOf::faces)) {
                     for (const glm::vec3& color : mesh.face_colors)

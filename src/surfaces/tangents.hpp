@@ -6,18 +6,24 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
+#include "shading/normal_variation.hpp"
 #include "surfaces/geometry.hpp"
 
 namespace nicol {
 
-/// Returns the direction of growing texture coordinate u at a point of a triangle, perpendicular to the
-/// interpolated normal: unit, or 0 if u does not grow. weights: barycentric weights of the point. The
-/// geometry must have texture coordinates.
+/// Returns the axes that normal maps and anisotropic materials follow at a point of a triangle: those of the
+/// mesh's tangents, else of growing u and v. weights: barycentric weights of the point. normal: unit normal
+/// of the front. The geometry must have texture coordinates.
+[[nodiscard]] TextureAxes material_axes(const WorldGeometry& geometry, std::uint32_t triangle,
+                                        const glm::vec3& weights, const glm::vec3& normal);
+
+/// Returns the x axis of material_axes(), perpendicular to the interpolated normal: unit, or 0 if there is
+/// none.
 [[nodiscard]] glm::vec3 tangent(const WorldGeometry& geometry, std::uint32_t triangle,
                                 const glm::vec3& weights);
 
-/// Returns, for each vertex, the mean direction of growing u over its triangles, unit or 0. Empty if no
-/// material is anisotropic.
+/// Returns, for each vertex, the mean x axis over its triangles, unit or 0. Empty if no material is
+/// anisotropic.
 [[nodiscard]] std::vector<glm::vec3> vertex_tangents(const WorldGeometry& geometry);
 
 }  // namespace nicol

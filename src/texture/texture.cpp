@@ -16,10 +16,7 @@ TexturePoint texture_point(const glm::vec3& weights, const std::array<glm::vec2,
 
 void Texture::at_lanes(const TexturePoints& points, std::array<Lanes, 4>& out) const {
     for (std::size_t i = 0; i < kLanes; ++i) {
-        const glm::vec4 value = at({.uv = {points.uv[0][i], points.uv[1][i]},
-                                    .du = {points.du[0][i], points.du[1][i]},
-                                    .dv = {points.dv[0][i], points.dv[1][i]},
-                                    .color = {points.color[0][i], points.color[1][i], points.color[2][i]}});
+        const glm::vec4 value = at(points.at(i));
         for (glm::length_t c = 0; c < 4; ++c) out[static_cast<std::size_t>(c)][i] = value[c];
     }
 }

@@ -39,6 +39,13 @@ enum class ColorsOf { vertices, faces };
 struct TexturePoints {
     std::array<Lanes, 2> uv, du, dv;
     std::array<Lanes, 3> color;
+
+    [[nodiscard]] TexturePoint at(std::size_t lane) const {
+        return {.uv = {uv[0][lane], uv[1][lane]},
+                .du = {du[0][lane], du[1][lane]},
+                .dv = {dv[0][lane], dv[1][lane]},
+                .color = {color[0][lane], color[1][lane], color[2][lane]}};
+    }
 };
 
 /// Sampling of an image as a function of u and v.

@@ -28,8 +28,10 @@ TexturePtr image(int channels, TextureSampling::Filter filter, TextureSampling::
 }
 
 /// Returns a mesh with texture coordinates and a separate colour at each vertex and on each triangle.
-std::shared_ptr<const Mesh> colored(const Mesh& mesh) {
+/// tangent: tangent of all corners, if w is not 0.
+std::shared_ptr<const Mesh> colored(const Mesh& mesh, const glm::vec4& tangent = glm::vec4(0)) {
     Mesh out = *test::with_texcoords(mesh);
+    if (tangent.w != 0) out.tangents.assign(out.texcoords.size(), tangent);
     for (const glm::vec3& p : out.positions) out.colors.push_back(glm::abs(glm::fract(0.37F * p + 0.2F)));
     for (const glm::uvec3& t : out.triangles) out.face_colors.push_back(glm::fract(0.37F * glm::vec3(t)));
     return std::make_shared<const Mesh>(std::move(out));
@@ -37,7 +39,7 @@ std::shared_ptr<const Mesh> colored(const Mesh& mesh) {
 
 Scene ball_over(const MaterialPtr& ball, const MaterialPtr& floor) {
     static const auto round = colored(*test::coarse_sphere(6));
-    static const auto flat = colored(make_rectangle(2));
+    static const auto flat = colored(make_rectangle(2), {0.6F, 0.8F, 0, -1});
     Scene scene;
     scene.add({.mesh = round, .material = ball, .to_world = test::at(0.2, 0, 0.1, 0.7)});
     scene.add({.mesh = flat, .material = floor, .to_world = test::plate_at(-1, 2)});

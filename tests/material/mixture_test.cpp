@@ -285,6 +285,26 @@ TEST_CASE("parts that do not go together are refused") {
     CHECK(message([&] {
               static_cast<void>(blend(diffuse({0.1, 0.2, 0.3, 0.4}), scaled(base, normals), u));
           }).find("channels") != std::string::npos);
+    const MaterialPtr brushed = rough_conductor({.alpha = 0.1, .alpha_v = 0.3});
+    CHECK(message([&] { static_cast<void>(rotated(brushed, u, 0)); }).find("1 channel") != std::string::npos);
+    CHECK(message([&] {
+              static_cast<void>(rotated(rotated(brushed, nullptr, 1), nullptr, 1));
+          }).find("already") != std::string::npos);
+    CHECK(message([&] {
+              static_cast<void>(blend(rotated(brushed, nullptr, 1), brushed, u));
+          }).find("different ways") != std::string::npos);
     CHECK(message([&] { static_cast<void>(masked(masked(base, u), u)); }).find("already") !=
           std::string::npos);
+}
+
+TEST_CASE("a mixture is rotated as its anisotropic parts are") {
+    const MaterialPtr brushed = rough_conductor({.alpha = 0.1, .alpha_v = 0.3});
+    const MaterialPtr turned = rotated(brushed, nullptr, 1);
+    const MaterialPtr round = diffuse({0.5});
+    CHECK(rotated(round, nullptr, 1) == round);
+    for (const MaterialPtr& whole :
+         {turned, sum(turned, round), sum(round, turned), sum(turned, turned), twosided(turned)}) {
+        REQUIRE(whole->variation());
+        CHECK(whole->variation()->rotation == TangentRotation{.directions = nullptr, .angle = 1});
+    }
 }

@@ -49,6 +49,7 @@ void DeviceTextures::find(const PixelInput& input, const PixelRun& run, const De
     program.set("stride", static_cast<int>(stride_));
     program.set("corner_numbers", corners_->numbers());
     program.set("colored", corners_->colored() ? 1 : 0);
+    program.set("with_tangents", corners_->with_tangents() ? 1 : 0);
     program.set("back", is_back(input.geometry, run.surface) ? 1 : 0);
     std::ignore = gl::bind_vertices(pixels.listed(), 0, 4, run.first, run.last);
     corners_->bind(1);
