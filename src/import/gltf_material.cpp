@@ -5,11 +5,14 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <list>
 #include <memory>
+#include <numbers>
 #include <optional>
 #include <string_view>
 #include <utility>
 
+#include "import/brushed_material.hpp"
 #include "import/conductor_material.hpp"
 #include "import/gltf_readers.hpp"
 #include "import/late_parameters.hpp"
@@ -21,8 +24,9 @@ namespace {
 using Part = TextureSpecification::Part;
 
 /// Those of a material that have an effect here.
+constexpr std::string_view kAnisotropy = "KHR_materials_anisotropy";
 constexpr std::array<std::string_view, 3> kFollowed = {"KHR_materials_ior", "KHR_materials_emissive_strength",
-                                                       "KHR_materials_anisotropy"};
+                                                       kAnisotropy};
 
 TextureSpecificationPtr shared(TextureSpecification texture) {
     return std::make_shared<const TextureSpecification>(std::move(texture));
@@ -41,7 +45,8 @@ public:
           notices_(notices),
           base_(pbr_.baseColorTexture, where_ + ".baseColorTexture"),
           metallic_roughness_(pbr_.metallicRoughnessTexture, where_ + ".metallicRoughnessTexture"),
-          normal_(material.normalTexture, where_ + ".normalTexture") {}
+          normal_(material.normalTexture, where_ + ".normalTexture"),
+          anisotropy_(texture_of("anisotropyTexture"), where_ + ".anisotropyTexture") {}
 
     GltfMaterial run() {
         if (material_.extensions.contains("KHR_materials_unlit"))
@@ -49,7 +54,9 @@ public:
                            ErrorCode::unsupported);
         say_what_is_left();
         const int set = texcoord_set();
+        read_strength();
         MaterialDescription out = blended();
+        if (strength_) turn(out);
         if (auto normals = texture(normal_)) {
             const double scale = material_.normalTexture.scale;
             if (!(std::abs(scale) <= 1e3))
@@ -82,7 +89,7 @@ private:
     /// Returns the set that all textures take. Leaves the textures out if the primitive lacks that set.
     int texcoord_set() {
         std::optional<int> set;
-        for (const GltfTextureUse* use : {&base_, &metallic_roughness_, &normal_}) {
+        for (const GltfTextureUse* use : {&base_, &metallic_roughness_, &normal_, &anisotropy_}) {
             if (use->index < 0) continue;
             const int wanted = textures_.texcoord_set(*use);
             if (!set) set = wanted;
@@ -158,25 +165,42 @@ private:
     [[nodiscard]] MaterialDescription plastic() {
         using P = PplasticParameters;
         ModelOf<P> out(pplastic);
-        set_facets(facets(), out);
         out.set(&P::diffuse_reflectance, base_color());
         out.set(&P::specular_reflectance, 1.0);
         out.parameters.int_ior = index_of_refraction();
         out.parameters.ext_ior = 1;
-        return out;
+        return with_facets(std::move(out));
     }
 
     /// A mirror times a colour that varies; of one colour, a metal that has it.
     [[nodiscard]] MaterialDescription metal() {
         MetalModel out;
-        set_facets(facets(), out);
         const TexturedColor color = base_color();
         out.set(&RoughConductorParameters::specular_reflectance, color.texture ? color : 1.0);
         if (!color.texture) {
             out.eta = 1.0;
             out.k = absorption(color.rgb);
         }
-        return out;
+        return with_facets(std::move(out));
+    }
+
+    template <class Model>
+    [[nodiscard]] MaterialDescription with_facets(Model model) {
+        FacetDescription facets = this->facets();
+        if (strength_ && (facets.alpha.texture || strength_->texture))
+            return BrushedModel(
+                [model](const FacetDescription& of) {
+                    Model out = model;
+                    set_facets(of, out);
+                    return MaterialDescription(std::move(out));
+                },
+                std::move(facets.alpha), *strength_);
+        if (strength_) {
+            facets.alpha_v = facets.alpha;
+            facets.alpha.value = widened(facets.alpha.value, strength_->value);
+        }
+        set_facets(facets, model);
+        return model;
     }
 
     [[nodiscard]] FacetDescription facets() {
@@ -190,34 +214,74 @@ private:
             image->squared = true;
             out.alpha.texture = shared(std::move(*image));
         }
-        brush(out);
         return out;
     }
 
-    /// Widens the facets along the direction of KHR_materials_anisotropy, u or v, whichever is nearer.
-    void brush(FacetDescription& facets) const {
+    /// Reads how strong KHR_materials_anisotropy is, if there is any.
+    void read_strength() {
         const double strength =
-            in_unit(number_of("KHR_materials_anisotropy", "anisotropyStrength", 0), "anisotropyStrength");
+            in_unit(number_of(kAnisotropy, "anisotropyStrength", 0), "anisotropyStrength");
         if (strength == 0) return;
-        if (facets.alpha.texture) {
-            notices_.add("anisotropy is not followed beside a texture of roughness");
-            return;
+        strength_ = strength;
+        if (auto image = texture(anisotropy_)) {
+            image->raw = true;
+            image->part = Part::blue;
+            image->factor = glm::dvec3(strength);
+            strength_->texture = shared(std::move(*image));
         }
-        const double turn = number_of("KHR_materials_anisotropy", "anisotropyRotation", 0);
-        const bool along_v = std::abs(std::sin(turn)) > std::abs(std::cos(turn));
-        if (std::abs(std::sin(2 * turn)) > 0.1)
-            notices_.add("a direction of anisotropy between those of u and v is the nearer of the two");
-        facets.alpha_v = facets.alpha;
-        TexturedNumber& wide = along_v ? facets.alpha_v : facets.alpha;
-        wide.value += (1 - wide.value) * strength * strength;
+    }
+
+    /// Rotates the facets as KHR_materials_anisotropy says.
+    void turn(MaterialDescription& material) {
+        double angle = number_of(kAnisotropy, "anisotropyRotation", 0);
+        if (!std::isfinite(angle)) document_.fail(where_, "anisotropyRotation is not a finite number");
+        // Half a turn changes nothing.
+        angle = std::remainder(angle, std::numbers::pi);
+        if (std::abs(angle) < 1e-6) angle = 0;
+        std::optional<TextureSpecification> directions = texture(anisotropy_);
+        if (!directions && angle == 0) return;
+        if (directions) directions->raw = true;
+        material =
+            RotatedModel(std::move(material), directions ? shared(std::move(*directions)) : nullptr, angle);
+    }
+
+    /// A texture that an extension names.
+    struct NamedTexture {
+        int index = -1;
+        int texCoord = 0;
+        tinygltf::ExtensionMap extensions;
+    };
+    /// Returns a texture of KHR_materials_anisotropy. It lives as long as the reader.
+    [[nodiscard]] const NamedTexture& texture_of(const char* name) {
+        NamedTexture& out = named_.emplace_back();
+        const tinygltf::Value* const info = value_of(kAnisotropy, name);
+        if (info == nullptr) return out;
+        const auto whole = [&](const char* number, int otherwise) {
+            if (!info->Has(number)) return otherwise;
+            const tinygltf::Value& value = info->Get(number);
+            if (!value.IsInt())
+                document_.fail(where_, std::string(name) + ": " + number + " is not a whole number");
+            return value.GetNumberAsInt();
+        };
+        out.index = whole("index", -1);
+        out.texCoord = whole("texCoord", 0);
+        if (info->Has("extensions") && info->Get("extensions").IsObject())
+            out.extensions = info->Get("extensions").Get<tinygltf::Value::Object>();
+        return out;
+    }
+
+    /// Returns a value of an extension, or null.
+    [[nodiscard]] const tinygltf::Value* value_of(std::string_view extension, const char* name) const {
+        const auto found = material_.extensions.find(std::string(extension));
+        if (found == material_.extensions.end() || !found->second.Has(name)) return nullptr;
+        return &found->second.Get(name);
     }
 
     /// Returns a number of an extension, or `otherwise`.
-    [[nodiscard]] double number_of(const char* extension, const char* name, double otherwise) const {
-        const auto found = material_.extensions.find(extension);
-        if (found == material_.extensions.end() || !found->second.Has(name)) return otherwise;
-        const tinygltf::Value& value = found->second.Get(name);
-        return value.IsNumber() ? value.GetNumberAsDouble() : std::numeric_limits<double>::quiet_NaN();
+    [[nodiscard]] double number_of(std::string_view extension, const char* name, double otherwise) const {
+        const tinygltf::Value* const value = value_of(extension, name);
+        if (value == nullptr) return otherwise;
+        return value->IsNumber() ? value->GetNumberAsDouble() : std::numeric_limits<double>::quiet_NaN();
     }
 
     /// The index 1 - ik of a metal that reflects `reflectance` at normal incidence, k^2 / (4 + k^2). Real
@@ -258,7 +322,9 @@ private:
     const tinygltf::PbrMetallicRoughness& pbr_;
     GltfTextures& textures_;
     GltfNotices& notices_;
-    GltfTextureUse base_, metallic_roughness_, normal_;
+    std::list<NamedTexture> named_;
+    GltfTextureUse base_, metallic_roughness_, normal_, anisotropy_;
+    std::optional<TexturedNumber> strength_;  ///< none: no anisotropy
     bool has_texcoords_ = false;
 };
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Primitives.
+#include <cmath>
+#include <glm/geometric.hpp>
 #include <limits>
 #include <optional>
 #include <unordered_map>
@@ -22,6 +24,8 @@ public:
         normals_ = attribute("NORMAL", 3, 3);
         texcoords_ = attribute("TEXCOORD_" + std::to_string(texcoord_set), 2, 2);
         colors_ = attribute("COLOR_0", 3, 4);
+        // Tangents without normals must be ignored, as glTF says.
+        if (normals_) tangents_ = attribute("TANGENT", 4, 4);
         if (colors_ && !colors_->is_real())
             document_.fail(where_, "COLOR_0 has integers that are not normalized");
         if (primitive_.indices >= 0) indices_.emplace(document_, primitive_.indices, where_ + ": indices");
@@ -48,7 +52,7 @@ public:
             for (glm::length_t k = 0; k < 3; ++k)
                 triangle[k] = vertex_of(corner(t, static_cast<std::size_t>(k)));
             mesh_.triangles.push_back(triangle);
-            if (texcoords_) mesh_.texcoord_triangles.push_back(triangle);
+            if (texcoords_ || tangents_) mesh_.texcoord_triangles.push_back(triangle);
         }
         left_out_.add("triangles without area", geometry::remove_flat_triangles(mesh_));
         return std::move(mesh_);
@@ -119,6 +123,14 @@ private:
             const glm::vec2 uv(texcoords_->number(index, 0), texcoords_->number(index, 1));
             mesh_.texcoords.push_back(is_finite(uv) ? uv : glm::vec2(0));
         }
+        if (tangents_) {
+            if (!texcoords_) mesh_.texcoords.emplace_back(0);
+            const glm::vec3 along = vector(*tangents_, index);
+            const float length = glm::length(along);
+            const bool valid = std::isfinite(length) && length > 0;
+            mesh_.tangents.emplace_back(valid ? along / length : glm::vec3(0),
+                                        tangents_->number(index, 3) < 0 ? -1.0F : 1.0F);
+        }
     }
 
     static glm::vec3 vector(const GltfAccessor& from, std::size_t i) {
@@ -130,7 +142,7 @@ private:
     const std::string& where_;
     const LoadBudget& budget_;
     geometry::LeftOut& left_out_;
-    std::optional<GltfAccessor> positions_, normals_, texcoords_, colors_, indices_;
+    std::optional<GltfAccessor> positions_, normals_, texcoords_, colors_, tangents_, indices_;
     std::unordered_map<std::size_t, std::uint32_t> vertices_;
     Mesh mesh_;
 };

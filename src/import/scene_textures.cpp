@@ -25,13 +25,11 @@ public:
         : image_(image), description_(description) {}
 
     [[nodiscard]] TextureImage colors() const {
-        TextureImage out = empty(image_.channels == 1 && is_grey(description_) ? 1 : 3);
-        each([&](const glm::vec3& value) {
-            out.values.insert(out.values.end(), {value.x, value.y, value.z});
-            if (out.channels == 1) out.values.resize(out.values.size() - 2);
-        });
-        return out;
+        return rgb(image_.channels == 1 && is_grey(description_) ? 1 : 3);
     }
+
+    /// Returns three channels, also of a grey image.
+    [[nodiscard]] TextureImage vectors() const { return rgb(3); }
 
     [[nodiscard]] TextureImage numbers() const {
         TextureImage out = empty(1);
@@ -41,6 +39,15 @@ public:
     }
 
 private:
+    [[nodiscard]] TextureImage rgb(int channels) const {
+        TextureImage out = empty(channels);
+        each([&](const glm::vec3& value) {
+            out.values.insert(out.values.end(), {value.x, value.y, value.z});
+            if (out.channels == 1) out.values.resize(out.values.size() - 2);
+        });
+        return out;
+    }
+
     static bool is_grey(const TextureSpecification& d) {
         return d.factor == glm::dvec3(d.factor.x) && d.offset == glm::dvec3(d.offset.x);
     }
@@ -159,7 +166,9 @@ TexturePtr SceneTextures::made(const TextureSpecification& d, Use use) {
         }
         case TextureSpecification::Kind::image: {
             const Pixels pixels(image(d), d);
-            TextureImage image = use == Use::number ? pixels.numbers() : without_repetition(pixels.colors());
+            TextureImage image = use == Use::number   ? pixels.numbers()
+                                 : use == Use::vector ? pixels.vectors()
+                                                      : without_repetition(pixels.colors());
             if (image.channels == 3) require_rgb("an image of red, green and blue");
             texture = image_texture(std::move(image), d.sampling);
             break;

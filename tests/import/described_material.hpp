@@ -2,6 +2,7 @@
 // Access to the materials that scene files describe, for tests.
 #pragma once
 
+#include "import/brushed_material.hpp"
 #include "import/conductor_material.hpp"
 #include "import/diffuse_material.hpp"
 #include "import/late_parameters.hpp"

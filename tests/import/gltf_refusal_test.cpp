@@ -104,6 +104,12 @@ TEST_CASE("glTF that is malformed, out of range or not supported is refused by e
                   "ior is not 0"},
              Case{with_material("\"extensions\":{\"KHR_materials_anisotropy\":{\"anisotropyStrength\":2}}"),
                   "anisotropyStrength is 2"},
+             Case{with_material("\"extensions\":{\"KHR_materials_anisotropy\":{\"anisotropyStrength\":1,"
+                                "\"anisotropyRotation\":\"a\"}}"),
+                  "anisotropyRotation is not a finite number"},
+             Case{with_material("\"extensions\":{\"KHR_materials_anisotropy\":{\"anisotropyTexture\":{"
+                                "\"index\":0.5}}}"),
+                  "materials[0]: anisotropyTexture: index is not a whole number"},
              Case{with_material("\"extensions\":{\"KHR_materials_unlit\":{}}"),
                   "materials[0]: KHR_materials_unlit", ErrorCode::unsupported},
              Case{one_mesh() + a_node + ",\"extensionsRequired\":[\"KHR_draco_mesh_compression\"]",

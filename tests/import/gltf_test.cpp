@@ -153,6 +153,25 @@ TEST_CASE("normals, colours and texture coordinates of glTF are kept, for the ve
     CHECK(mesh->texcoord_triangles == mesh->triangles);
 }
 
+TEST_CASE("tangents of glTF are kept, except without normals") {
+    GltfBuffer buffer;
+    buffer.vectors(a_gltf_triangle);
+    buffer.vectors({{0, 0, 1}, {0, 0, 1}, {0, 0, 1}});
+    const float not_finite = std::numeric_limits<float>::infinity();
+    buffer.accessor(
+        "VEC4", gltf_float, 3,
+        GltfBuffer::of(buffer.view<glm::vec4>({{0, 2, 0, 1}, {1, 0, 0, -1}, {not_finite, 0, 0, 1}})));
+    const auto mesh = [&](const std::string& attributes) {
+        return read_primitive(buffer, "{\"attributes\":{\"POSITION\":0" + attributes + ",\"TANGENT\":2}}");
+    };
+    const auto with_normals = mesh(",\"NORMAL\":1");
+    CHECK(with_normals->tangents == std::vector<glm::vec4>{{0, 1, 0, 1}, {1, 0, 0, -1}, {0, 0, 0, 1}});
+    // Without texture coordinates in the file they are 0.
+    CHECK(with_normals->texcoords == std::vector<glm::vec2>(3));
+    CHECK(with_normals->texcoord_triangles == with_normals->triangles);
+    CHECK(mesh("")->tangents.empty());
+}
+
 TEST_CASE("without normals glTF is flat, and what has no area is left out with one notice") {
     GltfBuffer buffer;
     buffer.vectors({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
@@ -257,9 +276,12 @@ TEST_CASE("materials of glTF without metal are pplastic") {
 
 TEST_CASE("anisotropic materials of glTF are wider along their direction") {
     const struct {
-        double strength, turn, along_u, along_v;
-    } rows[] = {
-        {0, 1, 0.25, 0}, {0.5, 0, 0.4375, 0.25}, {0.5, 1.5707963, 0.25, 0.4375}, {1, 3.1415926, 1, 0.25}};
+        double strength, turn, along, across, expected_turn;
+    } rows[] = {{0, 1, 0.25, 0, 0},
+                {0.5, 0, 0.4375, 0.25, 0},
+                {0.5, -1, 0.4375, 0.25, -1},
+                {1, 3.1415926, 1, 0.25, 0},
+                {1, 4, 1, 0.25, 4 - 3.14159265}};
     for (const double metallic : {0.0, 1.0})
         for (const auto& row : rows) {
             CAPTURES(metallic, row.strength, row.turn);
@@ -269,13 +291,17 @@ TEST_CASE("anisotropic materials of glTF are wider along their direction") {
                              ",\"anisotropyRotation\":" + std::to_string(row.turn) + "}},",
                          "\"metallicFactor\":" + std::to_string(metallic) + ",\"roughnessFactor\":0.5");
             const auto check = [&](const auto& facets) {
-                CHECK(facets.alpha.value == doctest::Approx(row.along_u));
-                CHECK(facets.alpha_v.value == doctest::Approx(row.along_v));
+                CHECK(facets.alpha.value == doctest::Approx(row.along));
+                CHECK(facets.alpha_v.value == doctest::Approx(row.across));
             };
+            const bool turned = row.expected_turn != 0;
+            REQUIRE(is<RotatedModel>(d) == turned);
+            if (turned) CHECK(as<RotatedModel>(d).angle == doctest::Approx(row.expected_turn));
+            const MaterialDescription of = turned ? as<RotatedModel>(d).base : d;
             if (metallic == 0)
-                check(as<PplasticModel>(d).parameters);
+                check(as<PplasticModel>(of).parameters);
             else
-                check(as<MetalModel>(d).parameters);
+                check(as<MetalModel>(of).parameters);
         }
 }
 

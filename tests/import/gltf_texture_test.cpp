@@ -158,6 +158,52 @@ TEST_CASE("textures of glTF become the material that their pixel stands for") {
     CHECK(weight_sum(metal, 2) == doctest::Approx(0.25 * blue));
 }
 
+TEST_CASE("textures of glTF's anisotropy") {
+    const auto brushed = [](const std::string& members, const std::string& metal) {
+        return TexturedFile("\"extensions\":{\"KHR_materials_anisotropy\":{\"anisotropyStrength\":0.5" +
+                            members + "}}," + pbr(metal + ",\"roughnessFactor\":0.5"));
+    };
+    const std::string image = ",\"anisotropyTexture\":{\"index\":0,\"texCoord\":1}";
+    const std::string rough = ",\"metallicRoughnessTexture\":{\"index\":0,\"texCoord\":1}";
+    const SceneDescription scene =
+        brushed(image + ",\"anisotropyRotation\":1", "\"metallicFactor\":1").read();
+    CHECK(scene.shapes.at(0).mesh->texcoords == other_texcoords);
+    const auto rotated = as<RotatedModel>(scene.materials.at(0));
+    CHECK(rotated.angle == 1);
+    REQUIRE(rotated.directions);
+    CHECK(rotated.directions->raw);
+    CHECK(rotated.directions->part == Part::color);
+    const auto wide = as<BrushedModel>(rotated.base);
+    CHECK(wide.alpha.value == 0.25);
+    REQUIRE(wide.strength.texture);
+    CHECK(wide.strength.texture->part == Part::blue);
+    CHECK(wide.strength.texture->raw);
+    CHECK(wide.strength.texture->factor == glm::dvec3(0.5));
+
+    // The image has green 102 and blue 204 of 255.
+    const double alpha = std::pow(0.5 * 102 / 255, 2), strength = 0.5 * 204 / 255;
+    const struct {
+        std::string members, metal;
+        double across, along;
+    } rows[] = {{"", "\"metallicFactor\":1" + rough, alpha, widened(alpha, 0.5)},
+                {image, "\"metallicFactor\":1", 0.25, widened(0.25, strength)},
+                {image, "\"metallicFactor\":1" + rough, alpha, widened(alpha, strength)},
+                {image, "\"metallicFactor\":0" + rough, alpha, widened(alpha, strength)}};
+    for (const auto& row : rows) {
+        CAPTURES(row.members, row.metal);
+        const LoadedScene loaded = brushed(row.members, row.metal).load();
+        const Material& material = *loaded.scene.instances().at(0).material;
+        CHECK(material.anisotropic());
+        double nearest = 1;
+        for (int t = 0; t < material.terms(); ++t)
+            nearest =
+                std::min(nearest, glm::distance(material.lobe(t).alpha, glm::dvec2(row.along, row.across)));
+        CHECK(nearest < 1e-4);
+        const SpatialVariation* const variation = material.variation();
+        CHECK((variation != nullptr && variation->rotation.directions != nullptr) == !row.members.empty());
+    }
+}
+
 TEST_CASE("normal maps of glTF") {
     const MaterialDescription d =
         TexturedFile("\"doubleSided\":true,\"normalTexture\":{\"index\":0,\"scale\":0.5}").material();
