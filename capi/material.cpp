@@ -297,6 +297,18 @@ nicol_result nicol_material_create_bump_map(nicol_context context, nicol_materia
     });
 }
 
+nicol_result nicol_material_create_rotated(nicol_context context, nicol_material base,
+                                           nicol_texture directions, double angle, nicol_material* material) {
+    return guarded([&] {
+        require(material, "material");
+        const nicol_context_impl session = resolve(context);
+        const nicol_material_impl of = resolve(base);
+        require_same_context(session, of);
+        *material = make_handle<nicol_material_impl>(
+            session.session, rotated(of.content, texture_of(directions, session), angle));
+    });
+}
+
 nicol_result nicol_material_create_mask(nicol_context context, nicol_material base, nicol_texture opacity,
                                         nicol_material* material) {
     return create_textured(context, base, opacity, material, [](MaterialPtr of, TexturePtr by) {

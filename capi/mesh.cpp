@@ -23,6 +23,8 @@ Mesh mesh_of(const nicol_mesh_data& given) {
     require(given.indices, "data->indices");
     if (given.texcoords == nullptr && (given.texcoord_count != 0 || given.texcoord_indices != nullptr))
         refuse("data has texcoord_count or texcoord_indices, but no texcoords");
+    if (given.texcoords == nullptr && given.tangents != nullptr)
+        refuse("data has tangents, but no texcoords; give as many");
     const std::uint32_t texcoords = given.texcoord_count != 0 ? given.texcoord_count : given.vertex_count;
     if (given.texcoord_indices == nullptr && texcoords != given.vertex_count)
         refuse("data->texcoord_count is " + std::to_string(texcoords) +
@@ -34,6 +36,7 @@ Mesh mesh_of(const nicol_mesh_data& given) {
     out.colors = vectors<3>(given.colors, given.vertex_count);
     out.face_colors = vectors<3>(given.face_colors, given.triangle_count);
     out.texcoords = vectors<2>(given.texcoords, texcoords);
+    out.tangents = vectors<4>(given.tangents, texcoords);
     if (given.texcoord_indices != nullptr)
         out.texcoord_triangles = vectors<3>(given.texcoord_indices, given.triangle_count);
     else if (given.texcoords != nullptr)

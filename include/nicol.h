@@ -693,6 +693,13 @@ NICOL_API nicol_result nicol_material_create_normal_map(nicol_context context, n
 NICOL_API nicol_result nicol_material_create_bump_map(nicol_context context, nicol_material base,
                                                       nicol_texture heights, double scale,
                                                       nicol_material* material);
+/* Creates a material whose anisotropic parts are rotated within the surface, as by glTF's
+ * KHR_materials_anisotropy. directions is a raw texture with values t, or NULL: the first two of 2 t - 1 are
+ * the direction in which u would grow, in the frame of x along growing u and y to where v falls. angle, in
+ * radians from x towards y, is added. The given handles may be released afterwards. */
+NICOL_API nicol_result nicol_material_create_rotated(nicol_context context, nicol_material base,
+                                                     nicol_texture directions, double angle,
+                                                     nicol_material* material);
 /* Creates a material with an alpha mask: the surface is cut out where the opacity is below 0.5 (Mitsuba 3's
  * mask of opacities 0 and 1). The opacity is the texture's coverage or, with fewer than four channels, the
  * first channel. The given handles may be released afterwards. */
@@ -759,9 +766,13 @@ typedef struct nicol_mesh_data {
     const float* colors;
     /* Linear colours, 3 per triangle, see nicol_texture_create_face_colors; NULL, the default: none. */
     const float* face_colors;
+    /* Tangents, 4 numbers per pair in texcoords, as in glTF: x, y and z, of any length, are the x axis of
+     * normal maps and of anisotropic materials, which otherwise is the direction of growing u; the y axis is
+     * w cross(normal, x), w 1 or -1. NULL, the default, or of length 0: the directions of u and v. */
+    const float* tangents;
 } nicol_mesh_data;
 #define NICOL_MESH_DATA_INIT \
-    { sizeof(nicol_mesh_data), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 }
+    { sizeof(nicol_mesh_data), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 }
 
 /* Loads a mesh from OBJ, PLY, OFF, STL or the first mesh of Mitsuba's .serialized, by the file's suffix.
  * Polygons may be concave. Triangles without area, vertices without a face, and elements that the reader

@@ -223,6 +223,7 @@ typedef struct nicol_mesh_data {
     const uint32_t* texcoord_indices;
     const float* colors;
     const float* face_colors;
+    const float* tangents;
 } nicol_mesh_data;
 typedef uint32_t nicol_projection;
 typedef struct nicol_camera {
@@ -534,6 +535,7 @@ nicol_result nicol_material_create_scaled(nicol_context context, nicol_material 
 nicol_result nicol_material_create_blend(nicol_context context, nicol_material first, nicol_material second, nicol_texture weight, nicol_material* material);
 nicol_result nicol_material_create_normal_map(nicol_context context, nicol_material base, nicol_texture normals, uint32_t mirrored_y, nicol_material* material);
 nicol_result nicol_material_create_bump_map(nicol_context context, nicol_material base, nicol_texture heights, double scale, nicol_material* material);
+nicol_result nicol_material_create_rotated(nicol_context context, nicol_material base, nicol_texture directions, double angle, nicol_material* material);
 nicol_result nicol_material_create_mask(nicol_context context, nicol_material base, nicol_texture opacity, nicol_material* material);
 nicol_result nicol_material_create_callback(nicol_context context, const nicol_callback_material* parameters, nicol_material* material);
 nicol_result nicol_material_retain(nicol_material material);
@@ -805,6 +807,7 @@ return {
         material_create_blend = "nicol_material",
         material_create_normal_map = "nicol_material",
         material_create_bump_map = "nicol_material",
+        material_create_rotated = "nicol_material",
         material_create_mask = "nicol_material",
         material_create_callback = "nicol_material",
         mesh_load = "nicol_mesh",

@@ -186,3 +186,59 @@ TEST_CASE("a matrix of fewer orders than the light's reflects none of the others
             CHECK(largest_difference(image(method, order, 9, form), truth) < 1e-4F);
     }
 }
+
+CONTEXT_TEST_CASE("tangents, an angle and a texture of directions turn brushed metal alike") {
+    const float positions[] = {-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0};
+    const std::uint32_t indices[] = {0, 1, 2, 0, 2, 3};
+    const float texcoords[] = {0, 1, 1, 1, 1, 0, 0, 0};
+    const float angle = 0.6F, cosine = std::cos(angle), sine = std::sin(angle);
+    std::vector<float> tangents;
+    for (int corner = 0; corner < 4; ++corner) tangents.insert(tangents.end(), {3 * cosine, 3 * sine, 0, 1});
+    nicol_mesh_data data = NICOL_MESH_DATA_INIT;
+    data.vertex_count = 4;
+    data.triangle_count = 2;
+    data.positions = positions;
+    data.indices = indices;
+    data.texcoords = texcoords;
+    const Owned plain(make(nicol_mesh_create, context, &data));
+    data.tangents = tangents.data();
+    const Owned turned(make(nicol_mesh_create, context, &data));
+
+    nicol_conductor parameters = NICOL_CONDUCTOR_INIT;
+    parameters.alpha_u = 0.05F;
+    parameters.alpha_v = 0.4F;
+    const Owned metal(make(nicol_material_create_conductor, context, &parameters));
+    const float direction[] = {0.5F + 0.5F * cosine, 0.5F + 0.5F * sine, 1};
+    nicol_texture_image image = NICOL_TEXTURE_IMAGE_INIT;
+    image.type = NICOL_TEXEL_FLOAT32;
+    image.width = image.height = 1;
+    image.channels = 3;
+    image.pixels = direction;
+    image.byte_size = sizeof direction;
+    const Owned directions(make(nicol_texture_create_image, context, &image, nullptr));
+    const Owned by_angle(
+        make(nicol_material_create_rotated, context, metal, nullptr, static_cast<double>(angle)));
+    const Owned by_texture(make(nicol_material_create_rotated, context, metal, directions, 0.0));
+
+    const Owned sky(clear_sky(context, {1, 1, 1}));
+    const auto picture = [&](nicol_mesh mesh, nicol_material material) {
+        const Owned scene(simple_scene(context, sky, mesh, material));
+        const Owned framebuffer(framebuffer_of(context, 8, 8, 3));
+        const nicol_camera camera = front_camera();
+        nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
+        options.method = NICOL_METHOD_REFERENCE;
+        options.samples = 16;
+        OK(nicol_render(scene, &camera, &options, framebuffer));
+        return read_plane(framebuffer, NICOL_PLANE_S0, 0);
+    };
+    const std::vector<float> expected = picture(turned, metal);
+    const auto difference = [&](const std::vector<float>& other) {
+        double most = 0;
+        for (std::size_t i = 0; i < expected.size(); ++i)
+            most = std::max(most, std::abs(static_cast<double>(other[i]) - static_cast<double>(expected[i])));
+        return most;
+    };
+    CHECK(difference(picture(plain, metal)) > 0.02);
+    CHECK(difference(picture(plain, by_angle)) < 1e-4);
+    CHECK(difference(picture(plain, by_texture)) < 1e-4);
+}

@@ -166,6 +166,9 @@ CONTEXT_TEST_CASE("meshes that are none are refused") {
                  {"texture coordinate 2", [](auto& d) { d.texcoords = broken; }},
                  {"but no texcoords", [](auto& d) { d.texcoord_count = 3; }},
                  {"but no texcoords", [](auto& d) { d.texcoord_indices = indices; }},
+                 {"but no texcoords", [](auto& d) { d.tangents = positions; }},
+                 {"the tangent of texture coordinate 0",
+                  [](auto& d) { d.texcoords = positions, d.tangents = infinite; }},
                  {"without texcoord_indices it must be vertex_count, 3",
                   [](auto& d) { d.texcoords = positions, d.texcoord_count = 4; }},
                  {"uses texture coordinate 3, but there are only 3",
@@ -253,6 +256,8 @@ CONTEXT_TEST_CASE("textures and materials that do not fit are refused") {
          [&] { return nicol_material_create_normal_map(context, grey, texture, 2, &material); }},
         {"scale",
          [&] { return nicol_material_create_bump_map(context, grey, texture, not_a_number, &material); }},
+        {"angle",
+         [&] { return nicol_material_create_rotated(context, grey, texture, not_a_number, &material); }},
     });
     CHECK(material == marker<nicol_material>());
 }

@@ -60,20 +60,21 @@ _FORMATS = {"f": _abi.FORMAT_FLOAT32, "e": _abi.FORMAT_FLOAT16, "I": _abi.FORMAT
 
 
 def mesh_data(
-    positions, indices, normals=None, texcoords=None, texcoord_indices=None, colors=None, face_colors=None
+    positions, indices, normals=None, texcoords=None, texcoord_indices=None, colors=None, face_colors=None, tangents=None
 ):
-    """Returns MeshData for Mesh.create, from arrays of three numbers per vertex or triangle, and two per texture
-    coordinate."""
+    """Returns MeshData for Mesh.create, from arrays of three numbers per vertex or triangle, and of two (tangents: four)
+    per texture coordinate."""
     fields = {"positions": positions, "indices": indices, "normals": normals, "texcoords": texcoords,
-              "texcoord_indices": texcoord_indices, "colors": colors, "face_colors": face_colors}  # fmt: skip
+              "texcoord_indices": texcoord_indices, "colors": colors, "face_colors": face_colors, "tangents": tangents}  # fmt: skip
     counts = {}
     for name, value in fields.items():
         view = memoryview(b"" if value is None else value)
-        each = 2 if name == "texcoords" else 3
+        each = {"texcoords": 2, "tangents": 4}.get(name, 3)
         counts[name], rest = divmod(view.nbytes // view.itemsize, each)
         if rest:
             raise ValueError(f"{name} takes {each} numbers each; {each * counts[name] + rest} are no multiple of {each}")
-    of = {"normals": "positions", "colors": "positions", "texcoord_indices": "indices", "face_colors": "indices"}
+    of = {"normals": "positions", "colors": "positions", "texcoord_indices": "indices", "face_colors": "indices",
+          "tangents": "texcoords"}  # fmt: skip
     if texcoord_indices is None:
         of["texcoords"] = "positions"
     for name, wanted in of.items():

@@ -476,6 +476,7 @@ class MeshData(Struct):
         ("texcoord_indices", POINTER(c_uint32)),
         ("colors", POINTER(c_float)),
         ("face_colors", POINTER(c_float)),
+        ("tangents", POINTER(c_float)),
     ]
 
 
@@ -1126,6 +1127,16 @@ class Material(Handle):
         The given handles may be released afterwards."""
         material = cls()
         check(_material_create_bump_map(context, base, heights, scale, byref(material)))
+        return material
+
+    @classmethod
+    def create_rotated(cls, context, base, directions, angle):
+        """Creates a material whose anisotropic parts are rotated within the surface, as by glTF's
+        KHR_materials_anisotropy. directions is a raw texture with values t, or NULL: the first two of 2 t - 1 are
+        the direction in which u would grow, in the frame of x along growing u and y to where v falls. angle, in
+        radians from x towards y, is added. The given handles may be released afterwards."""
+        material = cls()
+        check(_material_create_rotated(context, base, directions, angle, byref(material)))
         return material
 
     @classmethod
@@ -1865,6 +1876,7 @@ _material_create_scaled = declare("nicol_material_create_scaled", c_int32, Conte
 _material_create_blend = declare("nicol_material_create_blend", c_int32, Context, Material, Material, Texture, POINTER(Material))
 _material_create_normal_map = declare("nicol_material_create_normal_map", c_int32, Context, Material, Texture, c_uint32, POINTER(Material))
 _material_create_bump_map = declare("nicol_material_create_bump_map", c_int32, Context, Material, Texture, c_double, POINTER(Material))
+_material_create_rotated = declare("nicol_material_create_rotated", c_int32, Context, Material, Texture, c_double, POINTER(Material))
 _material_create_mask = declare("nicol_material_create_mask", c_int32, Context, Material, Texture, POINTER(Material))
 _material_create_callback = declare("nicol_material_create_callback", c_int32, Context, POINTER(CallbackMaterial), POINTER(Material))
 Material._release = declare("nicol_material_release", c_int32, c_void_p)

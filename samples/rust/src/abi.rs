@@ -864,6 +864,7 @@ pub struct nicol_mesh_data {
     pub texcoord_indices: *const u32,
     pub colors: *const f32,
     pub face_colors: *const f32,
+    pub tangents: *const f32,
 }
 impl Default for nicol_mesh_data {
     fn default() -> Self {
@@ -874,7 +875,7 @@ impl Default for nicol_mesh_data {
     }
 }
 const _: () = {
-    assert!(size_of::<nicol_mesh_data>() == 72);
+    assert!(size_of::<nicol_mesh_data>() == 80);
     assert!(offset_of!(nicol_mesh_data, struct_size) == 0);
     assert!(offset_of!(nicol_mesh_data, vertex_count) == 4);
     assert!(offset_of!(nicol_mesh_data, triangle_count) == 8);
@@ -886,6 +887,7 @@ const _: () = {
     assert!(offset_of!(nicol_mesh_data, texcoord_indices) == 48);
     assert!(offset_of!(nicol_mesh_data, colors) == 56);
     assert!(offset_of!(nicol_mesh_data, face_colors) == 64);
+    assert!(offset_of!(nicol_mesh_data, tangents) == 72);
 };
 pub type nicol_projection = u32;
 
@@ -1861,6 +1863,11 @@ extern "C" {
     /// along its normal by scale times the texture's first channel, in the scene's units (Mitsuba 3's bumpmap).
     /// The given handles may be released afterwards.
     pub fn nicol_material_create_bump_map(context: nicol_context, base: nicol_material, heights: nicol_texture, scale: f64, material: *mut nicol_material) -> nicol_result;
+    /// Creates a material whose anisotropic parts are rotated within the surface, as by glTF's
+    /// KHR_materials_anisotropy. directions is a raw texture with values t, or NULL: the first two of 2 t - 1 are
+    /// the direction in which u would grow, in the frame of x along growing u and y to where v falls. angle, in
+    /// radians from x towards y, is added. The given handles may be released afterwards.
+    pub fn nicol_material_create_rotated(context: nicol_context, base: nicol_material, directions: nicol_texture, angle: f64, material: *mut nicol_material) -> nicol_result;
     /// Creates a material with an alpha mask: the surface is cut out where the opacity is below 0.5 (Mitsuba 3's
     /// mask of opacities 0 and 1). The opacity is the texture's coverage or, with fewer than four channels, the
     /// first channel. The given handles may be released afterwards.
