@@ -6,8 +6,8 @@
 #include <glm/vec3.hpp>
 #include <span>
 
+#include "harmonics/lane_rotation.hpp"
 #include "harmonics/light_layout.hpp"
-#include "transfer/lane_rotation.hpp"
 #include "transfer/light_fields.hpp"
 #include "transfer/vertex_light.hpp"
 

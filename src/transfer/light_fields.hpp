@@ -5,9 +5,9 @@
 #include <cstddef>
 #include <vector>
 
+#include "harmonics/lane_rotation.hpp"
 #include "harmonics/light_layout.hpp"
 #include "simd/lanes.hpp"
-#include "transfer/lane_rotation.hpp"
 
 namespace nicol {
 

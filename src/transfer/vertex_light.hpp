@@ -7,9 +7,9 @@
 #include <span>
 #include <vector>
 
+#include "harmonics/lane_rotation.hpp"
 #include "harmonics/light_layout.hpp"
 #include "simd/lanes.hpp"
-#include "transfer/lane_rotation.hpp"
 #include "transfer/light_fields.hpp"
 
 namespace nicol {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "transfer/lane_rotation.hpp"
+#include "harmonics/lane_rotation.hpp"
 
 #include <cmath>
 #include <numbers>
