@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <atomic>
 #include <optional>
+#include <span>
 #include <utility>
+#include <vector>
 
 #include "material/material_projection.hpp"
 #include "visibility/narrow_opening.hpp"
@@ -92,18 +94,30 @@ void DenseMethod::build(const TransferInput& input, const VertexRange& range, bo
         range.first, range.last, input.geometry.positions.size(), "bake", run.progress,
         [&](std::size_t first, std::size_t last) {
             std::optional<DenseBuilder> builder;
-            std::vector<float> seen(psh_count(2 * order));
+            std::vector<std::uint32_t> vertices;
+            for (std::size_t v = first; v < last; ++v)
+                if (all || current[v] == 0) vertices.push_back(static_cast<std::uint32_t>(v));
+            if (vertices.empty()) return;
+            builder.emplace(material, shadows);
+            const std::vector<glm::vec3>& normals = input.geometry.normals;
+            const std::size_t size = psh_count(2 * order);
+            constexpr std::size_t batch = VisibilityHarmonics::kBatch;
+            std::vector<Lanes> seen(harmonics ? batch / kLanes * size : 0);
+            std::vector<float> one(size);
             std::vector<double> visibility;
-            for (std::size_t v = first; v < last; ++v) {
-                if (!all && current[v] != 0) continue;
-                if (!builder) builder.emplace(material, shadows);
+            for (std::size_t k = 0; k < vertices.size(); ++k) {
+                const std::uint32_t v = vertices[k];
                 if (harmonics) {
-                    harmonics->project(*input.visibility, v, input.geometry.normals[v], seen);
-                    scale_narrow_opening(*input.directions, *input.visibility, v, input.geometry.normals[v],
-                                         order, seen);
-                    visibility.assign(seen.begin(), seen.end());
+                    if (k % batch == 0)
+                        harmonics->project(
+                            *input.visibility, normals,
+                            std::span(vertices).subspan(k, std::min(batch, vertices.size() - k)), seen);
+                    const std::size_t block = k % batch / kLanes;
+                    for (std::size_t i = 0; i < size; ++i) one[i] = seen[block * size + i][k % kLanes];
+                    scale_narrow_opening(*input.directions, *input.visibility, v, normals[v], order, one);
+                    visibility.assign(one.begin(), one.end());
                 }
-                builder->build(input.geometry.normals[v], visibility, out.at(v - range.first));
+                builder->build(normals[v], visibility, out.at(v - range.first));
                 ++baked;
             }
         });

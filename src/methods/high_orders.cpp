@@ -116,7 +116,15 @@ VisibilityBlocks HighOrderTransfer::expanded(const TransferInput& input, int ord
     VisibilityBlocks next(*input.visibility, order);
     run.workers.for_vertices(
         0, vertices, vertices, "bake", run.progress, [&](std::size_t begin, std::size_t end) {
-            std::vector<Lanes> coefficients(psh_count(order));
+            const std::size_t of_block = psh_count(order);
+            std::vector<Lanes> coefficients(VisibilityHarmonics::kBatch / kLanes * of_block);
+            std::vector<std::uint32_t> unknown;
+            const auto project = [&] {
+                harmonics.project(*input.visibility, input.geometry.normals, unknown, coefficients);
+                for (std::size_t k = 0; k < unknown.size(); k += kLanes)
+                    next.set(unknown[k] / kLanes, &coefficients[k / kLanes * of_block]);
+                unknown.clear();
+            };
             for (std::size_t first = begin; first < end; first += kLanes) {
                 const std::size_t block = first / kLanes;
                 if (next.block(block) == nullptr) continue;
@@ -127,10 +135,11 @@ VisibilityBlocks HighOrderTransfer::expanded(const TransferInput& input, int ord
                     next.take_over(block, *visibility_);
                     continue;
                 }
-                project_block(harmonics, *input.visibility, input.geometry.normals, first, size,
-                              coefficients.data());
-                next.set(block, coefficients.data());
+                for (std::size_t v = first; v < first + size; ++v)
+                    unknown.push_back(static_cast<std::uint32_t>(v));
+                if (unknown.size() == VisibilityHarmonics::kBatch) project();
             }
+            project();
         });
     return next;
 }

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 
 #include "harmonics/energy.hpp"
 #include "render/light_projection.hpp"
 #include "render/memory_estimate.hpp"
+#include "render/vertex_weights.hpp"
 #include "specular/split_fit.hpp"
 
 namespace nicol {
@@ -119,25 +119,25 @@ void OrderSelector::measure(const Scene& scene, const Projected& projected, cons
     const WorldGeometry& geometry = surfaces.geometry;
     kind_ = light_kind(projected.light.get());
     responding_.run(kind_, projected.sampled, scene.channels(), [&] { responses_.clear(); });
-    std::optional<VisibilityPower> visible;
-    if (surfaces.visibility != nullptr)
-        visible.emplace(*surfaces.visibility, *surfaces.directions, geometry.normals);
-    const double fraction = visible ? visible->fraction() : 1;
     constexpr std::size_t size = kOrder + 1;
     std::array<std::vector<double>, 2> couplings;  // spin 0, spin 2
-    for (std::size_t k = 0; k < couplings.size(); ++k) {
-        if (visible) {
-            couplings[k] = visible->coupling(kOrder, k == 1 ? 2 : 0);
-        } else {
-            couplings[k].resize(size * size);
-            for (std::size_t l = 0; l < size; ++l) couplings[k][l * size + l] = 1;
-        }
+    for (std::vector<double>& coupling : couplings) {
+        coupling.resize(size * size);
+        for (std::size_t l = 0; l < size; ++l) coupling[l * size + l] = 1;
     }
+    double fraction = 1;
+    if (surfaces.visibility != nullptr && couplings_.empty())
+        for (const int spin : {0, 2}) couplings_.emplace_back(kOrder, spin);
 
-    std::map<MaterialPtr, std::size_t> vertices;
-    for (const VertexRange& range : geometry.ranges) vertices[range.material] += range.last - range.first;
-    std::erase_if(responses_, [&](const auto& known) { return !vertices.contains(known.first); });
-    for (const auto& [material, count] : vertices) {
+    const VertexWeights vertices(geometry);
+    std::erase_if(responses_, [&](const auto& known) { return !vertices.groups().contains(known.first); });
+    for (const auto& [material, group] : vertices.groups()) {
+        if (surfaces.visibility != nullptr) {
+            const VisibilityPower visible(*surfaces.visibility, *surfaces.directions, geometry.normals,
+                                          group.sample);
+            fraction = visible.fraction();
+            for (std::size_t k = 0; k < couplings.size(); ++k) couplings[k] = couplings_[k].of(visible);
+        }
         auto known = responses_.find(material);
         if (known == responses_.end()) {
             MaterialPtr in_orders = in_harmonics(material, projected.sampled);
@@ -160,16 +160,15 @@ void OrderSelector::measure(const Scene& scene, const Projected& projected, cons
             const std::size_t channel = light_.size() == 1 ? 0 : static_cast<std::size_t>(c);
             auto of_light = light_[channel];
             for (std::size_t part = 0; part < parts_of(kind_); ++part) {
-                for (double& energy : of_light[part]) energy *= static_cast<double>(count);
+                for (double& energy : of_light[part]) energy *= group.weight;
                 for (std::size_t output = 0; output < kOutputs; ++output)
                     add_part(of_light[part], power.of(c, output, part), couplings[part == 1 ? 1 : 0],
                              fraction, output, share);
-                mean_square_ +=
-                    static_cast<double>(count) *
-                    reflected(all_light_[channel][part], whole.of(c, 0, part), couplings[part == 1 ? 1 : 0]);
+                mean_square_ += group.weight * reflected(all_light_[channel][part], whole.of(c, 0, part),
+                                                         couplings[part == 1 ? 1 : 0]);
             }
         }
-        values_ += static_cast<double>(count) * scene.channels();
+        values_ += group.weight * scene.channels();
     }
 }
 

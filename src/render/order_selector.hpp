@@ -19,8 +19,8 @@
 namespace nicol {
 
 /// Selector of orders, by the predicted error of the omitted orders. The error is predicted from the spectra
-/// of light, materials and visibility: the mean square over all rotations between them, with equal weights
-/// for all vertices. The prediction does not include interpolation between vertices or the sampling of
+/// of light, materials and visibility: the mean square over all rotations between them, with VertexWeights.
+/// The prediction does not include interpolation between vertices or the sampling of
 /// visibility.
 class OrderSelector {
 public:
@@ -88,6 +88,7 @@ private:
     const std::array<double, kOutputs>& missed(const Share& share, int low, int high);
 
     Stage<EnvironmentPtr, Projected, Version, SurfaceVersions> measuring_;
+    std::vector<OrderCoupling> couplings_;  // spin 0, spin 2; made when shadows are first measured
     LightKind kind_ = LightKind::unpolarized;
     Stage<LightKind, SampledTerms, int> responding_;  // kind, sampled terms, channels
     std::map<MaterialPtr, Response> responses_;
@@ -98,7 +99,7 @@ private:
     LightPower all_light_;
     std::vector<Share> shares_;
     double mean_square_ = 0;  // mean square of s0, times `values_`
-    double values_ = 0;       // vertices times channels
+    double values_ = 0;       // weights of vertices times channels
     // Inputs: geometry, light, the options that affect memory, the memory limit.
     Stage<Version, EnvironmentPtr, bool, bool, int, HighOrders, std::uint64_t> limiting_;
     int highest_low_ = kHighestLow;

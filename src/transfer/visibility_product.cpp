@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "transfer/visibility_product.hpp"
 
-#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
-#include <tbb/parallel_reduce.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <string>
 #include <utility>
 
@@ -72,11 +71,8 @@ VisibilityProduct::VisibilityProduct(const Visibility& visibility, const Directi
     if (psh_count(harmonics.order()) > directions.size()) {
         find_unit({visibility, directions, harmonics, normals, nullptr});
     }
-    tbb::parallel_for(std::size_t{0}, blocks(), [&](std::size_t block) {
-        std::vector<Lanes> numbers(size_);
-        compute_block(block, {visibility, directions, harmonics, normals, keep}, numbers);
-        store_block(block, numbers);
-    });
+    compute(all_blocks(), {visibility, directions, harmonics, normals, keep},
+            [&](std::size_t block, std::span<const Lanes> numbers) { store_block(block, numbers); });
 }
 
 VisibilityProduct::VisibilityProduct(VisibilityProduct&& before, std::span<const std::uint8_t> unchanged,
@@ -96,22 +92,30 @@ VisibilityProduct::VisibilityProduct(VisibilityProduct&& before, std::span<const
         numbers_before = std::move(numbers_);
         numbers_ = std::vector<NumberPair>(blocks() * size_ / 2);
     }
-    const VisibilityHarmonics harmonics(directions, 2 * layout_.order());
-    tbb::parallel_for(std::size_t{0}, block_of_.size(), [&](std::size_t sixteen) {
-        const std::size_t block = block_of_[sixteen];
-        if (block == kUnoccluded) return;
+    std::vector<std::uint32_t> changed;
+    for (std::size_t sixteen = 0; sixteen < block_of_.size(); ++sixteen) {
+        const std::uint32_t block = block_of_[sixteen];
+        if (block == kUnoccluded) continue;
         const std::size_t first = sixteen * kLanes;
         const bool known = sixteen < blocks_before.size() && blocks_before[sixteen] != kUnoccluded &&
                            all_ones(unchanged.subspan(first, std::min(kLanes, unchanged.size() - first)));
         if (!known) {
-            std::vector<Lanes> numbers(size_);
-            compute_block(block, {visibility, directions, harmonics, normals, nullptr}, numbers);
-            store_block(block, numbers);
+            changed.push_back(block);
         } else if (moved) {
             std::copy_n(&numbers_before[blocks_before[sixteen] * size_ / 2], size_ / 2,
                         &numbers_[block * size_ / 2]);
         }
-    });
+    }
+    if (changed.empty()) return;
+    const VisibilityHarmonics harmonics(directions, 2 * layout_.order());
+    compute(changed, {visibility, directions, harmonics, normals, nullptr},
+            [&](std::size_t block, std::span<const Lanes> numbers) { store_block(block, numbers); });
+}
+
+std::vector<std::uint32_t> VisibilityProduct::all_blocks() const {
+    std::vector<std::uint32_t> out(blocks());
+    std::iota(out.begin(), out.end(), 0U);
+    return out;
 }
 
 void VisibilityProduct::find_vertices(const Visibility& visibility) {
@@ -132,39 +136,49 @@ void VisibilityProduct::find_vertices(const Visibility& visibility) {
 // Finds the unit of the stored numbers. With fewer directions than coefficients, the numbers may leave the
 // range of visibility.
 void VisibilityProduct::find_unit(const Input& input) {
-    const float largest = tbb::parallel_reduce(
-        tbb::blocked_range<std::size_t>(0, blocks()), 0.0F,
-        [&](const auto& range, float most) {
-            std::vector<Lanes> numbers(size_);
-            for (std::size_t block = range.begin(); block < range.end(); ++block) {
-                compute_block(block, input, numbers);
-                for (const Lanes& lanes : numbers) {
-                    for (const float number : lanes.value) most = std::max(most, std::abs(number));
-                }
-            }
-            return most;
-        },
-        [](float a, float b) { return std::max(a, b); });
-    while (unit_ * kLargestFixed < largest) unit_ *= 2;
+    std::vector<float> largest(blocks(), 0.0F);
+    compute(all_blocks(), input, [&](std::size_t block, std::span<const Lanes> numbers) {
+        for (const Lanes& lanes : numbers)
+            for (const float number : lanes.value)
+                largest[block] = std::max(largest[block], std::abs(number));
+    });
+    const float most = largest.empty() ? 0.0F : std::ranges::max(largest);
+    while (unit_ * kLargestFixed < most) unit_ *= 2;
 }
 
-void VisibilityProduct::compute_block(std::size_t block, const Input& input, std::span<Lanes> numbers) const {
-    const std::size_t first = vertices_[block * kLanes];
-    std::vector<Lanes> coefficients(psh_count(input.harmonics.order()));
-    project_block(input.harmonics, input.visibility, input.normals, first,
-                  std::min(kLanes, vertices_.size() - block * kLanes), coefficients.data());
-    if (input.keep != nullptr) input.keep->set(first / kLanes, coefficients.data());
-    const std::span numbers_of_lanes(coefficients.front().value.data(), coefficients.size() * kLanes);
-    for (std::size_t i = 0; i < kLanes && block * kLanes + i < vertices_.size(); ++i) {
-        const std::size_t vertex = vertices_[block * kLanes + i];
-        scale_narrow_opening(input.directions, input.visibility, vertex, input.normals[vertex],
-                             layout_.order(), numbers_of_lanes.subspan(i), kLanes);
-    }
-    if (matrices_) {
-        matrices_->make(coefficients.data(), numbers.data());
-    } else {
-        grid_->sample(coefficients.data(), numbers.data());
-    }
+template <class Use>
+void VisibilityProduct::compute(std::span<const std::uint32_t> blocks, const Input& input,
+                                const Use& use) const {
+    constexpr std::size_t most = VisibilityHarmonics::kBatch / kLanes;
+    const std::size_t size = psh_count(input.harmonics.order());
+    tbb::parallel_for(std::size_t{0}, (blocks.size() + most - 1) / most, [&](std::size_t batch) {
+        const std::span some = blocks.subspan(batch * most, std::min(most, blocks.size() - batch * most));
+        std::vector<std::uint32_t> vertices;
+        for (const std::uint32_t block : some) {
+            const auto of_block = std::span(vertices_).subspan(block * kLanes);
+            vertices.insert(
+                vertices.end(), of_block.begin(),
+                of_block.begin() + static_cast<std::ptrdiff_t>(std::min(kLanes, of_block.size())));
+        }
+        std::vector<Lanes> all(some.size() * size), numbers(size_);
+        input.harmonics.project(input.visibility, input.normals, vertices, all);
+        for (std::size_t k = 0; k < some.size(); ++k) {
+            const std::span coefficients = std::span(all).subspan(k * size, size);
+            if (input.keep != nullptr) input.keep->set(vertices[k * kLanes] / kLanes, coefficients.data());
+            const std::span numbers_of_lanes(coefficients.front().value.data(), size * kLanes);
+            for (std::size_t i = 0; i < kLanes && k * kLanes + i < vertices.size(); ++i) {
+                const std::size_t vertex = vertices[k * kLanes + i];
+                scale_narrow_opening(input.directions, input.visibility, vertex, input.normals[vertex],
+                                     layout_.order(), numbers_of_lanes.subspan(i), kLanes);
+            }
+            if (matrices_) {
+                matrices_->make(coefficients.data(), numbers.data());
+            } else {
+                grid_->sample(coefficients.data(), numbers.data());
+            }
+            use(some[k], numbers);
+        }
+    });
 }
 
 void VisibilityProduct::store_block(std::size_t block, std::span<const Lanes> numbers) {

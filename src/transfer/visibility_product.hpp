@@ -90,7 +90,10 @@ private:
 
     void find_vertices(const Visibility& visibility);
     void find_unit(const Input& input);
-    void compute_block(std::size_t block, const Input& input, std::span<Lanes> numbers) const;
+    [[nodiscard]] std::vector<std::uint32_t> all_blocks() const;
+    // Computes the numbers of each block, on threads, in any order, and calls use(block, numbers).
+    template <class Use>
+    void compute(std::span<const std::uint32_t> blocks, const Input& input, const Use& use) const;
     void store_block(std::size_t block, std::span<const Lanes> numbers);
 
     LightLayout layout_;

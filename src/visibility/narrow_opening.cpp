@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "harmonics/psh.hpp"
+#include "visibility/visibility_harmonics.hpp"
 
 namespace nicol {
 namespace {
@@ -54,6 +55,10 @@ void scale_narrow_opening(const DirectionSet& directions, const Visibility& visi
                           const glm::vec3& normal, int order, std::span<float> coefficients,
                           std::size_t stride) {
     if (visibility.unoccluded(vertex)) return;
+    // Directions that are the visible fraction of the hemisphere have at least its square of the irradiance,
+    // when they lie along the horizon.
+    const float fraction = coefficients.front() / VisibilityHarmonics::kUnoccluded;
+    if (fraction * fraction > static_cast<float>(kWide) + 0.01F) return;
     std::vector<float> zonal;
     for (int l = 0; l <= order; l += 2) zonal.push_back(coefficients[stride * psh_index(l, 0)]);
     const float factor = narrow_opening_factor(directions, visibility, vertex, normal, zonal);

@@ -57,14 +57,4 @@ void VisibilityBlocks::expand(std::size_t vertex, std::span<float> out) const {
     }
 }
 
-void project_block(const VisibilityHarmonics& harmonics, const Visibility& visibility,
-                   std::span<const glm::vec3> normals, std::size_t first, std::size_t count, Lanes* out) {
-    std::vector<float> one(psh_count(harmonics.order()));
-    for (std::size_t i = 0; i < kLanes; ++i) {
-        const std::size_t vertex = first + std::min(i, count - 1);
-        if (i < count) harmonics.project(visibility, vertex, normals[vertex], one);
-        for (std::size_t k = 0; k < one.size(); ++k) out[k][i] = one[k];
-    }
-}
-
 }  // namespace nicol

@@ -62,9 +62,4 @@ private:
     std::vector<FixedLanes> numbers_;   // [place][kept]
 };
 
-/// Computes VisibilityHarmonics::project() of vertices first to first + count - 1, at most sixteen, by
-/// psh_index. The other lanes repeat the last vertex.
-void project_block(const VisibilityHarmonics& harmonics, const Visibility& visibility,
-                   std::span<const glm::vec3> normals, std::size_t first, std::size_t count, Lanes* out);
-
 }  // namespace nicol

@@ -2,10 +2,12 @@
 // Visibility as spherical harmonics in each vertex's own frame.
 #pragma once
 
+#include <cstdint>
 #include <glm/vec3.hpp>
 #include <span>
 #include <vector>
 
+#include "harmonics/lane_rotation.hpp"
 #include "simd/lanes.hpp"
 #include "visibility/visibility.hpp"
 
@@ -26,18 +28,29 @@ public:
     static constexpr int kHighestOrder = 64;
     /// First coefficient of an unoccluded vertex, sqrt(4 pi); its other coefficients are 0.
     static constexpr float kUnoccluded = 3.5449077F;
+    /// Number of vertices that share the work on directions. Calls for more vertices are no faster, calls for
+    /// fewer are slower.
+    static constexpr std::size_t kBatch = 128;
 
     [[nodiscard]] int order() const noexcept { return order_; }
 
-    /// Computes the psh_count(order) coefficients of one vertex. Calls may run side by side.
-    void project(const Visibility& visibility, std::size_t vertex, const glm::vec3& normal,
-                 std::span<float> out) const;
+    /// Computes the psh_count(order) coefficients of each vertex: out[block of sixteen][psh_index], a vertex
+    /// in each lane. The last block's other lanes repeat the last vertex. normals: of all vertices, unit.
+    /// Calls may run side by side.
+    void project(const Visibility& visibility, std::span<const glm::vec3> normals,
+                 std::span<const std::uint32_t> vertices, std::span<Lanes> out) const;
 
 private:
+    // At most kBatch vertices.
+    void project_batch(const Visibility& visibility, std::span<const glm::vec3> normals,
+                       std::span<const std::uint32_t> vertices, std::span<Lanes> out) const;
+
     const DirectionSet& directions_;
     int order_;
-    std::vector<Lanes> weights_;     // weights of the directions, in bundles
-    std::vector<float> recurrence_;  // three factors for each (l, m)
+    LaneRotation rotation_;
+    std::vector<Lanes> weights_;  // weights of the directions, in bundles
+    std::size_t row_ = 0;         // numbers of a row
+    std::vector<Lanes> rows_;     // weight times the harmonics, row_ numbers of each direction
 };
 
 }  // namespace nicol

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Tests of high orders: lookups in floats against doubles.
+#include <numeric>
 #include <optional>
 
 #include "material/chiral_material.hpp"
@@ -38,12 +39,12 @@ test::Deviation compare(const test::Vertices& vertices, const Material& material
 
     const VisibilityHarmonics harmonics(directions(), visibility_order);
     VisibilityBlocks seen(vertices.visibility, visibility_order);
-    std::vector<Lanes> lanes(psh_count(visibility_order));
-    for (std::size_t first = 0; first < count; first += kLanes) {
-        project_block(harmonics, vertices.visibility, vertices.normals, first,
-                      std::min(kLanes, count - first), lanes.data());
-        seen.set(first / kLanes, lanes.data());
-    }
+    const std::size_t blocks = (count + kLanes - 1) / kLanes, size = psh_count(visibility_order);
+    std::vector<Lanes> lanes(blocks * size);
+    std::vector<std::uint32_t> all(count);
+    std::iota(all.begin(), all.end(), 0U);
+    harmonics.project(vertices.visibility, vertices.normals, all, lanes);
+    for (std::size_t block = 0; block < blocks; ++block) seen.set(block, &lanes[block * size]);
     // The truth uses the stored coefficients, so that the loss of 16 bits does not count.
     std::vector<float> kept(psh_count(visibility_order));
     std::vector<glm::dvec2> fractions_truth;

@@ -3,12 +3,15 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include <numeric>
+
 #include "harmonics/light_coefficients.hpp"
 #include "harmonics/product.hpp"
 #include "material/brute_force.hpp"
 #include "test.hpp"
 #include "transfer/visibility_product.hpp"
 #include "visibility/narrow_opening.hpp"
+#include "visibility/projected.hpp"
 
 using namespace nicol;
 
@@ -79,12 +82,12 @@ double error_of(const Scene& scene, const LightLayout& layout, int channels, con
     const int order = layout.order();
     const VisibilityHarmonics harmonics(directions(), 2 * order);
     PshProduct reference(2 * order, order, order);
-    std::vector<float> v(psh_count(harmonics.order()));
     PshVector want(order, 1);
     double error = 0;
     double largest = 0;
     for (std::size_t vertex = 0; vertex < scene.normals.size(); ++vertex) {
-        harmonics.project(scene.visibility, vertex, scene.normals[vertex], v);
+        std::vector<float> v =
+            test::projected(harmonics, scene.visibility, scene.normals, static_cast<std::uint32_t>(vertex));
         scale_narrow_opening(directions(), scene.visibility, vertex, scene.normals[vertex], order, v);
         const PshVector light = light_at(vertex, order, channels, layout.kind());
         for (int c = 0; c < channels; ++c) {
@@ -177,12 +180,11 @@ TEST_CASE("coefficients that are computed on the way can be kept") {
     VisibilityBlocks kept(scene.visibility, 6);
     const VisibilityProduct product(scene.visibility, directions(), scene.normals, layout, &kept);
     VisibilityBlocks expected(scene.visibility, 6);
-    std::vector<Lanes> lanes(psh_count(6));
-    for (std::size_t block = 0; block < 5; ++block) {
-        project_block(harmonics, scene.visibility, scene.normals, kLanes * block, block < 4 ? kLanes : 6,
-                      lanes.data());
-        expected.set(block, lanes.data());
-    }
+    std::vector<Lanes> lanes(5 * psh_count(6));
+    std::vector<std::uint32_t> vertices(70);
+    std::iota(vertices.begin(), vertices.end(), 0U);
+    harmonics.project(scene.visibility, scene.normals, vertices, lanes);
+    for (std::size_t block = 0; block < 5; ++block) expected.set(block, &lanes[block * psh_count(6)]);
     std::vector<float> one(psh_count(6));
     std::vector<float> other(psh_count(6));
     for (std::size_t v = 0; v < 70; ++v) {

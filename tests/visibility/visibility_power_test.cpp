@@ -6,12 +6,14 @@
 
 #include "harmonics/psh.hpp"
 #include "test.hpp"
+#include "visibility/projected.hpp"
 
 using namespace nicol;
 
 namespace {
 
 const glm::vec3 up(0, 1, 0);
+const std::array<std::uint32_t, 1> first{0};
 
 // Returns a vertex that sees a cone about `axis`, with this cosine of its half angle, above its horizon.
 Visibility cone(const DirectionSet& directions, const glm::vec3& axis, float cosine) {
@@ -27,7 +29,7 @@ Visibility cone(const DirectionSet& directions, const glm::vec3& axis, float cos
 /// Returns a spectrum after multiplication with the visibility.
 std::vector<double> shadowed(const VisibilityPower& power, const std::vector<double>& response, int spin) {
     const std::size_t size = response.size();
-    const std::vector<double> coupling = power.coupling(static_cast<int>(size) - 1, spin);
+    const std::vector<double> coupling = OrderCoupling(static_cast<int>(size) - 1, spin).of(power);
     std::vector<double> out(size);
     for (std::size_t to = 0; to < size; ++to)
         for (std::size_t from = 0; from < size; ++from)
@@ -45,7 +47,7 @@ TEST_CASE("an unoccluded vertex changes no spectrum") {
     const DirectionSet directions(2048);
     Visibility open(directions.size(), 1);
     open.set_unoccluded(0, true);
-    const VisibilityPower power(open, directions, std::span(&up, 1));
+    const VisibilityPower power(open, directions, std::span(&up, 1), first);
     const std::vector<double> response{0, 0, 3, 0.5, 0.25};
     for (const int spin : {0, 2}) {
         const std::vector<double> same = shadowed(power, response, spin);
@@ -57,7 +59,7 @@ TEST_CASE("an unoccluded vertex changes no spectrum") {
 TEST_CASE("the energy that is left is the visible part") {
     const DirectionSet directions(8192);
     const VisibilityPower power(cone(directions, glm::normalize(glm::vec3(1, 2, 0)), 0.3F), directions,
-                                std::span(&up, 1));
+                                std::span(&up, 1), first);
     CHECK(power.fraction() > 0.4);
     CHECK(power.fraction() < 0.8);
     std::vector<double> response(120, 0.0);
@@ -74,10 +76,9 @@ TEST_CASE("the energy that is left is the visible part") {
 TEST_CASE("a response of order 1 leaves in order 0 what the visibility has in order 1") {
     const DirectionSet directions(4096);
     const Visibility visibility = cone(directions, glm::normalize(glm::vec3(1, 1, 0)), 0.5F);
-    const VisibilityPower power(visibility, directions, std::span(&up, 1));
+    const VisibilityPower power(visibility, directions, std::span(&up, 1), first);
     const VisibilityHarmonics harmonics(directions, 1);
-    std::vector<float> v(psh_count(1));
-    harmonics.project(visibility, 0, up, v);
+    const std::vector<float> v = test::projected(harmonics, visibility, std::span(&up, 1), 0);
     double first = 0;
     for (std::size_t k = 1; k < v.size(); ++k) first += static_cast<double>(v[k]) * static_cast<double>(v[k]);
     const std::vector<double> response{0, 5};

@@ -9,6 +9,7 @@
 #include "test.hpp"
 #include "visibility/bake.hpp"
 #include "visibility/narrow_opening.hpp"
+#include "visibility/projected.hpp"
 #include "visibility/visibility_directions.hpp"
 #include "visibility/visibility_harmonics.hpp"
 #include "visibility/visibility_in_double.hpp"
@@ -30,9 +31,7 @@ Visibility visibility_of(const DirectionSet& set, const glm::vec3& normal, Sees 
 
 std::vector<float> projected(const DirectionSet& set, const Visibility& visibility, const glm::vec3& normal,
                              int order) {
-    std::vector<float> out(psh_count(order));
-    VisibilityHarmonics(set, order).project(visibility, 0, normal, out);
-    return out;
+    return test::projected(VisibilityHarmonics(set, order), visibility, {&normal, 1}, 0);
 }
 
 // Returns coefficients of ((1 + axis . d) / 2)^8, which has order 8 and nearly vanishes more than 90 degrees
@@ -145,8 +144,8 @@ TEST_CASE("the visibility of a vertex of the authors' data equals theirs") {
     constexpr std::size_t vertex = 17473;
     const glm::vec3 normal = mesh.normals[vertex];
     const Frame frame = theta_phi_frame(glm::dvec3(normal));
-    std::vector<float> ours(psh_count(8));
-    VisibilityHarmonics(set, 8).project(visibility, vertex, normal, ours);
+    const std::vector<float> ours =
+        test::projected(VisibilityHarmonics(set, 8), visibility, mesh.normals, vertex);
     double least = 1;
     for (int k = 0; k < 8; ++k) {
         const glm::dvec3 axis =

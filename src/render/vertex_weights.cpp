@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#include "render/vertex_weights.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace nicol {
+namespace {
+
+// Vertices in the samples of all materials together, and fewest in one.
+constexpr double kSamples = 512;
+constexpr double kFewest = 32;
+
+std::vector<double> weights_of(const WorldGeometry& geometry) {
+    std::vector<double> areas(geometry.positions.size(), 0.0);
+    double all = 0;
+    for (const glm::uvec3& t : geometry.triangles) {
+        const glm::dvec3 corner(geometry.positions[t.x]);
+        const double area = glm::length(glm::cross(glm::dvec3(geometry.positions[t.y]) - corner,
+                                                   glm::dvec3(geometry.positions[t.z]) - corner));
+        for (const std::uint32_t v : {t.x, t.y, t.z}) areas[v] += area;
+        all += 3 * area;
+    }
+    const double unit = all > 0 ? static_cast<double>(areas.size()) / all : 0;
+    for (double& weight : areas) weight = 0.5 + 0.5 * unit * weight;
+    return areas;
+}
+
+}  // namespace
+
+VertexWeights::VertexWeights(const WorldGeometry& geometry) {
+    const std::vector<double> weights = weights_of(geometry);
+    std::map<MaterialPtr, std::vector<const VertexRange*>> ranges;
+    for (const VertexRange& range : geometry.ranges) {
+        ranges[range.material].push_back(&range);
+        for (std::size_t v = range.first; v < range.last; ++v) groups_[range.material].weight += weights[v];
+    }
+    for (auto& [material, group] : groups_) {
+        const double wanted = kSamples * group.weight / static_cast<double>(weights.size());
+        const double step = group.weight / std::ceil(std::max(wanted, kFewest));
+        // The vertices in which the sum of weights passes the middle of each step.
+        double passed = 0, next = step / 2;
+        for (const VertexRange* const range : ranges[material])
+            for (std::size_t v = range->first; v < range->last; ++v) {
+                passed += weights[v];
+                for (; next < passed; next += step) group.sample.push_back(static_cast<std::uint32_t>(v));
+            }
+    }
+}
+
+}  // namespace nicol
