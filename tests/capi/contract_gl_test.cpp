@@ -21,6 +21,7 @@ const std::set<std::string> optional = {
     "nicol_material_create_diffuse.reflectance",
     "nicol_material_load_measured.options",
     "nicol_material_load_psh.options",
+    "nicol_material_create_rotated.directions",
     "nicol_scene_load.definitions",
     "nicol_scene_add_instance.id",
     "nicol_scene_get_instance.mesh",
