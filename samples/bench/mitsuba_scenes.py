@@ -5,12 +5,15 @@ usage: mitsuba_scenes.py SCENE.xml... [--samples N]. The integrator must be a `p
 Mitsuba's mode is the fastest with colours, which has no polarization."""
 
 import argparse
+import os
 import pathlib
 import time
 
 import nicol
 import numpy
 import peer_mitsuba as peer
+
+os.environ["NICOL_CACHE"] = ""  # times are without what earlier runs kept
 
 
 def timed(work):

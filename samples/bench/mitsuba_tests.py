@@ -5,6 +5,7 @@ usage: mitsuba_tests.py FOLDER, the folder with test_*_path.xml and refs/test_*_
 
 Errors are those of R, G, B over the root mean square of the reference, whose noise, about 1 %, is in them."""
 
+import os
 import pathlib
 import sys
 import time
@@ -12,6 +13,8 @@ import time
 import nicol
 import numpy
 import peer_mitsuba as peer
+
+os.environ["NICOL_CACHE"] = ""  # times are without what earlier runs kept
 
 
 def read(file):

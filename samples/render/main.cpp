@@ -11,6 +11,7 @@
 
 #include "common/failure.hpp"
 #include "common/handles.hpp"
+#include "common/user_cache.hpp"
 #include "options.hpp"
 #include "progress.hpp"
 #include "stats.hpp"
@@ -30,7 +31,8 @@ Context make_context(const Options& options, ProgressBar& progress) {
     wanted.device = options.device;
     wanted.log = log;
     wanted.log_user = &progress;
-    wanted.cache_folder = options.cache.c_str();
+    const std::string cache = options.cache.empty() ? user_cache_folder() : options.cache;
+    wanted.cache_folder = cache.c_str();
     nicol_context context = nullptr;
     check(nicol_context_create(&wanted, &context));
     return Context(context);

@@ -58,7 +58,7 @@ const char* const usage =
     "      --samples N          of the reference method, camera rays a pixel, 1 to 1048576; default 256\n"
     "      --seed N             of the reference method, gives other noise; default 0\n"
     "      --cache DIR          keeps tables of materials and bakes of shadows there between runs;\n"
-    "                           default: NICOL_CACHE, else none\n"
+    "                           default: NICOL_CACHE, where empty none, else the user's cache folder\n"
     "      --load-bytes-limit N, --vertex-limit N, --triangle-limit N, --load-seconds-limit S\n"
     "                           what a scene may take, with all that it names and each instance counted;\n"
     "                           default 8 GiB, 2^26, 2^27 and 600\n"

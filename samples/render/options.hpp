@@ -46,8 +46,8 @@ struct Options {
     std::optional<std::uint32_t> samples;                            ///< number for the reference method
     std::uint64_t seed = 0;                                          ///< seed for the reference method
     nicol_context_options load_limits = NICOL_CONTEXT_OPTIONS_INIT;  ///< only its limits of loading are used
-    std::string cache;                                               ///< folder; empty: NICOL_CACHE decides
-    std::optional<std::uint32_t> width, height;                      ///< both or neither
+    std::string cache;                           ///< folder; empty: NICOL_CACHE or the user's
+    std::optional<std::uint32_t> width, height;  ///< both or neither
 };
 
 /// Text of --help.

@@ -9,6 +9,8 @@
 #include <string_view>
 #include <type_traits>
 
+#include "common/user_cache.hpp"
+
 const char* const usage =
     "usage: nicol-serve --scenes DIR [options]\n"
     "Renders the Mitsuba 3 scenes of a folder over HTTP: images, Stokes data and a viewer page.\n"
@@ -26,7 +28,8 @@ const char* const usage =
     "  --workers N             processes that render, default one a core\n"
     "  --threads N             of each of them, default 1\n"
     "  --backend NAME          egl or osmesa; without it NICOL_BACKEND decides, else the first that works\n"
-    "  --cache DIR             keeps bakes of shadows and tables of materials there; default NICOL_CACHE\n"
+    "  --cache DIR             keeps bakes of shadows and tables of materials there; default: NICOL_CACHE,\n"
+    "                          where empty none, else the user's cache folder\n"
     "  --read DIR              that workers may read beside that of the scenes; may come several times\n"
     "  --no-sandbox            does not confine workers to these folders and OpenGL's (Landlock)\n"
     "  --keys FILE             keys in hexadecimal, one a line: images then need a signature in their URL\n"
@@ -261,6 +264,7 @@ Options parse_options(int argc, const char* const* argv) {
         return options;
     }
     if (options.scenes.empty()) throw Failure("no scenes given; usage: nicol-serve --scenes DIR");
+    if (options.cache.empty()) options.cache = user_cache_folder();
     if (options.socket >= 0) options.action = Options::Action::worker;
     return options;
 }

@@ -31,7 +31,7 @@ struct Options {
     nicol_backend backend = NICOL_BACKEND_AUTOMATIC;
     std::vector<std::string> allowed_hosts;    ///< in lower case; "*": any
     std::vector<std::string> allowed_origins;  ///< origins of pages that may read answers; "*": any
-    std::string cache;                         ///< folder; empty: NICOL_CACHE decides
+    std::string cache;                         ///< folder; empty: NICOL_CACHE decides, or none
     std::vector<std::string> readable;         ///< folders besides that of the scenes
     bool sandbox = true;
     std::string keys;    ///< file; empty: requests need no signature

@@ -380,6 +380,28 @@ class CallTest(unittest.TestCase):
                 nicol.render(scene, camera(), None, nicol.Framebuffer.create(context, 17, 2, scene.get_channels()))
         self.assertTrue(any("/dev/null/x" in line for line in lines), lines)
 
+    def test_cache_folder(self):
+        before = dict(os.environ)
+        self.addCleanup(os.environ.update, before)
+        with tempfile.TemporaryDirectory() as folder:
+            os.environ["XDG_CACHE_HOME"] = folder
+            for kept, options in ((False, None), (True, None), (True, nicol.ContextOptions(threads=1))):
+                os.environ["NICOL_CACHE"] = ""
+                if kept:
+                    del os.environ["NICOL_CACHE"]
+                with nicol.Context.create(options) as context:
+                    material = nicol.Material.create_pplastic(context, nicol.Pplastic())
+                    scene = nicol.Scene.create(context)
+                    scene.set_environment(nicol.Environment.create_constant(context, 1.0), None, 1.0)
+                    scene.add_instance(nicol.Instance(mesh=nicol.Mesh.create_cube(context), material=material))
+                    framebuffer = nicol.Framebuffer.create(context, 8, 8, scene.get_channels())
+                    nicol.render(scene, camera(), nicol.RenderOptions(order_low=2, order_high=2), framebuffer)
+                made = os.path.join(folder, "nicol")
+                names = os.listdir(made) if os.path.isdir(made) else []
+                self.assertEqual(any(name.endswith(".response") for name in names), kept)
+                if options is not None:
+                    self.assertFalse(options.cache_folder)
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -12,11 +12,13 @@ PROGRAM = os.path.abspath(sys.argv.pop(1))
 
 
 def run(folder, *arguments, timeout=500, **environment):
-    """Runs the program in this folder, with these variables added to those of the test, and returns its result."""
+    """Runs the program in this folder, with these variables added to those of the test, without those that are None, and
+    returns its result."""
+    variables = {name: value for name, value in {**os.environ, **environment}.items() if value is not None}
     return subprocess.run(
         [PROGRAM, *arguments],
         cwd=folder,
-        env={**os.environ, **environment},
+        env=variables,
         stdin=subprocess.DEVNULL,
         capture_output=True,
         text=True,

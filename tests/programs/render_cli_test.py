@@ -205,6 +205,16 @@ class Success(RenderTest):
         files = self.files()
         for name in "bcde":
             self.assertEqual(files[self.path("out", name + ".exr")], files[self.path("out", "a.exr")], name)
+        # Without either, the folder is the user's. Mesa's own cache would complain where it finds no folder.
+        no_variable = {"NICOL_CACHE": None, "MESA_SHADER_CACHE_DISABLE": "true", "HOME": self.path("home")}
+        for folder, root in (("own/nicol", self.path("own")), ("home/.cache/nicol", None)):
+            run = self.assert_succeeds("good.xml", "-o", "out/e.exr", **no_variable, XDG_CACHE_HOME=root)
+            self.assertEqual(run.stderr, "")
+            kept = [name for name in os.listdir(self.path(folder)) if not name.endswith(".program")]
+            self.assertEqual(sorted(kept), made)
+        self.write("no_folder", "x")
+        run = self.assert_succeeds("good.xml", "-o", "out/e.exr", **no_variable, XDG_CACHE_HOME=self.path("no_folder"))
+        self.assertEqual(run.stderr, "")
         # A cache path that is no folder also causes a notice.
         self.write("file", "x")
         run = self.assert_succeeds("good.xml", "-o", "out/d.exr", "--cache", "file/deep")

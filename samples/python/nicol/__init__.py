@@ -6,6 +6,7 @@ method: nicol_scene_load is Scene.load, nicol_render is render. Results through 
 """
 
 import math
+import os
 
 from . import _abi
 from ._abi import *  # noqa: F403
@@ -18,6 +19,39 @@ except ImportError:
 
 if _abi.version() // 100 != _abi.VERSION // 100:
     raise ImportError(f"libnicol is {_abi.version_string()}; this package needs a {_abi.VERSION_MAJOR}.{_abi.VERSION_MINOR}")
+
+
+class Context(_abi.Context):
+    __doc__ = _abi.Context.__doc__
+
+    @classmethod
+    def create(cls, options=None):
+        """Creates a context, see nicol_context_create. Unless the options or NICOL_CACHE name another folder, tables of
+        materials and baked shadows are kept in the user's cache folder."""
+        options = _abi.ContextOptions() if options is None else options
+        given = options.cache_folder
+        if not given:
+            options.cache_folder = _user_cache_folder()
+        try:
+            return super().create(options)
+        finally:
+            options.cache_folder = given
+
+
+def _user_cache_folder():
+    """Returns $XDG_CACHE_HOME/nicol, else ~/.cache/nicol, and makes the folder. Returns None if NICOL_CACHE is set, which then
+    decides, and if the folder cannot be made or written."""
+    if "NICOL_CACHE" in os.environ:
+        return None
+    root = os.environ.get("XDG_CACHE_HOME", "")
+    if not os.path.isabs(root):
+        root = os.path.join(os.path.expanduser("~"), ".cache")
+    folder = os.path.join(root, "nicol")
+    try:
+        os.makedirs(folder, exist_ok=True)
+    except OSError:
+        return None
+    return folder if os.access(folder, os.W_OK | os.X_OK) else None
 
 
 class Framebuffer(_abi.Framebuffer):
