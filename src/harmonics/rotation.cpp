@@ -64,13 +64,13 @@ std::vector<Complex> conjugate_powers(Complex z, int order) {
     return powers;
 }
 
-// Four lanes per degree: the complex-harmonics coefficients of s0 + i s3 and of s1 + i s2. Because s0 and s3
-// are real fields, the complex sum loses nothing, and both coefficients rotate by one D (Eqs. 9 and 36).
-struct Lanes {
+// Four numbers per degree: the complex-harmonics coefficients of s0 + i s3 and of s1 + i s2. Because s0 and
+// s3 are real fields, the complex sum loses nothing, and both coefficients rotate by one D (Eqs. 9 and 36).
+struct PairOfFields {
     double v[4];
 };
 
-void load(int l, const double* in, const std::vector<Complex>& phase, Lanes* out) {
+void load_fields(int l, const double* in, const std::vector<Complex>& phase, PairOfFields* out) {
     const double half = std::numbers::sqrt2 / 2;
     const auto put = [&](int m, Complex scalar, Complex spin) {
         const Complex e =
@@ -90,7 +90,7 @@ void load(int l, const double* in, const std::vector<Complex>& phase, Lanes* out
     }
 }
 
-void store(int l, const Lanes* in, const std::vector<Complex>& phase, double* out) {
+void store_fields(int l, const PairOfFields* in, const std::vector<Complex>& phase, double* out) {
     const double half = std::numbers::sqrt2 / 2;
     const auto rotated = [&](int m, int lane) {
         const Complex e =
@@ -186,8 +186,8 @@ void PshRotation::apply(std::span<const double> in, std::span<double> out) const
     require(in.size() % size == 0, "in holds " + std::to_string(in.size()) +
                                        " values, expected a multiple of " + std::to_string(size));
     const auto widest = static_cast<std::size_t>(2 * order_ + 1);
-    std::vector<Lanes> from(widest);
-    std::vector<Lanes> to(widest);
+    std::vector<PairOfFields> from(widest);
+    std::vector<PairOfFields> to(widest);
     std::vector<double> transient;
     std::vector<WignerSweep> sweep;
     if (d_.empty()) {
@@ -202,9 +202,9 @@ void PshRotation::apply(std::span<const double> in, std::span<double> out) const
         const double* d = sweep.empty() ? d_.data() + wigner_offset(l) : transient.data();
         const std::size_t centre = 4 * psh_index(l, 0);
         for (std::size_t base = 0; base < in.size(); base += size) {
-            load(l, in.data() + base + centre, gamma_, from.data() + l);
+            load_fields(l, in.data() + base + centre, gamma_, from.data() + l);
             dispatch<multiply_fours>(2 * l + 1, d, from[0].v, to[0].v);
-            store(l, to.data() + l, alpha_, out.data() + base + centre);
+            store_fields(l, to.data() + l, alpha_, out.data() + base + centre);
         }
     }
 }

@@ -40,11 +40,13 @@ VertexWeights::VertexWeights(const WorldGeometry& geometry) {
         const double wanted = kSamples * group.weight / static_cast<double>(weights.size());
         const double step = group.weight / std::ceil(std::max(wanted, kFewest));
         // The vertices in which the sum of weights passes the middle of each step.
-        double passed = 0, next = step / 2;
+        double passed = 0;
         for (const VertexRange* const range : ranges[material])
             for (std::size_t v = range->first; v < range->last; ++v) {
                 passed += weights[v];
-                for (; next < passed; next += step) group.sample.push_back(static_cast<std::uint32_t>(v));
+                const auto reached = static_cast<std::size_t>(std::max(0.0, std::ceil(passed / step - 0.5)));
+                if (group.sample.size() < reached)
+                    group.sample.resize(reached, static_cast<std::uint32_t>(v));
             }
     }
 }
