@@ -83,10 +83,13 @@ bool is_sampled(const Material& material, int term, SampledTerms sampled) {
     return widths.x != widths.y || (sampled == SampledTerms::anisotropic_narrow && widths.x < kNarrowestLobe);
 }
 
+bool finds_lights(const Lobe& lobe, SampledTerms sampled) {
+    return sampled == SampledTerms::anisotropic_narrow &&
+           std::max(lobe.alpha.x, lobe.alpha.y) < kNarrowestLobe;
+}
+
 bool finds_lights(const Material& material, int term, SampledTerms sampled) {
-    if (sampled != SampledTerms::anisotropic_narrow || !is_sampled(material, term, sampled)) return false;
-    const glm::dvec2 widths = material.lobe_widths(term);
-    return std::max(widths.x, widths.y) < kNarrowestLobe;
+    return is_sampled(material, term, sampled) && finds_lights(material.lobe(term), sampled);
 }
 
 MaterialPtr in_harmonics(const MaterialPtr& material, SampledTerms sampled) {

@@ -20,8 +20,10 @@ inline constexpr double kNarrowestLobe = 0.1;
 
 /// Returns whether a term of a material without variation() is sampled.
 [[nodiscard]] bool is_sampled(const Material& material, int term, SampledTerms sampled);
-/// Returns whether a sampled term has a lobe so narrow in all directions that its samples find extracted
-/// lights, too; all other terms are lit by samples of these lights.
+/// Returns whether a sampled lobe is so narrow in all directions that its samples find extracted lights, too.
+[[nodiscard]] bool finds_lights(const Lobe& lobe, SampledTerms sampled);
+/// Returns whether a term is sampled and its lobe finds extracted lights; all other terms are lit by samples
+/// of these lights.
 [[nodiscard]] bool finds_lights(const Material& material, int term, SampledTerms sampled);
 /// Returns the terms of a material without variation() that are not sampled, for tables of harmonics: the
 /// material itself if there is no other term, and a black material if there is no such term.

@@ -203,7 +203,7 @@ private:
 
     void add_lobe(const SampledEnvironment& environment, const Material& layer, const Lobe& lobe,
                   const LayerWeights* weights, std::uint32_t there) {
-        const bool whole = std::max(lobe.alpha.x, lobe.alpha.y) < kNarrowestLobe;
+        const bool whole = finds_lights(lobe, environment.sampled());
         for (const SlopePart& part : slope_parts(lobe.distribution)) {
             const ReflectedNodes nodes(environment.grids(), lobe, part, reflected_.towards_viewer(), pixels_);
             const auto count = static_cast<std::uint32_t>(nodes.count());

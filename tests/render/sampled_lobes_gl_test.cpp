@@ -74,6 +74,20 @@ IMAGE_TEST_CASE("brushed and nearly smooth surfaces are as by rays") {
         }
 }
 
+IMAGE_TEST_CASE("a brushed lobe that is narrow in all directions reflects light without an image, too") {
+    test::Studio studio(context, 48, 36);
+    Scene scene;
+    scene.set_environment(constant_environment({1, 1, 1}), glm::dmat3(1), 1);
+    scene.add({.mesh = test::fine_sphere(),
+               .material = rough_conductor({.eta = {{0.2, -3.0}}, .alpha = 0.03, .alpha_v = 0.09})});
+    const Camera camera = test::camera_at({1, 1, 4});
+    const StokesImage rays = studio(scene, {.method = Method::reference, .samples = 256}, camera);
+    const StokesImage image = studio(
+        scene, {.order_low = 2, .order_high = 2, .shade_at = ShadeAt::pixels, .pixel_samples = 8}, camera);
+    CHECK(studio.statistics.pixels_shaded > 0);
+    CHECK(rms_difference(image, rays) < 0.02 * rms(rays));
+}
+
 IMAGE_TEST_CASE("a smooth surface mirrors the environment's image") {
     test::Studio studio(context, 64, 48);
     const Scene scene = ball_on_floor(conductor({{0, -1}}), false);
