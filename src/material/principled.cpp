@@ -16,7 +16,7 @@ namespace nicol {
 namespace {
 
 using P = PrincipledParameters;
-using Lobe = PrincipledLobe;
+using Kind = PrincipledLobe;
 
 struct Number {
     std::string_view name;
@@ -37,14 +37,14 @@ constexpr Number kClearcoatGloss{"clearcoat_gloss", &P::clearcoat_gloss};
 struct ShapeNumber {
     Number number;
     double PrincipledShape::*value;
-    Lobe first, last;  ///< range of the lobes that depend on the number
+    Kind first, last;  ///< range of the lobes that depend on the number
     /// Arguments of with_number(). Those of roughness match with_roughness() for alpha = roughness^2.
     double least, ratio;
 };
 constexpr ShapeNumber kShapeNumbers[] = {
-    {kRoughness, &PrincipledShape::roughness, Lobe::diffuse, Lobe::dielectric, 0.1, 1.1},
-    {kAnisotropic, &PrincipledShape::anisotropic, Lobe::metal, Lobe::dielectric, 0.01, 1.2},
-    {kClearcoatGloss, &PrincipledShape::clearcoat_gloss, Lobe::clearcoat, Lobe::clearcoat, 0.01, 1.2}};
+    {kRoughness, &PrincipledShape::roughness, Kind::diffuse, Kind::dielectric, 0.1, 1.1},
+    {kAnisotropic, &PrincipledShape::anisotropic, Kind::metal, Kind::dielectric, 0.01, 1.2},
+    {kClearcoatGloss, &PrincipledShape::clearcoat_gloss, Kind::clearcoat, Kind::clearcoat, 0.01, 1.2}};
 
 /// Number, or 1 - number if `rest` is true.
 struct Factor {
@@ -59,7 +59,7 @@ enum class Color { white, base, tint };
 
 /// Lobe times a colour and factors.
 struct Product {
-    Lobe lobe;
+    Kind lobe;
     Color color;
     std::vector<Factor> factors;
 };
@@ -67,16 +67,16 @@ struct Product {
 /// Returns the products whose sum is the model.
 const std::vector<Product>& products() {
     static const std::vector<Product> all = {
-        {Lobe::diffuse, Color::base, {rest_of(kMetallic), rest_of(kSpecTrans), rest_of(kFlatness)}},
-        {Lobe::subsurface, Color::base, {rest_of(kMetallic), rest_of(kSpecTrans), {kFlatness}}},
-        {Lobe::sheen, Color::white, {{kSheen}, rest_of(kMetallic), rest_of(kSheenTint)}},
-        {Lobe::sheen, Color::tint, {{kSheen}, rest_of(kMetallic), {kSheenTint}}},
-        {Lobe::metal, Color::base, {{kMetallic}}},
-        {Lobe::edge, Color::white, {{kMetallic}}},
-        {Lobe::tinted, Color::tint, {rest_of(kMetallic), {kSpecTint}}},
-        {Lobe::edge, Color::white, {rest_of(kMetallic), {kSpecTint}}},
-        {Lobe::dielectric, Color::white, {rest_of(kMetallic), rest_of(kSpecTint)}},
-        {Lobe::clearcoat, Color::white, {{kClearcoat}}}};
+        {Kind::diffuse, Color::base, {rest_of(kMetallic), rest_of(kSpecTrans), rest_of(kFlatness)}},
+        {Kind::subsurface, Color::base, {rest_of(kMetallic), rest_of(kSpecTrans), {kFlatness}}},
+        {Kind::sheen, Color::white, {{kSheen}, rest_of(kMetallic), rest_of(kSheenTint)}},
+        {Kind::sheen, Color::tint, {{kSheen}, rest_of(kMetallic), {kSheenTint}}},
+        {Kind::metal, Color::base, {{kMetallic}}},
+        {Kind::edge, Color::white, {{kMetallic}}},
+        {Kind::tinted, Color::tint, {rest_of(kMetallic), {kSpecTint}}},
+        {Kind::edge, Color::white, {rest_of(kMetallic), {kSpecTint}}},
+        {Kind::dielectric, Color::white, {rest_of(kMetallic), rest_of(kSpecTint)}},
+        {Kind::clearcoat, Color::white, {{kClearcoat}}}};
     return all;
 }
 
@@ -139,7 +139,7 @@ public:
 
 private:
     void add(const Product& product) {
-        if (p_.eta == 1 && product.lobe >= Lobe::metal && product.lobe <= Lobe::dielectric) return;
+        if (p_.eta == 1 && product.lobe >= Kind::metal && product.lobe <= Kind::dielectric) return;
         Part part;
         double amount = 1;
         for (const auto& [number, rest] : product.factors) {
