@@ -2,6 +2,8 @@
 // Shared helpers of the C interface tests.
 #pragma once
 
+#include <span>
+
 #include "nicol.h"
 #include "nicol_files.h"
 #include "nicol_psh.h"
@@ -119,6 +121,29 @@ inline nicol_scene empty_scene(nicol_context context) {
 inline nicol_framebuffer framebuffer_of(nicol_context context, std::uint32_t width, std::uint32_t height,
                                         std::uint32_t channels) {
     return make(nicol_framebuffer_create, context, width, height, channels);
+}
+
+/// Returns a mesh over arrays of three numbers per vertex and per triangle.
+inline nicol_mesh_data mesh_over(std::span<const float> positions, std::span<const std::uint32_t> indices) {
+    nicol_mesh_data data = NICOL_MESH_DATA_INIT;
+    data.vertex_count = static_cast<std::uint32_t>(positions.size() / 3);
+    data.triangle_count = static_cast<std::uint32_t>(indices.size() / 3);
+    data.positions = positions.data();
+    data.indices = indices.data();
+    return data;
+}
+/// Returns an image over the numbers of `pixels`, rows of texels of `channels` numbers.
+template <class Number>
+nicol_texture_image image_of_texels(const std::vector<Number>& pixels, std::uint32_t width,
+                                    std::uint32_t height, std::uint32_t channels, nicol_texel type) {
+    nicol_texture_image image = NICOL_TEXTURE_IMAGE_INIT;
+    image.type = type;
+    image.width = width;
+    image.height = height;
+    image.channels = channels;
+    image.pixels = pixels.data();
+    image.byte_size = pixels.size() * sizeof(Number);
+    return image;
 }
 
 inline nicol_spectrum spectrum(const std::vector<float>& values) {

@@ -29,13 +29,7 @@ nicol_texture checkerboard(nicol_context context) {
 /// Returns a texture of 2 x 1 texels with this number of channels.
 nicol_texture texels(nicol_context context, std::uint32_t channels, float value) {
     const std::vector<float> pixels(std::size_t{2} * channels, value);
-    nicol_texture_image image = NICOL_TEXTURE_IMAGE_INIT;
-    image.type = NICOL_TEXEL_FLOAT32;
-    image.width = 2;
-    image.height = 1;
-    image.channels = channels;
-    image.pixels = pixels.data();
-    image.byte_size = pixels.size() * sizeof(float);
+    const nicol_texture_image image = image_of_texels(pixels, 2, 1, channels, NICOL_TEXEL_FLOAT32);
     return make(nicol_texture_create_image, context, &image, nullptr);
 }
 
@@ -241,11 +235,7 @@ STAGE_TEST_CASE("emissions that cannot be are refused, by field") {
     // The corners of this mesh have no texture coordinates.
     const float positions[] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
     const std::uint32_t indices[] = {0, 1, 2};
-    nicol_mesh_data data = NICOL_MESH_DATA_INIT;
-    data.vertex_count = 3;
-    data.triangle_count = 1;
-    data.positions = positions;
-    data.indices = indices;
+    nicol_mesh_data data = mesh_over(positions, indices);
     const Owned bare(make(nicol_mesh_create, stage.context, &data));
     const std::uint32_t id = add(stage.scene, bare, stage.material);
     const Owned image(checkerboard(stage.context));

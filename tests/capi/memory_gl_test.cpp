@@ -48,11 +48,7 @@ nicol_mesh fine_square(nicol_context context) {
         if (row == cells || column == cells) continue;
         indices.insert(indices.end(), {i, i + 1, i + cells + 2, i, i + cells + 2, i + cells + 1});
     }
-    nicol_mesh_data data = NICOL_MESH_DATA_INIT;
-    data.vertex_count = static_cast<std::uint32_t>(positions.size() / 3);
-    data.triangle_count = static_cast<std::uint32_t>(indices.size() / 3);
-    data.positions = positions.data();
-    data.indices = indices.data();
+    const nicol_mesh_data data = mesh_over(positions, indices);
     return make(nicol_mesh_create, context, &data);
 }
 

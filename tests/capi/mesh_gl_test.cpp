@@ -31,12 +31,8 @@ struct Arrays {
     }
 
     [[nodiscard]] nicol_mesh_data data() const {
-        nicol_mesh_data out = NICOL_MESH_DATA_INIT;
-        out.vertex_count = static_cast<std::uint32_t>(positions.size() / 3);
-        out.triangle_count = static_cast<std::uint32_t>(indices.size() / 3);
-        out.positions = positions.data();
+        nicol_mesh_data out = mesh_over(positions, indices);
         out.normals = normals.empty() ? nullptr : normals.data();
-        out.indices = indices.data();
         return out;
     }
 };
@@ -194,11 +190,7 @@ CONTEXT_TEST_CASE("tangents, an angle and a texture of directions turn brushed m
     const float angle = 0.6F, cosine = std::cos(angle), sine = std::sin(angle);
     std::vector<float> tangents;
     for (int corner = 0; corner < 4; ++corner) tangents.insert(tangents.end(), {3 * cosine, 3 * sine, 0, 1});
-    nicol_mesh_data data = NICOL_MESH_DATA_INIT;
-    data.vertex_count = 4;
-    data.triangle_count = 2;
-    data.positions = positions;
-    data.indices = indices;
+    nicol_mesh_data data = mesh_over(positions, indices);
     data.texcoords = texcoords;
     const Owned plain(make(nicol_mesh_create, context, &data));
     data.tangents = tangents.data();
@@ -208,13 +200,8 @@ CONTEXT_TEST_CASE("tangents, an angle and a texture of directions turn brushed m
     parameters.alpha_u = 0.05F;
     parameters.alpha_v = 0.4F;
     const Owned metal(make(nicol_material_create_conductor, context, &parameters));
-    const float direction[] = {0.5F + 0.5F * cosine, 0.5F + 0.5F * sine, 1};
-    nicol_texture_image image = NICOL_TEXTURE_IMAGE_INIT;
-    image.type = NICOL_TEXEL_FLOAT32;
-    image.width = image.height = 1;
-    image.channels = 3;
-    image.pixels = direction;
-    image.byte_size = sizeof direction;
+    const std::vector<float> direction{0.5F + 0.5F * cosine, 0.5F + 0.5F * sine, 1};
+    const nicol_texture_image image = image_of_texels(direction, 1, 1, 3, NICOL_TEXEL_FLOAT32);
     const Owned directions(make(nicol_texture_create_image, context, &image, nullptr));
     const Owned by_angle(
         make(nicol_material_create_rotated, context, metal, nullptr, static_cast<double>(angle)));
@@ -232,13 +219,7 @@ CONTEXT_TEST_CASE("tangents, an angle and a texture of directions turn brushed m
         return read_plane(framebuffer, NICOL_PLANE_S0, 0);
     };
     const std::vector<float> expected = picture(turned, metal);
-    const auto difference = [&](const std::vector<float>& other) {
-        double most = 0;
-        for (std::size_t i = 0; i < expected.size(); ++i)
-            most = std::max(most, std::abs(static_cast<double>(other[i]) - static_cast<double>(expected[i])));
-        return most;
-    };
-    CHECK(difference(picture(plain, metal)) > 0.02);
-    CHECK(difference(picture(plain, by_angle)) < 1e-4);
-    CHECK(difference(picture(plain, by_texture)) < 1e-4);
+    CHECK(largest_difference(picture(plain, metal), expected) > 0.02);
+    CHECK(largest_difference(picture(plain, by_angle), expected) < 1e-4);
+    CHECK(largest_difference(picture(plain, by_texture), expected) < 1e-4);
 }

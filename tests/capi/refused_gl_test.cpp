@@ -147,11 +147,7 @@ CONTEXT_TEST_CASE("meshes that are none are refused") {
     static const float positions[] = {0, 0, 0, 1, 0, 0, 0, 1, 0}, broken[] = {0, 0, 0, 1, NAN, 0, 0, 1, 0};
     static const float infinite[] = {INFINITY, 0, 1, 0, 0, 1, 0, 0, 1};
     static const std::uint32_t indices[] = {0, 1, 2}, outside[] = {0, 1, 3}, flat[] = {0, 1, 0};
-    nicol_mesh_data data = NICOL_MESH_DATA_INIT;
-    data.vertex_count = 3;
-    data.triangle_count = 1;
-    data.positions = positions;
-    data.indices = indices;
+    nicol_mesh_data data = mesh_over(positions, indices);
     check_wrong(data, creates(nicol_mesh_create, context),
                 {{"positions", [](auto& d) { d.positions = nullptr; }},
                  {"indices", [](auto& d) { d.indices = nullptr; }},

@@ -20,19 +20,6 @@ nicol_texture_options nearest() {
     return options;
 }
 
-template <class Number>
-nicol_texture_image image_of_texels(const std::vector<Number>& pixels, std::uint32_t width,
-                                    std::uint32_t height, std::uint32_t channels, nicol_texel type) {
-    nicol_texture_image image = NICOL_TEXTURE_IMAGE_INIT;
-    image.type = type;
-    image.width = width;
-    image.height = height;
-    image.channels = channels;
-    image.pixels = pixels.data();
-    image.byte_size = pixels.size() * sizeof(Number);
-    return image;
-}
-
 std::vector<float> color_values() {
     std::vector<float> values;
     for (const auto& color : colors) values.insert(values.end(), color.begin(), color.end());
@@ -159,11 +146,7 @@ CONTEXT_TEST_CASE("checkerboards and vertex colours") {
     const float positions[] = {-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0};
     const float reds[] = {0, 0.5F, 0.5F, 1, 0.5F, 0.5F, 1, 0.5F, 0.5F, 0, 0.5F, 0.5F};
     const std::uint32_t indices[] = {0, 1, 2, 0, 2, 3};
-    nicol_mesh_data data = NICOL_MESH_DATA_INIT;
-    data.vertex_count = 4;
-    data.triangle_count = 2;
-    data.positions = positions;
-    data.indices = indices;
+    nicol_mesh_data data = mesh_over(positions, indices);
     data.colors = reds;
     const Owned painted(make(nicol_mesh_create, context, &data));
     const Owned vertex_colors(make(nicol_texture_create_vertex_colors, context));
@@ -176,11 +159,7 @@ CONTEXT_TEST_CASE("faces have the colours that memory or a file gives them") {
     const float positions[] = {-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0};
     const std::uint32_t indices[] = {0, 1, 2, 0, 2, 3};
     const std::array<std::array<float, 3>, 2> of_faces = {{{0.2F, 0.4F, 0.6F}, {1, 0.8F, 0}}};
-    nicol_mesh_data data = NICOL_MESH_DATA_INIT;
-    data.vertex_count = 4;
-    data.triangle_count = 2;
-    data.positions = positions;
-    data.indices = indices;
+    nicol_mesh_data data = mesh_over(positions, indices);
     data.face_colors = of_faces[0].data();
 
     const TemporaryFolder folder;
@@ -231,11 +210,7 @@ CONTEXT_TEST_CASE("texture coordinates may have indices of their own") {
     // Equal coordinates with an unused entry in front and separate entries for each triangle.
     const float own[] = {9, 9, 0, 0, 1, 0, 1, 1, 0, 0, 1, 1, 0, 1};
     const std::uint32_t own_indices[] = {1, 2, 3, 4, 5, 6};
-    nicol_mesh_data data = NICOL_MESH_DATA_INIT;
-    data.vertex_count = 4;
-    data.triangle_count = 2;
-    data.positions = positions;
-    data.indices = indices;
+    nicol_mesh_data data = mesh_over(positions, indices);
     data.texcoords = shared;
     const Owned texture(four_colors(context));
     const Owned material(diffuse_of(context, texture));
@@ -381,11 +356,7 @@ CONTEXT_TEST_CASE("materials blend, are cut out, and turn their normals by textu
 CONTEXT_TEST_CASE("instances need the texture coordinates and colours that their materials need") {
     const float positions[] = {-1, -1, 0, 1, -1, 0, 1, 1, 0};
     const std::uint32_t indices[] = {0, 1, 2};
-    nicol_mesh_data data = NICOL_MESH_DATA_INIT;
-    data.vertex_count = 3;
-    data.triangle_count = 1;
-    data.positions = positions;
-    data.indices = indices;
+    nicol_mesh_data data = mesh_over(positions, indices);
     const Owned bare(make(nicol_mesh_create, context, &data));
     const float colors_of_faces[] = {1, 0.5F, 0};
     data.face_colors = colors_of_faces;

@@ -16,9 +16,6 @@ TexturePtr random_texture(std::mt19937& random) {
     return image_texture(std::move(image));
 }
 
-glm::vec3 lane(const LaneVectors& lanes, std::size_t i) {
-    return {lanes.x[i], lanes.y[i], lanes.z[i]};
-}
 }  // namespace
 
 TEST_CASE("on the back a map mirrors the front's normal, or reverses it around a two-sided material") {
@@ -81,15 +78,16 @@ TEST_CASE("sixteen normals are turned as each of them is, and face the viewer") 
             LaneVectors turned = normals;
             turn_normals(variation, points, axes, back, towards_viewer, turned);
             for (std::size_t i = 0; i < kLanes; ++i) {
-                const glm::vec3 normal = lane(normals, i), viewer = glm::normalize(lane(towards_viewer, i));
-                const glm::vec3 one =
-                    perturbed_normal(variation, {.uv = {points.uv[0][i], points.uv[1][i]}},
-                                     {.by_u = lane(axes.by_u, i), .by_v = lane(axes.by_v, i)}, normal, back);
-                CHECK(glm::length(lane(turned, i) - facing(one, normal, viewer)) < 1e-5F);
-                CHECK(glm::dot(lane(turned, i), viewer) >
+                const glm::vec3 normal = vector_at(normals, i),
+                                viewer = glm::normalize(vector_at(towards_viewer, i));
+                const glm::vec3 one = perturbed_normal(
+                    variation, {.uv = {points.uv[0][i], points.uv[1][i]}},
+                    {.by_u = vector_at(axes.by_u, i), .by_v = vector_at(axes.by_v, i)}, normal, back);
+                CHECK(glm::length(vector_at(turned, i) - facing(one, normal, viewer)) < 1e-5F);
+                CHECK(glm::dot(vector_at(turned, i), viewer) >
                       std::min(0.0199F, glm::dot(normal, viewer) - 1e-4F));
-                CHECK(glm::length(lane(turned, i)) == doctest::Approx(1));
+                CHECK(glm::length(vector_at(turned, i)) == doctest::Approx(1));
             }
-            CHECK(glm::length(lane(turned, 0) - lane(normals, 0)) < 1e-6F);
+            CHECK(glm::length(vector_at(turned, 0) - vector_at(normals, 0)) < 1e-6F);
         }
 }
