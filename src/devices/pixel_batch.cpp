@@ -9,6 +9,7 @@
 #include "shading/lane_footprint.hpp"
 #include "shading/normal_variation.hpp"
 #include "shading/tangent_rotation.hpp"
+#include "surfaces/tangents.hpp"
 
 namespace nicol {
 namespace {
@@ -71,8 +72,8 @@ public:
           steps_(steps_of(view)),
           front_(back ? -1.0F : 1.0F),
           footprint_(variation.needs_footprint()),
-          axes_(footprint_ || variation.normal.kind != NormalVariation::Kind::none ||
-                variation.rotation.any()) {}
+          follows_(variation.normal.kind == NormalVariation::Kind::map || variation.rotation.any()),
+          axes_(footprint_ || follows_ || variation.normal.kind != NormalVariation::Kind::none) {}
 
     // Sets the input at points of up to sixteen triangles; the other lanes repeat the first.
     void set(std::span<const std::uint32_t> triangles, const LaneSurface& surface) {
@@ -87,7 +88,10 @@ public:
             put(normals, i, surface.normals[i]);
             if (!geometry.texcoords.empty()) {
                 const std::array<glm::vec2, 3>& texcoords = geometry.texcoords[triangle];
-                if (axes_ && triangle != known_) use(triangle, texcoords);
+                if (axes_ && triangle != known_) {
+                    known_ = triangle;
+                    triangle_axes_ = texture_axes(geometry, triangle);
+                }
                 for (glm::length_t k = 0; k < 2; ++k)
                     points.uv[static_cast<std::size_t>(k)][i] = weights.x * texcoords[0][k] +
                                                                 weights.y * texcoords[1][k] +
@@ -103,47 +107,39 @@ public:
             }
         }
         if (footprint_) find_footprints(steps_, axes, towards_viewer, points);
-        material_axes = axes;
-        if (axes_ && !view_.geometry.tangents.empty()) follow_tangents(triangles, surface);
+        if (follows_) find_followed_axes(triangles, surface);
     }
 
     // Returns the rotated x axis at a point.
     [[nodiscard]] glm::vec3 tangent(const TangentRotation& rotation, std::size_t i) const {
-        return rotated_tangent(
-            rotation, points.at(i),
-            {.by_u = vector_at(material_axes.by_u, i), .by_v = vector_at(material_axes.by_v, i)},
-            front_ * vector_at(normals, i));
+        return rotated_tangent(rotation, points.at(i),
+                               {.by_u = vector_at(followed.by_u, i), .by_v = vector_at(followed.by_v, i)},
+                               front_ * vector_at(normals, i));
     }
 
     TexturePoints points{};
     LaneTextureAxes axes{};
-    LaneTextureAxes material_axes{};  // those that normal maps and anisotropic materials follow
+    LaneTextureAxes followed{};  // axes that normal maps and anisotropic materials follow
     LaneVectors towards_viewer, normals;
 
 private:
-    void follow_tangents(std::span<const std::uint32_t> triangles, const LaneSurface& surface) {
+    void find_followed_axes(std::span<const std::uint32_t> triangles, const LaneSurface& surface) {
+        followed = axes;
+        if (view_.geometry.tangents.empty()) return;
         for (std::size_t i = 0; i < kLanes; ++i) {
             const glm::vec3 weights(surface.weights[0][i], surface.weights[1][i], surface.weights[2][i]);
-            const TextureAxes of_tangents =
-                tangent_axes(view_.geometry.tangents[triangles[i < triangles.size() ? i : 0]], weights,
-                             front_ * surface.normals[i],
-                             {.by_u = vector_at(axes.by_u, i), .by_v = vector_at(axes.by_v, i)});
-            put(material_axes.by_u, i, of_tangents.by_u);
-            put(material_axes.by_v, i, of_tangents.by_v);
+            const TextureAxes of_point = material_axes(
+                view_.geometry, triangles[i < triangles.size() ? i : 0], weights, front_ * surface.normals[i],
+                {.by_u = vector_at(axes.by_u, i), .by_v = vector_at(axes.by_v, i)});
+            put(followed.by_u, i, of_point.by_u);
+            put(followed.by_v, i, of_point.by_v);
         }
-    }
-
-    void use(std::uint32_t triangle, const std::array<glm::vec2, 3>& texcoords) {
-        known_ = triangle;
-        const std::vector<glm::vec3>& positions = view_.geometry.positions;
-        const glm::uvec3& t = view_.geometry.triangles[triangle];
-        triangle_axes_ = texture_axes({positions[t.x], positions[t.y], positions[t.z]}, texcoords);
     }
 
     const TextureView& view_;
     PixelSteps steps_;
     float front_;  // factor of normals that makes them those of the front
-    bool footprint_, axes_;
+    bool footprint_, follows_, axes_;
     std::uint32_t known_ = ~std::uint32_t{0};  // previous triangle, which is often the same
     TextureAxes triangle_axes_;
 };
@@ -200,7 +196,7 @@ void TexturedPixels::find(const SpatialVariation& variation, bool back, const Te
         if (variation.normal.kind == NormalVariation::Kind::none) continue;
         surfaces[b].unperturbed = surfaces[b].normals;
         const bool map = variation.normal.kind == NormalVariation::Kind::map;
-        turn_normals(variation.normal, block.points, map ? block.material_axes : block.axes, back,
+        turn_normals(variation.normal, block.points, map ? block.followed : block.axes, back,
                      block.towards_viewer, block.normals);
         for (std::size_t i = 0; i < kLanes; ++i) surfaces[b].normals[i] = vector_at(block.normals, i);
     }

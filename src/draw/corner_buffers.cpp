@@ -8,7 +8,7 @@
 #include "error.hpp"
 #include "gl/context.hpp"
 #include "gl/storage.hpp"
-#include "shading/normal_variation.hpp"
+#include "surfaces/tangents.hpp"
 
 namespace nicol {
 
@@ -31,9 +31,7 @@ void CornerBuffers::update(const WorldGeometry& geometry, Version geometry_versi
             std::array<glm::vec2, 3> texcoords{};
             if (!geometry.texcoords.empty()) texcoords = geometry.texcoords[t];
             for (const glm::vec2& uv : texcoords) all.insert(all.end(), {uv.x, uv.y});
-            const glm::uvec3& c = geometry.triangles[t];
-            const TextureAxes axes = texture_axes(
-                {geometry.positions[c.x], geometry.positions[c.y], geometry.positions[c.z]}, texcoords);
+            const TextureAxes axes = texture_axes(geometry, static_cast<std::uint32_t>(t));
             for (const glm::vec3& axis : {axes.by_u, axes.by_v})
                 all.insert(all.end(), {axis.x, axis.y, axis.z});
             if (with_tangents_)

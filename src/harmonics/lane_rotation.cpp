@@ -64,20 +64,31 @@ template <int Fields>
     }
 }
 
+// Loads c + i s, or c - i s for sign -1.
+[[gnu::always_inline]] inline void load_phase(const Angles& by, int m, float sign, LaneVector& c,
+                                              LaneVector& s) {
+    load(by.cosine + m, c);
+    load(by.sine + m, s);
+    s *= sign;
+}
+
+// Stores (x + i y) (c + i s).
+template <class Number>
+[[gnu::always_inline]] inline void store_turned(const Number& x, const Number& y, const LaneVector& c,
+                                                const LaneVector& s, Lanes* re, Lanes* im) {
+    store(re, x * c - y * s);
+    store(im, y * c + x * s);
+}
+
 // Computes z (c + i s), or z (c - i s) for sign -1; z is one number for all lanes.
 template <int Fields>
 [[gnu::always_inline]] inline void spread(const std::complex<float>* const* in, int at, const Angles& by,
                                           int m, float sign, Lanes* re, Lanes* im) {
     LaneVector c;
     LaneVector s;
-    load(by.cosine + m, c);
-    load(by.sine + m, s);
-    s *= sign;
+    load_phase(by, m, sign, c, s);
     for (int f = 0; f < Fields; ++f) {
-        const float x = in[f][at].real();
-        const float y = in[f][at].imag();
-        store(re + f, x * c - y * s);
-        store(im + f, y * c + x * s);
+        store_turned(in[f][at].real(), in[f][at].imag(), c, s, re + f, im + f);
     }
 }
 
@@ -86,16 +97,13 @@ template <int Fields>
 [[gnu::always_inline]] inline void multiply_phase(Lanes* re, Lanes* im, const Angles& by, int m, float sign) {
     LaneVector c;
     LaneVector s;
-    load(by.cosine + m, c);
-    load(by.sine + m, s);
-    s *= sign;
+    load_phase(by, m, sign, c, s);
     for (int f = 0; f < Fields; ++f) {
         LaneVector x;
         LaneVector y;
         load(re + f, x);
         load(im + f, y);
-        store(re + f, x * c - y * s);
-        store(im + f, y * c + x * s);
+        store_turned(x, y, c, s, re + f, im + f);
     }
 }
 

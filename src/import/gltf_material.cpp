@@ -5,7 +5,6 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
-#include <list>
 #include <memory>
 #include <numbers>
 #include <optional>
@@ -23,8 +22,8 @@ namespace {
 
 using Part = TextureSpecification::Part;
 
-/// Those of a material that have an effect here.
 constexpr std::string_view kAnisotropy = "KHR_materials_anisotropy";
+/// Those of a material that have an effect here.
 constexpr std::array<std::string_view, 3> kFollowed = {"KHR_materials_ior", "KHR_materials_emissive_strength",
                                                        kAnisotropy};
 
@@ -46,7 +45,8 @@ public:
           base_(pbr_.baseColorTexture, where_ + ".baseColorTexture"),
           metallic_roughness_(pbr_.metallicRoughnessTexture, where_ + ".metallicRoughnessTexture"),
           normal_(material.normalTexture, where_ + ".normalTexture"),
-          anisotropy_(texture_of("anisotropyTexture"), where_ + ".anisotropyTexture") {}
+          anisotropy_texture_(texture_of(kAnisotropy, "anisotropyTexture")),
+          anisotropy_(anisotropy_texture_, where_ + ".anisotropyTexture") {}
 
     GltfMaterial run() {
         if (material_.extensions.contains("KHR_materials_unlit"))
@@ -251,10 +251,9 @@ private:
         int texCoord = 0;
         tinygltf::ExtensionMap extensions;
     };
-    /// Returns a texture of KHR_materials_anisotropy. It lives as long as the reader.
-    [[nodiscard]] const NamedTexture& texture_of(const char* name) {
-        NamedTexture& out = named_.emplace_back();
-        const tinygltf::Value* const info = value_of(kAnisotropy, name);
+    [[nodiscard]] NamedTexture texture_of(std::string_view extension, const char* name) const {
+        NamedTexture out;
+        const tinygltf::Value* const info = value_of(extension, name);
         if (info == nullptr) return out;
         const auto whole = [&](const char* number, int otherwise) {
             if (!info->Has(number)) return otherwise;
@@ -322,8 +321,9 @@ private:
     const tinygltf::PbrMetallicRoughness& pbr_;
     GltfTextures& textures_;
     GltfNotices& notices_;
-    std::list<NamedTexture> named_;
-    GltfTextureUse base_, metallic_roughness_, normal_, anisotropy_;
+    GltfTextureUse base_, metallic_roughness_, normal_;
+    NamedTexture anisotropy_texture_;
+    GltfTextureUse anisotropy_;
     std::optional<TexturedNumber> strength_;  ///< none: no anisotropy
     bool has_texcoords_ = false;
 };

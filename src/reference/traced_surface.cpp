@@ -48,12 +48,12 @@ TextureAxes material_axes(const Mesh& mesh, const RayHit& hit, const glm::dvec3&
 }
 
 // Returns the frame of a shading normal, which a texture may have perturbed, for an anisotropic material.
-Frame anisotropic_frame(const TextureAxes& axes, const SurfaceHit& hit, bool back, const glm::dvec3& normal,
-                        const SpatialVariation* variation) {
+// front: unit normal of the front that no texture has perturbed.
+Frame anisotropic_frame(const TextureAxes& axes, const SurfaceHit& hit, const glm::dvec3& front,
+                        const glm::dvec3& normal, const SpatialVariation* variation) {
     glm::vec3 along = axes.by_u;
     if (variation != nullptr && variation->rotation.any())
-        along = rotated_tangent(variation->rotation, hit.point, axes,
-                                glm::vec3(back ? -hit.unturned : hit.unturned));
+        along = rotated_tangent(variation->rotation, hit.point, axes, glm::vec3(front));
     const glm::dvec3 x = perpendicular(normal, perpendicular(hit.unturned, glm::dvec3(along)));
     return {x, glm::cross(normal, x), normal};
 }
@@ -125,13 +125,16 @@ SurfaceHit surface_hit(const TracedSurface& surface, const RayHit& hit, const gl
                    .towards_viewer = {},
                    .point = {}};
     const SpatialVariation* const variation = surface.front.material->variation();
-    const TextureAxes axes = material_axes(surface.mesh, hit, back ? -shading_normal : shading_normal);
+    const glm::dvec3 front = back ? -shading_normal : shading_normal;
+    const bool anisotropic = surface.front.material->anisotropic();
+    const bool map = variation != nullptr && variation->normal.kind == NormalVariation::Kind::map;
+    TextureAxes axes;
+    if (anisotropic || map) axes = material_axes(surface.mesh, hit, front);
     if (variation != nullptr) {
         out.point = texture_point(surface, hit.triangle, glm::vec3(weights_of(hit)));
         if (variation->normal.kind != NormalVariation::Kind::none) {
             out.dimmed = variation->normal.shadowed;
             const glm::vec3 normal_of_mesh(shading_normal);
-            const bool map = variation->normal.kind == NormalVariation::Kind::map;
             const glm::vec3 turned =
                 perturbed_normal(variation->normal, out.point,
                                  map ? axes : texture_axes(surface.mesh, hit.triangle), normal_of_mesh, back);
@@ -139,9 +142,8 @@ SurfaceHit surface_hit(const TracedSurface& surface, const RayHit& hit, const gl
                 glm::normalize(glm::dvec3(facing(turned, normal_of_mesh, glm::vec3(towards_viewer))));
         }
     }
-    out.frame = surface.front.material->anisotropic()
-                    ? anisotropic_frame(axes, out, back, shading_normal, variation)
-                    : theta_phi_frame(shading_normal);
+    out.frame = anisotropic ? anisotropic_frame(axes, out, front, shading_normal, variation)
+                            : theta_phi_frame(shading_normal);
     out.towards_viewer = glm::normalize(towards_viewer * out.frame);
     return out;
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "harmonics/energy.hpp"
 #include "render/light_projection.hpp"
@@ -126,15 +127,18 @@ void OrderSelector::measure(const Scene& scene, const Projected& projected, cons
         for (std::size_t l = 0; l < size; ++l) coupling[l * size + l] = 1;
     }
     double fraction = 1;
-    if (surfaces.visibility != nullptr && couplings_.empty())
-        for (const int spin : {0, 2}) couplings_.emplace_back(kOrder, spin);
+    std::optional<VisibilityHarmonics> harmonics;
+    if (surfaces.visibility != nullptr) {
+        harmonics.emplace(*surfaces.directions, VisibilityPower::kOrder);
+        if (couplings_.empty())
+            for (const int spin : {0, 2}) couplings_.emplace_back(kOrder, spin);
+    }
 
     const VertexWeights vertices(geometry);
     std::erase_if(responses_, [&](const auto& known) { return !vertices.groups().contains(known.first); });
     for (const auto& [material, group] : vertices.groups()) {
-        if (surfaces.visibility != nullptr) {
-            const VisibilityPower visible(*surfaces.visibility, *surfaces.directions, geometry.normals,
-                                          group.sample);
+        if (harmonics) {
+            const VisibilityPower visible(*harmonics, *surfaces.visibility, geometry.normals, group.sample);
             fraction = visible.fraction();
             for (std::size_t k = 0; k < couplings.size(); ++k) couplings[k] = couplings_[k].of(visible);
         }

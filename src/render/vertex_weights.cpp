@@ -34,7 +34,8 @@ VertexWeights::VertexWeights(const WorldGeometry& geometry) {
     std::map<MaterialPtr, std::vector<const VertexRange*>> ranges;
     for (const VertexRange& range : geometry.ranges) {
         ranges[range.material].push_back(&range);
-        for (std::size_t v = range.first; v < range.last; ++v) groups_[range.material].weight += weights[v];
+        double& weight = groups_[range.material].weight;
+        for (std::size_t v = range.first; v < range.last; ++v) weight += weights[v];
     }
     for (auto& [material, group] : groups_) {
         const double wanted = kSamples * group.weight / static_cast<double>(weights.size());

@@ -43,22 +43,31 @@ template <class Number>
     return {factor * v.x, factor * v.y, factor * v.z};
 }
 
+// Computes surface_axes().
+template <class Number>
+[[gnu::always_inline]] inline void find_axes(const Vector3<Number>& by_u, const Vector3<Number>& by_v,
+                                             const Vector3<Number>& n, bool mirrored_y, Vector3<Number>& x,
+                                             Vector3<Number>& y) {
+    Number number;
+    dot(by_u, n, number);
+    x = direction(minus_scaled(by_u, number, n), Vector3<Number>{});
+    y = cross(n, x);
+    if (!mirrored_y) return;
+    dot(y, by_v, number);
+    const Number one = Number{} + 1.0F;
+    const Number sign = number > 0 ? -one : one;
+    y = times(sign, y);
+}
+
 // Returns the normal of a normal map. texel: the normal in the surface's frame, as a colour.
 template <class Number>
 [[gnu::always_inline]] inline Vector3<Number> mapped(const Vector3<Number>& texel,
                                                      const Vector3<Number>& by_u, const Vector3<Number>& by_v,
                                                      const Vector3<Number>& n, bool mirrored_y) {
-    Number number;
-    dot(by_u, n, number);
-    const Vector3<Number> x = direction(minus_scaled(by_u, number, n), Vector3<Number>{});
-    Vector3<Number> y = cross(n, x);
-    if (mirrored_y) {
-        dot(y, by_v, number);
-        const Number one = Number{} + 1.0F;
-        const Number sign = number > 0 ? -one : one;
-        y = times(sign, y);
-    }
+    Vector3<Number> x, y;
+    find_axes(by_u, by_v, n, mirrored_y, x, y);
     // The normal is unchanged if x is 0.
+    Number number;
     dot(x, x, number);
     const Vector3<Number> local{2.0F * texel.x - 1.0F, 2.0F * texel.y - 1.0F,
                                 number * (2.0F * texel.z - 2.0F) + 1.0F};
@@ -177,6 +186,12 @@ TextureAxes tangent_axes(const std::array<glm::vec4, 3>& tangents, const glm::ve
     if (x == glm::vec3(0)) return otherwise;
     const glm::vec3 y = glm::cross(normal, x);
     return {.by_u = x, .by_v = tangent.w < 0 ? y : -y};
+}
+
+SurfaceAxes surface_axes(const TextureAxes& axes, const glm::vec3& normal, bool mirrored_y) {
+    Vector3<float> x, y;
+    find_axes(components(axes.by_u), components(axes.by_v), components(normal), mirrored_y, x, y);
+    return {vector(x), vector(y)};
 }
 
 glm::vec3 perturbed_normal(const NormalVariation& variation, const TexturePoint& point,

@@ -32,15 +32,22 @@ struct LaneTextureAxes {
 [[nodiscard]] TextureAxes tangent_axes(const std::array<glm::vec4, 3>& tangents, const glm::vec3& weights,
                                        const glm::vec3& normal, const TextureAxes& otherwise);
 
+/// Axes x and y within a surface.
+struct SurfaceAxes {
+    glm::vec3 x, y;
+};
+/// Returns x = the direction of by_u within the surface, and y = z cross x for its unit normal z or, with
+/// mirrored_y, the opposite where that points to where v grows. Both are 0 if x has no direction.
+[[nodiscard]] SurfaceAxes surface_axes(const TextureAxes& axes, const glm::vec3& normal, bool mirrored_y);
+
 /// Returns the perturbed unit normal at a point, from the interpolated unit normal. Returns the interpolated
 /// normal if `axes` are 0 or the texture gives no direction. `back`: the normal is that of the back of a
 /// two-sided surface; the opposite normal is perturbed as that of a front, and the result is mirrored or
 /// reversed as NormalVariation says.
 ///
-/// map: (x, y, z) = 2 t - 1 in the frame of x = the direction of by_u within the surface, z = the normal and
-/// y = z cross x, or -y for mirrored charts, see NormalVariation. bump: the normal of the surface displaced
-/// along its normal by scale times t (Blinn 1978): the cross product of by_u + (scale dt/du - n by_u) n and
-/// by_v + (scale dt/dv - n by_v) n. Both are defined as in Mitsuba 3.
+/// map: (x, y, z) = 2 t - 1 in the frame of surface_axes() and the normal. bump: the normal of the surface
+/// displaced along its normal by scale times t (Blinn 1978): the cross product of by_u + (scale dt/du - n
+/// by_u) n and by_v + (scale dt/dv - n by_v) n. Both are defined as in Mitsuba 3.
 [[nodiscard]] glm::vec3 perturbed_normal(const NormalVariation& variation, const TexturePoint& point,
                                          const TextureAxes& axes, const glm::vec3& normal, bool back);
 

@@ -8,12 +8,7 @@ namespace nicol {
 
 glm::vec3 rotated_tangent(const TangentRotation& rotation, const TexturePoint& point, const TextureAxes& axes,
                           const glm::vec3& normal) {
-    glm::vec3 x = axes.by_u - glm::dot(axes.by_u, normal) * normal;
-    const float length = glm::length(x);
-    if (!(length > 0)) return glm::vec3(0);
-    x /= length;
-    glm::vec3 y = glm::cross(normal, x);
-    if (glm::dot(y, axes.by_v) > 0) y = -y;
+    const auto [x, y] = surface_axes(axes, normal, true);
     glm::vec2 direction(1, 0);
     if (rotation.directions != nullptr) {
         const glm::vec2 of_texture = 2.0F * glm::vec2(rotation.directions->at(point)) - 1.0F;

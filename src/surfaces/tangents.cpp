@@ -12,17 +12,17 @@ glm::dvec3 unit_or_zero(const glm::dvec3& v) {
     return length > 0 ? v / length : glm::dvec3(0);
 }
 
-TextureAxes axes_of(const WorldGeometry& geometry, std::uint32_t triangle) {
+}  // namespace
+
+TextureAxes texture_axes(const WorldGeometry& geometry, std::uint32_t triangle) {
+    if (geometry.texcoords.empty()) return {};
     const glm::uvec3& t = geometry.triangles[triangle];
     return texture_axes({geometry.positions[t.x], geometry.positions[t.y], geometry.positions[t.z]},
                         geometry.texcoords[triangle]);
 }
 
-}  // namespace
-
 TextureAxes material_axes(const WorldGeometry& geometry, std::uint32_t triangle, const glm::vec3& weights,
-                          const glm::vec3& normal) {
-    const TextureAxes axes = axes_of(geometry, triangle);
+                          const glm::vec3& normal, const TextureAxes& axes) {
     return geometry.tangents.empty() ? axes
                                      : tangent_axes(geometry.tangents[triangle], weights, normal, axes);
 }
@@ -32,7 +32,9 @@ glm::vec3 tangent(const WorldGeometry& geometry, std::uint32_t triangle, const g
     const glm::dvec3 normal =
         unit_or_zero(weights.x * geometry.normals[t.x] + weights.y * geometry.normals[t.y] +
                      weights.z * geometry.normals[t.z]);
-    const glm::dvec3 along = unit_or_zero(material_axes(geometry, triangle, weights, glm::vec3(normal)).by_u);
+    const TextureAxes axes =
+        material_axes(geometry, triangle, weights, glm::vec3(normal), texture_axes(geometry, triangle));
+    const glm::dvec3 along = unit_or_zero(axes.by_u);
     return unit_or_zero(along - glm::dot(along, normal) * normal);
 }
 
@@ -42,10 +44,12 @@ std::vector<glm::vec3> vertex_tangents(const WorldGeometry& geometry) {
     std::vector<glm::vec3> out(geometry.positions.size(), glm::vec3(0));
     for (std::uint32_t triangle = 0; triangle < geometry.triangles.size(); ++triangle) {
         const glm::uvec3& t = geometry.triangles[triangle];
+        const TextureAxes axes = texture_axes(geometry, triangle);
         for (glm::length_t k = 0; k < 3; ++k) {
             glm::vec3 corner(0);
             corner[k] = 1;
-            out[t[k]] += unit_or_zero(material_axes(geometry, triangle, corner, geometry.normals[t[k]]).by_u);
+            out[t[k]] +=
+                unit_or_zero(material_axes(geometry, triangle, corner, geometry.normals[t[k]], axes).by_u);
         }
     }
     for (glm::vec3& along : out) along = unit_or_zero(along);

@@ -11,11 +11,15 @@
 
 namespace nicol {
 
+/// Returns the texture axes of a triangle, 0 if the geometry has no texture coordinates.
+[[nodiscard]] TextureAxes texture_axes(const WorldGeometry& geometry, std::uint32_t triangle);
+
 /// Returns the axes that normal maps and anisotropic materials follow at a point of a triangle: those of the
-/// mesh's tangents, else of growing u and v. weights: barycentric weights of the point. normal: unit normal
-/// of the front. The geometry must have texture coordinates.
+/// mesh's tangents, else `axes`, the triangle's texture axes. weights: barycentric weights of the point.
+/// normal: unit normal of the front.
 [[nodiscard]] TextureAxes material_axes(const WorldGeometry& geometry, std::uint32_t triangle,
-                                        const glm::vec3& weights, const glm::vec3& normal);
+                                        const glm::vec3& weights, const glm::vec3& normal,
+                                        const TextureAxes& axes);
 
 /// Returns the x axis of material_axes(), perpendicular to the interpolated normal: unit, or 0 if there is
 /// none.

@@ -33,6 +33,7 @@ public:
     static constexpr std::size_t kBatch = 128;
 
     [[nodiscard]] int order() const noexcept { return order_; }
+    [[nodiscard]] const DirectionSet& directions() const noexcept { return directions_; }
 
     /// Computes the psh_count(order) coefficients of each vertex: out[block of sixteen][psh_index], a vertex
     /// in each lane. The last block's other lanes repeat the last vertex. normals: of all vertices, unit.

@@ -14,10 +14,10 @@ using std::numbers::pi;
 
 }  // namespace
 
-VisibilityPower::VisibilityPower(const Visibility& visibility, const DirectionSet& directions,
+VisibilityPower::VisibilityPower(const VisibilityHarmonics& harmonics, const Visibility& visibility,
                                  std::span<const glm::vec3> normals, std::span<const std::uint32_t> vertices)
     : energy_(static_cast<std::size_t>(kOrder) + 1) {
-    const VisibilityHarmonics harmonics(directions, kOrder);
+    const DirectionSet& directions = harmonics.directions();
     const std::size_t size = psh_count(kOrder);
     std::vector<Lanes> coefficients((vertices.size() + kLanes - 1) / kLanes * size);
     harmonics.project(visibility, normals, vertices, coefficients);

@@ -21,8 +21,8 @@ public:
     /// for edges.
     static constexpr int kOrder = 24;
 
-    /// vertices: at least one. normals: of all vertices.
-    VisibilityPower(const Visibility& visibility, const DirectionSet& directions,
+    /// harmonics: of order kOrder. normals: of all vertices. vertices: at least one.
+    VisibilityPower(const VisibilityHarmonics& harmonics, const Visibility& visibility,
                     std::span<const glm::vec3> normals, std::span<const std::uint32_t> vertices);
 
     /// Returns the visible fraction of the directions above the horizon, as the mean over the vertices.
