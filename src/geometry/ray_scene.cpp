@@ -51,6 +51,10 @@ void filter(const embree::FilterArguments* hits) {
     }
 }
 
+// Embree's cache is for subdivision surfaces, of which there are none. Where no memory is left for it,
+// NewDevice() keeps a lock of the process, and the next device that is made or released waits forever.
+constexpr const char* kDeviceSettings = "tessellation_cache_size=0";
+
 }  // namespace
 
 double ray_offset(const std::array<glm::vec3, 3>& corners) {
@@ -70,7 +74,7 @@ struct RayScene::Embree {
         void operator()(embree::Scene* scene) const { embree::library().ReleaseScene(scene); }
     };
     const embree::Library& library = embree::library();
-    std::unique_ptr<embree::Device, Release> device{library.NewDevice(nullptr)};
+    std::unique_ptr<embree::Device, Release> device{library.NewDevice(kDeviceSettings)};
     std::unique_ptr<embree::Scene, Release> scene;
 
     Embree() {
