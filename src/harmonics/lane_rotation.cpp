@@ -281,16 +281,20 @@ LaneRotation::LaneRotation(int order) : order_(order) {
     }
 }
 
-LaneRotation::Work& LaneRotation::work_of_thread() const {
-    thread_local Work work;
-    const auto count = static_cast<std::size_t>(order_) + 1;
-    if (work.azimuth_.cosine.size() == count) return work;
-    for (Work::Phases* phases : {&work.azimuth_, &work.zenith_}) {
+LaneRotation::Work::Work(int order) {
+    const auto count = static_cast<std::size_t>(order) + 1;
+    for (Phases* phases : {&azimuth_, &zenith_}) {
         phases->cosine.resize(count);
         phases->sine.resize(count);
     }
-    work.fields_.resize(2 * kMostFields * psh_count(order_));
-    work.scratch_.resize(4 * kMostFields * count);
+    fields_.resize(2 * kMostFields * psh_count(order));
+    scratch_.resize(4 * kMostFields * count);
+}
+
+LaneRotation::Work& LaneRotation::work_of_thread() const {
+    thread_local Work work(order_);
+    // Made anew as a whole: where memory runs out, the former work space stays.
+    if (work.azimuth_.cosine.size() != static_cast<std::size_t>(order_) + 1) work = Work(order_);
     return work;
 }
 

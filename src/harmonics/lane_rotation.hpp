@@ -38,6 +38,8 @@ public:
 
     private:
         friend class LaneRotation;
+        explicit Work(int order);
+
         // exp(i m angle) of each lane.
         struct Phases {
             std::vector<Lanes> cosine;

@@ -86,7 +86,7 @@ void DenseMethod::build(const TransferInput& input, const VertexRange& range, bo
     const auto shadows = std::make_shared<const ShadowMatrix>(2 * order, order, order);
     std::optional<VisibilityHarmonics> harmonics;
     if (input.visibility != nullptr) {
-        harmonics.emplace(*input.directions, 2 * order);
+        run.workers.run([&] { harmonics.emplace(*input.directions, 2 * order); });
     }
     const std::span current = baking_.current();
     std::atomic<std::size_t> baked = 0;

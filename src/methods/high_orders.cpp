@@ -111,7 +111,8 @@ void HighOrderTransfer::bake(const TransferInput& input, int low, std::optional<
 
 VisibilityBlocks HighOrderTransfer::expanded(const TransferInput& input, int order, RenderRun& run) const {
     const std::size_t vertices = input.geometry.positions.size();
-    const VisibilityHarmonics harmonics(*input.directions, order);
+    std::optional<VisibilityHarmonics> harmonics;
+    run.workers.run([&] { harmonics.emplace(*input.directions, order); });
     const std::span current = expanding_.current();
     VisibilityBlocks next(*input.visibility, order);
     run.workers.for_vertices(
@@ -120,7 +121,7 @@ VisibilityBlocks HighOrderTransfer::expanded(const TransferInput& input, int ord
             std::vector<Lanes> coefficients(VisibilityHarmonics::kBatch / kLanes * of_block);
             std::vector<std::uint32_t> unknown;
             const auto project = [&] {
-                harmonics.project(*input.visibility, input.geometry.normals, unknown, coefficients);
+                harmonics->project(*input.visibility, input.geometry.normals, unknown, coefficients);
                 for (std::size_t k = 0; k < unknown.size(); k += kLanes)
                     next.set(unknown[k] / kLanes, &coefficients[k / kLanes * of_block]);
                 unknown.clear();

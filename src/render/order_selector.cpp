@@ -130,8 +130,7 @@ void OrderSelector::measure(const Scene& scene, const Projected& projected, cons
     std::optional<VisibilityHarmonics> harmonics;
     if (surfaces.visibility != nullptr) {
         harmonics.emplace(*surfaces.directions, VisibilityPower::kOrder);
-        if (couplings_.empty())
-            for (const int spin : {0, 2}) couplings_.emplace_back(kOrder, spin);
+        if (couplings_.empty()) couplings_ = {OrderCoupling(kOrder, 0), OrderCoupling(kOrder, 2)};
     }
 
     const VertexWeights vertices(geometry);

@@ -21,8 +21,8 @@ namespace nicol {
 /// pi), 0, 0 ...
 class VisibilityHarmonics {
 public:
-    /// Keeps a reference to `directions`. Throws Error(invalid_argument) for an order outside
-    /// 0..kHighestOrder.
+    /// Keeps a reference to `directions`. Runs on all threads of the caller's arena. Throws
+    /// Error(invalid_argument) for an order outside 0..kHighestOrder.
     VisibilityHarmonics(const DirectionSet& directions, int order);
 
     static constexpr int kHighestOrder = 64;
