@@ -103,20 +103,25 @@ void flip_normals(Mesh& mesh);
 /// Returns a sphere of 14,442 vertices: an icosahedron whose edges are cut in 38. Vertices lie on the sphere,
 /// its points on the coordinate axes among them, and normals are exact. No edge spans more than 2.0 degrees,
 /// so shading interpolated between vertices misses a function of order l by at most 1.6e-4 l^2 of its
-/// amplitude, and the flat triangles lie at most 2.1e-4 radius below the sphere. u is the azimuth about z,
-/// from +x towards +y, over 2 pi, and exceeds 1 in triangles that cross the seam; v is the angle from +z over
-/// pi. Throws Error(invalid_argument) unless the centre is finite and the radius positive and finite.
-[[nodiscard]] Mesh make_sphere(const glm::dvec3& center = glm::dvec3(0.0), double radius = 1.0);
+/// amplitude, and the flat triangles lie at most 2.1e-4 radius below the sphere. `detail`, in (0, 1], is the
+/// part of the segments that there are along each direction; the errors grow by 1 / detail^2. u is the
+/// azimuth about z, from +x towards +y, over 2 pi, and exceeds 1 in triangles that cross the seam; v is the
+/// angle from +z over pi. Throws Error(invalid_argument) unless the centre is finite and the radius positive
+/// and finite.
+[[nodiscard]] Mesh make_sphere(const glm::dvec3& center = glm::dvec3(0.0), double radius = 1.0,
+                               double detail = 1.0);
 
-/// Returns the disc of radius 1 at z = 0 with normal +z: 180 sectors of 16 rings. u is the distance from the
-/// centre, v the angle from +x towards +y over 2 pi.
-[[nodiscard]] Mesh make_disk();
+/// Returns the disc of radius 1 at z = 0 with normal +z: 180 sectors of 16 rings, of which `detail` is the
+/// part as in make_sphere(). u is the distance from the centre, v the angle from +x towards +y over 2 pi.
+[[nodiscard]] Mesh make_disk(double detail = 1.0);
 
 /// Returns the cylinder around the line from p0 to p1, without its ends and with outward normals: 180 sides
-/// of 32 rows, whose flat sides lie at most 1.6e-4 radius below the cylinder. u is the angle around p1 - p0
-/// over 2 pi, from perpendicular(); v grows from 0 at p0 to 1 at p1. Throws Error(invalid_argument) unless
-/// the points are finite and apart, and the radius is positive and finite.
-[[nodiscard]] Mesh make_cylinder(const glm::dvec3& p0, const glm::dvec3& p1, double radius);
+/// of 32 rows, of which `detail` is the part as in make_sphere(). At detail 1 the flat sides lie at most
+/// 1.6e-4 radius below the cylinder. u is the angle around p1 - p0 over 2 pi, from perpendicular(); v grows
+/// from 0 at p0 to 1 at p1. Throws Error(invalid_argument) unless the points are finite and apart, and the
+/// radius is positive and finite.
+[[nodiscard]] Mesh make_cylinder(const glm::dvec3& p0, const glm::dvec3& p1, double radius,
+                                 double detail = 1.0);
 
 /// Returns the square [-1, 1]^2 at z = 0 with normal +z as `cells` x `cells` squares of two triangles; u = (x
 /// + 1) / 2, v = (y + 1) / 2. Throws Error(invalid_argument) unless 1 <= cells <= 1024.

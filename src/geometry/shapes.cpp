@@ -14,9 +14,8 @@
 namespace nicol {
 namespace {
 
-/// Number of parts of an icosahedron's edge. It is even, so that the middle of each edge is a vertex; six of
-/// these middles are the points on the axes.
-constexpr std::uint32_t kSphereCuts = 38;
+// Half the number of parts of an icosahedron's edge, at full detail.
+constexpr double kHalfEdge = 19;
 
 constexpr double kGolden = std::numbers::phi;
 
@@ -36,7 +35,9 @@ const std::array<glm::dvec3, 12> kIcosahedronCorners = {{{0, 1, kGolden},
 /// Points on the unit sphere and triangles over them; no point is repeated.
 class Icosphere {
 public:
-    Icosphere() {
+    /// cuts: number of parts of an icosahedron's edge. It must be even, so that the middle of each edge is a
+    /// vertex; six of these middles are the points on the axes.
+    explicit Icosphere(std::uint32_t cuts) : cuts_(cuts) {
         for (const glm::dvec3& corner : kIcosahedronCorners) points.push_back(glm::normalize(corner));
         // Corners of one face are 2 apart, all other corners further.
         const auto adjacent = [](std::uint32_t a, std::uint32_t b) {
@@ -57,13 +58,13 @@ public:
 private:
     /// Returns the point `i` steps from `a` on the edge to `b`; both faces at the edge get one index.
     std::uint32_t on_edge(std::uint32_t a, std::uint32_t b, std::uint32_t i) {
-        if (a > b) return on_edge(b, a, kSphereCuts - i);
+        if (a > b) return on_edge(b, a, cuts_ - i);
         if (i == 0) return a;
-        if (i == kSphereCuts) return b;
+        if (i == cuts_) return b;
         const auto [first, is_new] = edges_.try_emplace({a, b}, static_cast<std::uint32_t>(points.size()));
         if (is_new) {
-            for (std::uint32_t k = 1; k < kSphereCuts; ++k)
-                points.push_back(glm::normalize(kIcosahedronCorners[a] * double(kSphereCuts - k) +
+            for (std::uint32_t k = 1; k < cuts_; ++k)
+                points.push_back(glm::normalize(kIcosahedronCorners[a] * double(cuts_ - k) +
                                                 kIcosahedronCorners[b] * double(k)));
         }
         return first->second + i - 1;
@@ -71,31 +72,32 @@ private:
 
     void cut_face(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
         // Rows are parallel to bc; row i has i + 1 points.
-        std::vector<std::vector<std::uint32_t>> rows(kSphereCuts + 1);
-        for (std::uint32_t i = 0; i <= kSphereCuts; ++i)
+        std::vector<std::vector<std::uint32_t>> rows(cuts_ + 1);
+        for (std::uint32_t i = 0; i <= cuts_; ++i)
             for (std::uint32_t j = 0; j <= i; ++j) {
                 std::uint32_t index = 0;
                 if (j == 0)
                     index = on_edge(a, b, i);
                 else if (j == i)
                     index = on_edge(a, c, i);
-                else if (i == kSphereCuts)
+                else if (i == cuts_)
                     index = on_edge(b, c, j);
                 else {
                     index = static_cast<std::uint32_t>(points.size());
-                    points.push_back(glm::normalize(kIcosahedronCorners[a] * double(kSphereCuts - i) +
+                    points.push_back(glm::normalize(kIcosahedronCorners[a] * double(cuts_ - i) +
                                                     kIcosahedronCorners[b] * double(i - j) +
                                                     kIcosahedronCorners[c] * double(j)));
                 }
                 rows[i].push_back(index);
             }
-        for (std::uint32_t i = 0; i < kSphereCuts; ++i)
+        for (std::uint32_t i = 0; i < cuts_; ++i)
             for (std::uint32_t j = 0; j <= i; ++j) {
                 triangles.emplace_back(rows[i][j], rows[i + 1][j], rows[i + 1][j + 1]);
                 if (j < i) triangles.emplace_back(rows[i][j], rows[i + 1][j + 1], rows[i][j + 1]);
             }
     }
 
+    std::uint32_t cuts_;
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> edges_;
 };
 
@@ -159,11 +161,11 @@ void check_cells(int cells) {
 
 }  // namespace
 
-Mesh make_sphere(const glm::dvec3& center, double radius) {
+Mesh make_sphere(const glm::dvec3& center, double radius, double detail) {
     if (!std::isfinite(center.x + center.y + center.z) || !(radius > 0.0) || !std::isfinite(radius))
         throw Error(ErrorCode::invalid_argument,
                     "a sphere needs a finite center and a positive, finite radius");
-    const Icosphere sphere;
+    const Icosphere sphere(2 * static_cast<std::uint32_t>(std::ceil(kHalfEdge * detail)));
     Mesh mesh;
     mesh.triangles = sphere.triangles;
     for (const glm::dvec3& p : sphere.points) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "import/load_scene.hpp"
 #include "files/suffix.hpp"
+#include "import/primitive_detail.hpp"
 
 #include <algorithm>
 #include <array>
@@ -76,11 +77,11 @@ SceneChannels channels_under(const EnvironmentPtr& light) {
     return {.count = light->channels(), .wavelengths = light->wavelengths()};
 }
 
-Mesh make(const ShapeDescription& d, scene::SceneFiles& files) {
+Mesh make(const ShapeDescription& d, double detail, scene::SceneFiles& files) {
     Mesh mesh;
     switch (d.kind) {
         case ShapeDescription::Kind::sphere:
-            mesh = make_sphere(glm::dvec3(0.0), d.radius);
+            mesh = make_sphere(glm::dvec3(0.0), d.radius, detail);
             break;
         case ShapeDescription::Kind::rectangle:
             mesh = make_rectangle();
@@ -89,10 +90,10 @@ Mesh make(const ShapeDescription& d, scene::SceneFiles& files) {
             mesh = make_cube();
             break;
         case ShapeDescription::Kind::disk:
-            mesh = make_disk();
+            mesh = make_disk(detail);
             break;
         case ShapeDescription::Kind::cylinder:
-            mesh = make_cylinder(glm::dvec3(0.0), d.p1 - d.p0, d.radius);
+            mesh = make_cylinder(glm::dvec3(0.0), d.p1 - d.p0, d.radius, detail);
             break;
         default:
             mesh = files.read(d.filename, [&] {
@@ -154,25 +155,27 @@ EmissionPtr make_emission(const EmissionDescription& d, const SceneChannels& cha
     return std::make_shared<const Emission>(std::move(emission));
 }
 
-/// Shapes of the same file and flags share a mesh.
+/// Shapes of the same file or detail, and of the same flags, share a mesh.
 class Meshes {
 public:
-    explicit Meshes(scene::SceneFiles& files) : files_(files) {}
+    Meshes(const PrimitiveDetail& detail, scene::SceneFiles& files) : detail_(detail), files_(files) {}
 
     std::shared_ptr<const Mesh> of(const ShapeDescription& d) {
         if (d.kind == ShapeDescription::Kind::mesh) return d.mesh;
+        const double detail = detail_.of(d);
         const Key key{d.kind,           d.filename,
-                      d.index,          {d.p1.x - d.p0.x, d.p1.y - d.p0.y, d.p1.z - d.p0.z, d.radius},
+                      d.index,          {d.p1.x - d.p0.x, d.p1.y - d.p0.y, d.p1.z - d.p0.z, d.radius, detail},
                       d.face_normals,   d.flip_normals,
                       d.flip_tex_coords};
         std::shared_ptr<const Mesh>& mesh = made_[key];
-        if (!mesh) mesh = std::make_shared<const Mesh>(make(d, files_));
+        if (!mesh) mesh = std::make_shared<const Mesh>(make(d, detail, files_));
         return mesh;
     }
 
 private:
-    using Key = std::tuple<ShapeDescription::Kind, std::filesystem::path, std::size_t, std::array<double, 4>,
+    using Key = std::tuple<ShapeDescription::Kind, std::filesystem::path, std::size_t, std::array<double, 5>,
                            bool, bool, bool>;
+    PrimitiveDetail detail_;
     scene::SceneFiles& files_;
     std::map<Key, std::shared_ptr<const Mesh>> made_;
 };
@@ -232,7 +235,11 @@ LoadedScene load_scene(const std::filesystem::path& file, const SceneParameters&
         made(file, named("emitter", light.id),
              [&] { return out.scene.add_light(make_light(light, channels, textures)); });
     }
-    Meshes meshes(files);
+    out.camera = make(description.sensor);
+    const SensorDescription& sensor = description.sensor;
+    out.width = sensor.crop ? sensor.crop->size.x : sensor.width;
+    out.height = sensor.crop ? sensor.crop->size.y : sensor.height;
+    Meshes meshes(PrimitiveDetail(out.camera, {out.width, out.height}), files);
     for (const ShapeDescription& shape : description.shapes) {
         made(file, named("shape", shape.id), [&] {
             const std::shared_ptr<const Mesh> mesh = meshes.of(shape);
@@ -255,11 +262,7 @@ LoadedScene load_scene(const std::filesystem::path& file, const SceneParameters&
     scene::put_elements_before_lights(description, out.scene, files);
     std::ranges::copy(files.notices(), std::back_inserter(out.notices));
     out.files = files.records();
-    out.camera = make(description.sensor);
-    const SensorDescription& sensor = description.sensor;
-    out.width = sensor.crop ? sensor.crop->size.x : sensor.width;
-    out.height = sensor.crop ? sensor.crop->size.y : sensor.height;
-    out.luminance = description.sensor.luminance;
+    out.luminance = sensor.luminance;
     out.sample_count = sensor.sample_count;
     out.aovs = description.integrator.aovs;
     return out;
