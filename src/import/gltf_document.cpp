@@ -41,6 +41,12 @@ constexpr std::array<std::string_view, 14> kExtensions = {
     "KHR_lights_punctual",        "EXT_mesh_gpu_instancing", "KHR_texture_basisu",
     "KHR_materials_anisotropy",   "KHR_materials_variants"};
 
+/// Errors of tinygltf about members that glTF does not require: the matrices of a skin, and the target node
+/// of an animation's channel. A channel without a node has no effect.
+constexpr std::array<std::string_view, 2> kOptional = {
+    "'inverseBindMatrices' property is missing in Skin.\n",
+    "'node' property is missing.\n`node` field is missing in animation.channels.target\n"};
+
 constexpr int kMostLevels = 128;
 
 /// The parser calls itself for each level of arrays and objects.
@@ -178,10 +184,9 @@ tinygltf::Model parsed(const std::string& bytes, Buffers& buffers) {
                 ? parser.LoadBinaryFromMemory(&model, &error, &warning,
                                               reinterpret_cast<const unsigned char*>(bytes.data()), size)
                 : parser.LoadASCIIFromString(&model, &error, &warning, bytes.data(), size, "");
-        // Which a skin may do without.
-        constexpr std::string_view kNoFault = "'inverseBindMatrices' property is missing in Skin.\n";
-        for (std::size_t at = 0; (at = error.find(kNoFault)) != std::string::npos;)
-            error.erase(at, kNoFault.size());
+        for (const std::string_view missing : kOptional)
+            for (std::size_t at = 0; (at = error.find(missing)) != std::string::npos;)
+                error.erase(at, missing.size());
         if (complete && error.empty()) return model;
     } catch (const Error&) {
         throw;

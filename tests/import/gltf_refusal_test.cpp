@@ -24,6 +24,12 @@ std::string with_material(const std::string& members) {
 }
 const std::string a_node = ",\"nodes\":[{\"mesh\":0}]";
 
+/// Returns an animation of one channel, whose target has these members.
+std::string animation(const std::string& target) {
+    return ",\"animations\":[{\"channels\":[{\"sampler\":0,\"target\":{" + target +
+           "}}],\"samplers\":[{\"input\":0,\"output\":0}]}]";
+}
+
 void check_refused(const std::filesystem::path& file, ErrorCode code, const std::string& part) {
     const std::string message = error_of(CALL(read_gltf_scene(file)), code);
     CAPTURE(message);
@@ -50,6 +56,7 @@ TEST_CASE("what is read of glTF and not followed is one notice for each kind") {
              Case{one_mesh(",\"targets\":[{\"POSITION\":0}]") + a_node, "morph targets"},
              Case{one_mesh() + ",\"nodes\":[{\"mesh\":0,\"skin\":0}],\"skins\":[{\"joints\":[0]}]", "skins"},
              Case{one_mesh() + a_node + ",\"animations\":[{\"channels\":[],\"samplers\":[]}]", "animations"},
+             Case{one_mesh() + a_node + animation("\"path\":\"scale\""), "animations"},
              Case{one_mesh() + ",\"nodes\":[{\"mesh\":0,\"extensions\":{\"EXT_mesh_gpu_instancing\":{}}}]",
                   "EXT_mesh_gpu_instancing"},
              Case{one_mesh() + ",\"nodes\":[{\"mesh\":0,\"camera\":0},{\"camera\":0}],\"cameras\":[{\"type\":"
@@ -112,6 +119,8 @@ TEST_CASE("glTF that is malformed, out of range or not supported is refused by e
                   "materials[0]: anisotropyTexture: index is not a whole number"},
              Case{with_material("\"extensions\":{\"KHR_materials_unlit\":{}}"),
                   "materials[0]: KHR_materials_unlit", ErrorCode::unsupported},
+             Case{one_mesh() + a_node + animation("\"path\":\"scale\",\"node\":\"a\""), "'node' property"},
+             Case{one_mesh() + a_node + animation("\"node\":0"), "'path' property is missing"},
              Case{one_mesh() + a_node + ",\"extensionsRequired\":[\"KHR_draco_mesh_compression\"]",
                   "\"KHR_draco_mesh_compression\" is not supported", ErrorCode::unsupported},
              Case{camera("\"type\":\"perspective\",\"perspective\":{\"yfov\":4,\"znear\":1}"),
