@@ -2,7 +2,6 @@
 // Materials.
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -329,17 +328,6 @@ private:
 };
 
 }  // namespace
-
-GltfSurface::GltfSurface(const tinygltf::Primitive& primitive)
-    : material(primitive.material), colors(primitive.attributes.contains("COLOR_0")) {
-    constexpr std::string_view prefix = "TEXCOORD_";
-    for (const auto& [name, accessor] : primitive.attributes) {
-        if (!name.starts_with(prefix)) continue;
-        int set = 0;
-        const char* const end = name.data() + name.size();
-        if (std::from_chars(name.data() + prefix.size(), end, set).ptr == end) texcoord_sets.push_back(set);
-    }
-}
 
 GltfMaterial read_gltf_material(const GltfDocument& document, const GltfSurface& surface,
                                 GltfTextures& textures, GltfNotices& notices) {

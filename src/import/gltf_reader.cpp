@@ -20,6 +20,11 @@ std::string name_of(const char* list, std::size_t index) {
     return std::string(list) + "[" + std::to_string(index) + "]";
 }
 
+/// Returns the name of a primitive.
+std::string name_of(int mesh, std::size_t primitive) {
+    return name_of("meshes", static_cast<std::size_t>(mesh)) + "." + name_of("primitives", primitive);
+}
+
 /// Returns whether a matrix is invertible, which a mesh's transform must be.
 bool is_invertible(const glm::dmat4& m) {
     const glm::dmat3 linear(m);
@@ -173,7 +178,7 @@ private:
             shape.id = node.name.empty() ? mesh.name : node.name;
             shape.mesh = made.mesh;
             shape.to_world = placed.to_world;
-            shape.material = index_of(material(mesh.primitives[p]));
+            shape.material = index_of(material(mesh.primitives[p], name_of(node.mesh, p)));
             extend(made.bounds, placed.to_world);
             scene_.shapes.push_back(std::move(shape));
         }
@@ -184,22 +189,25 @@ private:
         if (is_new) {
             const tinygltf::Primitive& source =
                 model_.meshes[static_cast<std::size_t>(mesh)].primitives[index];
-            const std::string where =
-                name_of("meshes", static_cast<std::size_t>(mesh)) + "." + name_of("primitives", index);
+            const std::string where = name_of(mesh, index);
             if (source.extensions.contains("KHR_draco_mesh_compression"))
                 notices_.add("KHR_draco_mesh_compression is not followed; what is there beside it is drawn");
             if (!source.targets.empty())
                 notices_.add("morph targets are not followed; the rest pose is drawn");
+            if (source.extensions.contains("KHR_materials_variants"))
+                notices_.add(
+                    "KHR_materials_variants is not followed; surfaces have their default material, or " +
+                    std::string("that of the first variant where they have none"));
             Made& made = entry->second;
-            made.mesh = read_gltf_primitive(document_, source, where, material(source).material.texcoord_set,
-                                            budget_, left_out_);
+            made.mesh = read_gltf_primitive(
+                document_, source, where, material(source, where).material.texcoord_set, budget_, left_out_);
             if (made.mesh) made.bounds = bounds_of(*made.mesh);
         }
         return entry->second;
     }
 
-    ReadMaterial& material(const tinygltf::Primitive& primitive) {
-        const GltfSurface surface(primitive);
+    ReadMaterial& material(const tinygltf::Primitive& primitive, const std::string& where) {
+        const GltfSurface surface(document_, primitive, where);
         const auto known = materials_.find(surface);
         if (known != materials_.end()) return known->second;
         ReadMaterial read{read_gltf_material(document_, surface, textures_, notices_), {}};

@@ -39,11 +39,12 @@ struct GltfBounds {
 
 /// The properties of a primitive on which its material depends.
 struct GltfSurface {
-    int material = -1;               ///< -1: none, which is white metal
-    bool colors = false;             ///< it has COLOR_0
+    int material = -1;    ///< its own, else that of the first variant; -1: none, which is white metal
+    bool colors = false;  ///< it has COLOR_0
     std::vector<int> texcoord_sets;  ///< n of each TEXCOORD_n that it has
 
-    explicit GltfSurface(const tinygltf::Primitive& primitive);
+    /// `where`: the primitive in the file.
+    GltfSurface(const GltfDocument& document, const tinygltf::Primitive& primitive, const std::string& where);
     bool operator<(const GltfSurface& other) const {
         return std::tie(material, colors, texcoord_sets) <
                std::tie(other.material, other.colors, other.texcoord_sets);

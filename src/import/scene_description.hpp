@@ -179,6 +179,7 @@ using SceneParameters = std::map<std::string, std::string>;
 ///   the set that the base colour takes, where there are several.
 /// - A metallicFactor of 0 makes pplastic, 1 roughconductor, and any between both, blended; GGX with alpha =
 ///   roughness^2. Base colour, metal, roughness, normals and alphaMode MASK follow their textures.
+/// - By KHR_materials_variants a primitive has its default material, else that of the first variant.
 /// - The sensor is the first camera; without one it looks along -z, its image 45 degrees high, and the sphere
 ///   around the box of the scene fits in. The film is 768 pixels wide and as high as the camera's aspect
 ///   ratio says, else 576. There is no environment.
