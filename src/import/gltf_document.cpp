@@ -34,12 +34,22 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "numbers are copied from memory as they are");
 
 // Those that are read, and those that only concern what a notice says is not followed.
-constexpr std::array<std::string_view, 14> kExtensions = {
-    "KHR_mesh_quantization",      "KHR_materials_ior",       "KHR_materials_emissive_strength",
-    "KHR_materials_transmission", "KHR_materials_volume",    "KHR_materials_specular",
-    "KHR_materials_clearcoat",    "KHR_materials_sheen",     "KHR_texture_transform",
-    "KHR_lights_punctual",        "EXT_mesh_gpu_instancing", "KHR_texture_basisu",
-    "KHR_materials_anisotropy",   "KHR_materials_variants"};
+constexpr std::array<std::string_view, 16> kExtensions = {"KHR_mesh_quantization",
+                                                          "KHR_materials_ior",
+                                                          "KHR_materials_emissive_strength",
+                                                          "KHR_materials_transmission",
+                                                          "KHR_materials_volume",
+                                                          "KHR_materials_specular",
+                                                          "KHR_materials_clearcoat",
+                                                          "KHR_materials_sheen",
+                                                          "KHR_texture_transform",
+                                                          "KHR_lights_punctual",
+                                                          "EXT_mesh_gpu_instancing",
+                                                          "KHR_texture_basisu",
+                                                          "KHR_materials_anisotropy",
+                                                          "KHR_materials_variants",
+                                                          "KHR_materials_unlit",
+                                                          "KHR_materials_pbrSpecularGlossiness"};
 
 /// Errors of tinygltf about members that glTF does not require: the matrices of a skin, and the target node
 /// of an animation's channel. A channel without a node has no effect.

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
+#include <glm/common.hpp>
 #include <memory>
 #include <numbers>
 #include <optional>
@@ -12,19 +12,28 @@
 
 #include "import/brushed_material.hpp"
 #include "import/conductor_material.hpp"
+#include "import/diffuse_material.hpp"
+#include "import/gltf_extension.hpp"
 #include "import/gltf_readers.hpp"
 #include "import/late_parameters.hpp"
 #include "import/nested_material.hpp"
+#include "import/specular_material.hpp"
 
 namespace nicol::scene {
 namespace {
 
 using Part = TextureSpecification::Part;
 
-constexpr std::string_view kAnisotropy = "KHR_materials_anisotropy";
+constexpr const char* kIor = "KHR_materials_ior";
+constexpr const char* kAnisotropy = "KHR_materials_anisotropy";
+constexpr const char* kSpecular = "KHR_materials_pbrSpecularGlossiness";
+constexpr const char* kUnlit = "KHR_materials_unlit";
 /// Those of a material that have an effect here.
-constexpr std::array<std::string_view, 3> kFollowed = {"KHR_materials_ior", "KHR_materials_emissive_strength",
-                                                       kAnisotropy};
+constexpr std::array<std::string_view, 3> kFollowed = {kIor, "KHR_materials_emissive_strength", kAnisotropy};
+
+constexpr double kIndex = 1.5;
+/// The reflectance of that index at normal incidence.
+constexpr double kPlasticReflectance = 0.04;
 
 TextureSpecificationPtr shared(TextureSpecification texture) {
     return std::make_shared<const TextureSpecification>(std::move(texture));
@@ -41,20 +50,56 @@ public:
           pbr_(material.pbrMetallicRoughness),
           textures_(textures),
           notices_(notices),
-          base_(pbr_.baseColorTexture, where_ + ".baseColorTexture"),
-          metallic_roughness_(pbr_.metallicRoughnessTexture, where_ + ".metallicRoughnessTexture"),
-          normal_(material.normalTexture, where_ + ".normalTexture"),
-          anisotropy_texture_(texture_of(kAnisotropy, "anisotropyTexture")),
-          anisotropy_(anisotropy_texture_, where_ + ".anisotropyTexture") {}
+          anisotropy_(document, material.extensions, kAnisotropy, where_),
+          specular_(document, material.extensions, kSpecular, where_),
+          is_unlit_(material.extensions.contains(kUnlit)),
+          is_specular_(specular_.present() &&
+                       (requires_specular() || pbr_ == tinygltf::PbrMetallicRoughness{})),
+          base_(is_specular_ ? specular_.texture("diffuseTexture")
+                             : texture_use(pbr_.baseColorTexture, where_ + ".baseColorTexture")),
+          facets_(is_specular_
+                      ? specular_.texture("specularGlossinessTexture")
+                      : texture_use(pbr_.metallicRoughnessTexture, where_ + ".metallicRoughnessTexture")),
+          normal_(texture_use(material.normalTexture, where_ + ".normalTexture")),
+          directions_(anisotropy_.texture("anisotropyTexture")) {}
 
     GltfMaterial run() {
-        if (material_.extensions.contains("KHR_materials_unlit"))
-            document_.fail(where_, "KHR_materials_unlit is not supported; surfaces reflect light",
-                           ErrorCode::unsupported);
         say_what_is_left();
-        const int set = texcoord_set();
+        GltfMaterial made{black(), texcoord_set(), {}};
+        if (is_unlit_)
+            made.emission = emission();
+        else
+            made.description = reflecting();
+        MaterialDescription& out = made.description;
+        if (auto opacity = coverage()) {
+            MaskModel mask(std::move(out), shared(std::move(*opacity)));
+            mask.translucent = material_.alphaMode == "BLEND";
+            out = std::move(mask);
+        }
+        out.id = material_.name;
+        out.twosided = material_.doubleSided;
+        return made;
+    }
+
+private:
+    static MaterialDescription black() {
+        DiffuseModel out;
+        out.reflectance = 0.0;
+        return out;
+    }
+
+    /// Returns the base colour as radiance.
+    [[nodiscard]] EmissionDescription emission() {
+        if (surface_.colors) notices_.add("COLOR_0 of unlit surfaces is not followed");
+        EmissionDescription out;
+        out.radiance = base_color(false);
+        out.two_sided = material_.doubleSided;
+        return out;
+    }
+
+    [[nodiscard]] MaterialDescription reflecting() {
         read_strength();
-        MaterialDescription out = blended();
+        MaterialDescription out = is_specular_ ? specular() : blended();
         if (strength_) turn(out);
         if (auto normals = texture(normal_)) {
             const double scale = material_.normalTexture.scale;
@@ -68,17 +113,14 @@ public:
             mapped.options = {.mirrored_y = true, .reversed_back = true};
             out = std::move(mapped);
         }
-        if (auto opacity = coverage()) {
-            MaskModel mask(std::move(out), shared(std::move(*opacity)));
-            mask.translucent = material_.alphaMode == "BLEND";
-            out = std::move(mask);
-        }
-        out.id = material_.name;
-        out.twosided = material_.doubleSided;
-        return {std::move(out), set};
+        return out;
     }
 
-private:
+    [[nodiscard]] bool requires_specular() const {
+        const std::vector<std::string>& names = document_.model().extensionsRequired;
+        return std::ranges::find(names, kSpecular) != names.end();
+    }
+
     [[nodiscard]] double in_unit(double value, const char* name) const {
         if (!(value >= 0 && value <= 1))
             document_.fail(where_, std::string(name) + " is " + std::to_string(value) + "; expected 0 to 1");
@@ -88,8 +130,8 @@ private:
     /// Returns the set that all textures take. Leaves the textures out if the primitive lacks that set.
     int texcoord_set() {
         std::optional<int> set;
-        for (const GltfTextureUse* use : {&base_, &metallic_roughness_, &normal_, &anisotropy_}) {
-            if (use->index < 0) continue;
+        for (const GltfTextureUse* use : {&base_, &facets_, &normal_, &directions_}) {
+            if (use->index < 0 || (is_unlit_ && use != &base_)) continue;
             const int wanted = textures_.texcoord_set(*use);
             if (!set) set = wanted;
             if (*set != wanted)
@@ -108,22 +150,27 @@ private:
         return textures_.read(use);
     }
 
-    [[nodiscard]] glm::dvec4 base_factor() const {
-        const std::vector<double>& factor = pbr_.baseColorFactor;
-        glm::dvec4 color(1);
-        for (std::size_t c = 0; c < std::min(factor.size(), std::size_t{4}); ++c)
-            color[static_cast<glm::length_t>(c)] = in_unit(factor[c], "baseColorFactor");
-        return color;
+    /// Returns up to four numbers of 0 to 1; those that are not there are 1.
+    [[nodiscard]] glm::dvec4 factors(const std::vector<double>& given, const char* name) const {
+        glm::dvec4 out(1);
+        for (std::size_t c = 0; c < std::min(given.size(), std::size_t{4}); ++c)
+            out[static_cast<glm::length_t>(c)] = in_unit(given[c], name);
+        return out;
     }
 
-    /// The factor, times the texture and the colours of vertices where there are any.
-    [[nodiscard]] TexturedColor base_color() {
+    [[nodiscard]] glm::dvec4 base_factor() const {
+        return is_specular_ ? factors(specular_.numbers("diffuseFactor", 4), "diffuseFactor")
+                            : factors(pbr_.baseColorFactor, "baseColorFactor");
+    }
+
+    /// Returns the factor, times the texture if there is one, and times the colours of vertices.
+    [[nodiscard]] TexturedColor base_color(bool with_vertices) {
         const glm::dvec3 factor(base_factor());
         std::optional<TextureSpecification> image = texture(base_);
-        if (!image && !surface_.colors) return factor;
+        if (!image && !with_vertices) return factor;
         TextureSpecification out = image ? std::move(*image) : constant_specification(factor);
         if (image) out.factor = factor;
-        if (surface_.colors) out.times_colors_of = ColorsOf::vertices;
+        if (with_vertices) out.times_colors_of = ColorsOf::vertices;
         return shared(std::move(out));
     }
 
@@ -146,40 +193,74 @@ private:
     [[nodiscard]] MaterialDescription blended() {
         const double metallic = in_unit(pbr_.metallicFactor, "metallicFactor");
         std::optional<TextureSpecification> weight;
-        if (metallic > 0) weight = texture(metallic_roughness_);
+        if (metallic > 0) weight = texture(facets_);
         if (weight) {
             weight->raw = true;
             weight->part = Part::blue;
             weight->factor = glm::dvec3(metallic);
         } else if (metallic == 0) {
-            return plastic();
+            return plastic(1.0, index_of_refraction());
         } else if (metallic == 1) {
-            return metal();
+            return metal(base_color(surface_.colors));
         } else {
             weight = constant_specification(metallic);
         }
-        return BlendModel{plastic(), metal(), shared(std::move(*weight))};
+        return BlendModel{plastic(1.0, index_of_refraction()), metal(base_color(surface_.colors)),
+                          shared(std::move(*weight))};
     }
 
-    [[nodiscard]] MaterialDescription plastic() {
+    /// Plastic and a mirror whose sum reflects the specular colour s at normal incidence, and s + (1 - s) f
+    /// where the plastic alone reflects 0.04 + 0.96 f. Each part depends on one texture. A conversion to
+    /// metal and base colour would need the texels of both at once.
+    [[nodiscard]] MaterialDescription specular() {
+        constexpr double range = 1 - kPlasticReflectance;
+        const TexturedColor more = specular_color(1 / range, -kPlasticReflectance / range);
+        const bool has_mirror = more.texture || more.rgb != glm::dvec3(0);
+        if (has_mirror && !more.texture && glm::dvec3(base_factor()) == glm::dvec3(0))
+            return metal(specular_color(1, 0));
+        // A specular colour below the plastic's weakens what its boundary reflects.
+        MaterialDescription coat = plastic(specular_color(1 / kPlasticReflectance, 0), kIndex);
+        if (!has_mirror) return coat;
+        const TexturedColor rest = specular_color(-1 / range, 1 / range);
+        return SpecularModel(std::move(coat),
+                             rest.texture ? rest.texture : shared(constant_specification(rest)),
+                             mirror(more));
+    }
+
+    /// Returns slope s + offset for the specular colour s, clamped to 0 to 1.
+    [[nodiscard]] TexturedColor specular_color(double slope, double offset) {
+        const glm::dvec3 factor(factors(specular_.numbers("specularFactor", 3), "specularFactor"));
+        auto image = texture(facets_);
+        if (!image) return glm::clamp(slope * factor + offset, 0.0, 1.0);
+        image->factor = slope * factor;
+        image->offset = glm::dvec3(offset);
+        image->clamped = true;
+        return shared(std::move(*image));
+    }
+
+    [[nodiscard]] MaterialDescription plastic(const TexturedColor& boundary, double index) {
         using P = PplasticParameters;
         ModelOf<P> out(pplastic);
-        out.set(&P::diffuse_reflectance, base_color());
-        out.set(&P::specular_reflectance, 1.0);
-        out.parameters.int_ior = index_of_refraction();
+        out.set(&P::diffuse_reflectance, base_color(surface_.colors));
+        out.set(&P::specular_reflectance, boundary);
+        out.parameters.int_ior = index;
         out.parameters.ext_ior = 1;
         return with_facets(std::move(out));
     }
 
     /// A mirror times a colour that varies; of one colour, a metal that has it.
-    [[nodiscard]] MaterialDescription metal() {
+    [[nodiscard]] MaterialDescription metal(const TexturedColor& color) {
+        if (color.texture) return mirror(color);
         MetalModel out;
-        const TexturedColor color = base_color();
-        out.set(&RoughConductorParameters::specular_reflectance, color.texture ? color : 1.0);
-        if (!color.texture) {
-            out.eta = 1.0;
-            out.k = absorption(color.rgb);
-        }
+        out.set(&RoughConductorParameters::specular_reflectance, 1.0);
+        out.eta = 1.0;
+        out.k = absorption(color.rgb);
+        return with_facets(std::move(out));
+    }
+
+    [[nodiscard]] MaterialDescription mirror(const TexturedColor& color) {
+        MetalModel out;
+        out.set(&RoughConductorParameters::specular_reflectance, color);
         return with_facets(std::move(out));
     }
 
@@ -203,13 +284,17 @@ private:
     }
 
     [[nodiscard]] FacetDescription facets() {
-        const double roughness = in_unit(pbr_.roughnessFactor, "roughnessFactor");
+        const double glossiness =
+            in_unit(is_specular_ ? specular_.number("glossinessFactor", 1) : 0, "glossinessFactor");
+        const double roughness =
+            is_specular_ ? 1 - glossiness : in_unit(pbr_.roughnessFactor, "roughnessFactor");
         FacetDescription out{.distribution = Distribution::ggx,
                              .alpha = std::max(roughness * roughness, 0.001)};
-        if (auto image = texture(metallic_roughness_)) {
-            image->raw = true;
-            image->part = Part::green;
-            image->factor = glm::dvec3(roughness);
+        if (auto image = texture(facets_)) {
+            image->raw = !is_specular_;  // its colours are those of specular_color()
+            image->part = is_specular_ ? Part::coverage : Part::green;
+            image->factor = glm::dvec3(is_specular_ ? -glossiness : roughness);
+            image->offset = glm::dvec3(is_specular_ ? 1 : 0);
             image->squared = true;
             out.alpha.texture = shared(std::move(*image));
         }
@@ -218,11 +303,10 @@ private:
 
     /// Reads how strong KHR_materials_anisotropy is, if there is any.
     void read_strength() {
-        const double strength =
-            in_unit(number_of(kAnisotropy, "anisotropyStrength", 0), "anisotropyStrength");
+        const double strength = in_unit(anisotropy_.number("anisotropyStrength", 0), "anisotropyStrength");
         if (strength == 0) return;
         strength_ = strength;
-        if (auto image = texture(anisotropy_)) {
+        if (auto image = texture(directions_)) {
             image->raw = true;
             image->part = Part::blue;
             image->factor = glm::dvec3(strength);
@@ -232,54 +316,14 @@ private:
 
     /// Rotates the facets as KHR_materials_anisotropy says.
     void turn(MaterialDescription& material) {
-        double angle = number_of(kAnisotropy, "anisotropyRotation", 0);
-        if (!std::isfinite(angle)) document_.fail(where_, "anisotropyRotation is not a finite number");
         // Half a turn changes nothing.
-        angle = std::remainder(angle, std::numbers::pi);
+        double angle = std::remainder(anisotropy_.number("anisotropyRotation", 0), std::numbers::pi);
         if (std::abs(angle) < 1e-6) angle = 0;
-        std::optional<TextureSpecification> directions = texture(anisotropy_);
+        std::optional<TextureSpecification> directions = texture(directions_);
         if (!directions && angle == 0) return;
         if (directions) directions->raw = true;
         material =
             RotatedModel(std::move(material), directions ? shared(std::move(*directions)) : nullptr, angle);
-    }
-
-    /// A texture that an extension names.
-    struct NamedTexture {
-        int index = -1;
-        int texCoord = 0;
-        tinygltf::ExtensionMap extensions;
-    };
-    [[nodiscard]] NamedTexture texture_of(std::string_view extension, const char* name) const {
-        NamedTexture out;
-        const tinygltf::Value* const info = value_of(extension, name);
-        if (info == nullptr) return out;
-        const auto whole = [&](const char* number, int otherwise) {
-            if (!info->Has(number)) return otherwise;
-            const tinygltf::Value& value = info->Get(number);
-            if (!value.IsInt())
-                document_.fail(where_, std::string(name) + ": " + number + " is not a whole number");
-            return value.GetNumberAsInt();
-        };
-        out.index = whole("index", -1);
-        out.texCoord = whole("texCoord", 0);
-        if (info->Has("extensions") && info->Get("extensions").IsObject())
-            out.extensions = info->Get("extensions").Get<tinygltf::Value::Object>();
-        return out;
-    }
-
-    /// Returns a value of an extension, or null.
-    [[nodiscard]] const tinygltf::Value* value_of(std::string_view extension, const char* name) const {
-        const auto found = material_.extensions.find(std::string(extension));
-        if (found == material_.extensions.end() || !found->second.Has(name)) return nullptr;
-        return &found->second.Get(name);
-    }
-
-    /// Returns a number of an extension, or `otherwise`.
-    [[nodiscard]] double number_of(std::string_view extension, const char* name, double otherwise) const {
-        const tinygltf::Value* const value = value_of(extension, name);
-        if (value == nullptr) return otherwise;
-        return value->IsNumber() ? value->GetNumberAsDouble() : std::numeric_limits<double>::quiet_NaN();
     }
 
     /// The index 1 - ik of a metal that reflects `reflectance` at normal incidence, k^2 / (4 + k^2). Real
@@ -295,7 +339,7 @@ private:
     }
 
     [[nodiscard]] double index_of_refraction() const {
-        const double ior = number_of("KHR_materials_ior", "ior", 1.5);
+        const double ior = GltfExtension(document_, material_.extensions, kIor, where_).number("ior", kIndex);
         // 0 stands for an infinite index, a mirror at every angle.
         if (ior == 0) return 1e3;
         if (!(ior >= 1 && ior <= 1e3))
@@ -304,12 +348,19 @@ private:
     }
 
     void say_what_is_left() {
+        if (is_unlit_) {
+            notices_.add(std::string(kUnlit) +
+                         ": the base colour is the radiance of a black surface, which " +
+                         "lights others, too");
+            return;
+        }
+        if (is_specular_) notices_.add(std::string(kSpecular) + " is followed as plastic and a mirror");
         if (material_.occlusionTexture.index >= 0) notices_.add("occlusion textures are not followed");
         if (material_.emissiveTexture.index >= 0 ||
             std::ranges::any_of(material_.emissiveFactor, [](double factor) { return factor != 0; }))
             notices_.add("materials that emit light are not followed; they reflect it");
         for (const auto& [name, value] : material_.extensions)
-            if (std::ranges::find(kFollowed, name) == kFollowed.end())
+            if (std::ranges::find(kFollowed, name) == kFollowed.end() && !(is_specular_ && name == kSpecular))
                 notices_.add(name.substr(0, 80) + " is not followed");
     }
 
@@ -320,9 +371,13 @@ private:
     const tinygltf::PbrMetallicRoughness& pbr_;
     GltfTextures& textures_;
     GltfNotices& notices_;
-    GltfTextureUse base_, metallic_roughness_, normal_;
-    NamedTexture anisotropy_texture_;
-    GltfTextureUse anisotropy_;
+    GltfExtension anisotropy_, specular_;
+    bool is_unlit_;
+    bool is_specular_;       ///< by specular and glossiness, not by metal and roughness
+    GltfTextureUse base_;    ///< base colour or diffuse colour, with coverage
+    GltfTextureUse facets_;  ///< metal and roughness, or specular colour and glossiness
+    GltfTextureUse normal_;
+    GltfTextureUse directions_;               ///< of anisotropy
     std::optional<TexturedNumber> strength_;  ///< none: no anisotropy
     bool has_texcoords_ = false;
 };

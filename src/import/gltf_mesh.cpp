@@ -17,12 +17,14 @@ namespace {
 class Primitive {
 public:
     Primitive(const GltfDocument& document, const tinygltf::Primitive& primitive, const std::string& where,
-              int texcoord_set, const LoadBudget& budget, geometry::LeftOut& left_out)
+              const GltfMaterial& material, const LoadBudget& budget, geometry::LeftOut& left_out)
         : document_(document), primitive_(primitive), where_(where), budget_(budget), left_out_(left_out) {
         positions_ = attribute("POSITION", 3, 3);
         if (!positions_) document_.fail(where_, "has no POSITION");
-        normals_ = attribute("NORMAL", 3, 3);
-        texcoords_ = attribute("TEXCOORD_" + std::to_string(texcoord_set), 2, 2);
+        // Light that an unlit surface emits would end where an interpolated normal turns away from the
+        // viewer.
+        if (!material.emission) normals_ = attribute("NORMAL", 3, 3);
+        texcoords_ = attribute("TEXCOORD_" + std::to_string(material.texcoord_set), 2, 2);
         colors_ = attribute("COLOR_0", 3, 4);
         // Tangents without normals must be ignored, as glTF says.
         if (normals_) tangents_ = attribute("TANGENT", 4, 4);
@@ -151,7 +153,7 @@ private:
 
 std::shared_ptr<const Mesh> read_gltf_primitive(const GltfDocument& document,
                                                 const tinygltf::Primitive& primitive,
-                                                const std::string& where, int texcoord_set,
+                                                const std::string& where, const GltfMaterial& material,
                                                 const LoadBudget& budget, geometry::LeftOut& left_out) {
     if (primitive.mode >= TINYGLTF_MODE_POINTS && primitive.mode < TINYGLTF_MODE_TRIANGLES) {
         left_out.add("primitives of points or lines");
@@ -159,7 +161,7 @@ std::shared_ptr<const Mesh> read_gltf_primitive(const GltfDocument& document,
     }
     if (primitive.mode < 0 || primitive.mode > TINYGLTF_MODE_TRIANGLE_FAN)
         document.fail(where, "mode is " + std::to_string(primitive.mode) + "; expected 0 to 6");
-    Primitive reader(document, primitive, where, texcoord_set, budget, left_out);
+    Primitive reader(document, primitive, where, material, budget, left_out);
     budget.take_mesh(document.path(), 0, reader.triangle_count());
     Mesh mesh = reader.mesh();
     if (mesh.triangles.empty()) {

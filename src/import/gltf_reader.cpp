@@ -178,7 +178,9 @@ private:
             shape.id = node.name.empty() ? mesh.name : node.name;
             shape.mesh = made.mesh;
             shape.to_world = placed.to_world;
-            shape.material = index_of(material(mesh.primitives[p], name_of(node.mesh, p)));
+            ReadMaterial& of = material(mesh.primitives[p], name_of(node.mesh, p));
+            shape.material = index_of(of);
+            shape.emission = of.material.emission;
             extend(made.bounds, placed.to_world);
             scene_.shapes.push_back(std::move(shape));
         }
@@ -199,8 +201,8 @@ private:
                     "KHR_materials_variants is not followed; surfaces have their default material, or " +
                     std::string("that of the first variant where they have none"));
             Made& made = entry->second;
-            made.mesh = read_gltf_primitive(
-                document_, source, where, material(source, where).material.texcoord_set, budget_, left_out_);
+            made.mesh = read_gltf_primitive(document_, source, where, material(source, where).material,
+                                            budget_, left_out_);
             if (made.mesh) made.bounds = bounds_of(*made.mesh);
         }
         return entry->second;

@@ -29,14 +29,6 @@ struct GltfBounds {
 
 // Each throws as read_gltf_scene does.
 
-/// The triangles of a primitive, `where` in the file, with its colours and the texture coordinates of this
-/// set, if it has them; null where none has an area. `left_out` counts what is not drawn.
-[[nodiscard]] std::shared_ptr<const Mesh> read_gltf_primitive(const GltfDocument& document,
-                                                              const tinygltf::Primitive& primitive,
-                                                              const std::string& where, int texcoord_set,
-                                                              const LoadBudget& budget,
-                                                              geometry::LeftOut& left_out);
-
 /// The properties of a primitive on which its material depends.
 struct GltfSurface {
     int material = -1;    ///< its own, else that of the first variant; -1: none, which is white metal
@@ -51,13 +43,21 @@ struct GltfSurface {
     }
 };
 
-/// A material as such primitives have it, and the texture coordinates that its textures take.
+/// The material of such primitives, and the texture coordinates that its textures take.
 struct GltfMaterial {
     MaterialDescription description;
     int texcoord_set = 0;
+    std::optional<EmissionDescription> emission;  ///< of an unlit surface; none: it reflects light
 };
 [[nodiscard]] GltfMaterial read_gltf_material(const GltfDocument& document, const GltfSurface& surface,
                                               GltfTextures& textures, GltfNotices& notices);
+
+/// The triangles of a primitive, `where` in the file, with its colours and the texture coordinates that its
+/// material takes, if it has them; null where none has an area. An unlit one is flat. `left_out` counts what
+/// is not drawn.
+[[nodiscard]] std::shared_ptr<const Mesh> read_gltf_primitive(
+    const GltfDocument& document, const tinygltf::Primitive& primitive, const std::string& where,
+    const GltfMaterial& material, const LoadBudget& budget, geometry::LeftOut& left_out);
 
 /// The light that a node has by KHR_lights_punctual, which `to_world` places, its scale without effect; none
 /// if it has none.

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "import/gltf_document.hpp"
 #include "import/gltf_notices.hpp"
@@ -19,13 +20,14 @@ struct GltfTextureUse {
     int texcoord_set = 0;
     const tinygltf::ExtensionMap* extensions = nullptr;
     std::string where;  ///< in the file, for messages
-
-    GltfTextureUse(const auto& info, std::string name)
-        : index(info.index),
-          texcoord_set(info.texCoord),
-          extensions(&info.extensions),
-          where(std::move(name)) {}
 };
+/// Returns the use that a member of a material describes. `info` must outlive it.
+[[nodiscard]] inline GltfTextureUse texture_use(const auto& info, std::string where) {
+    return {.index = info.index,
+            .texcoord_set = info.texCoord,
+            .extensions = &info.extensions,
+            .where = std::move(where)};
+}
 
 /// Those that materials use. An image in the file itself is copied once.
 class GltfTextures {

@@ -179,6 +179,9 @@ using SceneParameters = std::map<std::string, std::string>;
 ///   the set that the base colour takes, where there are several.
 /// - A metallicFactor of 0 makes pplastic, 1 roughconductor, and any between both, blended; GGX with alpha =
 ///   roughness^2. Base colour, metal, roughness, normals and alphaMode MASK follow their textures.
+/// - KHR_materials_pbrSpecularGlossiness makes pplastic and a mirror, mixed in each colour. It is followed
+///   where the file requires it or gives no metallic-roughness.
+/// - KHR_materials_unlit makes a black surface that emits the base colour.
 /// - By KHR_materials_variants a primitive has its default material, else that of the first variant.
 /// - The sensor is the first camera; without one it looks along -z, its image 45 degrees high, and the sphere
 ///   around the box of the scene fits in. The film is 768 pixels wide and as high as the camera's aspect
@@ -190,7 +193,7 @@ using SceneParameters = std::map<std::string, std::string>;
 /// targets,
 ///   animations, points and lines, extensions without effect.
 /// Throws Error: file_not_found (also of a buffer); unsupported (another version, an unknown required
-/// extension, KHR_materials_unlit, buffers and images outside the folder of the file, more than kMaxShapes,
+/// extension, buffers and images outside the folder of the file, more than kMaxShapes,
 /// what exceeds `budget`); invalid_file (malformed, references or data out of range, nodes in a circle,
 /// nothing to draw), naming the element; invalid_argument (any parameter; the format has none). Memory is
 /// proportional to the size of the files, times the number of primitives that share data, up to the limits of

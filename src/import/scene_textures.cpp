@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <string>
 #include <utility>
@@ -82,6 +83,7 @@ private:
         const auto step = static_cast<std::size_t>(image_.channels);
         for (std::size_t i = 0; i < image_.values.size(); i += step) {
             glm::vec3 value = factor * part(&image_.values[i]) + offset;
+            if (description_.clamped) value = glm::clamp(value, 0.0F, 1.0F);
             if (description_.squared) value *= value;
             add(value);
         }

@@ -28,6 +28,7 @@ struct TextureSpecification {
     Part part = Part::color;                   ///< image
     glm::dvec3 factor{1.0};  ///< image: t becomes factor t + offset, of red, green and blue; one number: red
     glm::dvec3 offset{0.0};  ///< image
+    bool clamped = false;    ///< image: to 0 to 1, after that
     bool squared = false;    ///< image: after that
     TextureSampling sampling;                 ///< image; checkerboard: to_uv alone
     std::optional<ColorsOf> times_colors_of;  ///< any: these colours of the mesh are a factor

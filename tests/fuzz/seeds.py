@@ -242,7 +242,7 @@ def gltf(binary):
     transform = {"KHR_texture_transform": {"offset": [0, 1], "rotation": 1.5, "scale": [2, 3], "texCoord": 0}}
     uri = {} if binary else {"uri": "data:application/octet-stream;base64," + base64.b64encode(data).decode()}
     document = {
-        "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0, 2]}],
+        "asset": {"version": "2.0"}, "extensionsRequired": ["KHR_materials_pbrSpecularGlossiness"], "scene": 0, "scenes": [{"nodes": [0, 2]}],
         "buffers": [{"byteLength": len(data), **uri}],
         "bufferViews": [view(0, 96, 24), view(96, 12), view(112, 12)],
         "accessors": [accessor(5126, "VEC3", 4, 0), accessor(5126, "VEC3", 4, 0, byteOffset=12),
@@ -250,7 +250,10 @@ def gltf(binary):
                       accessor(5126, "VEC2", 4, 0)],
         "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "NORMAL": 1}, "indices": 2, "material": 0},
                                    {"attributes": {"POSITION": 0, "TEXCOORD_0": 4, "COLOR_0": 1}, "material": 2},
-                                   {"attributes": {"POSITION": 3}, "mode": 5, "material": 1}]}],
+                                   {"attributes": {"POSITION": 3}, "mode": 5, "material": 1},
+                                   {"attributes": {"POSITION": 0, "TEXCOORD_0": 4}, "material": 3},
+                                   {"attributes": {"POSITION": 0, "NORMAL": 1},
+                                    "extensions": {"KHR_materials_variants": {"mappings": [{"material": 4, "variants": [1, 0]}]}}}]}],
         "nodes": [{"mesh": 0, "children": [1], "translation": [1, 2, 3], "rotation": [0, 0, 0, 1]},
                   {"mesh": 0, "scale": [1, 2, -1], "extensions": {"KHR_lights_punctual": {"light": 0}}}, {"camera": 0, "matrix": [1, 0, 0, 0] + [0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 9, 1]}],
         "extensions": {"KHR_lights_punctual": {"lights": [{"type": "spot", "intensity": 3, "color": [1, 0.5, 0], "range": 9,
@@ -260,7 +263,11 @@ def gltf(binary):
                        "extensions": {"KHR_materials_ior": {"ior": 1.4}}}, {"doubleSided": True},
                       {"pbrMetallicRoughness": {"baseColorTexture": texture(0, extensions=transform),
                                                 "metallicRoughnessTexture": texture(1, texCoord=0)},
-                       "normalTexture": texture(2, scale=0.5), "alphaMode": "MASK", "alphaCutoff": 0.25}],
+                       "normalTexture": texture(2, scale=0.5), "alphaMode": "MASK", "alphaCutoff": 0.25},
+                      {"extensions": {"KHR_materials_pbrSpecularGlossiness": {
+                          "diffuseFactor": [1, 0.5, 0, 1], "diffuseTexture": texture(0, extensions=transform), "specularFactor": [1, 0.5, 0],
+                          "specularGlossinessTexture": texture(1), "glossinessFactor": 0.5}}},
+                      {"extensions": {"KHR_materials_unlit": {}}, "pbrMetallicRoughness": {"baseColorFactor": [1, 0.5, 0, 1]}}],
         "textures": [{"source": 0, "sampler": 0}, {"source": 1}, {"source": 2}],
         "images": [{"uri": "a%20b.png"}, {"bufferView": 1, "mimeType": "image/png"},
                    {"uri": "data:image/png;base64,iVBORw0KGgo="}],

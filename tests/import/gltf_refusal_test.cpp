@@ -117,8 +117,6 @@ TEST_CASE("glTF that is malformed, out of range or not supported is refused by e
              Case{with_material("\"extensions\":{\"KHR_materials_anisotropy\":{\"anisotropyTexture\":{"
                                 "\"index\":0.5}}}"),
                   "materials[0]: anisotropyTexture: index is not a whole number"},
-             Case{with_material("\"extensions\":{\"KHR_materials_unlit\":{}}"),
-                  "materials[0]: KHR_materials_unlit", ErrorCode::unsupported},
              Case{one_mesh() + a_node + animation("\"path\":\"scale\",\"node\":\"a\""), "'node' property"},
              Case{one_mesh() + a_node + animation("\"node\":0"), "'path' property is missing"},
              Case{one_mesh() + a_node + ",\"extensionsRequired\":[\"KHR_draco_mesh_compression\"]",

@@ -2,8 +2,7 @@
 // Tests of textures in glTF files.
 #include "image/color.hpp"
 #include "import/described_material.hpp"
-#include "import/gltf_file.hpp"
-#include "import/png_file.hpp"
+#include "import/textured_gltf_file.hpp"
 #include "material/spatial_variation.hpp"
 
 using namespace nicol;
@@ -13,49 +12,6 @@ namespace {
 using Part = TextureSpecification::Part;
 using Filter = TextureSampling::Filter;
 using Wrap = TextureSampling::Wrap;
-
-/// Returns one pixel (51, 102, 204) with coverage 128.
-std::string an_image() {
-    return png_bytes(1, 1, 4, {51, 102, 204, 128});
-}
-
-const std::vector<glm::vec2> some_texcoords = {{0, 0}, {1, 0}, {0, 1}};
-const std::vector<glm::vec2> other_texcoords = {{0.25, 0.5}, {0.5, 0.5}, {0.25, 1}};
-
-/// A triangle with two sets of texture coordinates, and with colours if `attributes` names accessor 3.
-class TexturedFile : public TemporaryFolder {
-public:
-    explicit TexturedFile(const std::string& material, const std::string& more = "",
-                          const std::string& attributes = "\"TEXCOORD_0\":1,\"TEXCOORD_1\":2") {
-        GltfBuffer buffer = triangle_buffer();
-        buffer.accessor("VEC2", gltf_float, 3, GltfBuffer::of(buffer.view(some_texcoords)));
-        buffer.accessor("VEC2", gltf_float, 3, GltfBuffer::of(buffer.view(other_texcoords)));
-        buffer.vectors({{1, 0.5, 0.25}, {1, 1, 1}, {0, 0, 0}});
-        const std::string image = an_image();
-        image_view_ = buffer.view(std::vector<char>(image.begin(), image.end()));
-        write("a.bin", buffer.bytes);
-        write("part/a b.png", image);
-        write("a.gltf",
-              buffer.json("\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0" +
-                          (attributes.empty() ? "" : "," + attributes) +
-                          "},\"material\":0}]}],\"nodes\":[{\"mesh\":0}],\"materials\":[{" + material +
-                          "}]," + (more.empty() ? one_texture("{\"uri\":\"part/a%20b.png\"}") : more)));
-    }
-    static std::string one_texture(const std::string& image, const std::string& sampler = "{}") {
-        return "\"textures\":[{\"source\":0,\"sampler\":0}],\"images\":[" + image + "],\"samplers\":[" +
-               sampler + "]";
-    }
-
-    [[nodiscard]] SceneDescription read() const { return read_gltf_scene(*this / "a.gltf"); }
-    [[nodiscard]] MaterialDescription material() const { return read().materials.at(0); }
-    [[nodiscard]] LoadedScene load(const LoadLimits& limits = {}) const {
-        return load_scene(*this / "a.gltf", {}, limits);
-    }
-    [[nodiscard]] int image_view() const { return image_view_; }
-
-private:
-    int image_view_ = 0;
-};
 
 std::string pbr(const std::string& members, const std::string& more = "") {
     return "\"pbrMetallicRoughness\":{" + members + "}" + more;
