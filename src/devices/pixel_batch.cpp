@@ -26,6 +26,16 @@ struct Patch {
     std::size_t samples = 0;
 };
 
+// Returns the sides of a rectangle with the area of a patch, and stretched as its samples are. mean: of the
+// samples' positions. weight: the patch's part of the pixel.
+glm::vec2 size_of(const Patch& patch, const glm::vec2& mean, float weight) {
+    glm::vec2 squares(1 / 64.0F);  // of the least distance between two samples along an axis
+    for (const glm::vec2& at : std::span(patch.at).first(patch.samples))
+        squares += 12.0F / static_cast<float>(patch.samples) * (at - mean) * (at - mean);
+    const float stretch = std::sqrt(std::sqrt(squares.x / squares.y));
+    return std::sqrt(weight) * glm::vec2(stretch, 1 / stretch);
+}
+
 // Returns the point of a patch. range: the previous patch's range, which is often the same; becomes this
 // patch's range.
 PixelPoint point_of(const Patch& patch, const PixelInput& input, std::size_t pixel, std::size_t& range) {
@@ -47,19 +57,21 @@ PixelPoint point_of(const Patch& patch, const PixelInput& input, std::size_t pix
     const bool occluded = input.visibility != nullptr && !(input.visibility->unoccluded(corners.x) &&
                                                            input.visibility->unoccluded(corners.y) &&
                                                            input.visibility->unoccluded(corners.z));
+    const float weight = static_cast<float>(patch.samples) / static_cast<float>(input.hits.offsets().size());
     return {.range = static_cast<std::uint32_t>(range),
             .occluded = occluded ? 1U : 0U,
             .triangle = triangle,
             .pixel = static_cast<std::uint32_t>(pixel),
-            .weight = static_cast<float>(patch.samples) / static_cast<float>(input.hits.offsets().size()),
-            .at = mean};
+            .weight = weight,
+            .at = mean,
+            .size = size_of(patch, mean, weight)};
 }
 
 PixelSteps steps_of(const TextureView& view) {
     const Projection& p = view.projection;
     return {.forward = p.view.forward,
-            .right = p.view.right * (2 * p.sample_size * p.half_width / view.width),
-            .down = p.view.up * (-2 * p.sample_size * p.half_height / view.height),
+            .right = p.view.right * (2 * p.texture_size * p.half_width / view.width),
+            .down = p.view.up * (-2 * p.texture_size * p.half_height / view.height),
             .orthographic = p.view.orthographic};
 }
 

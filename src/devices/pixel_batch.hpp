@@ -26,6 +26,7 @@ struct PixelPoint {
     std::uint32_t pixel;  ///< index, row by row
     float weight;         ///< fraction of the pixel's samples
     glm::vec2 at;         ///< mean position of the point's samples, relative to the pixel's centre, in pixels
+    glm::vec2 size;       ///< sides of the rectangle around `at` that the point stands for, in pixels
 
     /// Returns the group. Points of one group are shaded by the same data.
     [[nodiscard]] std::uint64_t group() const { return std::uint64_t{2} * range + occluded; }

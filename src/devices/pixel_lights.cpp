@@ -49,9 +49,7 @@ LightingTally PixelLights::add(const PixelBatch& batch, std::span<const std::spa
     const SpatialVariation* const variation = range.material->variation();
     const bool turned = variation != nullptr && variation->normal.kind != NormalVariation::Kind::none;
     const bool dimmed = turned && variation->normal.shadowed;
-    const bool sampled = any_term(*range.material, [this](const Material& layer, int term) {
-        return is_sampled(layer, term, lights_.lighting().sampled());
-    });
+    const bool mirrors = lights_.lighting().needs_pixels(*range.material);
     LightingTally tally;
     std::vector<std::span<glm::vec4>> channels(out.size());
     for (std::size_t first = 0; first < points.size(); first += kLanes) {
@@ -66,7 +64,7 @@ LightingTally PixelLights::add(const PixelBatch& batch, std::span<const std::spa
             facets[i] = facet_of(corners, surface.normals[i]);
             origins[i] = surface.positions[i] + static_cast<float>(ray_offset(corners)) * facets[i];
             seeds[i] = sample_seed(points[first + i].pixel, input_.seed);
-            if (sampled)
+            if (mirrors)
                 mirrored[i] = mirrored_at(points[first + i], surface, i,
                                           {.corners = corners,
                                            .normals = corners_of(input_.geometry.normals, triangle),
@@ -92,7 +90,7 @@ LightingTally PixelLights::add(const PixelBatch& batch, std::span<const std::spa
                                     .facets = turned ? of_facets : std::span<glm::vec3>(),
                                     .unperturbed = std::span(surface.unperturbed).first(dimmed ? count : 0),
                                     .origins = std::span(origins).first(count),
-                                    .mirrored = std::span(mirrored).first(sampled ? count : 0),
+                                    .mirrored = std::span(mirrored).first(mirrors ? count : 0),
                                     .seeds = std::span(seeds).first(count),
                                     .shadowed = shadowed},
                                    {.layers = layers, .weights = weights}, channels);
@@ -108,7 +106,8 @@ MirroredPixel PixelLights::mirrored_at(const PixelPoint& point, const LaneSurfac
         mirrored_pixel(input_.projection, width, height, triangle, surface.positions[lane],
                        surface.normals[lane], point.on_image_plane(input_.projection, width, height));
     // The point stands for its part of the pixel.
-    for (glm::vec3& step : out.steps) step *= std::sqrt(point.weight);
+    out.steps[0] *= point.size.x;
+    out.steps[1] *= point.size.y;
     return out;
 }
 

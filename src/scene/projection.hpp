@@ -22,7 +22,8 @@ struct Projection {
     glm::dvec2 pixel;  ///< size of one pixel in clip space
     /// Offset of the image on the image plane, in half widths to the right and half heights up.
     glm::dvec2 shift{0.0};
-    double sample_size = 1;  ///< side of the square that one sample covers, in pixels; for texture footprints
+    double sample_size = 1;   ///< side of the square that one sample covers, in pixels
+    double texture_size = 1;  ///< side of the square over which textures are averaged, in pixels
 };
 
 /// Returns the position on the image plane of a point of an image of width x height pixels, whose upper left

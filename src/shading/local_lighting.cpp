@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <optional>
 #include <utility>
@@ -12,6 +13,7 @@
 #include "material/spatial_variation.hpp"
 #include "shading/light_samples.hpp"
 #include "shading/normal_variation.hpp"
+#include "shading/pixel_places.hpp"
 #include "shading/reflected_light.hpp"
 #include "shading/reflected_nodes.hpp"
 #include "shading/shadow_rays.hpp"
@@ -67,6 +69,15 @@ std::uint32_t places_of(float angular_radius, std::uint32_t most) {
 LocalLighting::LocalLighting(Lights lights, const RayScene* rays, int samples)
     : lights_(std::move(lights)), rays_(rays), samples_(static_cast<std::uint32_t>(samples)) {}
 
+bool LocalLighting::needs_pixels(const Material& material) const {
+    constexpr double narrow = 0.3;  // wider lobes hardly change within a pixel
+    const bool any = !lights_.local.empty() || !lights_.extracted.empty();
+    return any_term(material, [&](const Material& layer, int term) {
+        return is_sampled(layer, term, sampled()) ||
+               (any && !layer.smooth(term) && layer.lobe_width(term) < narrow);
+    });
+}
+
 namespace {
 
 bool has_terms(const Material& material, bool smooth) {
@@ -88,6 +99,8 @@ public:
           all_((1U << points.positions.size()) - 1) {
         reflected_.set(view, points.positions, points.normals, points.tangents);
         set_pixels(points.mirrored);
+        if (!points.mirrored.empty())
+            places_ = PixelPlaces(points.mirrored, reflected_.mirrored_directions(), narrowest_lobe());
         if (rays != nullptr && points.shadowed) shadows_.emplace(*rays, positions_, origins_);
     }
 
@@ -109,8 +122,11 @@ public:
             if (radius > 0) light_samples(k, std::span(seeds_).first(points_.positions.size()), u, v);
             source.sample(positions_, u, v, light_);
             const std::uint32_t lit = shadowing.reached(light_, lit_points());
-            for_layers(lit, [&](const Material& layer, const LayerWeights* weights, std::uint32_t there) {
-                reflected_.add(layer, weights, light_, there, factor, sums_, find_it);
+            if (lit == 0) return;
+            for_places(k, samples, [&](float share) {
+                for_layers(lit, [&](const Material& layer, const LayerWeights* weights, std::uint32_t there) {
+                    reflected_.add(layer, weights, light_, there, share * factor, sums_, find_it);
+                });
             });
         });
     }
@@ -189,6 +205,9 @@ private:
     // Share of for_samples() for nodes that are close enough; measured.
     static constexpr float kNodesError = 0.1F;
 
+    static constexpr std::array<glm::vec2, 4> kQuarters{glm::vec2(0.25F), glm::vec2(0.75F),
+                                                        glm::vec2(0.25F, 0.75F), glm::vec2(0.75F, 0.25F)};
+
     // Returns the different lobes of a layer's sampled rough terms.
     static std::vector<Lobe>& lobes_of(const Material& layer, SampledTerms sampled) {
         thread_local std::vector<Lobe> lobes;
@@ -253,6 +272,23 @@ private:
         std::ranges::copy(sums, light_.irradiance.begin());
     }
 
+    // Calls reflect(share) for places of the pixels, with the light as these places reflect it. sample:
+    // number of the light sample, of `samples`.
+    template <class Reflect>
+    void for_places(std::uint32_t sample, std::uint32_t samples, const Reflect& reflect) {
+        const std::uint32_t across = places_.across(light_, samples);
+        if (across == 0) return reflect(1.0F);
+        const LaneVectors towards = light_.towards, x = light_.x;
+        const auto count = static_cast<float>(across);
+        // Four samples after one another shift the places to the middles of four quarters.
+        const glm::vec2 shift = samples == 1 ? glm::vec2(0.5F) : kQuarters[sample % kQuarters.size()];
+        for (std::uint32_t k = 0; k < across * across; ++k) {
+            const glm::vec2 place(static_cast<float>(k % across), static_cast<float>(k / across));
+            places_.move(towards, x, (place + shift) / count - 0.5F, light_);
+            reflect(1 / (count * count));
+        }
+    }
+
     void add_mirrored() {
         std::uint32_t lit = lit_points();
         if (shadows_ && lit != 0) lit = shadows_->visible_from_origins(light_, lit);
@@ -278,6 +314,14 @@ private:
         return points_.facets.empty() ? lit : lit & above(facets_, light_);
     }
 
+    [[nodiscard]] float narrowest_lobe() const {
+        double out = 1;
+        for (const Material* layer : material_.layers)
+            for (int t = 0; t < layer->terms(); ++t)
+                if (!layer->smooth(t)) out = std::min(out, layer->lobe_width(t));
+        return static_cast<float>(out);
+    }
+
     void set_pixels(std::span<const MirroredPixel> pixels) {
         if (pixels.empty()) return;
         for (std::size_t i = 0; i < kLanes; ++i) {
@@ -299,6 +343,7 @@ private:
     LaneVectors positions_, origins_, facets_;
     ReflectedLight reflected_;
     MirroredPixels pixels_;  // in the surfaces' frames
+    PixelPlaces places_;
     std::optional<ShadowRays> shadows_;
     std::array<std::uint32_t, kLanes> seeds_{};
     const LitPoints& points_;

@@ -35,7 +35,7 @@ struct LitPoints {
     /// Unit normals without perturbation, for terminator_shadowing(). Empty: nothing is dimmed by it.
     std::span<const glm::vec3> unperturbed;
     std::span<const glm::vec3> origins;       ///< start points of shadow rays
-    std::span<const MirroredPixel> mirrored;  ///< for sampled terms; empty: points cover nothing
+    std::span<const MirroredPixel> mirrored;  ///< see needs_pixels(); empty: points cover nothing
     std::span<const std::uint32_t> seeds;
     bool shadowed;  ///< whether light may be occluded; false: no ray is traced
 };
@@ -72,6 +72,10 @@ public:
     [[nodiscard]] SampledTerms sampled() const noexcept {
         return lights_.environment ? lights_.environment->sampled() : SampledTerms::none;
     }
+
+    /// Returns whether the material reflects differently from place to place within a pixel, so that
+    /// LitPoints::mirrored has an effect.
+    [[nodiscard]] bool needs_pixels(const Material& material) const;
 
     /// Adds to out[c][i] channel c's Stokes vector of point i towards the viewpoint, in the camera's frame
     /// field. The noise is estimated from the difference of both halves of each light's samples.

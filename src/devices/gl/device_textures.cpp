@@ -43,8 +43,8 @@ void DeviceTextures::find(const PixelInput& input, const PixelRun& run, const De
     set_view_uniforms(program, input.view);
     const Projection& projection = input.projection;
     program.set("pixel_size",
-                glm::vec2(2 * projection.sample_size * projection.half_width / input.hits.width(),
-                          2 * projection.sample_size * projection.half_height / input.hits.height()));
+                glm::vec2(2 * projection.texture_size * projection.half_width / input.hits.width(),
+                          2 * projection.texture_size * projection.half_height / input.hits.height()));
     program.set("count", static_cast<int>(count));
     program.set("stride", static_cast<int>(stride_));
     program.set("corner_numbers", corners_->numbers());

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#include "shading/pixel_places.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace nicol {
+namespace {
+
+// Distance of a light from the mirrored direction, in widths of the lobe, beyond which the lobe hardly
+// changes within a pixel.
+constexpr float kHighlight = 4;
+constexpr float kMostAcross = 6;
+
+}  // namespace
+
+PixelPlaces::PixelPlaces(std::span<const MirroredPixel> pixels, const LaneVectors& mirrored, float lobe_width)
+    : pixels_(pixels), mirrored_(mirrored), width_(2 * lobe_width) {}  // a facet's turn counts twice
+
+std::uint32_t PixelPlaces::across(const LaneLight& light, std::uint32_t samples) const {
+    float most = 0;
+    bool near = false;
+    for (std::size_t i = 0; i < pixels_.size(); ++i) {
+        const MirroredPixel& pixel = pixels_[i];
+        const float side = std::max(glm::length(pixel.steps[0]), glm::length(pixel.steps[1]));
+        const float away = glm::length(vector_at(mirrored_, i) + pixel.shift - vector_at(light.towards, i));
+        if (!(away < side + kHighlight * width_)) continue;
+        near = true;
+        most = std::max(most, side);
+    }
+    if (!near) return 0;
+    const float wanted = std::min(most / width_, kMostAcross) / std::sqrt(static_cast<float>(samples));
+    return static_cast<std::uint32_t>(std::max(1.0F, std::ceil(wanted)));
+}
+
+void PixelPlaces::move(const LaneVectors& towards, const LaneVectors& x, const glm::vec2& place,
+                       LaneLight& out) const {
+    for (std::size_t i = 0; i < pixels_.size(); ++i) {
+        const MirroredPixel& pixel = pixels_[i];
+        const glm::vec3 seen = pixel.shift + place.x * pixel.steps[0] + place.y * pixel.steps[1];
+        const glm::vec3 moved = glm::normalize(vector_at(towards, i) - seen);
+        const glm::vec3 axis = vector_at(x, i);
+        put(out.towards, i, moved);
+        put(out.x, i, glm::normalize(axis - glm::dot(axis, moved) * moved));
+    }
+}
+
+}  // namespace nicol
