@@ -11,6 +11,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
         // TGA has no signature, so the reader recognizes it by the suffix.
         const std::filesystem::path link =
             std::filesystem::temp_directory_path() / ("nicol_fuzz_" + std::to_string(::getpid()) + ".tga");
+        std::filesystem::remove(link);  // that of a killed process of the same number
         std::filesystem::create_symlink(memory.hold({}), link);
         std::atexit([] { std::filesystem::remove(file); });
         return link;
