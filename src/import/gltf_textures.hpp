@@ -6,7 +6,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <utility>
 
 #include "import/gltf_document.hpp"
 #include "import/gltf_notices.hpp"
@@ -22,11 +21,9 @@ struct GltfTextureUse {
     std::string where;  ///< in the file, for messages
 };
 /// Returns the use that a member of a material describes. `info` must outlive it.
-[[nodiscard]] inline GltfTextureUse texture_use(const auto& info, std::string where) {
-    return {.index = info.index,
-            .texcoord_set = info.texCoord,
-            .extensions = &info.extensions,
-            .where = std::move(where)};
+[[nodiscard]] inline GltfTextureUse texture_use(const auto& info, const std::string& where) {
+    return {
+        .index = info.index, .texcoord_set = info.texCoord, .extensions = &info.extensions, .where = where};
 }
 
 /// Those that materials use. An image in the file itself is copied once.

@@ -282,11 +282,12 @@ private:
         const auto count = static_cast<float>(across);
         // Four samples after one another shift the places to the middles of four quarters.
         const glm::vec2 shift = samples == 1 ? glm::vec2(0.5F) : kQuarters[sample % kQuarters.size()];
-        for (std::uint32_t k = 0; k < across * across; ++k) {
-            const glm::vec2 place(static_cast<float>(k % across), static_cast<float>(k / across));
-            places_.move(towards, x, (place + shift) / count - 0.5F, light_);
-            reflect(1 / (count * count));
-        }
+        for (std::uint32_t down = 0; down < across; ++down)
+            for (std::uint32_t right = 0; right < across; ++right) {
+                const glm::vec2 place(static_cast<float>(right), static_cast<float>(down));
+                places_.move(towards, x, (place + shift) / count - 0.5F, light_);
+                reflect(1 / (count * count));
+            }
     }
 
     void add_mirrored() {

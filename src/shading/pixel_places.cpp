@@ -16,7 +16,7 @@ constexpr float kMostAcross = 6;
 }  // namespace
 
 PixelPlaces::PixelPlaces(std::span<const MirroredPixel> pixels, const LaneVectors& mirrored, float lobe_width)
-    : pixels_(pixels), mirrored_(mirrored), width_(2 * lobe_width) {}  // a facet's turn counts twice
+    : mirrored_(mirrored), pixels_(pixels), width_(2 * lobe_width) {}  // a facet's turn counts twice
 
 std::uint32_t PixelPlaces::across(const LaneLight& light, std::uint32_t samples) const {
     float most = 0;

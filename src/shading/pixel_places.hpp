@@ -31,8 +31,8 @@ public:
     void move(const LaneVectors& towards, const LaneVectors& x, const glm::vec2& place, LaneLight& out) const;
 
 private:
-    std::span<const MirroredPixel> pixels_;
     LaneVectors mirrored_{};
+    std::span<const MirroredPixel> pixels_;
     float width_ = 1;  // of directions that the narrowest lobe reflects
 };
 
