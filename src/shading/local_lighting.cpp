@@ -70,11 +70,10 @@ LocalLighting::LocalLighting(Lights lights, const RayScene* rays, int samples)
     : lights_(std::move(lights)), rays_(rays), samples_(static_cast<std::uint32_t>(samples)) {}
 
 bool LocalLighting::needs_pixels(const Material& material) const {
-    constexpr double narrow = 0.3;  // wider lobes hardly change within a pixel
-    const bool any = !lights_.local.empty() || !lights_.extracted.empty();
+    const bool any = lights_.any_source();
     return any_term(material, [&](const Material& layer, int term) {
         return is_sampled(layer, term, sampled()) ||
-               (any && !layer.smooth(term) && layer.lobe_width(term) < narrow);
+               (any && !layer.smooth(term) && layer.lobe_width(term) < PixelPlaces::kWidestLobe);
     });
 }
 
@@ -99,9 +98,13 @@ public:
           all_((1U << points.positions.size()) - 1) {
         reflected_.set(view, points.positions, points.normals, points.tangents);
         set_pixels(points.mirrored);
-        if (!points.mirrored.empty())
-            places_ = PixelPlaces(points.mirrored, reflected_.mirrored_directions(), narrowest_lobe());
         if (rays != nullptr && points.shadowed) shadows_.emplace(*rays, positions_, origins_);
+    }
+
+    // Prepares add_source().
+    void find_places() {
+        if (!points_.mirrored.empty())
+            places_ = PixelPlaces(points_.mirrored, reflected_.mirrored_directions());
     }
 
     // Adds the rough terms' reflection of one light, but for terms that find it.
@@ -110,6 +113,7 @@ public:
         const float radius = source.angular_radius(points_.positions.front());
         const std::uint32_t samples = places_of(radius, most_samples);
         const float factor = 1 / static_cast<float>(samples);
+        const double lobe = narrowest_lobe(find_it);
         seed(index);
         constexpr std::uint32_t probes = 4;
         LightShadows shadowing(shadows(), probes);
@@ -123,7 +127,7 @@ public:
             source.sample(positions_, u, v, light_);
             const std::uint32_t lit = shadowing.reached(light_, lit_points());
             if (lit == 0) return;
-            for_places(k, samples, [&](float share) {
+            for_places(lobe, k, samples, [&](float share) {
                 for_layers(lit, [&](const Material& layer, const LayerWeights* weights, std::uint32_t there) {
                     reflected_.add(layer, weights, light_, there, share * factor, sums_, find_it);
                 });
@@ -272,11 +276,11 @@ private:
         std::ranges::copy(sums, light_.irradiance.begin());
     }
 
-    // Calls reflect(share) for places of the pixels, with the light as these places reflect it. sample:
-    // number of the light sample, of `samples`.
+    // Calls reflect(share) for places of the pixels, with the light as these places reflect it. lobe: the
+    // narrowest_lobe(). sample: number of the light sample, of `samples`.
     template <class Reflect>
-    void for_places(std::uint32_t sample, std::uint32_t samples, const Reflect& reflect) {
-        const std::uint32_t across = places_.across(light_, samples);
+    void for_places(double lobe, std::uint32_t sample, std::uint32_t samples, const Reflect& reflect) {
+        const std::uint32_t across = places_.across(light_, lobe, samples);
         if (across == 0) return reflect(1.0F);
         const LaneVectors towards = light_.towards, x = light_.x;
         const auto count = static_cast<float>(across);
@@ -315,12 +319,14 @@ private:
         return points_.facets.empty() ? lit : lit & above(facets_, light_);
     }
 
-    [[nodiscard]] float narrowest_lobe() const {
-        double out = 1;
+    // Returns the width of the narrowest rough lobe, but for terms that find the light.
+    [[nodiscard]] double narrowest_lobe(SampledTerms find_it) const {
+        double out = PixelPlaces::kWidestLobe;
         for (const Material* layer : material_.layers)
             for (int t = 0; t < layer->terms(); ++t)
-                if (!layer->smooth(t)) out = std::min(out, layer->lobe_width(t));
-        return static_cast<float>(out);
+                if (!layer->smooth(t) && !finds_lights(*layer, t, find_it))
+                    out = std::min(out, layer->lobe_width(t));
+        return out;
     }
 
     void set_pixels(std::span<const MirroredPixel> pixels) {
@@ -370,7 +376,8 @@ LightingTally LocalLighting::add(const Viewpoint& view, const LitPoints& points,
     thread_local std::vector<std::array<Lanes, 4>> sums;
     sums.assign(out.size(), {});
     LitBatch batch(view, points, material, rays_, sums);
-    if (batch.any_layer_has(false)) {  // light samples have no effect otherwise
+    if (lights_.any_source() && batch.any_layer_has(false)) {  // light samples have no effect otherwise
+        batch.find_places();
         std::uint32_t index = 0;
         for (const LightSourcePtr& source : lights_.local)
             batch.add_source(*source, SampledTerms::none, index++, samples_);

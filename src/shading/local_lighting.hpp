@@ -63,6 +63,8 @@ public:
         std::vector<LightSourcePtr> local;
         std::vector<LightSourcePtr> extracted;          ///< lights of the environment
         std::optional<SampledEnvironment> environment;  ///< distant light of sampled terms
+
+        [[nodiscard]] bool any_source() const noexcept { return !local.empty() || !extracted.empty(); }
     };
     /// rays: surfaces that cast shadows, null for none; must outlive this object. samples: number of light
     /// samples for wide lights; narrower lights get fewer.

@@ -15,22 +15,27 @@ constexpr float kMostAcross = 6;
 
 }  // namespace
 
-PixelPlaces::PixelPlaces(std::span<const MirroredPixel> pixels, const LaneVectors& mirrored, float lobe_width)
-    : mirrored_(mirrored), pixels_(pixels), width_(2 * lobe_width) {}  // a facet's turn counts twice
+PixelPlaces::PixelPlaces(std::span<const MirroredPixel> pixels, const LaneVectors& mirrored)
+    : pixels_(pixels) {
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        put(middles_, i, vector_at(mirrored, i) + pixels[i].shift);
+        sides_[i] = std::max(glm::length(pixels[i].steps[0]), glm::length(pixels[i].steps[1]));
+    }
+}
 
-std::uint32_t PixelPlaces::across(const LaneLight& light, std::uint32_t samples) const {
+std::uint32_t PixelPlaces::across(const LaneLight& light, double lobe_width, std::uint32_t samples) const {
+    if (lobe_width >= kWidestLobe) return 0;
+    const auto width = static_cast<float>(2 * lobe_width);  // a facet's turn counts twice
     float most = 0;
     bool near = false;
     for (std::size_t i = 0; i < pixels_.size(); ++i) {
-        const MirroredPixel& pixel = pixels_[i];
-        const float side = std::max(glm::length(pixel.steps[0]), glm::length(pixel.steps[1]));
-        const float away = glm::length(vector_at(mirrored_, i) + pixel.shift - vector_at(light.towards, i));
-        if (!(away < side + kHighlight * width_)) continue;
+        const float away = glm::length(vector_at(middles_, i) - vector_at(light.towards, i));
+        if (!(away < sides_[i] + kHighlight * width)) continue;
         near = true;
-        most = std::max(most, side);
+        most = std::max(most, sides_[i]);
     }
     if (!near) return 0;
-    const float wanted = std::min(most / width_, kMostAcross) / std::sqrt(static_cast<float>(samples));
+    const float wanted = std::min(most / width, kMostAcross) / std::sqrt(static_cast<float>(samples));
     return static_cast<std::uint32_t>(std::max(1.0F, std::ceil(wanted)));
 }
 

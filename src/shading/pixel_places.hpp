@@ -18,12 +18,17 @@ public:
     /// No places: points cover nothing.
     PixelPlaces() = default;
     /// pixels: not empty; must outlive this object. mirrored: the directions that the points mirror to the
-    /// viewer. lobe_width: the narrowest of the material.
-    PixelPlaces(std::span<const MirroredPixel> pixels, const LaneVectors& mirrored, float lobe_width);
+    /// viewer.
+    PixelPlaces(std::span<const MirroredPixel> pixels, const LaneVectors& mirrored);
+
+    /// Lobe width from which on lobes hardly change within a pixel.
+    static constexpr double kWidestLobe = 0.3;
 
     /// Returns the number of places along each side of the pixels that a light sample needs so that no lobe
-    /// fits between the places of all `samples`: 0 if no point is near the light's highlight.
-    [[nodiscard]] std::uint32_t across(const LaneLight& light, std::uint32_t samples) const;
+    /// fits between the places of all `samples`: 0 if no point is near the light's highlight. lobe_width: the
+    /// narrowest of the terms that reflect the light.
+    [[nodiscard]] std::uint32_t across(const LaneLight& light, double lobe_width,
+                                       std::uint32_t samples) const;
 
     /// Sets the light's directions, and the x axes of its frames, to `towards` and `x`, moved so that the
     /// points reflect the light as they do at a place of their pixels. place: from the pixel's middle, -0.5
@@ -31,9 +36,9 @@ public:
     void move(const LaneVectors& towards, const LaneVectors& x, const glm::vec2& place, LaneLight& out) const;
 
 private:
-    LaneVectors mirrored_{};
+    LaneVectors middles_{};  // directions that the middles of the pixels mirror
+    Lanes sides_{};          // longest change of the direction across each pixel
     std::span<const MirroredPixel> pixels_;
-    float width_ = 1;  // of directions that the narrowest lobe reflects
 };
 
 }  // namespace nicol
