@@ -92,7 +92,7 @@ private:
     [[nodiscard]] EmissionDescription emission() {
         if (surface_.colors) notices_.add("COLOR_0 of unlit surfaces is not followed");
         EmissionDescription out;
-        out.radiance = base_color(false);
+        out.radiance = base_color();
         out.two_sided = material_.doubleSided;
         return out;
     }
@@ -163,9 +163,10 @@ private:
                             : factors(pbr_.baseColorFactor, "baseColorFactor");
     }
 
-    /// Returns the factor, times the texture if there is one, and times the colours of vertices.
-    [[nodiscard]] TexturedColor base_color(bool with_vertices) {
+    /// Returns the factor, times the texture and the colours of vertices where there are any.
+    [[nodiscard]] TexturedColor base_color() {
         const glm::dvec3 factor(base_factor());
+        const bool with_vertices = surface_.colors && !is_unlit_;
         std::optional<TextureSpecification> image = texture(base_);
         if (!image && !with_vertices) return factor;
         TextureSpecification out = image ? std::move(*image) : constant_specification(factor);
@@ -201,11 +202,11 @@ private:
         } else if (metallic == 0) {
             return plastic(1.0, index_of_refraction());
         } else if (metallic == 1) {
-            return metal(base_color(surface_.colors));
+            return metal(base_color());
         } else {
             weight = constant_specification(metallic);
         }
-        return BlendModel{plastic(1.0, index_of_refraction()), metal(base_color(surface_.colors)),
+        return BlendModel{plastic(1.0, index_of_refraction()), metal(base_color()),
                           shared(std::move(*weight))};
     }
 
@@ -241,7 +242,7 @@ private:
     [[nodiscard]] MaterialDescription plastic(const TexturedColor& boundary, double index) {
         using P = PplasticParameters;
         ModelOf<P> out(pplastic);
-        out.set(&P::diffuse_reflectance, base_color(surface_.colors));
+        out.set(&P::diffuse_reflectance, base_color());
         out.set(&P::specular_reflectance, boundary);
         out.parameters.int_ior = index;
         out.parameters.ext_ior = 1;
@@ -284,16 +285,16 @@ private:
     }
 
     [[nodiscard]] FacetDescription facets() {
-        const double glossiness =
-            in_unit(is_specular_ ? specular_.number("glossinessFactor", 1) : 0, "glossinessFactor");
-        const double roughness =
-            is_specular_ ? 1 - glossiness : in_unit(pbr_.roughnessFactor, "roughnessFactor");
+        const double factor = is_specular_
+                                  ? in_unit(specular_.number("glossinessFactor", 1), "glossinessFactor")
+                                  : in_unit(pbr_.roughnessFactor, "roughnessFactor");
+        const double roughness = is_specular_ ? 1 - factor : factor;
         FacetDescription out{.distribution = Distribution::ggx,
                              .alpha = std::max(roughness * roughness, 0.001)};
         if (auto image = texture(facets_)) {
             image->raw = !is_specular_;  // its colours are those of specular_color()
             image->part = is_specular_ ? Part::coverage : Part::green;
-            image->factor = glm::dvec3(is_specular_ ? -glossiness : roughness);
+            image->factor = glm::dvec3(is_specular_ ? -factor : factor);
             image->offset = glm::dvec3(is_specular_ ? 1 : 0);
             image->squared = true;
             out.alpha.texture = shared(std::move(*image));
