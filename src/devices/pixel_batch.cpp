@@ -9,6 +9,7 @@
 #include "shading/lane_footprint.hpp"
 #include "shading/normal_variation.hpp"
 #include "shading/tangent_rotation.hpp"
+#include "surfaces/local_lights.hpp"
 #include "surfaces/tangents.hpp"
 
 namespace nicol {
@@ -81,6 +82,7 @@ public:
     // back: whether the surface is the second side of a two-sided instance.
     Block(const SpatialVariation& variation, bool back, const TextureView& view)
         : view_(view),
+          normal_(variation.normal),
           steps_(steps_of(view)),
           front_(back ? -1.0F : 1.0F),
           footprint_(variation.needs_footprint()),
@@ -134,7 +136,36 @@ public:
     LaneTextureAxes followed{};  // axes that normal maps and anisotropic materials follow
     LaneVectors towards_viewer, normals;
 
+    // Perturbs the normals.
+    void turn(LaneVectors& turned) const { turn_at(points, turned); }
+
+    // Finds the perturbed normals of the samples' parts.
+    void find_parts(LaneSurface& surface) const {
+        constexpr std::size_t across = LaneSurface::kPartsAcross;
+        TexturePoints here = points;
+        find_footprints(steps_, axes, towards_viewer, here);
+        const auto sample = static_cast<float>(view_.projection.sample_size / view_.projection.texture_size);
+        for (std::array<Lanes, 2>* const steps : {&here.du, &here.dv})
+            for (Lanes& step : *steps)
+                for (float& value : step.value) value *= sample / across;
+        for (std::size_t part = 0; part < surface.parts.size(); ++part) {
+            const float right = static_cast<float>(part % across) - 0.5F * (across - 1);
+            const float down = static_cast<float>(part / across) - 0.5F * (across - 1);
+            TexturePoints there = here;
+            for (std::size_t k = 0; k < 2; ++k)
+                for (std::size_t i = 0; i < kLanes; ++i)
+                    there.uv[k][i] += right * here.du[k][i] + down * here.dv[k][i];
+            surface.parts[part] = normals;
+            turn_at(there, surface.parts[part]);
+        }
+    }
+
 private:
+    void turn_at(const TexturePoints& at, LaneVectors& turned) const {
+        const bool map = normal_.kind == NormalVariation::Kind::map;
+        turn_normals(normal_, at, map ? followed : axes, front_ < 0, towards_viewer, turned);
+    }
+
     void find_followed_axes(std::span<const std::uint32_t> triangles, const LaneSurface& surface) {
         followed = axes;
         if (view_.geometry.tangents.empty()) return;
@@ -149,6 +180,7 @@ private:
     }
 
     const TextureView& view_;
+    const NormalVariation& normal_;
     PixelSteps steps_;
     float front_;  // factor of normals that makes them those of the front
     bool footprint_, follows_, axes_;
@@ -193,7 +225,7 @@ void list_points(const PixelInput& input, std::size_t first, std::size_t last, s
         std::ranges::stable_sort(out, {}, &PixelPoint::group);
 }
 
-void TexturedPixels::find(const SpatialVariation& variation, bool back, const TextureView& view,
+void TexturedPixels::find(const SpatialVariation& variation, bool back, bool mirrors, const TextureView& view,
                           std::span<const std::uint32_t> triangles, std::span<LaneSurface> surfaces) {
     const std::size_t layers = variation.layers.size();
     weights_.resize(surfaces.size() * layers);
@@ -207,10 +239,10 @@ void TexturedPixels::find(const SpatialVariation& variation, bool back, const Te
             surfaces[b].tangents[i] = block.tangent(variation.rotation, i);
         if (variation.normal.kind == NormalVariation::Kind::none) continue;
         surfaces[b].unperturbed = surfaces[b].normals;
-        const bool map = variation.normal.kind == NormalVariation::Kind::map;
-        turn_normals(variation.normal, block.points, map ? block.followed : block.axes, back,
-                     block.towards_viewer, block.normals);
-        for (std::size_t i = 0; i < kLanes; ++i) surfaces[b].normals[i] = vector_at(block.normals, i);
+        if (mirrors) block.find_parts(surfaces[b]);
+        LaneVectors turned = block.normals;
+        block.turn(turned);
+        for (std::size_t i = 0; i < kLanes; ++i) surfaces[b].normals[i] = vector_at(turned, i);
     }
 }
 
@@ -252,7 +284,9 @@ void PixelBatch::find_surfaces(const PixelInput& input) {
 void PixelBatch::find_textures(const PixelInput& input, const VertexRange& range) {
     triangles_.clear();
     for (const PixelPoint& point : points_) triangles_.push_back(point.triangle);
-    textures_.find(*range.material->variation(), is_back(input.geometry, range),
+    const bool mirrors =
+        input.local_lights != nullptr && input.local_lights->lighting().needs_pixels(*range.material);
+    textures_.find(*range.material->variation(), is_back(input.geometry, range), mirrors,
                    {.geometry = input.geometry,
                     .projection = input.projection,
                     .width = input.hits.width(),

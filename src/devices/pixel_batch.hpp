@@ -54,7 +54,8 @@ public:
     /// Finds the textures at points of triangles, and perturbs the normals of surfaces[block of sixteen] and
     /// rotates their tangents.
     /// back: whether the surface is the second side of a two-sided instance, the mirror image of the front.
-    void find(const SpatialVariation& variation, bool back, const TextureView& view,
+    /// mirrors: whether LaneSurface::parts are wanted, if textures perturb normals.
+    void find(const SpatialVariation& variation, bool back, bool mirrors, const TextureView& view,
               std::span<const std::uint32_t> triangles, std::span<LaneSurface> surfaces);
 
     /// Returns the weights: [block of sixteen][layer].

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <vector>
 
+#include "devices/mirrored_parts.hpp"
 #include "draw/visibility_buffer.hpp"
 #include "geometry/ray_scene.hpp"
 #include "shading/emission.hpp"
@@ -57,6 +58,7 @@ LightingTally PixelLights::add(const PixelBatch& batch, std::span<const std::spa
         const LaneSurface& surface = batch.surfaces()[first / kLanes];
         std::array<glm::vec3, kLanes> facets, origins, tangents;
         std::array<MirroredPixel, kLanes> mirrored;
+        std::array<MirroredParts, kLanes> parts;
         std::array<std::uint32_t, kLanes> seeds;
         for (std::size_t i = 0; i < count; ++i) {
             const glm::uvec3& triangle = input_.geometry.triangles[points[first + i].triangle];
@@ -69,6 +71,7 @@ LightingTally PixelLights::add(const PixelBatch& batch, std::span<const std::spa
                                           {.corners = corners,
                                            .normals = corners_of(input_.geometry.normals, triangle),
                                            .facet = facets[i]});
+            if (mirrors && turned) parts[i] = parts_at(surface, i, mirrored[i]);
             if (!anisotropic) continue;
             if (variation != nullptr && variation->rotation.any()) {
                 tangents[i] = surface.tangents[i];
@@ -91,6 +94,7 @@ LightingTally PixelLights::add(const PixelBatch& batch, std::span<const std::spa
                                     .unperturbed = std::span(surface.unperturbed).first(dimmed ? count : 0),
                                     .origins = std::span(origins).first(count),
                                     .mirrored = std::span(mirrored).first(mirrors ? count : 0),
+                                    .parts = std::span(parts).first(mirrors && turned ? count : 0),
                                     .seeds = std::span(seeds).first(count),
                                     .shadowed = shadowed},
                                    {.layers = layers, .weights = weights}, channels);
@@ -109,6 +113,15 @@ MirroredPixel PixelLights::mirrored_at(const PixelPoint& point, const LaneSurfac
     out.steps[0] *= point.size.x;
     out.steps[1] *= point.size.y;
     return out;
+}
+
+MirroredParts PixelLights::parts_at(const LaneSurface& surface, std::size_t lane,
+                                    MirroredPixel& pixel) const {
+    std::array<glm::vec3, MirroredParts::kCount> normals;
+    for (std::size_t part = 0; part < normals.size(); ++part)
+        normals[part] = vector_at(surface.parts[part], lane);
+    const glm::dvec3 sight = -input_.projection.view.towards(glm::dvec3(surface.positions[lane]));
+    return mirrored_parts(glm::vec3(sight), surface.normals[lane], normals, pixel);
 }
 
 void PixelLights::add_emission(const VertexRange& range, const PixelBatch& batch, std::size_t first,

@@ -26,6 +26,9 @@ private:
     // Returns what a point's pixel shows mirrored. lane: of the point in `surface`.
     [[nodiscard]] MirroredPixel mirrored_at(const PixelPoint& point, const LaneSurface& surface,
                                             std::size_t lane, const ShownTriangle& triangle) const;
+    // Returns mirrored_parts() at a point.
+    [[nodiscard]] MirroredParts parts_at(const LaneSurface& surface, std::size_t lane,
+                                         MirroredPixel& pixel) const;
     void add_emission(const VertexRange& range, const PixelBatch& batch, std::size_t first,
                       std::span<const std::span<glm::vec4>> out) const;
 

@@ -67,6 +67,7 @@ LightingTally VertexLights::add(const VertexRange& range, std::span<const std::u
                                 .unperturbed = {},
                                 .origins = std::span(origins).first(count),
                                 .mirrored = {},
+                                .parts = {},
                                 .seeds = vertices,
                                 .shadowed = shadowed},
                                {.layers = {&material, 1}, .weights = {}}, channels);

@@ -8,6 +8,7 @@
 #include <glm/vec3.hpp>
 #include <span>
 
+#include "polarization/lane_points.hpp"
 #include "polarization/viewpoint.hpp"
 #include "simd/lanes.hpp"
 
@@ -20,6 +21,11 @@ struct LaneSurface {
     std::array<glm::vec3, kLanes> normals;  ///< unit normals
     /// Unit normals without a texture's perturbation; set only if a texture perturbs normals.
     std::array<glm::vec3, kLanes> unperturbed;
+    /// Number of parts along each side of a sample, in `parts`.
+    static constexpr std::size_t kPartsAcross = 4;
+    /// Unit normals at the middles of the sample's parts, perturbed by the means of the texture over each,
+    /// row by row; set only where TexturedPixels::find() is asked for them.
+    std::array<LaneVectors, kPartsAcross * kPartsAcross> parts;
     /// X axes of anisotropic materials, unit or 0; set only if a texture or an angle rotates them.
     std::array<glm::vec3, kLanes> tangents;
 };

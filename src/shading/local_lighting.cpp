@@ -104,7 +104,7 @@ public:
     // Prepares add_source().
     void find_places() {
         if (!points_.mirrored.empty())
-            places_ = PixelPlaces(points_.mirrored, reflected_.mirrored_directions());
+            places_ = PixelPlaces(points_.mirrored, points_.parts, reflected_.mirrored_directions());
     }
 
     // Adds the rough terms' reflection of one light, but for terms that find it.

@@ -17,6 +17,7 @@
 #include "material/material.hpp"
 #include "polarization/viewpoint.hpp"
 #include "shading/light_source.hpp"
+#include "shading/pixel_places.hpp"
 #include "shading/reflected_nodes.hpp"
 #include "shading/sampled_environment.hpp"
 
@@ -36,6 +37,8 @@ struct LitPoints {
     std::span<const glm::vec3> unperturbed;
     std::span<const glm::vec3> origins;       ///< start points of shadow rays
     std::span<const MirroredPixel> mirrored;  ///< see needs_pixels(); empty: points cover nothing
+    /// Parts of those pixels. Empty: what the pixels mirror changes evenly.
+    std::span<const MirroredParts> parts;
     std::span<const std::uint32_t> seeds;
     bool shadowed;  ///< whether light may be occluded; false: no ray is traced
 };

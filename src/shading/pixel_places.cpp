@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 namespace nicol {
@@ -15,8 +16,19 @@ constexpr float kMostAcross = 6;
 
 }  // namespace
 
-PixelPlaces::PixelPlaces(std::span<const MirroredPixel> pixels, const LaneVectors& mirrored)
-    : pixels_(pixels) {
+glm::vec2 MirroredParts::middle(std::size_t part) {
+    const glm::vec2 place(static_cast<float>(part % kAcross), static_cast<float>(part / kAcross));
+    return (place + 0.5F) / static_cast<float>(kAcross) - 0.5F;
+}
+
+std::size_t MirroredParts::at(const glm::vec2& place) {
+    const glm::vec2 part = glm::clamp((place + 0.5F) * static_cast<float>(kAcross), 0.0F, kAcross - 1.0F);
+    return static_cast<std::size_t>(part.y) * kAcross + static_cast<std::size_t>(part.x);
+}
+
+PixelPlaces::PixelPlaces(std::span<const MirroredPixel> pixels, std::span<const MirroredParts> parts,
+                         const LaneVectors& mirrored)
+    : pixels_(pixels), parts_(parts) {
     for (std::size_t i = 0; i < pixels.size(); ++i) {
         put(middles_, i, vector_at(mirrored, i) + pixels[i].shift);
         sides_[i] = std::max(glm::length(pixels[i].steps[0]), glm::length(pixels[i].steps[1]));
@@ -35,6 +47,11 @@ std::uint32_t PixelPlaces::across(const LaneLight& light, double lobe_width, std
         most = std::max(most, sides_[i]);
     }
     if (!near) return 0;
+    if (!parts_.empty()) {
+        // Light samples of four in a row are at other quarters of each place: together they meet every part.
+        const std::uint32_t places = samples < 4 ? 1 : 2;
+        return static_cast<std::uint32_t>(MirroredParts::kAcross) / places;
+    }
     const float wanted = std::min(most / width, kMostAcross) / std::sqrt(static_cast<float>(samples));
     return static_cast<std::uint32_t>(std::max(1.0F, std::ceil(wanted)));
 }
@@ -42,13 +59,18 @@ std::uint32_t PixelPlaces::across(const LaneLight& light, double lobe_width, std
 void PixelPlaces::move(const LaneVectors& towards, const LaneVectors& x, const glm::vec2& place,
                        LaneLight& out) const {
     for (std::size_t i = 0; i < pixels_.size(); ++i) {
-        const MirroredPixel& pixel = pixels_[i];
-        const glm::vec3 seen = pixel.shift + place.x * pixel.steps[0] + place.y * pixel.steps[1];
+        const glm::vec3 seen = seen_at(i, place);
         const glm::vec3 moved = glm::normalize(vector_at(towards, i) - seen);
         const glm::vec3 axis = vector_at(x, i);
         put(out.towards, i, moved);
         put(out.x, i, glm::normalize(axis - glm::dot(axis, moved) * moved));
     }
+}
+
+glm::vec3 PixelPlaces::seen_at(std::size_t i, const glm::vec2& place) const {
+    if (!parts_.empty()) return parts_[i].from[MirroredParts::at(place)];
+    const MirroredPixel& pixel = pixels_[i];
+    return pixel.shift + place.x * pixel.steps[0] + place.y * pixel.steps[1];
 }
 
 }  // namespace nicol

@@ -2,14 +2,31 @@
 // Highlights of lights that are averaged over what a pixel shows.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 #include <span>
 
 #include "light/lane_light.hpp"
+#include "shading/lane_surface.hpp"
 #include "shading/reflected_nodes.hpp"
 
 namespace nicol {
+
+/// Directions that parts of a pixel see mirrored.
+struct MirroredParts {
+    static constexpr std::size_t kAcross = LaneSurface::kPartsAcross;
+    static constexpr std::size_t kCount = kAcross * kAcross;
+    /// From the mirrored direction at the shaded point, at the parts' middles, row by row.
+    std::array<glm::vec3, kCount> from;
+
+    /// Returns the place of a part's middle, from the pixel's middle: -0.5 to 0.5 to the right and down.
+    [[nodiscard]] static glm::vec2 middle(std::size_t part);
+    /// Returns the part at a place.
+    [[nodiscard]] static std::size_t at(const glm::vec2& place);
+};
 
 /// Places within the pixels of up to sixteen points. Each place sees another direction mirrored, which may
 /// change faster from pixel to pixel than a narrow lobe is wide. In the axes of the lights.
@@ -17,9 +34,10 @@ class PixelPlaces {
 public:
     /// No places: points cover nothing.
     PixelPlaces() = default;
-    /// pixels: not empty; must outlive this object. mirrored: the directions that the points mirror to the
-    /// viewer.
-    PixelPlaces(std::span<const MirroredPixel> pixels, const LaneVectors& mirrored);
+    /// pixels: not empty; must outlive this object, as must parts: empty or one for each pixel. mirrored: the
+    /// directions that the points mirror to the viewer.
+    PixelPlaces(std::span<const MirroredPixel> pixels, std::span<const MirroredParts> parts,
+                const LaneVectors& mirrored);
 
     /// Lobe width from which on lobes hardly change within a pixel.
     static constexpr double kWidestLobe = 0.3;
@@ -36,9 +54,13 @@ public:
     void move(const LaneVectors& towards, const LaneVectors& x, const glm::vec2& place, LaneLight& out) const;
 
 private:
+    // Returns the change of the direction that a point's pixel mirrors at a place.
+    [[nodiscard]] glm::vec3 seen_at(std::size_t i, const glm::vec2& place) const;
+
     LaneVectors middles_{};  // directions that the middles of the pixels mirror
     Lanes sides_{};          // longest change of the direction across each pixel
     std::span<const MirroredPixel> pixels_;
+    std::span<const MirroredParts> parts_;
 };
 
 }  // namespace nicol

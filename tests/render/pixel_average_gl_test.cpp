@@ -24,9 +24,15 @@ RenderOptions with(int samples) {
 IMAGE_TEST_CASE("highlights smaller than a pixel are as bright as by the reference method") {
     struct Case {
         const char* what;
+        std::shared_ptr<const Mesh> mesh;
         MaterialPtr material;
         LocalLight light;
     };
+    // Normals that turn by half a radian within a few pixels.
+    const TexturePtr waves = test::texture_of([](const TexturePoint& p) {
+        return glm::vec4(0.5F + 0.25F * std::sin(12 * p.uv.x), 0.5F + 0.25F * std::cos(12 * p.uv.y), 0.9F, 1);
+    });
+    const auto ball = test::with_texcoords(make_sphere()), square = test::with_texcoords(make_rectangle(1));
     const LocalLight sun{.kind = LocalLight::Kind::directional,
                          .value = {3},
                          .to_world = look_at({1, 2, 3}, glm::dvec3(0), {0.1, 1, 0.2}),
@@ -36,12 +42,15 @@ IMAGE_TEST_CASE("highlights smaller than a pixel are as bright as by the referen
     const MaterialPtr brushed = rough_conductor({.eta = {{0.2, -3.0}}, .alpha = 0.1, .alpha_v = 0.02});
     const MaterialPtr plastic = pplastic({.diffuse_reflectance = {0.2}, .alpha = 0.02});
     Studio render(context, 40, 40);
-    for (const Case& one : {Case{"point, metal", metal, point},
-                            {"sun, metal", metal, sun},
-                            {"point, brushed", brushed, point},
-                            {"sun, plastic", plastic, sun}}) {
+    for (const Case& one :
+         {Case{"point, metal", ball, metal, point},
+          {"sun, metal", ball, metal, sun},
+          {"point, brushed", ball, brushed, point},
+          {"sun, plastic", ball, plastic, sun},
+          {"point, normal map", square, normal_mapped(test::some_metal(0.05), waves), point},
+          {"sun, normal map", square, normal_mapped(brushed, waves), sun}}) {
         Scene scene;
-        scene.add({.mesh = test::with_texcoords(make_sphere()), .material = one.material});
+        scene.add({.mesh = one.mesh, .material = one.material});
         scene.add_light(one.light);
         RenderOptions rays = with(1);
         rays.method = Method::reference;

@@ -45,6 +45,7 @@ struct Floor {
                                .unperturbed = {},
                                .origins = origins,
                                .mirrored = {},
+                               .parts = {},
                                .seeds = own,
                                .shadowed = true},
                               {.layers = {&layer, 1}, .weights = {}}, {&channel, 1});

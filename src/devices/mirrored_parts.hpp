@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// What the parts of a pixel see mirrored where a texture perturbs normals more finely than the pixel.
+#pragma once
+
+#include <cstddef>
+#include <glm/vec3.hpp>
+#include <span>
+
+#include "shading/pixel_places.hpp"
+
+namespace nicol {
+
+/// Returns what the parts of a pixel see mirrored. sight: unit direction from the viewer to the shown point.
+/// normal: its unit shading normal. normals: those of the parts, row by row. pixel: what the pixel sees
+/// without the texture's changes; becomes the pixel with the mean and the second moments of its parts.
+[[nodiscard]] MirroredParts mirrored_parts(const glm::vec3& sight, const glm::vec3& normal,
+                                           std::span<const glm::vec3, MirroredParts::kCount> normals,
+                                           MirroredPixel& pixel);
+
+}  // namespace nicol
