@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Alpha mask of a surface.
 
-// TEXTURES: see texture.glsl; the last texture is the opacity.
+// TEXTURES: see texture.glsl.
 #define TABLE 3
 #define TEXELS 4
 #define CORNERS 0
@@ -16,6 +16,7 @@ uniform bool translucent;
 uniform uint sample_number;  // number of this sample, below `samples`
 uniform uint samples;
 
+const uint OPACITY = 7u;  // word of the opacity's number
 const uint FIRST_OPACITY_TEXTURE = 8u;
 
 vec3 opacity_position(uint index) {
@@ -45,8 +46,9 @@ bool present(uint triangle, vec3 position) {
     TexturePoint point = texture_point(int(triangle), weight);
     vec4 values[TEXTURES];
     evaluate_textures(FIRST_OPACITY_TEXTURE, point, values);
-    uint channels = table[FIRST_OPACITY_TEXTURE + TEXTURE_WORDS * uint(TEXTURES - 1) + 1u];
-    float covered = channels == 4u ? values[TEXTURES - 1].w : values[TEXTURES - 1].x;
+    vec4 opacity = values[table[OPACITY]];
+    uint channels = table[FIRST_OPACITY_TEXTURE + TEXTURE_WORDS * table[OPACITY] + 1u];
+    float covered = channels == 4u ? opacity.w : opacity.x;
     if (!translucent) return covered >= 0.5;
     return covered > (float(sample_number) + chance()) / float(samples);
 }

@@ -2,7 +2,7 @@
 // Textures, evaluated as in src/material, from words and texels in the layout of DeviceVariation.
 #include "footprint.glsl"
 
-// TABLE, TEXELS: bindings. TEXTURES: number of textures.
+// TABLE, TEXELS: bindings. TEXTURES: number of textures, at least 2.
 layout(std430, binding = TABLE) readonly buffer Table { uint table[]; };
 layout(std430, binding = TEXELS) readonly buffer Texels { float texels[]; };
 

@@ -18,6 +18,8 @@ namespace {
 // Sizes of the layout of glsl/texture.glsl and glsl/pixel_texture.comp.
 constexpr std::size_t kHeaderWords = 8;
 constexpr std::size_t kTextureWords = 24;
+// With one texture the compiler of NVIDIA's driver (580) crashes. No textures are fewer than an array can have.
+constexpr std::size_t kFewestTextures = 2;
 
 std::uint32_t word(float value) {
     return std::bit_cast<std::uint32_t>(value);
@@ -90,6 +92,8 @@ VariationBuffers::VariationBuffers(const std::shared_ptr<gl::Context>& context,
     const bool turned = normal.kind != NormalVariation::Kind::none;
     const std::uint32_t normal_number = turned ? textures.number_of(normal.texture) : 0;
 
+    while (textures.count() < kFewestTextures) textures.number_of(constant_texture(glm::vec4(0), 1));
+
     std::vector<std::uint32_t> table;
     std::vector<float> texels;
     textures.write(kHeaderWords, table, texels);
@@ -100,6 +104,7 @@ VariationBuffers::VariationBuffers(const std::shared_ptr<gl::Context>& context,
     table[4] = word(static_cast<float>(normal.scale));
     table[5] = normal.mirrored_y ? 1 : 0;
     table[6] = normal.reversed_back ? 1 : 0;
+    table[7] = numbers.empty() ? 0 : numbers.back();
 
     std::vector<std::uint32_t> factors;
     constexpr std::size_t layer_words = 5;
@@ -120,8 +125,7 @@ VariationBuffers::VariationBuffers(const std::shared_ptr<gl::Context>& context,
                     "compute shaders of " + context->info().renderer + " reach " + std::to_string(most) +
                         " numbers of a material's textures, which have " + std::to_string(texels.size()) +
                         "; use smaller images, or set executor to cpu");
-    // A shader declares an array of this size, which must not be 0.
-    textures_ = static_cast<int>(std::max<std::size_t>(textures.count(), 1));
+    textures_ = static_cast<int>(textures.count());
     table_.emplace(gl::storage(context, table));
     texels_.emplace(gl::storage(context, texels));
 }

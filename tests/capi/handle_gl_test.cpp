@@ -39,7 +39,7 @@ std::vector<std::function<nicol_result()>> releases(const Connected& all) {
 TEST_CASE("handles may be released in any order") {
     // Tests each of the 720 orders of six handles with few contexts. The context is retained except in every
     // 60th order, which destroys it.
-    for (const nicol_backend backend : every_backend) {
+    for (const nicol_backend backend : every_backend()) {
         CAPTURE(backend);
         nicol_context context = make_context(backend);
         std::vector<std::size_t> order(6);
@@ -74,7 +74,7 @@ TEST_CASE("a later object does not answer to a released handle") {
 }
 
 TEST_CASE("objects work on after their context and their parts were released") {
-    for (const nicol_backend backend : every_backend) {
+    for (const nicol_backend backend : every_backend()) {
         CAPTURE(backend);
         const Connected all{make_context(backend)};
         all.connect();

@@ -86,7 +86,7 @@ STAGE_TEST_CASE("a progress callback stops its job") {
 }
 
 TEST_CASE("everything may be released while a job runs and others wait") {
-    for (const nicol_backend backend : every_backend) {
+    for (const nicol_backend backend : every_backend()) {
         const nicol_context context = make_context(backend);
         std::atomic<bool> released = false;
         Gate gate;

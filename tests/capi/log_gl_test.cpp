@@ -49,7 +49,7 @@ std::size_t count_of(const std::vector<Entry>& entries, const std::string& text)
 }  // namespace
 
 TEST_CASE("a new context tells what it opened") {
-    for (const nicol_backend backend : every_backend) {
+    for (const nicol_backend backend : every_backend()) {
         Log log;
         const nicol_context context = logging_context(backend, log, "");
         nicol_context_info info = NICOL_CONTEXT_INFO_INIT;
@@ -66,7 +66,7 @@ TEST_CASE("a new context tells what it opened") {
 }
 
 TEST_CASE("every notice of a scene file arrives, once, in one line") {
-    for (const nicol_backend backend : every_backend) {
+    for (const nicol_backend backend : every_backend()) {
         Log log;
         const Owned context(logging_context(backend, log, ""));
         static_cast<void>(log.take());
@@ -158,7 +158,7 @@ TEST_CASE("caches that are damaged or cannot be kept are notices, from jobs too"
 }
 
 TEST_CASE("the noise of light samples is predicted, and told once where it exceeds the tolerance") {
-    for (const nicol_backend backend : every_backend) {
+    for (const nicol_backend backend : every_backend()) {
         Log log;
         const Owned context(logging_context(backend, log, ""));
         const TemporaryFolder folder;

@@ -98,7 +98,7 @@ std::uint64_t bytes_needed(const Stage& stage, const nicol_render_options& optio
 }  // namespace
 
 TEST_CASE("predictions are never too low, and not far too high") {
-    for (const nicol_backend backend : every_backend) {
+    for (const nicol_backend backend : every_backend()) {
         const Owned small(limited_context(backend, 1000)), free(limited_context(backend, NICOL_NO_LIMIT));
         {
             const Cleft refused(small), rendered(free);
@@ -120,7 +120,7 @@ TEST_CASE("predictions are never too low, and not far too high") {
 TEST_CASE("what samples, AOVs, elements and shading at pixels take of an image is in the prediction") {
     constexpr std::uint32_t side = 256;
     constexpr std::uint64_t own = std::uint64_t{side} * side * (3 * 16 + 4);
-    for (const nicol_backend backend : every_backend) {
+    for (const nicol_backend backend : every_backend()) {
         const Owned small(limited_context(backend, 1000)), free(limited_context(backend, NICOL_NO_LIMIT));
         Cleft refused(small, side), rendered(free, side);
         nicol_render_options options = plain_options();
@@ -155,7 +155,7 @@ TEST_CASE("what samples, AOVs, elements and shading at pixels take of an image i
 }
 
 TEST_CASE("a limit refuses what exceeds it and nothing else") {
-    for (const nicol_backend backend : every_backend) {
+    for (const nicol_backend backend : every_backend()) {
         std::uint64_t needed = 0;
         nicol_render_options options = plain_options();
         {

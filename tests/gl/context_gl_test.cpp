@@ -73,7 +73,7 @@ GL_TEST_CASE("objects refuse to be used outside run") {
 }
 
 TEST_CASE("contexts and objects may be dropped in any order and anywhere") {
-    for (const Backend backend : every_backend) {
+    for (const Backend backend : every_backend()) {
         CAPTURE(name_of(backend));
         const auto make = [](const std::shared_ptr<Context>& context) {
             return context->run([&] {

@@ -6,13 +6,24 @@
 #include <numeric>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 #include "gl/context.hpp"
 #include "test.hpp"
 
 namespace nicol::gl {
 
-inline constexpr Backend every_backend[] = {Backend::egl, Backend::osmesa};
+/// Returns the value of NICOL_TEST_BACKENDS: "all", "egl" on machines that have EGL alone, or "".
+inline std::string_view wanted_backends() {
+    const char* const wanted = std::getenv("NICOL_TEST_BACKENDS");
+    return wanted != nullptr ? wanted : "";
+}
+
+/// Returns the backends that tests of OpenGL itself run on.
+inline std::vector<Backend> every_backend() {
+    if (wanted_backends() == "egl") return {Backend::egl};
+    return {Backend::egl, Backend::osmesa};
+}
 
 inline const char* name_of(Backend backend) {
     return backend == Backend::egl ? "egl" : backend == Backend::osmesa ? "osmesa" : "automatic";
@@ -31,7 +42,7 @@ inline std::shared_ptr<Context> make_context(Backend backend) {
 /// Calls test(context) once per backend, inside a doctest note of its name.
 template <class Test>
 void on_every_backend(Test test) {
-    for (const Backend backend : every_backend) {
+    for (const Backend backend : every_backend()) {
         CAPTURE(name_of(backend));
         test(make_context(backend));
     }
@@ -40,8 +51,7 @@ void on_every_backend(Test test) {
 /// Calls test(context) once per backend if NICOL_TEST_BACKENDS is "all", else once with EGL.
 template <class Test>
 void on_one_backend(Test test) {
-    const char* const wanted = std::getenv("NICOL_TEST_BACKENDS");
-    if (wanted != nullptr && std::string_view(wanted) == "all") return on_every_backend(test);
+    if (wanted_backends() == "all") return on_every_backend(test);
     test(make_context(Backend::egl));
 }
 
