@@ -307,6 +307,7 @@ inline nicol_render_options plain_options() {
     options.order_low = 4;
     options.order_high = 9;
     options.shade_at = NICOL_SHADE_AT_VERTICES;
+    options.executor = NICOL_EXECUTOR_CPU;  // also where a graphics processor would be chosen
     options.physical = 0;
     return options;
 }

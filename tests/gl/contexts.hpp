@@ -55,6 +55,12 @@ void on_one_backend(Test test) {
     test(make_context(Backend::egl));
 }
 
+/// Returns the factor of tolerances: 10 on graphics processors, which interpolate and filter with fewer bits
+/// than the processor does.
+inline double tolerance_of(const std::shared_ptr<Context>& context) {
+    return context->info().software ? 1 : 10;
+}
+
 }  // namespace nicol::gl
 
 /// A test case that runs under `each` with new contexts.

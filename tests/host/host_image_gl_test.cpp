@@ -132,7 +132,7 @@ HOST_TEST_CASE("a polarizer passes what Malus' law says") {
             std::vector<std::uint8_t> codes(expected.size());
             gl.GetTextureImage(texture, 0, GL_RGBA, GL_UNSIGNED_BYTE, static_cast<GLsizei>(codes.size()),
                                codes.data());
-            CHECK(largest_difference(codes, expected) < 0.51);
+            CHECK(largest_difference(codes, expected) < 0.56);  // the encoding's powers have few bits
         }
     }
 }

@@ -58,7 +58,8 @@ void check_changes(const std::shared_ptr<gl::Context>& context, Executor executo
         const StokesImage image = render(scene, options, camera);
         RenderOptions fresh = options;
         fresh.executor = Executor::cpu;  // starts faster
-        CHECK(rms(minus(image, Studio(context)(scene, fresh, camera))) < 1e-5 * rms(image));
+        CHECK(rms(minus(image, Studio(context)(scene, fresh, camera))) <
+              gl::tolerance_of(context) * 1e-5 * rms(image));
     };
     RenderOptions pixels = at(ShadeAt::pixels, executor);
     RenderOptions vertices = at(ShadeAt::vertices, executor);
