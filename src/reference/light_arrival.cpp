@@ -14,6 +14,10 @@ bool without_size(const LocalLight& light) noexcept {
     return light.kind != Kind::directional || light.angular_radius == 0;
 }
 
+glm::dvec3 axis_in_world(const glm::dmat4& to_world, const PolarizationState& state) {
+    return glm::normalize(glm::dmat3(to_world) * state.axis);
+}
+
 std::optional<LightArrival> light_arrival(const LocalLight& light, const glm::dvec3& position,
                                           std::span<double> irradiance) {
     const glm::dmat3 axes(light.to_world);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Light that reaches a point from lights without a size.
+// Light that reaches a point from lights without a size, and the axes of polarized light.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -12,6 +12,9 @@ namespace nicol {
 
 /// Returns whether all light of a local light reaches a point from one direction.
 [[nodiscard]] bool without_size(const LocalLight& light) noexcept;
+
+/// Returns the axis of a light's polarization, of length 1, in the coordinates to which `to_world` leads.
+[[nodiscard]] glm::dvec3 axis_in_world(const glm::dmat4& to_world, const PolarizationState& state);
 
 struct LightArrival {
     glm::dvec3 towards_light;  ///< unit vector in the world

@@ -38,6 +38,16 @@ void check(const ReferenceOptions& options) {
     if ((options.aovs & aov_variance) != 0 && options.samples < 2) {
         throw Error(ErrorCode::invalid_argument, "samples is 1; the variance among aovs takes 2 or more");
     }
+    if (options.max_depth < 1) {
+        throw Error(ErrorCode::invalid_argument,
+                    "max_depth is " + std::to_string(options.max_depth) + "; it must be 1 or more");
+    }
+    if (options.max_depth > kDirectLightDepth && !options.shadows) {
+        throw Error(
+            ErrorCode::invalid_argument,
+            "shadows is off, but max_depth is more than 2: surfaces that light passes do not reflect it "
+            "to each other; turn shadows on or set max_depth to 2");
+    }
     if (options.threads < 0) {
         throw Error(ErrorCode::invalid_argument,
                     "threads is " + std::to_string(options.threads) + "; it must be 0 (one a core) or more");
@@ -71,10 +81,11 @@ private:
 
 class Tracer {
 public:
-    Tracer(const DirectLight& light, const CameraRays& rays, const ReferenceOptions& options,
-           SharedProgress& progress, tbb::task_group_context& group, const Viewpoint& view,
-           StokesImage& image, Aovs& aovs)
-        : light_(light),
+    Tracer(const TracedScene& scene, const PathTracer& paths, const CameraRays& rays,
+           const ReferenceOptions& options, SharedProgress& progress, tbb::task_group_context& group,
+           const Viewpoint& view, StokesImage& image, Aovs& aovs)
+        : scene_(scene),
+          paths_(paths),
           rays_(rays),
           options_(options),
           progress_(progress),
@@ -84,9 +95,9 @@ public:
           aovs_(aovs) {}
 
     void trace(const tbb::blocked_range2d<int>& tile) {
-        DirectLight::Workspace workspace;
+        PathWorkspace workspace;
         PixelEstimate estimate(options_.samples, image_.channels);
-        std::vector<Stokes> sum(static_cast<std::size_t>(light_.channels()));
+        std::vector<Stokes> sum(static_cast<std::size_t>(scene_.channels()));
         for (int y = tile.rows().begin(); y < tile.rows().end(); ++y) {
             for (int x = tile.cols().begin(); x < tile.cols().end(); ++x) {
                 std::uint64_t hits = 0;
@@ -114,7 +125,7 @@ public:
 private:
     /// Samples a pixel, and counts the samples with a surface. Returns false if the render has been stopped.
     bool sample_pixel(int x, int y, std::span<Stokes> sum, PixelEstimate& estimate, std::uint64_t& hits,
-                      DirectLight::Workspace& workspace) {
+                      PathWorkspace& workspace) {
         // Every pixel has its own points, so the image does not depend on tiles or threads.
         const std::uint64_t pixel = static_cast<std::uint64_t>(y) << 32 | static_cast<std::uint64_t>(x);
         const LowDiscrepancy points(mixed(mixed(options_.seed, 0), pixel));
@@ -140,11 +151,11 @@ private:
 
     // Adds a sample. Returns whether its ray meets a surface.
     bool add_sample(int x, int y, const LowDiscrepancy& points, int i, std::span<Stokes> sum,
-                    DirectLight::Workspace& workspace) const {
+                    PathWorkspace& workspace) const {
         const auto index = static_cast<std::uint32_t>(i);
         const glm::dvec2 position = points.point(index, 0);
         const Ray ray = rays_.through(x + position.x, y + position.y);
-        return light_.add(ray, rays_.frame(ray), points, index, sum, workspace);
+        return paths_.add(ray, rays_.frame(ray), points, index, sum, workspace);
     }
 
     [[nodiscard]] std::size_t pixel_at(int x, int y) const {
@@ -167,15 +178,15 @@ private:
     }
 
     void record_surface(int x, int y) {
-        const std::optional<DirectLight::Surfel> surfel =
-            light_.first_surface(rays_.through(x + 0.5, y + 0.5));
+        const std::optional<TracedScene::Surfel> surfel =
+            scene_.first_surface(rays_.through(x + 0.5, y + 0.5));
         if (!surfel) return;
         const std::size_t pixel = pixel_at(x, y);
         if (!aovs_.depth.empty()) {
             aovs_.depth[pixel] = static_cast<float>(glm::dot(view_.forward, surfel->position - view_.eye));
         }
         if (!aovs_.instances.empty()) aovs_.instances[pixel] = surfel->instance;
-        const glm::dvec3 in_world = light_.origin() + surfel->position;
+        const glm::dvec3 in_world = scene_.origin() + surfel->position;
         for (glm::length_t i = 0; i < 3; ++i) {
             const std::size_t at = 3 * pixel + static_cast<std::size_t>(i);
             if (!aovs_.normals.empty()) aovs_.normals[at] = static_cast<float>(surfel->normal[i]);
@@ -183,7 +194,8 @@ private:
         }
     }
 
-    const DirectLight& light_;
+    const TracedScene& scene_;
+    const PathTracer& paths_;
     const CameraRays& rays_;
     const ReferenceOptions& options_;
     SharedProgress& progress_;
@@ -198,13 +210,15 @@ StokesImage render(const Scene& scene, const Projection& projection, int width, 
                    const ReferenceOptions& options, ReferenceStatistics& statistics, Strategy strategy,
                    Aovs& aovs) {
     const Stopwatch build;
-    const DirectLight light(scene, strategy, options.shadows);
-    if (options.luminance && light.channels() != 3) {
+    const TracedScene traced(scene);
+    const SceneLights lights(scene, traced, strategy, options.shadows);
+    const PathTracer paths(traced, lights, options.max_depth);
+    if (options.luminance && traced.channels() != 3) {
         throw Error(ErrorCode::invalid_argument, "the luminance is that of three channels");
     }
-    StokesImage image(width, height, options.luminance ? 1 : light.channels());
+    StokesImage image(width, height, options.luminance ? 1 : traced.channels());
     aovs = Aovs(width, height, options.aovs, image.channels);
-    statistics.triangles = light.triangles();
+    statistics.triangles = traced.triangles();
     statistics.build_ms = build.milliseconds();
 
     const Stopwatch watch;
@@ -213,9 +227,9 @@ StokesImage render(const Scene& scene, const Projection& projection, int width, 
     SharedProgress progress(options.progress, static_cast<double>(samples));
     tbb::task_group_context group;
     Projection from_origin = projection;
-    from_origin.view.eye -= light.origin();
+    from_origin.view.eye -= traced.origin();
     const CameraRays rays(from_origin, width, height);
-    Tracer tracer(light, rays, options, progress, group, from_origin.view, image, aovs);
+    Tracer tracer(traced, paths, rays, options, progress, group, from_origin.view, image, aovs);
     tbb::task_arena arena(worker_count(options.threads));
     arena.execute([&] {
         tbb::parallel_for(

@@ -8,7 +8,8 @@
 
 #include "image/aovs.hpp"
 #include "image/stokes_image.hpp"
-#include "reference/direct_light.hpp"
+#include "reference/path_tracer.hpp"
+#include "scene/path_depth.hpp"
 #include "scene/projection.hpp"
 #include "scene/scene.hpp"
 
@@ -18,11 +19,17 @@ namespace nicol {
 inline constexpr int kMaxReferenceSamples = 1 << 20;
 
 struct ReferenceOptions {
-    /// Camera rays per pixel, 1..kMaxReferenceSamples. Each ray that hits a surface sends one ray towards the
-    /// environment, one towards each local light (towards one of the emissive surfaces if there are more than
-    /// 16) and one into the surface's lobe. Powers of two are stratified best.
+    /// Camera rays per pixel, 1..kMaxReferenceSamples. At each surface that a path meets, one ray goes
+    /// towards the environment, one towards each local light (towards one of the emissive surfaces if there
+    /// are more than 16) and one into the surface's lobe, which is also the path's next segment. Powers of
+    /// two are stratified best.
     int samples = 256;
-    bool shadows = true;  ///< whether surfaces hide light from each other
+    /// Largest number of segments of a path from the camera to a light, 1..kUnlimitedDepth. 1 is light that
+    /// the camera sees directly, 2 adds light that a surface reflects once, and so on. From the fifth surface
+    /// on, Russian roulette ends paths at random without a bias.
+    int max_depth = kDirectLightDepth;
+    /// Whether surfaces hide light from each other. If not, max_depth is at most 2.
+    bool shadows = true;
     /// Whether the image has one channel, the luminance of three.
     bool luminance = false;
     /// Seed of the noise. Equal seeds give equal images for any number of threads; other seeds give other
@@ -48,6 +55,7 @@ struct ReferenceStatistics {
 /// surface, the light is the surface's own emission plus the integral over the hemisphere about the
 /// interpolated normal of M(towards light, towards viewer) L(towards light) cos. L is the light of the
 /// environment, of local lights and of emissive surfaces; with shadows, only where no triangle is in the way.
+/// With a max_depth above 2, L is also what the triangle in the way reflects of max_depth - 1 segments.
 /// The integral is 0 if the viewer is behind the normal, unless the material is two-sided. Polarization
 /// elements in front act on the light. `projection` must have been made for this width and height. Throws
 /// Error(invalid_argument) for options or sizes out of range, including the variance of a single sample,

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#include "reference/path_tracer.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "scene/path_depth.hpp"
+
+namespace nicol {
+namespace {
+
+// Number of segments from which on Russian roulette ends paths; Mitsuba's default.
+constexpr int kRouletteDepth = 5;
+// Largest probability that a path goes on, so that paths end even where surfaces absorb nothing.
+constexpr double kSurvival = 0.95;
+
+/// Returns the largest s0 that light with s0 = 1 can have after a path: that of its best polarization.
+double largest_share(std::span<const Mueller> throughput) {
+    double largest = 0;
+    for (const Mueller& m : throughput)
+        largest = std::max(largest, m(0, 0) + std::hypot(m(0, 1), m(0, 2), m(0, 3)));
+    return largest;
+}
+
+/// Russian roulette: returns whether a path goes on, whose throughput then makes up for those that end.
+/// point: in [0, 1).
+bool survives(std::span<Mueller> throughput, double point) {
+    const double probability = std::min(kSurvival, largest_share(throughput));
+    if (!(point < probability)) return false;
+    for (Mueller& m : throughput) m *= 1 / probability;
+    return true;
+}
+
+/// Returns whether light leaves the point of a surface against a ray. A perturbed normal may face a viewer
+/// who is behind the surface.
+bool seen(const SurfaceHit& hit, const glm::dvec3& ray_direction) {
+    return hit.towards_viewer.z > 0 && glm::dot(hit.unturned, ray_direction) < 0;
+}
+
+}  // namespace
+
+PathTracer::PathTracer(const TracedScene& scene, const SceneLights& lights, int max_depth)
+    : scene_(scene), lights_(lights), max_depth_(max_depth) {}
+
+bool PathTracer::add(const Ray& ray, const Frame& received, const LowDiscrepancy& points, std::uint32_t index,
+                     std::span<Stokes> sum, PathWorkspace& workspace) const {
+    const std::optional<RayHit> found = scene_.rays().intersect(ray);
+    Ray seen_along = ray;
+    if (found) seen_along.farthest = found->distance;
+    begin(seen_along, received, sum.size(), workspace);
+    if (!found) {
+        lights_.add_background(ray.direction, received, workspace, sum);
+        return false;
+    }
+    lights_.add_emitted(*found, received, workspace, sum);
+    follow(*found, ray.direction, received, points, index, sum, workspace);
+    return true;
+}
+
+// Begins a path with the polarization elements that the camera sees through along a ray.
+void PathTracer::begin(const Ray& ray, const Frame& received, std::size_t channels,
+                       PathWorkspace& workspace) const {
+    Mueller elements = frame_rotation(0);
+    if (!scene_.elements().empty()) elements = scene_.elements().mueller(ray, received).value_or(elements);
+    workspace.throughput.assign(channels, elements);
+    workspace.scattering.resize(channels);
+    workspace.incident.resize(channels);
+    workspace.irradiance.resize(channels);
+}
+
+void PathTracer::follow(RayHit found, glm::dvec3 direction, Frame received, const LowDiscrepancy& points,
+                        std::uint32_t index, std::span<Stokes> sum, PathWorkspace& workspace) const {
+    // Each vertex has streams for its lights, for the direction of the next segment and for the roulette.
+    std::uint32_t stream = kFirstStream;
+    const std::uint32_t next_direction = lights_.streams();
+    const std::uint32_t roulette = next_direction + 1;
+    for (int depth = kDirectLightDepth; depth <= max_depth_; ++depth, stream += roulette + 1) {
+        const SurfaceHit hit = scene_.surface_at(found, direction);
+        if (!seen(hit, direction)) return;
+        const PathVertex vertex(hit, received, workspace);
+        lights_.add_sampled(vertex, points, index, stream, sum);
+        const bool last = depth == max_depth_;
+        if (last && !lights_.along()) return;
+        const glm::dvec3 towards_light = vertex.sample(points.point(index, stream + next_direction));
+        if (!vertex.lit_from(towards_light)) return;
+        const std::optional<RayHit> next = lights_.add_along(vertex, towards_light, sum);
+        if (!next || last) return;
+        vertex.extend(towards_light, vertex.pdf(towards_light));
+        if (depth >= kRouletteDepth &&
+            !survives(workspace.throughput, points.point(index, stream + roulette).x))
+            return;
+        found = *next;
+        direction = vertex.in_world(towards_light);
+        received = vertex.incident_frame(towards_light);
+    }
+}
+
+}  // namespace nicol

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+// Vertex of a path: a point of a surface that scatters light towards the previous vertex, or to the camera.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <span>
+#include <vector>
+
+#include "geometry/ray_scene.hpp"
+#include "polarization/mueller.hpp"
+#include "reference/traced_surface.hpp"
+
+namespace nicol {
+
+/// Buffers of a thread's current path, and the thread's count of rays.
+struct PathWorkspace {
+    /// Mueller matrix of each channel: from light at the path's end, in the frame there, to the camera.
+    std::vector<Mueller> throughput;
+    std::vector<Mueller> scattering;  ///< PathVertex::evaluate(), of each channel
+    std::vector<Mueller> terms;
+    std::vector<glm::vec3> weights;  ///< weights of the layers of the surface's material
+    std::vector<double> shares;      ///< probability of each layer to be sampled
+    std::vector<Stokes> incident;    ///< incident radiance of each channel
+    std::vector<double> irradiance;  ///< irradiance of each channel
+    std::uint64_t shadow_rays = 0;
+};
+
+/// Vertex at the end of the workspace's path. A workspace has one vertex at a time. Directions towards the
+/// light are unit vectors in the surface's frame.
+class PathVertex {
+public:
+    /// Moves the path's end from the light that leaves `hit`, in the frame `received`, into the frame in
+    /// which the surface's material reflects. Keeps references to the arguments.
+    PathVertex(const SurfaceHit& hit, const Frame& received, PathWorkspace& workspace);
+
+    [[nodiscard]] const SurfaceHit& hit() const noexcept { return hit_; }
+    [[nodiscard]] PathWorkspace& workspace() const noexcept { return workspace_; }
+
+    [[nodiscard]] glm::dvec3 in_world(const glm::dvec3& towards_light) const;
+    /// Returns the frame, in the world, of the light from a direction.
+    [[nodiscard]] Frame incident_frame(const glm::dvec3& towards_light) const;
+    /// Returns the ray from the point towards the light.
+    [[nodiscard]] Ray ray(const glm::dvec3& towards_light) const;
+    /// Returns whether light from a direction can reach the surface. A perturbed normal may face light from
+    /// below the surface, which the surface hides.
+    [[nodiscard]] bool lit_from(const glm::dvec3& towards_light) const;
+
+    /// Samples a direction towards the light. point: in [0, 1)^2. The direction may be one from which no
+    /// light reaches the surface.
+    [[nodiscard]] glm::dvec3 sample(const glm::dvec2& point) const;
+    /// Returns the density of sample() per steradian.
+    [[nodiscard]] double pdf(const glm::dvec3& towards_light) const;
+
+    /// Sets workspace().scattering to the pBRDF times the cosine, from incident_frame() to the path's end.
+    /// sized: whether the light has a size; smooth terms do not reflect other lights.
+    void evaluate(const glm::dvec3& towards_light, bool sized) const;
+    /// Adds the camera's share of workspace().incident, light from a direction in incident_frame(), whose
+    /// density is `pdf`. The other arguments are those of evaluate().
+    void add_reflected(const glm::dvec3& towards_light, double pdf, bool sized, std::span<Stokes> sum) const;
+    /// Moves the path's end to the light from a direction, in incident_frame(), whose density is `pdf`.
+    void extend(const glm::dvec3& towards_light, double pdf) const;
+
+private:
+    void weigh_layers() const;
+    /// Returns the factor of light from a direction, for a perturbed normal.
+    [[nodiscard]] double dimming(const glm::dvec3& towards_light) const;
+
+    const SurfaceHit& hit_;
+    PathWorkspace& workspace_;
+};
+
+}  // namespace nicol

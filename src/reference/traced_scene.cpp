@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#include "reference/traced_scene.hpp"
+
+#include <cstddef>
+#include <utility>
+
+#include "geometry/graded_mesh.hpp"
+#include "material/spatial_variation.hpp"
+#include "reference/light_arrival.hpp"
+#include "scene/middle.hpp"
+
+namespace nicol {
+namespace {
+
+// Returns the meshes of a scene's instances in the coordinates of rays, with triangles divided that are far
+// larger than an object beside them.
+std::vector<Mesh> placed_meshes(const Scene& scene, const glm::dmat4& from_world) {
+    std::vector<Mesh> meshes;
+    std::vector<MeshExtent> extents;
+    for (std::size_t i = 0; i < scene.instances().size(); ++i) {
+        const Instance& instance = scene.instances()[i];
+        meshes.push_back(placed(*instance.mesh, from_world * instance.to_world, scene.ids()[i]));
+        extents.push_back(extent_of(meshes.back()));
+    }
+    const Details details(extents);
+    for (std::size_t i = 0; i < meshes.size(); ++i)
+        if (const auto divided = graded(meshes[i], details.beside(extents[i]))) meshes[i] = *divided;
+    return meshes;
+}
+
+}  // namespace
+
+TracedScene::TracedScene(const Scene& scene) : channels_(scene.channels()), ids_(scene.ids()) {
+    if (!scene.instances().empty()) origin_ = middle_of(scene.instances()[largest_instance(scene)]);
+    from_world_ = from_middle(origin_);
+    elements_ = ElementsOnRay(scene.elements(), from_world_);
+    std::vector<RaySurface> triangles;
+    surfaces_.reserve(scene.instances().size());
+    std::vector<Mesh> meshes = placed_meshes(scene, from_world_);
+    for (std::size_t i = 0; i < ids_.size(); ++i) {
+        const Instance& instance = scene.instances()[i];
+        const MaterialPtr behind = instance.material->behind();
+        TracedSurface& surface =
+            surfaces_.emplace_back(TracedSurface{.mesh = std::move(meshes[i]),
+                                                 .front = traced(*instance.material),
+                                                 .back = traced(behind ? *behind : *instance.material),
+                                                 .emission = instance.emission.get()});
+        if (surface.emission != nullptr)
+            surface.emission_axis = axis_in_world(instance.to_world, surface.emission->state);
+        triangles.push_back({.positions = surface.mesh.positions,
+                             .triangles = surface.mesh.triangles,
+                             .present = surface.presence()});
+        triangles_ += surface.mesh.triangles.size();
+    }
+    rays_ = std::make_unique<RayScene>(triangles);
+}
+
+TracedMaterial TracedScene::traced(const Material& material) {
+    TracedMaterial out{.material = &material, .layers = {}};
+    const auto add_layer = [&](const Material& layer) {
+        const SurfaceSampler& sampler = samplers_.try_emplace(&layer, layer).first->second;
+        out.layers.push_back({.material = &layer, .sampler = &sampler});
+    };
+    if (const SpatialVariation* const variation = material.variation()) {
+        for (const MaterialLayer& layer : variation->layers) add_layer(*layer.material);
+    } else {
+        add_layer(material);
+    }
+    return out;
+}
+
+std::optional<TracedScene::Surfel> TracedScene::first_surface(const Ray& ray) const {
+    const std::optional<RayHit> found = rays_->intersect(ray);
+    if (!found) return std::nullopt;
+    const SurfaceHit hit = surface_at(*found, ray.direction);
+    return Surfel{.instance = ids_[found->surface], .position = hit.position, .normal = hit.frame[2]};
+}
+
+}  // namespace nicol

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+// Scene prepared for rays: its surfaces and its polarization elements.
+#pragma once
+
+#include <cstdint>
+#include <glm/mat4x4.hpp>
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "geometry/ray_scene.hpp"
+#include "reference/elements_on_ray.hpp"
+#include "reference/surface_sampler.hpp"
+#include "reference/traced_surface.hpp"
+#include "scene/scene.hpp"
+
+namespace nicol {
+
+/// Surfaces of a scene. Immutable; threads share it. The scene must not change during the object's lifetime.
+class TracedScene {
+public:
+    /// Throws the errors of RayScene.
+    explicit TracedScene(const Scene& scene);
+    TracedScene(const TracedScene&) = delete;
+    TracedScene& operator=(const TracedScene&) = delete;
+
+    /// Returns the origin, in the world, of the coordinates of rays and positions. The coordinates are
+    /// parallel to the world's.
+    [[nodiscard]] const glm::dvec3& origin() const noexcept { return origin_; }
+    /// Returns the transform from the world to the coordinates of rays.
+    [[nodiscard]] const glm::dmat4& from_world() const noexcept { return from_world_; }
+    [[nodiscard]] int channels() const noexcept { return channels_; }
+    [[nodiscard]] std::uint64_t triangles() const noexcept { return triangles_; }
+    /// Returns the surfaces, one per instance, by the index in RayHit.
+    [[nodiscard]] std::span<const TracedSurface> surfaces() const noexcept { return surfaces_; }
+    [[nodiscard]] const RayScene& rays() const noexcept { return *rays_; }
+    [[nodiscard]] const ElementsOnRay& elements() const noexcept { return elements_; }
+
+    /// Returns the point where a ray along `direction` has met a surface.
+    [[nodiscard]] SurfaceHit surface_at(const RayHit& found, const glm::dvec3& direction) const {
+        return surface_hit(surfaces_[found.surface], found, -direction);
+    }
+
+    /// Point where a ray first meets a surface.
+    struct Surfel {
+        std::uint32_t instance;  ///< id of the instance
+        glm::dvec3 position;
+        /// Unit shading normal, perturbed by textures; on the viewer's side for a two-sided material.
+        glm::dvec3 normal;
+    };
+    [[nodiscard]] std::optional<Surfel> first_surface(const Ray& ray) const;
+
+private:
+    /// Returns the material of one side of a surface, with samplers of its layers.
+    [[nodiscard]] TracedMaterial traced(const Material& material);
+
+    glm::dvec3 origin_{0.0};
+    glm::dmat4 from_world_{1.0};
+    int channels_;
+    std::uint64_t triangles_ = 0;
+    std::vector<TracedSurface> surfaces_;
+    std::vector<std::uint32_t> ids_;  // ids of the surfaces' instances
+    std::map<const Material*, SurfaceSampler> samplers_;
+    ElementsOnRay elements_;
+    std::unique_ptr<RayScene> rays_;
+};
+
+}  // namespace nicol
