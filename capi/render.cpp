@@ -9,6 +9,7 @@
 
 #include "assets.hpp"
 #include "handles.hpp"
+#include "scene/path_depth.hpp"
 
 using namespace nicol;
 using namespace nicol::capi;
@@ -89,6 +90,15 @@ static_assert(NICOL_AOV_DEPTH == aov_depth && NICOL_AOV_NORMAL == aov_normals &&
               NICOL_AOV_POSITION == aov_positions && NICOL_AOV_INSTANCE == aov_instances &&
               NICOL_AOV_VARIANCE == aov_variance && NICOL_AOV_ALPHA == aov_alpha);
 
+int depth_from(std::int32_t given) {
+    if (given < NICOL_DEPTH_UNLIMITED) {
+        refuse("max_depth is " + std::to_string(given) +
+               "; it must be 1 or more, 0 (the default, direct light) or NICOL_DEPTH_UNLIMITED");
+    }
+    if (given == NICOL_DEPTH_UNLIMITED) return kUnlimitedDepth;
+    return given == 0 ? kDirectLightDepth : given;
+}
+
 std::uint32_t aovs_from(std::uint32_t given) {
     if ((given & ~(NICOL_AOV_ALL | NICOL_AOV_VARIANCE)) != 0) {
         refuse("aovs is " + std::to_string(given) + "; it must be a sum of NICOL_AOV_...");
@@ -148,7 +158,7 @@ RenderOptions options_from(const nicol_render_options& given) {
     options.split_lights = given.split_lights;
     options.light_samples = int_from(given.light_samples, "light_samples");
     options.bsdf_samples = int_from(given.bsdf_samples, "bsdf_samples");
-    if (given.reserved != 0) refuse("options->reserved must be 0");
+    options.max_depth = depth_from(given.max_depth);
     options.samples = int_from(given.samples, "samples");
     options.seed = given.seed;
     options.progress = progress_from(given.progress, given.progress_user);

@@ -6,6 +6,7 @@
 
 #include "handles.hpp"
 #include "import/load_scene.hpp"
+#include "scene/path_depth.hpp"
 
 using namespace nicol;
 using namespace nicol::capi;
@@ -78,6 +79,7 @@ nicol_result nicol_scene_load(nicol_context context, const char* path, const cha
                        .height = static_cast<uint32_t>(loaded.height),
                        .luminance = loaded.luminance,
                        .sample_count = loaded.sample_count,
+                       .max_depth = loaded.max_depth,
                        .aovs = loaded.aovs};
         state->files = std::move(loaded.files);
         *scene = make_handle<nicol_scene_impl>(session, state);
@@ -239,6 +241,15 @@ nicol_result nicol_scene_get_sample_count(nicol_scene scene, uint32_t* samples) 
         const nicol_scene_impl& self = resolve(scene);
         require(samples, "samples");
         *samples = film_of(*self.content).sample_count;
+    });
+}
+
+nicol_result nicol_scene_get_max_depth(nicol_scene scene, int32_t* max_depth) {
+    return guarded([&] {
+        const nicol_scene_impl& self = resolve(scene);
+        require(max_depth, "max_depth");
+        const int depth = film_of(*self.content).max_depth;
+        *max_depth = depth == kUnlimitedDepth ? NICOL_DEPTH_UNLIMITED : depth;
     });
 }
 

@@ -1085,6 +1085,10 @@ NICOL_API nicol_result nicol_scene_get_film_size(nicol_scene scene, uint32_t* wi
 /* Gets the samples of a pixel that the sampler of a loaded file asks for, 0 if there is no sampler; for the
  * pixel_samples of nicol_render_options. Returns NICOL_ERROR_UNSUPPORTED for a scene that was not loaded. */
 NICOL_API nicol_result nicol_scene_get_sample_count(nicol_scene scene, uint32_t* samples);
+/* Gets the largest max_depth that the integrators of a loaded file ask for, for nicol_render_options: 1 or
+ * more, or NICOL_DEPTH_UNLIMITED, which is Mitsuba's default; 0 if there is no integrator. Returns
+ * NICOL_ERROR_UNSUPPORTED for a scene that was not loaded. */
+NICOL_API nicol_result nicol_scene_get_max_depth(nicol_scene scene, int32_t* max_depth);
 /* Gets the AOVs that the integrators of a loaded file ask for, a sum of NICOL_AOV_... for
  * nicol_render_options. Returns NICOL_ERROR_UNSUPPORTED for a scene that was not loaded. */
 NICOL_API nicol_result nicol_scene_get_aovs(nicol_scene scene, uint32_t* aovs);
@@ -1124,7 +1128,8 @@ typedef uint32_t nicol_method;
  * light is truncated at order_low too. The method is slower and larger, for comparison. */
 #define NICOL_METHOD_DENSE 1
 /* Monte Carlo integration of the light at each pixel, with shadows, without harmonics. The method is slow,
- * noisy and unbiased: the reference for the other methods. */
+ * noisy and unbiased: the reference for the other methods. With max_depth it follows light that surfaces
+ * reflect to each other, with full Mueller matrices along each path. */
 #define NICOL_METHOD_REFERENCE 2
 
 /* Reflection of the light's orders above order_low: the light is prefiltered by lobes, looked up at the
@@ -1188,11 +1193,15 @@ typedef uint32_t nicol_components;
 
 #define NICOL_DIRECTIONS_AUTOMATIC 0
 
+/* No limit of the path's length; Russian roulette ends paths without a bias. */
+#define NICOL_DEPTH_UNLIMITED (-1)
+
 #define NICOL_SPLIT_AUTOMATIC (-1)
 #define NICOL_MAX_SPLIT_LIGHTS 64
 
-/* Options of a render. The reference method uses only samples, seed, shadows, aovs, progress and
- * NICOL_OPTIMISATION_UNCHANGED; the other options are those of the factored and the dense method. */
+/* Options of a render. The reference method uses only samples, seed, max_depth, shadows, aovs,
+ * progress and NICOL_OPTIMISATION_UNCHANGED; the other options are those of the factored and the dense
+ * method. */
 typedef struct nicol_render_options {
     uint32_t struct_size;
     nicol_method method; /* method, default factored */
@@ -1273,7 +1282,12 @@ typedef struct nicol_render_options {
      * many again. Samples are weighted by the pBRDF, see the environment averaged over the gaps between them,
      * and cast shadow rays. 0: none; all lobes are those of harmonics, and anisotropic ones round. */
     uint32_t bsdf_samples;
-    uint32_t reserved; /* 0 */
+    /* Largest number of segments of a path from the camera to a light, counted as Mitsuba's max_depth: 1 is
+     * light that the camera sees directly, 2 adds light that a surface reflects once (direct light), 3 adds
+     * light that two surfaces reflect, and so on; NICOL_DEPTH_UNLIMITED: no limit. 0, the default: 2. Other
+     * methods than the reference compute direct light and refuse other numbers than 0 and 2 with
+     * NICOL_ERROR_UNSUPPORTED. More than 2 needs shadows. */
+    int32_t max_depth;
 } nicol_render_options;
 /* clang-format off */
 #define NICOL_RENDER_OPTIONS_INIT \

@@ -323,7 +323,7 @@ typedef struct nicol_render_options {
     int32_t split_lights;
     uint32_t light_samples;
     uint32_t bsdf_samples;
-    uint32_t reserved;
+    int32_t max_depth;
 } nicol_render_options;
 typedef struct nicol_job_impl* nicol_job;
 typedef uint32_t nicol_job_state;
@@ -580,6 +580,7 @@ nicol_result nicol_scene_get_polarization_element_ids(nicol_scene scene, uint32_
 nicol_result nicol_scene_get_camera(nicol_scene scene, nicol_camera* camera);
 nicol_result nicol_scene_get_film_size(nicol_scene scene, uint32_t* width, uint32_t* height);
 nicol_result nicol_scene_get_sample_count(nicol_scene scene, uint32_t* samples);
+nicol_result nicol_scene_get_max_depth(nicol_scene scene, int32_t* max_depth);
 nicol_result nicol_scene_get_aovs(nicol_scene scene, uint32_t* aovs);
 nicol_result nicol_scene_get_file_count(nicol_scene scene, uint32_t* count);
 nicol_result nicol_scene_get_file(nicol_scene scene, uint32_t index, nicol_scene_file* file);
@@ -727,6 +728,7 @@ return {
         COMPONENTS_S0 = 1,
         COMPONENTS_LINEAR = 3,
         DIRECTIONS_AUTOMATIC = 0,
+        DEPTH_UNLIMITED = -1,
         SPLIT_AUTOMATIC = -1,
         MAX_SPLIT_LIGHTS = 64,
         MAX_JOBS = 256,
@@ -848,6 +850,7 @@ return {
         scene_get_camera = true,
         scene_get_film_size = true,
         scene_get_sample_count = true,
+        scene_get_max_depth = true,
         scene_get_aovs = true,
         scene_get_file_count = true,
         scene_get_file = true,

@@ -73,6 +73,15 @@ std::uint32_t samples_of(nicol_scene scene) {
     return count == 0 ? without_sampler : std::min(count, most);
 }
 
+// Returns the length of light's paths that the scene asks for, which only the reference method follows, and
+// only with shadows.
+std::int32_t depth_of(nicol_scene scene, const Options& options) {
+    std::int32_t depth = 0;
+    if (options.method != NICOL_METHOD_REFERENCE || !options.shadows) return depth;
+    check(nicol_scene_get_max_depth(scene, &depth));
+    return depth;
+}
+
 void render(nicol_scene scene, nicol_framebuffer framebuffer, const Options& options, ProgressBar& progress) {
     nicol_camera camera = NICOL_CAMERA_INIT;
     check(nicol_scene_get_camera(scene, &camera));
@@ -98,6 +107,7 @@ void render(nicol_scene scene, nicol_framebuffer framebuffer, const Options& opt
     wanted.light_samples = options.light_samples.value_or(wanted.light_samples);
     wanted.bsdf_samples = options.bsdf_samples.value_or(wanted.bsdf_samples);
     wanted.samples = options.samples.value_or(wanted.samples);
+    wanted.max_depth = options.max_depth ? *options.max_depth : depth_of(scene, options);
     wanted.seed = options.seed;
     wanted.progress = ProgressBar::update;
     wanted.progress_user = &progress;

@@ -56,6 +56,9 @@ const char* const usage =
     "      --bsdf-samples N     most samples of the environment for each anisotropic or narrow lobe, 0 to "
     "1024; default 32\n"
     "      --samples N          of the reference method, camera rays a pixel, 1 to 1048576; default 256\n"
+    "      --max-depth N        by the reference method, how often light is reflected, counted as in "
+    "Mitsuba: 2 is\n"
+    "                           direct light, -1 no limit; default: that of the scene's integrator, else 2\n"
     "      --seed N             of the reference method, gives other noise; default 0\n"
     "      --cache DIR          keeps tables of materials and bakes of shadows there between runs;\n"
     "                           default: NICOL_CACHE, where empty none, else the user's cache folder\n"
@@ -97,6 +100,14 @@ double parse_strength(std::string_view option, std::string_view text) {
     if (error != std::errc() || end != text.data() + text.size() || !(value >= 0) || !std::isfinite(value))
         throw Failure(std::string(option) + ": '" + std::string(text) + "' is not a number of at least 0");
     return value;
+}
+
+std::int32_t parse_depth(std::string_view text) {
+    const std::int32_t depth =
+        text == "-1" ? NICOL_DEPTH_UNLIMITED : parse_number<std::int32_t>("--max-depth", text);
+    if (depth == 0 || depth < NICOL_DEPTH_UNLIMITED)
+        throw Failure("--max-depth: " + std::string(text) + " is neither 1 or more nor -1, no limit");
+    return depth;
 }
 
 void parse_size(Options& options, std::string_view text) {
@@ -265,6 +276,8 @@ Options parse_options(int argc, const char* const* argv) {
             options.bsdf_samples = parse_count(name, value(), 0, 1024);
         else if (name == "--samples")
             options.samples = parse_count(name, value(), 1, 1048576);
+        else if (name == "--max-depth")
+            options.max_depth = parse_depth(value());
         else if (name == "--seed")
             options.seed = parse_number<std::uint64_t>(name, value());
         else if (name == "--cache")

@@ -44,6 +44,7 @@ struct Options {
     std::optional<std::uint32_t> light_samples;
     std::optional<std::uint32_t> bsdf_samples;
     std::optional<std::uint32_t> samples;                            ///< number for the reference method
+    std::optional<std::int32_t> max_depth;                           ///< none: as the scene asks
     std::uint64_t seed = 0;                                          ///< seed for the reference method
     nicol_context_options load_limits = NICOL_CONTEXT_OPTIONS_INIT;  ///< only its limits of loading are used
     std::string cache;                           ///< folder; empty: NICOL_CACHE or the user's

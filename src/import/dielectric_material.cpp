@@ -15,8 +15,8 @@ bool reflects_often(const XmlDocument& document) {
     Notices heard_elsewhere(document);
     for (const pugi::xml_node node : document.elements(document.root()))
         if (std::string_view(node.name()) == "integrator")
-            return read_integrator(document, node, heard_elsewhere).reflects_often;
-    return IntegratorDescription().reflects_often;
+            return read_integrator(document, node, heard_elsewhere).reflects_often();
+    return IntegratorDescription().reflects_often();
 }
 
 }  // namespace

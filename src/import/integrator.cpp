@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// <integrator>: Mitsuba's, of which only AOVs and hide_emitters are followed.
+// <integrator>: Mitsuba's, of which only AOVs, hide_emitters and max_depth have an effect.
 #include <algorithm>
 #include <array>
 #include <string>
@@ -10,6 +10,7 @@
 #include "import/plugin.hpp"
 #include "import/readers.hpp"
 #include "import/text.hpp"
+#include "scene/path_depth.hpp"
 
 namespace nicol::scene {
 namespace {
@@ -77,6 +78,13 @@ std::uint32_t read_aovs(Plugin& plugin, pugi::xml_node node, Notices& notices) {
     return aovs;
 }
 
+/// Returns the max_depth of an integrator. Mitsuba's 0, a black image, is read as 1.
+int read_depth(Plugin& plugin) {
+    const double depth = plugin.number("max_depth", -1.0);
+    if (depth < 0.0 || depth >= kUnlimitedDepth) return kUnlimitedDepth;
+    return std::max(1, static_cast<int>(depth));
+}
+
 /// `left`: how many integrators may be read, itself counted. This ends circles of <ref>s.
 void read_integrator(const XmlDocument& document, pugi::xml_node node, Notices& notices,
                      IntegratorDescription& integrator, int& left) {
@@ -87,26 +95,27 @@ void read_integrator(const XmlDocument& document, pugi::xml_node node, Notices& 
     const auto type = std::ranges::find(kTypes, std::string_view(plugin.type()), &Type::name);
     if (type == kTypes.end())
         plugin.fail_type(joined(kTypes, &Type::name), "light is reflected once, to Stokes vectors");
-    const double max_depth = type->reflects_often ? plugin.number("max_depth", -1.0) : 2.0;
-    const bool reflects_often = max_depth < 0.0 || max_depth > 2.0;
-    integrator.reflects_often |= reflects_often;
+    const int max_depth = type->reflects_often ? read_depth(plugin) : kDirectLightDepth;
     integrator.aovs |= type->aovs;
     if (plugin.type() == "aov")
         integrator.aovs |= read_aovs(plugin, node, notices);
     else
         notices.add_unfollowed(node, "integrator " + in_quotes(plugin.type()) +
-                                         (reflects_often ? " (light is reflected once)" : ""));
+                                         (max_depth > kDirectLightDepth
+                                              ? " (light is reflected once, but by the reference method)"
+                                              : ""));
     integrator.hide_emitters |= plugin.boolean("hide_emitters", false);
-    if (!type->holds_others) return static_cast<void>(plugin.objects({}));
-    for (const NestedObject& inner : plugin.objects({"integrator"}))
-        read_integrator(document, inner.node, notices, integrator, left);
+    const auto others = type->holds_others ? plugin.objects({"integrator"}) : plugin.objects({});
+    // An integrator that holds others has their depth.
+    if (others.empty()) integrator.max_depth = std::max(integrator.max_depth, max_depth);
+    for (const NestedObject& inner : others) read_integrator(document, inner.node, notices, integrator, left);
 }
 
 }  // namespace
 
 IntegratorDescription read_integrator(const XmlDocument& document, pugi::xml_node node, Notices& notices) {
     int left = kMostIntegrators;
-    IntegratorDescription integrator{.reflects_often = false};
+    IntegratorDescription integrator;
     read_integrator(document, node, notices, integrator, left);
     return integrator;
 }

@@ -23,6 +23,7 @@
 #include "import/texture_specification.hpp"
 #include "light/local_light.hpp"
 #include "polarization/element.hpp"
+#include "scene/path_depth.hpp"
 
 namespace nicol {
 
@@ -119,10 +120,17 @@ struct ElementDescription : PolarizationElement {
 
 /// The parameters of an integrator that have an effect.
 struct IntegratorDescription {
-    /// Light is asked for that surfaces reflect to each other.
-    bool reflects_often = true;
+    /// Largest depth of paths of light (scene/path_depth.hpp), 1..kUnlimitedDepth; 0: the file has no
+    /// integrator.
+    int max_depth = 0;
     bool hide_emitters = false;  ///< see Scene::hide_emitters()
     std::uint32_t aovs = 0;      ///< bits of AovBit that the file asks for
+
+    /// Returns whether light is asked for that surfaces reflect to each other, which Mitsuba computes where a
+    /// file has no integrator.
+    [[nodiscard]] bool reflects_often() const noexcept {
+        return max_depth == 0 || max_depth > kDirectLightDepth;
+    }
 };
 
 struct SceneDescription {

@@ -11,10 +11,15 @@
 #include "image/observer.hpp"
 #include "progress.hpp"
 #include "reference/render_reference.hpp"
+#include "scene/path_depth.hpp"
 #include "surfaces/rigid_motion.hpp"
 
 namespace nicol {
 namespace {
+
+std::string depth_text(int max_depth) {
+    return max_depth == kUnlimitedDepth ? "unlimited" : std::to_string(max_depth);
+}
 
 void check(const RenderOptions& options) {
     if (options.method == Method::reference) return;  // the reference method checks its own options
@@ -51,6 +56,13 @@ void check(const RenderOptions& options) {
     if (options.bsdf_samples < 0 || options.bsdf_samples > kMaxBsdfSamples) {
         refuse("bsdf_samples is " + std::to_string(options.bsdf_samples) + "; it must lie in 0 to " +
                std::to_string(kMaxBsdfSamples));
+    }
+    if (options.max_depth != kDirectLightDepth) {
+        throw Error(
+            ErrorCode::unsupported,
+            "max_depth is " + depth_text(options.max_depth) +
+                ", which only the reference method follows; set method to reference, or max_depth to 2, "
+                "direct light");
     }
     if ((options.aovs & aov_variance) != 0) {
         refuse("aovs asks for the variance, which the reference method alone makes: others have no noise");
@@ -107,6 +119,7 @@ void render_by_reference(const Scene& scene, const Camera& camera, const RenderO
     Aovs aovs;
     StokesImage image = render_reference(scene, project(camera, width, height), width, height,
                                          {.samples = options.samples,
+                                          .max_depth = options.max_depth,
                                           .shadows = options.shadows,
                                           .luminance = target.channels() < scene.channels(),
                                           .seed = options.seed,

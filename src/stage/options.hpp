@@ -6,6 +6,8 @@
 #include <functional>
 #include <utility>
 
+#include "scene/path_depth.hpp"
+
 namespace nicol {
 
 /// Highest order that a render accepts.
@@ -81,8 +83,8 @@ private:
     Function function_;
 };
 
-/// Options of a render. The reference method uses only shadows, aovs, samples, seed and progress, and only
-/// this method makes aov_variance.
+/// Options of a render. The reference method uses only shadows, aovs, samples, max_depth, seed and progress,
+/// and only this method makes aov_variance.
 struct RenderOptions {
     Method method = Method::factored;
     Executor executor = Executor::automatic;
@@ -138,6 +140,9 @@ struct RenderOptions {
     std::uint32_t disabled_optimisations = 0;
     /// Camera rays per pixel of the reference method, 1 to 2^20. Powers of two are stratified best.
     int samples = 256;
+    /// Largest depth of paths of light (scene/path_depth.hpp), 1..kUnlimitedDepth. Methods but the reference
+    /// compute direct light only.
+    int max_depth = kDirectLightDepth;
     /// Seed of the reference method and of light samples. Equal seeds give equal images for any number of
     /// threads.
     std::uint64_t seed = 0;

@@ -46,3 +46,28 @@ STAGE_TEST_CASE("the reference method shows what the factored one shows, and wha
     CHECK(stage.image(defaults) == image);
     CHECK(stage.image() == factored);
 }
+
+STAGE_TEST_CASE("the reference method follows light to max_depth, and other methods refuse it") {
+    nicol_render_options options = reference(4);
+    const std::vector<float> direct = stage.image(options);
+    options.max_depth = 2;
+    CHECK(stage.image(options) == direct);
+    options.max_depth = 1;
+    CHECK(stage.image(options) != direct);
+    for (const std::int32_t depth : {3, NICOL_DEPTH_UNLIMITED}) {
+        options.max_depth = depth;
+        OK(stage.try_render(options));
+    }
+    options.shadows = 0;
+    REFUSES(stage.try_render(options), "shadows");
+    for (const nicol_method method : {NICOL_METHOD_FACTORED, NICOL_METHOD_DENSE}) {
+        options = plain_options();
+        options.method = method;
+        options.max_depth = 2;
+        OK(stage.try_render(options));
+        options.max_depth = 1;
+        FAILS(stage.try_render(options), NICOL_ERROR_UNSUPPORTED, "max_depth is 1");
+        options.max_depth = NICOL_DEPTH_UNLIMITED;
+        FAILS(stage.try_render(options), NICOL_ERROR_UNSUPPORTED, "max_depth is unlimited");
+    }
+}

@@ -403,7 +403,7 @@ STAGE_TEST_CASE("cameras and options out of range are refused, and the image sta
          {"light_samples", [](auto& o) { o.light_samples = UINT32_MAX; }},
          {"bsdf_samples is 1025; it must lie in 0 to 1024", [](auto& o) { o.bsdf_samples = 1025; }},
          {"bsdf_samples", [](auto& o) { o.bsdf_samples = UINT32_MAX; }},
-         {"options->reserved must be 0", [](auto& o) { o.reserved = 1; }},
+         {"max_depth is -2; it must be 1 or more", [](auto& o) { o.max_depth = -2; }},
          {"shadows", [](auto& o) { o.shadows = 2; }},
          {"high_order_shadows", [](auto& o) { o.high_order_shadows = 2; }},
          {"shadows", [](auto& o) { o.shadows = 2, o.method = NICOL_METHOD_REFERENCE; }},

@@ -68,6 +68,30 @@ STAGE_TEST_CASE("a scene's environment comes back as it was set") {
     CHECK(stage.image() == before);
 }
 
+TEST_CASE("a file's max_depth is that of its integrators") {
+    const TemporaryFolder folder;
+    std::string text = scene_text;
+    const std::string integrator =
+        R"(<integrator type="stokes"><integer name="max_depth" value="2"/></integrator>)";
+    const std::string none =
+        folder.write("none.xml", std::string(text).erase(text.find(integrator), integrator.size()));
+    text.replace(text.find(integrator), integrator.size(), R"(<default name="depth" value="5"/>
+        <integrator type="stokes"><integrator type="path"><integer name="max_depth" value="$depth"/></integrator></integrator>)");
+    const std::string path = folder.write("scene.xml", text);
+    const auto depth_of = [](const LoadedScene& loaded) {
+        std::int32_t depth = 7;
+        OK(nicol_scene_get_max_depth(loaded.scene, &depth));
+        return depth;
+    };
+    on_every_backend([&](nicol_context context) {
+        CHECK(depth_of(LoadedScene(context, path, {})) == 5);
+        CHECK(depth_of(LoadedScene(context, path, {"depth=2"})) == 2);
+        CHECK(depth_of(LoadedScene(context, path, {"depth=-1"})) == NICOL_DEPTH_UNLIMITED);
+        CHECK(depth_of(LoadedScene(context, path, {"depth=0"})) == 1);
+        CHECK(depth_of(LoadedScene(context, none, {})) == 0);
+    });
+}
+
 TEST_CASE("a file's light comes back with its rotation and scale, a scale of 0 as darkness") {
     const TemporaryFolder folder;
     std::string text = scene_text;
@@ -111,6 +135,9 @@ CONTEXT_TEST_CASE("a scene has the channels of its parts, which must fit, and no
     FAILS(nicol_scene_get_camera(scene, &camera), NICOL_ERROR_UNSUPPORTED, "camera");
     FAILS(nicol_scene_get_film_size(scene, &width, &height), NICOL_ERROR_UNSUPPORTED, "film");
     FAILS(nicol_scene_get_sample_count(scene, &width), NICOL_ERROR_UNSUPPORTED, "film");
+    std::int32_t max_depth = 7;
+    FAILS(nicol_scene_get_max_depth(scene, &max_depth), NICOL_ERROR_UNSUPPORTED, "film");
+    CHECK(max_depth == 7);
     FAILS(nicol_scene_get_aovs(scene, &width), NICOL_ERROR_UNSUPPORTED, "film");
     CHECK((camera.fov == 12 && width == 5 && height == 6));
 

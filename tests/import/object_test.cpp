@@ -294,7 +294,8 @@ TEST_CASE("one notice for all that only steers Mitsuba's sampling") {
         a_shape);
     REQUIRE(s.notices.size() == 1);
     CHECK(
-        s.notices[0].ends_with("scene.xml:2: not followed: integrator \"path\" (light is reflected once), "
+        s.notices[0].ends_with("scene.xml:2: not followed: integrator \"path\" (light is reflected once, but "
+                               "by the reference method), "
                                "sample_border, mis_compensation."));
     const SceneDescription twice = read(
         "<integrator type='stokes'><integrator type='direct' id='d'/></integrator>" + a_sensor + a_shape +
@@ -320,24 +321,27 @@ TEST_CASE("integrators that hold others") {
     REQUIRE(listed.size() == 1);
     CHECK(
         listed[0].ends_with("not followed: integrator \"moment\", integrator \"volpath\" "
-                            "(light is reflected once), integrator \"depth\"."));
+                            "(light is reflected once, but by the reference method), integrator \"depth\"."));
     const std::string hide = "<boolean name='hide_emitters' value=";
     struct Case {
         std::string inner;
-        bool hide_emitters, reflects_often;
+        bool hide_emitters;
+        int max_depth;
     };
     for (const Case& c :
-         {Case{"<integrator type='path'>" + hide + "'false'/></integrator>", false, true},
+         {Case{"<integrator type='path'>" + hide + "'false'/></integrator>", false, kUnlimitedDepth},
           Case{"<integrator type='path'>" + hide +
                    "'true'/><integer name='max_depth' value='2'/></integrator>",
-               true, false},
-          Case{"<integrator type='direct'/>", false, false},
-          Case{"<integrator type='volpath'><integer name='max_depth' value='3'/></integrator>", false,
-               true}}) {
+               true, 2},
+          Case{"<integrator type='direct'/>", false, 2},
+          Case{"<integrator type='path'><integer name='max_depth' value='1'/></integrator>", false, 1},
+          Case{"", false, 2},
+          Case{"<integrator type='volpath'><integer name='max_depth' value='3'/></integrator>", false, 3}}) {
         const IntegratorDescription integrator =
             read("<integrator type='moment'>" + c.inner + "</integrator>" + a_sensor + a_shape).integrator;
         CHECK(integrator.hide_emitters == c.hide_emitters);
-        CHECK(integrator.reflects_often == c.reflects_often);
+        CHECK(integrator.max_depth == c.max_depth);
+        CHECK(integrator.reflects_often() == (c.max_depth > 2));
     }
 }
 

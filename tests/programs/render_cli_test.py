@@ -181,6 +181,23 @@ class Success(RenderTest):
         self.assertNotEqual(self.image_and_statistics("good.xml", "--method=reference", "--samples=16")[0], first)
         self.assertNotEqual(self.image_and_statistics("good.xml")[0], first)
 
+    def test_max_depth(self):
+        corner = SHAPE + SHAPE.replace("<bsdf", '<transform name="to_world"><rotate y="1" angle="90"/></transform><bsdf')
+        integrator = '<integrator type="path"><integer name="max_depth" value="3"/></integrator>'
+        self.write("corner.xml", scene(integrator + EMITTER, corner))
+        reference = ["corner.xml", "--method=reference", "--samples=8"]
+        image = {depth: self.image_and_statistics(*reference, f"--max-depth={depth}")[0] for depth in (1, 2, 3, -1)}
+        self.assertEqual(len(set(image.values())), 4)
+        self.assertEqual(self.image_and_statistics(*reference)[0], image[3])
+        self.assertEqual(self.image_and_statistics(*reference, "--max-depth", "-1")[0], image[-1])
+        # Without an integrator in the scene, and without shadows, light is direct.
+        self.write("corner.xml", scene(EMITTER, corner))
+        self.assertEqual(self.image_and_statistics(*reference)[0], image[2])
+        self.write("corner.xml", scene(integrator + EMITTER, corner))
+        self.assert_succeeds(*reference, "-o", "out/a.exr", "--no-shadows")
+        # The other methods reflect light once, whatever the scene asks for.
+        self.assert_succeeds("corner.xml", "-o", "out/a.exr")
+
     def test_cache(self):
         def tables():
             names = os.listdir(self.path("tables")) if os.path.isdir(self.path("tables")) else []
@@ -426,6 +443,11 @@ class CommandLine(RenderTest):
             (["--split-lights", "'-1'"], "--split-lights -1"),
             (["--light-samples", "0", "1 to 1024"], "--light-samples 0"),
             (["--light-samples", "1025"], "--light-samples 1025"),
+            (["--max-depth", "0", "-1"], "--max-depth 0"),
+            (["--max-depth", "-2"], "--max-depth=-2"),
+            (["--max-depth", "'deep'"], "--max-depth deep"),
+            (["max_depth is 3", "reference"], "--max-depth 3"),
+            (["max_depth to 2"], "--max-depth 3 --no-shadows --method reference"),
             (["--samples", "'many'"], "--samples many"),
             (["--samples", "0"], "--samples 0"),
             (["--samples", "1048577"], "--method reference --samples 1048577"),

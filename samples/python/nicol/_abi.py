@@ -94,6 +94,7 @@ COMPONENTS_ALL = 0
 COMPONENTS_S0 = 1
 COMPONENTS_LINEAR = 3
 DIRECTIONS_AUTOMATIC = 0
+DEPTH_UNLIMITED = -1
 SPLIT_AUTOMATIC = -1
 MAX_SPLIT_LIGHTS = 64
 MAX_JOBS = 256
@@ -627,8 +628,9 @@ class SceneFile(Struct):
 
 
 class RenderOptions(Struct):
-    """Options of a render. The reference method uses only samples, seed, shadows, aovs, progress and
-    NICOL_OPTIMISATION_UNCHANGED; the other options are those of the factored and the dense method."""
+    """Options of a render. The reference method uses only samples, seed, max_depth, shadows, aovs,
+    progress and NICOL_OPTIMISATION_UNCHANGED; the other options are those of the factored and the dense
+    method."""
     _callbacks_ = {"progress": ProgressCallback}
     _fields_ = [
         ("struct_size", c_uint32),
@@ -657,7 +659,7 @@ class RenderOptions(Struct):
         ("split_lights", c_int32),
         ("light_samples", c_uint32),
         ("bsdf_samples", c_uint32),
-        ("reserved", c_uint32),
+        ("max_depth", c_int32),
     ]
     _defaults_ = {
         "order_low": 4294967295,
@@ -1425,6 +1427,14 @@ class Scene(Handle):
         check(_scene_get_sample_count(self, byref(samples)))
         return samples.value
 
+    def get_max_depth(self):
+        """Gets the largest max_depth that the integrators of a loaded file ask for, for nicol_render_options: 1 or
+        more, or NICOL_DEPTH_UNLIMITED, which is Mitsuba's default; 0 if there is no integrator. Returns
+        NICOL_ERROR_UNSUPPORTED for a scene that was not loaded."""
+        max_depth = c_int32()
+        check(_scene_get_max_depth(self, byref(max_depth)))
+        return max_depth.value
+
     def get_aovs(self):
         """Gets the AOVs that the integrators of a loaded file ask for, a sum of NICOL_AOV_... for
         nicol_render_options. Returns NICOL_ERROR_UNSUPPORTED for a scene that was not loaded."""
@@ -1919,6 +1929,7 @@ _scene_get_polarization_element_ids = declare("nicol_scene_get_polarization_elem
 _scene_get_camera = declare("nicol_scene_get_camera", c_int32, Scene, POINTER(Camera))
 _scene_get_film_size = declare("nicol_scene_get_film_size", c_int32, Scene, POINTER(c_uint32), POINTER(c_uint32))
 _scene_get_sample_count = declare("nicol_scene_get_sample_count", c_int32, Scene, POINTER(c_uint32))
+_scene_get_max_depth = declare("nicol_scene_get_max_depth", c_int32, Scene, POINTER(c_int32))
 _scene_get_aovs = declare("nicol_scene_get_aovs", c_int32, Scene, POINTER(c_uint32))
 _scene_get_file_count = declare("nicol_scene_get_file_count", c_int32, Scene, POINTER(c_uint32))
 _scene_get_file = declare("nicol_scene_get_file", c_int32, Scene, c_uint32, POINTER(SceneFile))
@@ -1994,6 +2005,7 @@ __all__ = [
     "Context",
     "ContextInfo",
     "ContextOptions",
+    "DEPTH_UNLIMITED",
     "DIRECTIONS_AUTOMATIC",
     "DISTRIBUTION_BECKMANN",
     "DISTRIBUTION_GGX",

@@ -91,6 +91,7 @@ pub const NICOL_COMPONENTS_ALL: u32 = 0;
 pub const NICOL_COMPONENTS_S0: u32 = 1;
 pub const NICOL_COMPONENTS_LINEAR: u32 = 3;
 pub const NICOL_DIRECTIONS_AUTOMATIC: u32 = 0;
+pub const NICOL_DEPTH_UNLIMITED: i32 = -1;
 pub const NICOL_SPLIT_AUTOMATIC: i32 = -1;
 pub const NICOL_MAX_SPLIT_LIGHTS: u32 = 64;
 pub const NICOL_MAX_JOBS: u32 = 256;
@@ -1151,8 +1152,9 @@ pub type nicol_shade_at = u32;
 pub type nicol_executor = u32;
 pub type nicol_components = u32;
 
-/// Options of a render. The reference method uses only samples, seed, shadows, aovs, progress and
-/// NICOL_OPTIMISATION_UNCHANGED; the other options are those of the factored and the dense method.
+/// Options of a render. The reference method uses only samples, seed, max_depth, shadows, aovs,
+/// progress and NICOL_OPTIMISATION_UNCHANGED; the other options are those of the factored and the dense
+/// method.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct nicol_render_options {
@@ -1182,7 +1184,7 @@ pub struct nicol_render_options {
     pub split_lights: i32,
     pub light_samples: u32,
     pub bsdf_samples: u32,
-    pub reserved: u32,
+    pub max_depth: i32,
 }
 impl Default for nicol_render_options {
     fn default() -> Self {
@@ -1231,7 +1233,7 @@ const _: () = {
     assert!(offset_of!(nicol_render_options, split_lights) == 120);
     assert!(offset_of!(nicol_render_options, light_samples) == 124);
     assert!(offset_of!(nicol_render_options, bsdf_samples) == 128);
-    assert!(offset_of!(nicol_render_options, reserved) == 132);
+    assert!(offset_of!(nicol_render_options, max_depth) == 132);
 };
 
 #[repr(C)]
@@ -1994,6 +1996,10 @@ extern "C" {
     /// Gets the samples of a pixel that the sampler of a loaded file asks for, 0 if there is no sampler; for the
     /// pixel_samples of nicol_render_options. Returns NICOL_ERROR_UNSUPPORTED for a scene that was not loaded.
     pub fn nicol_scene_get_sample_count(scene: nicol_scene, samples: *mut u32) -> nicol_result;
+    /// Gets the largest max_depth that the integrators of a loaded file ask for, for nicol_render_options: 1 or
+    /// more, or NICOL_DEPTH_UNLIMITED, which is Mitsuba's default; 0 if there is no integrator. Returns
+    /// NICOL_ERROR_UNSUPPORTED for a scene that was not loaded.
+    pub fn nicol_scene_get_max_depth(scene: nicol_scene, max_depth: *mut i32) -> nicol_result;
     /// Gets the AOVs that the integrators of a loaded file ask for, a sum of NICOL_AOV_... for
     /// nicol_render_options. Returns NICOL_ERROR_UNSUPPORTED for a scene that was not loaded.
     pub fn nicol_scene_get_aovs(scene: nicol_scene, aovs: *mut u32) -> nicol_result;
