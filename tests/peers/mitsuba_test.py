@@ -139,12 +139,63 @@ METHODS = {
 }
 
 
-def write_scene(folder, case):
-    sphere, floor, lights, depth, integrator = (*CASES[case], "path")[:5]
+def wall(bsdf, angle, axis="y"):
+    return f"""<shape type="rectangle"><transform name="to_world"><translate z="-1"/><scale value="2"/>
+        <rotate {axis}="1" angle="{angle}"/><translate y="1"/></transform>{bsdf}</shape>"""
+
+
+def corner(bsdf, other=None):
+    """Returns a floor and two walls behind and beside the sphere."""
+    return wall(bsdf, -90, "x") + wall(other or bsdf, 0) + wall(bsdf, 90)
+
+
+def room(bsdf):
+    """Returns a closed room around the sphere and the camera."""
+    return f'<shape type="cube"><boolean name="flip_normals" value="true"/><transform name="to_world"><scale value="6"/><translate y="4.5"/></transform>{bsdf}</shape>'
+
+
+ROUGH = '<bsdf type="roughplastic"><float name="alpha" value="0.3"/><float name="diffuse_reflectance" value="0.7"/></bsdf>'
+MASKED = f'<bsdf type="mask"><float name="opacity" value="0.4"/>{metal(0.3)}</bsdf>'
+LIT_ROOM = LAMP.replace('value="10"', 'value="30"')
+SQUARES = plastic(checkerboard("diffuse_reflectance", 0.8, 0.2))
+# Scenes of light that is reflected several times. name: (bsdf of the sphere, other shapes, lights[, Mitsuba's integrator: volpath
+# does not count what passes a mask])
+PATHS = {
+    "corner of plastic, environment": (plastic(), corner(plastic()), FOREST),
+    "corner of metal, point": (plastic(), corner(metal(0.4), metal(0.3)), POINT),
+    "room of plastic, area": (metal(0.3), room(plastic()), LIT_ROOM),
+    "room of rough plastic, spot and area": (metal(0.2), room(ROUGH), SPOT + LIT_ROOM),
+    "corner of squares, constant": (metal(0.3), corner(SQUARES, metal(0.3)), CONSTANT),
+    "measured corner, directional": (plastic(), corner(MEASURED, plastic()), DIRECTIONAL),
+    "masked sphere in a corner, area": (MASKED, corner(plastic(), metal(0.3)), LAMP, "volpath"),
+    "brushed corner, spot": (plastic(), corner(brushed(plastic(), 0.4, 0.15)), SPOT),
+}
+DEPTHS = (3, 6, nicol.DEPTH_UNLIMITED)
+# Tolerated differences of light that is reflected several times, over means of blocks of pixels.
+PATH_LIMITS = numpy.array((0.01, 0.005, 0.005, 0.005))
+BLOCK = 4
+
+
+def write_text(folder, text):
     write_measured(folder / "measured.pbsdf")
-    text = SCENE.format(assets=ASSETS, depth=depth, integrator=integrator, lights=lights, sphere=sphere, floor=FLOOR.format(floor) if floor else "")
     (folder / "scene.xml").write_text(text.replace("{folder}", str(folder)))
     return folder / "scene.xml"
+
+
+def write_scene(folder, case):
+    sphere, floor, lights, depth, integrator = (*CASES[case], "path")[:5]
+    return write_text(folder, SCENE.format(assets=ASSETS, depth=depth, integrator=integrator, lights=lights, sphere=sphere, floor=FLOOR.format(floor) if floor else ""))
+
+
+def write_paths(folder, case, depth):
+    sphere, shapes, lights, integrator = (*PATHS[case], "path")[:4]
+    return write_text(folder, SCENE.format(assets=ASSETS, depth=depth, integrator=integrator, lights=lights, sphere=sphere, floor=shapes))
+
+
+def blocks(image):
+    """Returns means over blocks of pixels, which have less noise."""
+    height, width = image.shape[:2]
+    return image.reshape(height // BLOCK, BLOCK, width // BLOCK, BLOCK, 4).mean((1, 3))
 
 
 def mitsuba_images(scene_file):
@@ -175,13 +226,16 @@ class MitsubaTest(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.folder = pathlib.Path(folder.name)
 
-    def check(self, ours, truth, limits):
-        """Checks that ours differs from truth by no more than the limits and noise, and that each mistake would be
-        detected."""
+    def check_close(self, ours, truth, limits):
+        """Checks that ours differs from truth by no more than the limits and noise."""
         error, deviation = peer.squared_error(ours, truth)
         allowed = limits**2 + 4 * deviation
         print(" ", *(f"s{i} {max(e, 0) ** 0.5:.4f} of {a**0.5:.4f}" for i, (e, a) in enumerate(zip(error, allowed))), flush=True)
         self.assertTrue((error <= allowed).all(), f"squared errors {error}; allowed {allowed}")
+
+    def check(self, ours, truth, limits):
+        """Checks that ours is close to the truth, and that each mistake would be detected."""
+        self.check_close(ours, truth, limits)
         for name, mistake in MISTAKES.items():
             if "s3" in name and not truth[0][..., 3].any():
                 continue
@@ -197,6 +251,24 @@ class MitsubaTest(unittest.TestCase):
                     print(f"{case}, {method}", end=":")
                     seeds = (1, 2) if method == "reference" else (1, 1)
                     self.check([peer.nicol_image(scene, seed=seed, **options) for seed in seeds], truth, numpy.array(limits))
+
+    def test_paths(self):
+        """The reference method follows light that surfaces reflect to each other."""
+        options, *_ = METHODS["reference"]
+
+        def ours(scene, depth):
+            return [blocks(peer.nicol_image(scene, seed=seed, max_depth=depth, **options)) for seed in (1, 2)]
+
+        for case in PATHS:
+            direct = ours(write_paths(self.folder, case, 2), 2)
+            for depth in DEPTHS:
+                with self.subTest(case=case, depth=depth):
+                    print(f"{case}, depth {depth}", end=":")
+                    scene = write_paths(self.folder, case, depth)
+                    truth = [blocks(image) for image in mitsuba_images(scene)]
+                    self.check_close(ours(scene, depth), truth, PATH_LIMITS)
+                    error, deviation = peer.squared_error(direct, truth)
+                    self.assertTrue((error > PATH_LIMITS**2 + 4 * deviation).any(), "direct light alone does")
 
     def test_angles(self):
         """The AoLP agrees modulo 180 degrees wherever light is polarized."""
