@@ -9,6 +9,9 @@
 /// Measures visibility at the vertices.
 Report bench_bake(const Options& options);
 
+/// Measures the light that surfaces reflect to each other, and what images err without it.
+Report bench_bounces(const Options& given);
+
 /// Measures errors of a mesh of few triangles, at vertices and at pixels.
 Report bench_coarse(const Options& given);
 

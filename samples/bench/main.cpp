@@ -51,6 +51,11 @@ const Command commands[] = {
      bench_places,
      {"--backend", "--cache", "--size", "--samples", "--csv", "--json"},
      "errors far from the origin, on large floors and of close depths"},
+    {"bounces",
+     bench_bounces,
+     {"--backend", "--cache", "--size", "--samples", "--csv", "--json"},
+     "light that surfaces reflect to each other: what is missing without it, by rays and by\n"
+     "              default"},
     {"extremes",
      bench_extremes,
      {"--backend", "--cache", "--size", "--samples", "--only", "--csv", "--json"},

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <string>
+
+#include "commands.hpp"
+#include "scene_file.hpp"
+#include "temporary_folder.hpp"
+#include "truth.hpp"
+
+namespace {
+
+constexpr std::int32_t kAllLight = 12;  // depth after which little light is left
+
+constexpr const char* kSky = R"(<emitter type="envmap"><string name="filename" value=")" NICOL_BENCH_ASSETS
+                             R"(/forest.exr"/></emitter>)";
+constexpr const char* kLamp =
+    R"(<shape type="rectangle"><transform name="to_world"><scale value="0.5"/><lookat origin="1,2.8,1" target="0,0,0" up="1,0,0"/>)"
+    R"(</transform><emitter type="area"><rgb name="radiance" value="20,18,15"/></emitter></shape>)";
+
+std::string plastic(const char* color) {
+    return R"(<bsdf type="pplastic"><rgb name="diffuse_reflectance" value=")" + std::string(color) +
+           R"("/><float name="alpha" value="0.2"/></bsdf>)";
+}
+
+std::string ball(const std::string& center, double radius, const std::string& material) {
+    return R"(<shape type="sphere"><transform name="to_world"><scale value=")" + std::to_string(radius) +
+           R"("/><translate value=")" + center + R"("/></transform>)" + material + "</shape>";
+}
+
+/// Returns a wall of half side 3 that faces the middle of a cube, after a rotation of the one behind it.
+std::string wall(const std::string& rotation, const std::string& material) {
+    return R"(<shape type="rectangle"><transform name="to_world"><translate z="-1"/><scale value="3"/><rotate )" +
+           rotation + R"(/><translate y="2"/></transform>)" + material + "</shape>";
+}
+
+const std::string kFloor = wall(R"(x="1" angle="-90")", plastic("0.5,0.45,0.4"));
+
+std::string three_walls() {
+    return kFloor + wall(R"(y="1" angle="0")", plastic("0.6,0.6,0.6")) +
+           wall(R"(y="1" angle="90")", plastic("0.7,0.3,0.2"));
+}
+
+std::string thirty_balls() {
+    std::string balls;
+    for (int i = 0; i < 30; ++i) {
+        const double angle = 2.4 * i;
+        const double distance = 0.4 * std::sqrt(i);
+        balls += ball(std::to_string(distance * std::cos(angle)) + ",-0.7," +
+                          std::to_string(distance * std::sin(angle)),
+                      0.3, plastic(i % 2 == 0 ? "0.7,0.4,0.2" : "0.3,0.5,0.7"));
+    }
+    return balls;
+}
+
+struct Example {
+    const char* name;
+    const char* eye;
+    std::string content;
+};
+
+std::array<Example, 5> examples() {
+    const std::string middle = ball("0,0,0", 1, plastic("0.7,0.4,0.2"));
+    const std::string closing = wall(R"(y="1" angle="-90")", plastic("0.2,0.3,0.7")) +
+                                wall(R"(x="1" angle="90")", plastic("0.7,0.7,0.7"));
+    return {{{"a ball", "1.5,2,5", kSky + middle},
+             {"a ball on a floor", "1.5,2,5", kSky + middle + kFloor},
+             {"thirty balls on a floor", "1.5,2,5", kSky + thirty_balls() + kFloor},
+             {"a ball between three walls", "2,2,5", kSky + middle + three_walls()},
+             {"a ball and a lamp between five walls", "0.5,2,7", kLamp + middle + three_walls() + closing}}};
+}
+
+Image traced(const Stage& stage, nicol_framebuffer framebuffer, std::uint32_t samples, std::uint64_t seed,
+             std::int32_t max_depth) {
+    nicol_render_options options = reference_options(samples, seed, true);
+    options.max_depth = max_depth;
+    stage.render(options, framebuffer);
+    return read_image(framebuffer);
+}
+
+double sum_of_s0(const Image& image) {
+    double sum = 0;
+    for (std::size_t i = 0; i < image.stokes.size(); i += 4) sum += static_cast<double>(image.stokes[i]);
+    return sum;
+}
+
+}  // namespace
+
+Report bench_bounces(const Options& given) {
+    const std::uint32_t size = given.size == 0 ? 96 : given.size;
+    const std::uint32_t samples = given.samples == 0 ? 256 : given.samples;
+    const TemporaryFolder folder;
+    Options options = given;
+    const std::filesystem::path file = folder.path() / "scene.xml";
+    options.scene = file.string();
+
+    Report report({"against light to depth 12", "missing", "s0", "s1", "s2"});
+    for (const Example& example : examples()) {
+        write_scene(file, example.eye, "0,0.2,0", example.content);
+        const SceneSource source(options);
+        const Stage stage(source);
+        const Framebuffer framebuffer = stage.framebuffer(size, size);
+        const Truth truth{.first = traced(stage, framebuffer.get(), samples, 1, kAllLight),
+                          .second = traced(stage, framebuffer.get(), samples, 2, kAllLight),
+                          .mask = Mask(std::size_t{size} * size, 1)};
+        const auto add = [&](const char* how, const Image& image) {
+            const StokesErrors errors = truth.errors(image);
+            report.add(std::string(example.name) + ", " + how,
+                       {1 - sum_of_s0(image) / sum_of_s0(truth.first), errors[0], errors[1], errors[2]});
+        };
+        add("rays to depth 2", traced(stage, framebuffer.get(), samples, 3, 2));
+        add("rays to depth 3", traced(stage, framebuffer.get(), samples, 3, 3));
+        stage.render(default_recipe().options(), framebuffer.get());
+        add("by default", read_image(framebuffer.get()));
+    }
+    report.note("Missing: part of the picture's light. Errors: RMSE over the RMS of s0, with the noise of " +
+                std::to_string(samples) + " samples a pixel.");
+    return report;
+}
