@@ -18,7 +18,8 @@ namespace {
 // Sizes of the layout of glsl/texture.glsl and glsl/pixel_texture.comp.
 constexpr std::size_t kHeaderWords = 8;
 constexpr std::size_t kTextureWords = 24;
-// With one texture the compiler of NVIDIA's driver (580) crashes. No textures are fewer than an array can have.
+// With one texture the compiler of NVIDIA's driver (580) crashes. No textures are fewer than an array can
+// have.
 constexpr std::size_t kFewestTextures = 2;
 
 std::uint32_t word(float value) {

@@ -211,10 +211,11 @@ void SceneGeometry::build(const Scene& scene, std::vector<Piece>& pieces) {
             const std::size_t first = piece.first + side * count;
             append_triangles(mesh, piece.mirrored() != (side == 1), first,
                              piece.twosided ? two_sided : next.triangles);
-            next.ranges.push_back({.first = first,
-                                   .last = first + count,
-                                   .material = material_of(scene.instances()[i], side == 1),
-                                   .instance = piece.id});
+            next.ranges.push_back(
+                {.first = first,
+                 .last = first + count,
+                 .material = equal_materials_.first_of(material_of(scene.instances()[i], side == 1)),
+                 .instance = piece.id});
         }
     }
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
@@ -223,6 +224,7 @@ void SceneGeometry::build(const Scene& scene, std::vector<Piece>& pieces) {
     next.one_sided = next.triangles.size();
     next.triangles.insert(next.triangles.end(), two_sided.begin(), two_sided.end());
 
+    equal_materials_.forget_unused();
     if (geometry_->ranges != next.ranges) material_version_ = new_version();
     geometry_ = std::make_shared<WorldGeometry>(std::move(next));
     pieces_ = std::move(pieces);
@@ -238,12 +240,14 @@ void SceneGeometry::set_materials(const Scene& scene) {
         const bool emits = instance.emission != nullptr && !scene.emitters_hidden() &&
                            (instance.emission->two_sided || !is_back(*geometry_, range));
         const EmissionPtr emission = emits ? instance.emission : nullptr;
-        const MaterialPtr material = material_of(instance, is_back(*geometry_, range));
+        const MaterialPtr material =
+            equal_materials_.first_of(material_of(instance, is_back(*geometry_, range)));
         if (range.material == material && range.emission == emission) continue;
         range.material = material;
         range.emission = emission;
         changed = true;
     }
+    equal_materials_.forget_unused();
     if (changed) material_version_ = new_version();
 }
 

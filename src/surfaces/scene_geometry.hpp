@@ -12,6 +12,7 @@
 #include "geometry/graded_mesh.hpp"
 #include "material/spatial_variation.hpp"
 #include "scene/scene.hpp"
+#include "surfaces/equal_materials.hpp"
 #include "surfaces/geometry.hpp"
 #include "versioned.hpp"
 #include "visibility/bake.hpp"
@@ -86,6 +87,7 @@ private:
 
     std::shared_ptr<WorldGeometry> geometry_ = std::make_shared<WorldGeometry>();
     std::vector<Piece> pieces_;
+    EqualMaterials equal_materials_;
     glm::dmat4 to_world_{1.0};
     glm::dmat3 own_axes_{1.0};
     glm::dmat3 mesh_axes_{1.0};  // axes of largest_mesh_, without its placement
