@@ -15,6 +15,9 @@ Report bench_bounces(const Options& given);
 /// Measures errors of a mesh of few triangles, at vertices and at pixels.
 Report bench_coarse(const Options& given);
 
+/// Measures what a change of objects, materials or light costs the frame after it.
+Report bench_edit(const Options& options);
+
 /// Measures the distance from the reference method, by order.
 Report bench_error(const Options& options);
 

@@ -67,6 +67,10 @@ const Command commands[] = {
       "--csv", "--json"},
      "frames after a move of the camera, a rotation of the light and no change, beside\n"
      "              drawing the triangles in one colour"},
+    {"edit",
+     bench_edit,
+     {"--backend", "--cache", "--size", "--only", "--csv", "--json"},
+     "what a moved, added or removed object, a new material and a new light cost a frame"},
     {"pareto",
      bench_pareto,
      {"SCENE.xml", "-D", "--light", "--backend", "--cache", "--size", "--samples", "--orders", "--memory",

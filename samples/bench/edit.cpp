@@ -1,0 +1,334 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <ctime>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "commands.hpp"
+#include "common/handles.hpp"
+#include "image.hpp"
+#include "median.hpp"
+#include "sphere.hpp"
+#include "stage.hpp"
+
+namespace {
+
+constexpr std::uint32_t kChannels = 3;
+constexpr std::uint32_t kRow = 10;  // balls in a row
+constexpr std::uint32_t kBalls = 50;
+constexpr std::uint32_t kPebbles = 1000;
+constexpr int kRounds = 3;  // repetitions of an edit
+
+struct Transform {
+    double to_world[16];
+};
+
+Transform scaled_at(double x, double y, double z, double scale) {
+    return {{scale, 0, 0, x, 0, scale, 0, y, 0, 0, scale, z, 0, 0, 0, 1}};
+}
+
+/// Places of 50 balls of radius 0.4 on a floor, and of 1,000 pebbles between them.
+Transform ball_place(std::uint32_t i) {
+    return scaled_at(i % kRow - 4.5, 0.4, i / kRow - 2.0, 0.4);
+}
+Transform pebble_place(std::uint32_t i) {
+    return scaled_at(0.25 * (i % 40) - 4.9, 0.06, 0.25 * (i / 40) - 2.9, 0.06);
+}
+
+Material plastic(nicol_context context, float reflectance, float alpha) {
+    nicol_pplastic parameters = NICOL_PPLASTIC_INIT;
+    parameters.diffuse_reflectance = {.count = kChannels, .values = {reflectance, 0.3F, 0.2F}};
+    parameters.alpha = alpha;
+    nicol_material material = nullptr;
+    check(nicol_material_create_pplastic(context, &parameters, &material));
+    return Material(material);
+}
+
+Environment forest(nicol_context context, double scale) {
+    nicol_environment_load_options options = NICOL_ENVIRONMENT_LOAD_OPTIONS_INIT;
+    options.scale = scale;
+    nicol_environment light = nullptr;
+    check(nicol_environment_load(context, NICOL_BENCH_ASSETS "/forest.exr", &options, &light));
+    return Environment(light);
+}
+
+Environment sky(nicol_context context, double sun) {
+    nicol_sky parameters = NICOL_SKY_INIT;
+    parameters.turbidity = 3;
+    parameters.sun_direction[0] = static_cast<float>(std::sin(sun));
+    parameters.sun_direction[1] = static_cast<float>(std::cos(sun));
+    nicol_environment light = nullptr;
+    check(nicol_environment_create_sky(context, &parameters, &light));
+    return Environment(light);
+}
+
+/// Time of a frame, in milliseconds on the clock and of all threads together, and its statistics.
+struct Frame {
+    double ms = 0;
+    double cpu_ms = 0;
+    nicol_statistics work = NICOL_STATISTICS_INIT;
+};
+
+/// A scene that is rendered with default options.
+class Film {
+public:
+    Film(nicol_context context, std::uint32_t size) : context_(context) {
+        nicol_scene scene = nullptr;
+        check(nicol_scene_create(context, &scene));
+        scene_.reset(scene);
+        nicol_framebuffer framebuffer = nullptr;
+        check(nicol_framebuffer_create(context, size, size, kChannels, &framebuffer));
+        framebuffer_.reset(framebuffer);
+        const double origin[3] = {0, 6, 9}, target[3] = {0, 0, 0}, up[3] = {0, 1, 0};
+        check(nicol_camera_look_at(&camera_, origin, target, up));
+    }
+
+    /// Renders the same scene from nothing.
+    [[nodiscard]] Film fresh(std::uint32_t size) const {
+        Film other(context_, size);
+        other.camera_ = camera_;
+        for (const std::uint32_t id : ids()) {
+            nicol_mesh mesh = nullptr;
+            nicol_material material = nullptr;
+            Transform place{};
+            check(nicol_scene_get_instance(scene(), id, &mesh, &material, place.to_world));
+            const Mesh held_mesh(mesh);
+            const Material held_material(material);
+            other.add(mesh, material, place);
+        }
+        nicol_environment light = nullptr;
+        double to_world[16];
+        double scale = 1;
+        check(nicol_scene_get_environment(scene(), &light, to_world, &scale));
+        other.set_light(Environment(light));
+        other.frame([] {});
+        return other;
+    }
+
+    [[nodiscard]] nicol_scene scene() const { return scene_.get(); }
+    [[nodiscard]] Image image() const { return read_image(framebuffer_.get()); }
+    [[nodiscard]] std::vector<std::uint32_t> ids() const {
+        std::uint32_t count = 0;
+        check(nicol_scene_get_instance_count(scene(), &count));
+        std::vector<std::uint32_t> all(count);
+        check(nicol_scene_get_instance_ids(scene(), all.data(), count));
+        return all;
+    }
+
+    std::uint32_t add(nicol_mesh mesh, nicol_material material, const Transform& place) {
+        nicol_instance instance = NICOL_INSTANCE_INIT;
+        instance.mesh = mesh;
+        instance.material = material;
+        std::ranges::copy(place.to_world, instance.to_world);
+        std::uint32_t id = 0;
+        check(nicol_scene_add_instance(scene(), &instance, &id));
+        return id;
+    }
+    void move(std::uint32_t id, const Transform& place) {
+        check(nicol_scene_set_transform(scene(), id, place.to_world));
+    }
+    void set_light(Environment light) {
+        check(nicol_scene_set_environment(scene(), light.get(), nullptr, 1));
+        light_ = std::move(light);
+    }
+    void orbit() {
+        angle_ += 0.01;
+        const double origin[3] = {9 * std::sin(angle_), 6, 9 * std::cos(angle_)};
+        const double target[3] = {0, 0, 0}, up[3] = {0, 1, 0};
+        check(nicol_camera_look_at(&camera_, origin, target, up));
+    }
+
+    /// Edits the scene and renders it.
+    Frame frame(const std::function<void()>& edit) {
+        const auto start = std::chrono::steady_clock::now();
+        const std::clock_t spent = std::clock();
+        edit();
+        check(nicol_render(scene(), &camera_, &options_, framebuffer_.get()));
+        Frame frame;
+        frame.ms =
+            std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+        frame.cpu_ms = 1e3 * static_cast<double>(std::clock() - spent) / CLOCKS_PER_SEC;
+        check(nicol_framebuffer_get_statistics(framebuffer_.get(), &frame.work));
+        return frame;
+    }
+
+private:
+    nicol_context context_;
+    Scene scene_;
+    Framebuffer framebuffer_;
+    Environment light_;
+    nicol_camera camera_ = NICOL_CAMERA_INIT;
+    nicol_render_options options_ = NICOL_RENDER_OPTIONS_INIT;
+    double angle_ = 0;
+};
+
+double relative_difference(const Image& image, const Image& truth) {
+    double sum = 0, power = 0;
+    for (std::size_t i = 0; i < image.stokes.size(); ++i) {
+        const double difference = static_cast<double>(image.stokes[i]) - static_cast<double>(truth.stokes[i]);
+        sum += difference * difference;
+        if (i % 4 == 0) power += static_cast<double>(truth.stokes[i]) * static_cast<double>(truth.stokes[i]);
+    }
+    return std::sqrt(sum / power);
+}
+
+/// Measures edits of one scene, one after the other.
+class Edits {
+public:
+    Edits(const Options& options, Report& report)
+        : size_(options.size == 0 ? 512 : options.size),
+          only_(options.only),
+          report_(report),
+          context_(make_context(options.backend, options.cache)),
+          film_(context_.get(), size_),
+          ball_(make_sphere(context_.get(), 1200, 0)),
+          pebble_(make_sphere(context_.get(), 60, 0)),
+          grey_(plastic(context_.get(), 0.4F, 0.2F)),
+          red_(plastic(context_.get(), 0.6F, 0.2F)) {
+        film_.set_light(forest(context_.get(), 1));
+        nicol_mesh floor = nullptr;
+        check(nicol_mesh_create_rectangle(context_.get(), &floor));
+        const Mesh held(floor);
+        film_.add(floor, grey_.get(), {{7, 0, 0, 0, 0, 0, 7, 0, 0, -7, 0, 0, 0, 0, 0, 1}});
+        // The first ball is the instance with the most vertices, which decides the axes of the bake.
+        for (std::uint32_t i = 0; i < kBalls; ++i)
+            balls_.push_back(film_.add(ball_.get(), i % 2 == 0 ? grey_.get() : red_.get(), ball_place(i)));
+        const Frame first = film_.frame([] {});
+        add_row("first picture", {first});
+    }
+
+    void run() {
+        for (const std::uint32_t count : {1U, 10U})
+            measure("move " + std::to_string(count) + " of 50", [&](int round) { move(count, round); });
+        measure("move the largest of 50",
+                [&](int round) { film_.move(balls_[0], scaled_at(-4.5, 0.5 + 0.05 * round, -2.0, 0.4)); });
+        measure_new_mesh();
+        measure_materials_and_lights();
+        measure_pebbles();
+    }
+
+private:
+    void move(std::uint32_t count, int round) {
+        for (std::uint32_t i = 0; i < count; ++i) {
+            const std::uint32_t ball = (24 + 7 * i) % kBalls;
+            Transform place = ball_place(ball);
+            place.to_world[3] += 0.05 * (round + 1);
+            place.to_world[11] += 0.03 * (round + 1);
+            film_.move(balls_[ball], place);
+        }
+    }
+
+    void measure_new_mesh() {
+        std::vector<std::uint32_t> others;
+        measure("new mesh of 1,000 vertices", [&](int round) {
+            const Mesh mesh = make_sphere(context_.get(), 1000, 0.02 * (round + 1));
+            others.push_back(film_.add(mesh.get(), grey_.get(), scaled_at(round - 1.0, 1.2, 0.5, 0.3)));
+        });
+        for (const std::uint32_t id : others) check(nicol_scene_remove_instance(film_.scene(), id));
+    }
+
+    void measure_materials_and_lights() {
+        const auto set = [&](float reflectance, float alpha) {
+            const Material material = plastic(context_.get(), reflectance, alpha);
+            check(nicol_scene_set_material(film_.scene(), balls_[24], material.get()));
+        };
+        measure("new reflectance", [&](int round) { set(0.5F + 0.1F * static_cast<float>(round), 0.2F); });
+        measure("new alpha", [&](int round) { set(0.4F, 0.25F + 0.05F * static_cast<float>(round)); });
+        std::vector<Environment> forests, skies;
+        for (int round = 0; round < kRounds; ++round) {
+            forests.push_back(forest(context_.get(), 1.1 + 0.1 * round));
+            skies.push_back(sky(context_.get(), 0.3 + 0.1 * round));
+        }
+        const auto light_by = [&](std::vector<Environment>& lights) {
+            return [&](int round) { film_.set_light(std::move(lights[static_cast<std::size_t>(round)])); };
+        };
+        measure("new environment", light_by(forests));
+        measure("new sky", light_by(skies));
+        film_.set_light(forest(context_.get(), 1));
+    }
+
+    void measure_pebbles() {
+        std::vector<std::uint32_t> pebbles;
+        const auto scatter = [&](int) {
+            for (std::uint32_t i = 0; i < kPebbles; ++i)
+                pebbles.push_back(film_.add(pebble_.get(), grey_.get(), pebble_place(i)));
+        };
+        const auto collect = [&](int) {
+            for (const std::uint32_t id : pebbles) check(nicol_scene_remove_instance(film_.scene(), id));
+            pebbles.clear();
+        };
+        const char* const names[] = {"add 1,000 instances", "move 1 of 1,050", "remove 1,000 instances"};
+        if (std::ranges::none_of(names, [&](const char* name) { return wanted(name); })) return;
+        if (wanted(names[0])) {
+            measure(names[0], scatter, 1);
+        } else {
+            film_.frame([&] { scatter(0); });
+        }
+        measure(names[1], [&](int round) { move(1, round); });
+        measure(names[2], collect, 1);
+    }
+
+    [[nodiscard]] bool wanted(const std::string& name) const { return name.find(only_) != std::string::npos; }
+
+    // Measures an edit, which is given the number of its repetition, over a frame of a moved camera.
+    void measure(const std::string& name, const std::function<void(int)>& edit, int rounds = kRounds) {
+        if (!wanted(name)) return;
+        film_.frame([] {});  // takes over what has not been measured
+        std::vector<Frame> frames;
+        for (int round = 0; round < rounds; ++round) frames.push_back(film_.frame([&] { edit(round); }));
+        const Image image = film_.image();
+        add_row(name, frames, relative_difference(image, film_.fresh(size_).image()));
+    }
+
+    void add_row(const std::string& name, const std::vector<Frame>& frames,
+                 double difference = std::nan("")) {
+        std::vector<double> still, still_cpu;
+        for (int i = 0; i < kRounds; ++i) {
+            const Frame frame = film_.frame([&] { film_.orbit(); });
+            still.push_back(frame.ms);
+            still_cpu.push_back(frame.cpu_ms);
+        }
+        const auto of = [&](auto&& value) {
+            std::vector<double> values;
+            for (const Frame& frame : frames) values.push_back(static_cast<double>(value(frame)));
+            return median(values);
+        };
+        report_.add(name, {of([](const Frame& f) { return f.ms; }) - median(still),
+                           of([](const Frame& f) { return f.cpu_ms; }) - median(still_cpu),
+                           of([](const Frame& f) { return f.work.project_ms; }),
+                           of([](const Frame& f) { return f.work.bake_ms; }),
+                           of([](const Frame& f) { return f.work.bake_trace_ms; }),
+                           of([](const Frame& f) { return f.work.relight_ms; }),
+                           of([](const Frame& f) { return f.work.bake_rays; }) / 1e6,
+                           of([](const Frame& f) { return f.work.vertices_traced; }),
+                           of([](const Frame& f) { return f.work.vertices_relit; }),
+                           of([](const Frame& f) { return f.work.vertices; }), difference});
+    }
+
+    std::uint32_t size_;
+    std::string only_;
+    Report& report_;
+    Context context_;
+    Film film_;
+    Mesh ball_;
+    Mesh pebble_;
+    Material grey_;
+    Material red_;
+    std::vector<std::uint32_t> balls_;
+};
+
+}  // namespace
+
+Report bench_edit(const Options& options) {
+    Report report({"after", "extra ms", "extra CPU ms", "project ms", "bake ms", "rays ms", "relight ms",
+                   "million rays", "vertices traced", "relit", "of", "difference"});
+    Edits(options, report).run();
+    report.note(
+        "A floor and 50 balls, default options. Extra: over a frame after a move of the camera. "
+        "Difference: RMS from a scene that has rendered nothing else, over the RMS of s0.");
+    return report;
+}
