@@ -101,8 +101,9 @@ bool SceneVisibility::bake(const SceneGeometry& surfaces, SurfaceRays& rays, con
             const BakeGeometry geometry = bake_geometry(surfaces, rays);
             Visibility visibility;
             if (carry) {
-                const FormerBake former{
-                    .visibility = **baked_, .kept = change.kept, .disturbances = change.disturbances};
+                const FormerBake former{.visibility = **baked_,
+                                        .kept = change.kept,
+                                        .disturbances = {change.added, change.removed}};
                 visibility = nicol::bake(geometry, *directions_, report, &baked, &former);
             } else {
                 visibility = load_or_bake(geometry, *directions_, folder_, notice_, report, &baked);

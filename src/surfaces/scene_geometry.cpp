@@ -174,7 +174,7 @@ void SceneGeometry::divide(std::vector<Piece>& pieces) const {
 
 void SceneGeometry::build(const Scene& scene, std::vector<Piece>& pieces) {
     WorldGeometry next;
-    Change change{.before = version_, .kept = {}, .disturbances = {}};
+    Change change{.before = version_, .kept = {}, .added = {}, .removed = {}};
     std::vector<glm::uvec3> two_sided;
     std::vector<char> stays(pieces_.size(), 0);
     for (std::size_t i = 0; i < pieces.size(); ++i) {
@@ -199,7 +199,7 @@ void SceneGeometry::build(const Scene& scene, std::vector<Piece>& pieces) {
             change.kept.push_back({.first = piece.first, .last = piece.last, .before = former.first});
         } else {
             const Mesh& in_place = *piece.in_place;
-            change.disturbances.push_back(piece.extent.ball);
+            change.added.push_back(piece.extent.ball);
             for (std::size_t side = 0; side < sides; ++side) {
                 next.positions.insert(next.positions.end(), in_place.positions.begin(),
                                       in_place.positions.end());
@@ -219,7 +219,7 @@ void SceneGeometry::build(const Scene& scene, std::vector<Piece>& pieces) {
         }
     }
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
-        if (stays[i] == 0) change.disturbances.push_back(pieces_[i].extent.ball);
+        if (stays[i] == 0) change.removed.push_back(pieces_[i].extent.ball);
     }
     next.one_sided = next.triangles.size();
     next.triangles.insert(next.triangles.end(), two_sided.begin(), two_sided.end());

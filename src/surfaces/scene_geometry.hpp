@@ -47,9 +47,10 @@ public:
 
     /// Change from the previous version to the current one.
     struct Change {
-        Version before = 0;              ///< previous version; 0: none
-        std::vector<VertexRun> kept;     ///< vertices of instances that have not moved
-        std::vector<Ball> disturbances;  ///< balls that contain all other triangles of both versions
+        Version before = 0;           ///< previous version; 0: none
+        std::vector<VertexRun> kept;  ///< vertices of instances that have not moved
+        std::vector<Ball> added;      ///< balls that contain all other triangles of the current version
+        std::vector<Ball> removed;    ///< balls that contain all other triangles of the previous version
     };
     [[nodiscard]] const Change& change() const noexcept { return change_; }
 

@@ -8,8 +8,8 @@
 #include <memory>
 #include <span>
 
-#include "geometry/ball.hpp"
 #include "geometry/ray_scene.hpp"
+#include "visibility/disturbed_rays.hpp"
 #include "visibility/visibility.hpp"
 
 namespace nicol {
@@ -49,8 +49,8 @@ struct VertexRun {
 /// since.
 struct FormerBake {
     const Visibility& visibility;
-    std::span<const VertexRun> kept;     ///< runs of vertices that have not moved
-    std::span<const Ball> disturbances;  ///< balls that together contain all added and removed triangles
+    std::span<const VertexRun> kept;  ///< runs of vertices that have not moved
+    Disturbances disturbances;
 };
 
 /// Receives the fraction done, 0 to 1, on the calling thread, several times a second. An exception that it

@@ -28,6 +28,52 @@ constexpr float kGrazing = 0x1p-17F;
     return all;
 }
 
+std::uint16_t bits_of(std::span<const std::uint64_t> words, std::size_t bundle) {
+    return static_cast<std::uint16_t>(words[bundle / 4] >> (16 * (bundle % 4)));
+}
+
+/// Rays from one point in directions of several bundles, traced sixteen at a time.
+class GatheredRays {
+public:
+    /// visible: words of bits, of which those of blocked rays are cleared.
+    GatheredRays(const RayScene& scene, const glm::vec3& origin, std::span<std::uint64_t> visible)
+        : scene_(scene), origin_(origin), visible_(visible) {}
+
+    /// Adds the rays of bundle number b whose bit is set.
+    void add(const RayBundle& bundle, std::size_t b, std::uint16_t rays) {
+        for (; rays != 0; rays = static_cast<std::uint16_t>(rays & (rays - 1))) {
+            const auto i = static_cast<std::size_t>(std::countr_zero(rays));
+            gathered_.x[count_] = bundle.x[i];
+            gathered_.y[count_] = bundle.y[i];
+            gathered_.z[count_] = bundle.z[i];
+            numbers_[count_] = RayBundle::kRays * b + i;
+            if (++count_ == RayBundle::kRays) trace();
+        }
+    }
+    /// Traces the rays that were added since the last call.
+    void trace() {
+        if (count_ == 0) return;
+        const auto active = static_cast<std::uint16_t>((1U << count_) - 1);
+        std::uint16_t blocked = scene_.occluded(origin_, gathered_, active);
+        any_blocked_ = any_blocked_ || blocked != 0;
+        for (; blocked != 0; blocked = static_cast<std::uint16_t>(blocked & (blocked - 1))) {
+            const std::size_t ray = numbers_[static_cast<std::size_t>(std::countr_zero(blocked))];
+            visible_[ray / 64] &= ~(std::uint64_t{1} << (ray % 64));
+        }
+        count_ = 0;
+    }
+    [[nodiscard]] bool any_blocked() const noexcept { return any_blocked_; }
+
+private:
+    const RayScene& scene_;
+    const glm::vec3& origin_;
+    std::span<std::uint64_t> visible_;
+    RayBundle gathered_{};
+    std::array<std::size_t, RayBundle::kRays> numbers_{};
+    std::size_t count_ = 0;
+    bool any_blocked_ = false;
+};
+
 }  // namespace
 
 std::uint64_t trace_vertex(const RayScene& scene, const DirectionSet& directions, const glm::vec3& origin,
@@ -38,23 +84,31 @@ std::uint64_t trace_vertex(const RayScene& scene, const DirectionSet& directions
     const std::size_t rest = directions.size() - last * RayBundle::kRays;
     std::uint64_t rays = 0;
     bool unoccluded = true;
+    GatheredRays gathered(scene, origin, words);
     for (std::size_t b = 0; b <= last; ++b) {
         const RayBundle& bundle = directions.bundles()[b];
         const unsigned real = b < last || rest == RayBundle::kRays ? 0xFFFFU : (1U << rest) - 1;
         const auto up = static_cast<std::uint16_t>(dispatch<above>(bundle, normal, 0.0F) & real);
         if (up == 0) continue;
         std::uint16_t blocked = 0;
-        if (former && former->disturbed[b] == 0) {
-            blocked = static_cast<std::uint16_t>(up & ~(former->bits[b / 4] >> (16 * (b % 4))));
-        } else {
-            const auto needed = static_cast<std::uint16_t>(dispatch<above>(bundle, normal, kGrazing) & real);
-            if (needed != 0) blocked = scene.occluded(origin, bundle, needed);
-            rays += static_cast<std::uint64_t>(std::popcount(needed));
+        std::uint16_t traced = up;
+        if (former) {
+            const std::uint16_t seen = bits_of(former->bits, b);
+            const DisturbedBundles& disturbed = *former->disturbed;
+            traced = static_cast<std::uint16_t>(
+                up & ((disturbed.may_close[b] & seen) | (disturbed.may_open[b] & ~seen)));
+            blocked = static_cast<std::uint16_t>(up & ~seen & ~traced);
         }
+        if (traced != 0)
+            traced = static_cast<std::uint16_t>(traced & dispatch<above>(bundle, normal, kGrazing));
+        rays += static_cast<std::uint64_t>(std::popcount(traced));
+        if (!former && traced != 0) blocked = scene.occluded(origin, bundle, traced);
         unoccluded = unoccluded && blocked == 0;
         words[b / 4] |= static_cast<std::uint64_t>(up & ~blocked) << (16 * (b % 4));
+        if (former) gathered.add(bundle, b, traced);
     }
-    visibility.set_unoccluded(vertex, unoccluded);
+    gathered.trace();
+    visibility.set_unoccluded(vertex, unoccluded && !gathered.any_blocked());
     return rays;
 }
 

@@ -8,14 +8,15 @@
 #include <span>
 
 #include "geometry/ray_scene.hpp"
+#include "visibility/disturbed_rays.hpp"
 #include "visibility/visibility.hpp"
 
 namespace nicol {
 
-/// Result of a former bake for one vertex: its bits, and 1 for each bundle of directions to trace again.
+/// Result of a former bake for one vertex: its bits, and the rays of each bundle whose result may differ.
 struct FormerBits {
     std::span<const std::uint64_t> bits;
-    std::span<const std::uint8_t> disturbed;
+    const DisturbedBundles* disturbed;
 };
 
 /// Sets the bits of a vertex, which must be 0, by rays from `origin` in the directions above the plane of the

@@ -104,10 +104,11 @@ TEST_CASE("a change reports what is kept and where the rest is") {
     REQUIRE(change.kept.size() == 1);
     CHECK(change.kept[0].first == 0);
     CHECK(change.kept[0].last == after.ranges[1].first);
-    REQUIRE(change.disturbances.size() == 2);
+    REQUIRE(change.added.size() == 1);
+    REQUIRE(change.removed.size() == 1);
     for (std::size_t v = after.ranges[1].first; v < after.ranges[1].last; ++v) {
-        CHECK(inside(change.disturbances[0], after.positions[v]));
-        CHECK(inside(change.disturbances[1], before.positions[v]));
+        CHECK(inside(change.added[0], after.positions[v]));
+        CHECK(inside(change.removed[0], before.positions[v]));
     }
 
     scene.remove(0);
