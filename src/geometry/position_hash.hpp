@@ -16,4 +16,9 @@ namespace nicol::geometry {
     return static_cast<std::size_t>(hash ^ (hash >> 32U));
 }
 
+/// Returns a hash of two vectors in this order.
+[[nodiscard]] inline std::size_t hash_of(const glm::vec3& a, const glm::vec3& b) {
+    return hash_of(a) * std::size_t{0x9e3779b97f4a7c15U} ^ hash_of(b);
+}
+
 }  // namespace nicol::geometry

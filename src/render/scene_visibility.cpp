@@ -54,6 +54,7 @@ void SceneVisibility::update(const SceneGeometry& surfaces, SurfaceRays& rays, b
     if (baked) {
         statistics.visibility_bytes = (*visible_)->bytes();
         if (*baked_ != *visible_) statistics.visibility_bytes += (*baked_)->bytes();
+        statistics.visibility_bytes += points_.bytes();
     }
     if (versions_ == former) return;
     before_.reset();
@@ -92,6 +93,7 @@ bool SceneVisibility::bake(const SceneGeometry& surfaces, SurfaceRays& rays, con
     const bool carry = !change.kept.empty() && baking_.is_current(change.before, count, axes);
     const bool ran = baking_.run(surfaces.version(), count, axes, [&] {
         const Stopwatch watch;
+        carried_ = carry ? baked_.version() : 0;
         baked_geometry_ = 0;
         spreading_.run(count, [&] { lattice_.emplace(count); });
         rotating_.run(count, axes, [&] { directions_ = lattice_->rotated(axes); });
@@ -127,10 +129,13 @@ void SceneVisibility::refine(const SceneGeometry& surfaces, SurfaceRays& rays, c
         std::shared_ptr<const Visibility> visible = *baked_;
         workers.run([&] {
             if (!(options.refine_tolerance > 0)) return;
-            const Refinement refinement =
-                load_or_refine(bake_geometry(surfaces, rays), *directions_, *visible,
-                               {.tolerance = options.refine_tolerance, .max_vertices = options.max_vertices},
-                               folder_, notice_, report, baked);
+            Refinement refinement =
+                refinement_of(surfaces, bake_geometry(surfaces, rays), *visible, options, report, baked);
+            points_ = std::move(refinement.points);
+            points_bake_ = baked_.version();
+            // A point takes less memory than a vertex, for which the limit leaves room.
+            const std::size_t vertices = visible->vertices() + refinement.parents.size();
+            if (vertices + points_.size() > options.max_vertices) points_ = {};
             if (refinement.parents.empty()) return;
             RefinedGeometry split = refined(surfaces.geometry(), refinement);
             refined_ = std::make_shared<WorldGeometry>(std::move(split.geometry));
@@ -145,6 +150,19 @@ void SceneVisibility::refine(const SceneGeometry& surfaces, SurfaceRays& rays, c
         visible_.change() = std::move(visible);
         count_bake(baked, watch, statistics);
     });
+}
+
+Refinement SceneVisibility::refinement_of(const SceneGeometry& surfaces, const BakeGeometry& geometry,
+                                          const Visibility& visible, const RenderOptions& options,
+                                          const BakeProgress& report, BakeStatistics& baked) const {
+    const RefineOptions wanted{.tolerance = options.refine_tolerance, .max_vertices = options.max_vertices};
+    FormerRefinement former{.points = points_, .disturbances = {}};
+    if (points_bake_ != baked_.version()) {
+        if (points_bake_ == 0 || points_bake_ != carried_)
+            return load_or_refine(geometry, *directions_, visible, wanted, folder_, notice_, report, baked);
+        former.disturbances = {surfaces.change().added, surfaces.change().removed};
+    }
+    return nicol::refine(geometry, *directions_, visible, wanted, report, baked, &former);
 }
 
 }  // namespace nicol

@@ -19,6 +19,7 @@
 #include "surfaces/surface_rays.hpp"
 #include "surfaces/surface_state.hpp"
 #include "versioned.hpp"
+#include "visibility/refine.hpp"
 #include "visibility/visibility.hpp"
 
 namespace nicol {
@@ -43,6 +44,11 @@ private:
               Workers& workers, Progress& progress, Statistics& statistics);
     void refine(const SceneGeometry& surfaces, SurfaceRays& rays, const RenderOptions& options,
                 Workers& workers, Progress& progress, Statistics& statistics);
+    /// Refines the surfaces, whose bake is `visible`; from the points of the former refinement if they
+    /// follow.
+    [[nodiscard]] Refinement refinement_of(const SceneGeometry& surfaces, const BakeGeometry& geometry,
+                                           const Visibility& visible, const RenderOptions& options,
+                                           const BakeProgress& report, BakeStatistics& baked) const;
 
     std::filesystem::path folder_;
     CacheNotice notice_;
@@ -54,8 +60,11 @@ private:
     Stage<Version, int, glm::dmat3> baking_;
     Versioned<std::shared_ptr<const Visibility>> baked_;
     Version baked_geometry_ = 0;  // version of the geometry that baked_ belongs to
+    Version carried_ = 0;         // version of the bake that baked_ was made from; 0: none
     // Inputs: bake, tolerance, largest number of vertices, whether unoccluded vertices count as occluded.
     Stage<Version, double, std::uint64_t, bool> refining_;
+    TracedPoints points_;                                   // of the last refinement
+    Version points_bake_ = 0;                               // version of the bake that points_ belong to
     std::shared_ptr<WorldGeometry> refined_;                // null: no triangle was split
     std::vector<TrianglePart> parts_;                       // triangles of refined_
     Versioned<std::shared_ptr<const Visibility>> visible_;  // visibility of the vertices of surfaces_

@@ -9,8 +9,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vec4.hpp>
-#include <numbers>
-#include <set>
+#include <optional>
 #include <unordered_map>
 #include <utility>
 
@@ -19,6 +18,7 @@
 #include "geometry/ray_scene.hpp"
 #include "progress.hpp"
 #include "visibility/bake_origins.hpp"
+#include "visibility/hidden_light.hpp"
 #include "visibility/vertex_rays.hpp"
 
 namespace nicol {
@@ -46,22 +46,26 @@ glm::vec3 unit(const glm::vec3& v) {
 class Refiner {
 public:
     Refiner(const BakeGeometry& geometry, const DirectionSet& directions, const Visibility& baked,
-            const RefineOptions& options, const BakeProgress& progress)
+            const RefineOptions& options, const BakeProgress& progress, const FormerRefinement* former)
         : geometry_(geometry),
           directions_(directions),
           baked_(baked),
           options_(options),
           progress_(progress),
+          former_(former),
           scene_(rays_of(geometry)),
+          light_(directions),
           mesh_(geometry.positions, geometry.triangles),
           normals_(geometry.normals.begin(), geometry.normals.end()) {
-        std::vector<glm::vec3> units;
-        for (const glm::vec3& normal : normals_) units.push_back(unit(normal));
+        if (former != nullptr) disturbed_.emplace(directions, former->disturbances);
+        std::vector<glm::vec3> units(normals_.size());
+        hidden_.resize(normals_.size());
+        tbb::parallel_for(std::size_t{0}, normals_.size(), [&](std::size_t v) {
+            units[v] = unit(normals_[v]);
+            hidden_[v] = light_.at(baked_, v, units[v]);
+        });
         shifts_ = bake_origins(geometry, units);
         for (std::size_t v = 0; v < shifts_.size(); ++v) shifts_[v] -= geometry.positions[v];
-        hidden_.resize(normals_.size());
-        tbb::parallel_for(std::size_t{0}, normals_.size(),
-                          [&](std::size_t v) { hidden_[v] = hidden(baked_, v, units[v]); });
         rows_.resize(normals_.size());
         for (std::size_t v = 0; v < rows_.size(); ++v) rows_[v] = v;
     }
@@ -76,21 +80,22 @@ public:
     }
 
     [[nodiscard]] Refinement result(BakeStatistics& statistics) {
-        const std::size_t words = baked_.at(0).size();
-        std::vector<std::uint64_t> bits(baked_.bits().begin(), baked_.bits().end());
+        std::vector<std::uint64_t> bits;
+        bits.reserve(rows_.size() * baked_.at(0).size());
+        bits.assign(baked_.bits().begin(), baked_.bits().end());
         std::vector<std::uint8_t> open(baked_.unoccluded().begin(), baked_.unoccluded().end());
         for (std::size_t v = baked_.vertices(); v < rows_.size(); ++v) {
-            const std::size_t row = rows_[v] - baked_.vertices();
-            const auto first = bits_.begin() + static_cast<std::ptrdiff_t>(row * words);
-            bits.insert(bits.end(), first, first + static_cast<std::ptrdiff_t>(words));
-            open.push_back(open_[row]);
+            const std::size_t point = rows_[v] - baked_.vertices();
+            bits.insert(bits.end(), points_.bits(point).begin(), points_.bits(point).end());
+            open.push_back(points_.unoccluded(point) ? 1 : 0);
         }
         statistics.rays += rays_;
-        statistics.vertices += open_.size();
+        statistics.vertices += traced_;
         return {.parents = mesh_.parents(),
                 .triangles = mesh_.triangles(),
                 .sources = mesh_.sources(),
-                .visibility = Visibility(directions_.size(), std::move(bits), std::move(open))};
+                .visibility = Visibility(directions_.size(), std::move(bits), std::move(open)),
+                .points = std::move(points_)};
     }
 
 private:
@@ -101,24 +106,8 @@ private:
         auto operator<=>(const Wrong&) const = default;
     };
 
-    // Returns the hidden irradiance and its first moment, relative to the irradiance at an unoccluded vertex.
-    [[nodiscard]] glm::vec4 hidden(const Visibility& visibility, std::size_t vertex,
-                                   const glm::vec3& normal) const {
-        glm::vec4 sum(0);
-        if (visibility.unoccluded(vertex)) return sum;
-        for (std::size_t i = 0; i < directions_.size(); ++i) {
-            const glm::vec3& direction = directions_.directions()[i];
-            const float cosine = glm::dot(normal, direction);
-            if (cosine > 0 && !visibility.seen(vertex, i)) {
-                sum +=
-                    directions_.weights()[i] * cosine * glm::vec4(1, direction.x, direction.y, direction.z);
-            }
-        }
-        return sum / std::numbers::pi_v<float>;
-    }
-
-    // Returns the magnitude of a difference of two hidden(): of the irradiance or of the moment, whichever is
-    // larger.
+    // Returns the magnitude of a difference of two sums of HiddenLight: of the irradiance or of the moment,
+    // whichever is larger.
     static double size(const glm::vec4& difference) {
         return static_cast<double>(std::max(
             std::abs(difference.x), glm::length(glm::vec3(difference.y, difference.z, difference.w))));
@@ -156,13 +145,20 @@ private:
     // Returns the square root of the area of triangles with an occluded vertex. Triangles that are there
     // twice count once.
     [[nodiscard]] double shadowed_extent() const {
-        double area = 0;
-        std::set<std::array<std::uint32_t, 3>> counted;
-        for (const glm::uvec3& t : mesh_.triangles()) {
+        using Corners = std::array<std::uint32_t, 3>;
+        std::vector<std::pair<Corners, std::size_t>> shadowed;
+        for (std::size_t i = 0; i < mesh_.triangles().size(); ++i) {
+            const glm::uvec3& t = mesh_.triangles()[i];
             if (!occluded(t.x) && !occluded(t.y) && !occluded(t.z)) continue;
-            std::array<std::uint32_t, 3> corners{t.x, t.y, t.z};
+            Corners corners{t.x, t.y, t.z};
             std::ranges::sort(corners);
-            if (!counted.insert(corners).second) continue;
+            shadowed.emplace_back(corners, i);
+        }
+        std::ranges::sort(shadowed);
+        double area = 0;
+        for (std::size_t k = 0; k < shadowed.size(); ++k) {
+            if (k > 0 && shadowed[k].first == shadowed[k - 1].first) continue;
+            const glm::uvec3& t = mesh_.triangles()[shadowed[k].second];
             const glm::dvec3 a(mesh_.positions()[t.x]);
             area += glm::length(glm::cross(glm::dvec3(mesh_.positions()[t.y]) - a,
                                            glm::dvec3(mesh_.positions()[t.z]) - a)) /
@@ -194,18 +190,43 @@ private:
         if (progress_) progress_(1);
         Visibility seen(directions_.size(), fresh.size());
         std::vector<glm::vec4> hides(fresh.size());
+        std::vector<glm::vec3> origins(fresh.size());
+        std::vector<glm::vec3> normals(fresh.size());
         std::atomic<std::uint64_t> rays = 0;
+        std::atomic<std::uint64_t> traced = 0;
         tbb::parallel_for(std::size_t{0}, fresh.size(), [&](std::size_t i) {
             const auto [a, b] = std::pair(fresh[i].x, fresh[i].y);
-            const glm::vec3 normal = unit(middle_normal(a, b));
-            const glm::vec3 place = 0.5F * mesh_.positions()[a] + 0.5F * mesh_.positions()[b];
-            rays += trace_vertex(*scene_, directions_, place + middle_shift(a, b), normal, i, {}, seen);
-            hides[i] = hidden(seen, i, normal);
+            normals[i] = unit(middle_normal(a, b));
+            origins[i] = 0.5F * mesh_.positions()[a] + 0.5F * mesh_.positions()[b] + middle_shift(a, b);
+            const std::uint64_t count = trace_point(origins[i], normals[i], i, seen, hides[i]);
+            rays += count;
+            traced += count > 0 ? 1 : 0;
         });
         rays_ += rays;
+        traced_ += traced;
         hidden_.insert(hidden_.end(), hides.begin(), hides.end());
-        bits_.insert(bits_.end(), seen.bits().begin(), seen.bits().end());
-        open_.insert(open_.end(), seen.unoccluded().begin(), seen.unoccluded().end());
+        points_.add(origins, normals, seen, hides);
+    }
+
+    // Finds what a point sees, as far as possible from the former refinement. Returns the number of rays.
+    std::uint64_t trace_point(const glm::vec3& origin, const glm::vec3& normal, std::size_t i,
+                              Visibility& seen, glm::vec4& hides) const {
+        DisturbedBundles bundles;
+        std::optional<FormerBits> known;
+        std::optional<std::size_t> point;
+        if (former_ != nullptr) point = former_->points.find(origin, normal);
+        if (point) {
+            if (!disturbed_->find(origin, normal, bundles)) {
+                std::ranges::copy(former_->points.bits(*point), seen.at(i).begin());
+                seen.set_unoccluded(i, former_->points.unoccluded(*point));
+                hides = former_->points.hidden(*point);
+                return 0;
+            }
+            known = {.bits = former_->points.bits(*point), .disturbed = &bundles};
+        }
+        const std::uint64_t rays = trace_vertex(*scene_, directions_, origin, normal, i, known, seen);
+        hides = light_.at(seen, i, normal);
+        return rays;
     }
 
     [[nodiscard]] std::size_t row_of_middle(std::uint32_t a, std::uint32_t b) const {
@@ -337,20 +358,21 @@ private:
     const Visibility& baked_;
     const RefineOptions& options_;
     const BakeProgress& progress_;
+    const FormerRefinement* const former_;
+    std::optional<DisturbedRays> disturbed_;  // set if there is a former refinement
     const std::shared_ptr<const RayScene> scene_;
+    HiddenLight light_;
     EdgeBisection mesh_;
     std::vector<WantedLength> wanted_;
-    // Arrays by vertex:
-    std::vector<glm::vec3> normals_;  // interpolated normals, of any length
-    std::vector<glm::vec3> shifts_;   // shifts from the vertices to the start of their rays
-    std::vector<std::size_t> rows_;   // rows of hidden_
-    // Values by traced point: all given vertices, then middles of edges, whether these are split or not.
+    std::vector<glm::vec3> normals_;  // by vertex: interpolated normals, of any length
+    std::vector<glm::vec3> shifts_;   // by vertex: shifts from the vertices to the start of their rays
+    std::vector<std::size_t> rows_;   // by vertex: rows of hidden_
+    // HiddenLight of all given vertices, then of points_.
     std::vector<glm::vec4> hidden_;
-    // Bits and flags by middle, as in Visibility.
-    std::vector<std::uint64_t> bits_;
-    std::vector<std::uint8_t> open_;
+    TracedPoints points_;  // middles of edges, whether these are split or not
     std::unordered_map<std::uint64_t, std::size_t> middles_;  // row of a pair's middle
     std::uint64_t rays_ = 0;
+    std::uint64_t traced_ = 0;  // points that any ray was traced from
     double shortest_ = 0;
     double short_ = 0;
 };
@@ -358,18 +380,21 @@ private:
 }  // namespace
 
 Refinement refine(const BakeGeometry& geometry, const DirectionSet& directions, const Visibility& visibility,
-                  const RefineOptions& options, const BakeProgress& progress, BakeStatistics& statistics) {
+                  const RefineOptions& options, const BakeProgress& progress, BakeStatistics& statistics,
+                  const FormerRefinement* former) {
     if (visibility.unoccluded_count() == visibility.vertices() ||
         visibility.vertices() >= options.max_vertices) {
         return {};
     }
     const Stopwatch watch;
-    Refiner refiner(geometry, directions, visibility, options, progress);
+    Refiner refiner(geometry, directions, visibility, options, progress, former);
     refiner.run();
     Refinement out = refiner.result(statistics);
     statistics.milliseconds += watch.milliseconds();
-    if (out.parents.empty()) return {};
-    return out;
+    if (!out.parents.empty()) return out;
+    Refinement none;
+    none.points = std::move(out.points);
+    return none;
 }
 
 }  // namespace nicol

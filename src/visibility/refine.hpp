@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "visibility/bake.hpp"
+#include "visibility/traced_points.hpp"
 
 namespace nicol {
 
@@ -28,6 +29,13 @@ struct Refinement {
     std::vector<glm::uvec3> triangles;   ///< all triangles of the refined mesh
     std::vector<std::uint32_t> sources;  ///< given triangle that contains each triangle; not decreasing
     Visibility visibility;               ///< visibility at the given and the added vertices
+    TracedPoints points = {};            ///< all points that were examined
+};
+
+/// An earlier refinement in the same directions, and what has changed since.
+struct FormerRefinement {
+    const TracedPoints& points;
+    Disturbances disturbances;
 };
 
 /// Splits triangles of a baked geometry until the hidden irradiance is linear between vertices within the
@@ -41,10 +49,13 @@ struct Refinement {
 /// and edges shorter than 1/256 are not split.
 ///
 /// `visibility` must be the result of bake(); added vertices are traced in the same way. If no vertex is
-/// occluded, nothing is refined and `parents` is empty. Adds its rays, vertices and time to `statistics`. The
-/// result depends on the arguments alone. Throws what bake() throws.
+/// occluded, nothing is refined and `parents` is empty. Adds its rays, vertices and time to `statistics`.
+///
+/// If a former refinement is given, only rays whose result may differ are traced; the result equals that
+/// without it. Throws what bake() throws.
 [[nodiscard]] Refinement refine(const BakeGeometry& geometry, const DirectionSet& directions,
                                 const Visibility& visibility, const RefineOptions& options,
-                                const BakeProgress& progress, BakeStatistics& statistics);
+                                const BakeProgress& progress, BakeStatistics& statistics,
+                                const FormerRefinement* former = nullptr);
 
 }  // namespace nicol

@@ -208,3 +208,42 @@ TEST_CASE("any triangles come to an end") {
     CHECK(refined.refinement.visibility.vertices() <= 3000);
     CHECK(refined.refinement.visibility.vertices() > 1000);
 }
+
+TEST_CASE("a refinement from the points of a former one equals a new one, with fewer rays") {
+    const auto scene = [](const std::vector<glm::vec3>& cubes) {
+        Mesh mesh;
+        append(mesh, make_rectangle(1), 3, {0, 0, 0});
+        for (const glm::vec3& place : cubes) append(mesh, make_cube(2), 0.2F, place);
+        return mesh;
+    };
+    const auto around = [](const glm::vec3& place) { return Ball{.centre = place, .radius = 0.35F}; };
+    const RefineOptions options{.tolerance = 0.02, .max_vertices = 20000};
+    std::mt19937 random(3);
+    std::uniform_real_distribution<float> coordinate(-2, 2);
+    std::vector<glm::vec3> cubes{{1.1F, 0.3F, 0.2F}, {-1.3F, 0.4F, 0.2F}, {0.2F, -1.2F, 0.2F}};
+    TracedPoints points = refine(scene(cubes), options).refinement.points;
+    for (int edit = 0; edit < 12; ++edit) {
+        std::vector<Ball> added, removed;
+        const std::size_t cube = random() % cubes.size();
+        if (edit % 3 != 1) {
+            removed.push_back(around(cubes[cube]));
+            cubes.erase(cubes.begin() + static_cast<std::ptrdiff_t>(cube));
+        }
+        if (edit % 3 != 2) {
+            cubes.emplace_back(coordinate(random), coordinate(random), 0.21F);
+            added.push_back(around(cubes.back()));
+        }
+        const Mesh mesh = scene(cubes);
+        const Refined fresh = refine(mesh, options);
+        const FormerRefinement former{.points = points, .disturbances = {added, removed}};
+        BakeStatistics statistics;
+        Refinement next =
+            refine(geometry_of(mesh), directions(), fresh.baked, options, {}, statistics, &former);
+        CAPTURES(edit, cubes.size());
+        REQUIRE(next.parents == fresh.refinement.parents);
+        CHECK(next.triangles == fresh.refinement.triangles);
+        CHECK(std::ranges::equal(next.visibility.bits(), fresh.refinement.visibility.bits()));
+        CHECK(statistics.rays < (fresh.statistics.rays - fresh.baked.vertices() * 100) / 2);
+        points = std::move(next.points);
+    }
+}

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#include "visibility/hidden_light.hpp"
+
+#include <array>
+#include <numbers>
+
+#include "simd/dispatch.hpp"
+
+namespace nicol {
+namespace {
+
+[[gnu::always_inline]] inline void add_hidden(std::size_t bundles, const RayBundle* bundle,
+                                              const Lanes* weights, const std::uint64_t* words,
+                                              const glm::vec3& normal, glm::vec4& sum) {
+    std::array<Lanes, 4> sums{};
+    for (std::size_t b = 0; b < bundles; ++b) {
+        const auto seen = static_cast<std::uint32_t>(words[b / 4] >> (16 * (b % 4)));
+        for (std::size_t i = 0; i < kLanes; ++i) {
+            const float x = bundle[b].x[i];
+            const float y = bundle[b].y[i];
+            const float z = bundle[b].z[i];
+            const float cosine = normal.x * x + normal.y * y + normal.z * z;
+            const float hidden = (seen >> i & 1U) == 0 ? weights[b].value[i] : 0.0F;
+            const float weight = hidden * (cosine > 0 ? cosine : 0.0F);
+            sums[0].value[i] += weight;
+            sums[1].value[i] += weight * x;
+            sums[2].value[i] += weight * y;
+            sums[3].value[i] += weight * z;
+        }
+    }
+    for (std::size_t i = 0; i < kLanes; ++i)
+        sum += glm::vec4(sums[0].value[i], sums[1].value[i], sums[2].value[i], sums[3].value[i]);
+}
+
+}  // namespace
+
+static_assert(RayBundle::kRays == kLanes);
+
+HiddenLight::HiddenLight(const DirectionSet& directions)
+    : directions_(directions), weights_(directions.bundles().size()) {
+    for (std::size_t i = 0; i < directions.size(); ++i)
+        weights_[i / kLanes][i % kLanes] = directions.weights()[i] / std::numbers::pi_v<float>;
+}
+
+glm::vec4 HiddenLight::at(const Visibility& visibility, std::size_t vertex,
+                          const glm::vec3& unit_normal) const {
+    glm::vec4 sum(0);
+    if (visibility.unoccluded(vertex)) return sum;
+    dispatch<add_hidden>(weights_.size(), directions_.bundles().data(), weights_.data(),
+                         visibility.at(vertex).data(), unit_normal, sum);
+    return sum;
+}
+
+}  // namespace nicol

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#include "visibility/traced_points.hpp"
+
+#include "geometry/position_hash.hpp"
+
+namespace nicol {
+namespace {
+
+template <class Value>
+void append(std::span<const Value> from, std::vector<Value>& to) {
+    to.insert(to.end(), from.begin(), from.end());
+}
+
+}  // namespace
+
+void TracedPoints::add(std::span<const glm::vec3> origins, std::span<const glm::vec3> normals,
+                       const Visibility& visibility, std::span<const glm::vec4> hidden) {
+    if (hidden.empty()) return;
+    words_ = visibility.at(0).size();
+    for (std::size_t i = 0; i < hidden.size(); ++i)
+        places_.try_emplace(geometry::hash_of(origins[i], normals[i]),
+                            static_cast<std::uint32_t>(size() + i));
+    append(origins, origins_);
+    append(normals, normals_);
+    append(visibility.bits(), bits_);
+    append(visibility.unoccluded(), unoccluded_);
+    append(hidden, hidden_);
+}
+
+std::optional<std::size_t> TracedPoints::find(const glm::vec3& origin, const glm::vec3& normal) const {
+    const auto place = places_.find(geometry::hash_of(origin, normal));
+    if (place == places_.end() || origins_[place->second] != origin || normals_[place->second] != normal)
+        return std::nullopt;
+    return place->second;
+}
+
+std::size_t TracedPoints::bytes() const noexcept {
+    return size() * (2 * sizeof(glm::vec3) + words_ * sizeof(std::uint64_t) + 1 + sizeof(glm::vec4)) +
+           places_.size() * sizeof(std::pair<std::size_t, std::uint32_t>);
+}
+
+}  // namespace nicol
