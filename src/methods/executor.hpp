@@ -67,6 +67,11 @@ public:
     /// their own frames, or in the geometry's axes for pixels. Returns the number of relit vertices.
     virtual std::uint64_t relight(const FactoredMethod& method, const TransferInput& input,
                                   std::span<const std::uint8_t> current, RenderRun& run) = 0;
+    /// Moves the light that relight() has kept to other vertices: that of vertex former[v] to v, unless
+    /// former[v] is kNoVertex. Returns false if the executor cannot; the kept light is then lost.
+    virtual bool renumber(std::span<const std::uint32_t> /*former*/, bool /*at_pixels*/, RenderRun& /*run*/) {
+        return false;
+    }
     /// Relights at least the vertices with current[v] == 0: computes their light after reflection. Returns
     /// the number of relit vertices.
     virtual std::uint64_t relight(const DenseMethod& method, const TransferInput& input,

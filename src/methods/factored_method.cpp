@@ -47,7 +47,7 @@ void FactoredMethod::bake(const TransferInput& input, VisibilityRequest* request
         run.workers.run([&] {
             std::optional<VisibilityProduct>& shadows = shadows_.change();
             if (former && baking_.any_current()) {
-                shadows.emplace(std::move(*former), baking_.current(), *input.visibility, *input.directions,
+                shadows.emplace(std::move(*former), baking_.former(), *input.visibility, *input.directions,
                                 input.geometry.normals);
                 return;
             }
@@ -66,6 +66,12 @@ void FactoredMethod::relight(const TransferInput& input, RenderExecutor& executo
     if (input.at_pixels && !*shadows_) return;  // all points have the same light
     if (!relighting_.update(input, executor.version(), input.light_version, input.at_pixels)) return;
     const Stopwatch watch;
+    if (relighting_.has_renumbered()) {
+        if (executor.renumber(relighting_.former(), input.at_pixels, run))
+            relighting_.renumbered();
+        else
+            relighting_.discard();
+    }
     run.statistics.vertices_relit += executor.relight(*this, input, relighting_.current(), run);
     relighting_.complete();
     run.statistics.relight_ms += watch.milliseconds();

@@ -41,10 +41,10 @@ private:
     Stage<Version, SampledTerms, int, int, LightKind> projecting_;
     Versioned<Tables> tables_;
     // Inputs: order, kind of the light.
-    VertexStage<int, LightKind> baking_{{}};
+    VertexStage<int, LightKind> baking_{{.renumbers = true}};
     Versioned<std::optional<VisibilityProduct>> shadows_;
     // Inputs: executor, light, whether pixels are shaded.
-    VertexStage<Version, Version, bool> relighting_{{}};
+    VertexStage<Version, Version, bool> relighting_{{.renumbers = true}};
 };
 
 }  // namespace nicol

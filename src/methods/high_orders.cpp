@@ -2,6 +2,7 @@
 #include "methods/high_orders.hpp"
 
 #include <algorithm>
+#include <array>
 #include <glm/vec2.hpp>
 #include <utility>
 
@@ -113,7 +114,16 @@ VisibilityBlocks HighOrderTransfer::expanded(const TransferInput& input, int ord
     const std::size_t vertices = input.geometry.positions.size();
     std::optional<VisibilityHarmonics> harmonics;
     run.workers.run([&] { harmonics.emplace(*input.directions, order); });
-    const std::span current = expanding_.current();
+    const std::span former = expanding_.former();
+    // Former vertices of a block; none if one of them is not known.
+    const auto known = [&](std::size_t first) -> std::optional<std::array<std::uint32_t, kLanes>> {
+        std::array<std::uint32_t, kLanes> out{};
+        for (std::size_t i = 0; i < kLanes; ++i) {
+            out[i] = former[std::min(first + i, vertices - 1)];
+            if (out[i] == kNoVertex || visibility_->block(out[i] / kLanes) == nullptr) return std::nullopt;
+        }
+        return out;
+    };
     VisibilityBlocks next(*input.visibility, order);
     run.workers.for_vertices(
         0, vertices, vertices, "bake", run.progress, [&](std::size_t begin, std::size_t end) {
@@ -130,10 +140,8 @@ VisibilityBlocks HighOrderTransfer::expanded(const TransferInput& input, int ord
                 const std::size_t block = first / kLanes;
                 if (next.block(block) == nullptr) continue;
                 const std::size_t size = std::min(kLanes, end - first);
-                const bool known = std::ranges::all_of(current.subspan(first, size),
-                                                       [](std::uint8_t one) { return one != 0; });
-                if (known && visibility_->block(block) != nullptr) {
-                    next.take_over(block, *visibility_);
+                if (const auto before = known(first)) {
+                    next.take_over(block, *visibility_, *before);
                     continue;
                 }
                 for (std::size_t v = first; v < first + size; ++v)

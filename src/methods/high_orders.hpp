@@ -77,7 +77,7 @@ private:
     Stage<Version, Version> filtering_;
     std::optional<HighOrderLight> light_;
 
-    VertexStage<int> expanding_{{}};  // order
+    VertexStage<int> expanding_{{.renumbers = true}};  // order
     Versioned<VisibilityBlocks> visibility_;
 };
 

@@ -43,7 +43,7 @@ void SceneVisibility::update(const SceneGeometry& surfaces, SurfaceRays& rays, b
         options.shadows && lit && bake(surfaces, rays, options, workers, progress, statistics);
     const bool baked = options.shadows && baked_geometry_ == surfaces.version();
     if (baked) refine(surfaces, rays, options, workers, progress, statistics);
-    surfaces_.update(surfaces, baked ? refined_ : nullptr, parts_);
+    surfaces_.update(surfaces, baked ? refined_ : nullptr, parts_, numbers_);
 
     const std::size_t vertices = surfaces_.geometry().positions.size();
     const std::size_t unoccluded = baked ? (*visible_)->unoccluded_count() : vertices;
@@ -62,11 +62,12 @@ void SceneVisibility::update(const SceneGeometry& surfaces, SurfaceRays& rays, b
     // All vertices change if shadows appear or disappear.
     if (shadowed ? !(had_bake && carried) : former.visibility != 0) return;
     before_ = former;
-    same_field_ = surfaces_.change().same_normals;
-    const std::size_t both = shadowed ? std::min(vertices, visible_before->vertices()) : 0;
-    for (std::size_t v = 0; v < both; ++v) {
-        if (same_field_[v] != 0 && !std::ranges::equal((*visible_)->at(v), visible_before->at(v)))
-            same_field_[v] = 0;
+    former_ = surfaces_.change().former;
+    if (!shadowed) return;
+    for (std::size_t v = 0; v < vertices; ++v) {
+        const std::uint32_t before = former_[v];
+        if (before != kNoVertex && !std::ranges::equal((*visible_)->at(v), visible_before->at(before)))
+            former_[v] = kNoVertex;
     }
 }
 
@@ -74,8 +75,7 @@ SurfaceState SceneVisibility::state() const {
     const bool shadowed = versions_.visibility != 0;
     std::optional<SurfaceChange> change;
     if (before_) {
-        change = {
-            .before = *before_, .same_field = same_field_, .same_places = surfaces_.change().same_places};
+        change = {.before = *before_, .former = former_, .same_places = surfaces_.change().same_places};
     }
     return {.geometry = surfaces_.geometry(),
             .visibility = shadowed ? visible_->get() : nullptr,
@@ -140,6 +140,7 @@ void SceneVisibility::refine(const SceneGeometry& surfaces, SurfaceRays& rays, c
             RefinedGeometry split = refined(surfaces.geometry(), refinement);
             refined_ = std::make_shared<WorldGeometry>(std::move(split.geometry));
             parts_ = std::move(split.parts);
+            numbers_ = std::move(split.numbers);
             visible = std::make_shared<const Visibility>(std::move(split.visibility));
         });
         if (shadow_all) {

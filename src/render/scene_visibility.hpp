@@ -67,12 +67,13 @@ private:
     Version points_bake_ = 0;                               // version of the bake that points_ belong to
     std::shared_ptr<WorldGeometry> refined_;                // null: no triangle was split
     std::vector<TrianglePart> parts_;                       // triangles of refined_
+    std::vector<std::uint32_t> numbers_;                    // numbers of its vertices
     Versioned<std::shared_ptr<const Visibility>> visible_;  // visibility of the vertices of surfaces_
     RefinedSurfaces surfaces_;
 
     SurfaceVersions versions_;
-    std::optional<SurfaceVersions> before_;  // versions that same_field_ compares with
-    std::vector<std::uint8_t> same_field_;
+    std::optional<SurfaceVersions> before_;  // versions that former_ refers to
+    std::vector<std::uint32_t> former_;
 };
 
 }  // namespace nicol

@@ -4,17 +4,13 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <numeric>
+#include <unordered_map>
 #include <utility>
+
+#include "geometry/position_hash.hpp"
 
 namespace nicol {
 namespace {
-
-std::vector<std::uint8_t> same(const std::vector<glm::vec3>& before, const std::vector<glm::vec3>& after) {
-    std::vector<std::uint8_t> out(after.size(), 0);
-    const std::size_t both = std::min(before.size(), after.size());
-    for (std::size_t i = 0; i < both; ++i) out[i] = before[i] == after[i] ? 1 : 0;
-    return out;
-}
 
 template <class Value>
 std::vector<std::array<Value, 3>> of_parts(const std::vector<std::array<Value, 3>>& given,
@@ -77,11 +73,54 @@ RefinedGeometry refined(const WorldGeometry& geometry, const Refinement& refinem
     return {.geometry = std::move(out),
             .visibility = refinement.visibility.selected(order),
             .parts = triangle_parts(geometry.triangles, geometry.positions.size(), refinement.parents,
-                                    refinement.triangles, refinement.sources)};
+                                    refinement.triangles, refinement.sources),
+            .numbers = std::move(number)};
+}
+
+RefinedSurfaces::Change RefinedSurfaces::change_to(const SceneGeometry& surfaces, const WorldGeometry& next,
+                                                   std::span<const std::uint32_t> numbers) const {
+    const WorldGeometry& last = *geometry_;
+    const std::size_t vertices = next.normals.size();
+    Change out{.before = version_,
+               .former = std::vector<std::uint32_t>(vertices, kNoVertex),
+               .same_places = std::vector<std::uint8_t>(vertices, 0)};
+    const auto pair = [&](std::size_t v, std::size_t former) {
+        if (out.former[v] != kNoVertex || former >= last.normals.size()) return;
+        if (last.normals[former] != next.normals[v]) return;
+        out.former[v] = static_cast<std::uint32_t>(former);
+        out.same_places[v] = last.positions[former] == next.positions[v] ? 1 : 0;
+    };
+    const auto numbered = [](std::span<const std::uint32_t> as, std::size_t v) {
+        return as.empty() ? v : std::size_t{as[v]};
+    };
+    const std::size_t given = surfaces.geometry().normals.size();
+    const VertexRun all{.first = 0, .last = given, .before = 0};
+    std::span<const VertexRun> kept;
+    if (surfaces.version() == given_version_)
+        kept = {&all, 1};
+    else if (surfaces.change().before == given_version_)
+        kept = surfaces.change().kept;
+    for (const VertexRun& run : kept) {
+        for (std::size_t v = run.first; v < run.last; ++v)
+            pair(numbered(numbers, v), numbered(numbers_, run.before + (v - run.first)));
+    }
+    std::unordered_map<std::size_t, std::uint32_t> added;  // by hash of position and normal
+    const auto hash = [](const WorldGeometry& geometry, std::uint32_t v) {
+        return geometry::hash_of(geometry.positions[v], geometry.normals[v]);
+    };
+    for (std::size_t i = given_; i < numbers_.size(); ++i)
+        added.try_emplace(hash(last, numbers_[i]), numbers_[i]);
+    for (std::size_t i = given; i < numbers.size(); ++i) {
+        const auto former = added.find(hash(next, numbers[i]));
+        if (former != added.end() && last.positions[former->second] == next.positions[numbers[i]])
+            pair(numbers[i], former->second);
+    }
+    for (std::size_t v = 0; v < vertices; ++v) pair(v, v);
+    return out;
 }
 
 void RefinedSurfaces::update(const SceneGeometry& surfaces, const std::shared_ptr<WorldGeometry>& refined,
-                             std::span<const TrianglePart> parts) {
+                             std::span<const TrianglePart> parts, std::span<const std::uint32_t> numbers) {
     to_world_ = surfaces.to_world();
     const WorldGeometry& given = surfaces.geometry();
     if (refined && (refined != geometry_ || corners_ != surfaces.material_version())) {
@@ -96,9 +135,11 @@ void RefinedSurfaces::update(const SceneGeometry& surfaces, const std::shared_pt
     }
     const std::shared_ptr<const WorldGeometry> next = refined ? refined : surfaces.shared_geometry();
     if (next != geometry_) {
-        change_ = {.before = version_,
-                   .same_normals = same(geometry_->normals, next->normals),
-                   .same_places = same(geometry_->positions, next->positions)};
+        change_ = change_to(surfaces, *next, refined ? numbers : std::span<const std::uint32_t>());
+        given_version_ = surfaces.version();
+        given_ = given.normals.size();
+        numbers_.clear();
+        if (refined) numbers_.assign(numbers.begin(), numbers.end());
         geometry_ = next;
         version_ = new_version();
     }

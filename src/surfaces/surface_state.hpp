@@ -23,9 +23,9 @@ struct SurfaceVersions {
 /// current state.
 struct SurfaceChange {
     SurfaceVersions before;
-    /// 1: the normal and visibility at the vertex's index are unchanged.
-    std::span<const std::uint8_t> same_field;
-    std::span<const std::uint8_t> same_places;  ///< 1: the position at the vertex's index is unchanged
+    /// Index in the earlier state of a vertex with equal normal and visibility, or kNoVertex.
+    std::span<const std::uint32_t> former;
+    std::span<const std::uint8_t> same_places;  ///< 1: that vertex has an equal position, too
 };
 
 struct SurfaceState {

@@ -11,23 +11,49 @@ bool CurrentVertices::any_current() const {
 }
 
 bool CurrentVertices::update(const SurfaceState& surfaces, bool same_inputs) {
-    const std::size_t vertices = surfaces.geometry.positions.size();
     const bool same = same_inputs && surfaces_ == surfaces.versions;
     const bool follows = same_inputs && surfaces.change && surfaces_ == surfaces.change->before;
     complete_ = complete_ && same;
-    if (!same && follows) {
-        current_.resize(vertices, 0);
-        const SurfaceChange& change = *surfaces.change;
-        for (std::size_t v = 0; v < vertices; ++v) {
-            if (change.same_field[v] == 0 || (dependence_.on_places && change.same_places[v] == 0))
-                current_[v] = 0;
+    if (!same) {
+        // Parts that were to be moved for an earlier change, and were not, are lost.
+        if (follows && !has_renumbered_) {
+            follow(*surfaces.change);
+        } else {
+            current_.resize(surfaces.geometry.positions.size());
+            discard();
         }
-    } else if (!same) {
-        current_.assign(vertices, 0);
     }
     surfaces_ = surfaces.versions;
     if (dependence_.on_materials) discard_ranges(surfaces.geometry.ranges);
     return !complete_;
+}
+
+void CurrentVertices::follow(const SurfaceChange& change) {
+    const std::size_t vertices = change.former.size();
+    std::vector<std::uint8_t> current(vertices, 0);
+    former_.assign(vertices, kNoVertex);
+    for (std::size_t v = 0; v < vertices; ++v) {
+        const std::uint32_t before = change.former[v];
+        if (before >= current_.size() || current_[before] == 0) continue;
+        if (dependence_.on_places && change.same_places[v] == 0) continue;
+        if (before != v && !dependence_.renumbers) continue;
+        current[v] = 1;
+        former_[v] = before;
+        has_renumbered_ = has_renumbered_ || before != v;
+    }
+    current_ = std::move(current);
+}
+
+void CurrentVertices::renumbered() {
+    former_.resize(current_.size());
+    for (std::size_t v = 0; v < former_.size(); ++v)
+        former_[v] = current_[v] != 0 ? static_cast<std::uint32_t>(v) : kNoVertex;
+    has_renumbered_ = false;
+}
+
+void CurrentVertices::discard() {
+    std::ranges::fill(current_, std::uint8_t{0});
+    renumbered();
 }
 
 void CurrentVertices::discard_ranges(const std::vector<VertexRange>& ranges) {
@@ -43,6 +69,7 @@ void CurrentVertices::discard_ranges(const std::vector<VertexRange>& ranges) {
 
 void CurrentVertices::complete() {
     std::ranges::fill(current_, std::uint8_t{1});
+    renumbered();
     complete_ = true;
 }
 
@@ -50,6 +77,7 @@ void CurrentVertices::complete(std::span<const std::uint8_t> computed) {
     for (std::size_t v = 0; v < computed.size(); ++v) {
         if (computed[v] != 0) current_[v] = 1;
     }
+    renumbered();
 }
 
 }  // namespace nicol

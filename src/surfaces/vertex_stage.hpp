@@ -19,6 +19,16 @@ public:
     [[nodiscard]] std::span<const std::uint8_t> current() const noexcept { return current_; }
     [[nodiscard]] bool any_current() const;
 
+    /// Returns the index of each current vertex at the last complete() or renumbered(), under which its part
+    /// of the result is kept; kNoVertex for other vertices.
+    [[nodiscard]] std::span<const std::uint32_t> former() const noexcept { return former_; }
+    /// Returns whether any current vertex had another index.
+    [[nodiscard]] bool has_renumbered() const noexcept { return has_renumbered_; }
+    /// Must be called once the kept parts have been moved to the vertices' indices.
+    void renumbered();
+    /// Marks all vertices as not current, if their parts cannot be moved.
+    void discard();
+
     /// Marks vertices as current. Must be called once their parts have been computed: the parts of all
     /// vertices, or of those with computed[v] != 0.
     void complete();
@@ -31,6 +41,7 @@ protected:
     struct Dependence {
         bool on_places = false;
         bool on_materials = false;
+        bool renumbers = false;  ///< whether the caller moves parts of vertices whose index changes
     };
 
     explicit CurrentVertices(Dependence dependence) : dependence_(dependence) {}
@@ -38,12 +49,15 @@ protected:
     bool update(const SurfaceState& surfaces, bool same_inputs);
 
 private:
+    void follow(const SurfaceChange& change);
     void discard_ranges(const std::vector<VertexRange>& ranges);
 
     Dependence dependence_;
     std::optional<SurfaceVersions> surfaces_;
     std::vector<VertexRange> ranges_;
     std::vector<std::uint8_t> current_;
+    std::vector<std::uint32_t> former_;
+    bool has_renumbered_ = false;
     bool complete_ = false;
 };
 

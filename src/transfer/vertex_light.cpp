@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "transfer/vertex_light.hpp"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <array>
 #include <numbers>
+#include <utility>
 
 #include "simd/work_space.hpp"
 
@@ -31,6 +34,27 @@ void VertexLight::resize(const LightLayout& layout, int channels, std::size_t ve
     channels_ = channels;
     blocks_ = (vertices + kLanes - 1) / kLanes;
     data_.resize(blocks_ * static_cast<std::size_t>(channels) * size_);
+}
+
+void VertexLight::renumber(std::span<const std::uint32_t> former, bool rows) {
+    const std::size_t blocks = (former.size() + kLanes - 1) / kLanes;
+    const std::size_t size = row_size();
+    std::vector<Lanes> next(blocks * size);
+    tbb::parallel_for(std::size_t{0}, blocks, [&](std::size_t block) {
+        Lanes* const to = next.data() + block * size;
+        for (std::size_t i = 0; i < kLanes && block * kLanes + i < former.size(); ++i) {
+            const std::size_t before = former[block * kLanes + i];
+            if (before >= blocks_ * kLanes) continue;
+            if (rows) {
+                std::copy_n(row(before), size, to->value.data() + i * size);
+                continue;
+            }
+            const Lanes* const from = data_.data() + before / kLanes * size;
+            for (std::size_t k = 0; k < size; ++k) to[k][i] = from[k][before % kLanes];
+        }
+    });
+    data_ = std::move(next);
+    blocks_ = blocks;
 }
 
 void VertexLight::to_rows(std::size_t block) {

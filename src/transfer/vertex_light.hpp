@@ -3,6 +3,7 @@
 #pragma once
 
 #include <complex>
+#include <cstdint>
 #include <glm/vec3.hpp>
 #include <span>
 #include <vector>
@@ -36,6 +37,11 @@ public:
     [[nodiscard]] std::span<Lanes> block(std::size_t block, int channel) {
         return {data_.data() + offset(block, channel), size_};
     }
+
+    /// Moves light to other vertices: that of vertex former[v] to v, unless former[v] is no vertex of the
+    /// light; the light of v is then unspecified. The size becomes that of `former`. rows: whether all blocks
+    /// have been reordered by to_rows(). Runs on the calling thread's TBB arena.
+    void renumber(std::span<const std::uint32_t> former, bool rows);
 
     /// Reorders a block in place: the coefficients of each vertex follow one another.
     void to_rows(std::size_t block);

@@ -75,41 +75,67 @@ VisibilityProduct::VisibilityProduct(const Visibility& visibility, const Directi
             [&](std::size_t block, std::span<const Lanes> numbers) { store_block(block, numbers); });
 }
 
-VisibilityProduct::VisibilityProduct(VisibilityProduct&& before, std::span<const std::uint8_t> unchanged,
+VisibilityProduct::VisibilityProduct(VisibilityProduct&& before, std::span<const std::uint32_t> former,
                                      const Visibility& visibility, const DirectionSet& directions,
                                      std::span<const glm::vec3> normals)
     : VisibilityProduct(std::move(before)) {
     check_sizes(visibility, directions, normals);
-    if (unchanged.size() != visibility.vertices()) {
-        throw Error(ErrorCode::invalid_argument, "`unchanged` must have one number for each vertex");
+    if (former.size() != visibility.vertices()) {
+        throw Error(ErrorCode::invalid_argument, "`former` must have one number for each vertex");
     }
     const std::vector<std::uint32_t> blocks_before = std::move(block_of_);
     const std::size_t vertices_before = vertices_.size();
     find_vertices(visibility);
+    bool moved = block_of_ != blocks_before || vertices_.size() != vertices_before;
+    for (std::size_t v = 0; v < former.size() && !moved; ++v)
+        moved = former[v] != v && former[v] != kNoVertex;
     std::vector<NumberPair> numbers_before;
-    const bool moved = block_of_ != blocks_before || vertices_.size() != vertices_before;
     if (moved) {
         numbers_before = std::move(numbers_);
         numbers_ = std::vector<NumberPair>(blocks() * size_ / 2);
     }
+    // Places of the numbers of sixteen vertices; none if one of them is not known.
+    const auto places_of = [&](std::size_t sixteen) -> std::optional<std::array<std::uint32_t, kLanes>> {
+        std::array<std::uint32_t, kLanes> places{};
+        for (std::size_t i = 0; i < kLanes; ++i) {
+            const std::size_t v = std::min(sixteen * kLanes + i, former.size() - 1);
+            const std::size_t block = former[v] / kLanes;
+            if (former[v] == kNoVertex || block >= blocks_before.size()) return std::nullopt;
+            if (blocks_before[block] == kUnoccluded) return std::nullopt;
+            places[i] = static_cast<std::uint32_t>(blocks_before[block] * kLanes + former[v] % kLanes);
+        }
+        return places;
+    };
+    std::vector<std::uint8_t> known(block_of_.size(), 1);
+    tbb::parallel_for(std::size_t{0}, block_of_.size(), [&](std::size_t sixteen) {
+        if (block_of_[sixteen] == kUnoccluded) return;
+        const auto places = places_of(sixteen);
+        known[sixteen] = places ? 1 : 0;
+        if (places && moved) take_over(block_of_[sixteen], numbers_before, *places);
+    });
     std::vector<std::uint32_t> changed;
     for (std::size_t sixteen = 0; sixteen < block_of_.size(); ++sixteen) {
-        const std::uint32_t block = block_of_[sixteen];
-        if (block == kUnoccluded) continue;
-        const std::size_t first = sixteen * kLanes;
-        const bool known = sixteen < blocks_before.size() && blocks_before[sixteen] != kUnoccluded &&
-                           all_ones(unchanged.subspan(first, std::min(kLanes, unchanged.size() - first)));
-        if (!known) {
-            changed.push_back(block);
-        } else if (moved) {
-            std::copy_n(&numbers_before[blocks_before[sixteen] * size_ / 2], size_ / 2,
-                        &numbers_[block * size_ / 2]);
-        }
+        if (known[sixteen] == 0) changed.push_back(block_of_[sixteen]);
     }
     if (changed.empty()) return;
     const VisibilityHarmonics harmonics(directions, 2 * layout_.order());
     compute(changed, {visibility, directions, harmonics, normals, nullptr},
             [&](std::size_t block, std::span<const Lanes> numbers) { store_block(block, numbers); });
+}
+
+void VisibilityProduct::take_over(std::size_t block, const std::vector<NumberPair>& before,
+                                  const std::array<std::uint32_t, kLanes>& places) {
+    const std::size_t step = matrices_ ? 2 : 1;
+    const std::size_t second = matrices_ ? 1 : kLanes;
+    NumberPair* const to = &numbers_[block * size_ / 2];
+    for (std::size_t i = 0; i < kLanes; ++i) {
+        const NumberPair* const from = &before[places[i] / kLanes * size_ / 2];
+        const std::size_t lane = places[i] % kLanes * step;
+        for (std::size_t k = 0; k < size_ / 2; ++k) {
+            to[k].value[i * step] = from[k].value[lane];
+            to[k].value[i * step + second] = from[k].value[lane + second];
+        }
+    }
 }
 
 std::vector<std::uint32_t> VisibilityProduct::all_blocks() const {

@@ -39,9 +39,9 @@ public:
                       std::span<const glm::vec3> normals, const LightLayout& layout,
                       VisibilityBlocks* keep = nullptr);
     /// Makes the product from that of an earlier state with equal directions and layout. Numbers are taken
-    /// over for blocks of vertices that are all `unchanged`: 1 for each vertex that had equal visibility and
-    /// normal under the same number.
-    VisibilityProduct(VisibilityProduct&& before, std::span<const std::uint8_t> unchanged,
+    /// over for blocks of vertices that all have one in `former`: for each vertex, the index in the earlier
+    /// state of a vertex with equal visibility and normal, or kNoVertex.
+    VisibilityProduct(VisibilityProduct&& before, std::span<const std::uint32_t> former,
                       const Visibility& visibility, const DirectionSet& directions,
                       std::span<const glm::vec3> normals);
 
@@ -95,6 +95,9 @@ private:
     template <class Use>
     void compute(std::span<const std::uint32_t> blocks, const Input& input, const Use& use) const;
     void store_block(std::size_t block, std::span<const Lanes> numbers);
+    // Takes over the numbers of a block from places in `before`: 16 block + lane of each vertex.
+    void take_over(std::size_t block, const std::vector<NumberPair>& before,
+                   const std::array<std::uint32_t, kLanes>& places);
 
     LightLayout layout_;
     std::optional<ShadowMatrices> matrices_;  // set up to kHighestMatrixOrder; otherwise grid_ is set

@@ -12,6 +12,9 @@
 
 namespace nicol {
 
+/// Index of no vertex.
+inline constexpr std::uint32_t kNoVertex = ~std::uint32_t{0};
+
 /// One bit for every vertex and direction of a DirectionSet: 1 if the environment is visible. Directions
 /// below the horizon of the vertex (of its shading normal) have 0.
 class Visibility {

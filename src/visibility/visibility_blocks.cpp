@@ -37,10 +37,13 @@ void VisibilityBlocks::set(std::size_t block, const Lanes* coefficients) {
     }
 }
 
-void VisibilityBlocks::take_over(std::size_t block, const VisibilityBlocks& before) {
-    const std::size_t size = kept_.size();
-    std::copy_n(before.numbers_.begin() + static_cast<std::ptrdiff_t>(before.place_[block] * size), size,
-                numbers_.begin() + static_cast<std::ptrdiff_t>(place_[block] * size));
+void VisibilityBlocks::take_over(std::size_t block, const VisibilityBlocks& before,
+                                 const std::array<std::uint32_t, kLanes>& vertices) {
+    FixedLanes* const to = &numbers_[place_[block] * kept_.size()];
+    for (std::size_t i = 0; i < kLanes; ++i) {
+        const std::int16_t* from = before.block(vertices[i] / kLanes) + vertices[i] % kLanes;
+        for (std::size_t k = 0; k < kept_.size(); ++k) to[k].value[i] = from[k * kLanes];
+    }
 }
 
 void VisibilityBlocks::expand(std::size_t vertex, std::span<float> out) const {

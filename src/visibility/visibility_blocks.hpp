@@ -33,8 +33,9 @@ public:
     /// Sets the coefficients of vertices 16 block to 16 block + 15, by psh_index; has no effect on an
     /// unoccluded block. Calls for different blocks may run side by side.
     void set(std::size_t block, const Lanes* coefficients);
-    /// Copies a block from another object of this order that has the block.
-    void take_over(std::size_t block, const VisibilityBlocks& before);
+    /// Copies a block from vertices of another object of this order; their blocks must not be unoccluded.
+    void take_over(std::size_t block, const VisibilityBlocks& before,
+                   const std::array<std::uint32_t, kLanes>& vertices);
     /// Returns the numbers of a block: for each m from 0 on and each l = m, m + 2, ..., the number of m in
     /// each lane, then the number of -m unless m = 0. Returns null if the vertices are unoccluded.
     [[nodiscard]] const std::int16_t* block(std::size_t block) const {

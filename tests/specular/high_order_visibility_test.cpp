@@ -129,8 +129,13 @@ TEST_CASE("coefficients are kept small, where they are not known beforehand") {
             CHECK(std::abs(found[i] - lanes[v / kLanes * psh_count(order) + i][v % kLanes]) < 5.5e-5F);
     }
     VisibilityBlocks after(visibility, order);
-    after.take_over(2, blocks);
-    for (std::size_t i = 0; i < numbers * kLanes; ++i) CHECK(after.block(2)[i] == blocks.block(2)[i]);
+    std::array<std::uint32_t, kLanes> from{};
+    for (std::uint32_t i = 0; i < kLanes; ++i) from[i] = (i % 2 == 0 ? 0 : 32) + (3 * i + 5) % 16;
+    after.take_over(2, blocks, from);
+    for (std::size_t i = 0; i < numbers * kLanes; ++i) {
+        const std::uint32_t vertex = from[i % kLanes];
+        CHECK(after.block(2)[i] == blocks.block(vertex / kLanes)[i / kLanes * kLanes + vertex % kLanes]);
+    }
     CHECK(after.block(0)[0] == 0);
     // Unoccluded vertices are not dimmed in either kind of block.
     const std::vector<std::uint8_t> visible(vertices, 1);

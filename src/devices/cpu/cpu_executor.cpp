@@ -97,6 +97,11 @@ std::uint64_t CpuExecutor::relight(const FactoredMethod& method, const TransferI
     return relit;
 }
 
+bool CpuExecutor::renumber(std::span<const std::uint32_t> former, bool at_pixels, RenderRun& run) {
+    run.workers.run([&] { light_.renumber(former, at_pixels); });
+    return true;
+}
+
 std::uint64_t CpuExecutor::relight(const DenseMethod& method, const TransferInput& input,
                                    std::span<const std::uint8_t> current, RenderRun& run) {
     const std::vector<DenseMethod::Run>& runs = *method.runs();

@@ -22,6 +22,7 @@ public:
     [[nodiscard]] bool adds_background() const noexcept override { return true; }
     std::uint64_t relight(const FactoredMethod& method, const TransferInput& input,
                           std::span<const std::uint8_t> current, RenderRun& run) override;
+    bool renumber(std::span<const std::uint32_t> former, bool at_pixels, RenderRun& run) override;
     std::uint64_t relight(const DenseMethod& method, const TransferInput& input,
                           std::span<const std::uint8_t> current, RenderRun& run) override;
     void shade(const FactoredMethod& method, const ShadeInput& input, RenderRun& run) override;
