@@ -84,7 +84,10 @@ void SceneGeometry::find_axes(const Scene& scene, std::size_t largest) {
     const bool same = largest_mesh_ == instance.mesh && largest_ == scene.ids()[largest];
     if (same) {
         if (const auto motion = rigid_motion(largest_placement_, instance.to_world)) {
-            to_world_ = *motion;
+            if (keeps_most(scene, *motion))
+                to_world_ = *motion;
+            else
+                largest_placement_ = inverse_motion(to_world_) * instance.to_world;
             return;
         }
     }
@@ -98,6 +101,31 @@ void SceneGeometry::find_axes(const Scene& scene, std::size_t largest) {
     // symmetry, and rounding would decide whether they are above the horizons of its vertices.
     const glm::dmat3 askew = glm::mat3_cast(glm::normalize(glm::dquat(0.9, 0.31, 0.17, 0.23)));
     own_axes_ = rotate_in(glm::dmat3(instance.to_world)) * mesh_axes_ * askew;
+}
+
+bool SceneGeometry::keeps_most(const Scene& scene, const glm::dmat4& to_world) const {
+    if (to_world == to_world_) return true;
+    std::size_t with_them = 0;
+    std::size_t with_present = 0;
+    for (std::size_t i = 0; i < scene.instances().size(); ++i) {
+        const Instance& instance = scene.instances()[i];
+        const auto former = std::ranges::lower_bound(pieces_, scene.ids()[i], {}, &Piece::id);
+        if (former == pieces_.end() || former->id != scene.ids()[i]) continue;
+        const std::size_t vertices = instance.mesh->positions.size();
+        const auto stays_in = [&](const glm::dmat4& axes) {
+            return stays(*former, inverse_motion(axes) * instance.to_world, axes);
+        };
+        if (stays_in(to_world)) with_them += vertices;
+        if (stays_in(to_world_)) with_present += vertices;
+    }
+    return with_them >= with_present;
+}
+
+bool SceneGeometry::stays(const Piece& former, const glm::dmat4& placement, const glm::dmat4& to_world) {
+    const bool moved = to_world != glm::dmat4(1.0);
+    const double shift = glm::length(glm::dvec3(to_world * placement[3])) +
+                         glm::length(glm::dvec3(to_world[3])) + glm::length(glm::dvec3(former.placement[3]));
+    return near(placement, former.placement, former.extent.ball, moved ? shift : 0);
 }
 
 std::vector<SceneGeometry::Piece> SceneGeometry::place(const Scene& scene) {
@@ -127,10 +155,7 @@ std::vector<SceneGeometry::Piece> SceneGeometry::place(const Scene& scene) {
             former->twosided != piece.twosided || former->mask != piece.mask) {
             continue;
         }
-        const double shift = glm::length(glm::dvec3(instance.to_world[3])) +
-                             glm::length(glm::dvec3(to_world_[3])) +
-                             glm::length(glm::dvec3(former->placement[3]));
-        if (near(piece.placement, former->placement, former->extent.ball, moved ? shift : 0)) {
+        if (stays(*former, piece.placement, to_world_)) {
             piece.placement = former->placement;
             piece.extent = former->extent;
             piece.former = static_cast<std::size_t>(former - pieces_.begin());

@@ -19,11 +19,13 @@
 
 namespace nicol {
 
-/// Surfaces in axes that move with the scene's largest instance, the instance with the most vertices. In
-/// these axes a scene that is rotated and shifted as a whole does not change, so all results computed for it
-/// stay valid: light and camera move instead. When an instance becomes the largest or changes its shape, the
-/// axes are parallel to the world's and begin in the instance's middle_of(), so that single precision serves
-/// scenes far from the world's origin.
+/// Surfaces in axes that move with the scene's largest instance, the instance with the most vertices, unless
+/// instances with more vertices stay where they are in the world. In these axes a scene that is rotated and
+/// shifted as a whole does not change, so all results computed for it stay valid: light and camera move
+/// instead. When the largest instance moves without the axes, own_axes() are no longer those of a fresh
+/// start, and images differ as by another choice of the bake's directions. When an instance becomes the
+/// largest or changes its shape, the axes are parallel to the world's and begin in the instance's
+/// middle_of(), so that single precision serves scenes far from the world's origin.
 class SceneGeometry {
 public:
     /// Takes over the scene's changes. Throws Error(invalid_argument) if there are more than 2^32 vertices;
@@ -42,7 +44,8 @@ public:
 
     /// Returns the rigid motion (a rotation and a shift) from geometry()'s axes to the world's.
     [[nodiscard]] const glm::dmat4& to_world() const noexcept { return to_world_; }
-    /// Returns the axes of the largest instance, which rotate with its transform and its vertices.
+    /// Returns the axes of the largest instance, which rotate with its transform and its vertices, and with
+    /// its motions that geometry()'s axes follow.
     [[nodiscard]] const glm::dmat3& own_axes() const noexcept { return own_axes_; }
 
     /// Change from the previous version to the current one.
@@ -82,6 +85,11 @@ private:
     // Divides triangles that are far larger than an object beside them.
     void divide(std::vector<Piece>& pieces) const;
     void find_axes(const Scene& scene, std::size_t largest);
+    // Returns whether no fewer vertices stay in place with these axes than with the present ones.
+    [[nodiscard]] bool keeps_most(const Scene& scene, const glm::dmat4& to_world) const;
+    // Returns whether an instance has not moved, in axes that `to_world` takes to the world's.
+    [[nodiscard]] static bool stays(const Piece& former, const glm::dmat4& placement,
+                                    const glm::dmat4& to_world);
     void build(const Scene& scene, std::vector<Piece>& pieces);
     void set_materials(const Scene& scene);
     void set_corners();

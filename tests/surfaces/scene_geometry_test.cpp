@@ -88,6 +88,34 @@ TEST_CASE("the largest instance carries the axes") {
     CHECK(surfaces.to_world() == glm::dmat4(1));
 }
 
+TEST_CASE("the axes stay with most vertices if the largest instance moves alone") {
+    Scene scene = two_balls();
+    for (const double x : {4.0, 6.0, 8.0, 10.0, 12.0})
+        scene.add({.mesh = scene.at(1).mesh, .material = scene.at(1).material, .to_world = at(x, 0, 0)});
+    SceneGeometry surfaces;
+    surfaces.update(scene);
+    const std::size_t all = surfaces.geometry().positions.size();
+    const std::size_t largest = scene.at(0).mesh->positions.size();
+    REQUIRE(2 * largest < all);
+    const glm::dmat3 axes = surfaces.own_axes();
+    for (const double angle : {0.3, 0.7}) {
+        scene.set_transform(0, glm::rotate(at(0, 5, angle), angle, glm::dvec3(1, 1, 0)));
+        surfaces.update(scene);
+        std::size_t kept = 0;
+        for (const VertexRun& run : surfaces.change().kept) kept += run.last - run.first;
+        CHECK(kept == all - largest);
+        CHECK(surfaces.to_world() == glm::dmat4(1));
+        CHECK(surfaces.own_axes() == axes);
+    }
+    // The whole scene moves, and nothing is disturbed.
+    const Version version = surfaces.version();
+    const glm::dmat4 motion = glm::rotate(at(1, 2, 3), 0.5, glm::dvec3(1, 1, 0));
+    for (const auto id : scene.ids()) scene.set_transform(id, motion * scene.at(id).to_world);
+    surfaces.update(scene);
+    CHECK(surfaces.version() == version);
+    for (int i = 0; i < 4; ++i) CHECK(glm::distance(surfaces.to_world()[i], motion[i]) < 1e-9);
+}
+
 TEST_CASE("a change reports what is kept and where the rest is") {
     Scene scene = two_balls();
     SceneGeometry surfaces;
