@@ -11,6 +11,26 @@
 #include <utility>
 
 namespace nicol {
+namespace {
+
+/// Ends of the edges of a set, by place. Most triangles have no edge of the set, and most of these have fewer
+/// than two such places, which is found without a search.
+class EdgeEnds {
+public:
+    EdgeEnds(const EdgeBisection::Edges& edges, std::uint32_t places) : ends_(places, 0) {
+        for (const EdgeBisection::Edge edge : edges) add(edge);
+    }
+    void add(EdgeBisection::Edge edge) { ends_[edge >> 32] = ends_[edge & 0xFFFFFFFFU] = 1; }
+    /// Returns whether a triangle of these places may have an edge of the set.
+    [[nodiscard]] bool on_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
+        return ends_[a] + ends_[b] + ends_[c] >= 2;
+    }
+
+private:
+    std::vector<std::uint8_t> ends_;
+};
+
+}  // namespace
 
 EdgeBisection::EdgeBisection(std::span<const glm::vec3> positions, std::span<const glm::uvec3> triangles)
     : positions_(positions.begin(), positions.end()),
@@ -45,29 +65,28 @@ EdgeBisection::Edge EdgeBisection::longest(const glm::uvec3& t) const {
 }
 
 void EdgeBisection::close(Edges& edges) const {
-    // Only a triangle with two places that are ends of edges in the set can have such an edge.
-    std::vector<std::uint8_t> ends(place_count_, 0);
-    const auto mark = [&](Edge edge) { ends[edge >> 32] = ends[edge & 0xFFFFFFFFU] = 1; };
-    for (const Edge edge : edges) mark(edge);
+    EdgeEnds ends(edges, place_count_);
     for (bool more = true; more;) {
         more = false;
         for (const glm::uvec3& t : triangles_) {
-            if (ends[places_[t.x]] + ends[places_[t.y]] + ends[places_[t.z]] < 2) continue;
+            if (!ends.on_triangle(places_[t.x], places_[t.y], places_[t.z])) continue;
             if (!edges.contains(edge(t.x, t.y)) && !edges.contains(edge(t.y, t.z)) &&
                 !edges.contains(edge(t.z, t.x))) {
                 continue;
             }
             const Edge first = longest(t);
             if (!edges.insert(first).second) continue;
-            mark(first);
+            ends.add(first);
             more = true;
         }
     }
 }
 
 std::size_t EdgeBisection::cost(const Edges& edges) const {
+    const EdgeEnds ends(edges, place_count_);
     std::unordered_set<std::uint64_t> pairs;
     for (const glm::uvec3& t : triangles_) {
+        if (!ends.on_triangle(places_[t.x], places_[t.y], places_[t.z])) continue;
         for (glm::length_t k = 0; k < 3; ++k) {
             const std::uint32_t a = t[k];
             const std::uint32_t b = t[(k + 1) % 3];
@@ -130,12 +149,16 @@ void EdgeBisection::cut(const glm::uvec3& t, std::uint32_t source, const Edges& 
 void EdgeBisection::split(const Edges& edges, std::vector<WantedLength>& points) {
     const std::vector<glm::uvec3> triangles = std::exchange(triangles_, {});
     const std::vector<std::uint32_t> sources = std::exchange(sources_, {});
+    const EdgeEnds ends(edges, place_count_);
+    const Edges none;
     std::ranges::stable_sort(points, {}, &WantedLength::triangle);
     auto first = points.begin();
     for (std::size_t i = 0; i < triangles.size(); ++i) {
         const auto last =
             std::find_if(first, points.end(), [i](const WantedLength& p) { return p.triangle != i; });
-        cut(triangles[i], sources[i], edges, {first, last});
+        const glm::uvec3& t = triangles[i];
+        const bool near = ends.on_triangle(places_[t.x], places_[t.y], places_[t.z]);
+        cut(t, sources[i], near ? edges : none, {first, last});
         first = last;
     }
     middles_.clear();
