@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Environment light of one radiance in all directions.
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -16,6 +17,9 @@ public:
     int channels() const noexcept override { return static_cast<int>(radiance_.size()); }
     bool polarized() const noexcept override { return false; }
     bool circular() const noexcept override { return false; }
+    bool dark() const noexcept override {
+        return std::ranges::all_of(radiance_, [](double value) { return value == 0; });
+    }
 
     Stokes radiance(int channel, const glm::dvec3& towards_light) const override {
         check_look_up(*this, channel, towards_light);

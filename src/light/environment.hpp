@@ -54,6 +54,8 @@ public:
     [[nodiscard]] virtual bool polarized() const noexcept = 0;
     /// Returns whether some s3 is not zero.
     [[nodiscard]] virtual bool circular() const noexcept = 0;
+    /// Returns true only if the light is 0 in all directions.
+    [[nodiscard]] virtual bool dark() const noexcept { return false; }
     /// Returns the wavelengths of spectral light in nanometres, one per channel. Empty for colours.
     [[nodiscard]] virtual const std::vector<double>& wavelengths() const noexcept;
 

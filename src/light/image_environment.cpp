@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -30,11 +31,14 @@ public:
         tbb::parallel_for(0, height_, [&](int y) {
             for (int c = 0; c < channels_; ++c) copy_row(from, scale, c, y);
         });
+        const std::span all(values_.get(), size());
+        dark_ = std::ranges::all_of(all, [](float value) { return value == 0; });
     }
 
     int channels() const noexcept override { return channels_; }
     bool polarized() const noexcept override { return components_ == 4; }
     bool circular() const noexcept override { return circular_; }
+    bool dark() const noexcept override { return dark_; }
     const std::vector<double>& wavelengths() const noexcept override { return wavelengths_; }
     double negative_share() const noexcept override { return negative_; }
 
@@ -95,6 +99,7 @@ private:
     int width_, height_, channels_, components_;
     bool circular_;
     double negative_;
+    bool dark_ = false;
     std::vector<double> wavelengths_;
     std::unique_ptr<float[]> values_;
 };

@@ -22,7 +22,7 @@ constexpr std::uint32_t kDiscStream = 1;
 
 SceneLights::SceneLights(const Scene& scene, const TracedScene& surfaces, Strategy strategy, bool shadows)
     : surfaces_(surfaces),
-      environment_(scene.environment().get()),
+      environment_(scene.distant_light().get()),
       emitters_hidden_(scene.emitters_hidden()),
       light_to_world_(scene.light_rotation()),
       light_scale_(scene.light_scale()),

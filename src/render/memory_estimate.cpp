@@ -43,7 +43,7 @@ Size size_of(const Scene& scene) {
 
 LightKind kind_of(const Scene& scene, const RenderOptions& options) {
     if ((options.disabled_optimisations & skip_light_components) != 0) return LightKind::full;
-    return light_kind(scene.environment().get());
+    return light_kind(scene.distant_light().get());
 }
 
 // Vertices per block. Vertices are stored in blocks, so the memory of all is a multiple of a block's.
@@ -84,7 +84,7 @@ std::uint64_t dense(const Scene& scene, const LightLayout& layout) {
 VisibilityBuffer::Kept hits_of(const Scene& scene, const RenderOptions& options) {
     if (options.executor != Executor::compute)
         return scene.elements().empty() ? VisibilityBuffer::Kept::on_host : VisibilityBuffer::Kept::on_both;
-    const bool extracted_lights = scene.environment() != nullptr && options.split_lights != 0;
+    const bool extracted_lights = scene.distant_light() != nullptr && options.split_lights != 0;
     return extracted_lights || scene.has_local_lights() ? VisibilityBuffer::Kept::on_both
                                                         : VisibilityBuffer::Kept::on_device;
 }

@@ -66,14 +66,14 @@ std::size_t parts_of(LightKind kind) {
 OrderSelector::Orders OrderSelector::choose(const Scene& scene, const Projected& projected,
                                             const SurfaceState& surfaces, const RenderOptions& options,
                                             std::uint64_t memory_limit) {
-    measuring_.run(scene.environment(), projected, surfaces.materials, surfaces.versions, [&] {
+    measuring_.run(scene.distant_light(), projected, surfaces.materials, surfaces.versions, [&] {
         choosing_.reset();
         shares_.clear();
         mean_square_ = values_ = 0;
         if (projected.light) measure(scene, projected, surfaces);
     });
-    limiting_.run(scene.geometry_version(), scene.environment(), options.shadows, options.high_order_shadows,
-                  options.bake_directions, options.high_orders, memory_limit,
+    limiting_.run(scene.geometry_version(), scene.distant_light(), options.shadows,
+                  options.high_order_shadows, options.bake_directions, options.high_orders, memory_limit,
                   [&] { highest_low_ = highest_low(scene, options, memory_limit); });
     const bool split = options.high_orders == HighOrders::split;
     choosing_.run(options.tolerance, split, highest_low_,
@@ -112,10 +112,11 @@ OrderSelector::Orders OrderSelector::cheapest(double tolerance, bool split) {
 }
 
 void OrderSelector::measure(const Scene& scene, const Projected& projected, const SurfaceState& surfaces) {
-    projecting_.run(scene.environment(), projected.light, [&] {
+    projecting_.run(scene.distant_light(), projected.light, [&] {
         light_ = energies(projected.light->project(kOrder));
-        all_light_ =
-            projected.light == scene.environment() ? light_ : energies(scene.environment()->project(kOrder));
+        all_light_ = projected.light == scene.distant_light()
+                         ? light_
+                         : energies(scene.distant_light()->project(kOrder));
     });
     const WorldGeometry& geometry = surfaces.geometry;
     kind_ = light_kind(projected.light.get());

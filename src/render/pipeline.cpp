@@ -25,7 +25,7 @@ constexpr double kVarying = 0.3;
 // Returns the terms that do not reflect harmonics. Light that is given as harmonics has no detail that narrow
 // lobes would miss.
 SampledTerms sampled_terms(const Scene& scene, const RenderOptions& options) {
-    const EnvironmentPtr& environment = scene.environment();
+    const EnvironmentPtr& environment = scene.distant_light();
     if (environment == nullptr || options.bsdf_samples == 0 || options.method != Method::factored ||
         options.high_orders == HighOrders::convolution)
         return SampledTerms::none;
@@ -96,12 +96,12 @@ void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderO
     // First half of bake, because the choice of orders may depend on it.
     surfaces_.update(scene);
     SurfaceRays rays(surfaces_);
-    visibility_.update(surfaces_, rays, scene.environment() != nullptr, given, run.workers, run.progress,
+    visibility_.update(surfaces_, rays, scene.distant_light() != nullptr, given, run.workers, run.progress,
                        run.statistics);
     const SurfaceState surfaces = visibility_.state();
 
     // project: a rotation of the whole scene is the opposite rotation of light and camera.
-    split_.update(scene.environment(), given, run.statistics);
+    split_.update(scene.distant_light(), given, run.statistics);
     const SampledTerms sampled = sampled_terms(scene, given);
     const RenderOptions options = choose_orders(scene, given, sampled, run);
     const Projection projection = in_axes(of_world, surfaces_.to_world());
@@ -110,9 +110,9 @@ void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderO
     light_.update(split_.rest(), scene.light_scale(), options, light_to_geometry, run.statistics);
     // Where the bake found that nothing is occluded, local lights need no shadow rays either.
     RenderOptions lighting = options;
-    if (scene.environment() != nullptr && surfaces.visibility == nullptr) lighting.shadows = false;
+    if (scene.distant_light() != nullptr && surfaces.visibility == nullptr) lighting.shadows = false;
     local_lights_.update(
-        scene, {split_.extracted_lights(), scene.environment(), split_.rest(), sampled, light_to_geometry},
+        scene, {split_.extracted_lights(), scene.distant_light(), split_.rest(), sampled, light_to_geometry},
         visibility_.surfaces(), rays, lighting, run.statistics);
     rays.release();
     pixels_ =
@@ -191,7 +191,7 @@ RenderOptions Pipeline::choose_orders(const Scene& scene, const RenderOptions& o
     RenderOptions chosen = options;
     predicted_ = {};
     noise_ = 0;
-    if (scene.environment() == nullptr) {  // the reflection of local lights has no orders
+    if (scene.distant_light() == nullptr) {  // the reflection of local lights has no orders
         chosen.order_low = chosen.order_high = 0;
         return chosen;
     }

@@ -251,6 +251,7 @@ void Scene::set_environment(EnvironmentPtr environment, const glm::dmat3& rotati
     environment_ = std::move(environment);
     rotation_ = rotation;
     scale_ = scale;
+    distant_light_ = environment_ && scale_ != 0 && !environment_->dark() ? environment_ : nullptr;
     light_version_ = new_version();
 }
 

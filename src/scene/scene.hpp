@@ -168,8 +168,10 @@ public:
     /// Returns the ids of instances(), ascending.
     [[nodiscard]] const std::vector<std::uint32_t>& ids() const noexcept { return instances_.ids(); }
     [[nodiscard]] const EnvironmentPtr& environment() const noexcept { return environment_; }
-    /// Returns the environment behind the instances, or null if emitters are hidden.
-    [[nodiscard]] EnvironmentPtr background() const { return emitters_hidden_ ? nullptr : environment_; }
+    /// Returns the environment if it gives light, or null if it is dark or its scale is 0.
+    [[nodiscard]] const EnvironmentPtr& distant_light() const noexcept { return distant_light_; }
+    /// Returns the distant light behind the instances, or null if emitters are hidden.
+    [[nodiscard]] EnvironmentPtr background() const { return emitters_hidden_ ? nullptr : distant_light_; }
     [[nodiscard]] const glm::dmat3& light_rotation() const noexcept { return rotation_; }
     [[nodiscard]] double light_scale() const noexcept { return scale_; }
     /// Returns the number of colour channels: the largest number of any part. Parts of one channel apply to
@@ -197,6 +199,7 @@ private:
     Numbered<LocalLight> lights_{"light"};
     Numbered<PolarizationElement> elements_{"element"};
     EnvironmentPtr environment_;
+    EnvironmentPtr distant_light_;
     glm::dmat3 rotation_{1.0};
     double scale_ = 1;
     bool emitters_hidden_ = false;

@@ -14,8 +14,16 @@
 #include "shading/surface_source.hpp"
 
 namespace nicol {
+namespace {
+
+bool dark(const std::vector<double>& value) {
+    return std::ranges::all_of(value, [](double of_channel) { return of_channel == 0; });
+}
+
+}  // namespace
 
 LightSourcePtr light_source(const LocalLight& light, const glm::dmat4& to_axes) {
+    if (dark(light.value)) return nullptr;
     const glm::dmat4 axes = to_axes * light.to_world;
     if (light.kind == LocalLight::Kind::directional)
         return std::make_unique<const DirectionalSource>(light, glm::dmat3(axes));
@@ -23,6 +31,7 @@ LightSourcePtr light_source(const LocalLight& light, const glm::dmat4& to_axes) 
 }
 
 LightSourcePtr light_source(const EmissiveSurface& surface) {
+    if (dark(surface.emission.radiance)) return nullptr;
     if (surface.emission.texture == nullptr && !surface.emission.two_sided) {
         if (const std::optional<EmissiveSphere> sphere = sphere_of(surface.triangles))
             return std::make_unique<const SphereSource>(*sphere, surface.emission, surface.axis);

@@ -43,8 +43,8 @@ protected:
 };
 using LightSourcePtr = std::unique_ptr<const LightSource>;
 
-/// Returns the light source of a scene's light. `to_axes`: rotation and shift from the world to the points'
-/// axes.
+/// Returns the light source of a scene's light, or null if its value is 0. `to_axes`: rotation and shift from
+/// the world to the points' axes.
 [[nodiscard]] LightSourcePtr light_source(const LocalLight& light, const glm::dmat4& to_axes);
 
 /// Emissive surface, in the points' axes.
@@ -55,8 +55,8 @@ struct EmissiveSurface {
     std::vector<std::array<glm::vec2, 3>> texcoords;  ///< empty unless the emission's texture needs them
     bool mirrored = true;                             ///< whether intersect() will be called
 };
-/// Returns the light source of a surface, or null if its area is 0. Light samples are uniform over the
-/// surface's area; for a sphere, they are uniform over the visible solid angle.
+/// Returns the light source of a surface, or null if its area or its radiance is 0. Light samples are uniform
+/// over the surface's area; for a sphere, they are uniform over the visible solid angle.
 [[nodiscard]] LightSourcePtr light_source(const EmissiveSurface& surface);
 
 /// Colour of a light source: one value, times a texture, with one polarization state.

@@ -99,14 +99,17 @@ LocalLighting::Lights LocalLights::make_lights(const Scene& scene, const Distant
     const glm::dmat4 from_world = inverse_motion(to_world);
     LocalLighting::Lights out;
     axes_.clear();
-    for (const LocalLight& light : scene.lights()) out.local.push_back(light_source(light, from_world));
+    const auto add = [&](LightSourcePtr source) {
+        if (source) out.local.push_back(std::move(source));
+    };
+    for (const LocalLight& light : scene.lights()) add(light_source(light, from_world));
     for (std::size_t i = 0; i < scene.instances().size(); ++i) {
         const Instance& instance = scene.instances()[i];
         if (!instance.emission) continue;
         EmissiveSurface surface = emissive_surface(instance, scene.ids()[i], from_world);
         surface.mirrored = mirrors_;
         axes_.emplace(scene.ids()[i], surface.axis);
-        if (LightSourcePtr source = light_source(surface)) out.local.push_back(std::move(source));
+        add(light_source(surface));
     }
     for (const std::shared_ptr<const ExtractedLight>& extracted_light : distant.extracted_lights)
         out.extracted.push_back(
