@@ -13,8 +13,10 @@
  *              may also return _FILE_NOT_FOUND, _INVALID_FILE, _UNSUPPORTED and _CANCELLED, a function that writes files
  *              _WRITE_FAILED, and a function that uses OpenGL _OPENGL. Comments name all other codes.
  *   Structs    A struct begins with struct_size = sizeof(the struct). NICOL_<TYPE>_INIT makes a struct with the defaults
- *              that the comments name. Every number means itself; 0 stands for "automatic" or "none" only where a
- *              comment says so. Fields that a caller built with an older header does not have get their defaults.
+ *              that the comments name. nicol_<type>_init(&x, sizeof x) sets the same defaults at run time, for languages
+ *              that do not see macros: all bytes of x, and struct_size to its second argument. Every number means itself;
+ *              0 stands for "automatic" or "none" only where a comment says so. Fields that a caller built with an older
+ *              header does not have get their defaults.
  *   Threads    Any function may be called from any thread, except as "inside a host's OpenGL" says. Calls on objects of
  *              one context lock the context; calls on different contexts run in parallel. Callbacks run on the calling
  *              thread unless stated otherwise.
@@ -96,9 +98,9 @@ NICOL_API const char* nicol_last_error(void);
 /* Returns a name such as "out of memory" for a result code. The string lives as long as the library. */
 NICOL_API const char* nicol_result_name(nicol_result result);
 
-#define NICOL_LOG_INFO 0    /* device that a new context opened */
-#define NICOL_LOG_NOTICE 1  /* request without effect, or cache that was rebuilt */
-#define NICOL_LOG_WARNING 2 /* fallback, such as the CPU after a device failed */
+#define NICOL_LOG_INFO 0u    /* device that a new context opened */
+#define NICOL_LOG_NOTICE 1u  /* request without effect, or cache that was rebuilt */
+#define NICOL_LOG_WARNING 2u /* fallback, such as the CPU after a device failed */
 /* Receives a message of the log. message is one line that lives as long as the call. code is NICOL_OK, or the
  * result that a call would have returned for the problem that Nicol worked around. The callback must not call
  * Nicol with objects of the context. */
@@ -134,18 +136,19 @@ typedef struct nicol_spectrum {
 #define NICOL_SPECTRUM_INIT { 0, {0} }
 #define NICOL_IDENTITY_4X4 { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 }
 /* clang-format on */
+NICOL_API nicol_result nicol_spectrum_init(nicol_spectrum* descriptor, uint32_t struct_size);
 
-#define NICOL_NO_LIMIT 0xffffffffffffffffu
+#define NICOL_NO_LIMIT 0xffffffffffffffffULL
 
 /* ---------------------------------------------------------------- context */
 
 typedef uint32_t nicol_backend;
 /* Backend that the environment variable NICOL_BACKEND names (egl, osmesa). If the variable is not set: the
  * first of EGL on hardware, EGL on software and OSMesa that works. */
-#define NICOL_BACKEND_AUTOMATIC 0
-#define NICOL_BACKEND_EGL 1
-#define NICOL_BACKEND_OSMESA 2
-#define NICOL_BACKEND_HOST 3 /* backend of a context of nicol_context_create_host */
+#define NICOL_BACKEND_AUTOMATIC 0u
+#define NICOL_BACKEND_EGL 1u
+#define NICOL_BACKEND_OSMESA 2u
+#define NICOL_BACKEND_HOST 3u /* backend of a context of nicol_context_create_host */
 
 /* Gets the number of devices for nicol_context_options.device. The devices are those that EGL lists, in EGL's
  * order, which is neither CUDA's nor the kernel's. Without EGL the number is 0. The list may change when
@@ -163,6 +166,7 @@ typedef struct nicol_device_info {
 } nicol_device_info;
 #define NICOL_DEVICE_INFO_INIT \
     { sizeof(nicol_device_info), 0, 0, 0, 0 }
+NICOL_API nicol_result nicol_device_info_init(nicol_device_info* descriptor, uint32_t struct_size);
 
 /* Gets the properties of a device; device is 1 to the number of nicol_device_count. Creating a context on the
  * device may still fail, because this function does not create one. */
@@ -219,8 +223,9 @@ typedef struct nicol_context_options {
 } nicol_context_options;
 /* clang-format off */
 #define NICOL_CONTEXT_OPTIONS_INIT \
-    { sizeof(nicol_context_options), 0, 0, 0, 0, 0, 0, NICOL_NO_LIMIT, 0x200000000u, 1 << 26, 1 << 27, 600, 0, 0 }
+    { sizeof(nicol_context_options), 0, 0, 0, 0, 0, 0, NICOL_NO_LIMIT, 0x200000000ULL, 1 << 26, 1 << 27, 600, 0, 0 }
 /* clang-format on */
+NICOL_API nicol_result nicol_context_options_init(nicol_context_options* descriptor, uint32_t struct_size);
 
 typedef struct nicol_context_info {
     uint32_t struct_size;
@@ -243,6 +248,7 @@ typedef struct nicol_context_info {
 } nicol_context_info;
 #define NICOL_CONTEXT_INFO_INIT \
     { sizeof(nicol_context_info), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 }
+NICOL_API nicol_result nicol_context_info_init(nicol_context_info* descriptor, uint32_t struct_size);
 
 /* Creates a context. options may be NULL: all defaults. Returns NICOL_ERROR_NO_BACKEND if no such OpenGL
  * context can be created. */
@@ -276,6 +282,7 @@ typedef struct nicol_image {
 } nicol_image;
 #define NICOL_IMAGE_INIT \
     { sizeof(nicol_image), 0, 0, 0, 0, 0, 0, 0, 0, 0 }
+NICOL_API nicol_result nicol_image_init(nicol_image* descriptor, uint32_t struct_size);
 
 /* Clear sky without the sun's own disc. At the angle g from the sun, the degree of linear polarization is
  * dop_max sin^2 g / (1 + cos^2 g), the electric field is along sun x view, and s3 is 0.
@@ -299,6 +306,7 @@ typedef struct nicol_sky {
 #define NICOL_SKY_INIT \
     { sizeof(nicol_sky), 0.8f, {0, 1, 0}, NICOL_SPECTRUM_INIT, 0, 0.2f }
 /* clang-format on */
+NICOL_API nicol_result nicol_sky_init(nicol_sky* descriptor, uint32_t struct_size);
 
 typedef struct nicol_environment_load_options {
     uint32_t struct_size;
@@ -310,6 +318,8 @@ typedef struct nicol_environment_load_options {
 } nicol_environment_load_options;
 #define NICOL_ENVIRONMENT_LOAD_OPTIONS_INIT \
     { sizeof(nicol_environment_load_options), 0, 1, NICOL_SPECTRUM_INIT }
+NICOL_API nicol_result nicol_environment_load_options_init(nicol_environment_load_options* descriptor,
+                                                           uint32_t struct_size);
 
 /* clang-format off */
 /* Loads an environment from files in the format that the path names:
@@ -358,6 +368,7 @@ typedef struct nicol_environment_info {
 #define NICOL_ENVIRONMENT_INFO_INIT \
     { sizeof(nicol_environment_info), 0, 0, 0, 0, 0, {0} }
 /* clang-format on */
+NICOL_API nicol_result nicol_environment_info_init(nicol_environment_info* descriptor, uint32_t struct_size);
 
 /* Gets the properties of the light. */
 NICOL_API nicol_result nicol_environment_get_info(nicol_environment environment,
@@ -373,20 +384,20 @@ NICOL_API nicol_result nicol_environment_release(nicol_environment environment);
  * blue), or four (and coverage). */
 
 typedef uint32_t nicol_texture_filter;
-#define NICOL_TEXTURE_FILTER_NEAREST 0
-#define NICOL_TEXTURE_FILTER_BILINEAR 1
+#define NICOL_TEXTURE_FILTER_NEAREST 0u
+#define NICOL_TEXTURE_FILTER_BILINEAR 1u
 #define NICOL_TEXTURE_FILTER_MIPMAP \
-    2 /* bilinear on smaller images where a pixel covers many texels, which is sharp also at a slant */
+    2u /* bilinear on smaller images where a pixel covers many texels, which is sharp also at a slant */
 
 typedef uint32_t nicol_texture_wrap; /* continuation of an image beyond u and v of 0 to 1 */
-#define NICOL_TEXTURE_WRAP_REPEAT 0
-#define NICOL_TEXTURE_WRAP_MIRROR 1
-#define NICOL_TEXTURE_WRAP_CLAMP 2
+#define NICOL_TEXTURE_WRAP_REPEAT 0u
+#define NICOL_TEXTURE_WRAP_MIRROR 1u
+#define NICOL_TEXTURE_WRAP_CLAMP 2u
 
 typedef uint32_t nicol_texel;
-#define NICOL_TEXEL_UINT8 0  /* uint8_t, n / 255 */
-#define NICOL_TEXEL_UINT16 1 /* uint16_t, n / 65535 */
-#define NICOL_TEXEL_FLOAT32 2
+#define NICOL_TEXEL_UINT8 0u  /* uint8_t, n / 255 */
+#define NICOL_TEXEL_UINT16 1u /* uint16_t, n / 65535 */
+#define NICOL_TEXEL_FLOAT32 2u
 
 typedef struct nicol_texture_image {
     uint32_t struct_size;
@@ -400,6 +411,7 @@ typedef struct nicol_texture_image {
 } nicol_texture_image;
 #define NICOL_TEXTURE_IMAGE_INIT \
     { sizeof(nicol_texture_image), 0, 0, 0, 0, 0, 0, 0, 0 }
+NICOL_API nicol_result nicol_texture_image_init(nicol_texture_image* descriptor, uint32_t struct_size);
 
 typedef struct nicol_texture_options {
     uint32_t struct_size;
@@ -417,6 +429,7 @@ typedef struct nicol_texture_options {
 #define NICOL_TEXTURE_OPTIONS_INIT \
     { sizeof(nicol_texture_options), NICOL_TEXTURE_FILTER_BILINEAR, 0, 0, { 1, 0, 0, 0, 1, 0, 0, 0, 1 } }
 /* clang-format on */
+NICOL_API nicol_result nicol_texture_options_init(nicol_texture_options* descriptor, uint32_t struct_size);
 
 /* Creates a texture from an image in memory and copies the pixels. options may be NULL: all defaults. */
 NICOL_API nicol_result nicol_texture_create_image(nicol_context context, const nicol_texture_image* image,
@@ -446,8 +459,8 @@ NICOL_API nicol_result nicol_texture_release(nicol_texture texture);
  * textures need a mesh with texture coordinates, or with colours. */
 
 typedef uint32_t nicol_distribution;
-#define NICOL_DISTRIBUTION_BECKMANN 0
-#define NICOL_DISTRIBUTION_GGX 1
+#define NICOL_DISTRIBUTION_BECKMANN 0u
+#define NICOL_DISTRIBUTION_GGX 1u
 
 /* Plastic as Mitsuba 3's pplastic: rough Fresnel reflection over a diffuse base, both polarizing. Only the
  * front side reflects. */
@@ -480,6 +493,7 @@ typedef struct nicol_pplastic {
     { sizeof(nicol_pplastic), 0, NICOL_SPECTRUM_INIT, NICOL_SPECTRUM_INIT, 1.49f, 1.000277f, 0.1f, \
       0, 0, 0, 0, 0, 0, 0, 0 }
 /* clang-format on */
+NICOL_API nicol_result nicol_pplastic_init(nicol_pplastic* descriptor, uint32_t struct_size);
 
 /* Creates a material from nicol_pplastic. The message of NICOL_ERROR_INVALID_ARGUMENT names the field that is
  * out of range. */
@@ -511,6 +525,7 @@ typedef struct nicol_plastic {
     { sizeof(nicol_plastic), 0, NICOL_SPECTRUM_INIT, NICOL_SPECTRUM_INIT, 1.49f, 1.000277f, 0, \
       0, 0, 0, 0 }
 /* clang-format on */
+NICOL_API nicol_result nicol_plastic_init(nicol_plastic* descriptor, uint32_t struct_size);
 
 /* Creates a material from nicol_plastic. The message of NICOL_ERROR_INVALID_ARGUMENT names the field that is
  * out of range. */
@@ -561,6 +576,7 @@ typedef struct nicol_principled {
     { sizeof(nicol_principled), 1.5f, NICOL_SPECTRUM_INIT, 0.5f, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, \
       0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 }
 /* clang-format on */
+NICOL_API nicol_result nicol_principled_init(nicol_principled* descriptor, uint32_t struct_size);
 
 /* Creates a material from nicol_principled. The message of NICOL_ERROR_INVALID_ARGUMENT names the field that
  * is out of range. Returns NICOL_ERROR_UNSUPPORTED for a tint of a mesh's colours. */
@@ -621,6 +637,7 @@ typedef struct nicol_conductor {
     { sizeof(nicol_conductor), 0, 0, 0, 0, NICOL_SPECTRUM_INIT, NICOL_SPECTRUM_INIT,                \
       NICOL_SPECTRUM_INIT, NICOL_SPECTRUM_INIT, 0, 0, 0, 0, 0, 0 }
 /* clang-format on */
+NICOL_API nicol_result nicol_conductor_init(nicol_conductor* descriptor, uint32_t struct_size);
 
 /* Creates a material from nicol_conductor. The message of NICOL_ERROR_INVALID_ARGUMENT names the field that
  * is out of range or, for an unknown metal, the known metals. */
@@ -629,8 +646,8 @@ NICOL_API nicol_result nicol_material_create_conductor(nicol_context context,
                                                        nicol_material* material);
 
 typedef uint32_t nicol_wavelength_sampling;
-#define NICOL_WAVELENGTH_LINEAR 0  /* linear between the measured wavelengths, constant beyond them */
-#define NICOL_WAVELENGTH_NEAREST 1 /* nearest measured wavelength */
+#define NICOL_WAVELENGTH_LINEAR 0u  /* linear between the measured wavelengths, constant beyond them */
+#define NICOL_WAVELENGTH_NEAREST 1u /* nearest measured wavelength */
 
 typedef struct nicol_measured {
     uint32_t struct_size;
@@ -646,6 +663,7 @@ typedef struct nicol_measured {
 } nicol_measured;
 #define NICOL_MEASURED_INIT \
     { sizeof(nicol_measured), 0, NICOL_SPECTRUM_INIT, 0 }
+NICOL_API nicol_result nicol_measured_init(nicol_measured* descriptor, uint32_t struct_size);
 
 /* Loads a material as Mitsuba 3's measured_polarized from a .pbsdf file, such as the KAIST data set has. The
  * file is streamed: about 102 MB per channel stay in memory at the data set's resolution, or half as much if
@@ -660,6 +678,7 @@ typedef struct nicol_psh_matrix {
 } nicol_psh_matrix;
 #define NICOL_PSH_MATRIX_INIT \
     { sizeof(nicol_psh_matrix), 0, NICOL_SPECTRUM_INIT }
+NICOL_API nicol_result nicol_psh_matrix_init(nicol_psh_matrix* descriptor, uint32_t struct_size);
 
 /* Loads an isotropic material from one PSH coefficient matrix per channel, cosine included: the .npz files of
  * the Python package polarsh (SHMat in the layout ISOBI2). The material does not reflect light of orders
@@ -733,6 +752,8 @@ typedef struct nicol_callback_material {
 } nicol_callback_material;
 #define NICOL_CALLBACK_MATERIAL_INIT \
     { sizeof(nicol_callback_material), 1, 0, 0, 0, 1, 0 }
+NICOL_API nicol_result nicol_callback_material_init(nicol_callback_material* descriptor,
+                                                    uint32_t struct_size);
 
 /* Creates a material from a function, which must be isotropic, mirror symmetric about every plane through the
  * normal, and finite. Returns NICOL_ERROR_INVALID_ARGUMENT if a test at some directions shows that the
@@ -773,6 +794,7 @@ typedef struct nicol_mesh_data {
 } nicol_mesh_data;
 #define NICOL_MESH_DATA_INIT \
     { sizeof(nicol_mesh_data), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 }
+NICOL_API nicol_result nicol_mesh_data_init(nicol_mesh_data* descriptor, uint32_t struct_size);
 
 /* Loads a mesh from OBJ, PLY, OFF, STL or the first mesh of Mitsuba's .serialized, by the file's suffix.
  * Polygons may be concave. Triangles without area, vertices without a face, and elements that the reader
@@ -808,8 +830,8 @@ NICOL_API nicol_result nicol_mesh_release(nicol_mesh mesh);
 /* ---------------------------------------------------------------- camera */
 
 typedef uint32_t nicol_projection;
-#define NICOL_PROJECTION_PERSPECTIVE 0
-#define NICOL_PROJECTION_ORTHOGRAPHIC 1
+#define NICOL_PROJECTION_PERSPECTIVE 0u
+#define NICOL_PROJECTION_ORTHOGRAPHIC 1u
 
 typedef struct nicol_camera {
     uint32_t struct_size;
@@ -835,6 +857,7 @@ typedef struct nicol_camera {
 #define NICOL_CAMERA_INIT \
     { sizeof(nicol_camera), 0, NICOL_IDENTITY_4X4, 45, 0.01, 10000, { 0, 0 }, { 0, 0 } }
 /* clang-format on */
+NICOL_API nicol_result nicol_camera_init(nicol_camera* descriptor, uint32_t struct_size);
 
 /* Sets to_world, and no other field, to that of a camera at `origin` that looks at `target`. `up` must not
  * lie along the view. */
@@ -865,12 +888,13 @@ typedef struct nicol_polarization {
 /* clang-format off */
 #define NICOL_POLARIZATION_INIT { 0, 0, 0, { 1, 0, 0 } }
 /* clang-format on */
+NICOL_API nicol_result nicol_polarization_init(nicol_polarization* descriptor, uint32_t struct_size);
 
 typedef uint32_t nicol_light_kind;
-#define NICOL_LIGHT_DIRECTIONAL 0 /* parallel light from infinitely far, or from a disc of the sky */
-#define NICOL_LIGHT_POINT 1       /* light in all directions */
-#define NICOL_LIGHT_SPOT 2        /* light within a cone */
-#define NICOL_LIGHT_PROJECTOR 3   /* texture, or one colour, projected onto a rectangle */
+#define NICOL_LIGHT_DIRECTIONAL 0u /* parallel light from infinitely far, or from a disc of the sky */
+#define NICOL_LIGHT_POINT 1u       /* light in all directions */
+#define NICOL_LIGHT_SPOT 2u        /* light within a cone */
+#define NICOL_LIGHT_PROJECTOR 3u   /* texture, or one colour, projected onto a rectangle */
 
 /* Local light without a surface, beside the environment. In its own axes the light emits along +z, from the
  * origin unless it is directional. +y is up, and +x is to the left of a viewer who looks along +z, as for
@@ -903,6 +927,7 @@ typedef struct nicol_light {
     { sizeof(nicol_light), NICOL_LIGHT_POINT, NICOL_SPECTRUM_INIT, 0, NICOL_IDENTITY_4X4, 0, 20, 15, 45, 1, 0, \
       NICOL_POLARIZATION_INIT }
 /* clang-format on */
+NICOL_API nicol_result nicol_light_init(nicol_light* descriptor, uint32_t struct_size);
 
 /* Emission of an instance, in addition to its reflection. */
 typedef struct nicol_emission {
@@ -918,20 +943,21 @@ typedef struct nicol_emission {
 #define NICOL_EMISSION_INIT \
     { sizeof(nicol_emission), 0, NICOL_SPECTRUM_INIT, 0, 0, NICOL_POLARIZATION_INIT }
 /* clang-format on */
+NICOL_API nicol_result nicol_emission_init(nicol_emission* descriptor, uint32_t struct_size);
 
 /* ---------------------------------------------------------------- polarization elements */
 
 typedef uint32_t nicol_polarization_element_kind;
 /* clang-format off */
-#define NICOL_POLARIZATION_ELEMENT_POLARIZER 0      /* linear polarizer: transmits light that is polarized along its axis */
-#define NICOL_POLARIZATION_ELEMENT_RETARDER 1       /* wave plate: delays light that is polarized across its fast axis */
-#define NICOL_POLARIZATION_ELEMENT_RIGHT_CIRCULAR 2 /* circular polarizer: transmits right circular light; has no axis */
-#define NICOL_POLARIZATION_ELEMENT_LEFT_CIRCULAR 3  /* circular polarizer: transmits left circular light; has no axis */
+#define NICOL_POLARIZATION_ELEMENT_POLARIZER 0u      /* linear polarizer: transmits light that is polarized along its axis */
+#define NICOL_POLARIZATION_ELEMENT_RETARDER 1u       /* wave plate: delays light that is polarized across its fast axis */
+#define NICOL_POLARIZATION_ELEMENT_RIGHT_CIRCULAR 2u /* circular polarizer: transmits right circular light; has no axis */
+#define NICOL_POLARIZATION_ELEMENT_LEFT_CIRCULAR 3u  /* circular polarizer: transmits left circular light; has no axis */
 /* clang-format on */
 
 typedef uint32_t nicol_polarization_element_outline;
-#define NICOL_POLARIZATION_ELEMENT_RECTANGLE 0 /* |x| <= 1, |y| <= 1 */
-#define NICOL_POLARIZATION_ELEMENT_DISK 1      /* radius 1 */
+#define NICOL_POLARIZATION_ELEMENT_RECTANGLE 0u /* |x| <= 1, |y| <= 1 */
+#define NICOL_POLARIZATION_ELEMENT_DISK 1u      /* radius 1 */
 
 /* clang-format off */
 /* Ideal, infinitely thin polarization element. The camera sees what is behind the element through its Mueller matrix.
@@ -969,6 +995,8 @@ typedef struct nicol_polarization_element {
     { sizeof(nicol_polarization_element), NICOL_POLARIZATION_ELEMENT_POLARIZER, \
       NICOL_POLARIZATION_ELEMENT_RECTANGLE, 0, NICOL_IDENTITY_4X4, 0, 90, 1 }
 /* clang-format on */
+NICOL_API nicol_result nicol_polarization_element_init(nicol_polarization_element* descriptor,
+                                                       uint32_t struct_size);
 
 /* ---------------------------------------------------------------- scene */
 
@@ -985,6 +1013,7 @@ typedef struct nicol_instance {
 #define NICOL_INSTANCE_INIT \
     { sizeof(nicol_instance), 0, 0, 0, NICOL_IDENTITY_4X4 }
 /* clang-format on */
+NICOL_API nicol_result nicol_instance_init(nicol_instance* descriptor, uint32_t struct_size);
 
 /* Creates an empty, dark scene. */
 NICOL_API nicol_result nicol_scene_create(nicol_context context, nicol_scene* scene);
@@ -1104,6 +1133,7 @@ typedef struct nicol_scene_file {
 } nicol_scene_file;
 #define NICOL_SCENE_FILE_INIT \
     { sizeof(nicol_scene_file), 0, 0, 0, 0 }
+NICOL_API nicol_result nicol_scene_file_init(nicol_scene_file* descriptor, uint32_t struct_size);
 
 /* Gets the number of files that nicol_scene_load has read, or 0 for a scene that was not loaded. Each file
  * counts once: the scene file, the files that it includes (the buffers of glTF), then light, materials and
@@ -1123,21 +1153,21 @@ NICOL_API nicol_result nicol_scene_release(nicol_scene scene);
 typedef uint32_t nicol_method;
 /* Real-time method that stores light up to order_low in each vertex's frame and multiplies the light by a
  * table of the material's response at each view angle. */
-#define NICOL_METHOD_FACTORED 0
+#define NICOL_METHOD_FACTORED 0u
 /* Real-time method of the paper, with a transfer matrix per vertex, baked from shadow and material. Outgoing
  * light is truncated at order_low too. The method is slower and larger, for comparison. */
-#define NICOL_METHOD_DENSE 1
+#define NICOL_METHOD_DENSE 1u
 /* Monte Carlo integration of the light at each pixel, with shadows, without harmonics. The method is slow,
  * noisy and unbiased: the reference for the other methods. With max_depth it follows light that surfaces
  * reflect to each other, with full Mueller matrices along each path. */
-#define NICOL_METHOD_REFERENCE 2
+#define NICOL_METHOD_REFERENCE 2u
 
 /* Reflection of the light's orders above order_low: the light is prefiltered by lobes, looked up at the
  * mirrored view direction, and multiplied by the visible fraction of the lobe. */
 typedef uint32_t nicol_high_orders;
-#define NICOL_HIGH_ORDERS_SPLIT 0       /* lobes times Mueller matrices of the view angle */
-#define NICOL_HIGH_ORDERS_CONVOLUTION 1 /* one kernel per material (Eq. 68): reflection does not polarize */
-#define NICOL_HIGH_ORDERS_NONE 2        /* no high orders */
+#define NICOL_HIGH_ORDERS_SPLIT 0u       /* lobes times Mueller matrices of the view angle */
+#define NICOL_HIGH_ORDERS_CONVOLUTION 1u /* one kernel per material (Eq. 68), which does not polarize */
+#define NICOL_HIGH_ORDERS_NONE 2u        /* no high orders */
 
 /* Place where light becomes the Stokes vector of an image. */
 typedef uint32_t nicol_shade_at;
@@ -1145,20 +1175,20 @@ typedef uint32_t nicol_shade_at;
  * tolerance, because normals or view directions change much across triangles for the lobes of the materials.
  * Also pixels for local lights, for a material that varies by a texture, and for several samples per pixel by
  * threads, which cost less there. Otherwise vertices. */
-#define NICOL_SHADE_AT_AUTOMATIC 0
+#define NICOL_SHADE_AT_AUTOMATIC 0u
 /* Vertices: Stokes vectors are interpolated across triangles, which is fast, and right where triangles cover
  * few pixels. Materials that vary by textures give NICOL_ERROR_UNSUPPORTED. */
-#define NICOL_SHADE_AT_VERTICES 1
+#define NICOL_SHADE_AT_VERTICES 1u
 /* Pixels, for coarse meshes: the light that arrives is interpolated, in the world's axes; normal, view angle,
  * response and high orders are those of the pixel. */
-#define NICOL_SHADE_AT_PIXELS 2
+#define NICOL_SHADE_AT_PIXELS 2u
 
 /* Device that runs relight and shade. The images of both devices agree to 1e-5 of their largest value; shaded
  * at pixels, to 1e-4 where a surface is seen edge-on. */
 typedef uint32_t nicol_executor;
-#define NICOL_EXECUTOR_AUTOMATIC 0 /* compute, unless OpenGL runs on the CPU or lacks features */
-#define NICOL_EXECUTOR_CPU 1       /* threads */
-#define NICOL_EXECUTOR_COMPUTE 2   /* compute shaders, also if OpenGL runs on the CPU, where they are slow */
+#define NICOL_EXECUTOR_AUTOMATIC 0u /* compute, unless OpenGL runs on the CPU or lacks features */
+#define NICOL_EXECUTOR_CPU 1u       /* threads */
+#define NICOL_EXECUTOR_COMPUTE 2u   /* compute shaders, also if OpenGL runs on the CPU, where they are slow */
 
 /* Work that a render skips because the image is the same without it. All optimisations are enabled by
  * default. */
@@ -1187,11 +1217,11 @@ typedef uint32_t nicol_executor;
 
 /* Stokes components of an image; the others are 0. */
 typedef uint32_t nicol_components;
-#define NICOL_COMPONENTS_ALL 0
-#define NICOL_COMPONENTS_S0 1     /* s0 */
-#define NICOL_COMPONENTS_LINEAR 3 /* s0, s1, s2 */
+#define NICOL_COMPONENTS_ALL 0u
+#define NICOL_COMPONENTS_S0 1u     /* s0 */
+#define NICOL_COMPONENTS_LINEAR 3u /* s0, s1, s2 */
 
-#define NICOL_DIRECTIONS_AUTOMATIC 0
+#define NICOL_DIRECTIONS_AUTOMATIC 0u
 
 /* No limit of the path's length; Russian roulette ends paths without a bias. */
 #define NICOL_DEPTH_UNLIMITED (-1)
@@ -1294,6 +1324,7 @@ typedef struct nicol_render_options {
     { sizeof(nicol_render_options), 0, NICOL_ORDER_AUTOMATIC, NICOL_ORDER_AUTOMATIC, 0, 1, NICOL_DIRECTIONS_AUTOMATIC, 1, 0, 0, 0, 256, 0, 0, \
       0.03, 0, 0, 1, 0, 0, 0, 0.02, 0, NICOL_SPLIT_AUTOMATIC, 16, 32, 0 }
 /* clang-format on */
+NICOL_API nicol_result nicol_render_options_init(nicol_render_options* descriptor, uint32_t struct_size);
 
 /* Creates a framebuffer. width and height are 1 to NICOL_MAX_SIZE pixels (the driver may allow less), and at
  * most 2^26 pixels in all. channels is the scene's number, or 1 for the luminance of a scene of three
@@ -1337,9 +1368,9 @@ NICOL_API nicol_result nicol_render_async(nicol_scene scene, const nicol_camera*
                                           nicol_job* job);
 
 typedef uint32_t nicol_job_state;
-#define NICOL_JOB_WAITING 0
-#define NICOL_JOB_RUNNING 1
-#define NICOL_JOB_DONE 2
+#define NICOL_JOB_WAITING 0u
+#define NICOL_JOB_RUNNING 1u
+#define NICOL_JOB_DONE 2u
 
 typedef struct nicol_job_status {
     uint32_t struct_size;
@@ -1353,6 +1384,7 @@ typedef struct nicol_job_status {
 } nicol_job_status;
 #define NICOL_JOB_STATUS_INIT \
     { sizeof(nicol_job_status), 0, 0, 0, 0, 0 }
+NICOL_API nicol_result nicol_job_status_init(nicol_job_status* descriptor, uint32_t struct_size);
 
 /* Gets the job's progress, and never waits for the job. */
 NICOL_API nicol_result nicol_job_poll(nicol_job job, nicol_job_status* status);
@@ -1428,6 +1460,7 @@ typedef struct nicol_statistics {
         sizeof(nicol_statistics), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, \
             0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0                                                      \
     }
+NICOL_API nicol_result nicol_statistics_init(nicol_statistics* descriptor, uint32_t struct_size);
 
 /* Gets the statistics of the last render into a framebuffer: all zeros before the first render. */
 NICOL_API nicol_result nicol_framebuffer_get_statistics(nicol_framebuffer framebuffer,
@@ -1436,23 +1469,23 @@ NICOL_API nicol_result nicol_framebuffer_get_statistics(nicol_framebuffer frameb
 /* ---------------------------------------------------------------- observe */
 
 typedef uint32_t nicol_plane;
-#define NICOL_PLANE_S0 0
-#define NICOL_PLANE_S1 1
-#define NICOL_PLANE_S2 2
-#define NICOL_PLANE_S3 3
-#define NICOL_PLANE_STOKES 4 /* Stokes vector, four floats per pixel */
-#define NICOL_PLANE_DOLP 5   /* degree of linear polarization; 0 where s0 <= 0 */
+#define NICOL_PLANE_S0 0u
+#define NICOL_PLANE_S1 1u
+#define NICOL_PLANE_S2 2u
+#define NICOL_PLANE_S3 3u
+#define NICOL_PLANE_STOKES 4u /* Stokes vector, four floats per pixel */
+#define NICOL_PLANE_DOLP 5u   /* degree of linear polarization; 0 where s0 <= 0 */
 /* Angle of linear polarization, radians in (-pi/2, pi/2], counter-clockwise from image right. */
-#define NICOL_PLANE_AOLP 6
+#define NICOL_PLANE_AOLP 6u
 /* Depth: distance along the camera's +z; +infinity without a surface. This plane and all planes below exist
  * only if the last render into the framebuffer made them (NICOL_AOV_...), and only NICOL_PLANE_VARIANCE has
  * colour channels. */
-#define NICOL_PLANE_DEPTH 7
+#define NICOL_PLANE_DEPTH 7u
 /* Unit shading normal in the world: on the visible side of a two-sided surface, else on the front. */
 #define NICOL_PLANE_NORMAL \
-    8 /* three floats per pixel; 0 without a surface, and where the normals of a pixel's samples cancel */
-#define NICOL_PLANE_POSITION 9  /* point in the world, three floats per pixel; 0 without a surface */
-#define NICOL_PLANE_INSTANCE 10 /* id of the instance, one uint32_t per pixel, or NICOL_NO_INSTANCE */
+    8u /* three floats per pixel; 0 without a surface, and where the normals of a pixel's samples cancel */
+#define NICOL_PLANE_POSITION 9u  /* point in the world, three floats per pixel; 0 without a surface */
+#define NICOL_PLANE_INSTANCE 10u /* id of the instance, one uint32_t per pixel, or NICOL_NO_INSTANCE */
 #define NICOL_NO_INSTANCE 0xffffffffu
 /* Variance of each Stokes component of a pixel over seeds, whose square root is the standard error: four
  * floats per pixel and colour channel, at most the largest float. Framebuffers of luminance have the variance
@@ -1461,11 +1494,11 @@ typedef uint32_t nicol_plane;
  * freedom. On average the estimate is an upper bound, because all samples of a pixel together are spread
  * better than those of a group: in measurements, 1 to 2 times the variance on most surfaces, and 3 times at
  * outlines under smooth light. */
-#define NICOL_PLANE_VARIANCE 11
+#define NICOL_PLANE_VARIANCE 11u
 /* Coverage: the fraction of a pixel's samples (with the reference method, of its rays) that show a surface,
  * from the front or from behind; 1 or 0 with one sample. The Stokes image is not multiplied by the coverage,
  * and has the environment behind the surfaces, weighted by 1 - alpha, or black without an environment. */
-#define NICOL_PLANE_ALPHA 12
+#define NICOL_PLANE_ALPHA 12u
 
 /* Copies one plane of one colour channel, first row at the top. row_stride is in bytes; 0: tightly packed.
  * byte_size is the room at pixels, in bytes. Returns NICOL_ERROR_INVALID_ARGUMENT for a plane that does not
@@ -1475,12 +1508,12 @@ NICOL_API nicol_result nicol_framebuffer_read(nicol_framebuffer framebuffer, nic
                                               uint64_t byte_size);
 
 typedef uint32_t nicol_format;
-#define NICOL_FORMAT_AUTOMATIC 0 /* float32; uint32 for NICOL_PLANE_INSTANCE */
-#define NICOL_FORMAT_FLOAT32 1
+#define NICOL_FORMAT_AUTOMATIC 0u /* float32; uint32 for NICOL_PLANE_INSTANCE */
+#define NICOL_FORMAT_FLOAT32 1u
 /* IEEE 754 half precision, rounded to the nearest, ties to even. */
 #define NICOL_FORMAT_FLOAT16 \
-    2 /* infinite beyond 65504 and in steps of 2^-24 for small values: scale the light if this matters */
-#define NICOL_FORMAT_UINT32 3 /* for NICOL_PLANE_INSTANCE alone */
+    2u /* infinite beyond 65504 and in steps of 2^-24 for small values: scale the light if this matters */
+#define NICOL_FORMAT_UINT32 3u /* for NICOL_PLANE_INSTANCE alone */
 
 #define NICOL_ALL_CHANNELS 0xffffffffu
 
@@ -1499,6 +1532,7 @@ typedef struct nicol_plane_buffer {
 } nicol_plane_buffer;
 #define NICOL_PLANE_BUFFER_INIT \
     { sizeof(nicol_plane_buffer), 0, 0, 0, 0, 0, 0 }
+NICOL_API nicol_result nicol_plane_buffer_init(nicol_plane_buffer* descriptor, uint32_t struct_size);
 
 /* Copies a plane in the format and with the channels of `to`. Bytes between rows are not written. A call that
  * fails writes nothing. */
@@ -1515,13 +1549,13 @@ NICOL_API nicol_result nicol_framebuffer_read_plane(nicol_framebuffer framebuffe
 NICOL_API nicol_result nicol_framebuffer_write_exr(nicol_framebuffer framebuffer, const char* path);
 
 typedef uint32_t nicol_observation_kind;
-#define NICOL_OBSERVATION_S0 0        /* s0, tone-mapped with the sRGB curve */
-#define NICOL_OBSERVATION_S1 1        /* s1: red negative, green positive, linear */
-#define NICOL_OBSERVATION_S2 2        /* s2: red negative, green positive, linear */
-#define NICOL_OBSERVATION_S3 3        /* s3: red negative, green positive, linear */
-#define NICOL_OBSERVATION_DOLP 4      /* DoLP: black 0, white 1 */
-#define NICOL_OBSERVATION_AOLP 5      /* AoLP: hue = angle / 180 degrees, value = DoLP */
-#define NICOL_OBSERVATION_POLARIZER 6 /* light behind an ideal linear polarizer, tone-mapped as s0 */
+#define NICOL_OBSERVATION_S0 0u        /* s0, tone-mapped with the sRGB curve */
+#define NICOL_OBSERVATION_S1 1u        /* s1: red negative, green positive, linear */
+#define NICOL_OBSERVATION_S2 2u        /* s2: red negative, green positive, linear */
+#define NICOL_OBSERVATION_S3 3u        /* s3: red negative, green positive, linear */
+#define NICOL_OBSERVATION_DOLP 4u      /* DoLP: black 0, white 1 */
+#define NICOL_OBSERVATION_AOLP 5u      /* AoLP: hue = angle / 180 degrees, value = DoLP */
+#define NICOL_OBSERVATION_POLARIZER 6u /* light behind an ideal linear polarizer, tone-mapped as s0 */
 
 typedef struct nicol_observation {
     uint32_t struct_size;
@@ -1534,6 +1568,7 @@ typedef struct nicol_observation {
 } nicol_observation;
 #define NICOL_OBSERVATION_INIT \
     { sizeof(nicol_observation), 0, 0, 0, 0 }
+NICOL_API nicol_result nicol_observation_init(nicol_observation* descriptor, uint32_t struct_size);
 
 /* Writes a PNG file of 8-bit RGB. S0 and POLARIZER need a framebuffer of 1 or 3 channels; the other kinds
  * show the mean of the channels. */
@@ -1592,6 +1627,7 @@ typedef struct nicol_host {
 } nicol_host;
 #define NICOL_HOST_INIT \
     { sizeof(nicol_host), 0, 0, 0, 0 }
+NICOL_API nicol_result nicol_host_init(nicol_host* descriptor, uint32_t struct_size);
 
 /* Creates a context inside the OpenGL context that is current: OpenGL 4.5 or newer, of the core or the
  * compatibility profile. options are those of nicol_context_create, with backend and device 0. Returns
@@ -1610,6 +1646,7 @@ typedef struct nicol_gl_texture {
 } nicol_gl_texture;
 #define NICOL_GL_TEXTURE_INIT \
     { sizeof(nicol_gl_texture), 0, 0, 0, 0, 0 }
+NICOL_API nicol_result nicol_gl_texture_init(nicol_gl_texture* descriptor, uint32_t struct_size);
 
 /* Gets the texture of a colour channel: a texel is the Stokes vector (s0, s1, s2, s3), and row 0 is the
  * image's TOP. The name is valid, and stays the same, until the framebuffer is released; the content is that
@@ -1620,8 +1657,8 @@ NICOL_API nicol_result nicol_framebuffer_get_texture(nicol_framebuffer framebuff
                                                      nicol_gl_texture* texture);
 
 typedef uint32_t nicol_encoding;
-#define NICOL_ENCODING_LINEAR 0 /* radiance, stored as far as the texture's format goes */
-#define NICOL_ENCODING_SRGB 1   /* radiance clipped to 0 to 1, through the sRGB curve, as in PNG files */
+#define NICOL_ENCODING_LINEAR 0u /* radiance, stored as far as the texture's format goes */
+#define NICOL_ENCODING_SRGB 1u   /* radiance clipped to 0 to 1, through the sRGB curve, as in PNG files */
 
 /* Texture of the host's to draw into: level 0 of a GL_TEXTURE_2D of GL_RGBA8, GL_SRGB8_ALPHA8, GL_RGBA16F or
  * GL_RGBA32F, as large as the framebuffer. */
@@ -1637,6 +1674,7 @@ typedef struct nicol_texture_target {
 } nicol_texture_target;
 #define NICOL_TEXTURE_TARGET_INIT \
     { sizeof(nicol_texture_target), 0, 0, 0 }
+NICOL_API nicol_result nicol_texture_target_init(nicol_texture_target* descriptor, uint32_t struct_size);
 
 /* Copies the Stokes vectors of a channel into a texture; nothing is read back. Returns
  * NICOL_ERROR_UNSUPPORTED for a framebuffer whose context is not a host's. */

@@ -8,6 +8,7 @@
 #ifndef NICOL_HPP
 #define NICOL_HPP
 
+#include <cstdint>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -66,6 +67,14 @@ template <class Object, class... Parameters, class... Arguments>
     typename Object::pointer handle = nullptr;
     check(function(std::forward<Arguments>(arguments)..., &handle));
     return Object(handle);
+}
+
+/// Returns a struct with the defaults that its initialiser sets at run time: defaults(nicol_camera_init).
+template <class Struct>
+[[nodiscard]] Struct defaults(nicol_result (*initialiser)(Struct*, std::uint32_t)) {
+    Struct made;
+    check(initialiser(&made, sizeof made));
+    return made;
 }
 
 }  // namespace nicol

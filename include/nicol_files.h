@@ -17,31 +17,31 @@ extern "C" {
 typedef uint32_t nicol_file_kind;
 /* .exr: an equirectangular image in nicol_image's layout and frames, with the channels R G B or Y, S0 .. S3
  * by colour, or the channels of spectral Stokes images. */
-#define NICOL_FILE_LIGHT_IMAGE 1
+#define NICOL_FILE_LIGHT_IMAGE 1u
 /* NAME_s0.exr .. NAME_s3.exr, given as one of the four, or as NAME if no file has that name: a cube map as a
  * cross of 4 x 3 faces, with the rows Up / Left Front Right Back / Down at +z / -x +y +x -y / -z. Frames:
  * z = propagation, y = the part of the face's image up that is perpendicular to z, x = image right. */
-#define NICOL_FILE_LIGHT_CROSS 2
+#define NICOL_FILE_LIGHT_CROSS 2u
 /* .npz, SHVec: member coeff [channel][l*l + l + m][4], as all coefficients of nicol_psh.h. */
-#define NICOL_FILE_LIGHT_PSH 3
+#define NICOL_FILE_LIGHT_PSH 3u
 /* .npz, SHMat ISOBI2: member coeff [channel][index][p out][p in], an isotropic pBRDF times the incident
  * cosine, both sides over propagation directions, the normal along z. */
-#define NICOL_FILE_MATERIAL_PSH 4
+#define NICOL_FILE_MATERIAL_PSH 4u
 /* .pbsdf, as Mitsuba 3's measured_polarized: half vector and difference angles, s-frames. Files of this kind
  * can be read but not written. */
-#define NICOL_FILE_MATERIAL_MEASURED 5
+#define NICOL_FILE_MATERIAL_MEASURED 5u
 /* .response, a table of Nicol's cache: light that leaves at each zenith angle up to 90 degrees, over
  * coefficients of the light. Tables are written into a cache folder: an output that is a folder or ends in
  * '/'. */
-#define NICOL_FILE_MATERIAL_TABLE 6
+#define NICOL_FILE_MATERIAL_TABLE 6u
 
 /* Flag for images whose pixels are samples of light without orders above `order`, instead of the bilinear
  * function between pixels. With the flag, an image that was written from coefficients gives the same
  * coefficients. The image needs 2 order + 1 columns and rows. */
-#define NICOL_FILE_BAND_LIMITED 1
+#define NICOL_FILE_BAND_LIMITED 1u
 /* Flag to make images physically realizable (Eq. 70): s0 below 0 becomes black, and polarization beyond s0 is
  * cut to s0. Truncated light needs the flag so that other programs accept it as a light. */
-#define NICOL_FILE_PHYSICAL 2
+#define NICOL_FILE_PHYSICAL 2u
 
 #define NICOL_FILE_ORDER_AUTOMATIC 0xffffffffu
 
@@ -74,6 +74,7 @@ typedef struct nicol_file_options {
     { sizeof(nicol_file_options), NICOL_FILE_ORDER_AUTOMATIC, 0, 0, 0, 0, 1,                \
       {1, 0, 0, 0, 1, 0, 0, 0, 1}, NICOL_SPECTRUM_INIT, 0 }
 /* clang-format on */
+NICOL_API nicol_result nicol_file_options_init(nicol_file_options* descriptor, uint32_t struct_size);
 
 /* Report of a light, by channel. Means and fractions are taken over the sphere, weighted by solid angle, for
  * the image that would be written. */
@@ -107,6 +108,7 @@ typedef struct nicol_light_report {
             0                                                                                           \
         }                                                                                               \
     }
+NICOL_API nicol_result nicol_light_report_init(nicol_light_report* descriptor, uint32_t struct_size);
 
 /* Report of a material, by channel, as far as coefficients up to `order` describe the material. */
 typedef struct nicol_material_report {
@@ -145,6 +147,7 @@ typedef struct nicol_material_report {
             0                                                                                    \
         }                                                                                        \
     }
+NICOL_API nicol_result nicol_material_report_init(nicol_material_report* descriptor, uint32_t struct_size);
 
 /* Gets the kind of a file from its suffix and headers alone; the file may yet prove damaged. Returns
  * NICOL_ERROR_UNSUPPORTED for another suffix or an archive of another kind. */

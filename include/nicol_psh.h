@@ -53,9 +53,9 @@ NICOL_API nicol_result nicol_psh_project_file(const char* path, uint32_t order, 
                                               double* coefficients, uint64_t count);
 
 typedef uint32_t nicol_psh_grid;
-#define NICOL_PSH_GRID_FEJER 0           /* theta = (j + 1/2) pi / rows: pixel centres */
-#define NICOL_PSH_GRID_CLENSHAW_CURTIS 1 /* theta = j pi / (rows - 1): both poles are rows */
-#define NICOL_PSH_GRID_GAUSS_LEGENDRE 2  /* cos theta at the roots of the Legendre polynomial */
+#define NICOL_PSH_GRID_FEJER 0u           /* theta = (j + 1/2) pi / rows: pixel centres */
+#define NICOL_PSH_GRID_CLENSHAW_CURTIS 1u /* theta = j pi / (rows - 1): both poles are rows */
+#define NICOL_PSH_GRID_GAUSS_LEGENDRE 2u  /* cos theta at the roots of the Legendre polynomial */
 
 typedef struct nicol_psh_sampling {
     uint32_t struct_size;
@@ -73,6 +73,7 @@ typedef struct nicol_psh_sampling {
 } nicol_psh_sampling;
 #define NICOL_PSH_SAMPLING_INIT \
     { sizeof(nicol_psh_sampling), 0, 0, 0, 0, 0, 0 }
+NICOL_API nicol_result nicol_psh_sampling_init(nicol_psh_sampling* descriptor, uint32_t struct_size);
 
 /* Transform between samples [vector][row][column][4], north to south, and coefficients, in O(order^3). The
  * transform needs no context and holds its work space: no call allocates after creation. Calls on one
@@ -151,6 +152,8 @@ typedef struct nicol_psh_mueller_field {
 } nicol_psh_mueller_field;
 #define NICOL_PSH_MUELLER_FIELD_INIT \
     { sizeof(nicol_psh_mueller_field), 0, 0, 0, 0, 0, 0, 0, 0, 0 }
+NICOL_API nicol_result nicol_psh_mueller_field_init(nicol_psh_mueller_field* descriptor,
+                                                    uint32_t struct_size);
 
 /* Computes the matrix of the operator "integrate the field times the light over the incoming directions"
  * (Eqs. 39, 40), by quadrature. */

@@ -7,9 +7,13 @@ import sys
 COMMENT = re.compile(r"/\*.*?\*/", re.DOTALL)
 RULE = re.compile(r"/\* -{10,} (?P<title>.*?) \*/")
 FUNCTION = re.compile(r"NICOL_API [\w ]+?\*? ?(?P<name>nicol_\w+)\(")
-COUNT = re.compile(r"\n(NICOL_API nicol_result nicol_\w+_(retain|release)\()")
-# What the header says once, at its top, of every kind of object.
-COUNTS = {"retain": "Adds a reference.", "release": "Drops a reference; NULL does nothing."}
+SHARED = re.compile(r"\n(NICOL_API nicol_result nicol_\w+_(retain|release|init)\()")
+# What the header says once, at its top, of every kind of object and struct.
+SHARED_TEXTS = {
+    "retain": "Adds a reference.",
+    "release": "Drops a reference; NULL does nothing.",
+    "init": "Sets all fields to their defaults; struct_size is sizeof(the struct).",
+}
 
 
 def lines_of(comment):
@@ -87,7 +91,7 @@ def main():
         text = file.read()
     marks = Marks()
     text = COMMENT.sub(marks.mark, text)
-    text = COUNT.sub(lambda match: f"\n/** {COUNTS[match[2]]} */\n{match[1]}", text)
+    text = SHARED.sub(lambda match: f"\n/** {SHARED_TEXTS[match[2]]} */\n{match[1]}", text)
     text = documented(text)
     end = text.rindex("#ifdef __cplusplus")
     print("/** @file */\n" + text[:end] + marks.close() + text[end:])

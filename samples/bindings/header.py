@@ -42,7 +42,6 @@ class Struct:
     name: str
     fields: list
     doc: str = ""
-    defaults: dict = field(default_factory=dict)  # field name (nonzero fields only): number or list of numbers
 
 
 @dataclass
@@ -53,7 +52,6 @@ class Header:
     callbacks: dict = field(default_factory=dict)  # name: Function
     structs: dict = field(default_factory=dict)  # name: Struct
     functions: dict = field(default_factory=dict)  # name: Function
-    initializers: dict = field(default_factory=dict)  # macro name NICOL_<TYPE>_INIT: text in braces
     order: list = field(default_factory=list)  # names of all types in order of declaration
 
     def scalar(self, type_):

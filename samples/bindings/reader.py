@@ -77,8 +77,7 @@ class Parser:
         name, _, value = text.partition(" ")
         if name == "NICOL_API" or name.endswith("_H"):
             return
-        if value.startswith("{"):
-            self.header.initializers[name] = value
+        if value.startswith("{"):  # nicol_<type>_init() sets the same values
             return
         if not re.fullmatch(r"NICOL_[A-Z0-9_]+", name):
             self.fail(f"the macro {name} does not start with NICOL_", line)
@@ -91,45 +90,11 @@ class Parser:
         """Evaluates an expression of numbers and constants."""
         if not re.fullmatch(r"[\w\s+*|<().-]+", text):
             self.fail(f"cannot evaluate {text!r}", line)
-        text = re.sub(r"\b(0x[0-9a-fA-F]+|\d+)[uU]\b", r"\1", text)
-        text = re.sub(r"(\d\.\d+)f\b", r"\1", text)
+        text = re.sub(r"\b(0x[0-9a-fA-F]+|\d+)(u|ULL)\b", r"\1", text)
         try:
             return eval(text, {"__builtins__": {}}, dict(self.header.constants))
         except (NameError, SyntaxError, TypeError):
             self.fail(f"cannot evaluate {text!r}", line)
-
-    def initializer(self, name):
-        """Returns the values between braces, with lists for nested braces; 0 for struct_size."""
-        text = self.header.initializers[name]
-        while macro := re.search(r"\bNICOL_[A-Z0-9_]+\b", text):
-            word = macro.group()
-            text = text.replace(word, self.header.initializers.get(word) or f"({self.header.constants.get(word)})")
-        text = re.sub(r"sizeof\(\w+\)", "0", text)
-        parts = re.findall(r"[{}]|[^{},]+", text)
-        lists = [[]]
-        for part in parts:
-            if part == "{":
-                lists.append([])
-            elif part == "}":
-                last = lists.pop()
-                lists[-1].append(last)
-            elif part.strip():
-                lists[-1].append(self.value(part.strip(), None))
-        return lists[0][0]
-
-    def set_defaults(self, struct):
-        values = self.initializer(struct.name.upper() + "_INIT")
-        if len(values) != len(struct.fields):
-            self.fail(f"{struct.name.upper()}_INIT has {len(values)} values for {len(struct.fields)} fields", "the end")
-
-        for f, value in zip(struct.fields, values):
-            if f.type.base in self.header.structs and not f.type.pointers and value != self.initializer(f.type.base.upper() + "_INIT"):
-                self.fail(f"{struct.name}.{f.name} has other defaults than {f.type.base}", "the end")
-
-        def zero(value):
-            return all(map(zero, value)) if isinstance(value, list) else value == 0
-
-        struct.defaults = {f.name: value for f, value in zip(struct.fields, values) if not zero(value)}
 
     # ---- tokens
 
@@ -201,10 +166,7 @@ class Parser:
         self.take("}")
         self.take(tag)
         self.take(";")
-        struct = Struct(tag, fields, doc)
-        self.declare(self.header.structs, tag, struct)
-        if self.header.initializers.get(tag.upper() + "_INIT"):
-            self.set_defaults(struct)
+        self.declare(self.header.structs, tag, Struct(tag, fields, doc))
 
     def field(self):
         base = self.type()

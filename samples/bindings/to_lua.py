@@ -32,8 +32,6 @@ def declarations(header):
 
 def literal(value):
     """Returns Lua text of a value. Integers beyond the precision of doubles become 64-bit ones."""
-    if isinstance(value, list):
-        return "{ " + ", ".join(map(literal, value)) + " }"
     return f"{value}ULL" if isinstance(value, int) and value >= 2**53 else str(value)
 
 
@@ -46,13 +44,11 @@ def generate(header):
     text += "    },\n    -- Functions that answer with a result code, and the handle that comes back through the last pointer.\n"
     text += "    results = {\n"
     for function in header.functions.values():
-        if function.result.base == "nicol_result" and not function.name.endswith(("_retain", "_release")):
+        if function.result.base == "nicol_result" and not function.name.endswith(("_retain", "_release", "_init")):
             last = function.parameters[-1].type
             made = f'"{last.base}"' if last.pointers and last.base in header.handles else "true"
             text += f"        {function.name.removeprefix('nicol_')} = {made},\n"
-    text += "    },\n    -- Descriptors, whether they begin with struct_size, and the defaults that are not zero.\n    structs = {\n"
+    text += "    },\n    -- Descriptors: nicol_<name> with its nicol_<name>_init.\n    structs = {\n"
     for struct in header.structs.values():
-        sized = str(struct.fields[0].name == "struct_size").lower()
-        defaults = ", ".join(f"{name} = {literal(value)}" for name, value in struct.defaults.items())
-        text += f"        {struct.name.removeprefix('nicol_')} = {{ {sized}, {{ {defaults} }} }},\n".replace("{  }", "{}")
+        text += f"        {struct.name.removeprefix('nicol_')} = true,\n"
     return text + "    },\n}\n"

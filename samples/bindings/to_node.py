@@ -21,8 +21,9 @@ def prototype(header, function):
         type_ = parameter.type
         written = (type_.pointers or type_.count) and not type_.const and role not in ("user", "text")
         for other in [parameter, *[p for p in partners if p.type.pointers]]:
-            # Structs are also inputs, because of their struct_size.
-            marks[other.name] = "" if not written else "_Inout_ " if type_.base in header.structs else "_Out_ "
+            # Structs are also inputs, because of their struct_size, which initialisers do not read.
+            read = type_.base in header.structs and not function.name.endswith("_init")
+            marks[other.name] = "" if not written else "_Inout_ " if read else "_Out_ "
     texts = []
     for parameter in function.parameters:
         type_ = parameter.type
@@ -40,7 +41,7 @@ def literal(value):
     return f"{value}n" if isinstance(value, int) and abs(value) >= 2**53 else str(value)
 
 
-def field(header, variable, defaults):
+def field(header, variable):
     type_ = variable.type
     if type_.base in header.callbacks:
         text = f"{type_.base} *"
@@ -48,8 +49,7 @@ def field(header, variable, defaults):
         text = "const char *"
     else:
         text = f"{type_.base} {'*' * type_.pointers}".rstrip()
-    value = None if type_.base in header.structs else defaults.get(variable.name)  # a struct has separate defaults
-    return f'["{variable.name}", "{text}", {type_.count}{"" if value is None else f", {literal(value)}"}]'
+    return f'["{variable.name}", "{text}", {type_.count}]'
 
 
 def generate(header):
@@ -69,8 +69,8 @@ def generate(header):
                                    for p in callback.parameters)  # fmt: skip
             text += f'  {{ kind: "callback", name: "{name}", of: "{callback.result.c("").rstrip()} {name}({parameters})" }},\n'
         else:
-            fields = "".join(f"      {field(header, f, header.structs[name].defaults)},\n" for f in header.structs[name].fields)
-            text += f'  {{\n    kind: "struct",\n    name: "{name}",\n    // name, type, length of a fixed array, default where it is not zero\n    fields: [\n'
+            fields = "".join(f"      {field(header, f)},\n" for f in header.structs[name].fields)
+            text += f'  {{\n    kind: "struct",\n    name: "{name}",\n    // name, type, length of a fixed array\n    fields: [\n'
             text += fields + "    ],\n  },\n"
     text += "];\n\n// Prototype, whether it answers with a result code, and the handle that comes back through the last pointer.\n"
     text += "export const functions = {\n"

@@ -74,16 +74,7 @@ class Python:
         text += "    _fields_ = [\n"
         for field in struct.fields:
             text += f'        ("{field.name}", {self.ctype(field.type, argument=False)}),\n'
-        text += "    ]\n"
-        if struct.defaults:
-            text += "    _defaults_ = {\n"
-            for field in struct.fields:
-                if field.name in struct.defaults:
-                    own = field.type.base in self.header.structs
-                    value = f"{class_name(field.type.base)}()" if own else struct.defaults[field.name]
-                    text += f'        "{field.name}": {value},\n'
-            text += "    }\n"
-        return text
+        return text + "    ]\n"
 
     # ---- functions
 
@@ -99,7 +90,7 @@ class Python:
     def function(self, function):
         """Returns the text of a function or method, and the class that it belongs to or None."""
         owner, name = self.owner(function)
-        if name in ("retain", "release"):
+        if name in ("retain", "release", "init"):
             return "", owner
         call = Call(self.header, function, owner)
         indent = "    " if owner else ""
@@ -115,6 +106,9 @@ class Python:
             return ""
         if name == "release":
             return f'{class_name(owner)}._release = declare("{function.name}", c_int32, c_void_p)\n'
+        if name == "init":
+            owner = class_name(owner)
+            return f'{owner}._init = declare("{function.name}", c_int32, POINTER({owner}), c_uint32)\n'
         types = [self.ctype(function.result), *[self.ctype(p.type) for p in function.parameters]]
         return f'_{function.name.removeprefix("nicol_")} = declare("{function.name}", {", ".join(types)})\n'
 

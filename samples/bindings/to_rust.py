@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Generator of samples/rust/src/abi.rs: the C headers as Rust's extern block, with compile-time checks of struct layouts."""
 
-from header import Type
-
 SCALARS = {"char": "c_char", "int32_t": "i32", "uint32_t": "u32", "float": "f32", "uint64_t": "u64", "double": "f64",
            "void": "c_void"}  # fmt: skip
 KEYWORDS = {"in", "type", "ref", "match", "move", "use"}
@@ -11,7 +9,22 @@ HEAD = """// SPDX-License-Identifier: MIT
 //! Nicol {version} for Rust. Made of the C headers by samples/bindings/generate.py: change those, not this file.
 #![allow(non_camel_case_types)]
 use std::ffi::{{c_char, c_void}};
-use std::mem::{{offset_of, size_of}};
+use std::mem::{{offset_of, size_of, MaybeUninit}};
+
+macro_rules! defaults {{
+    ($name:ident, $init:ident) => {{
+        impl Default for $name {{
+            fn default() -> Self {{
+                let mut made = MaybeUninit::zeroed();
+                // Fails only in a child of fork(), where every call fails; zeros are values of every field.
+                unsafe {{
+                    $init(made.as_mut_ptr(), size_of::<Self>() as u32);
+                    made.assume_init()
+                }}
+            }}
+        }}
+    }};
+}}
 
 """
 
@@ -43,34 +56,12 @@ def result(function):
     return "" if function.result.base == "void" and not function.result.pointers else f" -> {rust(function.result)}"
 
 
-def literal(header, field, value):
-    real = header.scalar(Type(field.type.base)) in ("float", "double")
-    if field.type.base in header.structs:
-        return f"{field.type.base}::default()"
-    if isinstance(value, list):
-        return "[" + ", ".join(literal(header, field, v) for v in value) + "]"
-    return str(float(value) if real else int(value))
-
-
 def struct(header, name):
     found = header.structs[name]
     text = "\n" + comment(found.doc) + f"#[repr(C)]\n#[derive(Clone, Copy)]\npub struct {name} {{\n"
     for field in found.fields:
         text += f"    pub {word(field.name)}: {rust(field.type, argument=False)},\n"
-    text += f"}}\nimpl Default for {name} {{\n    fn default() -> Self {{\n"
-    text += "        // Zeros and null pointers are values of every field.\n"
-    sized = found.fields[0].name == "struct_size"
-    if sized or found.defaults:
-        text += "        let mut made: Self = unsafe { std::mem::zeroed() };\n"
-        if sized:
-            text += "        made.struct_size = size_of::<Self>() as u32;\n"
-        for field in found.fields:
-            if field.name in found.defaults:
-                text += f"        made.{word(field.name)} = {literal(header, field, found.defaults[field.name])};\n"
-        text += "        made\n"
-    else:
-        text += "        unsafe { std::mem::zeroed() }\n"
-    text += "    }\n}\nconst _: () = {\n"
+    text += f"}}\ndefaults!({name}, {name}_init);\nconst _: () = {{\n"
     offsets, size, _ = header.layout(name)
     text += f"    assert!(size_of::<{name}>() == {size});\n"
     for field, offset in zip(found.fields, offsets):

@@ -31,12 +31,11 @@ end
 
 -- Returns a function like nicol.render_options{order_low = 4}, which sets struct_size and defaults and accepts a number
 -- or a list for a spectrum.
-local function maker(name, sized, defaults)
-    local type = ffi.typeof("nicol_" .. name)
+local function maker(name)
+    local type, init = ffi.typeof("nicol_" .. name), C["nicol_" .. name .. "_init"]
     return function(fields)
         local struct = type()
-        if sized then struct.struct_size = ffi.sizeof(type) end
-        for field, value in pairs(defaults) do struct[field] = value end
+        check(init(struct, ffi.sizeof(type)))
         for field, value in pairs(fields or {}) do
             if ffi.istype("nicol_spectrum", struct[field]) and not ffi.istype("nicol_spectrum", value) then
                 value = nicol.spectrum_of(value)
@@ -85,7 +84,7 @@ end
 return setmetatable(nicol, {
     __index = function(_, name)
         local found = abi.constants[name]
-        if found == nil and abi.structs[name] ~= nil then found = maker(name, unpack(abi.structs[name])) end
+        if found == nil and abi.structs[name] ~= nil then found = maker(name) end
         if found == nil then
             local result = abi.results[name]
             local f = C["nicol_" .. name]

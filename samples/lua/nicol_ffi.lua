@@ -502,20 +502,30 @@ const char* nicol_version_string(void);
 const char* nicol_build_info(uint32_t index);
 const char* nicol_last_error(void);
 const char* nicol_result_name(nicol_result result);
+nicol_result nicol_spectrum_init(nicol_spectrum* descriptor, uint32_t struct_size);
 nicol_result nicol_device_count(uint32_t* count);
+nicol_result nicol_device_info_init(nicol_device_info* descriptor, uint32_t struct_size);
 nicol_result nicol_device_get_info(uint32_t device, nicol_device_info* info);
+nicol_result nicol_context_options_init(nicol_context_options* descriptor, uint32_t struct_size);
+nicol_result nicol_context_info_init(nicol_context_info* descriptor, uint32_t struct_size);
 nicol_result nicol_context_create(const nicol_context_options* options, nicol_context* context);
 nicol_result nicol_context_retain(nicol_context context);
 nicol_result nicol_context_release(nicol_context context);
 nicol_result nicol_context_get_info(nicol_context context, nicol_context_info* info);
+nicol_result nicol_image_init(nicol_image* descriptor, uint32_t struct_size);
+nicol_result nicol_sky_init(nicol_sky* descriptor, uint32_t struct_size);
+nicol_result nicol_environment_load_options_init(nicol_environment_load_options* descriptor, uint32_t struct_size);
 nicol_result nicol_environment_load(nicol_context context, const char* path, const nicol_environment_load_options* options, nicol_environment* environment);
 nicol_result nicol_environment_create_image(nicol_context context, const nicol_image* image, nicol_environment* environment);
 nicol_result nicol_environment_create_constant(nicol_context context, const nicol_spectrum* radiance, nicol_environment* environment);
 nicol_result nicol_environment_create_sky(nicol_context context, const nicol_sky* sky, nicol_environment* environment);
 nicol_result nicol_environment_create_psh(nicol_context context, uint32_t order, uint32_t channels, const double* coefficients, uint64_t count, nicol_environment* environment);
+nicol_result nicol_environment_info_init(nicol_environment_info* descriptor, uint32_t struct_size);
 nicol_result nicol_environment_get_info(nicol_environment environment, nicol_environment_info* info);
 nicol_result nicol_environment_retain(nicol_environment environment);
 nicol_result nicol_environment_release(nicol_environment environment);
+nicol_result nicol_texture_image_init(nicol_texture_image* descriptor, uint32_t struct_size);
+nicol_result nicol_texture_options_init(nicol_texture_options* descriptor, uint32_t struct_size);
 nicol_result nicol_texture_create_image(nicol_context context, const nicol_texture_image* image, const nicol_texture_options* options, nicol_texture* texture);
 nicol_result nicol_texture_load(nicol_context context, const char* path, const nicol_texture_options* options, nicol_texture* texture);
 nicol_result nicol_texture_create_checkerboard(nicol_context context, const nicol_spectrum* color0, const nicol_spectrum* color1, const double to_uv[9], nicol_texture* texture);
@@ -523,12 +533,18 @@ nicol_result nicol_texture_create_vertex_colors(nicol_context context, nicol_tex
 nicol_result nicol_texture_create_face_colors(nicol_context context, nicol_texture* texture);
 nicol_result nicol_texture_retain(nicol_texture texture);
 nicol_result nicol_texture_release(nicol_texture texture);
+nicol_result nicol_pplastic_init(nicol_pplastic* descriptor, uint32_t struct_size);
 nicol_result nicol_material_create_pplastic(nicol_context context, const nicol_pplastic* parameters, nicol_material* material);
+nicol_result nicol_plastic_init(nicol_plastic* descriptor, uint32_t struct_size);
 nicol_result nicol_material_create_plastic(nicol_context context, const nicol_plastic* parameters, nicol_material* material);
+nicol_result nicol_principled_init(nicol_principled* descriptor, uint32_t struct_size);
 nicol_result nicol_material_create_principled(nicol_context context, const nicol_principled* parameters, nicol_material* material);
 nicol_result nicol_material_create_diffuse(nicol_context context, const nicol_spectrum* reflectance, nicol_material* material);
+nicol_result nicol_conductor_init(nicol_conductor* descriptor, uint32_t struct_size);
 nicol_result nicol_material_create_conductor(nicol_context context, const nicol_conductor* parameters, nicol_material* material);
+nicol_result nicol_measured_init(nicol_measured* descriptor, uint32_t struct_size);
 nicol_result nicol_material_load_measured(nicol_context context, const char* path, const nicol_measured* options, nicol_material* material);
+nicol_result nicol_psh_matrix_init(nicol_psh_matrix* descriptor, uint32_t struct_size);
 nicol_result nicol_material_load_psh(nicol_context context, const char* path, const nicol_psh_matrix* options, nicol_material* material);
 nicol_result nicol_material_create_twosided(nicol_context context, nicol_material front, nicol_material* material);
 nicol_result nicol_material_create_scaled(nicol_context context, nicol_material base, nicol_texture scale, nicol_material* material);
@@ -537,9 +553,11 @@ nicol_result nicol_material_create_normal_map(nicol_context context, nicol_mater
 nicol_result nicol_material_create_bump_map(nicol_context context, nicol_material base, nicol_texture heights, double scale, nicol_material* material);
 nicol_result nicol_material_create_rotated(nicol_context context, nicol_material base, nicol_texture directions, double angle, nicol_material* material);
 nicol_result nicol_material_create_mask(nicol_context context, nicol_material base, nicol_texture opacity, nicol_material* material);
+nicol_result nicol_callback_material_init(nicol_callback_material* descriptor, uint32_t struct_size);
 nicol_result nicol_material_create_callback(nicol_context context, const nicol_callback_material* parameters, nicol_material* material);
 nicol_result nicol_material_retain(nicol_material material);
 nicol_result nicol_material_release(nicol_material material);
+nicol_result nicol_mesh_data_init(nicol_mesh_data* descriptor, uint32_t struct_size);
 nicol_result nicol_mesh_load(nicol_context context, const char* path, nicol_mesh* mesh);
 nicol_result nicol_mesh_create(nicol_context context, const nicol_mesh_data* data, nicol_mesh* mesh);
 nicol_result nicol_mesh_create_sphere(nicol_context context, nicol_mesh* mesh);
@@ -550,7 +568,13 @@ nicol_result nicol_mesh_create_cylinder(nicol_context context, const double p0[3
 nicol_result nicol_mesh_get_size(nicol_mesh mesh, uint32_t* vertices, uint32_t* triangles);
 nicol_result nicol_mesh_retain(nicol_mesh mesh);
 nicol_result nicol_mesh_release(nicol_mesh mesh);
+nicol_result nicol_camera_init(nicol_camera* descriptor, uint32_t struct_size);
 nicol_result nicol_camera_look_at(nicol_camera* camera, const double origin[3], const double target[3], const double up[3]);
+nicol_result nicol_polarization_init(nicol_polarization* descriptor, uint32_t struct_size);
+nicol_result nicol_light_init(nicol_light* descriptor, uint32_t struct_size);
+nicol_result nicol_emission_init(nicol_emission* descriptor, uint32_t struct_size);
+nicol_result nicol_polarization_element_init(nicol_polarization_element* descriptor, uint32_t struct_size);
+nicol_result nicol_instance_init(nicol_instance* descriptor, uint32_t struct_size);
 nicol_result nicol_scene_create(nicol_context context, nicol_scene* scene);
 nicol_result nicol_scene_load(nicol_context context, const char* path, const char* const* definitions, uint32_t definition_count, nicol_scene* scene);
 nicol_result nicol_scene_add_instance(nicol_scene scene, const nicol_instance* instance, uint32_t* id);
@@ -582,34 +606,44 @@ nicol_result nicol_scene_get_film_size(nicol_scene scene, uint32_t* width, uint3
 nicol_result nicol_scene_get_sample_count(nicol_scene scene, uint32_t* samples);
 nicol_result nicol_scene_get_max_depth(nicol_scene scene, int32_t* max_depth);
 nicol_result nicol_scene_get_aovs(nicol_scene scene, uint32_t* aovs);
+nicol_result nicol_scene_file_init(nicol_scene_file* descriptor, uint32_t struct_size);
 nicol_result nicol_scene_get_file_count(nicol_scene scene, uint32_t* count);
 nicol_result nicol_scene_get_file(nicol_scene scene, uint32_t index, nicol_scene_file* file);
 nicol_result nicol_scene_get_channels(nicol_scene scene, uint32_t* channels);
 nicol_result nicol_scene_retain(nicol_scene scene);
 nicol_result nicol_scene_release(nicol_scene scene);
+nicol_result nicol_render_options_init(nicol_render_options* descriptor, uint32_t struct_size);
 nicol_result nicol_framebuffer_create(nicol_context context, uint32_t width, uint32_t height, uint32_t channels, nicol_framebuffer* framebuffer);
 nicol_result nicol_framebuffer_get_size(nicol_framebuffer framebuffer, uint32_t* width, uint32_t* height, uint32_t* channels);
 nicol_result nicol_framebuffer_retain(nicol_framebuffer framebuffer);
 nicol_result nicol_framebuffer_release(nicol_framebuffer framebuffer);
 nicol_result nicol_render(nicol_scene scene, const nicol_camera* camera, const nicol_render_options* options, nicol_framebuffer framebuffer);
 nicol_result nicol_render_async(nicol_scene scene, const nicol_camera* camera, const nicol_render_options* options, nicol_framebuffer framebuffer, nicol_job* job);
+nicol_result nicol_job_status_init(nicol_job_status* descriptor, uint32_t struct_size);
 nicol_result nicol_job_poll(nicol_job job, nicol_job_status* status);
 nicol_result nicol_job_wait(nicol_job job, uint32_t timeout_ms);
 nicol_result nicol_job_cancel(nicol_job job);
 nicol_result nicol_job_retain(nicol_job job);
 nicol_result nicol_job_release(nicol_job job);
+nicol_result nicol_statistics_init(nicol_statistics* descriptor, uint32_t struct_size);
 nicol_result nicol_framebuffer_get_statistics(nicol_framebuffer framebuffer, nicol_statistics* statistics);
 nicol_result nicol_framebuffer_read(nicol_framebuffer framebuffer, nicol_plane plane, uint32_t channel, float* pixels, uint64_t row_stride, uint64_t byte_size);
+nicol_result nicol_plane_buffer_init(nicol_plane_buffer* descriptor, uint32_t struct_size);
 nicol_result nicol_framebuffer_read_plane(nicol_framebuffer framebuffer, const nicol_plane_buffer* to);
 nicol_result nicol_framebuffer_write_exr(nicol_framebuffer framebuffer, const char* path);
+nicol_result nicol_observation_init(nicol_observation* descriptor, uint32_t struct_size);
 nicol_result nicol_framebuffer_write_png(nicol_framebuffer framebuffer, const nicol_observation* observation, const char* path);
+nicol_result nicol_host_init(nicol_host* descriptor, uint32_t struct_size);
 nicol_result nicol_context_create_host(const nicol_host* host, const nicol_context_options* options, nicol_context* context);
+nicol_result nicol_gl_texture_init(nicol_gl_texture* descriptor, uint32_t struct_size);
 nicol_result nicol_framebuffer_get_texture(nicol_framebuffer framebuffer, uint32_t channel, nicol_gl_texture* texture);
+nicol_result nicol_texture_target_init(nicol_texture_target* descriptor, uint32_t struct_size);
 nicol_result nicol_framebuffer_draw_stokes(nicol_framebuffer framebuffer, uint32_t channel, const nicol_texture_target* target);
 nicol_result nicol_framebuffer_draw_observation(nicol_framebuffer framebuffer, const nicol_observation* observation, const nicol_texture_target* target);
 nicol_result nicol_psh_project_image(const nicol_image* image, uint32_t order, double* coefficients, uint64_t count);
 nicol_result nicol_psh_project_environment(nicol_environment environment, uint32_t order, double* coefficients, uint64_t count);
 nicol_result nicol_psh_project_file(const char* path, uint32_t order, uint32_t* channels, double* coefficients, uint64_t count);
+nicol_result nicol_psh_sampling_init(nicol_psh_sampling* descriptor, uint32_t struct_size);
 nicol_result nicol_psh_transform_create(const nicol_psh_sampling* sampling, nicol_psh_transform* transform);
 nicol_result nicol_psh_transform_retain(nicol_psh_transform transform);
 nicol_result nicol_psh_transform_release(nicol_psh_transform transform);
@@ -622,6 +656,7 @@ nicol_result nicol_psh_rotate(uint32_t order, uint64_t vectors, const double* in
 nicol_result nicol_psh_reflect(uint32_t order, uint64_t vectors, const double* in, uint64_t in_count, double* out, uint64_t out_count);
 nicol_result nicol_psh_multiply(uint32_t scalar_order, const double* scalar, uint64_t scalar_count, uint32_t order, uint64_t vectors, const double* in, uint64_t in_count, uint32_t order_out, double* out, uint64_t out_count);
 nicol_result nicol_psh_shadow_matrix(uint32_t scalar_order, const double* scalar, uint64_t scalar_count, uint32_t order_out, uint32_t order_in, double* matrix, uint64_t matrix_count);
+nicol_result nicol_psh_mueller_field_init(nicol_psh_mueller_field* descriptor, uint32_t struct_size);
 nicol_result nicol_psh_project_matrix(const nicol_psh_mueller_field* field, double* matrix, uint64_t matrix_count);
 nicol_result nicol_psh_apply_matrix(uint32_t order_out, uint32_t order_in, const double* matrix, uint64_t matrix_count, uint64_t vectors, const double* in, uint64_t in_count, double* out, uint64_t out_count);
 nicol_result nicol_psh_compose_matrix(uint32_t order_out, uint32_t order_between, uint32_t order_in, const double* second, uint64_t second_count, const double* first, uint64_t first_count, double* matrix, uint64_t matrix_count);
@@ -630,6 +665,9 @@ nicol_result nicol_psh_kernel_at(uint32_t order, const double* bands, uint64_t b
 nicol_result nicol_psh_convolve(uint32_t order, const double* bands, uint64_t band_count, uint64_t vectors, const double* in, uint64_t in_count, double* out, uint64_t out_count);
 nicol_result nicol_psh_kernel_matrix(uint32_t order, const double* bands, uint64_t band_count, double* matrix, uint64_t matrix_count);
 nicol_result nicol_psh_nearest_kernel(uint32_t order, const double* matrix, uint64_t matrix_count, double* bands, uint64_t band_count);
+nicol_result nicol_file_options_init(nicol_file_options* descriptor, uint32_t struct_size);
+nicol_result nicol_light_report_init(nicol_light_report* descriptor, uint32_t struct_size);
+nicol_result nicol_material_report_init(nicol_material_report* descriptor, uint32_t struct_size);
 nicol_result nicol_file_identify(const char* path, nicol_file_kind* kind);
 nicol_result nicol_file_describe_light(const char* path, const nicol_file_options* options, nicol_light_report* report, double* energy, uint64_t count);
 nicol_result nicol_file_describe_material(const char* path, const nicol_file_options* options, nicol_material_report* report, double* energy, uint64_t count);
@@ -900,45 +938,45 @@ return {
         material_write = true,
         psh_write_file = true,
     },
-    -- Descriptors, whether they begin with struct_size, and the defaults that are not zero.
+    -- Descriptors: nicol_<name> with its nicol_<name>_init.
     structs = {
-        spectrum = { false, {} },
-        device_info = { true, {} },
-        context_options = { true, { memory_limit = 18446744073709551615ULL, load_bytes_limit = 8589934592, vertex_limit = 67108864, triangle_limit = 134217728, load_seconds_limit = 600 } },
-        context_info = { true, {} },
-        image = { true, {} },
-        sky = { true, { dop_max = 0.8, sun_direction = { 0, 1, 0 }, ground_albedo = 0.2 } },
-        environment_load_options = { true, { scale = 1 } },
-        environment_info = { true, {} },
-        texture_image = { true, {} },
-        texture_options = { true, { filter = 1, to_uv = { 1, 0, 0, 0, 1, 0, 0, 0, 1 } } },
-        pplastic = { true, { int_ior = 1.49, ext_ior = 1.000277, alpha = 0.1 } },
-        plastic = { true, { int_ior = 1.49, ext_ior = 1.000277 } },
-        principled = { true, { eta = 1.5, roughness = 0.5 } },
-        conductor = { true, {} },
-        measured = { true, {} },
-        psh_matrix = { true, {} },
-        callback_material = { true, { channels = 1, lobe_width = 1 } },
-        mesh_data = { true, {} },
-        camera = { true, { to_world = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 }, fov = 45, near_clip = 0.01, far_clip = 10000 } },
-        polarization = { false, { axis = { 1, 0, 0 } } },
-        light = { true, { kind = 1, to_world = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 }, cutoff_angle = 20, beam_width = 15, fov = 45, aspect = 1, polarization = { 0, 0, 0, { 1, 0, 0 } } } },
-        emission = { true, { polarization = { 0, 0, 0, { 1, 0, 0 } } } },
-        polarization_element = { true, { to_world = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 }, retardance = 90, transmittance = 1 } },
-        instance = { true, { to_world = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 } } },
-        scene_file = { true, {} },
-        render_options = { true, { order_low = 4294967295, order_high = 4294967295, shadows = 1, physical = 1, samples = 256, tolerance = 0.03, high_order_shadows = 1, refine_tolerance = 0.02, split_lights = -1, light_samples = 16, bsdf_samples = 32 } },
-        job_status = { true, {} },
-        statistics = { true, {} },
-        plane_buffer = { true, {} },
-        observation = { true, {} },
-        host = { true, {} },
-        gl_texture = { true, {} },
-        texture_target = { true, {} },
-        psh_sampling = { true, {} },
-        psh_mueller_field = { true, {} },
-        file_options = { true, { order = 4294967295, scale = 1, rotation = { 1, 0, 0, 0, 1, 0, 0, 0, 1 } } },
-        light_report = { true, {} },
-        material_report = { true, {} },
+        spectrum = true,
+        device_info = true,
+        context_options = true,
+        context_info = true,
+        image = true,
+        sky = true,
+        environment_load_options = true,
+        environment_info = true,
+        texture_image = true,
+        texture_options = true,
+        pplastic = true,
+        plastic = true,
+        principled = true,
+        conductor = true,
+        measured = true,
+        psh_matrix = true,
+        callback_material = true,
+        mesh_data = true,
+        camera = true,
+        polarization = true,
+        light = true,
+        emission = true,
+        polarization_element = true,
+        instance = true,
+        scene_file = true,
+        render_options = true,
+        job_status = true,
+        statistics = true,
+        plane_buffer = true,
+        observation = true,
+        host = true,
+        gl_texture = true,
+        texture_target = true,
+        psh_sampling = true,
+        psh_mueller_field = true,
+        file_options = true,
+        light_report = true,
+        material_report = true,
     },
 }

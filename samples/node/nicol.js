@@ -34,6 +34,8 @@ const releases = {}; // functions by type of handle
 for (const { kind, name } of types) {
   if (kind === "handle") releases[name] = library.func(functions[`${name.slice(6)}_release`][0]);
 }
+const initialisers = {}; // functions by type of descriptor
+for (const name of Object.keys(structs)) initialisers[name] = library.func(functions[`${name.slice(6)}_init`][0]);
 const forgotten = new FinalizationRegistry(({ type, pointer }) => releases[type](pointer));
 
 /** An object of the library. */
@@ -64,19 +66,11 @@ export function spectrum(value) {
   return { count: values.length, values: [...values, ...Array(constants.MAX_CHANNELS - values.length).fill(0)] };
 }
 
-function nothing(of, count) {
-  if (count) return Array(count).fill(0);
-  if (structs[of]) return make(of, {});
-  return of.endsWith("*") || of in releases ? null : 0;
-}
-
 /** Returns a descriptor: all fields, with defaults for those not given, and its struct_size. */
 function make(name, given) {
   const made = {};
-  const fields = structs[name].fields;
-  const kinds = Object.fromEntries(fields);
-  for (const [field, of, count, value] of fields) made[field] = plain(value ?? nothing(of, count));
-  if ("struct_size" in made) made.struct_size = koffi.sizeof(name);
+  check(initialisers[name](made, koffi.sizeof(name)));
+  const kinds = Object.fromEntries(structs[name].fields);
   for (const [field, value] of Object.entries(given)) {
     if (!(field in made)) throw new TypeError(`${name} has no field ${field}; it has ${Object.keys(made).join(", ")}`);
     const numbers = typeof value === "number" || Array.isArray(value);

@@ -157,7 +157,7 @@ export const types = [
   {
     kind: "struct",
     name: "nicol_spectrum",
-    // name, type, length of a fixed array, default where it is not zero
+    // name, type, length of a fixed array
     fields: [
       ["count", "uint32_t", 0],
       ["values", "float", 16],
@@ -167,7 +167,7 @@ export const types = [
   {
     kind: "struct",
     name: "nicol_device_info",
-    // name, type, length of a fixed array, default where it is not zero
+    // name, type, length of a fixed array
     fields: [
       ["struct_size", "uint32_t", 0],
       ["software", "uint32_t", 0],
@@ -179,7 +179,7 @@ export const types = [
   {
     kind: "struct",
     name: "nicol_context_options",
-    // name, type, length of a fixed array, default where it is not zero
+    // name, type, length of a fixed array
     fields: [
       ["struct_size", "uint32_t", 0],
       ["backend", "nicol_backend", 0],
@@ -188,11 +188,11 @@ export const types = [
       ["log", "nicol_log_callback *", 0],
       ["log_user", "void *", 0],
       ["cache_folder", "const char *", 0],
-      ["memory_limit", "uint64_t", 0, 18446744073709551615n],
-      ["load_bytes_limit", "uint64_t", 0, 8589934592],
-      ["vertex_limit", "uint64_t", 0, 67108864],
-      ["triangle_limit", "uint64_t", 0, 134217728],
-      ["load_seconds_limit", "double", 0, 600],
+      ["memory_limit", "uint64_t", 0],
+      ["load_bytes_limit", "uint64_t", 0],
+      ["vertex_limit", "uint64_t", 0],
+      ["triangle_limit", "uint64_t", 0],
+      ["load_seconds_limit", "double", 0],
       ["load_progress", "nicol_progress_callback *", 0],
       ["load_progress_user", "void *", 0],
     ],
@@ -200,7 +200,7 @@ export const types = [
   {
     kind: "struct",
     name: "nicol_context_info",
-    // name, type, length of a fixed array, default where it is not zero
+    // name, type, length of a fixed array
     fields: [
       ["struct_size", "uint32_t", 0],
       ["backend", "nicol_backend", 0],
@@ -222,7 +222,7 @@ export const types = [
   {
     kind: "struct",
     name: "nicol_image",
-    // name, type, length of a fixed array, default where it is not zero
+    // name, type, length of a fixed array
     fields: [
       ["struct_size", "uint32_t", 0],
       ["width", "uint32_t", 0],
@@ -239,31 +239,31 @@ export const types = [
   {
     kind: "struct",
     name: "nicol_sky",
-    // name, type, length of a fixed array, default where it is not zero
+    // name, type, length of a fixed array
     fields: [
       ["struct_size", "uint32_t", 0],
-      ["dop_max", "float", 0, 0.8],
-      ["sun_direction", "float", 3, [0, 1, 0]],
+      ["dop_max", "float", 0],
+      ["sun_direction", "float", 3],
       ["radiance", "nicol_spectrum", 0],
       ["turbidity", "float", 0],
-      ["ground_albedo", "float", 0, 0.2],
+      ["ground_albedo", "float", 0],
     ],
   },
   {
     kind: "struct",
     name: "nicol_environment_load_options",
-    // name, type, length of a fixed array, default where it is not zero
+    // name, type, length of a fixed array
     fields: [
       ["struct_size", "uint32_t", 0],
       ["reserved", "uint32_t", 0],
-      ["scale", "double", 0, 1],
+      ["scale", "double", 0],
       ["wavelengths", "nicol_spectrum", 0],
     ],
   },
   {
     kind: "struct",
     name: "nicol_environment_info",
-    // name, type, length of a fixed array, default where it is not zero
+    // name, type, length of a fixed array
     fields: [
       ["struct_size", "uint32_t", 0],
       ["channels", "uint32_t", 0],
@@ -280,7 +280,7 @@ export const types = [
   {
     kind: "struct",
     name: "nicol_texture_image",
-    // name, type, length of a fixed array, default where it is not zero
+    // name, type, length of a fixed array
     fields: [
       ["struct_size", "uint32_t", 0],
       ["type", "nicol_texel", 0],
@@ -296,28 +296,28 @@ export const types = [
   {
     kind: "struct",
     name: "nicol_texture_options",
-    // name, type, length of a fixed array, default where it is not zero
+    // name, type, length of a fixed array
     fields: [
       ["struct_size", "uint32_t", 0],
-      ["filter", "nicol_texture_filter", 0, 1],
+      ["filter", "nicol_texture_filter", 0],
       ["wrap", "nicol_texture_wrap", 0],
       ["raw", "uint32_t", 0],
-      ["to_uv", "double", 9, [1, 0, 0, 0, 1, 0, 0, 0, 1]],
+      ["to_uv", "double", 9],
     ],
   },
   { kind: "alias", name: "nicol_distribution", of: "uint32_t" },
   {
     kind: "struct",
     name: "nicol_pplastic",
-    // name, type, length of a fixed array, default where it is not zero
+    // name, type, length of a fixed array
     fields: [
       ["struct_size", "uint32_t", 0],
       ["distribution", "nicol_distribution", 0],
       ["diffuse_reflectance", "nicol_spectrum", 0],
       ["specular_reflectance", "nicol_spectrum", 0],
-      ["int_ior", "float", 0, 1.49],
-      ["ext_ior", "float", 0, 1.000277],
-      ["alpha", "float", 0, 0.1],
+      ["int_ior", "float", 0],
+      ["ext_ior", "float", 0],
+      ["alpha", "float", 0],
       ["reserved", "uint32_t", 0],
       ["diffuse_reflectance_texture", "nicol_texture", 0],
       ["specular_reflectance_texture", "nicol_texture", 0],
@@ -331,14 +331,14 @@ export const types = [
   {
     kind: "struct",
     name: "nicol_plastic",
-    // name, type, length of a fixed array, default where it is not zero
+    // name, type, length of a fixed array
     fields: [
       ["struct_size", "uint32_t", 0],
       ["distribution", "nicol_distribution", 0],
       ["diffuse_reflectance", "nicol_spectrum", 0],
       ["specular_reflectance", "nicol_spectrum", 0],
-      ["int_ior", "float", 0, 1.49],
-      ["ext_ior", "float", 0, 1.000277],
+      ["int_ior", "float", 0],
+      ["ext_ior", "float", 0],
       ["alpha", "float", 0],
       ["nonlinear", "uint32_t", 0],
       ["diffuse_reflectance_texture", "nicol_texture", 0],
@@ -349,12 +349,12 @@ export const types = [
   {
     kind: "struct",
     name: "nicol_principled",
-    // name, type, length of a fixed array, default where it is not zero
+    // name, type, length of a fixed array
     fields: [
       ["struct_size", "uint32_t", 0],
-      ["eta", "float", 0, 1.5],
+      ["eta", "float", 0],
       ["base_color", "nicol_spectrum", 0],
-      ["roughness", "float", 0, 0.5],
+      ["roughness", "float", 0],
       ["anisotropic", "float", 0],
       ["metallic", "float", 0],
       ["spec_trans", "float", 0],
@@ -381,7 +381,7 @@ export const types = [
   {
     kind: "struct",
     name: "nicol_conductor",
-    // name, type, length of a fixed array, default where it is not zero
+    // name, type, length of a fixed array
     fields: [
       ["struct_size", "uint32_t", 0],
       ["distribution", "nicol_distribution", 0],
@@ -404,7 +404,7 @@ export const types = [
   {
     kind: "struct",
     name: "nicol_measured",
-    // name, type, length of a fixed array, default where it is not zero
+    // name, type, length of a fixed array
     fields: [
       ["struct_size", "uint32_t", 0],
       ["sampling", "nicol_wavelength_sampling", 0],
@@ -415,7 +415,7 @@ export const types = [
   {
     kind: "struct",
     name: "nicol_psh_matrix",
-    // name, type, length of a fixed array, default where it is not zero
+    // name, type, length of a fixed array
     fields: [
       ["struct_size", "uint32_t", 0],
       ["symmetrize", "uint32_t", 0],
@@ -426,21 +426,21 @@ export const types = [
   {
     kind: "struct",
     name: "nicol_callback_material",
-    // name, type, length of a fixed array, default where it is not zero
+    // name, type, length of a fixed array
     fields: [
       ["struct_size", "uint32_t", 0],
-      ["channels", "uint32_t", 0, 1],
+      ["channels", "uint32_t", 0],
       ["mueller", "nicol_mueller_callback *", 0],
       ["user", "void *", 0],
       ["release", "nicol_release_callback *", 0],
-      ["lobe_width", "float", 0, 1],
+      ["lobe_width", "float", 0],
       ["reserved", "uint32_t", 0],
     ],
   },
   {
     kind: "struct",
     name: "nicol_mesh_data",
-    // name, type, length of a fixed array, default where it is not zero
+    // name, type, length of a fixed array
     fields: [
       ["struct_size", "uint32_t", 0],
       ["vertex_count", "uint32_t", 0],
@@ -460,14 +460,14 @@ export const types = [
   {
     kind: "struct",
     name: "nicol_camera",
-    // name, type, length of a fixed array, default where it is not zero
+    // name, type, length of a fixed array
     fields: [
       ["struct_size", "uint32_t", 0],
       ["projection", "nicol_projection", 0],
-      ["to_world", "double", 16, [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]],
-      ["fov", "double", 0, 45],
-      ["near_clip", "double", 0, 0.01],
-      ["far_clip", "double", 0, 10000],
+      ["to_world", "double", 16],
+      ["fov", "double", 0],
+      ["near_clip", "double", 0],
+      ["far_clip", "double", 0],
       ["jitter", "double", 2],
       ["shift", "double", 2],
     ],
@@ -475,30 +475,30 @@ export const types = [
   {
     kind: "struct",
     name: "nicol_polarization",
-    // name, type, length of a fixed array, default where it is not zero
+    // name, type, length of a fixed array
     fields: [
       ["dolp", "double", 0],
       ["aolp", "double", 0],
       ["docp", "double", 0],
-      ["axis", "double", 3, [1, 0, 0]],
+      ["axis", "double", 3],
     ],
   },
   { kind: "alias", name: "nicol_light_kind", of: "uint32_t" },
   {
     kind: "struct",
     name: "nicol_light",
-    // name, type, length of a fixed array, default where it is not zero
+    // name, type, length of a fixed array
     fields: [
       ["struct_size", "uint32_t", 0],
-      ["kind", "nicol_light_kind", 0, 1],
+      ["kind", "nicol_light_kind", 0],
       ["value", "nicol_spectrum", 0],
       ["reserved", "uint32_t", 0],
-      ["to_world", "double", 16, [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]],
+      ["to_world", "double", 16],
       ["angular_radius", "double", 0],
-      ["cutoff_angle", "double", 0, 20],
-      ["beam_width", "double", 0, 15],
-      ["fov", "double", 0, 45],
-      ["aspect", "double", 0, 1],
+      ["cutoff_angle", "double", 0],
+      ["beam_width", "double", 0],
+      ["fov", "double", 0],
+      ["aspect", "double", 0],
       ["texture", "nicol_texture", 0],
       ["polarization", "nicol_polarization", 0],
     ],
@@ -506,7 +506,7 @@ export const types = [
   {
     kind: "struct",
     name: "nicol_emission",
-    // name, type, length of a fixed array, default where it is not zero
+    // name, type, length of a fixed array
     fields: [
       ["struct_size", "uint32_t", 0],
       ["two_sided", "uint32_t", 0],
@@ -521,34 +521,34 @@ export const types = [
   {
     kind: "struct",
     name: "nicol_polarization_element",
-    // name, type, length of a fixed array, default where it is not zero
+    // name, type, length of a fixed array
     fields: [
       ["struct_size", "uint32_t", 0],
       ["kind", "nicol_polarization_element_kind", 0],
       ["outline", "nicol_polarization_element_outline", 0],
       ["reserved", "uint32_t", 0],
-      ["to_world", "double", 16, [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]],
+      ["to_world", "double", 16],
       ["angle", "double", 0],
-      ["retardance", "double", 0, 90],
-      ["transmittance", "double", 0, 1],
+      ["retardance", "double", 0],
+      ["transmittance", "double", 0],
     ],
   },
   {
     kind: "struct",
     name: "nicol_instance",
-    // name, type, length of a fixed array, default where it is not zero
+    // name, type, length of a fixed array
     fields: [
       ["struct_size", "uint32_t", 0],
       ["reserved", "uint32_t", 0],
       ["mesh", "nicol_mesh", 0],
       ["material", "nicol_material", 0],
-      ["to_world", "double", 16, [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]],
+      ["to_world", "double", 16],
     ],
   },
   {
     kind: "struct",
     name: "nicol_scene_file",
-    // name, type, length of a fixed array, default where it is not zero
+    // name, type, length of a fixed array
     fields: [
       ["struct_size", "uint32_t", 0],
       ["reserved", "uint32_t", 0],
@@ -565,34 +565,34 @@ export const types = [
   {
     kind: "struct",
     name: "nicol_render_options",
-    // name, type, length of a fixed array, default where it is not zero
+    // name, type, length of a fixed array
     fields: [
       ["struct_size", "uint32_t", 0],
       ["method", "nicol_method", 0],
-      ["order_low", "uint32_t", 0, 4294967295],
-      ["order_high", "uint32_t", 0, 4294967295],
+      ["order_low", "uint32_t", 0],
+      ["order_high", "uint32_t", 0],
       ["high_orders", "nicol_high_orders", 0],
-      ["shadows", "uint32_t", 0, 1],
+      ["shadows", "uint32_t", 0],
       ["bake_directions", "uint32_t", 0],
-      ["physical", "uint32_t", 0, 1],
+      ["physical", "uint32_t", 0],
       ["dering", "double", 0],
       ["progress", "nicol_progress_callback *", 0],
       ["progress_user", "void *", 0],
-      ["samples", "uint32_t", 0, 256],
+      ["samples", "uint32_t", 0],
       ["executor", "nicol_executor", 0],
       ["seed", "uint64_t", 0],
-      ["tolerance", "double", 0, 0.03],
+      ["tolerance", "double", 0],
       ["components", "nicol_components", 0],
       ["disabled_optimisations", "uint32_t", 0],
-      ["high_order_shadows", "uint32_t", 0, 1],
+      ["high_order_shadows", "uint32_t", 0],
       ["aovs", "uint32_t", 0],
       ["shade_at", "nicol_shade_at", 0],
       ["pixel_samples", "uint32_t", 0],
-      ["refine_tolerance", "double", 0, 0.02],
+      ["refine_tolerance", "double", 0],
       ["max_vertices", "uint64_t", 0],
-      ["split_lights", "int32_t", 0, -1],
-      ["light_samples", "uint32_t", 0, 16],
-      ["bsdf_samples", "uint32_t", 0, 32],
+      ["split_lights", "int32_t", 0],
+      ["light_samples", "uint32_t", 0],
+      ["bsdf_samples", "uint32_t", 0],
       ["max_depth", "int32_t", 0],
     ],
   },
@@ -601,7 +601,7 @@ export const types = [
   {
     kind: "struct",
     name: "nicol_job_status",
-    // name, type, length of a fixed array, default where it is not zero
+    // name, type, length of a fixed array
     fields: [
       ["struct_size", "uint32_t", 0],
       ["state", "nicol_job_state", 0],
@@ -614,7 +614,7 @@ export const types = [
   {
     kind: "struct",
     name: "nicol_statistics",
-    // name, type, length of a fixed array, default where it is not zero
+    // name, type, length of a fixed array
     fields: [
       ["struct_size", "uint32_t", 0],
       ["order", "uint32_t", 0],
@@ -664,7 +664,7 @@ export const types = [
   {
     kind: "struct",
     name: "nicol_plane_buffer",
-    // name, type, length of a fixed array, default where it is not zero
+    // name, type, length of a fixed array
     fields: [
       ["struct_size", "uint32_t", 0],
       ["plane", "nicol_plane", 0],
@@ -679,7 +679,7 @@ export const types = [
   {
     kind: "struct",
     name: "nicol_observation",
-    // name, type, length of a fixed array, default where it is not zero
+    // name, type, length of a fixed array
     fields: [
       ["struct_size", "uint32_t", 0],
       ["kind", "nicol_observation_kind", 0],
@@ -693,7 +693,7 @@ export const types = [
   {
     kind: "struct",
     name: "nicol_host",
-    // name, type, length of a fixed array, default where it is not zero
+    // name, type, length of a fixed array
     fields: [
       ["struct_size", "uint32_t", 0],
       ["reserved", "uint32_t", 0],
@@ -705,7 +705,7 @@ export const types = [
   {
     kind: "struct",
     name: "nicol_gl_texture",
-    // name, type, length of a fixed array, default where it is not zero
+    // name, type, length of a fixed array
     fields: [
       ["struct_size", "uint32_t", 0],
       ["name", "uint32_t", 0],
@@ -719,7 +719,7 @@ export const types = [
   {
     kind: "struct",
     name: "nicol_texture_target",
-    // name, type, length of a fixed array, default where it is not zero
+    // name, type, length of a fixed array
     fields: [
       ["struct_size", "uint32_t", 0],
       ["texture", "uint32_t", 0],
@@ -731,7 +731,7 @@ export const types = [
   {
     kind: "struct",
     name: "nicol_psh_sampling",
-    // name, type, length of a fixed array, default where it is not zero
+    // name, type, length of a fixed array
     fields: [
       ["struct_size", "uint32_t", 0],
       ["grid", "nicol_psh_grid", 0],
@@ -747,7 +747,7 @@ export const types = [
   {
     kind: "struct",
     name: "nicol_psh_mueller_field",
-    // name, type, length of a fixed array, default where it is not zero
+    // name, type, length of a fixed array
     fields: [
       ["struct_size", "uint32_t", 0],
       ["isotropic", "uint32_t", 0],
@@ -766,16 +766,16 @@ export const types = [
   {
     kind: "struct",
     name: "nicol_file_options",
-    // name, type, length of a fixed array, default where it is not zero
+    // name, type, length of a fixed array
     fields: [
       ["struct_size", "uint32_t", 0],
-      ["order", "uint32_t", 0, 4294967295],
+      ["order", "uint32_t", 0],
       ["width", "uint32_t", 0],
       ["height", "uint32_t", 0],
       ["edge", "uint32_t", 0],
       ["flags", "uint32_t", 0],
-      ["scale", "double", 0, 1],
-      ["rotation", "double", 9, [1, 0, 0, 0, 1, 0, 0, 0, 1]],
+      ["scale", "double", 0],
+      ["rotation", "double", 9],
       ["wavelengths", "nicol_spectrum", 0],
       ["reserved", "uint32_t", 0],
     ],
@@ -783,7 +783,7 @@ export const types = [
   {
     kind: "struct",
     name: "nicol_light_report",
-    // name, type, length of a fixed array, default where it is not zero
+    // name, type, length of a fixed array
     fields: [
       ["struct_size", "uint32_t", 0],
       ["kind", "nicol_file_kind", 0],
@@ -808,7 +808,7 @@ export const types = [
   {
     kind: "struct",
     name: "nicol_material_report",
-    // name, type, length of a fixed array, default where it is not zero
+    // name, type, length of a fixed array
     fields: [
       ["struct_size", "uint32_t", 0],
       ["kind", "nicol_file_kind", 0],
@@ -837,20 +837,30 @@ export const functions = {
   build_info: ["const char* nicol_build_info(uint32_t index)", false, null],
   last_error: ["const char* nicol_last_error(void)", false, null],
   result_name: ["const char* nicol_result_name(nicol_result result)", false, null],
+  spectrum_init: ["nicol_result nicol_spectrum_init(_Out_ nicol_spectrum *descriptor, uint32_t struct_size)", true, null],
   device_count: ["nicol_result nicol_device_count(_Out_ uint32_t *count)", true, null],
+  device_info_init: ["nicol_result nicol_device_info_init(_Out_ nicol_device_info *descriptor, uint32_t struct_size)", true, null],
   device_get_info: ["nicol_result nicol_device_get_info(uint32_t device, _Inout_ nicol_device_info *info)", true, null],
+  context_options_init: ["nicol_result nicol_context_options_init(_Out_ nicol_context_options *descriptor, uint32_t struct_size)", true, null],
+  context_info_init: ["nicol_result nicol_context_info_init(_Out_ nicol_context_info *descriptor, uint32_t struct_size)", true, null],
   context_create: ["nicol_result nicol_context_create(const nicol_context_options *options, _Out_ nicol_context *context)", true, "nicol_context"],
   context_retain: ["nicol_result nicol_context_retain(nicol_context context)", true, null],
   context_release: ["nicol_result nicol_context_release(nicol_context context)", true, null],
   context_get_info: ["nicol_result nicol_context_get_info(nicol_context context, _Inout_ nicol_context_info *info)", true, null],
+  image_init: ["nicol_result nicol_image_init(_Out_ nicol_image *descriptor, uint32_t struct_size)", true, null],
+  sky_init: ["nicol_result nicol_sky_init(_Out_ nicol_sky *descriptor, uint32_t struct_size)", true, null],
+  environment_load_options_init: ["nicol_result nicol_environment_load_options_init(_Out_ nicol_environment_load_options *descriptor, uint32_t struct_size)", true, null],
   environment_load: ["nicol_result nicol_environment_load(nicol_context context, const char *path, const nicol_environment_load_options *options, _Out_ nicol_environment *environment)", true, "nicol_environment"],
   environment_create_image: ["nicol_result nicol_environment_create_image(nicol_context context, const nicol_image *image, _Out_ nicol_environment *environment)", true, "nicol_environment"],
   environment_create_constant: ["nicol_result nicol_environment_create_constant(nicol_context context, const nicol_spectrum *radiance, _Out_ nicol_environment *environment)", true, "nicol_environment"],
   environment_create_sky: ["nicol_result nicol_environment_create_sky(nicol_context context, const nicol_sky *sky, _Out_ nicol_environment *environment)", true, "nicol_environment"],
   environment_create_psh: ["nicol_result nicol_environment_create_psh(nicol_context context, uint32_t order, uint32_t channels, const double *coefficients, uint64_t count, _Out_ nicol_environment *environment)", true, "nicol_environment"],
+  environment_info_init: ["nicol_result nicol_environment_info_init(_Out_ nicol_environment_info *descriptor, uint32_t struct_size)", true, null],
   environment_get_info: ["nicol_result nicol_environment_get_info(nicol_environment environment, _Inout_ nicol_environment_info *info)", true, null],
   environment_retain: ["nicol_result nicol_environment_retain(nicol_environment environment)", true, null],
   environment_release: ["nicol_result nicol_environment_release(nicol_environment environment)", true, null],
+  texture_image_init: ["nicol_result nicol_texture_image_init(_Out_ nicol_texture_image *descriptor, uint32_t struct_size)", true, null],
+  texture_options_init: ["nicol_result nicol_texture_options_init(_Out_ nicol_texture_options *descriptor, uint32_t struct_size)", true, null],
   texture_create_image: ["nicol_result nicol_texture_create_image(nicol_context context, const nicol_texture_image *image, const nicol_texture_options *options, _Out_ nicol_texture *texture)", true, "nicol_texture"],
   texture_load: ["nicol_result nicol_texture_load(nicol_context context, const char *path, const nicol_texture_options *options, _Out_ nicol_texture *texture)", true, "nicol_texture"],
   texture_create_checkerboard: ["nicol_result nicol_texture_create_checkerboard(nicol_context context, const nicol_spectrum *color0, const nicol_spectrum *color1, const double *to_uv, _Out_ nicol_texture *texture)", true, "nicol_texture"],
@@ -858,12 +868,18 @@ export const functions = {
   texture_create_face_colors: ["nicol_result nicol_texture_create_face_colors(nicol_context context, _Out_ nicol_texture *texture)", true, "nicol_texture"],
   texture_retain: ["nicol_result nicol_texture_retain(nicol_texture texture)", true, null],
   texture_release: ["nicol_result nicol_texture_release(nicol_texture texture)", true, null],
+  pplastic_init: ["nicol_result nicol_pplastic_init(_Out_ nicol_pplastic *descriptor, uint32_t struct_size)", true, null],
   material_create_pplastic: ["nicol_result nicol_material_create_pplastic(nicol_context context, const nicol_pplastic *parameters, _Out_ nicol_material *material)", true, "nicol_material"],
+  plastic_init: ["nicol_result nicol_plastic_init(_Out_ nicol_plastic *descriptor, uint32_t struct_size)", true, null],
   material_create_plastic: ["nicol_result nicol_material_create_plastic(nicol_context context, const nicol_plastic *parameters, _Out_ nicol_material *material)", true, "nicol_material"],
+  principled_init: ["nicol_result nicol_principled_init(_Out_ nicol_principled *descriptor, uint32_t struct_size)", true, null],
   material_create_principled: ["nicol_result nicol_material_create_principled(nicol_context context, const nicol_principled *parameters, _Out_ nicol_material *material)", true, "nicol_material"],
   material_create_diffuse: ["nicol_result nicol_material_create_diffuse(nicol_context context, const nicol_spectrum *reflectance, _Out_ nicol_material *material)", true, "nicol_material"],
+  conductor_init: ["nicol_result nicol_conductor_init(_Out_ nicol_conductor *descriptor, uint32_t struct_size)", true, null],
   material_create_conductor: ["nicol_result nicol_material_create_conductor(nicol_context context, const nicol_conductor *parameters, _Out_ nicol_material *material)", true, "nicol_material"],
+  measured_init: ["nicol_result nicol_measured_init(_Out_ nicol_measured *descriptor, uint32_t struct_size)", true, null],
   material_load_measured: ["nicol_result nicol_material_load_measured(nicol_context context, const char *path, const nicol_measured *options, _Out_ nicol_material *material)", true, "nicol_material"],
+  psh_matrix_init: ["nicol_result nicol_psh_matrix_init(_Out_ nicol_psh_matrix *descriptor, uint32_t struct_size)", true, null],
   material_load_psh: ["nicol_result nicol_material_load_psh(nicol_context context, const char *path, const nicol_psh_matrix *options, _Out_ nicol_material *material)", true, "nicol_material"],
   material_create_twosided: ["nicol_result nicol_material_create_twosided(nicol_context context, nicol_material front, _Out_ nicol_material *material)", true, "nicol_material"],
   material_create_scaled: ["nicol_result nicol_material_create_scaled(nicol_context context, nicol_material base, nicol_texture scale, _Out_ nicol_material *material)", true, "nicol_material"],
@@ -872,9 +888,11 @@ export const functions = {
   material_create_bump_map: ["nicol_result nicol_material_create_bump_map(nicol_context context, nicol_material base, nicol_texture heights, double scale, _Out_ nicol_material *material)", true, "nicol_material"],
   material_create_rotated: ["nicol_result nicol_material_create_rotated(nicol_context context, nicol_material base, nicol_texture directions, double angle, _Out_ nicol_material *material)", true, "nicol_material"],
   material_create_mask: ["nicol_result nicol_material_create_mask(nicol_context context, nicol_material base, nicol_texture opacity, _Out_ nicol_material *material)", true, "nicol_material"],
+  callback_material_init: ["nicol_result nicol_callback_material_init(_Out_ nicol_callback_material *descriptor, uint32_t struct_size)", true, null],
   material_create_callback: ["nicol_result nicol_material_create_callback(nicol_context context, const nicol_callback_material *parameters, _Out_ nicol_material *material)", true, "nicol_material"],
   material_retain: ["nicol_result nicol_material_retain(nicol_material material)", true, null],
   material_release: ["nicol_result nicol_material_release(nicol_material material)", true, null],
+  mesh_data_init: ["nicol_result nicol_mesh_data_init(_Out_ nicol_mesh_data *descriptor, uint32_t struct_size)", true, null],
   mesh_load: ["nicol_result nicol_mesh_load(nicol_context context, const char *path, _Out_ nicol_mesh *mesh)", true, "nicol_mesh"],
   mesh_create: ["nicol_result nicol_mesh_create(nicol_context context, const nicol_mesh_data *data, _Out_ nicol_mesh *mesh)", true, "nicol_mesh"],
   mesh_create_sphere: ["nicol_result nicol_mesh_create_sphere(nicol_context context, _Out_ nicol_mesh *mesh)", true, "nicol_mesh"],
@@ -885,7 +903,13 @@ export const functions = {
   mesh_get_size: ["nicol_result nicol_mesh_get_size(nicol_mesh mesh, _Out_ uint32_t *vertices, _Out_ uint32_t *triangles)", true, null],
   mesh_retain: ["nicol_result nicol_mesh_retain(nicol_mesh mesh)", true, null],
   mesh_release: ["nicol_result nicol_mesh_release(nicol_mesh mesh)", true, null],
+  camera_init: ["nicol_result nicol_camera_init(_Out_ nicol_camera *descriptor, uint32_t struct_size)", true, null],
   camera_look_at: ["nicol_result nicol_camera_look_at(_Inout_ nicol_camera *camera, const double *origin, const double *target, const double *up)", true, null],
+  polarization_init: ["nicol_result nicol_polarization_init(_Out_ nicol_polarization *descriptor, uint32_t struct_size)", true, null],
+  light_init: ["nicol_result nicol_light_init(_Out_ nicol_light *descriptor, uint32_t struct_size)", true, null],
+  emission_init: ["nicol_result nicol_emission_init(_Out_ nicol_emission *descriptor, uint32_t struct_size)", true, null],
+  polarization_element_init: ["nicol_result nicol_polarization_element_init(_Out_ nicol_polarization_element *descriptor, uint32_t struct_size)", true, null],
+  instance_init: ["nicol_result nicol_instance_init(_Out_ nicol_instance *descriptor, uint32_t struct_size)", true, null],
   scene_create: ["nicol_result nicol_scene_create(nicol_context context, _Out_ nicol_scene *scene)", true, "nicol_scene"],
   scene_load: ["nicol_result nicol_scene_load(nicol_context context, const char *path, const char **definitions, uint32_t definition_count, _Out_ nicol_scene *scene)", true, "nicol_scene"],
   scene_add_instance: ["nicol_result nicol_scene_add_instance(nicol_scene scene, const nicol_instance *instance, _Out_ uint32_t *id)", true, null],
@@ -917,34 +941,44 @@ export const functions = {
   scene_get_sample_count: ["nicol_result nicol_scene_get_sample_count(nicol_scene scene, _Out_ uint32_t *samples)", true, null],
   scene_get_max_depth: ["nicol_result nicol_scene_get_max_depth(nicol_scene scene, _Out_ int32_t *max_depth)", true, null],
   scene_get_aovs: ["nicol_result nicol_scene_get_aovs(nicol_scene scene, _Out_ uint32_t *aovs)", true, null],
+  scene_file_init: ["nicol_result nicol_scene_file_init(_Out_ nicol_scene_file *descriptor, uint32_t struct_size)", true, null],
   scene_get_file_count: ["nicol_result nicol_scene_get_file_count(nicol_scene scene, _Out_ uint32_t *count)", true, null],
   scene_get_file: ["nicol_result nicol_scene_get_file(nicol_scene scene, uint32_t index, _Inout_ nicol_scene_file *file)", true, null],
   scene_get_channels: ["nicol_result nicol_scene_get_channels(nicol_scene scene, _Out_ uint32_t *channels)", true, null],
   scene_retain: ["nicol_result nicol_scene_retain(nicol_scene scene)", true, null],
   scene_release: ["nicol_result nicol_scene_release(nicol_scene scene)", true, null],
+  render_options_init: ["nicol_result nicol_render_options_init(_Out_ nicol_render_options *descriptor, uint32_t struct_size)", true, null],
   framebuffer_create: ["nicol_result nicol_framebuffer_create(nicol_context context, uint32_t width, uint32_t height, uint32_t channels, _Out_ nicol_framebuffer *framebuffer)", true, "nicol_framebuffer"],
   framebuffer_get_size: ["nicol_result nicol_framebuffer_get_size(nicol_framebuffer framebuffer, _Out_ uint32_t *width, _Out_ uint32_t *height, _Out_ uint32_t *channels)", true, null],
   framebuffer_retain: ["nicol_result nicol_framebuffer_retain(nicol_framebuffer framebuffer)", true, null],
   framebuffer_release: ["nicol_result nicol_framebuffer_release(nicol_framebuffer framebuffer)", true, null],
   render: ["nicol_result nicol_render(nicol_scene scene, const nicol_camera *camera, const nicol_render_options *options, nicol_framebuffer framebuffer)", true, null],
   render_async: ["nicol_result nicol_render_async(nicol_scene scene, const nicol_camera *camera, const nicol_render_options *options, nicol_framebuffer framebuffer, _Out_ nicol_job *job)", true, "nicol_job"],
+  job_status_init: ["nicol_result nicol_job_status_init(_Out_ nicol_job_status *descriptor, uint32_t struct_size)", true, null],
   job_poll: ["nicol_result nicol_job_poll(nicol_job job, _Inout_ nicol_job_status *status)", true, null],
   job_wait: ["nicol_result nicol_job_wait(nicol_job job, uint32_t timeout_ms)", true, null],
   job_cancel: ["nicol_result nicol_job_cancel(nicol_job job)", true, null],
   job_retain: ["nicol_result nicol_job_retain(nicol_job job)", true, null],
   job_release: ["nicol_result nicol_job_release(nicol_job job)", true, null],
+  statistics_init: ["nicol_result nicol_statistics_init(_Out_ nicol_statistics *descriptor, uint32_t struct_size)", true, null],
   framebuffer_get_statistics: ["nicol_result nicol_framebuffer_get_statistics(nicol_framebuffer framebuffer, _Inout_ nicol_statistics *statistics)", true, null],
   framebuffer_read: ["nicol_result nicol_framebuffer_read(nicol_framebuffer framebuffer, nicol_plane plane, uint32_t channel, _Out_ float *pixels, uint64_t row_stride, uint64_t byte_size)", true, null],
+  plane_buffer_init: ["nicol_result nicol_plane_buffer_init(_Out_ nicol_plane_buffer *descriptor, uint32_t struct_size)", true, null],
   framebuffer_read_plane: ["nicol_result nicol_framebuffer_read_plane(nicol_framebuffer framebuffer, const nicol_plane_buffer *to)", true, null],
   framebuffer_write_exr: ["nicol_result nicol_framebuffer_write_exr(nicol_framebuffer framebuffer, const char *path)", true, null],
+  observation_init: ["nicol_result nicol_observation_init(_Out_ nicol_observation *descriptor, uint32_t struct_size)", true, null],
   framebuffer_write_png: ["nicol_result nicol_framebuffer_write_png(nicol_framebuffer framebuffer, const nicol_observation *observation, const char *path)", true, null],
+  host_init: ["nicol_result nicol_host_init(_Out_ nicol_host *descriptor, uint32_t struct_size)", true, null],
   context_create_host: ["nicol_result nicol_context_create_host(const nicol_host *host, const nicol_context_options *options, _Out_ nicol_context *context)", true, "nicol_context"],
+  gl_texture_init: ["nicol_result nicol_gl_texture_init(_Out_ nicol_gl_texture *descriptor, uint32_t struct_size)", true, null],
   framebuffer_get_texture: ["nicol_result nicol_framebuffer_get_texture(nicol_framebuffer framebuffer, uint32_t channel, _Inout_ nicol_gl_texture *texture)", true, null],
+  texture_target_init: ["nicol_result nicol_texture_target_init(_Out_ nicol_texture_target *descriptor, uint32_t struct_size)", true, null],
   framebuffer_draw_stokes: ["nicol_result nicol_framebuffer_draw_stokes(nicol_framebuffer framebuffer, uint32_t channel, const nicol_texture_target *target)", true, null],
   framebuffer_draw_observation: ["nicol_result nicol_framebuffer_draw_observation(nicol_framebuffer framebuffer, const nicol_observation *observation, const nicol_texture_target *target)", true, null],
   psh_project_image: ["nicol_result nicol_psh_project_image(const nicol_image *image, uint32_t order, _Out_ double *coefficients, uint64_t count)", true, null],
   psh_project_environment: ["nicol_result nicol_psh_project_environment(nicol_environment environment, uint32_t order, _Out_ double *coefficients, uint64_t count)", true, null],
   psh_project_file: ["nicol_result nicol_psh_project_file(const char *path, uint32_t order, _Out_ uint32_t *channels, _Out_ double *coefficients, uint64_t count)", true, null],
+  psh_sampling_init: ["nicol_result nicol_psh_sampling_init(_Out_ nicol_psh_sampling *descriptor, uint32_t struct_size)", true, null],
   psh_transform_create: ["nicol_result nicol_psh_transform_create(const nicol_psh_sampling *sampling, _Out_ nicol_psh_transform *transform)", true, "nicol_psh_transform"],
   psh_transform_retain: ["nicol_result nicol_psh_transform_retain(nicol_psh_transform transform)", true, null],
   psh_transform_release: ["nicol_result nicol_psh_transform_release(nicol_psh_transform transform)", true, null],
@@ -957,6 +991,7 @@ export const functions = {
   psh_reflect: ["nicol_result nicol_psh_reflect(uint32_t order, uint64_t vectors, const double *in, uint64_t in_count, _Out_ double *out, uint64_t out_count)", true, null],
   psh_multiply: ["nicol_result nicol_psh_multiply(uint32_t scalar_order, const double *scalar, uint64_t scalar_count, uint32_t order, uint64_t vectors, const double *in, uint64_t in_count, uint32_t order_out, _Out_ double *out, uint64_t out_count)", true, null],
   psh_shadow_matrix: ["nicol_result nicol_psh_shadow_matrix(uint32_t scalar_order, const double *scalar, uint64_t scalar_count, uint32_t order_out, uint32_t order_in, _Out_ double *matrix, uint64_t matrix_count)", true, null],
+  psh_mueller_field_init: ["nicol_result nicol_psh_mueller_field_init(_Out_ nicol_psh_mueller_field *descriptor, uint32_t struct_size)", true, null],
   psh_project_matrix: ["nicol_result nicol_psh_project_matrix(const nicol_psh_mueller_field *field, _Out_ double *matrix, uint64_t matrix_count)", true, null],
   psh_apply_matrix: ["nicol_result nicol_psh_apply_matrix(uint32_t order_out, uint32_t order_in, const double *matrix, uint64_t matrix_count, uint64_t vectors, const double *in, uint64_t in_count, _Out_ double *out, uint64_t out_count)", true, null],
   psh_compose_matrix: ["nicol_result nicol_psh_compose_matrix(uint32_t order_out, uint32_t order_between, uint32_t order_in, const double *second, uint64_t second_count, const double *first, uint64_t first_count, _Out_ double *matrix, uint64_t matrix_count)", true, null],
@@ -965,6 +1000,9 @@ export const functions = {
   psh_convolve: ["nicol_result nicol_psh_convolve(uint32_t order, const double *bands, uint64_t band_count, uint64_t vectors, const double *in, uint64_t in_count, _Out_ double *out, uint64_t out_count)", true, null],
   psh_kernel_matrix: ["nicol_result nicol_psh_kernel_matrix(uint32_t order, const double *bands, uint64_t band_count, _Out_ double *matrix, uint64_t matrix_count)", true, null],
   psh_nearest_kernel: ["nicol_result nicol_psh_nearest_kernel(uint32_t order, const double *matrix, uint64_t matrix_count, _Out_ double *bands, uint64_t band_count)", true, null],
+  file_options_init: ["nicol_result nicol_file_options_init(_Out_ nicol_file_options *descriptor, uint32_t struct_size)", true, null],
+  light_report_init: ["nicol_result nicol_light_report_init(_Out_ nicol_light_report *descriptor, uint32_t struct_size)", true, null],
+  material_report_init: ["nicol_result nicol_material_report_init(_Out_ nicol_material_report *descriptor, uint32_t struct_size)", true, null],
   file_identify: ["nicol_result nicol_file_identify(const char *path, _Out_ nicol_file_kind *kind)", true, null],
   file_describe_light: ["nicol_result nicol_file_describe_light(const char *path, const nicol_file_options *options, _Inout_ nicol_light_report *report, _Out_ double *energy, uint64_t count)", true, null],
   file_describe_material: ["nicol_result nicol_file_describe_material(const char *path, const nicol_file_options *options, _Inout_ nicol_material_report *report, _Out_ double *energy, uint64_t count)", true, null],

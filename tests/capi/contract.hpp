@@ -295,7 +295,9 @@ public:
                 case Kind::user:
                     break;
                 case Kind::number:
-                    slots_[i] = good_number(function.name, parameter.name);
+                    slots_[i] = parameter.name == std::string("struct_size")
+                                    ? function.parameters[0].size
+                                    : good_number(function.name, parameter.name);
             }
         }
     }

@@ -59,6 +59,11 @@ bool needs_host(const Function& f) {
     return f.name == "nicol_framebuffer_get_texture" || f.name.starts_with("nicol_framebuffer_draw_");
 }
 
+/// Returns whether the function sets the defaults of a struct, whose size is an argument.
+bool is_initialiser(const Function& f) {
+    return f.name.ends_with("_init");
+}
+
 /// Calls test(function, position) for every parameter of these kinds.
 template <class Test>
 void each_parameter(std::initializer_list<Kind> kinds, Test test) {
@@ -184,7 +189,8 @@ CONTEXT_TEST_CASE(
     "structs are filled as far as the caller has room, and those without a size stay as they are") {
     const Everything all(retained(context));
     each_parameter({Kind::struct_out}, [&](const Function& f, std::size_t i) {
-        if (needs_host(f) || f.name == "nicol_camera_look_at") return;  // also reads its struct
+        if (needs_host(f) || is_initialiser(f)) return;
+        if (f.name == "nicol_camera_look_at") return;  // also reads its struct
         const std::size_t whole_size = f.parameters[i].size;
         for (const std::size_t size : {0U, 3U}) {
             Arguments arguments(f, all);
@@ -209,6 +215,38 @@ CONTEXT_TEST_CASE(
         CHECK(std::equal(whole.begin() + 4, whole.end(), newer.begin() + 4));
         for (std::size_t at = whole_size; at < newer.size(); ++at) CHECK(newer[at] == std::byte{77});
     });
+}
+
+TEST_CASE("initialisers set the defaults of the macros, for structs of older and newer callers too") {
+    const Everything all(make_context(NICOL_BACKEND_OSMESA));
+    each_parameter({Kind::struct_out}, [&](const Function& f, std::size_t i) {
+        if (!is_initialiser(f)) return;
+        const Parameter& parameter = f.parameters[i];
+        for (const std::size_t size : {parameter.size, parameter.size + 8, std::size_t{8}}) {
+            std::vector<std::byte> expected = parameter.initial;
+            expected.resize(size);
+            set_size(expected, size);
+            Arguments arguments(f, all);
+            arguments.point(i, std::vector<std::byte>(size, std::byte{77}));
+            arguments.set(i + 1, size);
+            OK(arguments.call());
+            CHECK(arguments.memory(i) == expected);
+        }
+        for (const std::uint32_t size : {0U, 3U, 65537U, UINT32_MAX}) {
+            Arguments arguments(f, all);
+            arguments.set(i + 1, size);
+            REFUSES(arguments.call(), "struct_size is " + std::to_string(size));
+        }
+    });
+    nicol_spectrum spectrum;
+    std::memset(&spectrum, 77, sizeof spectrum);
+    OK(nicol_spectrum_init(&spectrum, sizeof spectrum));
+    CHECK(spectrum.count == 0);
+    CHECK(spectrum.values[NICOL_MAX_CHANNELS - 1] == 0);
+    nicol_polarization polarization;
+    OK(nicol_polarization_init(&polarization, sizeof polarization));
+    CHECK(polarization.axis[0] == 1);
+    REFUSES(nicol_polarization_init(&polarization, 8), "struct_size is 8; it must be sizeof(the struct), 48");
 }
 
 TEST_CASE("arrays of doubles must have the length that orders and vectors ask for, and finite values") {

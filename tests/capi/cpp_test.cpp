@@ -18,7 +18,7 @@ TEST_CASE("an image by handles that release themselves") {
         nicol::create<nicol::Framebuffer>(nicol_framebuffer_create, context.get(), 4u, 3u, 1u);
     const nicol::Context kept = std::move(context);
     CHECK(context == nullptr);
-    const nicol_camera camera = NICOL_CAMERA_INIT;
+    const auto camera = nicol::defaults(nicol_camera_init);
     nicol::check(nicol_render(scene.get(), &camera, nullptr, framebuffer.get()));
     std::vector<float> s0(12);
     nicol::check(nicol_framebuffer_read(framebuffer.get(), NICOL_PLANE_S0, 0, s0.data(), 0, 48));

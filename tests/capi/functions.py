@@ -43,7 +43,9 @@ def fields(model):
 def defaults(model):
     for name, struct in model.structs.items():
         if struct.fields[0].name == "struct_size":
-            yield f"inline void initialise({name}& made) {{ made = {name} {name.upper()}_INIT; }}"
+            # Static defaults have zeros between fields too.
+            copy = "std::memcpy(&made, &defaults, sizeof made);"
+            yield f"inline void initialise({name}& made) {{ static const {name} defaults = {name.upper()}_INIT; {copy} }}"
 
 
 def use(model):

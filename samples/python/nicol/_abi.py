@@ -193,13 +193,6 @@ class ContextOptions(Struct):
         ("load_progress", ProgressCallback.type),
         ("load_progress_user", c_void_p),
     ]
-    _defaults_ = {
-        "memory_limit": 18446744073709551615,
-        "load_bytes_limit": 8589934592,
-        "vertex_limit": 67108864,
-        "triangle_limit": 134217728,
-        "load_seconds_limit": 600,
-    }
 
 
 class ContextInfo(Struct):
@@ -259,11 +252,6 @@ class Sky(Struct):
         ("turbidity", c_float),
         ("ground_albedo", c_float),
     ]
-    _defaults_ = {
-        "dop_max": 0.8,
-        "sun_direction": [0, 1, 0],
-        "ground_albedo": 0.2,
-    }
 
 
 class EnvironmentLoadOptions(Struct):
@@ -273,9 +261,6 @@ class EnvironmentLoadOptions(Struct):
         ("scale", c_double),
         ("wavelengths", Spectrum),
     ]
-    _defaults_ = {
-        "scale": 1,
-    }
 
 
 class EnvironmentInfo(Struct):
@@ -313,10 +298,6 @@ class TextureOptions(Struct):
         ("raw", c_uint32),
         ("to_uv", c_double * 9),
     ]
-    _defaults_ = {
-        "filter": 1,
-        "to_uv": [1, 0, 0, 0, 1, 0, 0, 0, 1],
-    }
 
 
 class Pplastic(Struct):
@@ -339,11 +320,6 @@ class Pplastic(Struct):
         ("alpha_u_texture", c_void_p),
         ("alpha_v_texture", c_void_p),
     ]
-    _defaults_ = {
-        "int_ior": 1.49,
-        "ext_ior": 1.000277,
-        "alpha": 0.1,
-    }
 
 
 class Plastic(Struct):
@@ -362,10 +338,6 @@ class Plastic(Struct):
         ("specular_reflectance_texture", c_void_p),
         ("alpha_texture", c_void_p),
     ]
-    _defaults_ = {
-        "int_ior": 1.49,
-        "ext_ior": 1.000277,
-    }
 
 
 class Principled(Struct):
@@ -398,10 +370,6 @@ class Principled(Struct):
         ("clearcoat_texture", c_void_p),
         ("clearcoat_gloss_texture", c_void_p),
     ]
-    _defaults_ = {
-        "eta": 1.5,
-        "roughness": 0.5,
-    }
 
 
 class Conductor(Struct):
@@ -456,10 +424,6 @@ class CallbackMaterial(Struct):
         ("lobe_width", c_float),
         ("reserved", c_uint32),
     ]
-    _defaults_ = {
-        "channels": 1,
-        "lobe_width": 1,
-    }
 
 
 class MeshData(Struct):
@@ -492,12 +456,6 @@ class Camera(Struct):
         ("jitter", c_double * 2),
         ("shift", c_double * 2),
     ]
-    _defaults_ = {
-        "to_world": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1],
-        "fov": 45,
-        "near_clip": 0.01,
-        "far_clip": 10000,
-    }
 
     def look_at(self, origin, target, up):
         """Sets to_world, and no other field, to that of a camera at `origin` that looks at `target`. `up` must not
@@ -523,9 +481,6 @@ class Polarization(Struct):
         ("docp", c_double),
         ("axis", c_double * 3),
     ]
-    _defaults_ = {
-        "axis": [1, 0, 0],
-    }
 
 
 class Light(Struct):
@@ -546,15 +501,6 @@ class Light(Struct):
         ("texture", c_void_p),
         ("polarization", Polarization),
     ]
-    _defaults_ = {
-        "kind": 1,
-        "to_world": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1],
-        "cutoff_angle": 20,
-        "beam_width": 15,
-        "fov": 45,
-        "aspect": 1,
-        "polarization": Polarization(),
-    }
 
 
 class Emission(Struct):
@@ -567,9 +513,6 @@ class Emission(Struct):
         ("texture", c_void_p),
         ("polarization", Polarization),
     ]
-    _defaults_ = {
-        "polarization": Polarization(),
-    }
 
 
 class PolarizationElement(Struct):
@@ -597,11 +540,6 @@ class PolarizationElement(Struct):
         ("retardance", c_double),
         ("transmittance", c_double),
     ]
-    _defaults_ = {
-        "to_world": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1],
-        "retardance": 90,
-        "transmittance": 1,
-    }
 
 
 class Instance(Struct):
@@ -612,9 +550,6 @@ class Instance(Struct):
         ("material", c_void_p),
         ("to_world", c_double * 16),
     ]
-    _defaults_ = {
-        "to_world": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1],
-    }
 
 
 class SceneFile(Struct):
@@ -661,19 +596,6 @@ class RenderOptions(Struct):
         ("bsdf_samples", c_uint32),
         ("max_depth", c_int32),
     ]
-    _defaults_ = {
-        "order_low": 4294967295,
-        "order_high": 4294967295,
-        "shadows": 1,
-        "physical": 1,
-        "samples": 256,
-        "tolerance": 0.03,
-        "high_order_shadows": 1,
-        "refine_tolerance": 0.02,
-        "split_lights": -1,
-        "light_samples": 16,
-        "bsdf_samples": 32,
-    }
 
 
 class JobStatus(Struct):
@@ -830,11 +752,6 @@ class FileOptions(Struct):
         ("wavelengths", Spectrum),
         ("reserved", c_uint32),
     ]
-    _defaults_ = {
-        "order": 4294967295,
-        "scale": 1,
-        "rotation": [1, 0, 0, 0, 1, 0, 0, 0, 1],
-    }
 
 
 class LightReport(Struct):
@@ -1856,30 +1773,46 @@ _version_string = declare("nicol_version_string", c_char_p)
 _build_info = declare("nicol_build_info", c_char_p, c_uint32)
 _last_error = declare("nicol_last_error", c_char_p)
 _result_name = declare("nicol_result_name", c_char_p, c_int32)
+Spectrum._init = declare("nicol_spectrum_init", c_int32, POINTER(Spectrum), c_uint32)
 _device_count = declare("nicol_device_count", c_int32, POINTER(c_uint32))
+DeviceInfo._init = declare("nicol_device_info_init", c_int32, POINTER(DeviceInfo), c_uint32)
 _device_get_info = declare("nicol_device_get_info", c_int32, c_uint32, POINTER(DeviceInfo))
+ContextOptions._init = declare("nicol_context_options_init", c_int32, POINTER(ContextOptions), c_uint32)
+ContextInfo._init = declare("nicol_context_info_init", c_int32, POINTER(ContextInfo), c_uint32)
 _context_create = declare("nicol_context_create", c_int32, POINTER(ContextOptions), POINTER(Context))
 Context._release = declare("nicol_context_release", c_int32, c_void_p)
 _context_get_info = declare("nicol_context_get_info", c_int32, Context, POINTER(ContextInfo))
+Image._init = declare("nicol_image_init", c_int32, POINTER(Image), c_uint32)
+Sky._init = declare("nicol_sky_init", c_int32, POINTER(Sky), c_uint32)
+EnvironmentLoadOptions._init = declare("nicol_environment_load_options_init", c_int32, POINTER(EnvironmentLoadOptions), c_uint32)
 _environment_load = declare("nicol_environment_load", c_int32, Context, c_char_p, POINTER(EnvironmentLoadOptions), POINTER(Environment))
 _environment_create_image = declare("nicol_environment_create_image", c_int32, Context, POINTER(Image), POINTER(Environment))
 _environment_create_constant = declare("nicol_environment_create_constant", c_int32, Context, POINTER(Spectrum), POINTER(Environment))
 _environment_create_sky = declare("nicol_environment_create_sky", c_int32, Context, POINTER(Sky), POINTER(Environment))
 _environment_create_psh = declare("nicol_environment_create_psh", c_int32, Context, c_uint32, c_uint32, POINTER(c_double), c_uint64, POINTER(Environment))
+EnvironmentInfo._init = declare("nicol_environment_info_init", c_int32, POINTER(EnvironmentInfo), c_uint32)
 _environment_get_info = declare("nicol_environment_get_info", c_int32, Environment, POINTER(EnvironmentInfo))
 Environment._release = declare("nicol_environment_release", c_int32, c_void_p)
+TextureImage._init = declare("nicol_texture_image_init", c_int32, POINTER(TextureImage), c_uint32)
+TextureOptions._init = declare("nicol_texture_options_init", c_int32, POINTER(TextureOptions), c_uint32)
 _texture_create_image = declare("nicol_texture_create_image", c_int32, Context, POINTER(TextureImage), POINTER(TextureOptions), POINTER(Texture))
 _texture_load = declare("nicol_texture_load", c_int32, Context, c_char_p, POINTER(TextureOptions), POINTER(Texture))
 _texture_create_checkerboard = declare("nicol_texture_create_checkerboard", c_int32, Context, POINTER(Spectrum), POINTER(Spectrum), POINTER(c_double), POINTER(Texture))
 _texture_create_vertex_colors = declare("nicol_texture_create_vertex_colors", c_int32, Context, POINTER(Texture))
 _texture_create_face_colors = declare("nicol_texture_create_face_colors", c_int32, Context, POINTER(Texture))
 Texture._release = declare("nicol_texture_release", c_int32, c_void_p)
+Pplastic._init = declare("nicol_pplastic_init", c_int32, POINTER(Pplastic), c_uint32)
 _material_create_pplastic = declare("nicol_material_create_pplastic", c_int32, Context, POINTER(Pplastic), POINTER(Material))
+Plastic._init = declare("nicol_plastic_init", c_int32, POINTER(Plastic), c_uint32)
 _material_create_plastic = declare("nicol_material_create_plastic", c_int32, Context, POINTER(Plastic), POINTER(Material))
+Principled._init = declare("nicol_principled_init", c_int32, POINTER(Principled), c_uint32)
 _material_create_principled = declare("nicol_material_create_principled", c_int32, Context, POINTER(Principled), POINTER(Material))
 _material_create_diffuse = declare("nicol_material_create_diffuse", c_int32, Context, POINTER(Spectrum), POINTER(Material))
+Conductor._init = declare("nicol_conductor_init", c_int32, POINTER(Conductor), c_uint32)
 _material_create_conductor = declare("nicol_material_create_conductor", c_int32, Context, POINTER(Conductor), POINTER(Material))
+Measured._init = declare("nicol_measured_init", c_int32, POINTER(Measured), c_uint32)
 _material_load_measured = declare("nicol_material_load_measured", c_int32, Context, c_char_p, POINTER(Measured), POINTER(Material))
+PshMatrix._init = declare("nicol_psh_matrix_init", c_int32, POINTER(PshMatrix), c_uint32)
 _material_load_psh = declare("nicol_material_load_psh", c_int32, Context, c_char_p, POINTER(PshMatrix), POINTER(Material))
 _material_create_twosided = declare("nicol_material_create_twosided", c_int32, Context, Material, POINTER(Material))
 _material_create_scaled = declare("nicol_material_create_scaled", c_int32, Context, Material, Texture, POINTER(Material))
@@ -1888,8 +1821,10 @@ _material_create_normal_map = declare("nicol_material_create_normal_map", c_int3
 _material_create_bump_map = declare("nicol_material_create_bump_map", c_int32, Context, Material, Texture, c_double, POINTER(Material))
 _material_create_rotated = declare("nicol_material_create_rotated", c_int32, Context, Material, Texture, c_double, POINTER(Material))
 _material_create_mask = declare("nicol_material_create_mask", c_int32, Context, Material, Texture, POINTER(Material))
+CallbackMaterial._init = declare("nicol_callback_material_init", c_int32, POINTER(CallbackMaterial), c_uint32)
 _material_create_callback = declare("nicol_material_create_callback", c_int32, Context, POINTER(CallbackMaterial), POINTER(Material))
 Material._release = declare("nicol_material_release", c_int32, c_void_p)
+MeshData._init = declare("nicol_mesh_data_init", c_int32, POINTER(MeshData), c_uint32)
 _mesh_load = declare("nicol_mesh_load", c_int32, Context, c_char_p, POINTER(Mesh))
 _mesh_create = declare("nicol_mesh_create", c_int32, Context, POINTER(MeshData), POINTER(Mesh))
 _mesh_create_sphere = declare("nicol_mesh_create_sphere", c_int32, Context, POINTER(Mesh))
@@ -1899,7 +1834,13 @@ _mesh_create_disk = declare("nicol_mesh_create_disk", c_int32, Context, POINTER(
 _mesh_create_cylinder = declare("nicol_mesh_create_cylinder", c_int32, Context, POINTER(c_double), POINTER(c_double), c_double, POINTER(Mesh))
 _mesh_get_size = declare("nicol_mesh_get_size", c_int32, Mesh, POINTER(c_uint32), POINTER(c_uint32))
 Mesh._release = declare("nicol_mesh_release", c_int32, c_void_p)
+Camera._init = declare("nicol_camera_init", c_int32, POINTER(Camera), c_uint32)
 _camera_look_at = declare("nicol_camera_look_at", c_int32, POINTER(Camera), POINTER(c_double), POINTER(c_double), POINTER(c_double))
+Polarization._init = declare("nicol_polarization_init", c_int32, POINTER(Polarization), c_uint32)
+Light._init = declare("nicol_light_init", c_int32, POINTER(Light), c_uint32)
+Emission._init = declare("nicol_emission_init", c_int32, POINTER(Emission), c_uint32)
+PolarizationElement._init = declare("nicol_polarization_element_init", c_int32, POINTER(PolarizationElement), c_uint32)
+Instance._init = declare("nicol_instance_init", c_int32, POINTER(Instance), c_uint32)
 _scene_create = declare("nicol_scene_create", c_int32, Context, POINTER(Scene))
 _scene_load = declare("nicol_scene_load", c_int32, Context, c_char_p, POINTER(c_char_p), c_uint32, POINTER(Scene))
 _scene_add_instance = declare("nicol_scene_add_instance", c_int32, Scene, POINTER(Instance), POINTER(c_uint32))
@@ -1931,31 +1872,41 @@ _scene_get_film_size = declare("nicol_scene_get_film_size", c_int32, Scene, POIN
 _scene_get_sample_count = declare("nicol_scene_get_sample_count", c_int32, Scene, POINTER(c_uint32))
 _scene_get_max_depth = declare("nicol_scene_get_max_depth", c_int32, Scene, POINTER(c_int32))
 _scene_get_aovs = declare("nicol_scene_get_aovs", c_int32, Scene, POINTER(c_uint32))
+SceneFile._init = declare("nicol_scene_file_init", c_int32, POINTER(SceneFile), c_uint32)
 _scene_get_file_count = declare("nicol_scene_get_file_count", c_int32, Scene, POINTER(c_uint32))
 _scene_get_file = declare("nicol_scene_get_file", c_int32, Scene, c_uint32, POINTER(SceneFile))
 _scene_get_channels = declare("nicol_scene_get_channels", c_int32, Scene, POINTER(c_uint32))
 Scene._release = declare("nicol_scene_release", c_int32, c_void_p)
+RenderOptions._init = declare("nicol_render_options_init", c_int32, POINTER(RenderOptions), c_uint32)
 _framebuffer_create = declare("nicol_framebuffer_create", c_int32, Context, c_uint32, c_uint32, c_uint32, POINTER(Framebuffer))
 _framebuffer_get_size = declare("nicol_framebuffer_get_size", c_int32, Framebuffer, POINTER(c_uint32), POINTER(c_uint32), POINTER(c_uint32))
 Framebuffer._release = declare("nicol_framebuffer_release", c_int32, c_void_p)
 _render = declare("nicol_render", c_int32, Scene, POINTER(Camera), POINTER(RenderOptions), Framebuffer)
 _render_async = declare("nicol_render_async", c_int32, Scene, POINTER(Camera), POINTER(RenderOptions), Framebuffer, POINTER(Job))
+JobStatus._init = declare("nicol_job_status_init", c_int32, POINTER(JobStatus), c_uint32)
 _job_poll = declare("nicol_job_poll", c_int32, Job, POINTER(JobStatus))
 _job_wait = declare("nicol_job_wait", c_int32, Job, c_uint32)
 _job_cancel = declare("nicol_job_cancel", c_int32, Job)
 Job._release = declare("nicol_job_release", c_int32, c_void_p)
+Statistics._init = declare("nicol_statistics_init", c_int32, POINTER(Statistics), c_uint32)
 _framebuffer_get_statistics = declare("nicol_framebuffer_get_statistics", c_int32, Framebuffer, POINTER(Statistics))
 _framebuffer_read = declare("nicol_framebuffer_read", c_int32, Framebuffer, c_uint32, c_uint32, POINTER(c_float), c_uint64, c_uint64)
+PlaneBuffer._init = declare("nicol_plane_buffer_init", c_int32, POINTER(PlaneBuffer), c_uint32)
 _framebuffer_read_plane = declare("nicol_framebuffer_read_plane", c_int32, Framebuffer, POINTER(PlaneBuffer))
 _framebuffer_write_exr = declare("nicol_framebuffer_write_exr", c_int32, Framebuffer, c_char_p)
+Observation._init = declare("nicol_observation_init", c_int32, POINTER(Observation), c_uint32)
 _framebuffer_write_png = declare("nicol_framebuffer_write_png", c_int32, Framebuffer, POINTER(Observation), c_char_p)
+Host._init = declare("nicol_host_init", c_int32, POINTER(Host), c_uint32)
 _context_create_host = declare("nicol_context_create_host", c_int32, POINTER(Host), POINTER(ContextOptions), POINTER(Context))
+GlTexture._init = declare("nicol_gl_texture_init", c_int32, POINTER(GlTexture), c_uint32)
 _framebuffer_get_texture = declare("nicol_framebuffer_get_texture", c_int32, Framebuffer, c_uint32, POINTER(GlTexture))
+TextureTarget._init = declare("nicol_texture_target_init", c_int32, POINTER(TextureTarget), c_uint32)
 _framebuffer_draw_stokes = declare("nicol_framebuffer_draw_stokes", c_int32, Framebuffer, c_uint32, POINTER(TextureTarget))
 _framebuffer_draw_observation = declare("nicol_framebuffer_draw_observation", c_int32, Framebuffer, POINTER(Observation), POINTER(TextureTarget))
 _psh_project_image = declare("nicol_psh_project_image", c_int32, POINTER(Image), c_uint32, POINTER(c_double), c_uint64)
 _psh_project_environment = declare("nicol_psh_project_environment", c_int32, Environment, c_uint32, POINTER(c_double), c_uint64)
 _psh_project_file = declare("nicol_psh_project_file", c_int32, c_char_p, c_uint32, POINTER(c_uint32), POINTER(c_double), c_uint64)
+PshSampling._init = declare("nicol_psh_sampling_init", c_int32, POINTER(PshSampling), c_uint32)
 _psh_transform_create = declare("nicol_psh_transform_create", c_int32, POINTER(PshSampling), POINTER(PshTransform))
 PshTransform._release = declare("nicol_psh_transform_release", c_int32, c_void_p)
 _psh_transform_get_size = declare("nicol_psh_transform_get_size", c_int32, PshTransform, POINTER(c_uint32), POINTER(c_uint32))
@@ -1967,6 +1918,7 @@ _psh_rotate = declare("nicol_psh_rotate", c_int32, c_uint32, c_uint64, POINTER(c
 _psh_reflect = declare("nicol_psh_reflect", c_int32, c_uint32, c_uint64, POINTER(c_double), c_uint64, POINTER(c_double), c_uint64)
 _psh_multiply = declare("nicol_psh_multiply", c_int32, c_uint32, POINTER(c_double), c_uint64, c_uint32, c_uint64, POINTER(c_double), c_uint64, c_uint32, POINTER(c_double), c_uint64)
 _psh_shadow_matrix = declare("nicol_psh_shadow_matrix", c_int32, c_uint32, POINTER(c_double), c_uint64, c_uint32, c_uint32, POINTER(c_double), c_uint64)
+PshMuellerField._init = declare("nicol_psh_mueller_field_init", c_int32, POINTER(PshMuellerField), c_uint32)
 _psh_project_matrix = declare("nicol_psh_project_matrix", c_int32, POINTER(PshMuellerField), POINTER(c_double), c_uint64)
 _psh_apply_matrix = declare("nicol_psh_apply_matrix", c_int32, c_uint32, c_uint32, POINTER(c_double), c_uint64, c_uint64, POINTER(c_double), c_uint64, POINTER(c_double), c_uint64)
 _psh_compose_matrix = declare("nicol_psh_compose_matrix", c_int32, c_uint32, c_uint32, c_uint32, POINTER(c_double), c_uint64, POINTER(c_double), c_uint64, POINTER(c_double), c_uint64)
@@ -1975,6 +1927,9 @@ _psh_kernel_at = declare("nicol_psh_kernel_at", c_int32, c_uint32, POINTER(c_dou
 _psh_convolve = declare("nicol_psh_convolve", c_int32, c_uint32, POINTER(c_double), c_uint64, c_uint64, POINTER(c_double), c_uint64, POINTER(c_double), c_uint64)
 _psh_kernel_matrix = declare("nicol_psh_kernel_matrix", c_int32, c_uint32, POINTER(c_double), c_uint64, POINTER(c_double), c_uint64)
 _psh_nearest_kernel = declare("nicol_psh_nearest_kernel", c_int32, c_uint32, POINTER(c_double), c_uint64, POINTER(c_double), c_uint64)
+FileOptions._init = declare("nicol_file_options_init", c_int32, POINTER(FileOptions), c_uint32)
+LightReport._init = declare("nicol_light_report_init", c_int32, POINTER(LightReport), c_uint32)
+MaterialReport._init = declare("nicol_material_report_init", c_int32, POINTER(MaterialReport), c_uint32)
 _file_identify = declare("nicol_file_identify", c_int32, c_char_p, POINTER(c_uint32))
 _file_describe_light = declare("nicol_file_describe_light", c_int32, c_char_p, POINTER(FileOptions), POINTER(LightReport), POINTER(c_double), c_uint64)
 _file_describe_material = declare("nicol_file_describe_material", c_int32, c_char_p, POINTER(FileOptions), POINTER(MaterialReport), POINTER(c_double), c_uint64)

@@ -234,14 +234,12 @@ class Struct(ctypes.Structure):
 
     _callbacks_ = {}
     _read_only_ = {}  # pointer fields whose memory the library only reads
-    _defaults_ = {}
 
     def __init__(self, **fields):
         super().__init__()
         object.__setattr__(self, "_kept", {})
-        if self._fields_[0][0] == "struct_size":
-            self.struct_size = ctypes.sizeof(self)
-        for name, value in (self._defaults_ | fields).items():
+        check(type(self)._init(ctypes.byref(self), ctypes.sizeof(self)))
+        for name, value in fields.items():
             setattr(self, name, value)
 
     def __setattr__(self, name, value):

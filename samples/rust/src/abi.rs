@@ -2,7 +2,22 @@
 //! Nicol 0.1.0 for Rust. Made of the C headers by samples/bindings/generate.py: change those, not this file.
 #![allow(non_camel_case_types)]
 use std::ffi::{c_char, c_void};
-use std::mem::{offset_of, size_of};
+use std::mem::{offset_of, size_of, MaybeUninit};
+
+macro_rules! defaults {
+    ($name:ident, $init:ident) => {
+        impl Default for $name {
+            fn default() -> Self {
+                let mut made = MaybeUninit::zeroed();
+                // Fails only in a child of fork(), where every call fails; zeros are values of every field.
+                unsafe {
+                    $init(made.as_mut_ptr(), size_of::<Self>() as u32);
+                    made.assume_init()
+                }
+            }
+        }
+    };
+}
 
 pub const NICOL_VERSION_MAJOR: u32 = 0;
 pub const NICOL_VERSION_MINOR: u32 = 1;
@@ -212,12 +227,7 @@ pub struct nicol_spectrum {
     pub count: u32,
     pub values: [f32; 16],
 }
-impl Default for nicol_spectrum {
-    fn default() -> Self {
-        // Zeros and null pointers are values of every field.
-        unsafe { std::mem::zeroed() }
-    }
-}
+defaults!(nicol_spectrum, nicol_spectrum_init);
 const _: () = {
     assert!(size_of::<nicol_spectrum>() == 68);
     assert!(offset_of!(nicol_spectrum, count) == 0);
@@ -234,14 +244,7 @@ pub struct nicol_device_info {
     pub vendor: *const c_char,
     pub file: *const c_char,
 }
-impl Default for nicol_device_info {
-    fn default() -> Self {
-        // Zeros and null pointers are values of every field.
-        let mut made: Self = unsafe { std::mem::zeroed() };
-        made.struct_size = size_of::<Self>() as u32;
-        made
-    }
-}
+defaults!(nicol_device_info, nicol_device_info_init);
 const _: () = {
     assert!(size_of::<nicol_device_info>() == 32);
     assert!(offset_of!(nicol_device_info, struct_size) == 0);
@@ -269,19 +272,7 @@ pub struct nicol_context_options {
     pub load_progress: nicol_progress_callback,
     pub load_progress_user: *mut c_void,
 }
-impl Default for nicol_context_options {
-    fn default() -> Self {
-        // Zeros and null pointers are values of every field.
-        let mut made: Self = unsafe { std::mem::zeroed() };
-        made.struct_size = size_of::<Self>() as u32;
-        made.memory_limit = 18446744073709551615;
-        made.load_bytes_limit = 8589934592;
-        made.vertex_limit = 67108864;
-        made.triangle_limit = 134217728;
-        made.load_seconds_limit = 600.0;
-        made
-    }
-}
+defaults!(nicol_context_options, nicol_context_options_init);
 const _: () = {
     assert!(size_of::<nicol_context_options>() == 96);
     assert!(offset_of!(nicol_context_options, struct_size) == 0);
@@ -318,14 +309,7 @@ pub struct nicol_context_info {
     pub triangle_limit: u64,
     pub load_seconds_limit: f64,
 }
-impl Default for nicol_context_info {
-    fn default() -> Self {
-        // Zeros and null pointers are values of every field.
-        let mut made: Self = unsafe { std::mem::zeroed() };
-        made.struct_size = size_of::<Self>() as u32;
-        made
-    }
-}
+defaults!(nicol_context_info, nicol_context_info_init);
 const _: () = {
     assert!(size_of::<nicol_context_info>() == 88);
     assert!(offset_of!(nicol_context_info, struct_size) == 0);
@@ -363,14 +347,7 @@ pub struct nicol_image {
     pub release: nicol_release_callback,
     pub release_user: *mut c_void,
 }
-impl Default for nicol_image {
-    fn default() -> Self {
-        // Zeros and null pointers are values of every field.
-        let mut made: Self = unsafe { std::mem::zeroed() };
-        made.struct_size = size_of::<Self>() as u32;
-        made
-    }
-}
+defaults!(nicol_image, nicol_image_init);
 const _: () = {
     assert!(size_of::<nicol_image>() == 64);
     assert!(offset_of!(nicol_image, struct_size) == 0);
@@ -405,17 +382,7 @@ pub struct nicol_sky {
     pub turbidity: f32,
     pub ground_albedo: f32,
 }
-impl Default for nicol_sky {
-    fn default() -> Self {
-        // Zeros and null pointers are values of every field.
-        let mut made: Self = unsafe { std::mem::zeroed() };
-        made.struct_size = size_of::<Self>() as u32;
-        made.dop_max = 0.8;
-        made.sun_direction = [0.0, 1.0, 0.0];
-        made.ground_albedo = 0.2;
-        made
-    }
-}
+defaults!(nicol_sky, nicol_sky_init);
 const _: () = {
     assert!(size_of::<nicol_sky>() == 96);
     assert!(offset_of!(nicol_sky, struct_size) == 0);
@@ -434,15 +401,7 @@ pub struct nicol_environment_load_options {
     pub scale: f64,
     pub wavelengths: nicol_spectrum,
 }
-impl Default for nicol_environment_load_options {
-    fn default() -> Self {
-        // Zeros and null pointers are values of every field.
-        let mut made: Self = unsafe { std::mem::zeroed() };
-        made.struct_size = size_of::<Self>() as u32;
-        made.scale = 1.0;
-        made
-    }
-}
+defaults!(nicol_environment_load_options, nicol_environment_load_options_init);
 const _: () = {
     assert!(size_of::<nicol_environment_load_options>() == 88);
     assert!(offset_of!(nicol_environment_load_options, struct_size) == 0);
@@ -462,14 +421,7 @@ pub struct nicol_environment_info {
     pub reserved: u32,
     pub wavelengths: [f64; 16],
 }
-impl Default for nicol_environment_info {
-    fn default() -> Self {
-        // Zeros and null pointers are values of every field.
-        let mut made: Self = unsafe { std::mem::zeroed() };
-        made.struct_size = size_of::<Self>() as u32;
-        made
-    }
-}
+defaults!(nicol_environment_info, nicol_environment_info_init);
 const _: () = {
     assert!(size_of::<nicol_environment_info>() == 152);
     assert!(offset_of!(nicol_environment_info, struct_size) == 0);
@@ -497,14 +449,7 @@ pub struct nicol_texture_image {
     pub row_stride: u64,
     pub byte_size: u64,
 }
-impl Default for nicol_texture_image {
-    fn default() -> Self {
-        // Zeros and null pointers are values of every field.
-        let mut made: Self = unsafe { std::mem::zeroed() };
-        made.struct_size = size_of::<Self>() as u32;
-        made
-    }
-}
+defaults!(nicol_texture_image, nicol_texture_image_init);
 const _: () = {
     assert!(size_of::<nicol_texture_image>() == 48);
     assert!(offset_of!(nicol_texture_image, struct_size) == 0);
@@ -527,16 +472,7 @@ pub struct nicol_texture_options {
     pub raw: u32,
     pub to_uv: [f64; 9],
 }
-impl Default for nicol_texture_options {
-    fn default() -> Self {
-        // Zeros and null pointers are values of every field.
-        let mut made: Self = unsafe { std::mem::zeroed() };
-        made.struct_size = size_of::<Self>() as u32;
-        made.filter = 1;
-        made.to_uv = [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0];
-        made
-    }
-}
+defaults!(nicol_texture_options, nicol_texture_options_init);
 const _: () = {
     assert!(size_of::<nicol_texture_options>() == 88);
     assert!(offset_of!(nicol_texture_options, struct_size) == 0);
@@ -568,17 +504,7 @@ pub struct nicol_pplastic {
     pub alpha_u_texture: nicol_texture,
     pub alpha_v_texture: nicol_texture,
 }
-impl Default for nicol_pplastic {
-    fn default() -> Self {
-        // Zeros and null pointers are values of every field.
-        let mut made: Self = unsafe { std::mem::zeroed() };
-        made.struct_size = size_of::<Self>() as u32;
-        made.int_ior = 1.49;
-        made.ext_ior = 1.000277;
-        made.alpha = 0.1;
-        made
-    }
-}
+defaults!(nicol_pplastic, nicol_pplastic_init);
 const _: () = {
     assert!(size_of::<nicol_pplastic>() == 208);
     assert!(offset_of!(nicol_pplastic, struct_size) == 0);
@@ -615,16 +541,7 @@ pub struct nicol_plastic {
     pub specular_reflectance_texture: nicol_texture,
     pub alpha_texture: nicol_texture,
 }
-impl Default for nicol_plastic {
-    fn default() -> Self {
-        // Zeros and null pointers are values of every field.
-        let mut made: Self = unsafe { std::mem::zeroed() };
-        made.struct_size = size_of::<Self>() as u32;
-        made.int_ior = 1.49;
-        made.ext_ior = 1.000277;
-        made
-    }
-}
+defaults!(nicol_plastic, nicol_plastic_init);
 const _: () = {
     assert!(size_of::<nicol_plastic>() == 184);
     assert!(offset_of!(nicol_plastic, struct_size) == 0);
@@ -671,16 +588,7 @@ pub struct nicol_principled {
     pub clearcoat_texture: nicol_texture,
     pub clearcoat_gloss_texture: nicol_texture,
 }
-impl Default for nicol_principled {
-    fn default() -> Self {
-        // Zeros and null pointers are values of every field.
-        let mut made: Self = unsafe { std::mem::zeroed() };
-        made.struct_size = size_of::<Self>() as u32;
-        made.eta = 1.5;
-        made.roughness = 0.5;
-        made
-    }
-}
+defaults!(nicol_principled, nicol_principled_init);
 const _: () = {
     assert!(size_of::<nicol_principled>() == 208);
     assert!(offset_of!(nicol_principled, struct_size) == 0);
@@ -733,14 +641,7 @@ pub struct nicol_conductor {
     pub alpha_u_texture: nicol_texture,
     pub alpha_v_texture: nicol_texture,
 }
-impl Default for nicol_conductor {
-    fn default() -> Self {
-        // Zeros and null pointers are values of every field.
-        let mut made: Self = unsafe { std::mem::zeroed() };
-        made.struct_size = size_of::<Self>() as u32;
-        made
-    }
-}
+defaults!(nicol_conductor, nicol_conductor_init);
 const _: () = {
     assert!(size_of::<nicol_conductor>() == 336);
     assert!(offset_of!(nicol_conductor, struct_size) == 0);
@@ -769,14 +670,7 @@ pub struct nicol_measured {
     pub wavelengths: nicol_spectrum,
     pub symmetrize: u32,
 }
-impl Default for nicol_measured {
-    fn default() -> Self {
-        // Zeros and null pointers are values of every field.
-        let mut made: Self = unsafe { std::mem::zeroed() };
-        made.struct_size = size_of::<Self>() as u32;
-        made
-    }
-}
+defaults!(nicol_measured, nicol_measured_init);
 const _: () = {
     assert!(size_of::<nicol_measured>() == 80);
     assert!(offset_of!(nicol_measured, struct_size) == 0);
@@ -792,14 +686,7 @@ pub struct nicol_psh_matrix {
     pub symmetrize: u32,
     pub scale: nicol_spectrum,
 }
-impl Default for nicol_psh_matrix {
-    fn default() -> Self {
-        // Zeros and null pointers are values of every field.
-        let mut made: Self = unsafe { std::mem::zeroed() };
-        made.struct_size = size_of::<Self>() as u32;
-        made
-    }
-}
+defaults!(nicol_psh_matrix, nicol_psh_matrix_init);
 const _: () = {
     assert!(size_of::<nicol_psh_matrix>() == 76);
     assert!(offset_of!(nicol_psh_matrix, struct_size) == 0);
@@ -828,16 +715,7 @@ pub struct nicol_callback_material {
     pub lobe_width: f32,
     pub reserved: u32,
 }
-impl Default for nicol_callback_material {
-    fn default() -> Self {
-        // Zeros and null pointers are values of every field.
-        let mut made: Self = unsafe { std::mem::zeroed() };
-        made.struct_size = size_of::<Self>() as u32;
-        made.channels = 1;
-        made.lobe_width = 1.0;
-        made
-    }
-}
+defaults!(nicol_callback_material, nicol_callback_material_init);
 const _: () = {
     assert!(size_of::<nicol_callback_material>() == 40);
     assert!(offset_of!(nicol_callback_material, struct_size) == 0);
@@ -867,14 +745,7 @@ pub struct nicol_mesh_data {
     pub face_colors: *const f32,
     pub tangents: *const f32,
 }
-impl Default for nicol_mesh_data {
-    fn default() -> Self {
-        // Zeros and null pointers are values of every field.
-        let mut made: Self = unsafe { std::mem::zeroed() };
-        made.struct_size = size_of::<Self>() as u32;
-        made
-    }
-}
+defaults!(nicol_mesh_data, nicol_mesh_data_init);
 const _: () = {
     assert!(size_of::<nicol_mesh_data>() == 80);
     assert!(offset_of!(nicol_mesh_data, struct_size) == 0);
@@ -904,18 +775,7 @@ pub struct nicol_camera {
     pub jitter: [f64; 2],
     pub shift: [f64; 2],
 }
-impl Default for nicol_camera {
-    fn default() -> Self {
-        // Zeros and null pointers are values of every field.
-        let mut made: Self = unsafe { std::mem::zeroed() };
-        made.struct_size = size_of::<Self>() as u32;
-        made.to_world = [1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0];
-        made.fov = 45.0;
-        made.near_clip = 0.01;
-        made.far_clip = 10000.0;
-        made
-    }
-}
+defaults!(nicol_camera, nicol_camera_init);
 const _: () = {
     assert!(size_of::<nicol_camera>() == 192);
     assert!(offset_of!(nicol_camera, struct_size) == 0);
@@ -946,14 +806,7 @@ pub struct nicol_polarization {
     pub docp: f64,
     pub axis: [f64; 3],
 }
-impl Default for nicol_polarization {
-    fn default() -> Self {
-        // Zeros and null pointers are values of every field.
-        let mut made: Self = unsafe { std::mem::zeroed() };
-        made.axis = [1.0, 0.0, 0.0];
-        made
-    }
-}
+defaults!(nicol_polarization, nicol_polarization_init);
 const _: () = {
     assert!(size_of::<nicol_polarization>() == 48);
     assert!(offset_of!(nicol_polarization, dolp) == 0);
@@ -982,21 +835,7 @@ pub struct nicol_light {
     pub texture: nicol_texture,
     pub polarization: nicol_polarization,
 }
-impl Default for nicol_light {
-    fn default() -> Self {
-        // Zeros and null pointers are values of every field.
-        let mut made: Self = unsafe { std::mem::zeroed() };
-        made.struct_size = size_of::<Self>() as u32;
-        made.kind = 1;
-        made.to_world = [1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0];
-        made.cutoff_angle = 20.0;
-        made.beam_width = 15.0;
-        made.fov = 45.0;
-        made.aspect = 1.0;
-        made.polarization = nicol_polarization::default();
-        made
-    }
-}
+defaults!(nicol_light, nicol_light_init);
 const _: () = {
     assert!(size_of::<nicol_light>() == 304);
     assert!(offset_of!(nicol_light, struct_size) == 0);
@@ -1024,15 +863,7 @@ pub struct nicol_emission {
     pub texture: nicol_texture,
     pub polarization: nicol_polarization,
 }
-impl Default for nicol_emission {
-    fn default() -> Self {
-        // Zeros and null pointers are values of every field.
-        let mut made: Self = unsafe { std::mem::zeroed() };
-        made.struct_size = size_of::<Self>() as u32;
-        made.polarization = nicol_polarization::default();
-        made
-    }
-}
+defaults!(nicol_emission, nicol_emission_init);
 const _: () = {
     assert!(size_of::<nicol_emission>() == 136);
     assert!(offset_of!(nicol_emission, struct_size) == 0);
@@ -1071,17 +902,7 @@ pub struct nicol_polarization_element {
     pub retardance: f64,
     pub transmittance: f64,
 }
-impl Default for nicol_polarization_element {
-    fn default() -> Self {
-        // Zeros and null pointers are values of every field.
-        let mut made: Self = unsafe { std::mem::zeroed() };
-        made.struct_size = size_of::<Self>() as u32;
-        made.to_world = [1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0];
-        made.retardance = 90.0;
-        made.transmittance = 1.0;
-        made
-    }
-}
+defaults!(nicol_polarization_element, nicol_polarization_element_init);
 const _: () = {
     assert!(size_of::<nicol_polarization_element>() == 168);
     assert!(offset_of!(nicol_polarization_element, struct_size) == 0);
@@ -1103,15 +924,7 @@ pub struct nicol_instance {
     pub material: nicol_material,
     pub to_world: [f64; 16],
 }
-impl Default for nicol_instance {
-    fn default() -> Self {
-        // Zeros and null pointers are values of every field.
-        let mut made: Self = unsafe { std::mem::zeroed() };
-        made.struct_size = size_of::<Self>() as u32;
-        made.to_world = [1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0];
-        made
-    }
-}
+defaults!(nicol_instance, nicol_instance_init);
 const _: () = {
     assert!(size_of::<nicol_instance>() == 152);
     assert!(offset_of!(nicol_instance, struct_size) == 0);
@@ -1130,14 +943,7 @@ pub struct nicol_scene_file {
     pub digest: *const c_char,
     pub bytes: u64,
 }
-impl Default for nicol_scene_file {
-    fn default() -> Self {
-        // Zeros and null pointers are values of every field.
-        let mut made: Self = unsafe { std::mem::zeroed() };
-        made.struct_size = size_of::<Self>() as u32;
-        made
-    }
-}
+defaults!(nicol_scene_file, nicol_scene_file_init);
 const _: () = {
     assert!(size_of::<nicol_scene_file>() == 32);
     assert!(offset_of!(nicol_scene_file, struct_size) == 0);
@@ -1186,25 +992,7 @@ pub struct nicol_render_options {
     pub bsdf_samples: u32,
     pub max_depth: i32,
 }
-impl Default for nicol_render_options {
-    fn default() -> Self {
-        // Zeros and null pointers are values of every field.
-        let mut made: Self = unsafe { std::mem::zeroed() };
-        made.struct_size = size_of::<Self>() as u32;
-        made.order_low = 4294967295;
-        made.order_high = 4294967295;
-        made.shadows = 1;
-        made.physical = 1;
-        made.samples = 256;
-        made.tolerance = 0.03;
-        made.high_order_shadows = 1;
-        made.refine_tolerance = 0.02;
-        made.split_lights = -1;
-        made.light_samples = 16;
-        made.bsdf_samples = 32;
-        made
-    }
-}
+defaults!(nicol_render_options, nicol_render_options_init);
 const _: () = {
     assert!(size_of::<nicol_render_options>() == 136);
     assert!(offset_of!(nicol_render_options, struct_size) == 0);
@@ -1258,14 +1046,7 @@ pub struct nicol_job_status {
     pub fraction: f64,
     pub verb: *const c_char,
 }
-impl Default for nicol_job_status {
-    fn default() -> Self {
-        // Zeros and null pointers are values of every field.
-        let mut made: Self = unsafe { std::mem::zeroed() };
-        made.struct_size = size_of::<Self>() as u32;
-        made
-    }
-}
+defaults!(nicol_job_status, nicol_job_status_init);
 const _: () = {
     assert!(size_of::<nicol_job_status>() == 32);
     assert!(offset_of!(nicol_job_status, struct_size) == 0);
@@ -1322,14 +1103,7 @@ pub struct nicol_statistics {
     pub light_rays: u64,
     pub light_ms: f64,
 }
-impl Default for nicol_statistics {
-    fn default() -> Self {
-        // Zeros and null pointers are values of every field.
-        let mut made: Self = unsafe { std::mem::zeroed() };
-        made.struct_size = size_of::<Self>() as u32;
-        made
-    }
-}
+defaults!(nicol_statistics, nicol_statistics_init);
 const _: () = {
     assert!(size_of::<nicol_statistics>() == 312);
     assert!(offset_of!(nicol_statistics, struct_size) == 0);
@@ -1388,14 +1162,7 @@ pub struct nicol_plane_buffer {
     pub row_stride: u64,
     pub byte_size: u64,
 }
-impl Default for nicol_plane_buffer {
-    fn default() -> Self {
-        // Zeros and null pointers are values of every field.
-        let mut made: Self = unsafe { std::mem::zeroed() };
-        made.struct_size = size_of::<Self>() as u32;
-        made
-    }
-}
+defaults!(nicol_plane_buffer, nicol_plane_buffer_init);
 const _: () = {
     assert!(size_of::<nicol_plane_buffer>() == 40);
     assert!(offset_of!(nicol_plane_buffer, struct_size) == 0);
@@ -1417,14 +1184,7 @@ pub struct nicol_observation {
     pub scale: f32,
     pub polarizer_angle: f32,
 }
-impl Default for nicol_observation {
-    fn default() -> Self {
-        // Zeros and null pointers are values of every field.
-        let mut made: Self = unsafe { std::mem::zeroed() };
-        made.struct_size = size_of::<Self>() as u32;
-        made
-    }
-}
+defaults!(nicol_observation, nicol_observation_init);
 const _: () = {
     assert!(size_of::<nicol_observation>() == 20);
     assert!(offset_of!(nicol_observation, struct_size) == 0);
@@ -1450,14 +1210,7 @@ pub struct nicol_host {
     pub is_current: nicol_is_current_callback,
     pub user: *mut c_void,
 }
-impl Default for nicol_host {
-    fn default() -> Self {
-        // Zeros and null pointers are values of every field.
-        let mut made: Self = unsafe { std::mem::zeroed() };
-        made.struct_size = size_of::<Self>() as u32;
-        made
-    }
-}
+defaults!(nicol_host, nicol_host_init);
 const _: () = {
     assert!(size_of::<nicol_host>() == 32);
     assert!(offset_of!(nicol_host, struct_size) == 0);
@@ -1477,14 +1230,7 @@ pub struct nicol_gl_texture {
     pub width: u32,
     pub height: u32,
 }
-impl Default for nicol_gl_texture {
-    fn default() -> Self {
-        // Zeros and null pointers are values of every field.
-        let mut made: Self = unsafe { std::mem::zeroed() };
-        made.struct_size = size_of::<Self>() as u32;
-        made
-    }
-}
+defaults!(nicol_gl_texture, nicol_gl_texture_init);
 const _: () = {
     assert!(size_of::<nicol_gl_texture>() == 24);
     assert!(offset_of!(nicol_gl_texture, struct_size) == 0);
@@ -1506,14 +1252,7 @@ pub struct nicol_texture_target {
     pub bottom_up: u32,
     pub encoding: nicol_encoding,
 }
-impl Default for nicol_texture_target {
-    fn default() -> Self {
-        // Zeros and null pointers are values of every field.
-        let mut made: Self = unsafe { std::mem::zeroed() };
-        made.struct_size = size_of::<Self>() as u32;
-        made
-    }
-}
+defaults!(nicol_texture_target, nicol_texture_target_init);
 const _: () = {
     assert!(size_of::<nicol_texture_target>() == 16);
     assert!(offset_of!(nicol_texture_target, struct_size) == 0);
@@ -1534,14 +1273,7 @@ pub struct nicol_psh_sampling {
     pub reserved: u32,
     pub phi0: f64,
 }
-impl Default for nicol_psh_sampling {
-    fn default() -> Self {
-        // Zeros and null pointers are values of every field.
-        let mut made: Self = unsafe { std::mem::zeroed() };
-        made.struct_size = size_of::<Self>() as u32;
-        made
-    }
-}
+defaults!(nicol_psh_sampling, nicol_psh_sampling_init);
 const _: () = {
     assert!(size_of::<nicol_psh_sampling>() == 32);
     assert!(offset_of!(nicol_psh_sampling, struct_size) == 0);
@@ -1581,14 +1313,7 @@ pub struct nicol_psh_mueller_field {
     pub callback: nicol_psh_mueller_callback,
     pub user: *mut c_void,
 }
-impl Default for nicol_psh_mueller_field {
-    fn default() -> Self {
-        // Zeros and null pointers are values of every field.
-        let mut made: Self = unsafe { std::mem::zeroed() };
-        made.struct_size = size_of::<Self>() as u32;
-        made
-    }
-}
+defaults!(nicol_psh_mueller_field, nicol_psh_mueller_field_init);
 const _: () = {
     assert!(size_of::<nicol_psh_mueller_field>() == 48);
     assert!(offset_of!(nicol_psh_mueller_field, struct_size) == 0);
@@ -1623,17 +1348,7 @@ pub struct nicol_file_options {
     pub wavelengths: nicol_spectrum,
     pub reserved: u32,
 }
-impl Default for nicol_file_options {
-    fn default() -> Self {
-        // Zeros and null pointers are values of every field.
-        let mut made: Self = unsafe { std::mem::zeroed() };
-        made.struct_size = size_of::<Self>() as u32;
-        made.order = 4294967295;
-        made.scale = 1.0;
-        made.rotation = [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0];
-        made
-    }
-}
+defaults!(nicol_file_options, nicol_file_options_init);
 const _: () = {
     assert!(size_of::<nicol_file_options>() == 176);
     assert!(offset_of!(nicol_file_options, struct_size) == 0);
@@ -1672,14 +1387,7 @@ pub struct nicol_light_report {
     pub unphysical: [f64; 16],
     pub largest_excess: [f64; 16],
 }
-impl Default for nicol_light_report {
-    fn default() -> Self {
-        // Zeros and null pointers are values of every field.
-        let mut made: Self = unsafe { std::mem::zeroed() };
-        made.struct_size = size_of::<Self>() as u32;
-        made
-    }
-}
+defaults!(nicol_light_report, nicol_light_report_init);
 const _: () = {
     assert!(size_of::<nicol_light_report>() == 1568);
     assert!(offset_of!(nicol_light_report, struct_size) == 0);
@@ -1723,14 +1431,7 @@ pub struct nicol_material_report {
     pub unphysical: [f64; 16],
     pub excess: [f64; 16],
 }
-impl Default for nicol_material_report {
-    fn default() -> Self {
-        // Zeros and null pointers are values of every field.
-        let mut made: Self = unsafe { std::mem::zeroed() };
-        made.struct_size = size_of::<Self>() as u32;
-        made
-    }
-}
+defaults!(nicol_material_report, nicol_material_report_init);
 const _: () = {
     assert!(size_of::<nicol_material_report>() == 1968);
     assert!(offset_of!(nicol_material_report, struct_size) == 0);
@@ -1767,13 +1468,17 @@ extern "C" {
     pub fn nicol_last_error() -> *const c_char;
     /// Returns a name such as "out of memory" for a result code. The string lives as long as the library.
     pub fn nicol_result_name(result: nicol_result) -> *const c_char;
+    pub fn nicol_spectrum_init(descriptor: *mut nicol_spectrum, struct_size: u32) -> nicol_result;
     /// Gets the number of devices for nicol_context_options.device. The devices are those that EGL lists, in EGL's
     /// order, which is neither CUDA's nor the kernel's. Without EGL the number is 0. The list may change when
     /// devices or drivers are added or removed.
     pub fn nicol_device_count(count: *mut u32) -> nicol_result;
+    pub fn nicol_device_info_init(descriptor: *mut nicol_device_info, struct_size: u32) -> nicol_result;
     /// Gets the properties of a device; device is 1 to the number of nicol_device_count. Creating a context on the
     /// device may still fail, because this function does not create one.
     pub fn nicol_device_get_info(device: u32, info: *mut nicol_device_info) -> nicol_result;
+    pub fn nicol_context_options_init(descriptor: *mut nicol_context_options, struct_size: u32) -> nicol_result;
+    pub fn nicol_context_info_init(descriptor: *mut nicol_context_info, struct_size: u32) -> nicol_result;
     /// Creates a context. options may be NULL: all defaults. Returns NICOL_ERROR_NO_BACKEND if no such OpenGL
     /// context can be created.
     pub fn nicol_context_create(options: *const nicol_context_options, context: *mut nicol_context) -> nicol_result;
@@ -1781,6 +1486,9 @@ extern "C" {
     pub fn nicol_context_release(context: nicol_context) -> nicol_result;
     /// Gets the properties of the OpenGL context, and the limits in effect.
     pub fn nicol_context_get_info(context: nicol_context, info: *mut nicol_context_info) -> nicol_result;
+    pub fn nicol_image_init(descriptor: *mut nicol_image, struct_size: u32) -> nicol_result;
+    pub fn nicol_sky_init(descriptor: *mut nicol_sky, struct_size: u32) -> nicol_result;
+    pub fn nicol_environment_load_options_init(descriptor: *mut nicol_environment_load_options, struct_size: u32) -> nicol_result;
     /// Loads an environment from files in the format that the path names:
     ///   NAME.exr      OpenEXR, equirectangular as nicol_image: R, G, B or Y are unpolarized light; S0.<colour> to
     ///                 S3.<colour> are polarized light, in nicol_image's frames. Spectral files (S0.550,000000nm and so on)
@@ -1804,10 +1512,13 @@ extern "C" {
     /// NICOL_MAX_CHANNELS, and count = channels * 4 (order+1)^2. Coefficients p = 1, 2 below l = 2 must be 0. The
     /// light is band-limited and may ring: s0 may be below 0, and the polarization above s0.
     pub fn nicol_environment_create_psh(context: nicol_context, order: u32, channels: u32, coefficients: *const f64, count: u64, environment: *mut nicol_environment) -> nicol_result;
+    pub fn nicol_environment_info_init(descriptor: *mut nicol_environment_info, struct_size: u32) -> nicol_result;
     /// Gets the properties of the light.
     pub fn nicol_environment_get_info(environment: nicol_environment, info: *mut nicol_environment_info) -> nicol_result;
     pub fn nicol_environment_retain(environment: nicol_environment) -> nicol_result;
     pub fn nicol_environment_release(environment: nicol_environment) -> nicol_result;
+    pub fn nicol_texture_image_init(descriptor: *mut nicol_texture_image, struct_size: u32) -> nicol_result;
+    pub fn nicol_texture_options_init(descriptor: *mut nicol_texture_options, struct_size: u32) -> nicol_result;
     /// Creates a texture from an image in memory and copies the pixels. options may be NULL: all defaults.
     pub fn nicol_texture_create_image(context: nicol_context, image: *const nicol_texture_image, options: *const nicol_texture_options, texture: *mut nicol_texture) -> nicol_result;
     /// Loads a texture from a file of PNG, JPEG, BMP, TGA, Radiance HDR, or OpenEXR with R G B or Y; A is the
@@ -1824,25 +1535,31 @@ extern "C" {
     pub fn nicol_texture_create_face_colors(context: nicol_context, texture: *mut nicol_texture) -> nicol_result;
     pub fn nicol_texture_retain(texture: nicol_texture) -> nicol_result;
     pub fn nicol_texture_release(texture: nicol_texture) -> nicol_result;
+    pub fn nicol_pplastic_init(descriptor: *mut nicol_pplastic, struct_size: u32) -> nicol_result;
     /// Creates a material from nicol_pplastic. The message of NICOL_ERROR_INVALID_ARGUMENT names the field that is
     /// out of range.
     pub fn nicol_material_create_pplastic(context: nicol_context, parameters: *const nicol_pplastic, material: *mut nicol_material) -> nicol_result;
+    pub fn nicol_plastic_init(descriptor: *mut nicol_plastic, struct_size: u32) -> nicol_result;
     /// Creates a material from nicol_plastic. The message of NICOL_ERROR_INVALID_ARGUMENT names the field that is
     /// out of range.
     pub fn nicol_material_create_plastic(context: nicol_context, parameters: *const nicol_plastic, material: *mut nicol_material) -> nicol_result;
+    pub fn nicol_principled_init(descriptor: *mut nicol_principled, struct_size: u32) -> nicol_result;
     /// Creates a material from nicol_principled. The message of NICOL_ERROR_INVALID_ARGUMENT names the field that
     /// is out of range. Returns NICOL_ERROR_UNSUPPORTED for a tint of a mesh's colours.
     pub fn nicol_material_create_principled(context: nicol_context, parameters: *const nicol_principled, material: *mut nicol_material) -> nicol_result;
     /// Creates a Lambertian, depolarizing material. reflectance is 0 to 1; NULL or not given: 0.5. Only the front
     /// side reflects.
     pub fn nicol_material_create_diffuse(context: nicol_context, reflectance: *const nicol_spectrum, material: *mut nicol_material) -> nicol_result;
+    pub fn nicol_conductor_init(descriptor: *mut nicol_conductor, struct_size: u32) -> nicol_result;
     /// Creates a material from nicol_conductor. The message of NICOL_ERROR_INVALID_ARGUMENT names the field that
     /// is out of range or, for an unknown metal, the known metals.
     pub fn nicol_material_create_conductor(context: nicol_context, parameters: *const nicol_conductor, material: *mut nicol_material) -> nicol_result;
+    pub fn nicol_measured_init(descriptor: *mut nicol_measured, struct_size: u32) -> nicol_result;
     /// Loads a material as Mitsuba 3's measured_polarized from a .pbsdf file, such as the KAIST data set has. The
     /// file is streamed: about 102 MB per channel stay in memory at the data set's resolution, or half as much if
     /// symmetrized. options may be NULL: all defaults. Only the front side reflects.
     pub fn nicol_material_load_measured(context: nicol_context, path: *const c_char, options: *const nicol_measured, material: *mut nicol_material) -> nicol_result;
+    pub fn nicol_psh_matrix_init(descriptor: *mut nicol_psh_matrix, struct_size: u32) -> nicol_result;
     /// Loads an isotropic material from one PSH coefficient matrix per channel, cosine included: the .npz files of
     /// the Python package polarsh (SHMat in the layout ISOBI2). The material does not reflect light of orders
     /// above the matrix's. options may be NULL: all defaults. Only the front side reflects.
@@ -1874,12 +1591,14 @@ extern "C" {
     /// mask of opacities 0 and 1). The opacity is the texture's coverage or, with fewer than four channels, the
     /// first channel. The given handles may be released afterwards.
     pub fn nicol_material_create_mask(context: nicol_context, base: nicol_material, opacity: nicol_texture, material: *mut nicol_material) -> nicol_result;
+    pub fn nicol_callback_material_init(descriptor: *mut nicol_callback_material, struct_size: u32) -> nicol_result;
     /// Creates a material from a function, which must be isotropic, mirror symmetric about every plane through the
     /// normal, and finite. Returns NICOL_ERROR_INVALID_ARGUMENT if a test at some directions shows that the
     /// function is not. Only the front side reflects.
     pub fn nicol_material_create_callback(context: nicol_context, parameters: *const nicol_callback_material, material: *mut nicol_material) -> nicol_result;
     pub fn nicol_material_retain(material: nicol_material) -> nicol_result;
     pub fn nicol_material_release(material: nicol_material) -> nicol_result;
+    pub fn nicol_mesh_data_init(descriptor: *mut nicol_mesh_data, struct_size: u32) -> nicol_result;
     /// Loads a mesh from OBJ, PLY, OFF, STL or the first mesh of Mitsuba's .serialized, by the file's suffix.
     /// Polygons may be concave. Triangles without area, vertices without a face, and elements that the reader
     /// ignores (materials) are left out; one line of the log counts them. Texture coordinates and colours of
@@ -1908,9 +1627,15 @@ extern "C" {
     pub fn nicol_mesh_get_size(mesh: nicol_mesh, vertices: *mut u32, triangles: *mut u32) -> nicol_result;
     pub fn nicol_mesh_retain(mesh: nicol_mesh) -> nicol_result;
     pub fn nicol_mesh_release(mesh: nicol_mesh) -> nicol_result;
+    pub fn nicol_camera_init(descriptor: *mut nicol_camera, struct_size: u32) -> nicol_result;
     /// Sets to_world, and no other field, to that of a camera at `origin` that looks at `target`. `up` must not
     /// lie along the view.
     pub fn nicol_camera_look_at(camera: *mut nicol_camera, origin: *const [f64; 3], target: *const [f64; 3], up: *const [f64; 3]) -> nicol_result;
+    pub fn nicol_polarization_init(descriptor: *mut nicol_polarization, struct_size: u32) -> nicol_result;
+    pub fn nicol_light_init(descriptor: *mut nicol_light, struct_size: u32) -> nicol_result;
+    pub fn nicol_emission_init(descriptor: *mut nicol_emission, struct_size: u32) -> nicol_result;
+    pub fn nicol_polarization_element_init(descriptor: *mut nicol_polarization_element, struct_size: u32) -> nicol_result;
+    pub fn nicol_instance_init(descriptor: *mut nicol_instance, struct_size: u32) -> nicol_result;
     /// Creates an empty, dark scene.
     pub fn nicol_scene_create(context: nicol_context, scene: *mut nicol_scene) -> nicol_result;
     /// Loads a scene from a Mitsuba 3 XML file, or from glTF 2.0 if the name ends in .gltf or .glb (the subsets
@@ -2003,6 +1728,7 @@ extern "C" {
     /// Gets the AOVs that the integrators of a loaded file ask for, a sum of NICOL_AOV_... for
     /// nicol_render_options. Returns NICOL_ERROR_UNSUPPORTED for a scene that was not loaded.
     pub fn nicol_scene_get_aovs(scene: nicol_scene, aovs: *mut u32) -> nicol_result;
+    pub fn nicol_scene_file_init(descriptor: *mut nicol_scene_file, struct_size: u32) -> nicol_result;
     /// Gets the number of files that nicol_scene_load has read, or 0 for a scene that was not loaded. Each file
     /// counts once: the scene file, the files that it includes (the buffers of glTF), then light, materials and
     /// meshes. Scenes whose files have equal digests are equal.
@@ -2015,6 +1741,7 @@ extern "C" {
     pub fn nicol_scene_get_channels(scene: nicol_scene, channels: *mut u32) -> nicol_result;
     pub fn nicol_scene_retain(scene: nicol_scene) -> nicol_result;
     pub fn nicol_scene_release(scene: nicol_scene) -> nicol_result;
+    pub fn nicol_render_options_init(descriptor: *mut nicol_render_options, struct_size: u32) -> nicol_result;
     /// Creates a framebuffer. width and height are 1 to NICOL_MAX_SIZE pixels (the driver may allow less), and at
     /// most 2^26 pixels in all. channels is the scene's number, or 1 for the luminance of a scene of three
     /// channels: 0.2126 R + 0.7152 G + 0.0722 B of each Stokes component.
@@ -2039,6 +1766,7 @@ extern "C" {
     /// once if possible; other errors are the job's result. Returns NICOL_ERROR_BUSY if NICOL_MAX_JOBS jobs are
     /// queued. A process that exits cancels its jobs.
     pub fn nicol_render_async(scene: nicol_scene, camera: *const nicol_camera, options: *const nicol_render_options, framebuffer: nicol_framebuffer, job: *mut nicol_job) -> nicol_result;
+    pub fn nicol_job_status_init(descriptor: *mut nicol_job_status, struct_size: u32) -> nicol_result;
     /// Gets the job's progress, and never waits for the job.
     pub fn nicol_job_poll(job: nicol_job, status: *mut nicol_job_status) -> nicol_result;
     /// Waits until the job is done, at most timeout_ms milliseconds (0: not at all), and returns the job's result.
@@ -2053,12 +1781,14 @@ extern "C" {
     pub fn nicol_job_cancel(job: nicol_job) -> nicol_result;
     pub fn nicol_job_retain(job: nicol_job) -> nicol_result;
     pub fn nicol_job_release(job: nicol_job) -> nicol_result;
+    pub fn nicol_statistics_init(descriptor: *mut nicol_statistics, struct_size: u32) -> nicol_result;
     /// Gets the statistics of the last render into a framebuffer: all zeros before the first render.
     pub fn nicol_framebuffer_get_statistics(framebuffer: nicol_framebuffer, statistics: *mut nicol_statistics) -> nicol_result;
     /// Copies one plane of one colour channel, first row at the top. row_stride is in bytes; 0: tightly packed.
     /// byte_size is the room at pixels, in bytes. Returns NICOL_ERROR_INVALID_ARGUMENT for a plane that does not
     /// exist, and for NICOL_PLANE_INSTANCE, which holds no floats.
     pub fn nicol_framebuffer_read(framebuffer: nicol_framebuffer, plane: nicol_plane, channel: u32, pixels: *mut f32, row_stride: u64, byte_size: u64) -> nicol_result;
+    pub fn nicol_plane_buffer_init(descriptor: *mut nicol_plane_buffer, struct_size: u32) -> nicol_result;
     /// Copies a plane in the format and with the channels of `to`. Bytes between rows are not written. A call that
     /// fails writes nothing.
     pub fn nicol_framebuffer_read_plane(framebuffer: nicol_framebuffer, to: *const nicol_plane_buffer) -> nicol_result;
@@ -2069,20 +1799,24 @@ extern "C" {
     /// AOVs of the last render are Z (depth), N.X N.Y N.Z, P.X P.Y P.Z, id (32-bit unsigned), A (alpha; R G B still have the
     /// environment) and, for each Stokes channel, variance.S0.R ... variance.S3.B.
     pub fn nicol_framebuffer_write_exr(framebuffer: nicol_framebuffer, path: *const c_char) -> nicol_result;
+    pub fn nicol_observation_init(descriptor: *mut nicol_observation, struct_size: u32) -> nicol_result;
     /// Writes a PNG file of 8-bit RGB. S0 and POLARIZER need a framebuffer of 1 or 3 channels; the other kinds
     /// show the mean of the channels.
     pub fn nicol_framebuffer_write_png(framebuffer: nicol_framebuffer, observation: *const nicol_observation, path: *const c_char) -> nicol_result;
+    pub fn nicol_host_init(descriptor: *mut nicol_host, struct_size: u32) -> nicol_result;
     /// Creates a context inside the OpenGL context that is current: OpenGL 4.5 or newer, of the core or the
     /// compatibility profile. options are those of nicol_context_create, with backend and device 0. Returns
     /// NICOL_ERROR_NOT_CURRENT if is_current returns 0, and NICOL_ERROR_NO_BACKEND if there is no such
     /// OpenGL.
     pub fn nicol_context_create_host(host: *const nicol_host, options: *const nicol_context_options, context: *mut nicol_context) -> nicol_result;
+    pub fn nicol_gl_texture_init(descriptor: *mut nicol_gl_texture, struct_size: u32) -> nicol_result;
     /// Gets the texture of a colour channel: a texel is the Stokes vector (s0, s1, s2, s3), and row 0 is the
     /// image's TOP. The name is valid, and stays the same, until the framebuffer is released; the content is that
     /// of the last render. The host may sample the texture and change its filters and wrap modes, but not its
     /// swizzle, and must neither write nor delete the texture. Returns NICOL_ERROR_UNSUPPORTED for a framebuffer
     /// whose context is not a host's.
     pub fn nicol_framebuffer_get_texture(framebuffer: nicol_framebuffer, channel: u32, texture: *mut nicol_gl_texture) -> nicol_result;
+    pub fn nicol_texture_target_init(descriptor: *mut nicol_texture_target, struct_size: u32) -> nicol_result;
     /// Copies the Stokes vectors of a channel into a texture; nothing is read back. Returns
     /// NICOL_ERROR_UNSUPPORTED for a framebuffer whose context is not a host's.
     pub fn nicol_framebuffer_draw_stokes(framebuffer: nicol_framebuffer, channel: u32, target: *const nicol_texture_target) -> nicol_result;
@@ -2101,6 +1835,7 @@ extern "C" {
     /// world's axes. channels may be NULL; coefficients NULL with count 0 gets only the number of channels.
     /// Otherwise returns NICOL_ERROR_INVALID_ARGUMENT unless count is channels * 4 (order+1)^2.
     pub fn nicol_psh_project_file(path: *const c_char, order: u32, channels: *mut u32, coefficients: *mut f64, count: u64) -> nicol_result;
+    pub fn nicol_psh_sampling_init(descriptor: *mut nicol_psh_sampling, struct_size: u32) -> nicol_result;
     /// Creates a transform. Returns NICOL_ERROR_INVALID_ARGUMENT if the sampling is too coarse for the
     /// order.
     pub fn nicol_psh_transform_create(sampling: *const nicol_psh_sampling, transform: *mut nicol_psh_transform) -> nicol_result;
@@ -2129,6 +1864,7 @@ extern "C" {
     /// Computes the matrix of nicol_psh_multiply for a scalar field (Eq. 54, by the triple products of Eqs. 215
     /// and 216).
     pub fn nicol_psh_shadow_matrix(scalar_order: u32, scalar: *const f64, scalar_count: u64, order_out: u32, order_in: u32, matrix: *mut f64, matrix_count: u64) -> nicol_result;
+    pub fn nicol_psh_mueller_field_init(descriptor: *mut nicol_psh_mueller_field, struct_size: u32) -> nicol_result;
     /// Computes the matrix of the operator "integrate the field times the light over the incoming directions"
     /// (Eqs. 39, 40), by quadrature.
     pub fn nicol_psh_project_matrix(field: *const nicol_psh_mueller_field, matrix: *mut f64, matrix_count: u64) -> nicol_result;
@@ -2149,6 +1885,9 @@ extern "C" {
     /// Computes the kernel nearest to a matrix in the Frobenius norm (supplement E.9); both sides of the matrix
     /// have this order.
     pub fn nicol_psh_nearest_kernel(order: u32, matrix: *const f64, matrix_count: u64, bands: *mut f64, band_count: u64) -> nicol_result;
+    pub fn nicol_file_options_init(descriptor: *mut nicol_file_options, struct_size: u32) -> nicol_result;
+    pub fn nicol_light_report_init(descriptor: *mut nicol_light_report, struct_size: u32) -> nicol_result;
+    pub fn nicol_material_report_init(descriptor: *mut nicol_material_report, struct_size: u32) -> nicol_result;
     /// Gets the kind of a file from its suffix and headers alone; the file may yet prove damaged. Returns
     /// NICOL_ERROR_UNSUPPORTED for another suffix or an archive of another kind.
     pub fn nicol_file_identify(path: *const c_char, kind: *mut nicol_file_kind) -> nicol_result;
