@@ -80,10 +80,13 @@ nicol_result nicol_framebuffer_write_exr(nicol_framebuffer framebuffer, const ch
         const nicol_framebuffer_impl& self = resolve(framebuffer);
         require(path, "path");
         const SessionLock lock(self.session);
-        const StokesImage& image = self.content->image();
+        self.session->gl->visit([&] {
+            static_cast<void>(self.content->image());
+            static_cast<void>(self.content->aovs());
+        });
         const Stopwatch watch;
         const Aovs* aovs = self.content->aov_mask() != 0 ? &self.content->aovs() : nullptr;
-        write_exr(path, image, {.aovs = aovs});
+        write_exr(path, self.content->image(), {.aovs = aovs});
         self.content->statistics().observe_ms += watch.milliseconds();
     });
 }

@@ -14,6 +14,8 @@ gl::HostAccess access_from(const nicol_host& host) {
     access.function = [look_up = host.get_proc_address, user = host.user](const char* name) {
         return reinterpret_cast<void (*)()>(look_up(user, name));
     };
+    access.sets_state = (host.flags & NICOL_HOST_SETS_STATE) != 0;
+    access.validates = (host.flags & NICOL_HOST_VALIDATE) != 0;
     if (host.is_current != nullptr) {
         access.is_current = [is_current = host.is_current, user = host.user] {
             return is_current(user) != 0;
@@ -38,7 +40,9 @@ nicol_result nicol_context_create_host(const nicol_host* host, const nicol_conte
     return guarded([&] {
         const nicol_host access = read_struct(host, nicol_host NICOL_HOST_INIT, "host");
         require(context, "context");
-        if (access.reserved != 0) refuse("host->reserved must be 0");
+        if (access.flags > (NICOL_HOST_SETS_STATE | NICOL_HOST_VALIDATE)) {
+            refuse("host->flags is " + std::to_string(access.flags) + "; it must be a sum of NICOL_HOST_...");
+        }
         const nicol_context_options chosen = context_options(options);
         if (chosen.backend != NICOL_BACKEND_AUTOMATIC || chosen.device != 0) {
             refuse("backend and device must be 0: the context is the host's");

@@ -205,7 +205,7 @@ nicol_result nicol_framebuffer_read_plane(nicol_framebuffer framebuffer, const n
         const nicol_framebuffer_impl& self = resolve(framebuffer);
         const nicol_plane_buffer buffer = read_struct(to, nicol_plane_buffer NICOL_PLANE_BUFFER_INIT, "to");
         const SessionLock lock(self.session);
-        read(*self.content, buffer);
+        self.session->gl->visit([&] { read(*self.content, buffer); });
     });
 }
 
@@ -222,6 +222,6 @@ nicol_result nicol_framebuffer_read(nicol_framebuffer framebuffer, nicol_plane p
         buffer.byte_size = byte_size;
         const SessionLock lock(self.session);
         if (channel == NICOL_ALL_CHANNELS) refuse("channel must be one of the framebuffer's");
-        read(*self.content, buffer);
+        self.session->gl->visit([&] { read(*self.content, buffer); });
     });
 }

@@ -232,11 +232,13 @@ nicol_result nicol_render(nicol_scene scene, const nicol_camera* camera, const n
         require_same_context(self, target);
         const RenderCall call = read_render_call(camera, options);
         const SessionLock lock(self.session);
-        self.session->gl->require_current();  // checked before baking, which may take minutes
-        const Edit edit(self.content);
-        notice_darkness(self.content->scene, *self.content, *self.session);
-        self.content->renderer.render(self.content->scene, call.camera, call.options, *target.content);
-        notice_error(target.content->statistics(), call.options, *self.content, *self.session);
+        // A host's context is asked for before baking, which may take minutes.
+        self.session->gl->visit([&] {
+            const Edit edit(self.content);
+            notice_darkness(self.content->scene, *self.content, *self.session);
+            self.content->renderer.render(self.content->scene, call.camera, call.options, *target.content);
+            notice_error(target.content->statistics(), call.options, *self.content, *self.session);
+        });
     });
 }
 

@@ -1586,13 +1586,15 @@ NICOL_API nicol_result nicol_framebuffer_write_png(nicol_framebuffer framebuffer
  *                 and calls that read, write and draw images. If the context is not current, such a call fails with
  *                 NICOL_ERROR_NOT_CURRENT and touches nothing. The context may move from thread to thread.
  *   State         All OpenGL state of the host is as before when a call returns. Nicol saves and restores the state that
- *                 it changes, and sets and restores the state on which it depends (scissor, masks, pixel storage, ...).
+ *                 it changes, and sets and restores the state on which it depends (scissor, masks, pixel storage, ...),
+ *                 once a call. A host that sets its own state again after each call may say so, which saves the queries:
+ *                 NICOL_HOST_SETS_STATE.
  *                 Nicol makes objects with new names and leaves other objects alone. Active queries of the host count
  *                 what Nicol draws, and the host's debug callback gets the driver's messages about Nicol's commands.
- *   Refused       Calls fail with NICOL_ERROR_UNSUPPORTED in states that cannot be restored, or in which nothing is
- *                 drawn: transform feedback that is not paused, conditional rendering, a current program that is deleted
- *                 or whose last link failed; in compatibility contexts also a display list that is being compiled and a
- *                 render mode other than GL_RENDER.
+ *   Refused       Unless the host sets its state, calls fail with NICOL_ERROR_UNSUPPORTED in states that cannot be
+ *                 restored, or in which nothing is drawn: transform feedback that is not paused, conditional rendering, a
+ *                 current program that is deleted or whose last link failed; in compatibility contexts also a display
+ *                 list that is being compiled and a render mode other than GL_RENDER.
  *   Errors        Errors that the host left pending stay pending: glGetError returns after a call the error that it would
  *                 have returned before, and no error of Nicol's. GL_STACK_OVERFLOW, GL_STACK_UNDERFLOW and
  *                 GL_CONTEXT_LOST cannot be made pending again: the call takes the error, fails with NICOL_ERROR_OPENGL
@@ -1616,9 +1618,17 @@ typedef void* (*nicol_get_proc_address_callback)(void* user, const char* name);
 /* Returns 1 if the host's context is current on the calling thread, else 0. */
 typedef int32_t (*nicol_is_current_callback)(void* user);
 
+/* Flag of a host that sets all OpenGL state that it uses again after each call of Nicol. Nicol then queries
+ * no state and restores none: see "State" and "Refused" above. Objects and pending errors are left as they
+ * were. is_current should be given, because OpenGL is queried without it. */
+#define NICOL_HOST_SETS_STATE 1u
+/* Flag for finding defects: the errors of OpenGL are asked after each command instead of once a call, so that
+ * the message of NICOL_ERROR_OPENGL names the command. */
+#define NICOL_HOST_VALIDATE 2u
+
 typedef struct nicol_host {
     uint32_t struct_size;
-    uint32_t reserved; /* 0 */
+    uint32_t flags; /* sum of NICOL_HOST_..., default 0: none */
     nicol_get_proc_address_callback get_proc_address;
     /* Callback that tells whether the context is current. NULL, the default: OpenGL is queried, which needs
      * OpenGL functions that may be called without a context, as with libglvnd and Mesa. */

@@ -401,7 +401,7 @@ typedef void* (*nicol_get_proc_address_callback)(void* user, const char* name);
 typedef int32_t (*nicol_is_current_callback)(void* user);
 typedef struct nicol_host {
     uint32_t struct_size;
-    uint32_t reserved;
+    uint32_t flags;
     nicol_get_proc_address_callback get_proc_address;
     nicol_is_current_callback is_current;
     void* user;
@@ -800,6 +800,8 @@ return {
         OBSERVATION_DOLP = 4,
         OBSERVATION_AOLP = 5,
         OBSERVATION_POLARIZER = 6,
+        HOST_SETS_STATE = 1,
+        HOST_VALIDATE = 2,
         ENCODING_LINEAR = 0,
         ENCODING_SRGB = 1,
         PSH_MAX_ORDER = 4096,

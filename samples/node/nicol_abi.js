@@ -123,6 +123,8 @@ export const constants = {
   OBSERVATION_DOLP: 4,
   OBSERVATION_AOLP: 5,
   OBSERVATION_POLARIZER: 6,
+  HOST_SETS_STATE: 1,
+  HOST_VALIDATE: 2,
   ENCODING_LINEAR: 0,
   ENCODING_SRGB: 1,
   PSH_MAX_ORDER: 4096,
@@ -696,7 +698,7 @@ export const types = [
     // name, type, length of a fixed array
     fields: [
       ["struct_size", "uint32_t", 0],
-      ["reserved", "uint32_t", 0],
+      ["flags", "uint32_t", 0],
       ["get_proc_address", "nicol_get_proc_address_callback *", 0],
       ["is_current", "nicol_is_current_callback *", 0],
       ["user", "void *", 0],

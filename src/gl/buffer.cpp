@@ -7,6 +7,7 @@
 #include <string>
 
 #include "error.hpp"
+#include "gl/host_state.hpp"
 #include "gl/state.hpp"
 
 namespace nicol::gl {
@@ -54,6 +55,7 @@ void Buffer::allocate(BufferUse use, const void* data) {
     context()->state().check(what);
     object_.account(memory_kind(use), size_);
     if (data == nullptr) {
+        if (HostState* const host = context()->state().host_state) host->prepare_uploads();
         gl.ClearNamedBufferData(id(), GL_R8UI, GL_RED_INTEGER, GL_UNSIGNED_BYTE, nullptr);
         context()->state().check(what);
     }
@@ -74,7 +76,7 @@ void Buffer::update(std::size_t offset, std::span<const std::byte> data) {
     if (data.empty()) return;
     gl.NamedBufferSubData(id(), static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(data.size()),
                           data.data());
-    context()->state().check("Buffer::update");
+    context()->state().check_command("Buffer::update");
 }
 
 void Buffer::read(std::size_t offset, std::span<std::byte> data) const {
@@ -102,9 +104,10 @@ void Buffer::bind_storage(unsigned binding, std::size_t offset, std::size_t byte
     if (offset % limits.storage_alignment != 0)
         refuse("the offset " + std::to_string(offset) + " is not a multiple of " +
                std::to_string(limits.storage_alignment));
+    if (HostState* const host = context()->state().host_state) host->prepare_storage(binding);
     gl.BindBufferRange(GL_SHADER_STORAGE_BUFFER, binding, id(), static_cast<GLintptr>(offset),
                        static_cast<GLsizeiptr>(bytes));
-    context()->state().check("Buffer::bind_storage");
+    context()->state().check_command("Buffer::bind_storage");
 }
 
 IndexBuffer::IndexBuffer(std::shared_ptr<Context> context, std::span<const std::uint32_t> indices)

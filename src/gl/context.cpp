@@ -163,6 +163,13 @@ void Context::execute(void (*call)(void*), void* argument) {
     if (outermost) kept->program_notices.deliver();
 }
 
+void Context::visit(const std::function<void()>& f) {
+    if (!state_->host) return f();
+    const std::shared_ptr<State> kept = state_;
+    kept->host->visit(*kept, f);
+    kept->program_notices.deliver();
+}
+
 void Context::lend() {
     if (state_->host) state_->host->lend(*state_);
 }

@@ -30,6 +30,9 @@ struct ContextRequest {
 struct HostAccess {
     std::function<void (*(const char* name))()> function;  ///< the host's look-up of OpenGL functions
     std::function<bool()> is_current;  ///< whether it is current on this thread; empty: OpenGL is queried
+    bool sets_state =
+        false;               ///< whether the host sets its state again after each call, so that none is saved
+    bool validates = false;  ///< whether errors are asked after each command, and not once a call
 };
 
 struct ContextInfo {
@@ -97,6 +100,11 @@ public:
     /// context's own thread it is a plain call. Calls from several threads run one after another.
     template <class F>
     auto run(F&& f) -> std::invoke_result_t<F&>;
+
+    /// Calls f(), with the host's state saved at the first run() inside and restored at the end, instead of
+    /// around each run(). Throws Error(not_current), and Error(opengl) for commands that failed. Plain call
+    /// for a context of our own.
+    void visit(const std::function<void()>& f);
 
     /// Returns whether the caller is inside run(), or on the context's own thread.
     [[nodiscard]] bool on_thread() const noexcept;

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "arguments.hpp"
+#include "gl/host_state.hpp"
 #include "gl/state.hpp"
 
 namespace nicol::gl {
@@ -18,8 +19,12 @@ const GladGLContext& prepare(const char* what, RenderTarget& target, const Progr
     if (program.context() != target.context())
         refuse(std::string(what) + ": the program and the render target are of different contexts");
     if (program.is_compute()) refuse(std::string(what) + ": " + program.label() + " is a compute program");
+    if (HostState* const host = target.context()->state().host_state) {
+        host->prepare_drawing();
+        host->prepare_program(false);
+    }
     gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, target.id());
-    gl.Viewport(0, 0, target.width(), target.height());
+    gl.ViewportIndexedf(0, 0, 0, static_cast<GLfloat>(target.width()), static_cast<GLfloat>(target.height()));
     if (state.depth_test == DepthTest::off) {
         gl.Disable(GL_DEPTH_TEST);
     } else {
@@ -36,7 +41,8 @@ const GladGLContext& prepare(const char* what, RenderTarget& target, const Progr
     const auto written = [&state](int component) -> GLboolean {
         return component < state.components ? GL_TRUE : GL_FALSE;
     };
-    gl.ColorMask(written(0), written(1), written(2), written(3));
+    for (GLuint i = 0; i < static_cast<GLuint>(target.colours()); ++i)
+        gl.ColorMaski(i, written(0), written(1), written(2), written(3));
     gl.UseProgram(program.id());
     return gl;
 }
@@ -64,14 +70,14 @@ void draw(RenderTarget& target, const Program& program, const VertexArray& verti
         gl.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(std::min(most, count - done)), GL_UNSIGNED_INT,
                         reinterpret_cast<const void*>(offset));  // NOLINT(performance-no-int-to-ptr)
     }
-    target.context()->state().check("drawing with " + program.label());
+    target.context()->state().check_command("drawing with " + program.label());
 }
 
 void draw_fullscreen(RenderTarget& target, const Program& program, const DrawState& state) {
     const GladGLContext& gl = prepare("draw_fullscreen", target, program, state);
     gl.BindVertexArray(target.context()->state().empty_vertex_array);
     gl.DrawArrays(GL_TRIANGLES, 0, 3);
-    target.context()->state().check("drawing with " + program.label());
+    target.context()->state().check_command("drawing with " + program.label());
 }
 
 void texture_barrier(Context& context) {
@@ -88,10 +94,11 @@ void dispatch(const Program& program, unsigned x, unsigned y, unsigned z) {
             refuse("dispatch: " + std::to_string(groups[axis]) + " work groups on axis " +
                    std::to_string(axis) + " are not between 1 and the limit of " +
                    std::to_string(limit[axis]));
+    if (HostState* const host = program.context()->state().host_state) host->prepare_program(true);
     gl.UseProgram(program.id());
     gl.DispatchCompute(x, y, z);
     gl.MemoryBarrier(GL_ALL_BARRIER_BITS);
-    program.context()->state().check("dispatching " + program.label());
+    program.context()->state().check_command("dispatching " + program.label());
 }
 
 }  // namespace nicol::gl

@@ -1,95 +1,19 @@
 // SPDX-License-Identifier: MIT
-// Calls in a host's context. Pending errors are taken and put back; unsuitable states throw.
+// Calls in a host's context. Unsuitable states throw.
 #include "gl/host.hpp"
 
-#include <algorithm>
 #include <array>
-#include <cstdint>
-#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "error.hpp"
+#include "gl/host_errors.hpp"
 #include "gl/host_state.hpp"
 #include "gl/state.hpp"
 
 namespace nicol::gl {
 namespace {
-
-constexpr int kMostErrors = 8;  // a lost context reports errors without end
-
-constexpr std::array<GLenum, 5> kProvokable{GL_INVALID_ENUM, GL_INVALID_VALUE, GL_INVALID_OPERATION,
-                                            GL_INVALID_FRAMEBUFFER_OPERATION, GL_OUT_OF_MEMORY};
-
-void provoke(const GladGLContext& gl, GLenum error) {
-    GLuint name = 0;
-    switch (error) {
-        case GL_INVALID_ENUM:
-            gl.Enable(GL_NONE);
-            break;
-        case GL_INVALID_VALUE:
-            gl.LineWidth(0);
-            break;
-        case GL_INVALID_OPERATION:
-            gl.BindVertexArray(std::numeric_limits<GLuint>::max());  // no driver has given this name
-            break;
-        case GL_INVALID_FRAMEBUFFER_OPERATION:
-            gl.CreateFramebuffers(1, &name);
-            gl.BlitNamedFramebuffer(name, name, 0, 0, 1, 1, 0, 0, 1, 1, GL_COLOR_BUFFER_BIT, GL_NEAREST);
-            gl.DeleteFramebuffers(1, &name);
-            break;
-        default:  // GL_OUT_OF_MEMORY
-            gl.CreateBuffers(1, &name);
-            gl.NamedBufferStorage(name, PTRDIFF_MAX, nullptr, 0);
-            gl.DeleteBuffers(1, &name);
-            break;
-    }
-}
-
-/// Takes the host's pending errors on construction, so that errors found later are this library's, and makes
-/// them pending again on destruction: the host's next glGetError returns what it would have returned without
-/// the call.
-class HostErrors {
-public:
-    /// Throws Error(opengl) for an error that cannot be made pending again: GL_STACK_OVERFLOW,
-    /// GL_STACK_UNDERFLOW or GL_CONTEXT_LOST.
-    explicit HostErrors(const GladGLContext& gl) : gl_(gl) {
-        for (int i = 0; i < kMostErrors; ++i) {
-            const GLenum error = gl_.GetError();
-            if (error == GL_NO_ERROR) return;
-            if (std::ranges::find(kProvokable, error) == kProvokable.end()) {
-                put_back();
-                throw Error(
-                    ErrorCode::opengl,
-                    "the host left " + error_name(error) +
-                        " pending in its OpenGL context, which Nicol took and cannot make pending again");
-            }
-            pending_.push_back(error);
-        }
-    }
-
-    ~HostErrors() {
-        for (int i = 0; i < kMostErrors && gl_.GetError() != GL_NO_ERROR; ++i) {
-            // The call has reported its own errors.
-        }
-        put_back();
-    }
-    HostErrors(const HostErrors&) = delete;
-    HostErrors& operator=(const HostErrors&) = delete;
-
-private:
-    void put_back() const {
-        if (pending_.empty()) return;
-        const GLboolean debug = gl_.IsEnabled(GL_DEBUG_OUTPUT);
-        gl_.Disable(GL_DEBUG_OUTPUT);  // the driver has already told the host
-        for (const GLenum error : pending_) provoke(gl_, error);
-        if (debug == GL_TRUE) gl_.Enable(GL_DEBUG_OUTPUT);
-    }
-
-    const GladGLContext& gl_;
-    std::vector<GLenum> pending_;
-};
 
 // State queries of compatibility contexts. The core-profile loader does not define their names.
 constexpr GLenum kListIndex = 0x0B33, kRenderMode = 0x0C40;
@@ -148,8 +72,10 @@ void Host::mark(const Context::State& state) {
 }
 
 bool Host::is_current(const Context::State& state) const noexcept {
-    if (on_thread()) return true;
+    if (on_thread() || visiting()) return true;
     if (access_.is_current && !access_.is_current()) return false;
+    if (access_.is_current && access_.sets_state)
+        return true;  // a host that wants no queries is taken at its word
     // The query fails without a context. Another context has other vertex arrays, because vertex arrays are
     // never shared. Functions that an older context lacks are called only after the version is checked.
     const GLubyte* version = state.gl.GetString(GL_VERSION);
@@ -167,6 +93,48 @@ void Host::require_current(const Context::State& state) const {
                     "the host's OpenGL context that Nicol was given is not current on the calling thread");
 }
 
+// One saving and restoring of the host's errors and state, on the calling thread.
+class Host::Visit {
+public:
+    Visit(Host& host, Context::State& state) : host_(host), state_(state) {
+        host_.visit_ = this;
+        host_.visitor_ = std::this_thread::get_id();
+    }
+    ~Visit() {
+        saved_.reset();
+        errors_.reset();
+        state_.host_state = nullptr;
+        host_.visitor_ = std::thread::id();
+        host_.visit_ = nullptr;
+    }
+    Visit(const Visit&) = delete;
+    Visit& operator=(const Visit&) = delete;
+
+    void begin() {
+        if (saved_) return;
+        const bool restores = !host_.access_.sets_state;
+        if (restores) require_drawable(state_);
+        errors_.emplace(state_.gl);
+        if (restores) require_unconditional(state_);
+        host_.remove_waiting(state_);
+        state_.host_state = &saved_.emplace(state_, restores);
+    }
+
+private:
+    Host& host_;
+    Context::State& state_;
+    std::optional<HostErrors> errors_;
+    std::optional<HostState> saved_;
+};
+
+void Host::visit(Context::State& state, const std::function<void()>& call) {
+    if (on_thread() || visiting() || borrower_.load() == std::this_thread::get_id()) return call();
+    require_current(state);
+    Visit visit(*this, state);
+    call();
+    if (state.unchecked) state.check("the call's OpenGL commands (NICOL_HOST_VALIDATE says which)");
+}
+
 void Host::execute(Context::State& state, void (*call)(void*), void* argument) {
     if (on_thread()) {
         call(argument);
@@ -176,7 +144,11 @@ void Host::execute(Context::State& state, void (*call)(void*), void* argument) {
         borrow(call, argument);
         return;
     }
-    require_current(state);
+    if (!visiting()) {
+        visit(state, [&] { execute(state, call, argument); });
+        return;
+    }
+    visit_->begin();
     struct Inside {
         explicit Inside(std::atomic<std::thread::id>& place) : thread(place) {
             thread = std::this_thread::get_id();
@@ -186,12 +158,6 @@ void Host::execute(Context::State& state, void (*call)(void*), void* argument) {
         Inside& operator=(const Inside&) = delete;
         std::atomic<std::thread::id>& thread;
     } const inside(inside_);
-    require_drawable(state);
-    const HostErrors host_errors(state.gl);
-    require_unconditional(state);
-    remove_waiting(state);
-    const HostState host_state(state);
-    state.check("saving and setting the state of the host's OpenGL context");
     call(argument);
 }
 

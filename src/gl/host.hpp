@@ -41,13 +41,17 @@ public:
     [[nodiscard]] bool is_current(const Context::State& state) const noexcept;
     /// Throws Error(not_current) unless the context is current on the calling thread.
     void require_current(const Context::State& state) const;
-    /// Calls call(argument) between saving and restoring the host's state. For a thread that borrows, the
-    /// call runs on a thread that lends the context. The host's pending errors are pending again afterwards.
+    /// Calls call(argument) during a visit: that of the calling thread, or one of its own. For a thread that
+    /// borrows, the call runs on a thread that lends the context.
+    void execute(Context::State& state, void (*call)(void*), void* argument);
+    /// Calls `call` between saving and restoring the host's state, unless the host sets its own. The state is
+    /// saved when execute() is first called. The host's pending errors are pending again afterwards.
     /// Throws Error(not_current); Error(opengl) for a pending error that cannot be made pending again:
     /// GL_STACK_OVERFLOW, GL_STACK_UNDERFLOW or GL_CONTEXT_LOST; and Error(unsupported) for a state of the
     /// host in which nothing can be drawn, or which cannot be restored.
-    void execute(Context::State& state, void (*call)(void*), void* argument);
+    void visit(Context::State& state, const std::function<void()>& call);
     [[nodiscard]] bool on_thread() const noexcept { return inside_.load() == std::this_thread::get_id(); }
+    [[nodiscard]] const HostAccess& access() const noexcept { return access_; }
 
     /// Implements Context's and Borrower's functions of these names.
     void begin_borrowing(std::function<void()> meanwhile);
@@ -75,12 +79,16 @@ private:
         bool done = false;
         std::exception_ptr error;
     };
+    class Visit;
+    [[nodiscard]] bool visiting() const noexcept { return visitor_.load() == std::this_thread::get_id(); }
     void borrow(void (*call)(void*), void* argument);
     void run_asked(Context::State& state, std::unique_lock<std::mutex>& lock);
 
     const HostAccess& access_;
     std::string mark_;
     std::atomic<std::thread::id> inside_{};
+    std::atomic<std::thread::id> visitor_{};
+    Visit* visit_ = nullptr;  // used by the visitor alone
     std::mutex mutex_;
     std::vector<Name> waiting_;
     std::mutex lending_;

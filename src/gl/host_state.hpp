@@ -3,86 +3,70 @@
 #pragma once
 
 #include <array>
+#include <functional>
+#include <set>
+#include <utility>
 #include <vector>
 
-#include "gl/host_program.hpp"
 #include "gl/state.hpp"
 
 namespace nicol::gl {
 
-/// Saves the host's state on construction and sets the state of a fresh context of our own; restores the
-/// host's state on destruction. The saved state is that which draw calls, dispatches, uploads and reads
-/// change or depend on:
-///   capabilities   depth, stencil and scissor test, culling, blending, logical operation, dithering, polygon
-///                  offset and smoothing, sample masks, primitive restart, rasterizer discard, clip distances
-///                  and depth clamp, sRGB writes; of compatibility contexts alpha test and stipple
-///   values         viewports and depth ranges, colour and depth masks, blend functions and equations, depth
-///                  function, culled and front face, polygon mode, clip control, provoking vertex, pixel
-///                  storage; of compatibility contexts pixel transfer and clamping of colours
-///   bindings       program with its subroutines, vertex array, draw framebuffer, pixel buffers, active
-///                  texture; 2D textures and samplers of the first units, storage buffers (kTextureUnits and
-///                  so on); the first image
-/// Everything else is used without binding it.
+/// The host's state during a visit. The first command of a kind calls one of the functions below, which saves
+/// the state that such commands change or depend on, and sets that of a fresh context of our own; the
+/// destructor restores what was saved. For a host that sets its own state, nothing is saved or restored.
 class HostState {
 public:
     static constexpr int kTextureUnits = 16;
     static constexpr int kStorageBindings = 16;
+    static constexpr int kDrawBuffers = 4;
 
-    explicit HostState(const Context::State& state);
+    HostState(const Context::State& state, bool restores);
     ~HostState();
     HostState(const HostState&) = delete;
     HostState& operator=(const HostState&) = delete;
 
-private:
-    struct Viewport {
-        std::array<GLfloat, 4> rectangle;
-        std::array<GLdouble, 2> depth_range;
-        GLboolean scissor;
-    };
-    struct DrawBuffer {
-        std::array<GLboolean, 4> mask;
-        GLboolean blend;
-        std::array<GLenum, 4> functions;  ///< source and destination factors of the colours, then of alpha
-        GLenum colour_equation, alpha_equation;
-    };
-    struct TextureUnit {
-        GLint texture, sampler;
-    };
-    struct StorageBinding {
-        GLint name;
-        GLint64 start, size;
-    };
-    struct ImageUnit {
-        GLint texture, level, layered, layer, access, format;
-    };
+    /// Prepares draws and clears: capabilities (depth, stencil and scissor test, culling, blending, logical
+    /// operation, dithering, polygon offset and smoothing, sample masks, primitive restart, rasterizer
+    /// discard, clip distances, depth clamp, sRGB writes; of compatibility contexts alpha test and stipple),
+    /// the first viewport and depth range, masks, depth function, faces, polygon mode, clip control,
+    /// provoking vertex, vertex array and draw framebuffer.
+    void prepare_drawing();
+    /// Prepares the use of a program: that of the host with its subroutines.
+    void prepare_program(bool compute);
+    /// Prepares reads of textures, and uploads: pixel storage and buffer; of compatibility contexts pixel
+    /// transfer.
+    void prepare_reads();
+    void prepare_uploads();
+    /// Prepares a binding of a 2D texture, of a storage buffer, and of the first image.
+    void prepare_texture(GLuint unit);
+    void prepare_storage(GLuint binding);
+    void prepare_image();
 
-    void save();
-    void save_units();
-    void set();
-    void set_pixels() const;
-    void put_back_units() const;
-    void put_back_pixels() const;
-    void enable(GLenum capability, GLboolean on) const;
-    [[nodiscard]] GLuint name(GLenum binding) const;
+private:
+    enum class Kind { drawing, program, reads, uploads, transfer, units, texture, storages, storage, image };
+
+    /// Returns whether commands of the kind are new to this visit.
+    [[nodiscard]] bool first(Kind kind, GLuint index = 0) { return prepared_.insert({kind, index}).second; }
+    void restore(std::function<void()> command) { restores_.push_back(std::move(command)); }
+    /// Sets a state that only this class changes.
+    template <class Set>
+    void set(GLenum name, GLint fresh, Set set);
+    void disable(GLenum capability);
+    void save_what_draws_set();
+    void set_rasterisation();
+    void set_viewport();
+    void set_draw_buffer(GLuint index);
+    void set_pixels(GLenum buffer, GLenum binding, const std::array<GLenum, 4>& zeros, GLenum alignment);
+    void set_transfer();
+    [[nodiscard]] GLuint name(GLenum binding) const { return static_cast<GLuint>(state_.integer(binding)); }
 
     const Context::State& state_;
     const GladGLContext& gl_;
-    std::vector<GLenum> capability_names_;
-    std::vector<GLboolean> capabilities_;
-    std::vector<GLint> pixel_stores_;
-    std::vector<GLfloat> pixel_transfers_;
-    GLint clamp_fragments_ = 0;
-    std::vector<Viewport> viewports_;
-    std::vector<DrawBuffer> draw_buffers_;
-    std::vector<TextureUnit> texture_units_;
-    std::vector<StorageBinding> storage_;
-    ImageUnit image_{};
-    GLboolean depth_mask_ = GL_TRUE;
-    GLint depth_function_ = 0, culled_ = 0, front_ = 0, provoking_ = 0, clip_origin_ = 0, clip_depth_ = 0;
-    std::array<GLint, 2> polygon_mode_{};
-    HostProgram program_;
-    GLuint vertex_array_ = 0, framebuffer_ = 0, pack_ = 0, unpack_ = 0, storage_buffer_ = 0;
-    GLint active_texture_ = 0;
+    bool restoring_;
+    bool computed_ = false;  ///< whether the last program was a compute program
+    std::set<std::pair<Kind, GLuint>> prepared_;
+    std::vector<std::function<void()>> restores_;  ///< called in reverse order
 };
 
 }  // namespace nicol::gl

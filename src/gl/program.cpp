@@ -178,7 +178,8 @@ int Program::location(std::string_view name, unsigned type) const {
 void Program::set(std::string_view name, int value) {
     const GladGLContext& gl = functions(*context(), "Program::set");
     gl.ProgramUniform1i(id(), location(name, GL_INT), value);
-    context()->state().check("setting " + std::string(name));  // a too high unit of a sampler fails here
+    context()->state().check_command("setting " +
+                                     std::string(name));  // a too high unit of a sampler fails here
 }
 
 void Program::set(std::string_view name, unsigned value) {

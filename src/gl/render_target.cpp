@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "error.hpp"
+#include "gl/host_state.hpp"
 #include "gl/state.hpp"
 
 namespace nicol::gl {
@@ -87,6 +88,7 @@ RenderTargetDescription described(Context& context, unsigned texture) {
     const std::string what = "the texture " + std::to_string(texture);
     const auto refuse = [](const std::string& text) { throw Error(ErrorCode::invalid_argument, text); };
     if (gl.IsTexture(texture) != GL_TRUE) refuse(what + " does not exist in the host's context");
+    if (HostState* const host = context.state().host_state) host->prepare_texture(0);
     if (target_of(context.state(), texture) != GL_TEXTURE_2D) refuse(what + " is not a GL_TEXTURE_2D");
     GLint format = 0, width = 0, height = 0;
     gl.GetTextureLevelParameteriv(texture, 0, GL_TEXTURE_INTERNAL_FORMAT, &format);
@@ -161,15 +163,17 @@ void RenderTarget::clear(const glm::vec4& colour) {
 
 void RenderTarget::clear_colour(int attachment, const glm::vec4& colour) {
     const GladGLContext& gl = functions(*context(), "RenderTarget::clear_colour");
-    static_cast<void>(this->colour(attachment));       // throws for a missing attachment
-    gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);  // the colour mask also applies to clearing
+    static_cast<void>(this->colour(attachment));  // throws for a missing attachment
+    if (HostState* const host = context()->state().host_state) host->prepare_drawing();
+    // The colour mask also applies to clearing.
+    gl.ColorMaski(static_cast<GLuint>(attachment), GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     if (description_.format == Format::r32ui) {
         constexpr std::array<GLuint, 4> zero{};
         gl.ClearNamedFramebufferuiv(id(), GL_COLOR, attachment, zero.data());
     } else {
         gl.ClearNamedFramebufferfv(id(), GL_COLOR, attachment, &colour.x);
     }
-    context()->state().check("RenderTarget::clear_colour");
+    context()->state().check_command("RenderTarget::clear_colour");
 }
 
 void RenderTarget::clear_depth(float depth) {
@@ -179,9 +183,10 @@ void RenderTarget::clear_depth(float depth) {
     if (!(depth >= 0.0f && depth <= 1.0f))
         throw Error(ErrorCode::invalid_argument,
                     "RenderTarget::clear_depth: " + std::to_string(depth) + " is not between 0 and 1");
+    if (HostState* const host = context()->state().host_state) host->prepare_drawing();
     gl.DepthMask(GL_TRUE);  // the depth mask also applies to clearing
     gl.ClearNamedFramebufferfv(id(), GL_DEPTH, 0, &depth);
-    context()->state().check("RenderTarget::clear_depth");
+    context()->state().check_command("RenderTarget::clear_depth");
 }
 
 void RenderTarget::read(int attachment, std::span<float> pixels) const {

@@ -85,6 +85,9 @@ void Context::State::open_in_host(HostAccess access) {
     // The limits are those of HostState, which saves only this many bindings.
     limits.texture_units = std::min(limits.texture_units, HostState::kTextureUnits);
     limits.storage_bindings = std::min(limits.storage_bindings, HostState::kStorageBindings);
+    limits.colour_attachments = std::min(limits.colour_attachments, HostState::kDrawBuffers);
+    clip_distances = integer(GL_MAX_CLIP_DISTANCES);
+    validates = host->access().validates;
     gl.CreateQueries(GL_ANY_SAMPLES_PASSED, 1, &condition);
     host->mark(*this);
 }
@@ -113,7 +116,13 @@ void Context::State::close() noexcept {
     platform.reset();
 }
 
+void Context::State::check_command(std::string_view what) {
+    unchecked = true;
+    if (validates) check(what);
+}
+
 void Context::State::check(std::string_view what) {
+    unchecked = false;
     const GLenum error = gl.GetError();
     if (error == GL_NO_ERROR) {
         messages.clear();

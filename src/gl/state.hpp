@@ -21,6 +21,8 @@
 
 namespace nicol::gl {
 
+class HostState;
+
 /// State shared by the Context and its thread, so that either may end first. Only the thread uses it, apart
 /// from the worker, the memory account and members that are constant after open().
 struct Context::State {
@@ -36,6 +38,10 @@ struct Context::State {
     bool compatibility = false;         ///< whether a host's context has the compatibility profile
     GLuint empty_vertex_array = 0;      ///< core profiles cannot draw without a vertex array
     GLuint condition = 0;               ///< a query that tests for conditional rendering in a host's context
+    GLint clip_distances = 0;           ///< number of a host's clip distances
+    HostState* host_state = nullptr;    ///< a host's state during a visit; null in a context of our own
+    bool validates = true;              ///< whether check_command() asks at once
+    bool unchecked = false;             ///< whether commands were given since the last check()
     std::vector<std::string> messages;  ///< messages of KHR_debug since the last check()
     std::filesystem::path programs;     ///< folder of linked programs; empty: no cache
     ProgramNotices program_notices;
@@ -48,6 +54,9 @@ struct Context::State {
     /// Throws Error(out_of_memory) or Error(opengl) naming `what`, with the driver's messages, if anything
     /// since the last check failed.
     void check(std::string_view what);
+    /// Checks a command that makes no object: at once if `validates`, else with the next check(), at the
+    /// latest at the end of the visit.
+    void check_command(std::string_view what);
     [[nodiscard]] GLint integer(GLenum name) const;
 
 private:

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "error.hpp"
+#include "gl/host_state.hpp"
 #include "gl/state.hpp"
 
 namespace nicol::gl {
@@ -75,6 +76,7 @@ Texture2D::Texture2D(std::shared_ptr<Context> context, const TextureDescription&
     gl.TextureParameteri(id(), GL_TEXTURE_MAG_FILTER, mode);
     gl.TextureParameteri(id(), GL_TEXTURE_WRAP_S, wrap_mode(wrap_x));
     gl.TextureParameteri(id(), GL_TEXTURE_WRAP_T, wrap_mode(wrap_y));
+    if (state.host_state != nullptr) state.host_state->prepare_uploads();
     if (texels.empty())
         gl.ClearTexImage(id(), 0, layout.format, layout.type, nullptr);
     else
@@ -95,8 +97,9 @@ void Texture2D::update(int x, int y, int width, int height, std::span<const floa
                                                      size_text(this->width(), this->height()));
     check_numbers("Texture2D::update", true, texels.size(), width, height);
     const Layout layout = layout_of(format());
+    if (HostState* const host = context()->state().host_state) host->prepare_uploads();
     gl.TextureSubImage2D(id(), 0, x, y, width, height, layout.format, layout.type, texels.data());
-    context()->state().check("Texture2D::update");
+    context()->state().check_command("Texture2D::update");
 }
 
 void Texture2D::read(std::span<float> texels) const {
@@ -112,6 +115,7 @@ void Texture2D::read(std::span<std::uint32_t> texels) const {
 void Texture2D::read(void* texels) const {
     const GladGLContext& gl = functions(*context(), "Texture2D::read");
     const Layout layout = layout_of(format());
+    if (HostState* const host = context()->state().host_state) host->prepare_reads();
     // Texels are read in bands, because OpenGL counts the bytes of one transfer with 31 bits.
     constexpr std::size_t band_bytes = std::size_t{1} << 30;
     const std::size_t row_bytes = static_cast<std::size_t>(width()) * layout.components * sizeof(float);
@@ -140,6 +144,7 @@ void Texture2D::check_numbers(const char* what, bool floats, std::size_t given, 
 void Texture2D::bind(unsigned unit) const {
     const GladGLContext& gl = functions(*context(), "Texture2D::bind");
     require_unit("Texture2D::bind", unit, context()->limits().texture_units);
+    if (HostState* const host = context()->state().host_state) host->prepare_texture(unit);
     gl.BindTextureUnit(unit, id());
 }
 
@@ -150,13 +155,14 @@ void Texture2D::copy_from(const Texture2D& other) {
                     "Texture2D::copy_from: textures of different sizes or formats");
     gl.CopyImageSubData(other.id(), GL_TEXTURE_2D, 0, 0, 0, 0, id(), GL_TEXTURE_2D, 0, 0, 0, 0, width(),
                         height(), 1);
-    context()->state().check("Texture2D::copy_from");
+    context()->state().check_command("Texture2D::copy_from");
 }
 
 void Texture2D::bind_image() const {
     const GladGLContext& gl = functions(*context(), "Texture2D::bind_image");
+    if (HostState* const host = context()->state().host_state) host->prepare_image();
     gl.BindImageTexture(0, id(), 0, GL_FALSE, 0, GL_WRITE_ONLY, layout_of(format()).internal);
-    context()->state().check("Texture2D::bind_image");
+    context()->state().check_command("Texture2D::bind_image");
 }
 
 std::size_t Texture2D::numbers() const noexcept {

@@ -47,7 +47,7 @@ HOST_TEST_CASE("a wrong host is refused by name") {
     FAILS(nicol_context_create_host(&access, nullptr, &context), NICOL_ERROR_NOT_CURRENT, "not current");
     using H = nicol_host;
     check_wrong(host(), [&](const H& given) { return nicol_context_create_host(&given, nullptr, &context); },
-                {{"reserved", [](H& h) { h.reserved = 1; }},
+                {{"flags", [](H& h) { h.flags = 4; }},
                  {"get_proc_address", [](H& h) { h.get_proc_address = nullptr; }}});
     access = host();
     access.get_proc_address = [](void*, const char*) -> void* { return nullptr; };

@@ -128,6 +128,8 @@ OBSERVATION_S3 = 3
 OBSERVATION_DOLP = 4
 OBSERVATION_AOLP = 5
 OBSERVATION_POLARIZER = 6
+HOST_SETS_STATE = 1
+HOST_VALIDATE = 2
 ENCODING_LINEAR = 0
 ENCODING_SRGB = 1
 PSH_MAX_ORDER = 4096
@@ -682,7 +684,7 @@ class Host(Struct):
     _callbacks_ = {"get_proc_address": GetProcAddressCallback, "is_current": IsCurrentCallback}
     _fields_ = [
         ("struct_size", c_uint32),
-        ("reserved", c_uint32),
+        ("flags", c_uint32),
         ("get_proc_address", GetProcAddressCallback.type),
         ("is_current", IsCurrentCallback.type),
         ("user", c_void_p),
@@ -2007,6 +2009,8 @@ __all__ = [
     "HIGH_ORDERS_CONVOLUTION",
     "HIGH_ORDERS_NONE",
     "HIGH_ORDERS_SPLIT",
+    "HOST_SETS_STATE",
+    "HOST_VALIDATE",
     "Host",
     "Image",
     "Instance",

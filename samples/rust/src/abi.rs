@@ -140,6 +140,8 @@ pub const NICOL_OBSERVATION_S3: u32 = 3;
 pub const NICOL_OBSERVATION_DOLP: u32 = 4;
 pub const NICOL_OBSERVATION_AOLP: u32 = 5;
 pub const NICOL_OBSERVATION_POLARIZER: u32 = 6;
+pub const NICOL_HOST_SETS_STATE: u32 = 1;
+pub const NICOL_HOST_VALIDATE: u32 = 2;
 pub const NICOL_ENCODING_LINEAR: u32 = 0;
 pub const NICOL_ENCODING_SRGB: u32 = 1;
 pub const NICOL_PSH_MAX_ORDER: u32 = 4096;
@@ -1205,7 +1207,7 @@ pub type nicol_is_current_callback = Option<unsafe extern "C" fn(user: *mut c_vo
 #[derive(Clone, Copy)]
 pub struct nicol_host {
     pub struct_size: u32,
-    pub reserved: u32,
+    pub flags: u32,
     pub get_proc_address: nicol_get_proc_address_callback,
     pub is_current: nicol_is_current_callback,
     pub user: *mut c_void,
@@ -1214,7 +1216,7 @@ defaults!(nicol_host, nicol_host_init);
 const _: () = {
     assert!(size_of::<nicol_host>() == 32);
     assert!(offset_of!(nicol_host, struct_size) == 0);
-    assert!(offset_of!(nicol_host, reserved) == 4);
+    assert!(offset_of!(nicol_host, flags) == 4);
     assert!(offset_of!(nicol_host, get_proc_address) == 8);
     assert!(offset_of!(nicol_host, is_current) == 16);
     assert!(offset_of!(nicol_host, user) == 24);
