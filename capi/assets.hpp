@@ -10,24 +10,30 @@ namespace nicol::capi {
 
 /// Makes an immutable asset on the caller's thread, without locking the context, of which nothing is used.
 template <class Impl, class Make>
-nicol_result create(nicol_context context, Impl** out, const char* name, Make&& make) {
-    return guarded([&] {
-        require(out, name);
-        const SessionPtr session = resolve(context).session;
-        *out = make_handle<Impl>(session, make());
-    });
+nicol_result create(nicol_context context, Impl** out, const char* name, Make&& make,
+                    const char* function = __builtin_FUNCTION()) {
+    return guarded(
+        [&] {
+            require(out, name);
+            const SessionPtr session = resolve(context).session;
+            *out = make_handle<Impl>(session, make());
+        },
+        function);
 }
 
 /// Loads an asset from a file: make(budget, session) gets the context's limits and its log.
 template <class Impl, class Make>
-nicol_result load(nicol_context context, const char* path, Impl** out, const char* name, Make&& make) {
-    return guarded([&] {
-        require(out, name);
-        const SessionPtr session = resolve(context).session;
-        require(path, "path");
-        const LoadBudget budget(session->load_limits);
-        *out = make_handle<Impl>(session, make(budget, *session));
-    });
+nicol_result load(nicol_context context, const char* path, Impl** out, const char* name, Make&& make,
+                  const char* function = __builtin_FUNCTION()) {
+    return guarded(
+        [&] {
+            require(out, name);
+            const SessionPtr session = resolve(context).session;
+            require(path, "path");
+            const LoadBudget budget(session->load_limits);
+            *out = make_handle<Impl>(session, make(budget, *session));
+        },
+        function);
 }
 
 /// Returns an owner that calls a descriptor's release callback with its user pointer once, when the last copy

@@ -8,8 +8,10 @@
 #include <cstring>
 #include <exception>
 #include <functional>
+#include <memory>
 #include <new>
 #include <string>
+#include <utility>
 
 #include "arguments.hpp"
 #include "error.hpp"
@@ -35,22 +37,50 @@ ErrorCode code_of(const std::exception& error) noexcept;
 /// lacks the threads and the graphics driver's state.
 void refuse_after_fork();
 
+struct Session;
+
+/// A call in progress on the calling thread, which reports its failure to the error callback of its context.
+class Call {
+public:
+    explicit Call(const char* function) noexcept
+        : function_(function), outer_(std::exchange(current_, this)) {}
+    ~Call() { current_ = outer_; }
+    Call(const Call&) = delete;
+    Call& operator=(const Call&) = delete;
+
+    /// Tells the thread's call that it was given an object of the session. The first session counts.
+    static void concerns(const std::shared_ptr<Session>& session) noexcept {
+        if (current_ != nullptr && !current_->session_) current_->session_ = session;
+    }
+    /// Calls capi::fail() and the error callback.
+    nicol_result fail(ErrorCode code, const char* message) const noexcept;
+
+private:
+    static inline thread_local Call* current_ = nullptr;
+
+    const char* function_;
+    Call* outer_;
+    std::shared_ptr<Session> session_;
+};
+
 /// Runs the body of a C function in a floating-point environment that does not depend on the caller's.
+/// `function` is the name of the C function.
 template <class F>
-nicol_result guarded(F&& body) noexcept {
+nicol_result guarded(F&& body, const char* function = __builtin_FUNCTION()) noexcept {
     const FloatingEnvironment environment;
+    const Call call(function);
     try {
         refuse_after_fork();
         body();
         return NICOL_OK;
     } catch (const Error& error) {
-        return fail(error.code(), error.what());
+        return call.fail(error.code(), error.what());
     } catch (const std::bad_alloc&) {
-        return fail(ErrorCode::out_of_memory, "out of memory");
+        return call.fail(ErrorCode::out_of_memory, "out of memory");
     } catch (const std::exception& error) {
-        return fail(code_of(error), error.what());
+        return call.fail(code_of(error), error.what());
     } catch (...) {
-        return fail(ErrorCode::internal, "an unknown exception");
+        return call.fail(ErrorCode::internal, "an unknown exception");
     }
 }
 

@@ -83,6 +83,8 @@ nicol_context make_context(std::shared_ptr<gl::Context> context, const nicol_con
     session->threads = static_cast<int>(options.threads);
     session->log = options.log;
     session->log_user = options.log_user;
+    session->error = options.error;
+    session->error_user = options.error_user;
     session->memory_limit = options.memory_limit;
     session->load_limits = {.bytes = options.load_bytes_limit,
                             .vertices = options.vertex_limit,
@@ -116,6 +118,13 @@ ErrorCode code_of(const std::exception& error) noexcept {
         shortage = system->code() == std::errc::resource_unavailable_try_again ||
                    system->code() == std::errc::not_enough_memory;
     return shortage ? ErrorCode::out_of_memory : ErrorCode::internal;
+}
+
+nicol_result Call::fail(ErrorCode code, const char* message) const noexcept {
+    const nicol_result result = capi::fail(code, message);
+    if (session_ && session_->error != nullptr)
+        session_->error(session_->error_user, result, last_error.data(), function_);
+    return result;
 }
 
 nicol_result fail(ErrorCode code, const char* message) noexcept {

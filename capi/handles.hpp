@@ -33,6 +33,8 @@ struct Session {
     int threads = 0;
     nicol_log_callback log = nullptr;
     void* log_user = nullptr;
+    nicol_error_callback error = nullptr;
+    void* error_user = nullptr;
     std::filesystem::path cache;                      ///< folder of tables; empty: none
     std::uint64_t memory_limit = MemoryLimit::kNone;  ///< memory limit per scene, in bytes
     LoadLimits load_limits;
@@ -232,7 +234,9 @@ private:
 template <class Impl>
 Impl resolve(Impl* handle) {
     const auto held = registry::hold(handle, Impl::kKind);
-    return *static_cast<const Impl*>(held.object);
+    const Impl& found = *static_cast<const Impl*>(held.object);
+    Call::concerns(found.session);
+    return found;
 }
 
 /// Throws Error(invalid_handle) if two objects belong to different contexts.
@@ -256,11 +260,13 @@ Impl* make_handle(const SessionPtr& session, std::shared_ptr<Content> content) {
 }
 
 template <class Impl>
-nicol_result retain(Impl* handle) noexcept {
-    return guarded([&] {
-        const auto held = registry::hold(handle, Impl::kKind);
-        ++static_cast<Impl*>(held.object)->references;
-    });
+nicol_result retain(Impl* handle, const char* function = __builtin_FUNCTION()) noexcept {
+    return guarded(
+        [&] {
+            const auto held = registry::hold(handle, Impl::kKind);
+            ++static_cast<Impl*>(held.object)->references;
+        },
+        function);
 }
 
 template <class Impl>

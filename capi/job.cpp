@@ -84,7 +84,7 @@ void Job::run() {
         work = std::move(work_);
         work_ = nullptr;
     }
-    const nicol_result result = guarded([&] { work(*this); });
+    const nicol_result result = guarded([&] { work(*this); }, "nicol_render_async");
     work = nullptr;  // releases its objects before any waiting thread continues
     std::function<void()> ended;
     {

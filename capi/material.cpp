@@ -147,16 +147,19 @@ MaterialPtr make(const nicol_conductor& given, const nicol_context_impl& context
 // Makes a material of another one and a texture: combine(base, texture).
 template <class Combine>
 nicol_result create_textured(nicol_context context, nicol_material base, nicol_texture texture,
-                             nicol_material* material, Combine&& combine) {
-    return guarded([&] {
-        require(material, "material");
-        const nicol_context_impl session = resolve(context);
-        const nicol_material_impl of = resolve(base);
-        const nicol_texture_impl by = resolve(texture);
-        require_same_context(session, of);
-        require_same_context(session, by);
-        *material = make_handle<nicol_material_impl>(session.session, combine(of.content, by.content));
-    });
+                             nicol_material* material, Combine&& combine,
+                             const char* function = __builtin_FUNCTION()) {
+    return guarded(
+        [&] {
+            require(material, "material");
+            const nicol_context_impl session = resolve(context);
+            const nicol_material_impl of = resolve(base);
+            const nicol_texture_impl by = resolve(texture);
+            require_same_context(session, of);
+            require_same_context(session, by);
+            *material = make_handle<nicol_material_impl>(session.session, combine(of.content, by.content));
+        },
+        function);
 }
 
 MaterialPtr measured(const char* path, const nicol_measured* options, const Session& session,

@@ -260,6 +260,7 @@ nicol_result nicol_render_async(nicol_scene scene, const nicol_camera* camera,
         auto made = std::make_shared<Job>(
             [call, snapshot = std::move(snapshot), session = self.session, state = self.content,
              target = target.content](Job& running) {
+                Call::concerns(session);
                 const SessionLock lock(session);
                 running.begin();
                 const gl::Borrower borrower(session->gl, [&] { require_awaited(running, *session); });

@@ -93,7 +93,9 @@ typedef int32_t nicol_result;
 
 /* Returns the message of the last failed call on this thread: one line that names the file, line, field or
  * argument and what is expected. The message is never NULL, and "" before the first failure. The string is
- * valid until this thread's next failed call. */
+ * valid until this thread's next failed call. Tasks that move between threads, as in Go and in asynchronous
+ * runtimes, may see another task's message: they keep their thread for both calls, or use the error callback
+ * of nicol_context_options. */
 NICOL_API const char* nicol_last_error(void);
 /* Returns a name such as "out of memory" for a result code. The string lives as long as the library. */
 NICOL_API const char* nicol_result_name(nicol_result result);
@@ -105,6 +107,13 @@ NICOL_API const char* nicol_result_name(nicol_result result);
  * result that a call would have returned for the problem that Nicol worked around. The callback must not call
  * Nicol with objects of the context. */
 typedef void (*nicol_log_callback)(void* user, uint32_t severity, nicol_result code, const char* message);
+
+/* Receives a failure: the result code, the message of nicol_last_error(), and the function's name, such as
+ * "nicol_render"; the strings live as long as the call. The callback runs on the thread of the failed call,
+ * before the call returns. A job that fails reports from its own thread, as "nicol_render_async". The
+ * callback must not call Nicol. */
+typedef void (*nicol_error_callback)(void* user, nicol_result code, const char* message,
+                                     const char* function);
 
 /* Receives the progress of a call about ten times a second, on the calling thread; fraction runs from 0 to 1.
  * Returns 1 to continue, or 0 to cancel: the call then returns NICOL_ERROR_CANCELLED. The callback must not
@@ -220,10 +229,15 @@ typedef struct nicol_context_options {
      * time. */
     nicol_progress_callback load_progress;
     void* load_progress_user;
+    /* Error callback of failed calls that were given an object of the context, on any thread; NULL, the
+     * default: none. */
+    nicol_error_callback error;
+    void* error_user;
 } nicol_context_options;
 /* clang-format off */
 #define NICOL_CONTEXT_OPTIONS_INIT \
-    { sizeof(nicol_context_options), 0, 0, 0, 0, 0, 0, NICOL_NO_LIMIT, 0x200000000ULL, 1 << 26, 1 << 27, 600, 0, 0 }
+    { sizeof(nicol_context_options), 0, 0, 0, 0, 0, 0, NICOL_NO_LIMIT, 0x200000000ULL, 1 << 26, 1 << 27, 600, 0, 0, \
+      0, 0 }
 /* clang-format on */
 NICOL_API nicol_result nicol_context_options_init(nicol_context_options* descriptor, uint32_t struct_size);
 

@@ -5,6 +5,7 @@ local ffi = require("ffi")
 ffi.cdef[[
 typedef int32_t nicol_result;
 typedef void (*nicol_log_callback)(void* user, uint32_t severity, nicol_result code, const char* message);
+typedef void (*nicol_error_callback)(void* user, nicol_result code, const char* message, const char* function);
 typedef int32_t (*nicol_progress_callback)(void* user, const char* verb, double fraction);
 typedef struct nicol_context_impl* nicol_context;
 typedef struct nicol_environment_impl* nicol_environment;
@@ -40,6 +41,8 @@ typedef struct nicol_context_options {
     double load_seconds_limit;
     nicol_progress_callback load_progress;
     void* load_progress_user;
+    nicol_error_callback error;
+    void* error_user;
 } nicol_context_options;
 typedef struct nicol_context_info {
     uint32_t struct_size;

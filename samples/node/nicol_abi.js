@@ -148,6 +148,7 @@ export const constants = {
 export const types = [
   { kind: "alias", name: "nicol_result", of: "int32_t" },
   { kind: "callback", name: "nicol_log_callback", of: "void nicol_log_callback(void *user, uint32_t severity, nicol_result code, const char *message)" },
+  { kind: "callback", name: "nicol_error_callback", of: "void nicol_error_callback(void *user, nicol_result code, const char *message, const char *function)" },
   { kind: "callback", name: "nicol_progress_callback", of: "int32_t nicol_progress_callback(void *user, const char *verb, double fraction)" },
   { kind: "handle", name: "nicol_context" },
   { kind: "handle", name: "nicol_environment" },
@@ -197,6 +198,8 @@ export const types = [
       ["load_seconds_limit", "double", 0],
       ["load_progress", "nicol_progress_callback *", 0],
       ["load_progress_user", "void *", 0],
+      ["error", "nicol_error_callback *", 0],
+      ["error_user", "void *", 0],
     ],
   },
   {

@@ -149,6 +149,7 @@ FILE_PHYSICAL = 2
 FILE_ORDER_AUTOMATIC = 4294967295
 
 LogCallback = Callback(None, (c_void_p, None), (c_uint32, as_is), (c_int32, as_is), (c_char_p, decoded))
+ErrorCallback = Callback(None, (c_void_p, None), (c_int32, as_is), (c_char_p, decoded), (c_char_p, decoded))
 ProgressCallback = Callback(c_int32, (c_void_p, None), (c_char_p, decoded), (c_double, as_is))
 ReleaseCallback = Callback(None, (c_void_p, None))
 MuellerCallback = Callback(c_int32, (c_void_p, None), (c_uint32, as_is), (POINTER(c_double * 3), pointee), (POINTER(c_double * 3), pointee), (POINTER(c_double * 16), pointee))
@@ -178,7 +179,7 @@ class DeviceInfo(Struct):
 
 
 class ContextOptions(Struct):
-    _callbacks_ = {"log": LogCallback, "load_progress": ProgressCallback}
+    _callbacks_ = {"log": LogCallback, "load_progress": ProgressCallback, "error": ErrorCallback}
     _fields_ = [
         ("struct_size", c_uint32),
         ("backend", c_uint32),
@@ -194,6 +195,8 @@ class ContextOptions(Struct):
         ("load_seconds_limit", c_double),
         ("load_progress", ProgressCallback.type),
         ("load_progress_user", c_void_p),
+        ("error", ErrorCallback.type),
+        ("error_user", c_void_p),
     ]
 
 
@@ -1534,7 +1537,9 @@ def build_info(index):
 def last_error():
     """Returns the message of the last failed call on this thread: one line that names the file, line, field or
     argument and what is expected. The message is never NULL, and "" before the first failure. The string is
-    valid until this thread's next failed call."""
+    valid until this thread's next failed call. Tasks that move between threads, as in Go and in asynchronous
+    runtimes, may see another task's message: they keep their thread for both calls, or use the error callback
+    of nicol_context_options."""
     return decoded(_last_error())
 
 

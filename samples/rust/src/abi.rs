@@ -167,6 +167,12 @@ pub type nicol_result = i32;
 /// Nicol with objects of the context.
 pub type nicol_log_callback = Option<unsafe extern "C" fn(user: *mut c_void, severity: u32, code: nicol_result, message: *const c_char)>;
 
+/// Receives a failure: the result code, the message of nicol_last_error(), and the function's name, such as
+/// "nicol_render"; the strings live as long as the call. The callback runs on the thread of the failed call,
+/// before the call returns. A job that fails reports from its own thread, as "nicol_render_async". The
+/// callback must not call Nicol.
+pub type nicol_error_callback = Option<unsafe extern "C" fn(user: *mut c_void, code: nicol_result, message: *const c_char, function: *const c_char)>;
+
 /// Receives the progress of a call about ten times a second, on the calling thread; fraction runs from 0 to 1.
 /// Returns 1 to continue, or 0 to cancel: the call then returns NICOL_ERROR_CANCELLED. The callback must not
 /// call Nicol with objects of the same context.
@@ -273,10 +279,12 @@ pub struct nicol_context_options {
     pub load_seconds_limit: f64,
     pub load_progress: nicol_progress_callback,
     pub load_progress_user: *mut c_void,
+    pub error: nicol_error_callback,
+    pub error_user: *mut c_void,
 }
 defaults!(nicol_context_options, nicol_context_options_init);
 const _: () = {
-    assert!(size_of::<nicol_context_options>() == 96);
+    assert!(size_of::<nicol_context_options>() == 112);
     assert!(offset_of!(nicol_context_options, struct_size) == 0);
     assert!(offset_of!(nicol_context_options, backend) == 4);
     assert!(offset_of!(nicol_context_options, device) == 8);
@@ -291,6 +299,8 @@ const _: () = {
     assert!(offset_of!(nicol_context_options, load_seconds_limit) == 72);
     assert!(offset_of!(nicol_context_options, load_progress) == 80);
     assert!(offset_of!(nicol_context_options, load_progress_user) == 88);
+    assert!(offset_of!(nicol_context_options, error) == 96);
+    assert!(offset_of!(nicol_context_options, error_user) == 104);
 };
 
 #[repr(C)]
@@ -1466,7 +1476,9 @@ extern "C" {
     pub fn nicol_build_info(index: u32) -> *const c_char;
     /// Returns the message of the last failed call on this thread: one line that names the file, line, field or
     /// argument and what is expected. The message is never NULL, and "" before the first failure. The string is
-    /// valid until this thread's next failed call.
+    /// valid until this thread's next failed call. Tasks that move between threads, as in Go and in asynchronous
+    /// runtimes, may see another task's message: they keep their thread for both calls, or use the error callback
+    /// of nicol_context_options.
     pub fn nicol_last_error() -> *const c_char;
     /// Returns a name such as "out of memory" for a result code. The string lives as long as the library.
     pub fn nicol_result_name(result: nicol_result) -> *const c_char;
