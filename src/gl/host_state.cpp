@@ -75,6 +75,7 @@ void HostState::prepare_drawing() {
     set_rasterisation();
     set_viewport();
     for (GLuint i = 0; i < kDrawBuffers; ++i) set_draw_buffer(i);
+    for (GLuint i = 0; i < kBlendedBuffers; ++i) set_blend_functions(i);
 }
 
 void HostState::save_what_draws_set() {
@@ -139,11 +140,7 @@ void HostState::set_viewport() {
 }
 
 void HostState::set_draw_buffer(GLuint index) {
-    if (!restoring_) {
-        gl_.Disablei(GL_BLEND, index);
-        gl_.BlendFunci(index, GL_ONE, GL_ZERO);
-        return;
-    }
+    if (!restoring_) return gl_.Disablei(GL_BLEND, index);
     std::array<GLboolean, 4> mask{};
     gl_.GetBooleani_v(GL_COLOR_WRITEMASK, index, mask.data());
     restore([this, index, mask] { gl_.ColorMaski(index, mask[0], mask[1], mask[2], mask[3]); });
@@ -151,6 +148,10 @@ void HostState::set_draw_buffer(GLuint index) {
         restore([this, index] { gl_.Enablei(GL_BLEND, index); });
         gl_.Disablei(GL_BLEND, index);
     }
+}
+
+void HostState::set_blend_functions(GLuint index) {
+    if (!restoring_) return gl_.BlendFunci(index, GL_ONE, GL_ZERO);
     std::array<GLenum, 4> functions{GL_BLEND_SRC_RGB, GL_BLEND_DST_RGB, GL_BLEND_SRC_ALPHA,
                                     GL_BLEND_DST_ALPHA};
     for (GLenum& function : functions) {
@@ -158,7 +159,8 @@ void HostState::set_draw_buffer(GLuint index) {
         gl_.GetIntegeri_v(function, index, &value);
         function = static_cast<GLenum>(value);
     }
-    // Blending of two sources allows fewer draw buffers, even if blending is off.
+    // Blending of two sources allows fewer draw buffers, even if blending is off; NVIDIA's driver refuses
+    // draws for the functions of buffers that are not drawn to.
     if (std::ranges::none_of(functions, takes_second_source)) return;
     restore([this, index, functions] {
         gl_.BlendFuncSeparatei(index, functions[0], functions[1], functions[2], functions[3]);

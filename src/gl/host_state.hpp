@@ -20,6 +20,7 @@ public:
     static constexpr int kTextureUnits = 16;
     static constexpr int kStorageBindings = 16;
     static constexpr int kDrawBuffers = 4;
+    static constexpr int kBlendedBuffers = 8;  ///< as many as every driver has
 
     HostState(const Context::State& state, bool restores);
     ~HostState();
@@ -57,6 +58,7 @@ private:
     void set_rasterisation();
     void set_viewport();
     void set_draw_buffer(GLuint index);
+    void set_blend_functions(GLuint index);
     void set_pixels(GLenum buffer, GLenum binding, const std::array<GLenum, 4>& zeros, GLenum alignment);
     void set_transfer();
     [[nodiscard]] GLuint name(GLenum binding) const { return static_cast<GLuint>(state_.integer(binding)); }

@@ -51,7 +51,7 @@ struct BothExecutors {
                             bool texels = false, double slack = 1) {
         CHECK(largest(a) > 0.1);
         if (texels) {
-            CHECK(differing_pixels(a, b, 1e-4 * largest(a)) <= a.width * a.height / 500);
+            CHECK(differing_pixels(a, b, slack * 1e-4 * largest(a)) <= a.width * a.height / 500);
             CHECK(largest_difference(a, b) <= 0.05 * largest(a));
             return;
         }
