@@ -39,6 +39,7 @@ struct LocalLight {
     double fov = 0.7853981633974483;  ///< projector: horizontal field of view, radians, above 0, below pi
     double aspect = 1;                ///< projector: width over height of the rectangle
     PolarizationState state;
+    bool operator==(const LocalLight&) const = default;
 
     [[nodiscard]] int channels() const noexcept;
 };
@@ -53,6 +54,7 @@ struct Emission {
     /// Whether both sides emit; else only the front emits.
     bool two_sided = false;
     PolarizationState state;  ///< `axis` is in the mesh's axes, before the instance's transform
+    bool operator==(const Emission&) const = default;
 
     [[nodiscard]] int channels() const noexcept;
 };

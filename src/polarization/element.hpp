@@ -27,6 +27,7 @@ struct PolarizationElement {
     /// Retardance of a retarder at normal incidence, in radians; pi/2 is a quarter-wave plate.
     double retardance = std::numbers::pi / 2;
     double transmittance = 1;  ///< factor on the transmittance of the ideal element, 0 to 1
+    bool operator==(const PolarizationElement&) const = default;
 };
 
 /// Throws Error(invalid_argument) that names the member that is out of range. Does not check to_world.

@@ -143,7 +143,8 @@ void Scene::set_emission(std::uint32_t id, EmissionPtr emission) {
                        instance.emission ? channels_.largest_without(instance.emission->channels())
                                          : channels_.largest());
     }
-    if (instance.emission == emission) return;
+    if (instance.emission == emission || (instance.emission && emission && *instance.emission == *emission))
+        return;
     if (emission) {
         channels_.make_room(emission->channels());
         channels_.add(emission->channels());
@@ -176,6 +177,7 @@ void Scene::set_light(std::uint32_t id, LocalLight light) {
     check(light);
     const int before = lights_[index].channels();
     check_channels("light", light.channels(), channels_.largest_without(before));
+    if (lights_[index] == light) return;
     channels_.make_room(light.channels());
     channels_.add(light.channels());
     channels_.remove(before);
@@ -213,6 +215,7 @@ void Scene::set_element(std::uint32_t id, const PolarizationElement& element) {
     PolarizationElement& changed = elements_[elements_.index_of(id)];
     check(element);
     check_transform(element.to_world);
+    if (changed == element) return;
     changed = element;
     element_version_ = new_version();
 }

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Tests of a scene's local lights and emissive surfaces: ids, versions and refusals.
+#include <array>
+
 #include "function_texture.hpp"
 #include "scene/scene.hpp"
 #include "test.hpp"
@@ -106,9 +108,24 @@ TEST_CASE("every change of a light, or of what emits light, is a new version of 
         CHECK(scene.material_version() == others[1]);
         CHECK(scene.light_version() == others[2]);
     }
-    const EmissionPtr same = emission({1});
-    scene.set_emission(id, same);
-    const Version shining = scene.emission_version();
-    scene.set_emission(id, same);
-    CHECK(scene.emission_version() == shining);
+}
+
+TEST_CASE("a light, an emission or an element with equal values is no change") {
+    Scene scene;
+    const std::uint32_t id = scene.add(square());
+    const std::uint32_t light = scene.add_light({.value = {2}});
+    const std::uint32_t element = scene.add_element({.angle = 1});
+    scene.set_emission(id, emission({1}));
+    const auto versions = [&] {
+        return std::array{scene.local_light_version(), scene.emission_version(), scene.element_version()};
+    };
+    const auto before = versions();
+    scene.set_light(light, {.value = {2}});
+    scene.set_emission(id, emission({1}));
+    scene.set_element(element, {.angle = 1});
+    CHECK(versions() == before);
+    scene.set_light(light, {.value = {2}, .beam_width = 0.1});
+    scene.set_emission(id, emission({1.5}));
+    scene.set_element(element, {.angle = 2});
+    for (std::size_t i = 0; i < before.size(); ++i) CHECK(versions()[i] != before[i]);
 }
