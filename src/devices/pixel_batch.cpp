@@ -8,6 +8,7 @@
 #include "draw/visibility_buffer.hpp"
 #include "shading/lane_footprint.hpp"
 #include "shading/normal_variation.hpp"
+#include "shading/pixel_places.hpp"
 #include "shading/tangent_rotation.hpp"
 #include "surfaces/local_lights.hpp"
 #include "surfaces/tangents.hpp"
@@ -149,12 +150,11 @@ public:
             for (Lanes& step : *steps)
                 for (float& value : step.value) value *= sample / across;
         for (std::size_t part = 0; part < surface.parts.size(); ++part) {
-            const float right = static_cast<float>(part % across) - 0.5F * (across - 1);
-            const float down = static_cast<float>(part / across) - 0.5F * (across - 1);
+            const glm::vec2 place = static_cast<float>(across) * MirroredParts::middle(part);
             TexturePoints there = here;
             for (std::size_t k = 0; k < 2; ++k)
                 for (std::size_t i = 0; i < kLanes; ++i)
-                    there.uv[k][i] += right * here.du[k][i] + down * here.dv[k][i];
+                    there.uv[k][i] += place.x * here.du[k][i] + place.y * here.dv[k][i];
             surface.parts[part] = normals;
             turn_at(there, surface.parts[part]);
         }

@@ -3,6 +3,7 @@
 #include "gl/host_state.hpp"
 
 #include <algorithm>
+#include <ranges>
 
 #include "gl/host_program.hpp"
 
@@ -46,7 +47,7 @@ HostState::HostState(const Context::State& state, bool restores)
     : state_(state), gl_(state.gl), restoring_(restores) {}
 
 HostState::~HostState() {
-    for (auto command = restores_.rbegin(); command != restores_.rend(); ++command) (*command)();
+    for (const std::function<void()>& command : restores_ | std::views::reverse) command();
 }
 
 template <class Set>

@@ -17,7 +17,8 @@ constexpr float kMostAcross = 6;
 }  // namespace
 
 glm::vec2 MirroredParts::middle(std::size_t part) {
-    const glm::vec2 place(static_cast<float>(part % kAcross), static_cast<float>(part / kAcross));
+    const std::size_t column = part % kAcross, row = part / kAcross;
+    const glm::vec2 place(static_cast<float>(column), static_cast<float>(row));
     return (place + 0.5F) / static_cast<float>(kAcross) - 0.5F;
 }
 
