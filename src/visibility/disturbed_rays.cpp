@@ -213,9 +213,9 @@ private:
         masks_.resize(kCells * kCells * kMaskSines.size() * bundles);
         tbb::parallel_for(std::size_t{0}, kCells * kCells, [&](std::size_t cell) {
             const auto at = [cell](float x, float y) {
-                const auto column = static_cast<float>(cell % kCells),
-                           row = static_cast<float>(cell / kCells);
-                return from_octahedral((column + x) * (2.0F / kCells) - 1, (row + y) * (2.0F / kCells) - 1);
+                const std::size_t column = cell % kCells, row = cell / kCells;
+                return from_octahedral((static_cast<float>(column) + x) * (2.0F / kCells) - 1,
+                                       (static_cast<float>(row) + y) * (2.0F / kCells) - 1);
             };
             const glm::vec3 centre = at(0.5F, 0.5F);
             float least = 1;

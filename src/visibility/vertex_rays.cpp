@@ -65,10 +65,10 @@ public:
     [[nodiscard]] bool any_blocked() const noexcept { return any_blocked_; }
 
 private:
+    RayBundle gathered_{};
     const RayScene& scene_;
     const glm::vec3& origin_;
     std::span<std::uint64_t> visible_;
-    RayBundle gathered_{};
     std::array<std::size_t, RayBundle::kRays> numbers_{};
     std::size_t count_ = 0;
     bool any_blocked_ = false;
