@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "arguments.hpp"
+#include "error.hpp"
 #include "material/key.hpp"
 #include "material/mixture.hpp"
 #include "simd/work_space.hpp"
@@ -15,7 +16,13 @@ namespace {
 class Layered final : public Material {
 public:
     explicit Layered(SpatialVariation variation) : variation_(std::move(variation)) {
-        for (const MaterialLayer& layer : variation_.layers) add(layer);
+        for (const MaterialLayer& layer : variation_.layers) {
+            if (layer.material->boundary() != nullptr)
+                throw Error(ErrorCode::unsupported,
+                            "a material that light passes is part of a blend, a mask or a normal map, or is "
+                            "scaled by a texture; use it alone");
+            add(layer);
+        }
         varies_ = variation_.normal.kind != NormalVariation::Kind::none || variation_.rotation.any() ||
                   variation_.opacity != nullptr || !variation_.textures.empty();
         // A material whose mean is black still has a term.

@@ -17,6 +17,7 @@
 
 namespace nicol {
 
+struct SmoothBoundary;
 struct SpatialVariation;
 
 class Material;
@@ -101,6 +102,11 @@ public:
     /// Returns the material that the back of a two-sided surface has; null: the material itself. The two
     /// differ if only some parts of a mixture are two-sided: the others are black on the back.
     [[nodiscard]] virtual MaterialPtr behind() const { return nullptr; }
+
+    /// Returns the smooth boundary that transmits light, and reflects the rest of it like a mirror; null: no
+    /// light passes. A delta function describes such a boundary, so all terms of its material are 0. Rays
+    /// follow the light; tables of reflectance cannot hold it.
+    [[nodiscard]] virtual const SmoothBoundary* boundary() const noexcept { return nullptr; }
 
     /// Returns everything that the values depend on, as text: materials with equal keys have equal values.
     /// Empty if that is unknown, as for a callback.

@@ -78,6 +78,9 @@ private:
 MaterialPtr twosided(MaterialPtr material) {
     if (material == nullptr)
         throw Error(ErrorCode::invalid_argument, "twosided: the material is null; give one");
+    if (material->boundary() != nullptr)
+        throw Error(ErrorCode::invalid_argument,
+                    "twosided: the material lets light through and has two sides by itself; use it alone");
     if (const SpatialVariation* variation = material->variation()) {
         SpatialVariation both = *variation;
         for (MaterialLayer& layer : both.layers) layer.material = twosided(layer.material);
