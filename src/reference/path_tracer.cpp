@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "reference/boundary_event.hpp"
 #include "scene/path_depth.hpp"
 
 namespace nicol {
@@ -24,9 +25,9 @@ double largest_share(std::span<const Mueller> throughput) {
 }
 
 /// Russian roulette: returns whether a path goes on, whose throughput then makes up for those that end.
-/// point: in [0, 1).
-bool survives(std::span<Mueller> throughput, double point) {
-    const double probability = std::min(kSurvival, largest_share(throughput));
+/// radiance_scale: factor of refractions, which absorb nothing. point: in [0, 1).
+bool survives(std::span<Mueller> throughput, double radiance_scale, double point) {
+    const double probability = std::min(kSurvival, largest_share(throughput) / radiance_scale);
     if (!(point < probability)) return false;
     for (Mueller& m : throughput) m *= 1 / probability;
     return true;
@@ -54,7 +55,8 @@ bool PathTracer::add(const Ray& ray, const Frame& received, const LowDiscrepancy
         return false;
     }
     lights_.add_emitted(*found, received, workspace, sum);
-    follow(*found, ray.direction, received, points, index, sum, workspace);
+    follow({.found = *found, .direction = ray.direction, .received = received}, points, index, sum,
+           workspace);
     return true;
 }
 
@@ -69,31 +71,54 @@ void PathTracer::begin(const Ray& ray, const Frame& received, std::size_t channe
     workspace.irradiance.resize(channels);
 }
 
-void PathTracer::follow(RayHit found, glm::dvec3 direction, Frame received, const LowDiscrepancy& points,
-                        std::uint32_t index, std::span<Stokes> sum, PathWorkspace& workspace) const {
+void PathTracer::follow(Path path, const LowDiscrepancy& points, std::uint32_t index, std::span<Stokes> sum,
+                        PathWorkspace& workspace) const {
     // Each vertex has streams for its lights, for the direction of the next segment and for the roulette.
-    std::uint32_t stream = kFirstStream;
-    const std::uint32_t next_direction = lights_.streams();
-    const std::uint32_t roulette = next_direction + 1;
-    for (int depth = kDirectLightDepth; depth <= max_depth_; ++depth, stream += roulette + 1) {
-        const SurfaceHit hit = scene_.surface_at(found, direction);
-        if (!seen(hit, direction)) return;
-        const PathVertex vertex(hit, received, workspace);
-        lights_.add_sampled(vertex, points, index, stream, sum);
+    VertexPoints vertex_points{.points = points, .index = index, .first_stream = kFirstStream};
+    const std::uint32_t roulette = lights_.streams() + 1;
+    for (int depth = kDirectLightDepth; depth <= max_depth_; ++depth) {
+        const SurfaceHit hit = scene_.surface_at(path.found, path.direction);
         const bool last = depth == max_depth_;
-        if (last && !lights_.along()) return;
-        const glm::dvec3 towards_light = vertex.sample(points.point(index, stream + next_direction));
-        if (!vertex.lit_from(towards_light)) return;
-        const std::optional<RayHit> next = lights_.add_along(vertex, towards_light, sum);
-        if (!next || last) return;
-        vertex.extend(towards_light, vertex.pdf(towards_light));
+        const SmoothBoundary* const boundary = hit.side.material->boundary();
+        const bool goes_on = boundary != nullptr ? pass(path, *boundary, hit, vertex_points, sum, workspace)
+                                                 : scatter(path, hit, vertex_points, last, sum, workspace);
+        if (!goes_on || last) return;
         if (depth >= kRouletteDepth &&
-            !survives(workspace.throughput, points.point(index, stream + roulette).x))
+            !survives(workspace.throughput, path.radiance_scale, vertex_points.at(roulette).x))
             return;
-        found = *next;
-        direction = vertex.in_world(towards_light);
-        received = vertex.incident_frame(towards_light);
+        vertex_points.first_stream += roulette + 1;
     }
+}
+
+bool PathTracer::scatter(Path& path, const SurfaceHit& hit, const VertexPoints& points, bool last,
+                         std::span<Stokes> sum, PathWorkspace& workspace) const {
+    if (!seen(hit, path.direction)) return false;
+    const PathVertex vertex(hit, path.received, workspace);
+    lights_.add_sampled(vertex, points.points, points.index, points.first_stream, sum);
+    if (last && !lights_.along()) return false;
+    const glm::dvec3 towards_light = vertex.sample(points.at(lights_.streams()));
+    if (!vertex.lit_from(towards_light)) return false;
+    const std::optional<RayHit> next = lights_.add_along(vertex, towards_light, sum);
+    if (!next || last) return false;
+    vertex.extend(towards_light, vertex.pdf(towards_light));
+    path.found = *next;
+    path.direction = vertex.in_world(towards_light);
+    path.received = vertex.incident_frame(towards_light);
+    return true;
+}
+
+bool PathTracer::pass(Path& path, const SmoothBoundary& boundary, const SurfaceHit& hit,
+                      const VertexPoints& points, std::span<Stokes> sum, PathWorkspace& workspace) const {
+    const auto event =
+        sample_boundary(boundary, hit, path.received, points.at(lights_.streams()).x, workspace);
+    if (!event) return false;
+    const std::optional<RayHit> next = lights_.add_arriving(event->ray, event->incident, workspace, sum);
+    if (!next) return false;
+    path = {.found = *next,
+            .direction = event->ray.direction,
+            .received = event->incident,
+            .radiance_scale = path.radiance_scale * event->radiance_scale};
+    return true;
 }
 
 }  // namespace nicol

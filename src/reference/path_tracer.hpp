@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Paths of light from the camera backwards: each surface on a path reflects light of the scene's lights and
-// of the next surface.
+// Paths of light from the camera backwards: each surface on a path reflects, or transmits, light of the
+// scene's lights and of the next surface.
 #pragma once
 
 #include <cstdint>
@@ -31,9 +31,35 @@ public:
 
 private:
     void begin(const Ray& ray, const Frame& received, std::size_t channels, PathWorkspace& workspace) const;
-    /// Adds the light that surfaces reflect along a path that has met its first surface.
-    void follow(RayHit found, glm::dvec3 direction, Frame received, const LowDiscrepancy& points,
-                std::uint32_t index, std::span<Stokes> sum, PathWorkspace& workspace) const;
+    /// End of a path that has met a surface.
+    struct Path {
+        RayHit found;
+        glm::dvec3 direction;       ///< direction of the ray that has met the surface
+        Frame received;             ///< frame of the light that travels against the ray
+        double radiance_scale = 1;  ///< product of BoundaryEvent::radiance_scale
+    };
+    /// Points that choose what happens at one vertex.
+    struct VertexPoints {
+        const LowDiscrepancy& points;
+        std::uint32_t index;
+        std::uint32_t first_stream;
+
+        [[nodiscard]] glm::dvec2 at(std::uint32_t stream) const {
+            return points.point(index, first_stream + stream);
+        }
+    };
+
+    /// Adds the light that surfaces reflect or transmit along a path that has met its first surface.
+    void follow(Path path, const LowDiscrepancy& points, std::uint32_t index, std::span<Stokes> sum,
+                PathWorkspace& workspace) const;
+    /// Adds the light that a surface reflects, and moves the path to the next surface. Returns false if the
+    /// path ends. last: whether the path ends in any case.
+    bool scatter(Path& path, const SurfaceHit& hit, const VertexPoints& points, bool last,
+                 std::span<Stokes> sum, PathWorkspace& workspace) const;
+    /// Adds the light that a smooth boundary reflects or transmits, and moves the path to the next surface.
+    /// Returns false if the path ends.
+    bool pass(Path& path, const SmoothBoundary& boundary, const SurfaceHit& hit, const VertexPoints& points,
+              std::span<Stokes> sum, PathWorkspace& workspace) const;
 
     const TracedScene& scene_;
     const SceneLights& lights_;

@@ -56,16 +56,25 @@ bool SceneLights::along() const noexcept {
 
 void SceneLights::add_background(const glm::dvec3& direction, const Frame& received, PathWorkspace& workspace,
                                  std::span<Stokes> sum) const {
-    if (environment_ == nullptr || emitters_hidden_) return;
+    if (!emitters_hidden_) add_sky(direction, received, workspace, sum);
+}
+
+void SceneLights::add_emitted(const RayHit& hit, const Frame& received, PathWorkspace& workspace,
+                              std::span<Stokes> sum) const {
+    if (!emitters_hidden_) add_emission(hit, received, workspace, sum);
+}
+
+void SceneLights::add_sky(const glm::dvec3& direction, const Frame& received, PathWorkspace& workspace,
+                          std::span<Stokes> sum) const {
+    if (environment_ == nullptr) return;
     const glm::dvec3 towards_light = glm::normalize(direction * light_to_world_);
     const double angle = angle_between(light_to_world_ * theta_phi_frame(-towards_light), received);
     for (std::size_t c = 0; c < sum.size(); ++c)
         sum[c] += workspace.throughput[c] * rotated(radiance(static_cast<int>(c), towards_light), angle);
 }
 
-void SceneLights::add_emitted(const RayHit& hit, const Frame& received, PathWorkspace& workspace,
-                              std::span<Stokes> sum) const {
-    if (emitters_hidden_) return;
+void SceneLights::add_emission(const RayHit& hit, const Frame& received, PathWorkspace& workspace,
+                               std::span<Stokes> sum) const {
     if (!surfaces_.surfaces()[hit.surface].emitted(hit, received, workspace.incident)) return;
     for (std::size_t c = 0; c < sum.size(); ++c) sum[c] += workspace.throughput[c] * workspace.incident[c];
 }
@@ -83,21 +92,45 @@ void SceneLights::add_sampled(const PathVertex& vertex, const LowDiscrepancy& po
         add_sampled_area_light(at, area_light_sampler_.sample(i, points.point(index, stream++)));
 }
 
+template <class Visit>
+bool SceneLights::visit_surfaces(Ray ray, PathWorkspace& workspace, std::optional<RayHit>& first,
+                                 const Visit& visit) const {
+    if (shadows_) ++workspace.shadow_rays;
+    first = surfaces_.rays().intersect(ray);
+    for (std::optional<RayHit> found = first; found; found = surfaces_.rays().intersect(ray)) {
+        visit(*found);
+        if (shadows_) return false;
+        ray.nearest = found->distance + surfaces_.surfaces()[found->surface].ray_offset(*found);
+    }
+    return true;
+}
+
 std::optional<RayHit> SceneLights::add_along(const PathVertex& vertex, const glm::dvec3& towards_light,
                                              std::span<Stokes> sum) const {
     const Reflection at{.vertex = vertex, .workspace = vertex.workspace(), .sum = sum};
-    Ray ray = vertex.ray(towards_light);
-    if (shadows_) ++at.workspace.shadow_rays;
-    const std::optional<RayHit> first = surfaces_.rays().intersect(ray);
-    // Without shadows, light passes through surfaces.
-    for (std::optional<RayHit> found = first; found; found = surfaces_.rays().intersect(ray)) {
-        if (along()) add_area_light(at, towards_light, *found);
-        if (shadows_) return first;
-        ray.nearest = found->distance + surfaces_.surfaces()[found->surface].ray_offset(*found);
-    }
-    if (!along()) return first;
+    std::optional<RayHit> first;
+    const bool sky = visit_surfaces(vertex.ray(towards_light), at.workspace, first, [&](const RayHit& found) {
+        if (along()) add_area_light(at, towards_light, found);
+    });
+    if (!sky || !along()) return first;
     if (environment_ != nullptr) add_environment(at, towards_light);
     for (const SkyDisc& disc : discs_) add_disc(at, disc, towards_light);
+    return first;
+}
+
+std::optional<RayHit> SceneLights::add_arriving(const Ray& ray, const Frame& received,
+                                                PathWorkspace& workspace, std::span<Stokes> sum) const {
+    std::optional<RayHit> first;
+    const bool sky = visit_surfaces(
+        ray, workspace, first, [&](const RayHit& found) { add_emission(found, received, workspace, sum); });
+    if (!sky) return first;
+    add_sky(ray.direction, received, workspace, sum);
+    for (const SkyDisc& disc : discs_) {
+        if (disc.pdf(ray.direction) == 0) continue;
+        set_incident(disc, received, workspace);
+        for (std::size_t c = 0; c < sum.size(); ++c)
+            sum[c] += workspace.throughput[c] * workspace.incident[c];
+    }
     return first;
 }
 
@@ -165,12 +198,15 @@ void SceneLights::add_environment(const Reflection& at, const glm::dvec3& toward
 void SceneLights::add_disc(const Reflection& at, const SkyDisc& disc, const glm::dvec3& towards_light) const {
     const double of_light = disc.pdf(at.vertex.in_world(towards_light));
     if (of_light == 0) return;
-    const LocalLight& light = disc.light();
-    const Stokes state = stokes_in(at.vertex.incident_frame(towards_light), light.state,
-                                   axis_in_world(light.to_world, light.state));
-    for (int c = 0; c < surfaces_.channels(); ++c)
-        at.workspace.incident[static_cast<std::size_t>(c)] = disc.radiance(c) * state;
+    set_incident(disc, at.vertex.incident_frame(towards_light), at.workspace);
     at.vertex.add_reflected(towards_light, pdf(at, towards_light, of_light), true, at.sum);
+}
+
+void SceneLights::set_incident(const SkyDisc& disc, const Frame& frame, PathWorkspace& workspace) const {
+    const LocalLight& light = disc.light();
+    const Stokes state = stokes_in(frame, light.state, axis_in_world(light.to_world, light.state));
+    for (std::size_t c = 0; c < workspace.incident.size(); ++c)
+        workspace.incident[c] = disc.radiance(static_cast<int>(c)) * state;
 }
 
 void SceneLights::add_area_light(const Reflection& at, const glm::dvec3& towards_light,

@@ -50,6 +50,10 @@ public:
     /// chosen. Returns the first surface in this direction.
     std::optional<RayHit> add_along(const PathVertex& vertex, const glm::dvec3& towards_light,
                                     std::span<Stokes> sum) const;
+    /// Adds the light of the lights with a size that arrives against a ray, in the frame `received` at the
+    /// path's end, as a smooth boundary shows it. Returns the first surface on the ray.
+    std::optional<RayHit> add_arriving(const Ray& ray, const Frame& received, PathWorkspace& workspace,
+                                       std::span<Stokes> sum) const;
 
 private:
     /// Light that add functions add to, at a vertex.
@@ -65,12 +69,26 @@ private:
     [[nodiscard]] double area_light_pdf(const Reflection& at, const RayHit& place) const;
     [[nodiscard]] bool hidden(const Reflection& at, const glm::dvec3& towards_light, double distance) const;
     [[nodiscard]] Stokes radiance(int channel, const glm::dvec3& towards_light) const;
+    /// Calls visit(hit) for the first surface on a ray, or for all surfaces if they hide no light. Sets
+    /// `first` to the first one. Returns whether light of the sky arrives.
+    template <class Visit>
+    bool visit_surfaces(Ray ray, PathWorkspace& workspace, std::optional<RayHit>& first,
+                        const Visit& visit) const;
+
+    // Each function adds, as the public functions, but also if the camera does not see emitters.
+    void add_sky(const glm::dvec3& direction, const Frame& received, PathWorkspace& workspace,
+                 std::span<Stokes> sum) const;
+    void add_emission(const RayHit& hit, const Frame& received, PathWorkspace& workspace,
+                      std::span<Stokes> sum) const;
 
     // Each function adds the reflection of a light, unless the light is hidden.
     void add_sampled_environment(const Reflection& at, const glm::dvec2& point) const;
     void add_sampled_disc(const Reflection& at, const SkyDisc& disc, const glm::dvec2& point) const;
     void add_sampled_area_light(const Reflection& at, const RayHit& place) const;
     void add_without_size(const Reflection& at, const LocalLight& light) const;
+
+    /// Sets the incident radiance to a disc's light.
+    void set_incident(const SkyDisc& disc, const Frame& frame, PathWorkspace& workspace) const;
 
     // Each function adds the reflection of a light in a direction. Nothing hides the light.
     void add_environment(const Reflection& at, const glm::dvec3& towards_light) const;

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// Reflection or refraction of a path at a smooth boundary that transmits light.
+#pragma once
+
+#include <optional>
+
+#include "material/dielectric.hpp"
+#include "reference/path_vertex.hpp"
+#include "reference/traced_surface.hpp"
+
+namespace nicol {
+
+/// Direction in which a path goes on beyond a smooth boundary.
+struct BoundaryEvent {
+    Ray ray;         ///< ray from the boundary towards the light
+    Frame incident;  ///< frame of the light that arrives against the ray
+    /// Factor by which the refraction changes radiance: light that enters a body of higher index is
+    /// compressed into a smaller solid angle. The radiance divided by the square of the index stays the same.
+    double radiance_scale;
+};
+
+/// Chooses reflection or transmission in proportion to their shares of unpolarized light, and moves the
+/// path's end from the light that leaves `hit`, in the frame `received`, to the light that arrives. point: in
+/// [0, 1). Returns nothing if the boundary absorbs all light.
+[[nodiscard]] std::optional<BoundaryEvent> sample_boundary(const SmoothBoundary& boundary,
+                                                           const SurfaceHit& hit, const Frame& received,
+                                                           double point, PathWorkspace& workspace);
+
+}  // namespace nicol
