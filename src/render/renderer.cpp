@@ -92,6 +92,17 @@ void check_varying(const RenderOptions& options) {
         refuse_unsupported("the dense method has no textures; set method to factored or reference");
 }
 
+// Throws Error(unsupported) if the options do not allow a material that light passes.
+void check_transmitting(const Scene& scene, const RenderOptions& options) {
+    if (options.method == Method::reference) return;
+    for (std::size_t i = 0; i < scene.instances().size(); ++i)
+        if (scene.instances()[i].material->boundary() != nullptr)
+            throw Error(ErrorCode::unsupported,
+                        "the material of instance " + std::to_string(scene.ids()[i]) +
+                            " is glass that light passes (dielectric or thindielectric), which only the "
+                            "reference method follows; set method to reference");
+}
+
 // Throws if the image has too many samples for the visibility buffer, which shading at pixels and elements
 // need.
 void check_size(const Scene& scene, const RenderOptions& options, const Framebuffer& target) {
@@ -178,6 +189,7 @@ void Renderer::render(const Scene& scene, const Camera& camera, const RenderOpti
     }
     check(options);
     if (scene.varies()) check_varying(options);
+    check_transmitting(scene, options);
     check_size(scene, options, target);
     memory_limit_.check(scene, options, target.width(), target.height());
     if (!grey || options.method == Method::reference) return render_into(scene, camera, options, target);
