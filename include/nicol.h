@@ -1173,7 +1173,7 @@ typedef uint32_t nicol_method;
 #define NICOL_METHOD_DENSE 1u
 /* Monte Carlo integration of the light at each pixel, with shadows, without harmonics. The method is slow,
  * noisy and unbiased: the reference for the other methods. With max_depth it follows light that surfaces
- * reflect to each other, with full Mueller matrices along each path. */
+ * reflect to each other and, through smooth glass, transmit, with full Mueller matrices along each path. */
 #define NICOL_METHOD_REFERENCE 2u
 
 /* Reflection of the light's orders above order_low: the light is prefiltered by lobes, looked up at the

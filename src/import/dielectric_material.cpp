@@ -6,6 +6,7 @@
 #include "import/diffuse_material.hpp"
 #include "import/material_readers.hpp"
 #include "import/nested_material.hpp"
+#include "material/dielectric.hpp"
 
 namespace nicol::scene {
 namespace {
@@ -19,31 +20,63 @@ bool reflects_often(const XmlDocument& document) {
     return IntegratorDescription().reflects_often();
 }
 
-}  // namespace
+/// Reads a factor of 0 to 1 into a parameter.
+void read_factor(const MaterialSource& source, const char* name, ModelOf<DielectricParameters>& model,
+                 ColorParameter DielectricParameters::*parameter) {
+    const TexturedColor color = read_color(source.document, source.plugin, name, 1.0, 1.0);
+    if (color.texture)
+        source.plugin.fail(name, "is a texture; glass that light passes has constant colours",
+                           ErrorCode::unsupported);
+    model.set(parameter, color);
+}
 
-MaterialDescription read_dielectric(const MaterialSource& source) {
-    Plugin& plugin = source.plugin;
-    if (reflects_often(source.document))
-        plugin.fail(
-            "",
-            "lets light through, which is not followed: light is reflected once. With an integrator of "
-            "max_depth 2, or \"direct\", it is read as what its boundary reflects",
-            ErrorCode::unsupported);
-    double int_ior = 1.5046;  // Mitsuba's: glass
-    double ext_ior = 1.000277;
-    read_indices(plugin, int_ior, ext_ior);
+ModelOf<DielectricParameters> read_glass(const MaterialSource& source,
+                                         ModelOf<DielectricParameters>::Make make) {
+    ModelOf<DielectricParameters> model(make);
+    read_indices(source.plugin, model.parameters.int_ior, model.parameters.ext_ior);
+    read_factor(source, "specular_reflectance", model, &DielectricParameters::specular_reflectance);
+    read_factor(source, "specular_transmittance", model, &DielectricParameters::specular_transmittance);
+    return model;
+}
+
+/// Returns a body of glass that shows only what its boundary reflects.
+MetalModel read_reflection(const MaterialSource& source) {
+    DielectricParameters glass;
+    read_indices(source.plugin, glass.int_ior, glass.ext_ior);
     // A metal that absorbs nothing.
     MetalModel model;
-    model.eta = int_ior / ext_ior;
+    model.eta = glass.int_ior / glass.ext_ior;
     model.k = 0.0;
     read_color(source, "specular_reflectance", model, &RoughConductorParameters::specular_reflectance);
-    static_cast<void>(read_color(source.document, plugin, "specular_transmittance", 1.0, 1.0));
+    static_cast<void>(read_color(source.document, source.plugin, "specular_transmittance", 1.0, 1.0));
     model.parameters.alpha = 0.0;
-    if (plugin.type() == "roughdielectric") set_facets(read_facets(source), model);
     source.notices.add_once(source.node,
                             "of dielectric and roughdielectric what passes through them is left out, and "
                             "what is inside");
     return model;
+}
+
+}  // namespace
+
+MaterialDescription read_dielectric(const MaterialSource& source) {
+    if (reflects_often(source.document)) return read_glass(source, dielectric);
+    return read_reflection(source);
+}
+
+MaterialDescription read_rough_dielectric(const MaterialSource& source) {
+    if (reflects_often(source.document))
+        source.plugin.fail("",
+                           "lets light through a rough surface, which is not followed. With an integrator of "
+                           "max_depth 2, or "
+                           "\"direct\", it is read as what its boundary reflects",
+                           ErrorCode::unsupported);
+    MetalModel model = read_reflection(source);
+    set_facets(read_facets(source), model);
+    return model;
+}
+
+MaterialDescription read_thin_dielectric(const MaterialSource& source) {
+    return read_glass(source, thin_dielectric);
 }
 
 MaterialDescription read_null(const MaterialSource&) {

@@ -16,7 +16,7 @@ std::string reason(pugi::xml_node node) {
     const std::string type = node.attribute("type").value();
     if (is_element_material(node))
         return "it belongs into a <shape> of type rectangle or disk that emits no light";
-    if (type == "thindielectric" || type == "principledthin") return "nothing passes through a surface";
+    if (type == "principledthin") return "no light passes through a rough surface";
     return "";
 }
 

@@ -27,9 +27,13 @@ struct MaterialSource {
 [[nodiscard]] MaterialDescription read_diffuse(const MaterialSource& source);
 /// conductor, roughconductor
 [[nodiscard]] MaterialDescription read_conductor(const MaterialSource& source);
-/// dielectric, roughdielectric: what their boundary reflects. Refused where light is asked for that surfaces
-/// reflect to each other: most of what passes through them is.
+/// Reads what the boundary reflects if the scene's integrator reflects light once, and otherwise a material
+/// that light passes.
 [[nodiscard]] MaterialDescription read_dielectric(const MaterialSource& source);
+/// Reads what the boundary reflects. Throws Error(unsupported) if the scene's integrator reflects light more
+/// than once, because most of that light passes through the boundary.
+[[nodiscard]] MaterialDescription read_rough_dielectric(const MaterialSource& source);
+[[nodiscard]] MaterialDescription read_thin_dielectric(const MaterialSource& source);
 [[nodiscard]] MaterialDescription read_null(const MaterialSource& source);
 [[nodiscard]] MaterialDescription read_principled(const MaterialSource& source);
 [[nodiscard]] MaterialDescription read_measured(const MaterialSource& source);
@@ -54,7 +58,8 @@ inline constexpr MaterialType kMaterialTypes[] = {{"pplastic", read_pplastic},
                                                   {"conductor", read_conductor},
                                                   {"roughconductor", read_conductor},
                                                   {"dielectric", read_dielectric},
-                                                  {"roughdielectric", read_dielectric},
+                                                  {"thindielectric", read_thin_dielectric},
+                                                  {"roughdielectric", read_rough_dielectric},
                                                   {"null", read_null},
                                                   {"principled", read_principled},
                                                   {"measured_polarized", read_measured},

@@ -89,9 +89,9 @@ TEST_CASE("plug-ins and elements that do not exist here, with what does") {
                  "obj, ply, off, stl, serialized, sphere, rectangle, cube, disk, cylinder, shapegroup, "
                  "instance, merge"});
     unsupported("<bsdf type='principledthin'/>",
-                {":2: bsdf \"principledthin\"", "nothing passes",
+                {":2: bsdf \"principledthin\"", "no light passes",
                  "pplastic, plastic, roughplastic, diffuse, conductor, roughconductor, dielectric, "
-                 "roughdielectric, null, principled, measured_polarized, psh, twosided"});
+                 "thindielectric, roughdielectric, null, principled, measured_polarized, psh, twosided"});
     unsupported("<integrator type='bdpt'/>", {"integrator \"bdpt\"", "stokes, moment, aov, direct"});
     unsupported("<integrator type='stokes'><integrator type='prb'/></integrator>", {"\"prb\""});
     unsupported("<sensor type='batch'/>",

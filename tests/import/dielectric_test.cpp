@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Tests of plastic, dielectric and null materials: results and refusals.
+#include "material/dielectric.hpp"
 #include "import/described_material.hpp"
 #include "import/load_scene.hpp"
 #include "import/scene_file.hpp"
@@ -96,18 +97,45 @@ TEST_CASE("glass is what its boundary reflects, where light is reflected once") 
     CHECK(has_notice(both.notices, "scene.xml:4: of dielectric and roughdielectric what passes through"));
 }
 
-TEST_CASE("glass is refused where light is to be reflected often, wherever the integrator stands") {
+TEST_CASE("light passes glass where it is to be reflected often, wherever the integrator stands") {
     const std::string often = "<integrator type='path'/>\n";
-    const std::vector<std::string> parts = {"lets light through", "max_depth 2"};
-    for (const std::string type : {"dielectric", "roughdielectric"}) {
-        const std::string bsdf = "\n<bsdf type='" + type + "'/>";
-        std::vector<std::string> all = parts;
-        all.push_back("bsdf \"" + type + "\"");
-        refused(shape_with(bsdf) + often, ErrorCode::unsupported, 5, all);
-        refused(often + shape_with(bsdf), ErrorCode::unsupported, 6, all);
-        refused(shape_with(bsdf), ErrorCode::unsupported, 5, all);  // Mitsuba reflects repeatedly
+    const std::string coloured =
+        "<float name='int_ior' value='3'/><float name='ext_ior' value='2'/>"
+        "<rgb name='specular_transmittance' value='0.5, 0.25, 1'/>"
+        "<float name='specular_reflectance' value='0.75'/></bsdf>";
+    const auto boundary = [](const std::string& content) {
+        const LoadedScene loaded = load_scene(SceneFile(::scene(content)).scene(), {});
+        REQUIRE(loaded.scene.instances().front().material->boundary() != nullptr);
+        return *loaded.scene.instances().front().material->boundary();
+    };
+    const std::string body = shape_with("<bsdf type='dielectric'>" + coloured);
+    for (const std::string& content : {body + often, often + body, body}) {  // Mitsuba reflects repeatedly
+        const SmoothBoundary made = boundary(content);
+        CHECK(made.behind == SmoothBoundary::Behind::body);
+        CHECK(made.eta == 1.5);
+        CHECK(made.reflectance.front() == 0.75);
+        CHECK(made.transmittance == std::vector{0.5, 0.25, 1.0});
     }
-    refused(once + "<bsdf type='thindielectric'/>", ErrorCode::unsupported, 3, {"nothing passes through"});
+    CHECK(
+        boundary(shape_with("<bsdf type='dielectric'><string name='int_ior' value='diamond'/></bsdf>")).eta ==
+        doctest::Approx(2.419 / 1.000277));
+    CHECK(boundary(shape_with("<bsdf type='dielectric'/>")).eta == doctest::Approx(1.5046 / 1.000277));
+    // Light goes straight through a thin plate, so it passes with any integrator.
+    for (const std::string& integrator : {often, once})
+        CHECK(boundary(shape_with("<bsdf type='thindielectric'/>") + integrator).behind ==
+              SmoothBoundary::Behind::slab);
+}
+
+TEST_CASE("glass that no method follows is refused") {
+    const std::string often = "<integrator type='path'/>\n";
+    const std::string rough = "\n<bsdf type='roughdielectric'/>";
+    const std::vector<std::string> parts = {"bsdf \"roughdielectric\"", "lets light through", "max_depth 2"};
+    refused(shape_with(rough) + often, ErrorCode::unsupported, 5, parts);
+    refused(often + shape_with(rough), ErrorCode::unsupported, 6, parts);
+    refused(shape_with(rough), ErrorCode::unsupported, 5, parts);
+    refused(once + "<bsdf type='principledthin'/>", ErrorCode::unsupported, 3, {"no light passes through"});
+    refused("<bsdf type='thindielectric'><texture type='checkerboard' name='specular_transmittance'/></bsdf>",
+            ErrorCode::unsupported, 2, {"specular_transmittance", "constant colours"});
 }
 
 TEST_CASE("materials of boundaries are made as they are described") {
