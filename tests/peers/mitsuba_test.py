@@ -174,6 +174,21 @@ DEPTHS = (3, 6, nicol.DEPTH_UNLIMITED)
 # Tolerated differences of light that is reflected several times, over means of blocks of pixels.
 PATH_LIMITS = numpy.array((0.01, 0.005, 0.005, 0.005))
 BLOCK = 4
+GLASS = '<bsdf type="dielectric"><float name="int_ior" value="1.5"/></bsdf>'
+THIN_GLASS = '<bsdf type="thindielectric"><float name="int_ior" value="1.5"/></bsdf>'
+# A cube beside the sphere shows total reflection.
+BLOCK_OF_GLASS = f'''<shape type="cube"><transform name="to_world"><scale value="0.4"/><rotate y="1" angle="25"/><translate x="1.1" y="-0.5" z="0.9"/></transform>
+    {GLASS}</shape>'''
+PANE = f'''<shape type="rectangle"><transform name="to_world"><scale value="0.8"/><rotate x="1" angle="-50"/><translate x="0.3" y="0.6" z="1.6"/></transform>
+    {THIN_GLASS}</shape>'''
+# Scenes of glass, each with its limits. Mitsuba's thindielectric depolarizes, so that s0 alone is compared, of light that arrives unpolarized.
+S0_ALONE = numpy.array((0.01, numpy.inf, numpy.inf, numpy.inf))
+GLASSES = {
+    "glass on a floor, environment": (GLASS, FLOOR.format(plastic()) + BLOCK_OF_GLASS, FOREST, PATH_LIMITS),
+    "glass on a floor, area": (GLASS, FLOOR.format(plastic()) + BLOCK_OF_GLASS, LAMP, PATH_LIMITS),
+    "pane before a ball, environment": (ROUGH, FLOOR.format(ROUGH) + PANE, FOREST, S0_ALONE),
+}
+GLASS_DEPTH = 12
 
 
 def write_text(folder, text):
@@ -269,6 +284,19 @@ class MitsubaTest(unittest.TestCase):
                     self.check_close(ours(scene, depth), truth, PATH_LIMITS)
                     error, deviation = peer.squared_error(direct, truth)
                     self.assertTrue((error > PATH_LIMITS**2 + 4 * deviation).any(), "direct light alone does")
+
+    def test_glass(self):
+        """The reference method follows light through glass. Other methods refuse it."""
+        options = {"method": nicol.METHOD_REFERENCE, "samples": 1024, "max_depth": GLASS_DEPTH}
+        for case, (sphere, floor, lights, limits) in GLASSES.items():
+            with self.subTest(case=case):
+                print(case, end=":")
+                scene = write_text(self.folder, SCENE.format(assets=ASSETS, depth=GLASS_DEPTH, integrator="path", lights=lights, sphere=sphere, floor=floor))
+                truth = [blocks(image) for image in mitsuba_images(scene)]
+                ours = [blocks(peer.nicol_image(scene, seed=seed, **options)) for seed in (1, 2)]
+                self.check_close(ours, truth, limits)
+                with self.assertRaisesRegex(nicol.Error, r"instance \d is glass that light passes.*set method to reference"):
+                    peer.nicol_image(scene, method=nicol.METHOD_FACTORED)
 
     def test_angles(self):
         """The AoLP agrees modulo 180 degrees wherever light is polarized."""
