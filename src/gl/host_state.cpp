@@ -3,7 +3,6 @@
 #include "gl/host_state.hpp"
 
 #include <algorithm>
-#include <ranges>
 
 #include "gl/host_program.hpp"
 
@@ -47,7 +46,7 @@ HostState::HostState(const Context::State& state, bool restores)
     : state_(state), gl_(state.gl), restoring_(restores) {}
 
 HostState::~HostState() {
-    for (const std::function<void()>& command : restores_ | std::views::reverse) command();
+    for (; !restores_.empty(); restores_.pop_back()) restores_.back()();
 }
 
 template <class Set>
