@@ -22,7 +22,7 @@ public:
     [[nodiscard]] int terms() const noexcept override { return 1; }
     [[nodiscard]] double weight(int, int) const override { return 0; }
     [[nodiscard]] double lobe_width(int) const noexcept override { return 1; }
-    [[nodiscard]] const SmoothBoundary* boundary() const noexcept override { return &boundary_; }
+    [[nodiscard]] const SmoothBoundary* smooth_boundary() const noexcept override { return &boundary_; }
     [[nodiscard]] std::string content_key() const override {
         return Key("dielectric")
             .add("eta", boundary_.eta)

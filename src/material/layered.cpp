@@ -17,7 +17,7 @@ class Layered final : public Material {
 public:
     explicit Layered(SpatialVariation variation) : variation_(std::move(variation)) {
         for (const MaterialLayer& layer : variation_.layers) {
-            if (layer.material->boundary() != nullptr)
+            if (layer.material->smooth_boundary() != nullptr)
                 throw Error(ErrorCode::unsupported,
                             "a material that light passes is part of a blend, a mask or a normal map, or is "
                             "scaled by a texture; use it alone");

@@ -106,7 +106,7 @@ public:
     /// Returns the smooth boundary that transmits light, and reflects the rest of it like a mirror; null: no
     /// light passes. A delta function describes such a boundary, so all terms of its material are 0. Rays
     /// follow the light; tables of reflectance cannot hold it.
-    [[nodiscard]] virtual const SmoothBoundary* boundary() const noexcept { return nullptr; }
+    [[nodiscard]] virtual const SmoothBoundary* smooth_boundary() const noexcept { return nullptr; }
 
     /// Returns everything that the values depend on, as text: materials with equal keys have equal values.
     /// Empty if that is unknown, as for a callback.

@@ -78,7 +78,7 @@ private:
 MaterialPtr twosided(MaterialPtr material) {
     if (material == nullptr)
         throw Error(ErrorCode::invalid_argument, "twosided: the material is null; give one");
-    if (material->boundary() != nullptr)
+    if (material->smooth_boundary() != nullptr)
         throw Error(ErrorCode::invalid_argument,
                     "twosided: the material lets light through and has two sides by itself; use it alone");
     if (const SpatialVariation* variation = material->variation()) {

@@ -79,7 +79,7 @@ void PathTracer::follow(Path path, const LowDiscrepancy& points, std::uint32_t i
     for (int depth = kDirectLightDepth; depth <= max_depth_; ++depth) {
         const SurfaceHit hit = scene_.surface_at(path.found, path.direction);
         const bool last = depth == max_depth_;
-        const SmoothBoundary* const boundary = hit.side.material->boundary();
+        const SmoothBoundary* const boundary = hit.side.material->smooth_boundary();
         const bool goes_on = boundary != nullptr ? pass(path, *boundary, hit, vertex_points, sum, workspace)
                                                  : scatter(path, hit, vertex_points, last, sum, workspace);
         if (!goes_on || last) return;

@@ -96,7 +96,7 @@ void check_varying(const RenderOptions& options) {
 void check_transmitting(const Scene& scene, const RenderOptions& options) {
     if (options.method == Method::reference) return;
     for (std::size_t i = 0; i < scene.instances().size(); ++i)
-        if (scene.instances()[i].material->boundary() != nullptr)
+        if (scene.instances()[i].material->smooth_boundary() != nullptr)
             throw Error(ErrorCode::unsupported,
                         "the material of instance " + std::to_string(scene.ids()[i]) +
                             " is glass that light passes (dielectric or thindielectric), which only the "

@@ -105,8 +105,8 @@ TEST_CASE("light passes glass where it is to be reflected often, wherever the in
         "<float name='specular_reflectance' value='0.75'/></bsdf>";
     const auto boundary = [](const std::string& content) {
         const LoadedScene loaded = load_scene(SceneFile(::scene(content)).scene(), {});
-        REQUIRE(loaded.scene.instances().front().material->boundary() != nullptr);
-        return *loaded.scene.instances().front().material->boundary();
+        REQUIRE(loaded.scene.instances().front().material->smooth_boundary() != nullptr);
+        return *loaded.scene.instances().front().material->smooth_boundary();
     };
     const std::string body = shape_with("<bsdf type='dielectric'>" + coloured);
     for (const std::string& content : {body + often, often + body, body}) {  // Mitsuba reflects repeatedly
