@@ -80,13 +80,14 @@ nicol_result nicol_framebuffer_write_exr(nicol_framebuffer framebuffer, const ch
         const nicol_framebuffer_impl& self = resolve(framebuffer);
         require(path, "path");
         const SessionLock lock(self.session);
+        const StokesImage* image = nullptr;
+        const Aovs* aovs = nullptr;
         self.session->gl->visit([&] {
-            static_cast<void>(self.content->image());
-            static_cast<void>(self.content->aovs());
+            image = &self.content->image();
+            if (self.content->aov_mask() != 0) aovs = &self.content->aovs();
         });
         const Stopwatch watch;
-        const Aovs* aovs = self.content->aov_mask() != 0 ? &self.content->aovs() : nullptr;
-        write_exr(path, self.content->image(), {.aovs = aovs});
+        write_exr(path, *image, {.aovs = aovs});
         self.content->statistics().observe_ms += watch.milliseconds();
     });
 }

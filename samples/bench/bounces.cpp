@@ -13,8 +13,6 @@ namespace {
 
 constexpr std::int32_t kAllLight = 12;  // depth after which little light is left
 
-constexpr const char* kSky = R"(<emitter type="envmap"><string name="filename" value=")" NICOL_BENCH_ASSETS
-                             R"(/forest.exr"/></emitter>)";
 constexpr const char* kLamp =
     R"(<shape type="rectangle"><transform name="to_world"><scale value="0.5"/><lookat origin="1,2.8,1" target="0,0,0" up="1,0,0"/>)"
     R"(</transform><emitter type="area"><rgb name="radiance" value="20,18,15"/></emitter></shape>)";
@@ -64,10 +62,10 @@ std::array<Example, 5> examples() {
     const std::string middle = ball("0,0,0", 1, plastic("0.7,0.4,0.2"));
     const std::string closing = wall(R"(y="1" angle="-90")", plastic("0.2,0.3,0.7")) +
                                 wall(R"(x="1" angle="90")", plastic("0.7,0.7,0.7"));
-    return {{{"a ball", "1.5,2,5", kSky + middle},
-             {"a ball on a floor", "1.5,2,5", kSky + middle + kFloor},
-             {"thirty balls on a floor", "1.5,2,5", kSky + thirty_balls() + kFloor},
-             {"a ball between three walls", "2,2,5", kSky + middle + three_walls()},
+    return {{{"a ball", "1.5,2,5", kForestLight + middle},
+             {"a ball on a floor", "1.5,2,5", kForestLight + middle + kFloor},
+             {"thirty balls on a floor", "1.5,2,5", kForestLight + thirty_balls() + kFloor},
+             {"a ball between three walls", "2,2,5", kForestLight + middle + three_walls()},
              {"a ball and a lamp between five walls", "0.5,2,7", kLamp + middle + three_walls() + closing}}};
 }
 

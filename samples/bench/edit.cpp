@@ -43,17 +43,13 @@ Material plastic(nicol_context context, float reflectance, float alpha) {
     nicol_pplastic parameters = NICOL_PPLASTIC_INIT;
     parameters.diffuse_reflectance = {.count = kChannels, .values = {reflectance, 0.3F, 0.2F}};
     parameters.alpha = alpha;
-    nicol_material material = nullptr;
-    check(nicol_material_create_pplastic(context, &parameters, &material));
-    return Material(material);
+    return create<Material>(nicol_material_create_pplastic, context, &parameters);
 }
 
 Environment forest(nicol_context context, double scale) {
     nicol_environment_load_options options = NICOL_ENVIRONMENT_LOAD_OPTIONS_INIT;
     options.scale = scale;
-    nicol_environment light = nullptr;
-    check(nicol_environment_load(context, NICOL_BENCH_ASSETS "/forest.exr", &options, &light));
-    return Environment(light);
+    return create<Environment>(nicol_environment_load, context, NICOL_BENCH_ASSETS "/forest.exr", &options);
 }
 
 Environment sky(nicol_context context, double sun) {
@@ -61,9 +57,7 @@ Environment sky(nicol_context context, double sun) {
     parameters.turbidity = 3;
     parameters.sun_direction[0] = static_cast<float>(std::sin(sun));
     parameters.sun_direction[1] = static_cast<float>(std::cos(sun));
-    nicol_environment light = nullptr;
-    check(nicol_environment_create_sky(context, &parameters, &light));
-    return Environment(light);
+    return create<Environment>(nicol_environment_create_sky, context, &parameters);
 }
 
 /// Time of a frame, in milliseconds on the clock and of all threads together, and its statistics.
@@ -76,13 +70,10 @@ struct Frame {
 /// A scene that is rendered with default options.
 class Film {
 public:
-    Film(nicol_context context, std::uint32_t size) : context_(context) {
-        nicol_scene scene = nullptr;
-        check(nicol_scene_create(context, &scene));
-        scene_.reset(scene);
-        nicol_framebuffer framebuffer = nullptr;
-        check(nicol_framebuffer_create(context, size, size, kChannels, &framebuffer));
-        framebuffer_.reset(framebuffer);
+    Film(nicol_context context, std::uint32_t size)
+        : context_(context),
+          scene_(create<Scene>(nicol_scene_create, context)),
+          framebuffer_(create<Framebuffer>(nicol_framebuffer_create, context, size, size, kChannels)) {
         const double origin[3] = {0, 6, 9}, target[3] = {0, 0, 0}, up[3] = {0, 1, 0};
         check(nicol_camera_look_at(&camera_, origin, target, up));
     }
@@ -190,10 +181,8 @@ public:
           grey_(plastic(context_.get(), 0.4F, 0.2F)),
           red_(plastic(context_.get(), 0.6F, 0.2F)) {
         film_.set_light(forest(context_.get(), 1));
-        nicol_mesh floor = nullptr;
-        check(nicol_mesh_create_rectangle(context_.get(), &floor));
-        const Mesh held(floor);
-        film_.add(floor, grey_.get(), {{7, 0, 0, 0, 0, 0, 7, 0, 0, -7, 0, 0, 0, 0, 0, 1}});
+        const auto floor = create<Mesh>(nicol_mesh_create_rectangle, context_.get());
+        film_.add(floor.get(), grey_.get(), {{7, 0, 0, 0, 0, 0, 7, 0, 0, -7, 0, 0, 0, 0, 0, 1}});
         // The first ball is the instance with the most vertices, which decides the axes of the bake.
         for (std::uint32_t i = 0; i < kBalls; ++i)
             balls_.push_back(film_.add(ball_.get(), i % 2 == 0 ? grey_.get() : red_.get(), ball_place(i)));

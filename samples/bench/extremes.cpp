@@ -13,8 +13,7 @@
 
 namespace {
 
-const std::string kForest = R"(<emitter type="envmap"><string name="filename" value=")" NICOL_BENCH_ASSETS
-                            R"(/forest.exr"/></emitter>)";
+const std::string kForest = kForestLight;
 const std::string kEvenSky = R"(<emitter type="constant"/>)";
 
 std::string number(const char* name, const std::string& value) {

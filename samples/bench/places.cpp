@@ -37,9 +37,7 @@ std::string at(const Place& place, double x, double y, double z) {
 }
 
 std::string light_of(const Place& place) {
-    if (place.light == "environment")
-        return R"(<emitter type="envmap"><string name="filename" value=")" NICOL_BENCH_ASSETS
-               R"(/forest.exr"/></emitter>)";
+    if (place.light == "environment") return kForestLight;
     if (place.light == "point")
         return R"(<emitter type="point"><point name="position" value=")" + at(place, 2, 4, 3) +
                R"("/><rgb name="intensity" value="30,25,20"/></emitter>)";

@@ -67,8 +67,7 @@ MaterialDescription read_rough_dielectric(const MaterialSource& source) {
     if (reflects_often(source.document))
         source.plugin.fail("",
                            "lets light through a rough surface, which is not followed. With an integrator of "
-                           "max_depth 2, or "
-                           "\"direct\", it is read as what its boundary reflects",
+                           "max_depth 2, or \"direct\", it is read as what its boundary reflects",
                            ErrorCode::unsupported);
     MetalModel model = read_reflection(source);
     set_facets(read_facets(source), model);

@@ -67,15 +67,17 @@ void SceneLights::add_emitted(const RayHit& hit, const Frame& received, PathWork
 void SceneLights::add_sky(const glm::dvec3& direction, const Frame& received, PathWorkspace& workspace,
                           std::span<Stokes> sum) const {
     if (environment_ == nullptr) return;
-    const glm::dvec3 towards_light = glm::normalize(direction * light_to_world_);
-    const double angle = angle_between(light_to_world_ * theta_phi_frame(-towards_light), received);
-    for (std::size_t c = 0; c < sum.size(); ++c)
-        sum[c] += workspace.throughput[c] * rotated(radiance(static_cast<int>(c), towards_light), angle);
+    set_incident(glm::normalize(direction * light_to_world_), received, workspace);
+    add_incident(workspace, sum);
 }
 
 void SceneLights::add_emission(const RayHit& hit, const Frame& received, PathWorkspace& workspace,
                                std::span<Stokes> sum) const {
     if (!surfaces_.surfaces()[hit.surface].emitted(hit, received, workspace.incident)) return;
+    add_incident(workspace, sum);
+}
+
+void SceneLights::add_incident(const PathWorkspace& workspace, std::span<Stokes> sum) {
     for (std::size_t c = 0; c < sum.size(); ++c) sum[c] += workspace.throughput[c] * workspace.incident[c];
 }
 
@@ -128,8 +130,7 @@ std::optional<RayHit> SceneLights::add_arriving(const Ray& ray, const Frame& rec
     for (const SkyDisc& disc : discs_) {
         if (disc.pdf(ray.direction) == 0) continue;
         set_incident(disc, received, workspace);
-        for (std::size_t c = 0; c < sum.size(); ++c)
-            sum[c] += workspace.throughput[c] * workspace.incident[c];
+        add_incident(workspace, sum);
     }
     return first;
 }
@@ -184,12 +185,7 @@ void SceneLights::add_without_size(const Reflection& at, const LocalLight& light
 
 void SceneLights::add_environment(const Reflection& at, const glm::dvec3& towards_light) const {
     const glm::dvec3 in_light = glm::normalize(at.vertex.in_world(towards_light) * light_to_world_);
-    const double rotate_in = environment_->polarized()
-                                 ? angle_between(light_to_world_ * theta_phi_frame(-in_light),
-                                                 at.vertex.incident_frame(towards_light))
-                                 : 0;
-    for (int c = 0; c < surfaces_.channels(); ++c)
-        at.workspace.incident[static_cast<std::size_t>(c)] = rotated(radiance(c, in_light), rotate_in);
+    set_incident(in_light, at.vertex.incident_frame(towards_light), at.workspace);
     const double of_light =
         light_sampler_->pdf(glm::normalize(at.vertex.hit().frame * towards_light * light_to_world_));
     at.vertex.add_reflected(towards_light, pdf(at, towards_light, of_light), true, at.sum);
@@ -200,6 +196,14 @@ void SceneLights::add_disc(const Reflection& at, const SkyDisc& disc, const glm:
     if (of_light == 0) return;
     set_incident(disc, at.vertex.incident_frame(towards_light), at.workspace);
     at.vertex.add_reflected(towards_light, pdf(at, towards_light, of_light), true, at.sum);
+}
+
+void SceneLights::set_incident(const glm::dvec3& in_light, const Frame& frame,
+                               PathWorkspace& workspace) const {
+    const double angle =
+        environment_->polarized() ? angle_between(light_to_world_ * theta_phi_frame(-in_light), frame) : 0;
+    for (std::size_t c = 0; c < workspace.incident.size(); ++c)
+        workspace.incident[c] = rotated(radiance(static_cast<int>(c), in_light), angle);
 }
 
 void SceneLights::set_incident(const SkyDisc& disc, const Frame& frame, PathWorkspace& workspace) const {

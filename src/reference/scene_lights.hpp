@@ -87,7 +87,12 @@ private:
     void add_sampled_area_light(const Reflection& at, const RayHit& place) const;
     void add_without_size(const Reflection& at, const LocalLight& light) const;
 
-    /// Sets the incident radiance to a disc's light.
+    /// Adds the incident radiance through the path's throughput.
+    static void add_incident(const PathWorkspace& workspace, std::span<Stokes> sum);
+
+    // Each function sets the incident radiance, in a frame of the world: to that of the environment from a
+    // direction in its own axes, or of a disc.
+    void set_incident(const glm::dvec3& in_light, const Frame& frame, PathWorkspace& workspace) const;
     void set_incident(const SkyDisc& disc, const Frame& frame, PathWorkspace& workspace) const;
 
     // Each function adds the reflection of a light in a direction. Nothing hides the light.

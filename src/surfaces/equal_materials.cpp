@@ -25,23 +25,21 @@ void forget(Map& known) {
 }  // namespace
 
 MaterialPtr EqualMaterials::first_of(const MaterialPtr& material) {
-    const auto [known, added] = firsts_.try_emplace(material, Known{material, true});
-    known->second.used = true;
-    if (!added) {
-        if (const std::string key = key_of(*known->second.first); !key.empty()) equals_.at(key).used = true;
-        return known->second.first;
+    const auto [entry, added] = known_.try_emplace(material);
+    Known& known = entry->second;
+    if (added) {
+        if (std::string key = key_of(*material); !key.empty())
+            known.equals = &by_content_.try_emplace(std::move(key), Equals{material}).first->second;
     }
-    if (std::string key = key_of(*material); !key.empty()) {
-        Known& equal = equals_.try_emplace(std::move(key), Known{material, true}).first->second;
-        equal.used = true;
-        known->second.first = equal.first;
-    }
-    return known->second.first;
+    known.used = true;
+    if (known.equals == nullptr) return material;
+    known.equals->used = true;
+    return known.equals->first;
 }
 
 void EqualMaterials::forget_unused() {
-    forget(firsts_);
-    forget(equals_);
+    forget(known_);
+    forget(by_content_);  // all materials of an unused entry have just been forgotten
 }
 
 }  // namespace nicol

@@ -20,12 +20,16 @@ public:
     void forget_unused();
 
 private:
-    struct Known {
+    struct Equals {
         MaterialPtr first;
-        bool used;
+        bool used = false;
     };
-    std::map<MaterialPtr, Known> firsts_;  // by material
-    std::map<std::string, Known> equals_;  // by content
+    struct Known {
+        Equals* equals = nullptr;  // in by_content_; null: the material equals no other
+        bool used = false;
+    };
+    std::map<std::string, Equals> by_content_;
+    std::map<MaterialPtr, Known> known_;  // so that the content of each material is read once
 };
 
 }  // namespace nicol

@@ -10,8 +10,8 @@
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 
-#include "geometry/ray_scene.hpp"
 #include "simd/dispatch.hpp"
+#include "visibility/bundle_bits.hpp"
 
 namespace nicol {
 namespace {
@@ -43,19 +43,6 @@ struct Cones {
         const float along = cones.x[b] * to.x + cones.y[b] * to.y + cones.z[b] * to.z;
         near[b] = along >= cones.cosine[b] * ball_cosine - cones.sine[b] * ball_sine - kSlack ? 1 : 0;
     }
-}
-
-// Returns the rays of a bundle whose cosine with the unit vector `to` is at least `least`.
-[[gnu::always_inline]] inline std::uint16_t rays_near(const RayBundle& bundle, const glm::vec3& to,
-                                                      float least) {
-    std::array<std::uint16_t, RayBundle::kRays> bit{};
-    for (std::size_t i = 0; i < RayBundle::kRays; ++i) {
-        const float along = to.x * bundle.x[i] + to.y * bundle.y[i] + to.z * bundle.z[i];
-        bit[i] = along >= least ? static_cast<std::uint16_t>(1U << i) : std::uint16_t{0};
-    }
-    std::uint16_t all = 0;
-    for (std::size_t i = 0; i < RayBundle::kRays; ++i) all = static_cast<std::uint16_t>(all | bit[i]);
-    return all;
 }
 
 Ball ball_around(const Ball& a, const Ball& b) {
@@ -178,7 +165,7 @@ public:
         dispatch<find_near>(bits.size(), cones, to, cosine, sine, near.data());
         for (std::size_t b = 0; b < bits.size(); ++b) {
             if (near[b] == 0) continue;
-            const std::uint16_t rays = dispatch<rays_near>(directions_.bundles()[b], to, cosine - kSlack);
+            const std::uint16_t rays = dispatch<rays_above>(directions_.bundles()[b], to, cosine - kSlack);
             bits[b] = static_cast<std::uint16_t>(bits[b] | rays);
         }
     }

@@ -5,6 +5,7 @@
 #include <bit>
 
 #include "simd/dispatch.hpp"
+#include "visibility/bundle_bits.hpp"
 
 namespace nicol {
 namespace {
@@ -13,20 +14,6 @@ namespace {
 // accurate only to a few units in the last place of the distance. Hardly any direction lies there; it counts
 // as visible.
 constexpr float kGrazing = 0x1p-17F;
-
-// Returns bits: bit i is set if the sine of elevation of direction i over the plane of the normal exceeds
-// `least`.
-[[gnu::always_inline]] inline std::uint16_t above(const RayBundle& bundle, const glm::vec3& normal,
-                                                  float least) {
-    std::array<std::uint16_t, RayBundle::kRays> bit{};
-    for (std::size_t i = 0; i < RayBundle::kRays; ++i) {
-        const float sine = normal.x * bundle.x[i] + normal.y * bundle.y[i] + normal.z * bundle.z[i];
-        bit[i] = sine > least ? static_cast<std::uint16_t>(1U << i) : std::uint16_t{0};
-    }
-    std::uint16_t all = 0;
-    for (std::size_t i = 0; i < RayBundle::kRays; ++i) all = static_cast<std::uint16_t>(all | bit[i]);
-    return all;
-}
 
 std::uint16_t bits_of(std::span<const std::uint64_t> words, std::size_t bundle) {
     return static_cast<std::uint16_t>(words[bundle / 4] >> (16 * (bundle % 4)));
@@ -88,7 +75,7 @@ std::uint64_t trace_vertex(const RayScene& scene, const DirectionSet& directions
     for (std::size_t b = 0; b <= last; ++b) {
         const RayBundle& bundle = directions.bundles()[b];
         const unsigned real = b < last || rest == RayBundle::kRays ? 0xFFFFU : (1U << rest) - 1;
-        const auto up = static_cast<std::uint16_t>(dispatch<above>(bundle, normal, 0.0F) & real);
+        const auto up = static_cast<std::uint16_t>(dispatch<rays_above>(bundle, normal, 0.0F) & real);
         if (up == 0) continue;
         std::uint16_t blocked = 0;
         std::uint16_t traced = up;
@@ -100,7 +87,7 @@ std::uint64_t trace_vertex(const RayScene& scene, const DirectionSet& directions
             blocked = static_cast<std::uint16_t>(up & ~seen & ~traced);
         }
         if (traced != 0)
-            traced = static_cast<std::uint16_t>(traced & dispatch<above>(bundle, normal, kGrazing));
+            traced = static_cast<std::uint16_t>(traced & dispatch<rays_above>(bundle, normal, kGrazing));
         rays += static_cast<std::uint64_t>(std::popcount(traced));
         if (!former && traced != 0) blocked = scene.occluded(origin, bundle, traced);
         unoccluded = unoccluded && blocked == 0;

@@ -2,11 +2,10 @@
 // Shared helpers of the C interface tests.
 #pragma once
 
-#include <cstdlib>
 #include <span>
-#include <string_view>
 #include <vector>
 
+#include "backends.hpp"
 #include "nicol.h"
 #include "nicol_files.h"
 #include "nicol_psh.h"
@@ -82,8 +81,7 @@ auto make(nicol_result (*create)(Parameters...), const Arguments&... arguments) 
 
 /// Returns the backends that tests run on: EGL alone if NICOL_TEST_BACKENDS is "egl".
 inline std::vector<nicol_backend> every_backend() {
-    const char* const wanted = std::getenv("NICOL_TEST_BACKENDS");
-    if (wanted != nullptr && std::string_view(wanted) == "egl") return {NICOL_BACKEND_EGL};
+    if (nicol::test::wanted_backends() == "egl") return {NICOL_BACKEND_EGL};
     return {NICOL_BACKEND_EGL, NICOL_BACKEND_OSMESA};
 }
 

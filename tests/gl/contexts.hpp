@@ -8,20 +8,15 @@
 #include <string_view>
 #include <vector>
 
+#include "backends.hpp"
 #include "gl/context.hpp"
 #include "test.hpp"
 
 namespace nicol::gl {
 
-/// Returns the value of NICOL_TEST_BACKENDS: "all", "egl" on machines that have EGL alone, or "".
-inline std::string_view wanted_backends() {
-    const char* const wanted = std::getenv("NICOL_TEST_BACKENDS");
-    return wanted != nullptr ? wanted : "";
-}
-
 /// Returns the backends that tests of OpenGL itself run on.
 inline std::vector<Backend> every_backend() {
-    if (wanted_backends() == "egl") return {Backend::egl};
+    if (test::wanted_backends() == "egl") return {Backend::egl};
     return {Backend::egl, Backend::osmesa};
 }
 
@@ -51,7 +46,7 @@ void on_every_backend(Test test) {
 /// Calls test(context) once per backend if NICOL_TEST_BACKENDS is "all", else once with EGL.
 template <class Test>
 void on_one_backend(Test test) {
-    if (wanted_backends() == "all") return on_every_backend(test);
+    if (test::wanted_backends() == "all") return on_every_backend(test);
     test(make_context(Backend::egl));
 }
 
