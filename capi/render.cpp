@@ -207,8 +207,9 @@ void notice_error(const Statistics& statistics, const RenderOptions& options, Sc
     if (!state.files.empty()) text << state.files.front().path.string() << ": ";
     text << std::setprecision(2) << "the predicted error is " << statistics.predicted_error
          << ", the tolerance " << options.tolerance
-         << (statistics.order_error > options.tolerance
-                 ? "; no orders reach it."
+         << (statistics.order_error > options.tolerance ? "; no orders reach it."
+             : statistics.interpolation_error > options.tolerance
+                 ? "; shade_at NICOL_SHADE_AT_PIXELS reduces it."
                  : "; more of light_samples, bsdf_samples or pixel_samples reduces it.");
     session.notice(text.str());
 }

@@ -19,8 +19,6 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-// Most columns of an image that is blurred; wider ones are averaged first.
-constexpr int kMostColumns = 1024;
 // Fewest columns of levels of unpolarized and of polarized light. The Stokes frames of neighbouring columns
 // turn by the angle between the columns at the poles, which interpolation ignores.
 constexpr int kFewestColumns = 24;
@@ -93,7 +91,7 @@ struct Places {
 
 }  // namespace
 
-LightPyramid::LightPyramid(const Environment& environment)
+LightPyramid::LightPyramid(const Environment& environment, int most_columns)
     : channels_(static_cast<std::size_t>(environment.channels())),
       components_(environment.circular()    ? 4
                   : environment.polarized() ? 3
@@ -104,7 +102,7 @@ LightPyramid::LightPyramid(const Environment& environment)
     EquirectTexels narrow;
     double variance = 0;
     const EquirectTexels* image = &levels_.front();
-    while (image->width > kMostColumns) {
+    while (image->width > most_columns) {
         narrow = half_of(*image);
         image = &narrow;
         variance = 1.5 * interpolation(narrow.width);  // averaging adds half of what interpolation does

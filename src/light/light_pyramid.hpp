@@ -16,7 +16,8 @@ namespace nicol {
 /// the one before. Immutable; threads share it.
 class LightPyramid {
 public:
-    explicit LightPyramid(const Environment& environment);
+    /// most_columns: of an image that is blurred; wider ones are averaged first.
+    explicit LightPyramid(const Environment& environment, int most_columns = 1024);
 
     /// Computes the mean radiance in blobs around unit directions `out.towards`, in the environment's axes:
     /// out.irradiance, out.x and out.components. variances: of the blobs, along each axis, in square radians.

@@ -8,19 +8,12 @@
 #include <glm/matrix.hpp>
 #include <vector>
 
-#include "material/lobe_quadrature.hpp"
 #include "polarization/viewpoint.hpp"
 #include "surfaces/geometry.hpp"
 #include "surfaces/rigid_motion.hpp"
 
 namespace nicol {
 namespace {
-
-constexpr std::size_t kMostTriangles = 4096;
-
-// Fraction of reflected light that varies with the direction at all, measured on coarse meshes in light of
-// extracted lights and of photographs (nicol-bench coarse).
-constexpr double kVarying = 0.3;
 
 // Returns the terms that do not reflect harmonics. Light that is given as harmonics has no detail that narrow
 // lobes would miss.
@@ -31,54 +24,6 @@ SampledTerms sampled_terms(const Scene& scene, const RenderOptions& options) {
         return SampledTerms::none;
     return environment->pixels().values != nullptr ? SampledTerms::anisotropic_narrow
                                                    : SampledTerms::anisotropic;
-}
-
-double highest_order(const Material& material, int order) {
-    return std::min(1 / narrowest_lobe(material), static_cast<double>(order));
-}
-
-/// Predicts the error of shading at vertices instead of pixels, relative to the RMS of s0, in a view of
-/// surfaces in light up to an order. From corner to corner of a triangle, the mirrored view direction rotates
-/// by an angle a, because of the triangle's normals and size. The reflection of a lobe of angular radius w
-/// has orders up to l = min(1 / w, order), of which linear interpolation misses about l (l + 1) a^2 /
-/// sqrt(120). The result is the mean over triangles that face the viewer, weighted by the solid angles under
-/// which they are seen. Only some thousands of a large mesh's triangles are examined.
-double interpolation_error(const WorldGeometry& geometry, const Viewpoint& view, int order) {
-    std::vector<double> orders;
-    for (const VertexRange& range : geometry.ranges) orders.push_back(highest_order(*range.material, order));
-    const std::size_t step = (geometry.triangles.size() + kMostTriangles - 1) / kMostTriangles;
-    double sum = 0;
-    double seen = 0;
-    for (std::size_t i = 0; i < geometry.triangles.size(); i += step) {
-        const glm::uvec3& triangle = geometry.triangles[i];
-        const glm::vec3& a = geometry.positions[triangle.x];
-        const glm::vec3 area =
-            glm::cross(geometry.positions[triangle.y] - a, geometry.positions[triangle.z] - a) * 0.5F;
-        double solid_angle = glm::dot(glm::dvec3(area), view.towards(glm::dvec3(a)));
-        if (!(solid_angle > 0)) continue;
-        if (!view.orthographic) {
-            const glm::dvec3 away = glm::dvec3(a) - view.eye;
-            solid_angle = std::min(solid_angle / glm::dot(away, away), 4.0);
-        }
-        std::array<glm::vec3, 3> mirrored;
-        for (int k = 0; k < 3; ++k) {
-            const glm::vec3 to_eye(view.towards(glm::dvec3(geometry.positions[triangle[k]])));
-            const glm::vec3& normal = geometry.normals[triangle[k]];
-            mirrored[static_cast<std::size_t>(k)] = 2 * glm::dot(normal, to_eye) * normal - to_eye;
-        }
-        double turned2 = 0;
-        for (std::size_t k = 0; k < 3; ++k) {
-            const glm::vec3 d = mirrored[k] - mirrored[(k + 1) % 3];
-            turned2 = std::max(turned2, static_cast<double>(glm::dot(d, d)));
-        }
-        const auto range =
-            std::ranges::upper_bound(geometry.ranges, std::size_t{triangle.x}, {}, &VertexRange::last);
-        const double l = orders[static_cast<std::size_t>(range - geometry.ranges.begin())];
-        const double missed = std::min(1.0, l * (l + 1) * turned2 / std::sqrt(120.0));
-        sum += solid_angle * missed * missed;
-        seen += solid_angle;
-    }
-    return seen > 0 ? kVarying * std::sqrt(sum / seen) : 0;
 }
 
 }  // namespace
@@ -115,11 +60,7 @@ void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderO
         scene, {split_.extracted_lights(), scene.distant_light(), split_.rest(), sampled, light_to_geometry},
         visibility_.surfaces(), rays, lighting, run.statistics);
     rays.release();
-    pixels_ =
-        options.shade_at == ShadeAt::pixels ||
-        (options.shade_at == ShadeAt::automatic &&
-         ((options.pixel_samples > 1 && executor.samples_pixels()) || scene.varies() || local_lights_.any() ||
-          interpolation_error(surfaces.geometry, projection.view, light_.last_order()) > options.tolerance));
+    pixels_ = shades_pixels(scene, projection, light_to_geometry, options, executor, run.statistics);
     const TransferInput input{
         surfaces,
         light_.layout(),
@@ -181,6 +122,22 @@ PredictedError Pipeline::predicted_error(const LightingTally& lighting, const Pr
 TransferMethod& Pipeline::method_for(Method method) {
     if (method == Method::dense) return dense_;
     return factored_;
+}
+
+bool Pipeline::shades_pixels(const Scene& scene, const Projection& projection,
+                             const glm::dmat3& light_to_geometry, const RenderOptions& options,
+                             const RenderExecutor& executor, Statistics& statistics) {
+    if (options.shade_at == ShadeAt::pixels) return true;
+    const bool automatic = options.shade_at == ShadeAt::automatic;
+    if (automatic &&
+        ((options.pixel_samples > 1 && executor.samples_pixels()) || scene.varies() || local_lights_.any()))
+        return true;
+    const double error = interpolation_error_.of(visibility_.state().geometry, projection, split_.rest(),
+                                                 glm::transpose(light_to_geometry));
+    if (automatic && error > options.tolerance) return true;
+    predicted_.add_relative(error);
+    statistics.interpolation_error = error;
+    return false;
 }
 
 RenderOptions Pipeline::choose_orders(const Scene& scene, const RenderOptions& options, SampledTerms sampled,

@@ -14,6 +14,7 @@
 #include "methods/executor.hpp"
 #include "methods/factored_method.hpp"
 #include "methods/high_orders.hpp"
+#include "render/interpolation_error.hpp"
 #include "render/light_projection.hpp"
 #include "render/light_split.hpp"
 #include "render/order_selector.hpp"
@@ -54,6 +55,10 @@ private:
     /// Returns the options with the orders that their tolerance allows.
     RenderOptions choose_orders(const Scene& scene, const RenderOptions& options, SampledTerms sampled,
                                 RenderRun& run);
+    /// Returns whether light becomes Stokes vectors at pixels. Otherwise, adds the error of shading at
+    /// vertices to the predicted one.
+    bool shades_pixels(const Scene& scene, const Projection& projection, const glm::dmat3& light_to_geometry,
+                       const RenderOptions& options, const RenderExecutor& executor, Statistics& statistics);
     void shade(ShadeInput input, const Projection& projection, const RenderOptions& options,
                const DistantLight& distant, RenderExecutor& executor, RenderRun& run);
     void shade_pixels(const Scene& scene, ShadeInput input, const Projection& projection,
@@ -80,8 +85,9 @@ private:
     HighOrderTransfer high_orders_;
     LocalLights local_lights_;
     bool pixels_ = false;
-    float noise_ = 0;           // noise for make_physical()
-    PredictedError predicted_;  // of the chosen orders
+    float noise_ = 0;  // noise for make_physical()
+    InterpolationError interpolation_error_;
+    PredictedError predicted_;  // of the chosen orders and of shading at vertices
     LightingTally lighting_{};  // of the samples that the image holds
 
     // Inputs: executor, method, view, light of low and high orders, local lights, form of the high orders,

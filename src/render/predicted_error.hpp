@@ -7,8 +7,9 @@
 namespace nicol {
 
 /// Error of s0 relative to its RMS. The light of an image comes in parts with an error each: orders that are
-/// left out, samples of lights. Errors are independent, so that their squares add. The squares of the parts'
-/// s0 add to no more than the square of the whole, so that the prediction is rather too large.
+/// left out, samples of lights. Interpolation between vertices errs by a part of the whole. Errors are
+/// independent, so that their squares add. The squares of the parts' s0 add to no more than the square of the
+/// whole, so that the prediction is rather too large.
 class PredictedError {
 public:
     /// Adds a part by the means of its squared error and of its squared s0.
@@ -16,9 +17,14 @@ public:
         squared_error_ += squared_error;
         power_ += power;
     }
-    [[nodiscard]] double relative() const { return power_ > 0 ? std::sqrt(squared_error_ / power_) : 0; }
+    /// Adds an error of all parts, relative to the RMS of the image's s0.
+    void add_relative(double error) { squared_relative_ += error * error; }
+    [[nodiscard]] double relative() const {
+        return std::sqrt((power_ > 0 ? squared_error_ / power_ : 0) + squared_relative_);
+    }
 
 private:
+    double squared_relative_ = 0;
     double squared_error_ = 0;
     double power_ = 0;
 };

@@ -38,9 +38,11 @@ struct RenderWork {
 struct Statistics : RenderWork {
     int order_low = 0;           ///< order_low of the rendered light
     int order = 0;               ///< highest order of the rendered light
-    double predicted_error = 0;  ///< predicted error of the chosen orders and of light samples
+    double predicted_error = 0;  ///< predicted error of the chosen orders, of interpolation between vertices
+                                 ///< and of light samples
     double order_error = 0;      ///< that of the chosen orders alone
-    bool compute = false;        ///< whether compute shaders made the image
+    double interpolation_error = 0;  ///< that of interpolation alone; 0 if pixels were shaded
+    bool compute = false;            ///< whether compute shaders made the image
     std::uint64_t vertices = 0;
     std::uint64_t triangles = 0;
     std::uint64_t vertices_added = 0;       ///< part of `vertices`: added by refinement

@@ -167,6 +167,46 @@ IMAGE_TEST_CASE("at pixels a coarse mesh looks as its triangles split in sixteen
         }
 }
 
+IMAGE_TEST_CASE("what vertices miss is predicted, and decides where light becomes a Stokes vector") {
+    Studio render(context);
+    const EnvironmentPtr light = falling_light(16, false);
+    const double glossy = 0.12, matt = 0.5;
+    const auto ball = [&](int cells, const MaterialPtr& material) {
+        Scene scene;
+        scene.add({.mesh = test::coarse_sphere(cells), .material = material});
+        scene.set_environment(light, theta_phi_frame(glm::normalize(glm::dvec3(1, -2, 0.7))), 0.7);
+        return scene;
+    };
+    for (const int cells : {4, 8, 24}) {
+        for (const MaterialPtr& material :
+             {test::some_metal(glossy), test::some_metal(matt), diffuse({0.5}),
+              pplastic({.diffuse_reflectance = {0.1}, .alpha = 0.2, .distribution = Distribution::ggx})}) {
+            CAPTURES(cells, material->content_key());
+            const Scene scene = ball(cells, material);
+            const StokesImage background = render(ball(cells, diffuse({0.0})), at(ShadeAt::vertices));
+            const auto without_background = [&](StokesImage image) {
+                for (std::size_t i = 0; i < image.data.size(); ++i)
+                    if (background.data[i - i % 4] != 0) image.data[i] = 0;
+                return image;
+            };
+            RenderOptions options{.executor = Executor::cpu, .tolerance = 0.03};
+            options.shade_at = ShadeAt::vertices;
+            const StokesImage vertices = render(scene, options);
+            const double predicted = render.statistics.interpolation_error;
+            CHECK(render.statistics.predicted_error >= predicted);
+            options.shade_at = ShadeAt::pixels;
+            const StokesImage pixels = render(scene, options);
+            CHECK(render.statistics.interpolation_error == 0);
+            const double measured = rms(minus(vertices, pixels)) / rms(without_background(pixels));
+            CHECK(predicted > 0.5 * measured - 1e-3);
+            CHECK(predicted < 2 * measured + 1e-3);
+            options.shade_at = ShadeAt::automatic;
+            const StokesImage automatic = render(scene, options);
+            CHECK((render.statistics.pixels_shaded > 0) == (predicted > options.tolerance));
+        }
+    }
+}
+
 IMAGE_TEST_CASE("shadows dim high orders at pixels as they dim them at vertices") {
     Studio render(context);
     const Scene scene = sphere_on_plate(falling_light(9, false), test::coarse_sphere(23), 40);
