@@ -1340,6 +1340,19 @@ typedef struct nicol_render_options {
 /* clang-format on */
 NICOL_API nicol_result nicol_render_options_init(nicol_render_options* descriptor, uint32_t struct_size);
 
+/* What an image is for. */
+typedef uint32_t nicol_quality;
+/* Frames of a scene that moves: one sample per pixel, tolerance 0.03. These are the defaults. */
+#define NICOL_QUALITY_REALTIME 0u
+/* An image to look at while a scene is made: 8 samples per pixel, tolerance 0.03. */
+#define NICOL_QUALITY_PREVIEW 1u
+/* An image to keep or to measure in: 64 samples per pixel, tolerance 0.01, refine_tolerance 0.01. */
+#define NICOL_QUALITY_FINAL 2u
+/* Sets the options of the real-time methods that trade time for accuracy: tolerance, pixel_samples,
+ * bake_directions, refine_tolerance, light_samples and bsdf_samples. All other options stay. Options that are
+ * set afterwards win. Returns NICOL_ERROR_INVALID_ARGUMENT for another quality. */
+NICOL_API nicol_result nicol_render_options_set_quality(nicol_render_options* options, nicol_quality quality);
+
 /* Creates a framebuffer. width and height are 1 to NICOL_MAX_SIZE pixels (the driver may allow less), and at
  * most 2^26 pixels in all. channels is the scene's number, or 1 for the luminance of a scene of three
  * channels: 0.2126 R + 0.7152 G + 0.0722 B of each Stokes component. */

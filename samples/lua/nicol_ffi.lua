@@ -328,6 +328,7 @@ typedef struct nicol_render_options {
     uint32_t bsdf_samples;
     int32_t max_depth;
 } nicol_render_options;
+typedef uint32_t nicol_quality;
 typedef struct nicol_job_impl* nicol_job;
 typedef uint32_t nicol_job_state;
 typedef struct nicol_job_status {
@@ -616,6 +617,7 @@ nicol_result nicol_scene_get_channels(nicol_scene scene, uint32_t* channels);
 nicol_result nicol_scene_retain(nicol_scene scene);
 nicol_result nicol_scene_release(nicol_scene scene);
 nicol_result nicol_render_options_init(nicol_render_options* descriptor, uint32_t struct_size);
+nicol_result nicol_render_options_set_quality(nicol_render_options* options, nicol_quality quality);
 nicol_result nicol_framebuffer_create(nicol_context context, uint32_t width, uint32_t height, uint32_t channels, nicol_framebuffer* framebuffer);
 nicol_result nicol_framebuffer_get_size(nicol_framebuffer framebuffer, uint32_t* width, uint32_t* height, uint32_t* channels);
 nicol_result nicol_framebuffer_retain(nicol_framebuffer framebuffer);
@@ -772,6 +774,9 @@ return {
         DEPTH_UNLIMITED = -1,
         SPLIT_AUTOMATIC = -1,
         MAX_SPLIT_LIGHTS = 64,
+        QUALITY_REALTIME = 0,
+        QUALITY_PREVIEW = 1,
+        QUALITY_FINAL = 2,
         MAX_JOBS = 256,
         JOB_WAITING = 0,
         JOB_RUNNING = 1,
@@ -898,6 +903,7 @@ return {
         scene_get_file_count = true,
         scene_get_file = true,
         scene_get_channels = true,
+        render_options_set_quality = true,
         framebuffer_create = "nicol_framebuffer",
         framebuffer_get_size = true,
         render = true,

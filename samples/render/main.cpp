@@ -86,13 +86,15 @@ void render(nicol_scene scene, nicol_framebuffer framebuffer, const Options& opt
     nicol_camera camera = NICOL_CAMERA_INIT;
     check(nicol_scene_get_camera(scene, &camera));
     nicol_render_options wanted = NICOL_RENDER_OPTIONS_INIT;
+    wanted.pixel_samples = samples_of(scene);
+    if (options.quality) check(nicol_render_options_set_quality(&wanted, *options.quality));
     wanted.method = options.method;
     wanted.executor = options.executor;
     wanted.order_low = options.order_low.value_or(wanted.order_low);
     wanted.order_high = options.order_high.value_or(wanted.order_high);
     wanted.high_orders = options.high_orders;
     wanted.shade_at = options.shade_at;
-    wanted.pixel_samples = options.pixel_samples ? *options.pixel_samples : samples_of(scene);
+    wanted.pixel_samples = options.pixel_samples.value_or(wanted.pixel_samples);
     wanted.tolerance = options.tolerance.value_or(wanted.tolerance);
     wanted.components = options.components;
     check(nicol_scene_get_aovs(scene, &wanted.aovs));

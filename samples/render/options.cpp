@@ -33,9 +33,12 @@ const char* const usage =
     "                           default split\n"
     "      --shade-at NAME      where light becomes a Stokes vector: vertices, pixels (for coarse meshes)\n"
     "                           or automatic, by the predicted error; default automatic\n"
+    "      --quality NAME       what the image is for: realtime (1 sample of a pixel), preview (8) or final "
+    "(64, a\n"
+    "                           tolerance of 0.01); other options win\n"
     "      --pixel-samples N    samples of a pixel by the methods in real time, 1 to 1024, against jagged\n"
-    "                           outlines and for soft shadows; default: the sample_count of the scene's\n"
-    "                           sampler, at most 64; 8 without a sampler\n"
+    "                           outlines and for soft shadows; default: by --quality, without it the\n"
+    "                           sample_count of the scene's sampler, at most 64; 8 without a sampler\n"
     "      --tolerance E        where no order is given, orders are chosen for which the predicted relative\n"
     "                           RMSE of s0, s1 and s2 is at most E; default 0.03\n"
     "      --components NAME    what the image holds: s0, linear (s0, s1, s2) or all; default all\n"
@@ -179,6 +182,13 @@ nicol_shade_at parse_shade_at(std::string_view text) {
     throw Failure("--shade-at: '" + std::string(text) + "' is none of: automatic, vertices, pixels");
 }
 
+nicol_quality parse_quality(std::string_view text) {
+    if (text == "realtime") return NICOL_QUALITY_REALTIME;
+    if (text == "preview") return NICOL_QUALITY_PREVIEW;
+    if (text == "final") return NICOL_QUALITY_FINAL;
+    throw Failure("--quality: '" + std::string(text) + "' is none of: realtime, preview, final");
+}
+
 nicol_components parse_components(std::string_view text) {
     if (text == "all") return NICOL_COMPONENTS_ALL;
     if (text == "s0") return NICOL_COMPONENTS_S0;
@@ -249,6 +259,8 @@ Options parse_options(int argc, const char* const* argv) {
             options.high_orders = parse_high_orders(value());
         else if (name == "--shade-at")
             options.shade_at = parse_shade_at(value());
+        else if (name == "--quality")
+            options.quality = parse_quality(value());
         else if (name == "--pixel-samples")
             options.pixel_samples = parse_count(name, value(), 1, 1024);
         else if (name == "--tolerance")

@@ -26,12 +26,13 @@ struct Options {
     nicol_backend backend = NICOL_BACKEND_AUTOMATIC;
     std::uint32_t device = 0;  ///< number in the library's list; 0: any
     std::uint32_t aovs = 0;    ///< NICOL_AOV_...
+    std::optional<nicol_quality> quality;
     nicol_method method = NICOL_METHOD_FACTORED;
     nicol_executor executor = NICOL_EXECUTOR_AUTOMATIC;
     std::optional<std::uint32_t> order_low, order_high;
     nicol_high_orders high_orders = NICOL_HIGH_ORDERS_SPLIT;
     nicol_shade_at shade_at = NICOL_SHADE_AT_AUTOMATIC;
-    std::optional<std::uint32_t> pixel_samples;  ///< none: as the scene asks
+    std::optional<std::uint32_t> pixel_samples;  ///< none: by quality, or as the scene asks
     std::optional<double> tolerance;
     nicol_components components = NICOL_COMPONENTS_ALL;
     bool shadows = true;

@@ -95,6 +95,31 @@ TEST_CASE("a camera is rotated towards its target") {
     CHECK(camera.struct_size == sizeof camera);
 }
 
+TEST_CASE("a quality sets what trades time for accuracy, and nothing else") {
+    nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
+    options.seed = 5;
+    options.order_low = 3;
+    struct Case {
+        nicol_quality quality;
+        std::uint32_t samples;
+        double tolerance;
+    };
+    for (const Case& one : {Case{NICOL_QUALITY_FINAL, 64, 0.01},
+                            {NICOL_QUALITY_PREVIEW, 8, 0.03},
+                            {NICOL_QUALITY_REALTIME, 0, 0.03}}) {
+        CAPTURE(one.quality);
+        options.light_samples = 3;
+        OK(nicol_render_options_set_quality(&options, one.quality));
+        CHECK(options.pixel_samples == one.samples);
+        CHECK(options.tolerance == one.tolerance);
+        CHECK(options.light_samples == 16);
+        CHECK((options.seed == 5 && options.order_low == 3));
+        CHECK(options.struct_size == sizeof options);
+    }
+    check_refused({{"quality", [&] { return nicol_render_options_set_quality(&options, 3); }}});
+    CHECK(options.pixel_samples == 0);
+}
+
 TEST_CASE("a view without a direction is refused and leaves the camera alone") {
     nicol_camera camera = NICOL_CAMERA_INIT;
     camera.to_world[3] = 42;

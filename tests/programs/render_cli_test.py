@@ -417,6 +417,7 @@ class CommandLine(RenderTest):
             (["--method", "'sparse'"], "--method sparse"),
             (["--executor", "'gpu'", "automatic, cpu, compute"], "--executor gpu"),
             (["--shade-at", "'edges'", "automatic, vertices, pixels"], "--shade-at edges"),
+            (["--quality", "'best'", "realtime, preview, final"], "--quality best"),
             (["--high-orders", "'some'"], "--high-orders some"),
             (["--no-shadows=1"], "--no-shadows=1"),
             (["--bake-directions", "255"], "--bake-directions 255"),

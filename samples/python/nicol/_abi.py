@@ -97,6 +97,9 @@ DIRECTIONS_AUTOMATIC = 0
 DEPTH_UNLIMITED = -1
 SPLIT_AUTOMATIC = -1
 MAX_SPLIT_LIGHTS = 64
+QUALITY_REALTIME = 0
+QUALITY_PREVIEW = 1
+QUALITY_FINAL = 2
 MAX_JOBS = 256
 JOB_WAITING = 0
 JOB_RUNNING = 1
@@ -601,6 +604,13 @@ class RenderOptions(Struct):
         ("bsdf_samples", c_uint32),
         ("max_depth", c_int32),
     ]
+
+    def set_quality(self, quality):
+        """Sets the options of the real-time methods that trade time for accuracy: tolerance, pixel_samples,
+        bake_directions, refine_tolerance, light_samples and bsdf_samples. All other options stay. Options that are
+        set afterwards win. Returns NICOL_ERROR_INVALID_ARGUMENT for another quality."""
+        check(_render_options_set_quality(byref(self), quality))
+        return self
 
 
 class JobStatus(Struct):
@@ -1885,6 +1895,7 @@ _scene_get_file = declare("nicol_scene_get_file", c_int32, Scene, c_uint32, POIN
 _scene_get_channels = declare("nicol_scene_get_channels", c_int32, Scene, POINTER(c_uint32))
 Scene._release = declare("nicol_scene_release", c_int32, c_void_p)
 RenderOptions._init = declare("nicol_render_options_init", c_int32, POINTER(RenderOptions), c_uint32)
+_render_options_set_quality = declare("nicol_render_options_set_quality", c_int32, POINTER(RenderOptions), c_uint32)
 _framebuffer_create = declare("nicol_framebuffer_create", c_int32, Context, c_uint32, c_uint32, c_uint32, POINTER(Framebuffer))
 _framebuffer_get_size = declare("nicol_framebuffer_get_size", c_int32, Framebuffer, POINTER(c_uint32), POINTER(c_uint32), POINTER(c_uint32))
 Framebuffer._release = declare("nicol_framebuffer_release", c_int32, c_void_p)
@@ -2103,6 +2114,9 @@ __all__ = [
     "PshMuellerField",
     "PshSampling",
     "PshTransform",
+    "QUALITY_FINAL",
+    "QUALITY_PREVIEW",
+    "QUALITY_REALTIME",
     "RenderOptions",
     "SHADE_AT_AUTOMATIC",
     "SHADE_AT_PIXELS",

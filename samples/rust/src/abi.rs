@@ -109,6 +109,9 @@ pub const NICOL_DIRECTIONS_AUTOMATIC: u32 = 0;
 pub const NICOL_DEPTH_UNLIMITED: i32 = -1;
 pub const NICOL_SPLIT_AUTOMATIC: i32 = -1;
 pub const NICOL_MAX_SPLIT_LIGHTS: u32 = 64;
+pub const NICOL_QUALITY_REALTIME: u32 = 0;
+pub const NICOL_QUALITY_PREVIEW: u32 = 1;
+pub const NICOL_QUALITY_FINAL: u32 = 2;
 pub const NICOL_MAX_JOBS: u32 = 256;
 pub const NICOL_JOB_WAITING: u32 = 0;
 pub const NICOL_JOB_RUNNING: u32 = 1;
@@ -1035,6 +1038,7 @@ const _: () = {
     assert!(offset_of!(nicol_render_options, bsdf_samples) == 128);
     assert!(offset_of!(nicol_render_options, max_depth) == 132);
 };
+pub type nicol_quality = u32;
 
 #[repr(C)]
 pub struct nicol_job_impl {
@@ -1756,6 +1760,10 @@ extern "C" {
     pub fn nicol_scene_retain(scene: nicol_scene) -> nicol_result;
     pub fn nicol_scene_release(scene: nicol_scene) -> nicol_result;
     pub fn nicol_render_options_init(descriptor: *mut nicol_render_options, struct_size: u32) -> nicol_result;
+    /// Sets the options of the real-time methods that trade time for accuracy: tolerance, pixel_samples,
+    /// bake_directions, refine_tolerance, light_samples and bsdf_samples. All other options stay. Options that are
+    /// set afterwards win. Returns NICOL_ERROR_INVALID_ARGUMENT for another quality.
+    pub fn nicol_render_options_set_quality(options: *mut nicol_render_options, quality: nicol_quality) -> nicol_result;
     /// Creates a framebuffer. width and height are 1 to NICOL_MAX_SIZE pixels (the driver may allow less), and at
     /// most 2^26 pixels in all. channels is the scene's number, or 1 for the luminance of a scene of three
     /// channels: 0.2126 R + 0.7152 G + 0.0722 B of each Stokes component.
