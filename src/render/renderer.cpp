@@ -152,6 +152,24 @@ void render_by_reference(const Scene& scene, const Camera& camera, const RenderO
     target.statistics().draw_ms = watch.milliseconds();
 }
 
+// Returns the options that the method uses, and defaults of the others, whose change makes no other image.
+RenderOptions used(const RenderOptions& options) {
+    RenderOptions out = options;
+    out.progress = nullptr;
+    if (options.method == Method::reference) {
+        out = {};
+        out.method = options.method;
+        out.shadows = options.shadows;
+        out.aovs = options.aovs;
+        out.samples = options.samples;
+        out.max_depth = options.max_depth;
+        out.seed = options.seed;
+    } else {
+        out.samples = RenderOptions{}.samples;
+    }
+    return out;
+}
+
 // Part of the square of a sample over which textures are averaged. The mean over the samples averages them a
 // second time, which blurs; nearly nothing is left between the squares by the samples' places. Measured.
 constexpr double kTextureShare = 0.5;
@@ -215,11 +233,9 @@ void Renderer::render_into(const Scene& scene, const Camera& camera, const Rende
     if ((options.disabled_optimisations & skip_unchanged) != 0 || content_ != target.content()) {
         rendering_.reset();
     }
-    RenderOptions values = options;
-    values.progress = nullptr;
     const bool rendered = rendering_.run(
         scene.geometry_version(), scene.material_version(), scene.light_version(), scene.emission_version(),
-        scene.local_light_version(), scene.element_version(), camera, values, [&] {
+        scene.local_light_version(), scene.element_version(), camera, used(options), [&] {
             if (options.method == Method::reference)
                 return render_by_reference(scene, camera, options, threads_, target);
             const Projection projection = project(camera, target.width(), target.height());
