@@ -117,10 +117,10 @@ TEST_CASE("what a tolerance asks for holds, and not much more is computed") {
                 [&](double tolerance, HighOrders form) {
                     const auto result = comparison.run(tolerance, form);
                     const Statistics& s = result.statistics;
-                    CAPTURES(all, tolerance, result.measured, s.predicted_error);
-                    CHECK(s.predicted_error <= tolerance);
+                    CAPTURES(all, tolerance, result.measured, s.order_error);
+                    CHECK(s.order_error <= tolerance);
                     CHECK(result.measured <= 2 * tolerance);
-                    CHECK(result.measured >= 0.4 * s.predicted_error);
+                    CHECK(result.measured >= 0.4 * s.order_error);
                     if (form == HighOrders::split) return;
                     CHECK(s.order == s.order_low);
                     CHECK(s.order > cheaper);
@@ -137,7 +137,7 @@ TEST_CASE("diffuse surfaces need few orders, darkness none") {
     scene.set_environment(nullptr, glm::dmat3(1), 1);
     const auto dark = Comparison(scene, true).run(0.03, HighOrders::split);
     CHECK(dark.statistics.order == 0);
-    CHECK(dark.statistics.predicted_error == 0);
+    CHECK(dark.statistics.order_error == 0);
 }
 
 TEST_CASE("a tolerance that cannot be reached is reported, and the least error taken") {
