@@ -52,14 +52,23 @@ public:
     static void concerns(const std::shared_ptr<Session>& session) noexcept {
         if (current_ != nullptr && !current_->session_) current_->session_ = session;
     }
-    /// Calls capi::fail() and the error callback.
-    nicol_result fail(ErrorCode code, const char* message) const noexcept;
+    /// Returns whether the thread's call was made by a callback of another call that was given an object of
+    /// the session.
+    [[nodiscard]] static bool inside_another(const Session& session) noexcept {
+        for (const Call* call = current_ != nullptr ? current_->outer_ : nullptr; call != nullptr;
+             call = call->outer_)
+            if (call->session_.get() == &session) return true;
+        return false;
+    }
+    /// Calls capi::fail() and the error callback, unless the call was made by an error callback.
+    nicol_result fail(ErrorCode code, const char* message) noexcept;
 
 private:
     static inline thread_local Call* current_ = nullptr;
 
     const char* function_;
     Call* outer_;
+    bool reports_ = false;  ///< whether the error callback runs
     std::shared_ptr<Session> session_;
 };
 
@@ -68,7 +77,7 @@ private:
 template <class F>
 nicol_result guarded(F&& body, const char* function = __builtin_FUNCTION()) noexcept {
     const FloatingEnvironment environment;
-    const Call call(function);
+    Call call(function);
     try {
         refuse_after_fork();
         body();

@@ -120,10 +120,13 @@ ErrorCode code_of(const std::exception& error) noexcept {
     return shortage ? ErrorCode::out_of_memory : ErrorCode::internal;
 }
 
-nicol_result Call::fail(ErrorCode code, const char* message) const noexcept {
+nicol_result Call::fail(ErrorCode code, const char* message) noexcept {
     const nicol_result result = capi::fail(code, message);
-    if (session_ && session_->error != nullptr)
-        session_->error(session_->error_user, result, last_error.data(), function_);
+    bool nested = false;
+    for (const Call* call = outer_; call != nullptr; call = call->outer_) nested = nested || call->reports_;
+    if (nested || !session_ || session_->error == nullptr) return result;
+    reports_ = true;
+    session_->error(session_->error_user, result, last_error.data(), function_);
     return result;
 }
 

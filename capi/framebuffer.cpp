@@ -48,7 +48,7 @@ nicol_result nicol_framebuffer_create(nicol_context context, uint32_t width, uin
             refuse("channels is " + std::to_string(channels) + "; it must lie in 1 to " +
                    std::to_string(NICOL_MAX_CHANNELS));
         }
-        const SessionLock lock(session);
+        refuse_in_callback(*session);
         *framebuffer = make_handle<nicol_framebuffer_impl>(
             session, std::make_shared<Framebuffer>(session->gl, static_cast<int>(width),
                                                    static_cast<int>(height), static_cast<int>(channels)));
@@ -79,7 +79,7 @@ nicol_result nicol_framebuffer_write_exr(nicol_framebuffer framebuffer, const ch
     return guarded([&] {
         const nicol_framebuffer_impl& self = resolve(framebuffer);
         require(path, "path");
-        const SessionLock lock(self.session);
+        const Access access(self);
         const StokesImage* image = nullptr;
         const Aovs* aovs = nullptr;
         self.session->gl->visit([&] {
@@ -99,7 +99,7 @@ nicol_result nicol_framebuffer_write_png(nicol_framebuffer framebuffer, const ni
         const nicol_observation given =
             read_struct(observation, nicol_observation NICOL_OBSERVATION_INIT, "observation");
         require(path, "path");
-        const SessionLock lock(self.session);
+        const Access access(self);
         const StokesImage& image = self.content->image();
         const Stopwatch watch;
         write_png(path, observe(image, given));

@@ -9,7 +9,6 @@
 #include <mutex>
 #include <optional>
 #include <string>
-#include <thread>
 
 #include "boundary.hpp"
 #include "draw/framebuffer.hpp"
@@ -17,6 +16,7 @@
 #include "files/load_budget.hpp"
 #include "geometry/mesh.hpp"
 #include "gl/context.hpp"
+#include "gl/lending_mutex.hpp"
 #include "job.hpp"
 #include "light/environment.hpp"
 #include "material/material.hpp"
@@ -39,9 +39,7 @@ struct Session {
     std::uint64_t memory_limit = MemoryLimit::kNone;  ///< memory limit per scene, in bytes
     LoadLimits load_limits;
     std::shared_ptr<struct HostObserver> observer;  ///< only in a host's context, made for its first image
-    std::mutex mutex;
-    std::atomic<std::thread::id> busy{};  ///< the thread inside a call
-    std::atomic<std::size_t> handles{};   ///< number of the context's handles
+    std::atomic<std::size_t> handles{};             ///< number of the context's handles
 
     /// Returns the queue, made on first use.
     JobQueue& job_queue() {
@@ -64,7 +62,7 @@ struct Session {
 
 using SessionPtr = std::shared_ptr<Session>;
 
-/// The session for which this thread, possibly one of the library, is inside a caller's callback.
+/// The session for which this thread, one of the library's, is inside a caller's callback.
 inline thread_local const Session* calling_back = nullptr;
 
 class CallbackScope {
@@ -75,36 +73,12 @@ public:
     CallbackScope& operator=(const CallbackScope&) = delete;
 };
 
-/// Throws Error(invalid_argument) inside a callback of the session, where waiting for it would never end.
+/// Throws Error(invalid_argument) inside a callback of the session, where waiting for a lock might never end.
 inline void refuse_in_callback(const Session& session) {
-    if (session.busy == std::this_thread::get_id() || calling_back == &session || session.gl->on_thread()) {
+    if (Call::inside_another(session) || calling_back == &session || session.gl->on_thread()) {
         refuse("a callback called Nicol with an object of the context that is calling it");
     }
 }
-
-/// Lock for one call at a time on the objects of a session. Refuses calls from within its callbacks.
-class SessionLock {
-public:
-    explicit SessionLock(SessionPtr session) : session_(std::move(session)) {
-        refuse_in_callback(*session_);
-        if (!session_->in_host()) {
-            session_->mutex.lock();
-        } else if (!session_->mutex.try_lock()) {
-            static_cast<void>(session_->gl->lend_until([this] { return session_->mutex.try_lock(); }));
-        }
-        session_->busy = std::this_thread::get_id();
-    }
-    ~SessionLock() {
-        session_->busy = std::thread::id();
-        session_->mutex.unlock();
-        session_->gl->wake();
-    }
-    SessionLock(const SessionLock&) = delete;
-    SessionLock& operator=(const SessionLock&) = delete;
-
-private:
-    SessionPtr session_;
-};
 
 /// Image settings of a scene file.
 struct Film {
@@ -118,7 +92,8 @@ struct Film {
 };
 
 struct SceneState {
-    explicit SceneState(const SessionPtr& session) : renderer(session->gl, session->threads) {
+    explicit SceneState(const SessionPtr& session)
+        : rendering(session->gl), renderer(session->gl, session->threads) {
         // The owner pointer stays valid, because renders happen inside a call that holds the session.
         renderer.set_cache(session->cache,
                            [owner = session.get()](const std::string& message) { owner->notice(message); });
@@ -127,9 +102,10 @@ struct SceneState {
 
     /// Mutex of readers and writers of the scene. Jobs do not hold it, because they have copies.
     std::mutex edit;
-    std::atomic<std::thread::id> editor{};  ///< thread that holds `edit`
     Scene scene;
-    // The renderer is used only with the session's lock.
+    /// Mutex of renders, held through each, before `edit` and the mutex of the framebuffer.
+    gl::LendingMutex rendering;
+    // Members that only renders use.
     Renderer renderer;
     bool darkness_noticed = false;
     bool error_noticed = false;
@@ -209,24 +185,21 @@ namespace nicol::capi {
 class Edit {
 public:
     explicit Edit(const nicol_scene_impl& scene)
-        : Edit((refuse_in_callback(*scene.session), scene.content)) {}
-    /// Locks the scene for a render, which holds the session's lock.
-    explicit Edit(std::shared_ptr<SceneState> scene) : scene_(std::move(scene)) {
-        if (scene_->editor == std::this_thread::get_id()) {
-            refuse("a callback called Nicol with the scene that is calling it");
-        }
-        scene_->edit.lock();
-        scene_->editor = std::this_thread::get_id();
-    }
-    ~Edit() {
-        scene_->editor = std::thread::id();
-        scene_->edit.unlock();
-    }
-    Edit(const Edit&) = delete;
-    Edit& operator=(const Edit&) = delete;
+        : lock_((refuse_in_callback(*scene.session), scene.content->edit)) {}
 
 private:
-    std::shared_ptr<SceneState> scene_;
+    std::lock_guard<std::mutex> lock_;
+};
+
+/// Lock for reading and changing the content of a framebuffer. Waits for other readers and for a render that
+/// puts its image into the framebuffer, not for the computation of the image.
+class Access {
+public:
+    explicit Access(const nicol_framebuffer_impl& framebuffer)
+        : lock_((refuse_in_callback(*framebuffer.session), framebuffer.content->mutex())) {}
+
+private:
+    std::lock_guard<gl::LendingMutex> lock_;
 };
 
 /// Returns a copy of the object behind a handle, which stays alive through the call even if other threads

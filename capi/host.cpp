@@ -76,7 +76,7 @@ nicol_result nicol_framebuffer_draw_stokes(nicol_framebuffer framebuffer, uint32
         const nicol_texture_target to =
             read_struct(target, nicol_texture_target NICOL_TEXTURE_TARGET_INIT, "target");
         require_channel(*self.content, channel);
-        const SessionLock lock(self.session);
+        const Access access(self);
         draw_stokes(*self.session, *self.content, static_cast<int>(channel), to);
     });
 }
@@ -91,7 +91,7 @@ nicol_result nicol_framebuffer_draw_observation(nicol_framebuffer framebuffer,
             read_struct(observation, nicol_observation NICOL_OBSERVATION_INIT, "observation");
         const nicol_texture_target to =
             read_struct(target, nicol_texture_target NICOL_TEXTURE_TARGET_INIT, "target");
-        const SessionLock lock(self.session);
+        const Access access(self);
         draw_observation(*self.session, *self.content, shown, to);
     });
 }

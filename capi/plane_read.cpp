@@ -204,7 +204,7 @@ nicol_result nicol_framebuffer_read_plane(nicol_framebuffer framebuffer, const n
     return guarded([&] {
         const nicol_framebuffer_impl& self = resolve(framebuffer);
         const nicol_plane_buffer buffer = read_struct(to, nicol_plane_buffer NICOL_PLANE_BUFFER_INIT, "to");
-        const SessionLock lock(self.session);
+        const Access access(self);
         self.session->gl->visit([&] { read(*self.content, buffer); });
     });
 }
@@ -220,7 +220,7 @@ nicol_result nicol_framebuffer_read(nicol_framebuffer framebuffer, nicol_plane p
         buffer.pixels = pixels;
         buffer.row_stride = row_stride;
         buffer.byte_size = byte_size;
-        const SessionLock lock(self.session);
+        const Access access(self);
         if (channel == NICOL_ALL_CHANNELS) refuse("channel must be one of the framebuffer's");
         self.session->gl->visit([&] { read(*self.content, buffer); });
     });

@@ -169,11 +169,15 @@ RenderOptions options_from(const nicol_render_options& given) {
 struct RenderCall {
     Camera camera;
     RenderOptions options;
+    bool fail_if_busy;
 };
 
 RenderCall read_render_call(const nicol_camera* camera, const nicol_render_options* options) {
     const auto given = read_options(options, nicol_render_options NICOL_RENDER_OPTIONS_INIT);
-    return {camera_from(read_struct(camera, nicol_camera NICOL_CAMERA_INIT, "camera")), options_from(given)};
+    if (given.reserved != 0) refuse("reserved must be 0");
+    return {.camera = camera_from(read_struct(camera, nicol_camera NICOL_CAMERA_INIT, "camera")),
+            .options = options_from(given),
+            .fail_if_busy = switch_from(given.fail_if_busy, "fail_if_busy")};
 }
 
 // Returns a function that reports to the job and to the caller's progress callback.
@@ -232,13 +236,20 @@ nicol_result nicol_render(nicol_scene scene, const nicol_camera* camera, const n
         const nicol_framebuffer_impl& target = resolve(framebuffer);
         require_same_context(self, target);
         const RenderCall call = read_render_call(camera, options);
-        const SessionLock lock(self.session);
+        refuse_in_callback(*self.session);
+        SceneState& state = *self.content;
+        std::unique_lock rendering(state.rendering, std::defer_lock);
+        if (!call.fail_if_busy)
+            rendering.lock();
+        else if (!rendering.try_lock())
+            throw Error(ErrorCode::busy, "another render of the scene runs, and fail_if_busy is 1");
         // A host's context is asked for before baking, which may take minutes.
         self.session->gl->visit([&] {
-            const Edit edit(self.content);
-            notice_darkness(self.content->scene, *self.content, *self.session);
-            self.content->renderer.render(self.content->scene, call.camera, call.options, *target.content);
-            notice_error(target.content->statistics(), call.options, *self.content, *self.session);
+            const Edit edit(self);
+            notice_darkness(state.scene, state, *self.session);
+            const Statistics statistics =
+                state.renderer.render(state.scene, call.camera, call.options, *target.content);
+            notice_error(statistics, call.options, state, *self.session);
         });
     });
 }
@@ -262,14 +273,14 @@ nicol_result nicol_render_async(nicol_scene scene, const nicol_camera* camera,
             [call, snapshot = std::move(snapshot), session = self.session, state = self.content,
              target = target.content](Job& running) {
                 Call::concerns(session);
-                const SessionLock lock(session);
+                const std::lock_guard rendering(state->rendering);
                 running.begin();
                 const gl::Borrower borrower(session->gl, [&] { require_awaited(running, *session); });
                 RenderOptions options = call.options;
                 options.progress = job_progress(running, call.options);
                 notice_darkness(snapshot, *state, *session);
-                state->renderer.render(snapshot, call.camera, options, *target);
-                notice_error(target->statistics(), options, *state, *session);
+                const Statistics statistics = state->renderer.render(snapshot, call.camera, options, *target);
+                notice_error(statistics, options, *state, *session);
             },
             [session = self.session] { session->gl->wake(); });
         auto* const handle = make_handle<nicol_job_impl>(self.session, made);
@@ -330,7 +341,7 @@ nicol_result nicol_job_release(nicol_job job) {
 nicol_result nicol_framebuffer_get_statistics(nicol_framebuffer framebuffer, nicol_statistics* statistics) {
     return guarded([&] {
         const nicol_framebuffer_impl& self = resolve(framebuffer);
-        const SessionLock lock(self.session);
+        const Access access(self);
         const Statistics& s = self.content->statistics();
         nicol_statistics out = NICOL_STATISTICS_INIT;
         out.order = static_cast<uint32_t>(s.order);

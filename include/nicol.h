@@ -17,9 +17,9 @@
  *              that do not see macros: all bytes of x, and struct_size to its second argument. Every number means itself;
  *              0 stands for "automatic" or "none" only where a comment says so. Fields that a caller built with an older
  *              header does not have get their defaults.
- *   Threads    Any function may be called from any thread, except as "inside a host's OpenGL" says. Calls on objects of
- *              one context lock the context; calls on different contexts run in parallel. Callbacks run on the calling
- *              thread unless stated otherwise.
+ *   Threads    Any function may be called from any thread, except as "inside a host's OpenGL" says. Calls run in parallel,
+ *              except that renders of one scene run one after another, as do calls that use one framebuffer, and commands
+ *              of OpenGL in one context. Callbacks run on the calling thread unless stated otherwise.
  *   Numbers    Calls and their callbacks run in the default floating-point environment: rounding to nearest, no traps,
  *              subnormal numbers kept. Each call restores the caller's environment before it returns.
  *   Strings    Strings in arguments are UTF-8 and copied. Returned strings belong to the library; each comment says how
@@ -89,7 +89,7 @@ typedef int32_t nicol_result;
 #define NICOL_ERROR_INTERNAL 11      /* defect in Nicol */
 #define NICOL_ERROR_NOT_CURRENT 12   /* the host's OpenGL context is not current on the calling thread */
 #define NICOL_ERROR_TIMEOUT 13       /* the timeout expired */
-#define NICOL_ERROR_BUSY 14          /* NICOL_MAX_JOBS jobs are queued already */
+#define NICOL_ERROR_BUSY 14          /* NICOL_MAX_JOBS jobs are queued, or the scene is being rendered */
 
 /* Returns the message of the last failed call on this thread: one line that names the file, line, field or
  * argument and what is expected. The message is never NULL, and "" before the first failure. The string is
@@ -190,7 +190,7 @@ typedef struct nicol_context_options {
     /* Number of threads, at most 1024. 0, the default: one per core, which is also the largest number
      * used. */
     uint32_t threads;
-    nicol_log_callback log; /* log callback, may be called on any thread; NULL, the default: silent */
+    nicol_log_callback log; /* log callback, on any thread, on several at once; NULL, the default: silent */
     void* log_user;
     /* Folder in which material tables and baked visibility are kept between runs; created if missing. NULL,
      * the default, or "": the folder of the environment variable NICOL_CACHE, or no cache if the variable is
@@ -1332,11 +1332,15 @@ typedef struct nicol_render_options {
      * methods than the reference compute direct light and refuse other numbers than 0 and 2 with
      * NICOL_ERROR_UNSUPPORTED. More than 2 needs shadows. */
     int32_t max_depth;
+    /* What nicol_render does while another render of the scene runs, such as a job: 0, the default: it waits;
+     * 1: it returns NICOL_ERROR_BUSY. No effect on nicol_render_async. */
+    uint32_t fail_if_busy;
+    uint32_t reserved; /* 0 */
 } nicol_render_options;
 /* clang-format off */
 #define NICOL_RENDER_OPTIONS_INIT \
     { sizeof(nicol_render_options), 0, NICOL_ORDER_AUTOMATIC, NICOL_ORDER_AUTOMATIC, 0, 1, NICOL_DIRECTIONS_AUTOMATIC, 1, 0, 0, 0, 256, 0, 0, \
-      0.03, 0, 0, 1, 0, 0, 0, 0.02, 0, NICOL_SPLIT_AUTOMATIC, 16, 32, 0 }
+      0.03, 0, 0, 1, 0, 0, 0, 0.02, 0, NICOL_SPLIT_AUTOMATIC, 16, 32, 0, 0, 0 }
 /* clang-format on */
 NICOL_API nicol_result nicol_render_options_init(nicol_render_options* descriptor, uint32_t struct_size);
 
@@ -1370,26 +1374,27 @@ NICOL_API nicol_result nicol_framebuffer_release(nicol_framebuffer framebuffer);
  * NICOL_ERROR_INVALID_ARGUMENT for options and cameras out of range and for channels that do not fit. Returns
  * NICOL_ERROR_UNSUPPORTED for an unknown method, for compute shaders if the driver lacks features, and, if a
  * material varies by a texture, for the dense method and for shading at vertices. Returns
- * NICOL_ERROR_CANCELLED if a callback returned 0, and NICOL_ERROR_OUT_OF_MEMORY also beyond the context's
- * memory_limit. */
+ * NICOL_ERROR_CANCELLED if a callback returned 0, NICOL_ERROR_BUSY as fail_if_busy says, and
+ * NICOL_ERROR_OUT_OF_MEMORY also beyond the context's memory_limit. */
 NICOL_API nicol_result nicol_render(nicol_scene scene, const nicol_camera* camera,
                                     const nicol_render_options* options, nicol_framebuffer framebuffer);
 
 /* Asynchronous render. Jobs of one context run one after another, in the order of submission, on a thread of
- * the context. A running job locks the context: calls that render, create, read and write its framebuffers
- * wait for the job, but not for queued jobs. Calls that change or query scenes, or make lights, materials and
- * meshes, do not wait. A job may be used from any thread; nicol_job_poll and nicol_job_cancel may also be
- * called from callbacks. "Inside a host's OpenGL" says how jobs differ there. */
+ * the context. Only nicol_render of the same scene waits for a running job, unless fail_if_busy is set. Other
+ * functions return while it runs: those that use OpenGL wait at most for the step that the job gives to
+ * OpenGL, and those that use its framebuffer for the step that puts the image there. A job may be used from
+ * any thread; nicol_job_poll and nicol_job_cancel may also be called from callbacks. "Inside a host's OpenGL"
+ * says how jobs differ there. */
 typedef struct nicol_job_impl* nicol_job;
 
 #define NICOL_MAX_JOBS 256 /* largest number of queued jobs of a context */
 
 /* Submits nicol_render as a job. The job copies the scene's state: later changes affect later renders only.
- * The framebuffer keeps its content until the job has run. Scene, framebuffer and all they need are kept
- * alive. The caller may release them, and the job too, which runs all the same. The progress callback runs on
- * the context's thread, and progress_user must live until the job is done. Invalid arguments are refused at
- * once if possible; other errors are the job's result. Returns NICOL_ERROR_BUSY if NICOL_MAX_JOBS jobs are
- * queued. A process that exits cancels its jobs. */
+ * The framebuffer keeps its content until the job puts its image there. Scene, framebuffer and all they need
+ * are kept alive. The caller may release them, and the job too, which runs all the same. The progress
+ * callback runs on the context's thread, and progress_user must live until the job is done. Invalid arguments
+ * are refused at once if possible; other errors are the job's result. Returns NICOL_ERROR_BUSY if
+ * NICOL_MAX_JOBS jobs are queued. A process that exits cancels its jobs. */
 NICOL_API nicol_result nicol_render_async(nicol_scene scene, const nicol_camera* camera,
                                           const nicol_render_options* options, nicol_framebuffer framebuffer,
                                           nicol_job* job);
@@ -1629,7 +1634,7 @@ NICOL_API nicol_result nicol_framebuffer_write_png(nicol_framebuffer framebuffer
  *   Callbacks     Callbacks during a render must not call OpenGL.
  *   Jobs          Jobs bake, project and shade on a thread of Nicol's, while the host goes on. The OpenGL commands of jobs
  *                 wait until the host lends its context. A call of nicol_job_poll where the context is current gives the
- *                 commands that are ready. nicol_job_wait, or any call that waits for the job, gives commands as they
+ *                 commands that are ready. nicol_job_wait, and any call that waits for the job, gives commands as they
  *                 come, and fails with NICOL_ERROR_NOT_CURRENT where the context is not current. A job that waits for
  *                 the context is cancelled when the last handle of the context's objects has been released.
  *   Times         The time of a verb that works on the device is the time of giving its commands; the host's commands

@@ -30,8 +30,8 @@ fi
 
 if [ "$threads" = 1 ]; then
     cmake -S . -B build-tsan -G Ninja -DCMAKE_BUILD_TYPE=Debug -DNICOL_SANITIZE=thread -DNICOL_BUILD_TESTS=ON
-    cmake --build build-tsan --target test_threads
-    ctest --test-dir build-tsan --output-on-failure -R '^threads\.'
+    cmake --build build-tsan --target test_threads test_waits
+    ctest --test-dir build-tsan --output-on-failure -R '^(threads|waits)\.'
 fi
 
 cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release -DNICOL_BUILD_TESTS=ON

@@ -59,3 +59,6 @@ Report bench_textures(const Options& given);
 
 /// Compares requested, predicted and measured errors.
 Report bench_tolerance(const Options& options);
+
+/// Measures how long each function takes while a job runs.
+Report bench_waits(const Options& options);

@@ -327,6 +327,8 @@ typedef struct nicol_render_options {
     uint32_t light_samples;
     uint32_t bsdf_samples;
     int32_t max_depth;
+    uint32_t fail_if_busy;
+    uint32_t reserved;
 } nicol_render_options;
 typedef uint32_t nicol_quality;
 typedef struct nicol_job_impl* nicol_job;

@@ -602,6 +602,8 @@ export const types = [
       ["light_samples", "uint32_t", 0],
       ["bsdf_samples", "uint32_t", 0],
       ["max_depth", "int32_t", 0],
+      ["fail_if_busy", "uint32_t", 0],
+      ["reserved", "uint32_t", 0],
     ],
   },
   { kind: "alias", name: "nicol_quality", of: "uint32_t" },

@@ -45,7 +45,7 @@ void unpack(const gl::RenderTarget& attachments, const AovLayout& layout, Aovs& 
 }  // namespace
 
 Framebuffer::Framebuffer(std::shared_ptr<gl::Context> context, int width, int height, int channels)
-    : context_(std::move(context)), width_(width), height_(height), channels_(channels) {
+    : context_(std::move(context)), mutex_(context_), width_(width), height_(height), channels_(channels) {
     const int most = context_->limits().target_size;
     if (width < 1 || height < 1 || width > most || height > most) {
         throw Error(ErrorCode::invalid_argument,

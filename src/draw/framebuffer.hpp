@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "gl/lending_mutex.hpp"
 #include "gl/render_target.hpp"
 #include "image/aovs.hpp"
 #include "image/stokes_image.hpp"
@@ -16,7 +17,7 @@ namespace nicol {
 
 /// Stokes image on the device: one RGBA32F texture per colour channel, whose texels are Stokes vectors in the
 /// camera's frame field. Channels form groups of at most kGroup, because a driver draws into few textures at
-/// once.
+/// once. Threads that share a framebuffer lock mutex() around calls, except for those that get constants.
 class Framebuffer {
 public:
     static constexpr int kGroup = 4;
@@ -28,6 +29,7 @@ public:
     [[nodiscard]] int height() const noexcept { return height_; }
     [[nodiscard]] int channels() const noexcept { return channels_; }
     [[nodiscard]] const std::shared_ptr<gl::Context>& context() const noexcept { return context_; }
+    [[nodiscard]] gl::LendingMutex& mutex() noexcept { return mutex_; }
 
     /// Returns the groups. A group has the channels from group * kGroup on.
     [[nodiscard]] std::vector<gl::RenderTarget>& groups() noexcept { return groups_; }
@@ -60,6 +62,7 @@ public:
 
 private:
     std::shared_ptr<gl::Context> context_;
+    gl::LendingMutex mutex_;
     int width_;
     int height_;
     int channels_;

@@ -128,7 +128,7 @@ private:
 };
 
 void Host::visit(Context::State& state, const std::function<void()>& call) {
-    if (on_thread() || visiting() || borrower_.load() == std::this_thread::get_id()) return call();
+    if (on_thread() || visiting() || borrows()) return call();
     require_current(state);
     Visit visit(*this, state);
     call();
@@ -140,7 +140,7 @@ void Host::execute(Context::State& state, void (*call)(void*), void* argument) {
         call(argument);
         return;
     }
-    if (borrower_.load() == std::this_thread::get_id()) {
+    if (borrows()) {
         borrow(call, argument);
         return;
     }

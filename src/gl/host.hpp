@@ -51,6 +51,8 @@ public:
     /// host in which nothing can be drawn, or which cannot be restored.
     void visit(Context::State& state, const std::function<void()>& call);
     [[nodiscard]] bool on_thread() const noexcept { return inside_.load() == std::this_thread::get_id(); }
+    /// Returns whether the calling thread borrows the context.
+    [[nodiscard]] bool borrows() const noexcept { return borrower_.load() == std::this_thread::get_id(); }
     [[nodiscard]] const HostAccess& access() const noexcept { return access_; }
 
     /// Implements Context's and Borrower's functions of these names.

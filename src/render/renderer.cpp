@@ -119,39 +119,6 @@ void check_size(const Scene& scene, const RenderOptions& options, const Framebuf
            " that shading at pixels and polarization elements can keep");
 }
 
-/// Traces an image of the framebuffer's size on `threads` threads (0: one per core), and puts it into the
-/// framebuffer. A framebuffer of one channel gets the luminance of three. Throws the errors of
-/// render_reference(); the framebuffer then keeps its content.
-void render_by_reference(const Scene& scene, const Camera& camera, const RenderOptions& options, int threads,
-                         Framebuffer& target) {
-    const int width = target.width();
-    const int height = target.height();
-    ReferenceStatistics traced;
-    Aovs aovs;
-    StokesImage image = render_reference(scene, project(camera, width, height), width, height,
-                                         {.samples = options.samples,
-                                          .max_depth = options.max_depth,
-                                          .shadows = options.shadows,
-                                          .luminance = target.channels() < scene.channels(),
-                                          .seed = options.seed,
-                                          .threads = threads,
-                                          .aovs = options.aovs,
-                                          .progress = options.progress},
-                                         traced, Strategy::both, &aovs);
-    Statistics statistics;
-    for (const Instance& instance : scene.instances()) statistics.vertices += instance.mesh->positions.size();
-    statistics.triangles = traced.triangles;
-    statistics.bake_ms = traced.build_ms;
-    statistics.trace_ms = traced.trace_ms;
-    statistics.camera_rays = traced.camera_rays;
-    statistics.shadow_rays = traced.shadow_rays;
-    const gl::MemoryUse memory = target.context()->memory();
-    statistics.texture_bytes = memory.of(gl::MemoryKind::texture) + memory.of(gl::MemoryKind::render_target);
-    const Stopwatch watch;
-    target.show(std::move(image), statistics, std::move(aovs));
-    target.statistics().draw_ms = watch.milliseconds();
-}
-
 // Returns the options that the method uses, and defaults of the others, whose change makes no other image.
 RenderOptions used(const RenderOptions& options) {
     RenderOptions out = options;
@@ -196,8 +163,8 @@ RenderExecutor& Renderer::executor_for(const RenderOptions& options) {
     return *executor_;
 }
 
-void Renderer::render(const Scene& scene, const Camera& camera, const RenderOptions& options,
-                      Framebuffer& target) {
+Statistics Renderer::render(const Scene& scene, const Camera& camera, const RenderOptions& options,
+                            Framebuffer& target) {
     if (target.context() != context_) refuse("the framebuffer is of another context than the scene");
     const bool grey = target.channels() == 1 && scene.channels() == 3;
     if (target.channels() != scene.channels() && !grey) {
@@ -219,25 +186,28 @@ void Renderer::render(const Scene& scene, const Camera& camera, const RenderOpti
         colours_ = std::make_unique<Framebuffer>(context_, target.width(), target.height(), 3);
     }
     render_into(scene, camera, options, *colours_);
-    const StokesImage& image = colours_->image();
-    const Aovs& aovs = colours_->aovs();
     const Stopwatch watch;
+    StokesImage grey_image = luminance(colours_->image());
+    const Aovs& aovs = colours_->aovs();
     const Statistics statistics = colours_->statistics();
-    target.show(luminance(image), statistics, aovs);
+    const std::lock_guard lock(target.mutex());
+    target.show(std::move(grey_image), statistics, aovs);
     target.statistics().observe_ms = 0;
-    target.statistics().draw_ms += statistics.observe_ms + watch.milliseconds();
+    target.statistics().draw_ms += watch.milliseconds();
+    return target.statistics();
 }
 
-void Renderer::render_into(const Scene& scene, const Camera& camera, const RenderOptions& options,
-                           Framebuffer& target) {
-    if ((options.disabled_optimisations & skip_unchanged) != 0 || content_ != target.content()) {
-        rendering_.reset();
-    }
+Statistics Renderer::render_into(const Scene& scene, const Camera& camera, const RenderOptions& options,
+                                 Framebuffer& target) {
+    const auto content = [&target] {
+        const std::lock_guard lock(target.mutex());
+        return target.content();
+    };
+    if ((options.disabled_optimisations & skip_unchanged) != 0 || content_ != content()) rendering_.reset();
     const bool rendered = rendering_.run(
         scene.geometry_version(), scene.material_version(), scene.light_version(), scene.emission_version(),
         scene.local_light_version(), scene.element_version(), camera, used(options), [&] {
-            if (options.method == Method::reference)
-                return render_by_reference(scene, camera, options, threads_, target);
+            if (options.method == Method::reference) return trace(scene, camera, options, target);
             const Projection projection = project(camera, target.width(), target.height());
             if (sample_pattern(options.pixel_samples).empty()) {
                 draw_one_by_one(scene, projection, options, target);
@@ -245,8 +215,51 @@ void Renderer::render_into(const Scene& scene, const Camera& camera, const Rende
                 draw(scene, projection, options, target);
             }
         });
-    content_ = target.content();
+    const std::lock_guard lock(target.mutex());
     if (!rendered) target.statistics().nothing_ran();
+    return target.statistics();
+}
+
+void Renderer::put(Framebuffer& target, const std::function<void()>& draw) {
+    const std::lock_guard lock(target.mutex());
+    draw();
+    content_ = target.content();
+}
+
+void Renderer::put(Framebuffer& target, StokesImage image, const Statistics& statistics, Aovs aovs) {
+    put(target, [&] {
+        const Stopwatch watch;
+        target.show(std::move(image), statistics, std::move(aovs));
+        target.statistics().draw_ms += watch.milliseconds();
+    });
+}
+
+void Renderer::trace(const Scene& scene, const Camera& camera, const RenderOptions& options,
+                     Framebuffer& target) {
+    const int width = target.width();
+    const int height = target.height();
+    ReferenceStatistics traced;
+    Aovs aovs;
+    StokesImage image = render_reference(scene, project(camera, width, height), width, height,
+                                         {.samples = options.samples,
+                                          .max_depth = options.max_depth,
+                                          .shadows = options.shadows,
+                                          .luminance = target.channels() < scene.channels(),
+                                          .seed = options.seed,
+                                          .threads = threads_,
+                                          .aovs = options.aovs,
+                                          .progress = options.progress},
+                                         traced, Strategy::both, &aovs);
+    Statistics statistics;
+    for (const Instance& instance : scene.instances()) statistics.vertices += instance.mesh->positions.size();
+    statistics.triangles = traced.triangles;
+    statistics.bake_ms = traced.build_ms;
+    statistics.trace_ms = traced.trace_ms;
+    statistics.camera_rays = traced.camera_rays;
+    statistics.shadow_rays = traced.shadow_rays;
+    const gl::MemoryUse memory = target.context()->memory();
+    statistics.texture_bytes = memory.of(gl::MemoryKind::texture) + memory.of(gl::MemoryKind::render_target);
+    put(target, std::move(image), statistics, std::move(aovs));
 }
 
 void Renderer::draw_one_by_one(const Scene& scene, const Projection& projection, const RenderOptions& options,
@@ -279,7 +292,7 @@ void Renderer::draw_one_by_one(const Scene& scene, const Projection& projection,
         for (std::size_t i = 0; i < mean.data.size(); ++i) mean.data[i] += weight * image.data[i];
         statistics.add(sample.statistics());
     }
-    target.show(std::move(mean), statistics, std::move(aovs));
+    put(target, std::move(mean), statistics, std::move(aovs));
 }
 
 void Renderer::update_buffers(const RefinedSurfaces& surfaces, int channels) {
@@ -320,8 +333,7 @@ void Renderer::draw(const Scene& scene, const Projection& projection, const Rend
     pipeline_.run(scene, projection, chosen, executor, run, hits_for_shading);
     progress.report("draw", 0);
 
-    const Stopwatch watch;
-    context_->run([&] {
+    const auto draw_image = [&] {
         const RefinedSurfaces& surfaces = pipeline_.surfaces();
         update_buffers(surfaces, target.channels());
         const bool at_pixels = pipeline_.shaded_pixels();
@@ -342,15 +354,19 @@ void Renderer::draw(const Scene& scene, const Projection& projection, const Rend
             elements_.draw(buffers_, hits_, options.components, target);
             gl::finish(*context_);
         }
+    };
+    put(target, [&] {
+        const Stopwatch watch;
+        context_->run(draw_image);
+        statistics.draw_ms += watch.milliseconds();
+        statistics.transfer_bytes += hits_.bytes();
+        const gl::MemoryUse memory = context_->memory();
+        statistics.buffer_bytes = memory.of(gl::MemoryKind::vertex) + memory.of(gl::MemoryKind::index) +
+                                  memory.of(gl::MemoryKind::storage);
+        statistics.texture_bytes =
+            memory.of(gl::MemoryKind::texture) + memory.of(gl::MemoryKind::render_target);
+        target.rendered(statistics);
     });
-    statistics.draw_ms += watch.milliseconds();
-
-    statistics.transfer_bytes += hits_.bytes();
-    const gl::MemoryUse memory = context_->memory();
-    statistics.buffer_bytes = memory.of(gl::MemoryKind::vertex) + memory.of(gl::MemoryKind::index) +
-                              memory.of(gl::MemoryKind::storage);
-    statistics.texture_bytes = memory.of(gl::MemoryKind::texture) + memory.of(gl::MemoryKind::render_target);
-    target.rendered(statistics);
 }
 
 }  // namespace nicol

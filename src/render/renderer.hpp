@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -35,13 +36,20 @@ public:
     /// Error(unsupported) if compute shaders are requested and the driver lacks features, and if a material
     /// is textured and vertices or the dense method are requested; Error(cancelled); Error(out_of_memory),
     /// also if the limit is exceeded. After an error the framebuffer is unchanged. If nothing has changed
-    /// since the last call, nothing is computed.
-    void render(const Scene& scene, const Camera& camera, const RenderOptions& options, Framebuffer& target);
+    /// since the last call, nothing is computed. Locks the framebuffer only to put the image into it. Returns
+    /// the framebuffer's statistics.
+    Statistics render(const Scene& scene, const Camera& camera, const RenderOptions& options,
+                      Framebuffer& target);
 
 private:
     // Renders into a framebuffer of the scene's channels or, with the reference method, of their luminance.
-    void render_into(const Scene& scene, const Camera& camera, const RenderOptions& options,
-                     Framebuffer& target);
+    Statistics render_into(const Scene& scene, const Camera& camera, const RenderOptions& options,
+                           Framebuffer& target);
+    // Locks the framebuffer, calls `draw`, which replaces the content, and remembers what the content is.
+    void put(Framebuffer& target, const std::function<void()>& draw);
+    void put(Framebuffer& target, StokesImage image, const Statistics& statistics, Aovs aovs);
+    // Traces an image by the reference method.
+    void trace(const Scene& scene, const Camera& camera, const RenderOptions& options, Framebuffer& target);
     void draw(const Scene& scene, const Projection& projection, const RenderOptions& options,
               Framebuffer& target);
     // Draws as many images as the options have samples per pixel, and averages the images.

@@ -106,3 +106,24 @@ TEST_CASE("a job's failure reaches the callback from the job's thread, once") {
     CHECK(found[0].function == "nicol_render_async");
     CHECK(found[0].thread != std::this_thread::get_id());
 }
+
+TEST_CASE("an error callback that calls back gets an error, and is not called for that") {
+    struct Caller {
+        nicol_scene scene = nullptr;
+        int calls = 0;
+        nicol_result result = NICOL_OK;
+    } caller;
+    nicol_context_options options = two_threads(NICOL_BACKEND_OSMESA);
+    options.error_user = &caller;
+    options.error = [](void* user, nicol_result, const char*, const char*) {
+        auto& called = *static_cast<Caller*>(user);
+        ++called.calls;
+        called.result = nicol_scene_hide_emitters(called.scene, 1);
+    };
+    const Owned context(make(nicol_context_create, &options));
+    const Owned scene(empty_scene(context));
+    caller.scene = scene;
+    CHECK(nicol_scene_remove_instance(scene, 7) == NICOL_ERROR_INVALID_ARGUMENT);
+    CHECK(caller.calls == 1);
+    CHECK(caller.result == NICOL_ERROR_INVALID_ARGUMENT);
+}

@@ -52,6 +52,29 @@ STAGE_TEST_CASE("a job renders the scene as it was, while the scene changes") {
     CHECK(read_all(other) == after);
 }
 
+STAGE_TEST_CASE("a render waits for a job of its scene, or says that it is busy") {
+    Gate gate;
+    const Owned job(submit(stage, gated(gate)));
+    gate.wait_until_entered();
+    nicol_render_options options = plain_options();
+    options.fail_if_busy = 1;
+    FAILS(stage.try_render(options), NICOL_ERROR_BUSY, "fail_if_busy");
+    OK(Stage(stage.context).try_render(options));  // another scene
+    std::atomic<bool> rendered = false;
+    std::thread render([&] {
+        options.fail_if_busy = 0;
+        rendered = stage.try_render(options) == NICOL_OK;
+    });
+    CHECK(poll(job).state == NICOL_JOB_RUNNING);
+    CHECK_FALSE(rendered);
+    gate.open();
+    render.join();
+    CHECK(rendered);
+    OK(nicol_job_wait(job, NICOL_WAIT_FOREVER));
+    options.fail_if_busy = 1;
+    OK(stage.try_render(options));
+}
+
 STAGE_TEST_CASE("jobs wait their turn, and end at once when they are cancelled there") {
     const std::vector<float> image = stage.image();
     Gate gate;

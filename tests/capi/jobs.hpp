@@ -5,30 +5,9 @@
 #include <atomic>
 
 #include "capi/capi.hpp"
+#include "capi/gate.hpp"
 
 namespace capi_test {
-
-/// A progress callback that blocks its job until the gate is opened.
-class Gate {
-public:
-    static std::int32_t callback(void* user, const char*, double) {
-        auto& gate = *static_cast<Gate*>(user);
-        gate.entered_ = true;
-        gate.entered_.notify_all();
-        gate.answer_.wait(closed);
-        return gate.answer_;
-    }
-    void wait_until_entered() { entered_.wait(false); }
-    void open(std::int32_t answer = 1) {
-        answer_ = answer;
-        answer_.notify_all();
-    }
-
-private:
-    static constexpr std::int32_t closed = -1;
-    std::atomic<bool> entered_ = false;
-    std::atomic<std::int32_t> answer_ = closed;
-};
 
 // Returns options that make every render trace again.
 inline nicol_render_options traced() {

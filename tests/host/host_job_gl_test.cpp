@@ -83,15 +83,25 @@ HOST_TEST_CASE("the application goes on while a job bakes") {
 
 HOST_TEST_CASE("a call that waits for a job lends it the context") {
     const Hosted hosted;
-    const std::vector<float> image = hosted.stage.image();
+    nicol_render_options options = drawn();
+    options.shade_at = NICOL_SHADE_AT_VERTICES;  // whose OpenGL commands all come with the framebuffer locked
+    OK(nicol_scene_set_transform(hosted.stage.scene, 0, placed(0, 0, 0).rows));
+    const std::vector<float> image = hosted.stage.image(options);
     const Stage other(hosted.context);
     for (const auto& wait : std::initializer_list<std::function<void()>>{
-             [&] { CHECK(read_all(other.framebuffer) == image); },
-             [&] { other.render(); },
-             [&] { OK(nicol_framebuffer_release(framebuffer_of(hosted.context, 4, 4, 1))); },
+             [&] { OK(other.try_render(options)); },
+             [&] {
+                 while (read_all(other.framebuffer) != image) std::this_thread::yield();
+             },
          }) {
+        OK(nicol_scene_set_transform(other.scene, 0, placed(0.5, 0, 0).rows));
+        OK(other.try_render(options));
+        OK(nicol_scene_set_transform(other.scene, 0, placed(0, 0, 0).rows));
         Gate gate;
-        const Owned job(submit(other, gated(gate, NICOL_METHOD_FACTORED)));
+        options.progress = Gate::callback;
+        options.progress_user = &gate;
+        const Owned job(submit(other, options));
+        options.progress = nullptr;
         gate.wait_until_entered();
         gate.open();
         wait();

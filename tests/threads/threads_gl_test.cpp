@@ -5,13 +5,7 @@
 #include <thread>
 
 #include "capi/capi.hpp"
-
-#ifdef __SANITIZE_THREAD__
-#include <tbb/global_control.h>
-// oneTBB is not instrumented, so handing work to its threads looks like a race. With this limit every loop
-// runs on the thread that started it.
-static const tbb::global_control no_workers(tbb::global_control::max_allowed_parallelism, 1);
-#endif
+#include "threads/no_workers.hpp"
 
 using namespace capi_test;
 
@@ -35,16 +29,15 @@ public:
         const nicol_pplastic plastic = NICOL_PPLASTIC_INIT;
         good_ = nicol_environment_create_sky(context, &sky, &environment_) == NICOL_OK &&
                 nicol_material_create_pplastic(context, &plastic, &material_) == NICOL_OK &&
-                nicol_mesh_create_cube(context, &mesh_) == NICOL_OK &&
-                nicol_scene_create(context, &scene_) == NICOL_OK &&
-                nicol_framebuffer_create(context, size, size, 3, &framebuffer_) == NICOL_OK &&
-                nicol_scene_set_environment(scene_, environment_, nullptr, 1) == NICOL_OK;
-        nicol_instance instance = NICOL_INSTANCE_INIT;
-        instance.mesh = mesh_;
-        instance.material = material_;
-        const Matrix place = placed(0, 0, 0, 0.6);
-        std::copy_n(place.rows, 16, instance.to_world);
-        good_ = good_ && nicol_scene_add_instance(scene_, &instance, nullptr) == NICOL_OK;
+                nicol_mesh_create_cube(context, &mesh_) == NICOL_OK;
+        make_scene(context);
+    }
+    /// A scene of its own, with the assets of another painting.
+    Painting(nicol_context context, const Painting& other)
+        : environment_(other.environment_), material_(other.material_), mesh_(other.mesh_) {
+        good_ = nicol_environment_retain(environment_) == NICOL_OK &&
+                nicol_material_retain(material_) == NICOL_OK && nicol_mesh_retain(mesh_) == NICOL_OK;
+        make_scene(context);
     }
     ~Painting() {
         nicol_framebuffer_release(framebuffer_);
@@ -78,6 +71,18 @@ public:
     [[nodiscard]] nicol_scene scene() const { return scene_; }
 
 private:
+    void make_scene(nicol_context context) {
+        good_ = good_ && nicol_scene_create(context, &scene_) == NICOL_OK &&
+                nicol_framebuffer_create(context, size, size, 3, &framebuffer_) == NICOL_OK &&
+                nicol_scene_set_environment(scene_, environment_, nullptr, 1) == NICOL_OK;
+        nicol_instance instance = NICOL_INSTANCE_INIT;
+        instance.mesh = mesh_;
+        instance.material = material_;
+        const Matrix place = placed(0, 0, 0, 0.6);
+        std::copy_n(place.rows, 16, instance.to_world);
+        good_ = good_ && nicol_scene_add_instance(scene_, &instance, nullptr) == NICOL_OK;
+    }
+
     nicol_environment environment_ = nullptr;
     nicol_material material_ = nullptr;
     nicol_mesh mesh_ = nullptr;
@@ -138,7 +143,7 @@ TEST_CASE("threads share a context, its objects and its end") {
                   return false;
               bool same = true;
               {
-                  Painting own(context);
+                  Painting own(context, first);
                   for (int k = 0; k < 3; ++k) {
                       const Matrix place = placed(0.1 * i, 0, 0, 0.5);
                       same = same && own.frame(0) == alone &&

@@ -603,6 +603,8 @@ class RenderOptions(Struct):
         ("light_samples", c_uint32),
         ("bsdf_samples", c_uint32),
         ("max_depth", c_int32),
+        ("fail_if_busy", c_uint32),
+        ("reserved", c_uint32),
     ]
 
     def set_quality(self, quality):
@@ -1473,10 +1475,11 @@ class Framebuffer(Handle):
 
 class Job(Handle):
     """Asynchronous render. Jobs of one context run one after another, in the order of submission, on a thread of
-    the context. A running job locks the context: calls that render, create, read and write its framebuffers
-    wait for the job, but not for queued jobs. Calls that change or query scenes, or make lights, materials and
-    meshes, do not wait. A job may be used from any thread; nicol_job_poll and nicol_job_cancel may also be
-    called from callbacks. "Inside a host's OpenGL" says how jobs differ there."""
+    the context. Only nicol_render of the same scene waits for a running job, unless fail_if_busy is set. Other
+    functions return while it runs: those that use OpenGL wait at most for the step that the job gives to
+    OpenGL, and those that use its framebuffer for the step that puts the image there. A job may be used from
+    any thread; nicol_job_poll and nicol_job_cancel may also be called from callbacks. "Inside a host's OpenGL"
+    says how jobs differ there."""
 
     def poll(self):
         """Gets the job's progress, and never waits for the job."""
@@ -1582,18 +1585,18 @@ def render(scene, camera, options, framebuffer):
     NICOL_ERROR_INVALID_ARGUMENT for options and cameras out of range and for channels that do not fit. Returns
     NICOL_ERROR_UNSUPPORTED for an unknown method, for compute shaders if the driver lacks features, and, if a
     material varies by a texture, for the dense method and for shading at vertices. Returns
-    NICOL_ERROR_CANCELLED if a callback returned 0, and NICOL_ERROR_OUT_OF_MEMORY also beyond the context's
-    memory_limit."""
+    NICOL_ERROR_CANCELLED if a callback returned 0, NICOL_ERROR_BUSY as fail_if_busy says, and
+    NICOL_ERROR_OUT_OF_MEMORY also beyond the context's memory_limit."""
     check(_render(scene, byref(camera) if camera is not None else None, byref(options) if options is not None else None, framebuffer))
 
 
 def render_async(scene, camera, options, framebuffer):
     """Submits nicol_render as a job. The job copies the scene's state: later changes affect later renders only.
-    The framebuffer keeps its content until the job has run. Scene, framebuffer and all they need are kept
-    alive. The caller may release them, and the job too, which runs all the same. The progress callback runs on
-    the context's thread, and progress_user must live until the job is done. Invalid arguments are refused at
-    once if possible; other errors are the job's result. Returns NICOL_ERROR_BUSY if NICOL_MAX_JOBS jobs are
-    queued. A process that exits cancels its jobs."""
+    The framebuffer keeps its content until the job puts its image there. Scene, framebuffer and all they need
+    are kept alive. The caller may release them, and the job too, which runs all the same. The progress
+    callback runs on the context's thread, and progress_user must live until the job is done. Invalid arguments
+    are refused at once if possible; other errors are the job's result. Returns NICOL_ERROR_BUSY if
+    NICOL_MAX_JOBS jobs are queued. A process that exits cancels its jobs."""
     options = lend(options)
     job = Job()
     check(_render_async(scene, byref(camera) if camera is not None else None, byref(options) if options is not None else None, framebuffer, byref(job)))

@@ -1006,10 +1006,12 @@ pub struct nicol_render_options {
     pub light_samples: u32,
     pub bsdf_samples: u32,
     pub max_depth: i32,
+    pub fail_if_busy: u32,
+    pub reserved: u32,
 }
 defaults!(nicol_render_options, nicol_render_options_init);
 const _: () = {
-    assert!(size_of::<nicol_render_options>() == 136);
+    assert!(size_of::<nicol_render_options>() == 144);
     assert!(offset_of!(nicol_render_options, struct_size) == 0);
     assert!(offset_of!(nicol_render_options, method) == 4);
     assert!(offset_of!(nicol_render_options, order_low) == 8);
@@ -1037,6 +1039,8 @@ const _: () = {
     assert!(offset_of!(nicol_render_options, light_samples) == 124);
     assert!(offset_of!(nicol_render_options, bsdf_samples) == 128);
     assert!(offset_of!(nicol_render_options, max_depth) == 132);
+    assert!(offset_of!(nicol_render_options, fail_if_busy) == 136);
+    assert!(offset_of!(nicol_render_options, reserved) == 140);
 };
 pub type nicol_quality = u32;
 
@@ -1045,10 +1049,11 @@ pub struct nicol_job_impl {
     _private: [u8; 0],
 }
 /// Asynchronous render. Jobs of one context run one after another, in the order of submission, on a thread of
-/// the context. A running job locks the context: calls that render, create, read and write its framebuffers
-/// wait for the job, but not for queued jobs. Calls that change or query scenes, or make lights, materials and
-/// meshes, do not wait. A job may be used from any thread; nicol_job_poll and nicol_job_cancel may also be
-/// called from callbacks. "Inside a host's OpenGL" says how jobs differ there.
+/// the context. Only nicol_render of the same scene waits for a running job, unless fail_if_busy is set. Other
+/// functions return while it runs: those that use OpenGL wait at most for the step that the job gives to
+/// OpenGL, and those that use its framebuffer for the step that puts the image there. A job may be used from
+/// any thread; nicol_job_poll and nicol_job_cancel may also be called from callbacks. "Inside a host's OpenGL"
+/// says how jobs differ there.
 pub type nicol_job = *mut nicol_job_impl;
 pub type nicol_job_state = u32;
 
@@ -1778,15 +1783,15 @@ extern "C" {
     /// NICOL_ERROR_INVALID_ARGUMENT for options and cameras out of range and for channels that do not fit. Returns
     /// NICOL_ERROR_UNSUPPORTED for an unknown method, for compute shaders if the driver lacks features, and, if a
     /// material varies by a texture, for the dense method and for shading at vertices. Returns
-    /// NICOL_ERROR_CANCELLED if a callback returned 0, and NICOL_ERROR_OUT_OF_MEMORY also beyond the context's
-    /// memory_limit.
+    /// NICOL_ERROR_CANCELLED if a callback returned 0, NICOL_ERROR_BUSY as fail_if_busy says, and
+    /// NICOL_ERROR_OUT_OF_MEMORY also beyond the context's memory_limit.
     pub fn nicol_render(scene: nicol_scene, camera: *const nicol_camera, options: *const nicol_render_options, framebuffer: nicol_framebuffer) -> nicol_result;
     /// Submits nicol_render as a job. The job copies the scene's state: later changes affect later renders only.
-    /// The framebuffer keeps its content until the job has run. Scene, framebuffer and all they need are kept
-    /// alive. The caller may release them, and the job too, which runs all the same. The progress callback runs on
-    /// the context's thread, and progress_user must live until the job is done. Invalid arguments are refused at
-    /// once if possible; other errors are the job's result. Returns NICOL_ERROR_BUSY if NICOL_MAX_JOBS jobs are
-    /// queued. A process that exits cancels its jobs.
+    /// The framebuffer keeps its content until the job puts its image there. Scene, framebuffer and all they need
+    /// are kept alive. The caller may release them, and the job too, which runs all the same. The progress
+    /// callback runs on the context's thread, and progress_user must live until the job is done. Invalid arguments
+    /// are refused at once if possible; other errors are the job's result. Returns NICOL_ERROR_BUSY if
+    /// NICOL_MAX_JOBS jobs are queued. A process that exits cancels its jobs.
     pub fn nicol_render_async(scene: nicol_scene, camera: *const nicol_camera, options: *const nicol_render_options, framebuffer: nicol_framebuffer, job: *mut nicol_job) -> nicol_result;
     pub fn nicol_job_status_init(descriptor: *mut nicol_job_status, struct_size: u32) -> nicol_result;
     /// Gets the job's progress, and never waits for the job.
