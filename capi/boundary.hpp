@@ -137,7 +137,8 @@ inline std::function<bool(const char*, double)> progress_from(nicol_progress_cal
         [callback, user](const char* verb, double fraction) { return callback(user, verb, fraction) != 0; };
 }
 
-/// Fills the part of a caller's struct that its struct_size covers; struct_size stays.
+/// Fills the part of a caller's struct that its struct_size covers; struct_size becomes the number of bytes
+/// of that part.
 template <class T>
 void write_struct(T* to, T value, const char* name) {
     require(to, name);
@@ -145,8 +146,8 @@ void write_struct(T* to, T value, const char* name) {
     std::memcpy(&size, to, sizeof size);
     if (size < sizeof size)
         refuse(std::string(name) + "->struct_size is not set; it must be sizeof(the struct)");
-    value.struct_size = size;
-    std::memcpy(to, &value, std::min<std::size_t>(size, sizeof(T)));
+    value.struct_size = static_cast<std::uint32_t>(std::min<std::size_t>(size, sizeof(T)));
+    std::memcpy(to, &value, value.struct_size);
 }
 
 }  // namespace nicol::capi

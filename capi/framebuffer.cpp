@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Framebuffers, and files of their content.
 #include <numbers>
+#include <utility>
 
 #include "handles.hpp"
 #include "image/observer.hpp"
@@ -33,6 +34,21 @@ Observation observe(const StokesImage& image, const nicol_observation& given) {
     }
 }
 
+std::shared_ptr<Framebuffer> make_framebuffer(const Session& session, std::uint32_t width,
+                                              std::uint32_t height, std::uint32_t channels) {
+    if (width < 1 || width > NICOL_MAX_SIZE || height < 1 || height > NICOL_MAX_SIZE) {
+        refuse("a framebuffer of " + std::to_string(width) + " x " + std::to_string(height) +
+               " pixels; each side must lie in 1 to " + std::to_string(NICOL_MAX_SIZE));
+    }
+    if (channels < 1 || channels > NICOL_MAX_CHANNELS) {
+        refuse("channels is " + std::to_string(channels) + "; it must lie in 1 to " +
+               std::to_string(NICOL_MAX_CHANNELS));
+    }
+    refuse_in_callback(session);
+    return std::make_shared<Framebuffer>(session.gl, static_cast<int>(width), static_cast<int>(height),
+                                         static_cast<int>(channels));
+}
+
 }  // namespace
 
 nicol_result nicol_framebuffer_create(nicol_context context, uint32_t width, uint32_t height,
@@ -40,18 +56,19 @@ nicol_result nicol_framebuffer_create(nicol_context context, uint32_t width, uin
     return guarded([&] {
         require(framebuffer, "framebuffer");
         const SessionPtr session = resolve(context).session;
-        if (width < 1 || width > NICOL_MAX_SIZE || height < 1 || height > NICOL_MAX_SIZE) {
-            refuse("a framebuffer of " + std::to_string(width) + " x " + std::to_string(height) +
-                   " pixels; each side must lie in 1 to " + std::to_string(NICOL_MAX_SIZE));
-        }
-        if (channels < 1 || channels > NICOL_MAX_CHANNELS) {
-            refuse("channels is " + std::to_string(channels) + "; it must lie in 1 to " +
-                   std::to_string(NICOL_MAX_CHANNELS));
-        }
-        refuse_in_callback(*session);
-        *framebuffer = make_handle<nicol_framebuffer_impl>(
-            session, std::make_shared<Framebuffer>(session->gl, static_cast<int>(width),
-                                                   static_cast<int>(height), static_cast<int>(channels)));
+        *framebuffer =
+            make_handle<nicol_framebuffer_impl>(session, make_framebuffer(*session, width, height, channels));
+    });
+}
+
+nicol_result nicol_framebuffer_resize(nicol_framebuffer framebuffer, uint32_t width, uint32_t height) {
+    return guarded([&] {
+        const nicol_framebuffer_impl& self = resolve(framebuffer);
+        const Framebuffer& former = *self.content;
+        if (std::cmp_equal(width, former.width()) && std::cmp_equal(height, former.height())) return;
+        // Calls in progress go on with the former object.
+        replace_content(framebuffer, make_framebuffer(*self.session, width, height,
+                                                      static_cast<std::uint32_t>(former.channels())));
     });
 }
 

@@ -232,6 +232,14 @@ Impl* make_handle(const SessionPtr& session, std::shared_ptr<Content> content) {
     return number;
 }
 
+/// Gives another object to a handle. Throws Error(invalid_handle).
+template <class Impl, class Content>
+void replace_content(Impl* handle, std::shared_ptr<Content> content) {
+    // The former object is destroyed after the lock, because that may take long.
+    const auto held = registry::hold(handle, Impl::kKind);
+    static_cast<Impl*>(held.object)->content.swap(content);
+}
+
 template <class Impl>
 nicol_result retain(Impl* handle, const char* function = __builtin_FUNCTION()) noexcept {
     return guarded(

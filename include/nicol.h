@@ -16,7 +16,8 @@
  *              that the comments name. nicol_<type>_init(&x, sizeof x) sets the same defaults at run time, for languages
  *              that do not see macros: all bytes of x, and struct_size to its second argument. Every number means itself;
  *              0 stands for "automatic" or "none" only where a comment says so. Fields that a caller built with an older
- *              header does not have get their defaults.
+ *              header does not have get their defaults. A function that fills a struct sets struct_size to the number of
+ *              bytes that it filled: all of them, unless the caller was built with a newer header than the library.
  *   Threads    Any function may be called from any thread, except as "inside a host's OpenGL" says. Calls run in parallel,
  *              except that renders of one scene run one after another, as do calls that use one framebuffer, and commands
  *              of OpenGL in one context. Callbacks run on the calling thread unless stated otherwise.
@@ -1362,7 +1363,13 @@ NICOL_API nicol_result nicol_render_options_set_quality(nicol_render_options* op
  * channels: 0.2126 R + 0.7152 G + 0.0722 B of each Stokes component. */
 NICOL_API nicol_result nicol_framebuffer_create(nicol_context context, uint32_t width, uint32_t height,
                                                 uint32_t channels, nicol_framebuffer* framebuffer);
-/* Gets the width, height and channels with which the framebuffer was created. */
+/* Changes the size, within the limits of nicol_framebuffer_create, and keeps the handle and the channels. The
+ * content is lost and undefined until the next render, and textures get other names; nothing happens if the
+ * size is the same. A job or another render that was given the framebuffer before puts its image into the
+ * former content, which is lost. */
+NICOL_API nicol_result nicol_framebuffer_resize(nicol_framebuffer framebuffer, uint32_t width,
+                                                uint32_t height);
+/* Gets the width, height and channels of the framebuffer. */
 NICOL_API nicol_result nicol_framebuffer_get_size(nicol_framebuffer framebuffer, uint32_t* width,
                                                   uint32_t* height, uint32_t* channels);
 NICOL_API nicol_result nicol_framebuffer_retain(nicol_framebuffer framebuffer);
@@ -1614,9 +1621,10 @@ NICOL_API nicol_result nicol_framebuffer_write_png(nicol_framebuffer framebuffer
  * is started, and nicol_framebuffer_get_texture and nicol_framebuffer_draw_... give access to the images.
  *
  *   Current       The host's OpenGL context, and no other, must be current on the calling thread in
- *                 nicol_context_create_host and in every call that uses OpenGL: nicol_framebuffer_create, nicol_render,
- *                 and calls that read, write and draw images. If the context is not current, such a call fails with
- *                 NICOL_ERROR_NOT_CURRENT and touches nothing. The context may move from thread to thread.
+ *                 nicol_context_create_host and in every call that uses OpenGL: nicol_framebuffer_create and
+ *                 nicol_framebuffer_resize, nicol_render, and calls that read, write and draw images. If the context is not
+ *                 current, such a call fails with NICOL_ERROR_NOT_CURRENT and touches nothing. The context may move from
+ *                 thread to thread.
  *   State         All OpenGL state of the host is as before when a call returns. Nicol saves and restores the state that
  *                 it changes, and sets and restores the state on which it depends (scissor, masks, pixel storage, ...),
  *                 once a call. A host that sets its own state again after each call may say so, which saves the queries:
@@ -1691,10 +1699,10 @@ typedef struct nicol_gl_texture {
 NICOL_API nicol_result nicol_gl_texture_init(nicol_gl_texture* descriptor, uint32_t struct_size);
 
 /* Gets the texture of a colour channel: a texel is the Stokes vector (s0, s1, s2, s3), and row 0 is the
- * image's TOP. The name is valid, and stays the same, until the framebuffer is released; the content is that
- * of the last render. The host may sample the texture and change its filters and wrap modes, but not its
- * swizzle, and must neither write nor delete the texture. Returns NICOL_ERROR_UNSUPPORTED for a framebuffer
- * whose context is not a host's. */
+ * image's TOP. The name is valid, and stays the same, until the framebuffer is released or resized; the
+ * content is that of the last render. The host may sample the texture and change its filters and wrap modes,
+ * but not its swizzle, and must neither write nor delete the texture. Returns NICOL_ERROR_UNSUPPORTED for a
+ * framebuffer whose context is not a host's. */
 NICOL_API nicol_result nicol_framebuffer_get_texture(nicol_framebuffer framebuffer, uint32_t channel,
                                                      nicol_gl_texture* texture);
 

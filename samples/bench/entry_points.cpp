@@ -258,6 +258,8 @@ void EntryPoints::images(const Watch& watch) {
     ask_scene(watch, o.loaded.get());
     make<Framebuffer>(watch, NAMED(nicol_framebuffer_create), o.context, size(), size(), 3U);
     keep(watch, NAMED(nicol_framebuffer_retain), NAMED(nicol_framebuffer_release), o.framebuffer.get());
+    call(watch, NAMED(nicol_framebuffer_resize), o.framebuffer.get(), size(), size() + 1);
+    check(nicol_framebuffer_resize(o.framebuffer.get(), size(), size()));
     o.camera.shift[0] += 0.001;
     call(watch, NAMED(nicol_render), o.scene.get(), &o.camera, nullptr, o.framebuffer.get());
     reads(watch, o.framebuffer.get());

@@ -621,6 +621,7 @@ nicol_result nicol_scene_release(nicol_scene scene);
 nicol_result nicol_render_options_init(nicol_render_options* descriptor, uint32_t struct_size);
 nicol_result nicol_render_options_set_quality(nicol_render_options* options, nicol_quality quality);
 nicol_result nicol_framebuffer_create(nicol_context context, uint32_t width, uint32_t height, uint32_t channels, nicol_framebuffer* framebuffer);
+nicol_result nicol_framebuffer_resize(nicol_framebuffer framebuffer, uint32_t width, uint32_t height);
 nicol_result nicol_framebuffer_get_size(nicol_framebuffer framebuffer, uint32_t* width, uint32_t* height, uint32_t* channels);
 nicol_result nicol_framebuffer_retain(nicol_framebuffer framebuffer);
 nicol_result nicol_framebuffer_release(nicol_framebuffer framebuffer);
@@ -907,6 +908,7 @@ return {
         scene_get_channels = true,
         render_options_set_quality = true,
         framebuffer_create = "nicol_framebuffer",
+        framebuffer_resize = true,
         framebuffer_get_size = true,
         render = true,
         render_async = "nicol_job",

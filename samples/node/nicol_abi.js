@@ -961,6 +961,7 @@ export const functions = {
   render_options_init: ["nicol_result nicol_render_options_init(_Out_ nicol_render_options *descriptor, uint32_t struct_size)", true, null],
   render_options_set_quality: ["nicol_result nicol_render_options_set_quality(_Inout_ nicol_render_options *options, nicol_quality quality)", true, null],
   framebuffer_create: ["nicol_result nicol_framebuffer_create(nicol_context context, uint32_t width, uint32_t height, uint32_t channels, _Out_ nicol_framebuffer *framebuffer)", true, "nicol_framebuffer"],
+  framebuffer_resize: ["nicol_result nicol_framebuffer_resize(nicol_framebuffer framebuffer, uint32_t width, uint32_t height)", true, null],
   framebuffer_get_size: ["nicol_result nicol_framebuffer_get_size(nicol_framebuffer framebuffer, _Out_ uint32_t *width, _Out_ uint32_t *height, _Out_ uint32_t *channels)", true, null],
   framebuffer_retain: ["nicol_result nicol_framebuffer_retain(nicol_framebuffer framebuffer)", true, null],
   framebuffer_release: ["nicol_result nicol_framebuffer_release(nicol_framebuffer framebuffer)", true, null],

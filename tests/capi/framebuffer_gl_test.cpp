@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Tests of framebuffers: sizes, planes in the caller's memory, files.
 #include "capi.hpp"
+#include "jobs.hpp"
 
 using namespace capi_test;
 
@@ -62,4 +63,30 @@ STAGE_TEST_CASE("files that cannot be written leave nothing behind") {
               path);
     }
     CHECK(folder.names().empty());
+}
+
+STAGE_TEST_CASE("a framebuffer of another size keeps its handle, also while a job renders into it") {
+    const std::vector<float> before = stage.image();
+    OK(nicol_framebuffer_resize(stage.framebuffer, 24, 16));  // its own size
+    CHECK(read_all(stage.framebuffer) == before);
+    for (const std::uint32_t wrong : {0U, NICOL_MAX_SIZE + 1U})
+        FAILS(nicol_framebuffer_resize(stage.framebuffer, wrong, 16), NICOL_ERROR_INVALID_ARGUMENT,
+              std::to_string(wrong) + " x 16");
+    CHECK(read_all(stage.framebuffer) == before);
+
+    Gate gate;
+    const Owned job(submit(stage, gated(gate)));
+    gate.wait_until_entered();
+    OK(nicol_framebuffer_resize(stage.framebuffer, 10, 20));
+    std::uint32_t width = 0, height = 0, channels = 0;
+    OK(nicol_framebuffer_get_size(stage.framebuffer, &width, &height, &channels));
+    CHECK((width == 10 && height == 20 && channels == 3));
+    gate.open();
+    OK(nicol_job_wait(job, NICOL_WAIT_FOREVER));
+
+    const Stage other(stage.context);
+    const Owned expected(framebuffer_of(stage.context, 10, 20, 3));
+    const nicol_render_options options = plain_options();
+    OK(nicol_render(other.scene, &other.camera, &options, expected));
+    CHECK(stage.image() == read_all(expected));
 }

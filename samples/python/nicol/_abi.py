@@ -1411,8 +1411,15 @@ class Framebuffer(Handle):
         check(_framebuffer_create(context, width, height, channels, byref(framebuffer)))
         return framebuffer
 
+    def resize(self, width, height):
+        """Changes the size, within the limits of nicol_framebuffer_create, and keeps the handle and the channels. The
+        content is lost and undefined until the next render, and textures get other names; nothing happens if the
+        size is the same. A job or another render that was given the framebuffer before puts its image into the
+        former content, which is lost."""
+        check(_framebuffer_resize(self, width, height))
+
     def get_size(self):
-        """Gets the width, height and channels with which the framebuffer was created."""
+        """Gets the width, height and channels of the framebuffer."""
         width = c_uint32()
         height = c_uint32()
         channels = c_uint32()
@@ -1453,10 +1460,10 @@ class Framebuffer(Handle):
 
     def get_texture(self, channel):
         """Gets the texture of a colour channel: a texel is the Stokes vector (s0, s1, s2, s3), and row 0 is the
-        image's TOP. The name is valid, and stays the same, until the framebuffer is released; the content is that
-        of the last render. The host may sample the texture and change its filters and wrap modes, but not its
-        swizzle, and must neither write nor delete the texture. Returns NICOL_ERROR_UNSUPPORTED for a framebuffer
-        whose context is not a host's."""
+        image's TOP. The name is valid, and stays the same, until the framebuffer is released or resized; the
+        content is that of the last render. The host may sample the texture and change its filters and wrap modes,
+        but not its swizzle, and must neither write nor delete the texture. Returns NICOL_ERROR_UNSUPPORTED for a
+        framebuffer whose context is not a host's."""
         texture = GlTexture()
         check(_framebuffer_get_texture(self, channel, byref(texture)))
         return texture
@@ -1900,6 +1907,7 @@ Scene._release = declare("nicol_scene_release", c_int32, c_void_p)
 RenderOptions._init = declare("nicol_render_options_init", c_int32, POINTER(RenderOptions), c_uint32)
 _render_options_set_quality = declare("nicol_render_options_set_quality", c_int32, POINTER(RenderOptions), c_uint32)
 _framebuffer_create = declare("nicol_framebuffer_create", c_int32, Context, c_uint32, c_uint32, c_uint32, POINTER(Framebuffer))
+_framebuffer_resize = declare("nicol_framebuffer_resize", c_int32, Framebuffer, c_uint32, c_uint32)
 _framebuffer_get_size = declare("nicol_framebuffer_get_size", c_int32, Framebuffer, POINTER(c_uint32), POINTER(c_uint32), POINTER(c_uint32))
 Framebuffer._release = declare("nicol_framebuffer_release", c_int32, c_void_p)
 _render = declare("nicol_render", c_int32, Scene, POINTER(Camera), POINTER(RenderOptions), Framebuffer)

@@ -1773,7 +1773,12 @@ extern "C" {
     /// most 2^26 pixels in all. channels is the scene's number, or 1 for the luminance of a scene of three
     /// channels: 0.2126 R + 0.7152 G + 0.0722 B of each Stokes component.
     pub fn nicol_framebuffer_create(context: nicol_context, width: u32, height: u32, channels: u32, framebuffer: *mut nicol_framebuffer) -> nicol_result;
-    /// Gets the width, height and channels with which the framebuffer was created.
+    /// Changes the size, within the limits of nicol_framebuffer_create, and keeps the handle and the channels. The
+    /// content is lost and undefined until the next render, and textures get other names; nothing happens if the
+    /// size is the same. A job or another render that was given the framebuffer before puts its image into the
+    /// former content, which is lost.
+    pub fn nicol_framebuffer_resize(framebuffer: nicol_framebuffer, width: u32, height: u32) -> nicol_result;
+    /// Gets the width, height and channels of the framebuffer.
     pub fn nicol_framebuffer_get_size(framebuffer: nicol_framebuffer, width: *mut u32, height: *mut u32, channels: *mut u32) -> nicol_result;
     pub fn nicol_framebuffer_retain(framebuffer: nicol_framebuffer) -> nicol_result;
     pub fn nicol_framebuffer_release(framebuffer: nicol_framebuffer) -> nicol_result;
@@ -1838,10 +1843,10 @@ extern "C" {
     pub fn nicol_context_create_host(host: *const nicol_host, options: *const nicol_context_options, context: *mut nicol_context) -> nicol_result;
     pub fn nicol_gl_texture_init(descriptor: *mut nicol_gl_texture, struct_size: u32) -> nicol_result;
     /// Gets the texture of a colour channel: a texel is the Stokes vector (s0, s1, s2, s3), and row 0 is the
-    /// image's TOP. The name is valid, and stays the same, until the framebuffer is released; the content is that
-    /// of the last render. The host may sample the texture and change its filters and wrap modes, but not its
-    /// swizzle, and must neither write nor delete the texture. Returns NICOL_ERROR_UNSUPPORTED for a framebuffer
-    /// whose context is not a host's.
+    /// image's TOP. The name is valid, and stays the same, until the framebuffer is released or resized; the
+    /// content is that of the last render. The host may sample the texture and change its filters and wrap modes,
+    /// but not its swizzle, and must neither write nor delete the texture. Returns NICOL_ERROR_UNSUPPORTED for a
+    /// framebuffer whose context is not a host's.
     pub fn nicol_framebuffer_get_texture(framebuffer: nicol_framebuffer, channel: u32, texture: *mut nicol_gl_texture) -> nicol_result;
     pub fn nicol_texture_target_init(descriptor: *mut nicol_texture_target, struct_size: u32) -> nicol_result;
     /// Copies the Stokes vectors of a channel into a texture; nothing is read back. Returns
