@@ -23,3 +23,4 @@ add_custom_command(OUTPUT ${NICOL_GLAD_DIR}/src/gl.c ${NICOL_GLAD_DIR}/include/g
 # Generated code is compiled without our warnings, and as system headers.
 add_library(nicol_glad STATIC ${NICOL_GLAD_DIR}/src/gl.c ${NICOL_GLAD_DIR}/include/glad/gl.h)
 target_include_directories(nicol_glad SYSTEM PUBLIC ${NICOL_GLAD_DIR}/include)
+set_property(GLOBAL APPEND PROPERTY NICOL_FOLDERS nicol_glad)
