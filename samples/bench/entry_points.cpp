@@ -11,7 +11,7 @@ using nicol::defaults;
 using nicol::Job;
 using nicol::Texture;
 
-// A function and its name.
+// A function and its name. NOLINTNEXTLINE(bugprone-macro-parentheses): these are names
 #define NAMED(function) #function, function
 
 struct EntryPoints::Objects {
