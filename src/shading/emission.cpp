@@ -5,10 +5,11 @@
 
 namespace nicol {
 
-void add_emitted(const Emission& emission, const glm::dvec3& axis, const Viewpoint& view,
+void add_emitted(const Emission& emission, const glm::dvec3& axis, const Views& views,
                  std::span<const glm::vec3> positions, std::span<const glm::vec3> normals,
                  std::span<const glm::vec2> texcoords, std::span<const std::span<glm::vec4>> out) {
     for (std::size_t i = 0; i < positions.size(); ++i) {
+        const Viewpoint& view = views.at(i);
         const glm::dvec3 propagation = view.towards(glm::dvec3(positions[i]));
         if (!(glm::dot(propagation, glm::dvec3(normals[i])) > 0)) continue;
         const Stokes state = stokes_in(view.frame(propagation), emission.state, axis);

@@ -8,7 +8,7 @@
 #include <span>
 
 #include "light/local_light.hpp"
-#include "polarization/viewpoint.hpp"
+#include "polarization/views.hpp"
 
 namespace nicol {
 
@@ -16,7 +16,7 @@ namespace nicol {
 /// the viewpoint, in the camera's frame field. Adds nothing if the viewer is behind the normal. `axis`: axis
 /// of the polarization, in the positions' axes. `texcoords`: one for each position if the emission has a
 /// texture. Light of one channel serves all.
-void add_emitted(const Emission& emission, const glm::dvec3& axis, const Viewpoint& view,
+void add_emitted(const Emission& emission, const glm::dvec3& axis, const Views& views,
                  std::span<const glm::vec3> positions, std::span<const glm::vec3> normals,
                  std::span<const glm::vec2> texcoords, std::span<const std::span<glm::vec4>> out);
 

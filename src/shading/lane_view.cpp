@@ -18,33 +18,29 @@ struct ViewAngles {
     Lanes zenith, frame_cosine, frame_sine;
 };
 
-[[gnu::always_inline]] inline Vector3<double> point(const LanePoints& from, std::size_t i) {
-    return {from.x.value[i], from.y.value[i], from.z.value[i]};
-}
-
 // Finds the view angles. Differences and the directions of tiny vectors are computed in double precision, in
 // loops of their own, which GCC vectorises.
-[[gnu::always_inline]] inline void find_view(const CameraAxes& camera, const LanePoints& position,
+template <class Sights>
+[[gnu::always_inline]] inline void find_view(const Sights& sights, const LanePoints& position,
                                              const LanePoints& normal, ViewAngles& out) {
     LaneVectors towards;
     for (std::size_t i = 0; i < kLanes; ++i) {
-        const Vector3<float> w = in_floats(towards_camera(camera, point(position, i)));
+        const Vector3<float> w = sight_at(sights, position, i);
         towards.x.value[i] = w.x;
         towards.y.value[i] = w.y;
         towards.z.value[i] = w.z;
     }
     LaneVectors surface;  // cos phi, sin phi and rho of the frame about the normal
     for (std::size_t i = 0; i < kLanes; ++i) {
-        const ThetaPhiFrame<double> f = theta_phi_axes(point(normal, i));
+        const ThetaPhiFrame<double> f = theta_phi_axes(point_at(normal, i));
         surface.x.value[i] = static_cast<float>(f.cos_phi);
         surface.y.value[i] = static_cast<float>(f.sin_phi);
         surface.z.value[i] = static_cast<float>(f.rho);
     }
-    const Vector3<float> up = in_floats(camera.up);
-    const Vector3<float> right = in_floats(camera.right);
+    const auto x_axes = frame_x(sights);
     for (std::size_t i = 0; i < kLanes; ++i) {
         const ThetaPhiFrame<float> about_normal{surface.x.value[i], surface.y.value[i], surface.z.value[i],
-                                                in_floats(point(normal, i))};
+                                                in_floats(point_at(normal, i))};
         const Vector3<float> w{towards.x.value[i], towards.y.value[i], towards.z.value[i]};
         const Vector3<float> local = in_frame(about_normal, w);
         // Any azimuth is valid at the zenith, because the table's values there rotate with the frame.
@@ -54,7 +50,7 @@ struct ViewAngles {
         out.azimuth_sine.value[i] = static_cast<double>(about_view.sin_phi);
         out.zenith.value[i] = quarter_turns(about_view.rho, local.z > 0 ? local.z : 0);
 
-        const Vector3<float> x = in_frame(about_view, in_frame(about_normal, camera_x(up, right, w)));
+        const Vector3<float> x = in_frame(about_view, in_frame(about_normal, x_axes.at(i, w)));
         const float inverse = 1 / (x.x * x.x + x.y * x.y);
         out.frame_cosine.value[i] = (x.x * x.x - x.y * x.y) * inverse;
         out.frame_sine.value[i] = 2 * x.x * x.y * inverse;
@@ -72,10 +68,12 @@ LaneView& LaneView::of_thread(int order) {
 LaneView::LaneView(int order)
     : cosines_(static_cast<std::size_t>(order) + 1), sines_(static_cast<std::size_t>(order) + 1) {}
 
-void LaneView::set(const Viewpoint& view, std::span<const glm::vec3> positions,
+void LaneView::set(const Views& views, std::span<const glm::vec3> positions,
                    std::span<const glm::vec3> normals) {
     ViewAngles found;
-    dispatch<find_view>(view.axes(), lane_points(positions), lane_points(normals), found);
+    with_sights(views, positions, [&]<class Sights>(const Sights& sights) {
+        dispatch<find_view<Sights>>(sights, lane_points(positions), lane_points(normals), found);
+    });
     raise_phases(found.azimuth_cosine, found.azimuth_sine, cosines_.size(), cosines_.data(), sines_.data());
     zenith_ = found.zenith;
     frame_cosine_ = found.frame_cosine;

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "polarization/viewpoint.hpp"
+#include "polarization/views.hpp"
 #include "simd/lanes.hpp"
 
 namespace nicol {
@@ -23,7 +23,7 @@ public:
 
     /// Sets at most kLanes positions and their unit normals; the other lanes repeat the first. A normal that
     /// faces away is treated as viewed at 90 degrees, because its triangle may still face the camera.
-    void set(const Viewpoint& view, std::span<const glm::vec3> positions, std::span<const glm::vec3> normals);
+    void set(const Views& views, std::span<const glm::vec3> positions, std::span<const glm::vec3> normals);
 
     /// Positions of the viewer's zenith angles in a table of `angles` angles from 0 to pi/2: the element
     /// below, and the weight of the element above.

@@ -87,8 +87,8 @@ bool has_terms(const Material& material, bool smooth) {
 // Up to sixteen points, and their sums of reflected light.
 class LitBatch {
 public:
-    LitBatch(const Viewpoint& view, const LitPoints& points, const LitMaterial& material,
-             const RayScene* rays, std::span<std::array<Lanes, 4>> sums)
+    LitBatch(const Views& views, const LitPoints& points, const LitMaterial& material, const RayScene* rays,
+             const RayScene* before_mirrors, std::span<std::array<Lanes, 4>> sums)
         : positions_(in_lanes(points.positions)),
           origins_(points.origins.empty() ? positions_ : in_lanes(points.origins)),
           facets_(points.facets.empty() ? LaneVectors() : in_lanes(points.facets)),
@@ -96,9 +96,10 @@ public:
           material_(material),
           sums_(sums),
           all_((1U << points.positions.size()) - 1) {
-        reflected_.set(view, points.positions, points.normals, points.tangents);
+        reflected_.set(views, points.positions, points.normals, points.tangents);
         set_pixels(points.mirrored);
         if (rays != nullptr && points.shadowed) shadows_.emplace(*rays, positions_, origins_);
+        if (before_mirrors != nullptr) before_mirrors_.emplace(*before_mirrors, positions_, origins_);
     }
 
     // Prepares add_source().
@@ -158,10 +159,11 @@ public:
                                    [&](const Material* layer) { return has_terms(*layer, smooth); });
     }
     [[nodiscard]] LightingTally tally() const {
-        LightingTally out{.rays = shadows_ ? shadows_->count() : 0,
-                          .values = sums_.size() * points_.positions.size(),
-                          .power = 0,
-                          .noise = noise_};
+        LightingTally out{
+            .rays = (shadows_ ? shadows_->count() : 0) + (before_mirrors_ ? before_mirrors_->count() : 0),
+            .values = sums_.size() * points_.positions.size(),
+            .power = 0,
+            .noise = noise_};
         for (const std::array<Lanes, 4>& stokes : sums_)
             for (const float s0 : stokes[0].value) out.power += double{s0} * double{s0};
         return out;
@@ -296,7 +298,8 @@ private:
 
     void add_mirrored() {
         std::uint32_t lit = lit_points();
-        if (shadows_ && lit != 0) lit = shadows_->visible_from_origins(light_, lit);
+        ShadowRays* const rays = before_mirrors_ ? &*before_mirrors_ : shadows();
+        if (rays != nullptr && lit != 0) lit = rays->visible_from_origins(light_, lit);
         for_layers(lit, [&](const Material& layer, const LayerWeights* weights, std::uint32_t there) {
             reflected_.add_mirrored(layer, weights, light_, there, sums_);
         });
@@ -351,7 +354,7 @@ private:
     ReflectedLight reflected_;
     MirroredPixels pixels_;  // in the surfaces' frames
     PixelPlaces places_;
-    std::optional<ShadowRays> shadows_;
+    std::optional<ShadowRays> shadows_, before_mirrors_;
     std::array<std::uint32_t, kLanes> seeds_{};
     const LitPoints& points_;
     const LitMaterial& material_;
@@ -371,11 +374,11 @@ LightingTally& LightingTally::operator+=(const LightingTally& other) {
     return *this;
 }
 
-LightingTally LocalLighting::add(const Viewpoint& view, const LitPoints& points, const LitMaterial& material,
+LightingTally LocalLighting::add(const Views& views, const LitPoints& points, const LitMaterial& material,
                                  std::span<const std::span<glm::vec4>> out) const {
     thread_local std::vector<std::array<Lanes, 4>> sums;
     sums.assign(out.size(), {});
-    LitBatch batch(view, points, material, rays_, sums);
+    LitBatch batch(views, points, material, rays_, lights_.before_mirrors.get(), sums);
     if (lights_.any_source() && batch.any_layer_has(false)) {  // light samples have no effect otherwise
         batch.find_places();
         std::uint32_t index = 0;

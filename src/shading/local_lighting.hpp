@@ -15,7 +15,7 @@
 #include "geometry/ray_scene.hpp"
 #include "material/layer_weights.hpp"
 #include "material/material.hpp"
-#include "polarization/viewpoint.hpp"
+#include "polarization/views.hpp"
 #include "shading/light_source.hpp"
 #include "shading/pixel_places.hpp"
 #include "shading/reflected_nodes.hpp"
@@ -66,6 +66,8 @@ public:
         std::vector<LightSourcePtr> local;
         std::vector<LightSourcePtr> extracted;          ///< lights of the environment
         std::optional<SampledEnvironment> environment;  ///< distant light of sampled terms
+        /// Surfaces that hide light from mirrors; null: those that cast shadows.
+        std::shared_ptr<const RayScene> before_mirrors;
 
         [[nodiscard]] bool any_source() const noexcept { return !local.empty() || !extracted.empty(); }
     };
@@ -84,7 +86,7 @@ public:
 
     /// Adds to out[c][i] channel c's Stokes vector of point i towards the viewpoint, in the camera's frame
     /// field. The noise is estimated from the difference of both halves of each light's samples.
-    LightingTally add(const Viewpoint& view, const LitPoints& points, const LitMaterial& material,
+    LightingTally add(const Views& views, const LitPoints& points, const LitMaterial& material,
                       std::span<const std::span<glm::vec4>> out) const;
 
 private:

@@ -67,20 +67,18 @@ struct LitFrames {
     Lanes& frame_sine;
 };
 
-template <class Number>
-[[gnu::always_inline]] inline void find_frames(const CameraAxes& camera, const LanePoints& positions,
+template <class Number, class Sights>
+[[gnu::always_inline]] inline void find_frames(const Sights& sights, const LanePoints& positions,
                                                const LitFrames& points) {
     // Double precision is needed because the difference of two positions loses digits.
     LaneVectors towards;
     for (std::size_t i = 0; i < kLanes; ++i) {
-        const Vector3<float> w = in_floats(towards_camera(
-            camera, Vector3<double>{positions.x.value[i], positions.y.value[i], positions.z.value[i]}));
+        const Vector3<float> w = sight_at(sights, positions, i);
         towards.x.value[i] = w.x;
         towards.y.value[i] = w.y;
         towards.z.value[i] = w.z;
     }
-    const Vector3<float> up = in_floats(camera.up);
-    const Vector3<float> right = in_floats(camera.right);
+    const auto x_axes = frame_x(sights);
     for (std::size_t first = 0; first < kLanes; first += kPart<Number>) {
         Vector3<Number> n, x_axis, y_axis;
         load_part(points.normal, first, n);
@@ -99,7 +97,7 @@ template <class Number>
         store_part(viewer, first, points.towards_viewer);
         const Vector3<Number> x =
             in_frame(theta_phi_axes(viewer),
-                     along(points.tangent, points.bitangent, points.normal, first, camera_x(up, right, w)));
+                     along(points.tangent, points.bitangent, points.normal, first, x_axes.at(first, w)));
         Number cosine;
         Number sine;
         twice_the_angle(x.x, x.y, cosine, sine);
@@ -209,16 +207,18 @@ template <class Number>
 
 }  // namespace
 
-void ReflectedLight::set(const Viewpoint& view, std::span<const glm::vec3> positions,
+void ReflectedLight::set(const Views& views, std::span<const glm::vec3> positions,
                          std::span<const glm::vec3> normals, std::span<const glm::vec3> tangents) {
     for (std::size_t i = 0; i < kLanes; ++i) put(normal_, i, normals[i < normals.size() ? i : 0]);
     LaneVectors along;
     if (!tangents.empty())
         for (std::size_t i = 0; i < kLanes; ++i) put(along, i, tangents[i < tangents.size() ? i : 0]);
-    dispatch<find_frames<FourLanes>, find_frames<EightLanes>, find_frames<AllLanes>>(
-        view.axes(), lane_points(positions),
-        LitFrames{tangent_, bitangent_, normal_, tangents.empty() ? nullptr : &along, towards_viewer_,
-                  frame_cosine_, frame_sine_});
+    const LitFrames frames{tangent_,        bitangent_,    normal_,    tangents.empty() ? nullptr : &along,
+                           towards_viewer_, frame_cosine_, frame_sine_};
+    with_sights(views, positions, [&]<class Sights>(const Sights& sights) {
+        dispatch<find_frames<FourLanes, Sights>, find_frames<EightLanes, Sights>,
+                 find_frames<AllLanes, Sights>>(sights, lane_points(positions), frames);
+    });
 }
 
 std::uint32_t ReflectedLight::lit(const LaneLight& light) const {

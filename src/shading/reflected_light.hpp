@@ -12,17 +12,17 @@
 #include "material/layer_weights.hpp"
 #include "material/material.hpp"
 #include "material/sampled_terms.hpp"
-#include "polarization/viewpoint.hpp"
+#include "polarization/views.hpp"
 
 namespace nicol {
 
-/// Sixteen points of a surface, seen from a viewpoint. Holds results, so each thread needs its own object.
+/// Sixteen points of a surface, seen from viewpoints. Holds results, so each thread needs its own object.
 class ReflectedLight {
 public:
     /// Sets at most kLanes positions and their unit shading normals, on the viewer's side for two-sided
     /// materials; the other lanes repeat the first. `tangents`: directions of growing texture coordinate u
     /// for anisotropic materials, unit or 0; empty: no material is anisotropic.
-    void set(const Viewpoint& view, std::span<const glm::vec3> positions, std::span<const glm::vec3> normals,
+    void set(const Views& views, std::span<const glm::vec3> positions, std::span<const glm::vec3> normals,
              std::span<const glm::vec3> tangents = {});
 
     /// Returns bits: bit i is set if light reaches point i (unless it is occluded) from above the horizon of

@@ -19,7 +19,7 @@ std::size_t Shade::rows_of(const ResponseTable& response) const {
     return std::clamp(made, least_, most_);
 }
 
-void Shade::run(const ResponseTable& response, const VertexLight& light, const Viewpoint& view,
+void Shade::run(const ResponseTable& response, const VertexLight& light, const Views& views,
                 std::span<const glm::vec3> positions, std::span<const glm::vec3> normals,
                 std::span<const std::uint8_t> visible, std::size_t first, std::size_t last,
                 std::span<const std::span<glm::vec4>> out) const {
@@ -49,7 +49,7 @@ void Shade::run(const ResponseTable& response, const VertexLight& light, const V
         }
         if (count == 0) continue;
         const std::size_t all = std::min(kLanes, positions.size() - begin);
-        seen.set(view, positions.subspan(begin, all), normals.subspan(begin, all));
+        seen.set(views.subspan(begin, all), positions.subspan(begin, all), normals.subspan(begin, all));
         const LaneView::TablePositions at = seen.positions_in(response.angles());
         for (std::size_t channel = 0; channel < out.size(); ++channel) {
             if (alike && channel > 0) {

@@ -9,7 +9,7 @@
 
 #include "harmonics/light_layout.hpp"
 #include "material/response_table.hpp"
-#include "polarization/viewpoint.hpp"
+#include "polarization/views.hpp"
 #include "shading/lane_response.hpp"
 #include "specular/mixture_rows.hpp"
 #include "transfer/vertex_light.hpp"
@@ -26,7 +26,7 @@ public:
     /// Writes channel c's Stokes vector to out[c][v] for every vertex `first` <= v < `last` with visible[v]
     /// != 0; leaves other vectors unchanged. A light of one channel serves all. Sixteen vertices that share a
     /// block of `light` take about as long as one. Calls for different vertices may run side by side.
-    void run(const ResponseTable& response, const VertexLight& light, const Viewpoint& view,
+    void run(const ResponseTable& response, const VertexLight& light, const Views& views,
              std::span<const glm::vec3> positions, std::span<const glm::vec3> normals,
              std::span<const std::uint8_t> visible, std::size_t first, std::size_t last,
              std::span<const std::span<glm::vec4>> out) const;
@@ -35,7 +35,7 @@ public:
     /// [layer]; weights: [block of sixteen][layer]. The rows are summed before the dot product with light, so
     /// that layers cost little.
     void run(std::span<const ResponseTable* const> layers, std::span<const LayerWeights> weights,
-             const VertexLight& light, const Viewpoint& view, std::span<const glm::vec3> positions,
+             const VertexLight& light, const Views& views, std::span<const glm::vec3> positions,
              std::span<const glm::vec3> normals, std::span<const std::span<glm::vec4>> out) const;
 
     [[nodiscard]] const LightLayout& layout() const noexcept { return layout_; }

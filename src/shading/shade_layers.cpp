@@ -26,7 +26,7 @@ MixtureRow row_of(const ResponseTable& response, const LaneView::TablePositions&
 }  // namespace
 
 void Shade::run(std::span<const ResponseTable* const> layers, std::span<const LayerWeights> all_weights,
-                const VertexLight& light, const Viewpoint& view, std::span<const glm::vec3> positions,
+                const VertexLight& light, const Views& views, std::span<const glm::vec3> positions,
                 std::span<const glm::vec3> normals, std::span<const std::span<glm::vec4>> out) const {
     LaneView& seen = LaneView::of_thread(layout_.order());
     thread_local MixtureRows rows;
@@ -37,7 +37,7 @@ void Shade::run(std::span<const ResponseTable* const> layers, std::span<const La
         const std::size_t block = begin / kLanes;
         const std::span weights = all_weights.subspan(block * layers.size(), layers.size());
         const std::size_t count = std::min(kLanes, positions.size() - begin);
-        seen.set(view, positions.subspan(begin, count), normals.subspan(begin, count));
+        seen.set(views.subspan(begin, count), positions.subspan(begin, count), normals.subspan(begin, count));
         const LaneView::TablePositions at = seen.positions_in(ResponseTable::kAngles);
         // Tables of one pairing and of two pairings are summed separately because their rows differ.
         for (const std::size_t pairings : {std::size_t{1}, std::size_t{2}}) {

@@ -59,7 +59,7 @@ HighOrder::HighOrder(const HighOrderFactors& factors, const HighOrderMaps& maps,
                 std::to_string(maps.central->channels()));
 }
 
-void HighOrder::run(const Viewpoint& view, std::span<const glm::vec3> positions,
+void HighOrder::run(const Views& views, std::span<const glm::vec3> positions,
                     std::span<const glm::vec3> normals, std::span<const std::uint8_t> visible,
                     const HighOrderShadows& shadows, std::size_t first, std::size_t last,
                     std::span<const std::span<glm::vec4>> out) const {
@@ -80,8 +80,8 @@ void HighOrder::run(const Viewpoint& view, std::span<const glm::vec3> positions,
         for (std::size_t v = std::max(begin, first); v < to; ++v) shown[v - begin] = visible[v];
         if (std::ranges::all_of(shown, [](std::uint8_t v) { return v == 0; })) continue;
         const std::size_t all = std::min(kLanes, positions.size() - begin);
-        const LaneMirror mirror =
-            mirror_views(view, world_to_light_, positions.subspan(begin, all), normals.subspan(begin, all));
+        const LaneMirror mirror = mirror_views(views.subspan(begin, all), world_to_light_,
+                                               positions.subspan(begin, all), normals.subspan(begin, all));
         taps.sample(mirror);
         const std::array<Lanes, 2> dimmed = fractions(shadows, mirror, begin, all);
         std::array<std::size_t, kLanes> angle;

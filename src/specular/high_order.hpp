@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-#include "polarization/viewpoint.hpp"
+#include "polarization/views.hpp"
 #include "specular/high_order_factors.hpp"
 #include "specular/high_order_visibility.hpp"
 #include "specular/lane_taps.hpp"
@@ -37,7 +37,7 @@ public:
 
     /// Adds Stokes vectors, in the camera's frame field, to out[c][v] for every vertex first <= v < last with
     /// visible[v] != 0. Calls for different vertices may run side by side.
-    void run(const Viewpoint& view, std::span<const glm::vec3> positions, std::span<const glm::vec3> normals,
+    void run(const Views& views, std::span<const glm::vec3> positions, std::span<const glm::vec3> normals,
              std::span<const std::uint8_t> visible, const HighOrderShadows& shadows, std::size_t first,
              std::size_t last, std::span<const std::span<glm::vec4>> out) const;
 

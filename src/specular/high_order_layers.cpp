@@ -39,7 +39,7 @@ HighOrderLayers::HighOrderLayers(const std::vector<Layer>& layers, const glm::dm
     }
 }
 
-void HighOrderLayers::run(const Viewpoint& view, std::span<const glm::vec3> positions,
+void HighOrderLayers::run(const Views& views, std::span<const glm::vec3> positions,
                           std::span<const glm::vec3> normals, std::span<const LayerWeights> weights,
                           std::span<const glm::vec2> fractions,
                           std::span<const std::span<glm::vec4>> out) const {
@@ -47,8 +47,9 @@ void HighOrderLayers::run(const Viewpoint& view, std::span<const glm::vec3> posi
     for (std::size_t begin = 0; begin < positions.size(); begin += kLanes) {
         block.index = begin / kLanes;
         block.count = std::min(kLanes, positions.size() - begin);
-        block.mirror = mirror_views(view, world_to_light_, positions.subspan(begin, block.count),
-                                    normals.subspan(begin, block.count));
+        block.mirror =
+            mirror_views(views.subspan(begin, block.count), world_to_light_,
+                         positions.subspan(begin, block.count), normals.subspan(begin, block.count));
         for (std::size_t i = 0; i < kLanes; ++i) {
             const HighOrderFactors::Position at = HighOrderFactors::position(block.mirror.cosine[i]);
             block.angle[i] = at.angle;

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "polarization/viewpoint.hpp"
+#include "polarization/views.hpp"
 #include "specular/high_order_factors.hpp"
 #include "specular/lane_taps.hpp"
 #include "specular/mixture_rows.hpp"
@@ -31,7 +31,7 @@ public:
     /// Adds Stokes vectors, in the camera's frame field, to out[c][v] for all positions. weights: [block of
     /// sixteen][layer]. fractions: visible fractions of the lobe about the mirror direction and of the
     /// hemisphere, or empty.
-    void run(const Viewpoint& view, std::span<const glm::vec3> positions, std::span<const glm::vec3> normals,
+    void run(const Views& views, std::span<const glm::vec3> positions, std::span<const glm::vec3> normals,
              std::span<const LayerWeights> weights, std::span<const glm::vec2> fractions,
              std::span<const std::span<glm::vec4>> out) const;
 

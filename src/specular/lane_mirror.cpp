@@ -42,13 +42,42 @@ using Rotation = std::array<double, 9>;  // by rows
     store_half(r[6] * from.x + r[7] * from.y + r[8] * from.z, first, to.z);
 }
 
+// Unit vectors towards the viewers, and the x axes of their frames.
+struct Sight {
+    Direction towards, x;
+};
+
+[[gnu::always_inline]] inline Sight sight_of_half(const CameraAxes& camera, const LanePoints& positions,
+                                                  std::size_t first) {
+    Direction position;
+    load_half(positions, first, position);
+    const Direction v = towards_camera(camera, position);
+    return {v, normalized_or(camera_x(camera.up, camera.right, v), 0.0F, camera.right)};
+}
+
+[[gnu::always_inline]] inline void load_half(const LaneVectors& from, std::size_t first, Direction& to) {
+    to.x =
+        __builtin_convertvector(*reinterpret_cast<const HalfFloats*>(from.x.value.data() + first), HalfLanes);
+    to.y =
+        __builtin_convertvector(*reinterpret_cast<const HalfFloats*>(from.y.value.data() + first), HalfLanes);
+    to.z =
+        __builtin_convertvector(*reinterpret_cast<const HalfFloats*>(from.z.value.data() + first), HalfLanes);
+}
+
+[[gnu::always_inline]] inline Sight sight_of_half(const LaneSights& sights, const LanePoints& /*positions*/,
+                                                  std::size_t first) {
+    Sight out;
+    load_half(sights.towards, first, out.towards);
+    load_half(sights.x, first, out.x);
+    return out;
+}
+
 // Mirrors half of the lanes. Double precision keeps the error of a direction to one rounding to float, so
 // that large maps keep their detail.
-[[gnu::always_inline]] inline void mirror_half(const CameraAxes& camera, const Rotation& to_light,
-                                               const Direction& position, const Direction& n,
-                                               std::size_t first, LaneMirror& out) {
-    const Direction v = towards_camera(camera, position);
-    const Direction a = normalized_or(camera_x(camera.up, camera.right, v), 0.0F, camera.right);
+[[gnu::always_inline]] inline void mirror_half(const Sight& sight, const Rotation& to_light,
+                                               const Direction& n, std::size_t first, LaneMirror& out) {
+    const Direction& v = sight.towards;
+    const Direction& a = sight.x;
 
     HalfLanes cosine;
     dot(n, v, cosine);
@@ -75,21 +104,20 @@ using Rotation = std::array<double, 9>;  // by rows
     store_half(in_frame(theta_phi_axes(n), d), first, out.local);
 }
 
-[[gnu::always_inline]] inline void mirror(const CameraAxes& camera, const Rotation& to_light,
+template <class Sights>
+[[gnu::always_inline]] inline void mirror(const Sights& sights, const Rotation& to_light,
                                           const LanePoints& positions, const LanePoints& normals,
                                           LaneMirror& out) {
     for (std::size_t first = 0; first < kLanes; first += kHalf) {
-        Direction position;
         Direction normal;
-        load_half(positions, first, position);
         load_half(normals, first, normal);
-        mirror_half(camera, to_light, position, normal, first, out);
+        mirror_half(sight_of_half(sights, positions, first), to_light, normal, first, out);
     }
 }
 
 }  // namespace
 
-LaneMirror mirror_views(const Viewpoint& view, const glm::dmat3& world_to_light,
+LaneMirror mirror_views(const Views& views, const glm::dmat3& world_to_light,
                         std::span<const glm::vec3> positions, std::span<const glm::vec3> normals) {
     Rotation to_light;
     for (int row = 0; row < 3; ++row) {
@@ -97,7 +125,9 @@ LaneMirror mirror_views(const Viewpoint& view, const glm::dmat3& world_to_light,
             to_light[static_cast<std::size_t>(3 * row + column)] = world_to_light[column][row];
     }
     LaneMirror out;
-    dispatch<mirror>(view.axes(), to_light, lane_points(positions), lane_points(normals), out);
+    with_sights(views, positions, [&]<class Sights>(const Sights& sights) {
+        dispatch<mirror<Sights>>(sights, to_light, lane_points(positions), lane_points(normals), out);
+    });
     return out;
 }
 

@@ -7,7 +7,7 @@
 #include <span>
 
 #include "polarization/lane_points.hpp"
-#include "polarization/viewpoint.hpp"
+#include "polarization/views.hpp"
 #include "simd/lanes.hpp"
 
 namespace nicol {
@@ -30,7 +30,7 @@ struct LaneMirror {
 
 /// Returns the mirrored views of at most kLanes positions with unit normals; the other lanes repeat the
 /// first.
-[[nodiscard]] LaneMirror mirror_views(const Viewpoint& view, const glm::dmat3& world_to_light,
+[[nodiscard]] LaneMirror mirror_views(const Views& views, const glm::dmat3& world_to_light,
                                       std::span<const glm::vec3> positions,
                                       std::span<const glm::vec3> normals);
 

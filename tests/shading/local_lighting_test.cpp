@@ -37,7 +37,7 @@ struct Floor {
         std::vector<glm::vec4> stokes(positions.size(), glm::vec4(0));
         const std::span<glm::vec4> channel(stokes);
         const Material* const layer = material.get();
-        tally += lighting.add({.eye = {0, -3, 2}},
+        tally += lighting.add(Viewpoint{.eye = {0, -3, 2}},
                               {.positions = positions,
                                .normals = normals,
                                .tangents = {},
