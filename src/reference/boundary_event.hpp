@@ -12,11 +12,9 @@ namespace nicol {
 
 /// Direction in which a path goes on beyond a smooth boundary.
 struct BoundaryEvent {
-    Ray ray;         ///< ray from the boundary towards the light
-    Frame incident;  ///< frame of the light that arrives against the ray
-    /// Factor by which the refraction changes radiance: light that enters a body of higher index is
-    /// compressed into a smaller solid angle. The radiance divided by the square of the index stays the same.
-    double radiance_scale;
+    Ray ray;                ///< ray from the boundary towards the light
+    Frame incident;         ///< frame of the light that arrives against the ray
+    double radiance_scale;  ///< see BoundaryPart
 };
 
 /// Chooses reflection or transmission in proportion to their shares of unpolarized light, and moves the

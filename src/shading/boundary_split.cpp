@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include "shading/boundary_split.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "geometry/perpendicular.hpp"
+#include "polarization/fresnel.hpp"
+#include "polarization/slab.hpp"
+
+namespace nicol {
+namespace {
+
+/// Directions, in the world, of the light that a boundary sends to the viewer.
+struct BoundaryRays {
+    double cosine;  ///< cosine between the normal and the direction towards the viewer
+    glm::dvec3 reflected;
+    glm::dvec3 transmitted;  ///< undefined under total reflection
+    bool total;              ///< whether the boundary reflects all light
+};
+
+/// eta: index of the far side relative to the viewer's side. normal: unit vector on the viewer's side.
+BoundaryRays rays_at(double eta, SmoothBoundary::Behind behind, const glm::dvec3& normal,
+                     const glm::dvec3& towards_viewer) {
+    const double cosine = std::min(1.0, glm::dot(normal, towards_viewer));
+    const double square = eta * eta - 1 + cosine * cosine;
+    BoundaryRays out{.cosine = cosine,
+                     .reflected = glm::normalize(2 * cosine * normal - towards_viewer),
+                     .transmitted = -towards_viewer,
+                     .total = !(square > 0)};
+    // Snell's law: eta times the cosine of refraction is the root.
+    if (behind == SmoothBoundary::Behind::body && !out.total)
+        out.transmitted = glm::normalize((cosine - std::sqrt(square)) * normal - towards_viewer);
+    return out;
+}
+
+/// Returns whether the directions lie on their sides of the surface. side: the surface's own normal, on the
+/// viewer's side. An interpolated normal may point a reflection into the surface.
+bool consistent(const BoundaryRays& rays, const glm::dvec3& side) {
+    return rays.cosine > 0 && glm::dot(rays.reflected, side) > 0 &&
+           (rays.total || glm::dot(rays.transmitted, side) < 0);
+}
+
+}  // namespace
+
+BoundarySplit split_at(const SmoothBoundary& boundary, const glm::dvec3& geometric, const glm::dvec3& normal,
+                       const Frame& received) {
+    const bool slab = boundary.behind == SmoothBoundary::Behind::slab;
+    const glm::dvec3 towards_viewer = received[2];
+    // The interpolated normal says which side of the triangle is its front.
+    glm::dvec3 side = glm::dot(geometric, normal) < 0 ? -geometric : geometric;
+    glm::dvec3 facing = normal;
+    const bool inside = glm::dot(side, towards_viewer) < 0;
+    if (inside) {
+        side = -side;
+        facing = -facing;
+    }
+    const double eta = inside && !slab ? 1 / boundary.eta : boundary.eta;
+    BoundaryRays rays = rays_at(eta, boundary.behind, facing, towards_viewer);
+    if (!consistent(rays, side)) {
+        facing = side;
+        rays = rays_at(eta, boundary.behind, facing, towards_viewer);
+    }
+
+    const SlabSplit split = slab ? slab_split(rays.cosine, eta)
+                                 : SlabSplit{.reflection = fresnel_reflection(rays.cosine, eta),
+                                             .transmission = fresnel_transmission(rays.cosine, eta)};
+    const glm::dvec3 s_axis = perpendicular(towards_viewer, glm::cross(facing, towards_viewer));
+    const Mueller into_received =
+        frame_rotation(angle_between(frame_with_x(towards_viewer, s_axis), received));
+    const auto part = [&](const glm::dvec3& towards_light, const Mueller& mueller, double scale) {
+        return BoundaryPart{.towards_light = towards_light,
+                            .incident = frame_with_x(-towards_light, s_axis),
+                            .mueller = into_received * (scale * mueller),
+                            .share = mueller(0, 0),
+                            .radiance_scale = scale};
+    };
+    return {.reflected = part(rays.reflected, split.reflection, 1),
+            .transmitted = part(rays.transmitted, split.transmission, slab ? 1 : 1 / (eta * eta))};
+}
+
+}  // namespace nicol

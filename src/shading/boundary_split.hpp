@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// Reflection and transmission of light that reaches a viewer from a smooth boundary.
+#pragma once
+
+#include <array>
+
+#include "material/dielectric.hpp"
+#include "polarization/mueller.hpp"
+#include "polarization/stokes.hpp"
+
+namespace nicol {
+
+/// Light that a smooth boundary reflects, or transmits, to a viewer, without the factors of its material.
+struct BoundaryPart {
+    glm::dvec3 towards_light;
+    Frame incident;  ///< frame of the light that arrives against towards_light
+    /// Matrix from the radiance that arrives, in `incident`, to the radiance that the viewer receives.
+    Mueller mueller;
+    double share;  ///< fraction of the power of unpolarized light that arrives
+    /// Factor by which refraction changes radiance: light that enters a body of higher index is compressed
+    /// into a smaller solid angle. The radiance divided by the square of the index stays the same.
+    double radiance_scale;
+};
+
+/// Both parts; the share of one is 0 if the boundary does not make it.
+struct BoundarySplit {
+    BoundaryPart reflected;
+    BoundaryPart transmitted;
+};
+
+/// Returns what a boundary sends to a viewer in the frame `received`. geometric: unit normal of the surface
+/// itself, either sign. normal: unit shading normal of the front; where it would reflect light into the
+/// surface, the geometric normal takes its place.
+[[nodiscard]] BoundarySplit split_at(const SmoothBoundary& boundary, const glm::dvec3& geometric,
+                                     const glm::dvec3& normal, const Frame& received);
+
+}  // namespace nicol
