@@ -57,10 +57,18 @@ struct FilterArguments {
     int* valid;
     void* user_data;
     void* context;
-    void* rays;
+    void* rays;  ///< `count` values of each field of Ray, field by field
     void* hits;  ///< `count` values of each field of Hit, field by field
     unsigned count;
 
+    /// Returns whether ray i meets the front of its triangle.
+    [[nodiscard]] bool meets_front(unsigned i) const {
+        const auto* const direction = static_cast<const float*>(rays) + 4 * std::size_t{count} + i;
+        const auto* const normal = static_cast<const float*>(hits) + i;
+        return direction[0] * normal[0] + direction[count] * normal[count] +
+                   direction[2 * std::size_t{count}] * normal[2 * std::size_t{count}] <
+               0;
+    }
     [[nodiscard]] float u(unsigned i) const { return static_cast<const float*>(hits)[3 * count + i]; }
     [[nodiscard]] float v(unsigned i) const { return static_cast<const float*>(hits)[4 * count + i]; }
     [[nodiscard]] unsigned triangle(unsigned i) const {

@@ -42,15 +42,6 @@ float check(std::size_t index, const RaySurface& surface) {
     return largest;
 }
 
-// Rejects hits at points where the alpha mask removes the surface.
-void filter(const embree::FilterArguments* hits) {
-    const auto& present = *static_cast<const Presence*>(hits->user_data);
-    for (unsigned i = 0; i < hits->count; ++i) {
-        if (hits->valid[i] == 0) continue;
-        if (!present(hits->triangle(i), hits->u(i), hits->v(i))) hits->valid[i] = 0;
-    }
-}
-
 // Embree's cache is for subdivision surfaces, of which there are none. Where no memory is left for it,
 // NewDevice() keeps a lock of the process, and the next device that is made or released waits forever.
 constexpr const char* kDeviceSettings = "tessellation_cache_size=0";
@@ -67,6 +58,24 @@ Ray leaving(const glm::dvec3& point, const glm::dvec3& normal, const glm::dvec3&
     const double side = glm::dot(normal, direction) < 0 ? -offset : offset;
     return {.origin = point + side * normal, .direction = direction};
 }
+
+/// Ways through a surface.
+struct RayScene::Passage {
+    Presence present;
+    bool front_only;
+
+    /// Rejects hits at points where rays pass the surface.
+    static void filter(const embree::FilterArguments* hits) {
+        const auto& surface = *static_cast<const Passage*>(hits->user_data);
+        for (unsigned i = 0; i < hits->count; ++i) {
+            if (hits->valid[i] == 0) continue;
+            const bool blocked =
+                (!surface.front_only || hits->meets_front(i)) &&
+                (!surface.present || surface.present(hits->triangle(i), hits->u(i), hits->v(i)));
+            if (!blocked) hits->valid[i] = 0;
+        }
+    }
+};
 
 struct RayScene::Embree {
     struct Release {
@@ -104,8 +113,8 @@ struct RayScene::Embree {
         return static_cast<std::uint16_t>(blocked & active);
     }
 
-    /// Adds a surface. `present` must outlive the scene; null: the surface is present everywhere.
-    void add(const RaySurface& surface, const Presence* present, unsigned id, float scale) {
+    /// Adds a surface. `passage` must outlive the scene; null: rays pass nowhere.
+    void add(const RaySurface& surface, const Passage* passage, unsigned id, float scale) {
         embree::Geometry* geometry = library.NewGeometry(device.get(), embree::kTriangleGeometry);
         const std::size_t vertices = surface.positions.size();
         const std::size_t triangles = surface.triangles.size();
@@ -117,11 +126,11 @@ struct RayScene::Embree {
             std::ranges::transform(surface.positions, static_cast<glm::vec3*>(positions),
                                    [scale](const glm::vec3& p) { return scale * p; });
             std::ranges::copy(surface.triangles, static_cast<glm::uvec3*>(indices));
-            if (present != nullptr) {
+            if (passage != nullptr) {
                 // The const_cast is safe: Embree only passes the pointer on, and the filter only reads.
-                library.SetGeometryUserData(geometry, const_cast<Presence*>(present));
-                library.SetGeometryIntersectFilterFunction(geometry, filter);
-                library.SetGeometryOccludedFilterFunction(geometry, filter);
+                library.SetGeometryUserData(geometry, const_cast<Passage*>(passage));
+                library.SetGeometryIntersectFilterFunction(geometry, Passage::filter);
+                library.SetGeometryOccludedFilterFunction(geometry, Passage::filter);
             }
             library.CommitGeometry(geometry);
             library.AttachGeometryByID(scene.get(), geometry, id);
@@ -155,10 +164,14 @@ RayScene::RayScene(std::span<const RaySurface> surfaces) {
     embree_ = std::make_unique<Embree>();
     for (std::size_t s = 0; s < surfaces.size(); ++s) {
         if (surfaces[s].triangles.empty()) continue;
-        const Presence* present = nullptr;
-        if (surfaces[s].present)
-            present = presences_.emplace_back(std::make_unique<const Presence>(surfaces[s].present)).get();
-        embree_->add(surfaces[s], present, static_cast<unsigned>(s), static_cast<float>(scale_));
+        const Passage* passage = nullptr;
+        if (surfaces[s].present || surfaces[s].front_only) {
+            passage = passages_
+                          .emplace_back(std::make_unique<const Passage>(
+                              Passage{.present = surfaces[s].present, .front_only = surfaces[s].front_only}))
+                          .get();
+        }
+        embree_->add(surfaces[s], passage, static_cast<unsigned>(s), static_cast<float>(scale_));
     }
     embree_->commit(surfaces.size());
 }

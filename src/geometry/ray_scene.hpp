@@ -25,6 +25,8 @@ struct RaySurface {
     std::span<const glm::vec3> positions;
     std::span<const glm::uvec3> triangles;
     Presence present = {};  ///< alpha mask (rays pass if it returns false); empty: present everywhere
+    /// Whether rays pass from the back, the side on which corners follow one another clockwise.
+    bool front_only = false;
 };
 
 struct Ray {
@@ -70,7 +72,8 @@ struct alignas(64) RayPacket {
 };
 
 /// A bounding volume hierarchy (Embree's, in its robust mode: a ray does not slip between two triangles that
-/// share an edge). Triangles block rays from both sides. Immutable; queries may be made from any thread.
+/// share an edge). Triangles block rays from both
+/// sides unless their surface says otherwise. Immutable; queries may be made from any thread.
 class RayScene {
 public:
     /// Copies what it needs; surfaces may be empty. Throws Error(invalid_argument), naming the surface and
@@ -105,7 +108,8 @@ private:
     [[nodiscard]] double end(const glm::vec3& origin, double farthest) const noexcept;
 
     struct Embree;
-    std::vector<std::unique_ptr<const Presence>> presences_;
+    struct Passage;
+    std::vector<std::unique_ptr<const Passage>> passages_;
     std::unique_ptr<Embree> embree_;
     double scale_ = 1;  ///< scale from the world to Embree: a power of two, so that nothing is rounded
 };
