@@ -384,6 +384,7 @@ nicol_result nicol_framebuffer_get_statistics(nicol_framebuffer framebuffer, nic
         out.lights_split = s.lights_split;
         out.light_rays = s.light_rays;
         out.light_ms = s.light_ms;
+        out.smooth_rays = s.smooth_rays;
         write_struct(statistics, out, "statistics");
     });
 }

@@ -1492,12 +1492,14 @@ typedef struct nicol_statistics {
     uint64_t lights_split;          /* extracted lights that were taken out of the environment */
     uint64_t light_rays;            /* real-time methods: rays from vertices and pixels to local lights */
     double light_ms;                /* part of shade_ms for local lights and their shadows */
+    uint64_t smooth_rays;           /* real-time methods: rays from pixels that show glass or mirrors, by threads; 0 if
+                                       compute shaders shaded: these mirror lights alone, no surfaces */
 } nicol_statistics;
 /* clang-format on */
 #define NICOL_STATISTICS_INIT                                                                                \
     {                                                                                                        \
         sizeof(nicol_statistics), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, \
-            0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0                                                      \
+            0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0                                                   \
     }
 NICOL_API nicol_result nicol_statistics_init(nicol_statistics* descriptor, uint32_t struct_size);
 

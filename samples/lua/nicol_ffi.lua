@@ -383,6 +383,7 @@ typedef struct nicol_statistics {
     uint64_t lights_split;
     uint64_t light_rays;
     double light_ms;
+    uint64_t smooth_rays;
 } nicol_statistics;
 typedef uint32_t nicol_plane;
 typedef uint32_t nicol_format;

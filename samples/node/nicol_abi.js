@@ -668,6 +668,7 @@ export const types = [
       ["lights_split", "uint64_t", 0],
       ["light_rays", "uint64_t", 0],
       ["light_ms", "double", 0],
+      ["smooth_rays", "uint64_t", 0],
     ],
   },
   { kind: "alias", name: "nicol_plane", of: "uint32_t" },

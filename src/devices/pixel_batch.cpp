@@ -11,6 +11,7 @@
 #include "shading/pixel_places.hpp"
 #include "shading/tangent_rotation.hpp"
 #include "surfaces/local_lights.hpp"
+#include "surfaces/smooth_surfaces.hpp"
 #include "surfaces/tangents.hpp"
 
 namespace nicol {
@@ -51,29 +52,16 @@ PixelPoint point_of(const Patch& patch, const PixelInput& input, std::size_t pix
         const glm::vec2 least = patch.at[nearest] - mean;
         if (glm::dot(d, d) < glm::dot(least, least)) nearest = s;
     }
-    const std::uint32_t triangle = patch.triangles[nearest];
-    const glm::uvec3& corners = input.geometry.triangles[triangle];
-    const std::vector<VertexRange>& ranges = input.geometry.ranges;
-    if (corners.x < ranges[range].first || corners.x >= ranges[range].last)
-        range = range_of(input.geometry, corners.x);
-    const bool occluded = input.visibility != nullptr && !(input.visibility->unoccluded(corners.x) &&
-                                                           input.visibility->unoccluded(corners.y) &&
-                                                           input.visibility->unoccluded(corners.z));
     const float weight = static_cast<float>(patch.samples) / static_cast<float>(input.hits.offsets().size());
-    return {.range = static_cast<std::uint32_t>(range),
-            .occluded = occluded ? 1U : 0U,
-            .triangle = triangle,
-            .pixel = static_cast<std::uint32_t>(pixel),
-            .weight = weight,
-            .at = mean,
-            .size = size_of(patch, mean, weight)};
+    return {surface_point(input, patch.triangles[nearest], pixel, range), weight, mean,
+            size_of(patch, mean, weight)};
 }
 
-PixelSteps steps_of(const TextureView& view) {
-    const Projection& p = view.projection;
+PixelSteps steps_of(const PointImage& image) {
+    const Projection& p = image.projection;
     return {.forward = p.view.forward,
-            .right = p.view.right * (2 * p.texture_size * p.half_width / view.width),
-            .down = p.view.up * (-2 * p.texture_size * p.half_height / view.height),
+            .right = p.view.right * (2 * p.texture_size * p.half_width / image.width),
+            .down = p.view.up * (-2 * p.texture_size * p.half_height / image.height),
             .orthographic = p.view.orthographic};
 }
 
@@ -84,21 +72,23 @@ public:
     Block(const SpatialVariation& variation, bool back, const TextureView& view)
         : view_(view),
           normal_(variation.normal),
-          steps_(steps_of(view)),
           front_(back ? -1.0F : 1.0F),
-          footprint_(variation.needs_footprint()),
+          footprint_(view.image != nullptr && variation.needs_footprint()),
           follows_(variation.normal.kind == NormalVariation::Kind::map || variation.rotation.any()),
-          axes_(footprint_ || follows_ || variation.normal.kind != NormalVariation::Kind::none) {}
+          axes_(footprint_ || follows_ || variation.normal.kind != NormalVariation::Kind::none) {
+        if (view.image != nullptr) steps_ = steps_of(*view.image);
+    }
 
     // Sets the input at points of up to sixteen triangles; the other lanes repeat the first.
-    void set(std::span<const std::uint32_t> triangles, const LaneSurface& surface) {
+    void set(std::span<const std::uint32_t> triangles, const Views& views, const LaneSurface& surface) {
         const WorldGeometry& geometry = view_.geometry;
-        const Viewpoint& camera = view_.projection.view;
-        const glm::vec3 eye(camera.eye), forward(camera.forward);
         for (std::size_t i = 0; i < kLanes; ++i) {
-            const std::uint32_t triangle = triangles[i < triangles.size() ? i : 0];
+            const std::size_t own = i < triangles.size() ? i : 0;
+            const std::uint32_t triangle = triangles[own];
+            const Viewpoint& viewer = views.at(own);
             const glm::vec3 weights(surface.weights[0][i], surface.weights[1][i], surface.weights[2][i]);
-            const glm::vec3 ray = camera.orthographic ? forward : surface.positions[i] - eye;
+            const glm::vec3 ray = viewer.orthographic ? glm::vec3(viewer.forward)
+                                                      : surface.positions[i] - glm::vec3(viewer.eye);
             put(towards_viewer, i, -ray);
             put(normals, i, surface.normals[i]);
             if (!geometry.texcoords.empty()) {
@@ -145,7 +135,8 @@ public:
         constexpr std::size_t across = LaneSurface::kPartsAcross;
         TexturePoints here = points;
         find_footprints(steps_, axes, towards_viewer, here);
-        const auto sample = static_cast<float>(view_.projection.sample_size / view_.projection.texture_size);
+        const Projection& projection = view_.image->projection;
+        const auto sample = static_cast<float>(projection.sample_size / projection.texture_size);
         for (std::array<Lanes, 2>* const steps : {&here.du, &here.dv})
             for (Lanes& step : *steps)
                 for (float& value : step.value) value *= sample / across;
@@ -181,8 +172,8 @@ private:
 
     const TextureView& view_;
     const NormalVariation& normal_;
-    PixelSteps steps_;
-    float front_;  // factor of normals that makes them those of the front
+    PixelSteps steps_{};  // set if there is an image
+    float front_;         // factor of normals that makes them those of the front
     bool footprint_, follows_, axes_;
     std::uint32_t known_ = ~std::uint32_t{0};  // previous triangle, which is often the same
     TextureAxes triangle_axes_;
@@ -206,6 +197,7 @@ void list_points(const PixelInput& input, std::size_t first, std::size_t last, s
             if (!hit) continue;
             ++covered;
             if (!hit->front) continue;
+            if (input.smooth != nullptr && input.smooth->of(hit->triangle) == Smoothness::boundary) continue;
             const auto same = [&](const Patch& patch) {
                 const std::uint32_t other = patch.triangles[patch.samples - 1];
                 return other == hit->triangle || share_corner(triangles[other], triangles[hit->triangle]);
@@ -232,7 +224,7 @@ void TexturedPixels::find(const SpatialVariation& variation, bool back, bool mir
     Block block(variation, back, view);
     for (std::size_t b = 0; b < surfaces.size(); ++b) {
         const std::span own = triangles.subspan(b * kLanes, std::min(kLanes, triangles.size() - b * kLanes));
-        block.set(own, surfaces[b]);
+        block.set(own, view.views.subspan(b * kLanes, own.size()), surfaces[b]);
         const std::span weights = std::span(weights_).subspan(b * layers, layers);
         variation.weights(block.points, weights);
         for (std::size_t i = 0; i < kLanes && variation.rotation.any(); ++i)
@@ -253,25 +245,59 @@ glm::dvec2 PixelPoint::on_image_plane(const Projection& projection, int width, i
                                  row + 0.5 + static_cast<double>(at.y));
 }
 
-void PixelBatch::take(const PixelInput& input, std::span<const PixelPoint> points) {
+SurfacePoint surface_point(const TransferInput& input, std::uint32_t triangle, std::size_t pixel,
+                           std::size_t& range) {
+    const glm::uvec3& corners = input.geometry.triangles[triangle];
+    const std::vector<VertexRange>& ranges = input.geometry.ranges;
+    if (corners.x < ranges[range].first || corners.x >= ranges[range].last)
+        range = range_of(input.geometry, corners.x);
+    const bool occluded = input.visibility != nullptr && !(input.visibility->unoccluded(corners.x) &&
+                                                           input.visibility->unoccluded(corners.y) &&
+                                                           input.visibility->unoccluded(corners.z));
+    return {.range = static_cast<std::uint32_t>(range),
+            .occluded = occluded ? 1U : 0U,
+            .triangle = triangle,
+            .pixel = static_cast<std::uint32_t>(pixel)};
+}
+
+// Takes the first points of one group, and returns them.
+template <class Point>
+std::span<const Point> PixelBatch::take_group(std::span<const Point> points) {
     const std::uint64_t group = points.front().group();
     std::size_t count = 0;
     while (count < points.size() && count < kMost && points[count].group() == group) ++count;
-    points_ = points.first(count);
+    points_.assign(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(count));
     weights_ = {};
+    return points.first(count);
+}
+
+void PixelBatch::take(const PixelInput& input, std::span<const PixelPoint> points) {
+    in_pixels_ = take_group(points);
+    emits_ = true;
+    views_ = input.view;
     find_surfaces(input);
-    const VertexRange& range = input.geometry.ranges[points_.front().range];
-    if (range.material->variation() != nullptr) find_textures(input, range);
+    find_textures(input);
+}
+
+void PixelBatch::take(const PixelInput& input, std::span<const RayPoint> points) {
+    const std::span of_group = take_group(points);
+    in_pixels_ = {};
+    emits_ = points.front().emits;
+    ray_views_.clear();
+    for (const RayPoint& point : of_group) ray_views_.push_back(point.view);
+    views_ = Views(ray_views_);
+    find_surfaces(input, of_group);
+    find_textures(input);
 }
 
 void PixelBatch::find_surfaces(const PixelInput& input) {
     const WorldGeometry& geometry = input.geometry;
-    for (std::size_t begin = 0; begin < points_.size(); begin += kLanes) {
-        const std::size_t count = std::min(kLanes, points_.size() - begin);
+    for (std::size_t begin = 0; begin < in_pixels_.size(); begin += kLanes) {
+        const std::size_t count = std::min(kLanes, in_pixels_.size() - begin);
         std::array<Corners, kLanes> triangles;
         std::array<glm::vec2, kLanes> at;
         for (std::size_t i = 0; i < count; ++i) {
-            const PixelPoint& point = points_[begin + i];
+            const PixelPoint& point = in_pixels_[begin + i];
             triangles[i] = geometry.triangles[point.triangle];
             at[i] =
                 glm::vec2(point.on_image_plane(input.projection, input.hits.width(), input.hits.height()));
@@ -281,16 +307,39 @@ void PixelBatch::find_surfaces(const PixelInput& input) {
     }
 }
 
-void PixelBatch::find_textures(const PixelInput& input, const VertexRange& range) {
+void PixelBatch::find_surfaces(const PixelInput& input, std::span<const RayPoint> points) {
+    const WorldGeometry& geometry = input.geometry;
+    for (std::size_t i = 0; i < surfaces().size() * kLanes; ++i) {
+        const RayPoint& point = points[i < points.size() ? i : i / kLanes * kLanes];
+        const Corners& corners = geometry.triangles[point.triangle];
+        const glm::vec3 weights(1 - point.b1 - point.b2, point.b1, point.b2);
+        LaneSurface& surface = surfaces_[i / kLanes];
+        const std::size_t lane = i % kLanes;
+        glm::vec3 position(0), normal(0);
+        for (glm::length_t k = 0; k < 3; ++k) {
+            surface.weights[static_cast<std::size_t>(k)][lane] = weights[k];
+            position += weights[k] * geometry.positions[corners[k]];
+            normal += weights[k] * geometry.normals[corners[k]];
+        }
+        const float length = glm::length(normal);
+        surface.positions[lane] = position;
+        surface.normals[lane] =
+            length > 1e-6F ? normal / length : glm::vec3(point.view.towards(glm::dvec3(position)));
+    }
+}
+
+void PixelBatch::find_textures(const PixelInput& input) {
+    const VertexRange& range = input.geometry.ranges[points_.front().range];
+    if (range.material->variation() == nullptr) return;
     triangles_.clear();
-    for (const PixelPoint& point : points_) triangles_.push_back(point.triangle);
-    const bool mirrors =
-        input.local_lights != nullptr && input.local_lights->lighting().needs_pixels(*range.material);
+    for (const SurfacePoint& point : points_) triangles_.push_back(point.triangle);
+    const PointImage image{
+        .projection = input.projection, .width = input.hits.width(), .height = input.hits.height()};
+    const bool covering = !in_pixels_.empty();
+    const bool mirrors = covering && input.local_lights != nullptr &&
+                         input.local_lights->lighting().needs_pixels(*range.material);
     textures_.find(*range.material->variation(), is_back(input.geometry, range), mirrors,
-                   {.geometry = input.geometry,
-                    .projection = input.projection,
-                    .width = input.hits.width(),
-                    .height = input.hits.height()},
+                   {.geometry = input.geometry, .views = views_, .image = covering ? &image : nullptr},
                    triangles_, std::span(surfaces_).first(surfaces().size()));
     weights_ = textures_.weights();
 }
@@ -300,8 +349,8 @@ void PixelBatch::gather(std::span<const std::span<glm::vec4>> stokes, std::size_
     glm::vec4 wanted(0);
     for (std::size_t p = 0; p < components; ++p) wanted[static_cast<glm::length_t>(p)] = 1;
     for (std::size_t c = 0; c < out.size(); ++c)
-        for (std::size_t i = 0; i < points_.size(); ++i)
-            out[c][points_[i].pixel - first] += points_[i].weight * wanted * stokes[c][i];
+        for (std::size_t i = 0; i < in_pixels_.size(); ++i)
+            out[c][in_pixels_[i].pixel - first] += in_pixels_[i].weight * wanted * stokes[c][i];
 }
 
 }  // namespace nicol

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Points that the pixels of an image show, and batches of points that are shaded together, on threads.
+// Points of surfaces that pixels show or that rays meet, and batches of points that are shaded together, on
+// threads.
 #pragma once
 
 #include <array>
@@ -12,40 +13,69 @@
 
 #include "material/spatial_variation.hpp"
 #include "methods/executor.hpp"
+#include "polarization/views.hpp"
 #include "scene/projection.hpp"
 #include "shading/lane_surface.hpp"
 #include "surfaces/geometry.hpp"
 
 namespace nicol {
 
-/// Pixel, or the part of a pixel that shows one surface.
-struct PixelPoint {
+/// Point of a surface whose light is wanted.
+struct SurfacePoint {
     std::uint32_t range;     ///< index of the geometry's range
     std::uint32_t occluded;  ///< 1: a corner of the triangle is occluded; else 0
     std::uint32_t triangle;
-    std::uint32_t pixel;  ///< index, row by row
-    float weight;         ///< fraction of the pixel's samples
-    glm::vec2 at;         ///< mean position of the point's samples, relative to the pixel's centre, in pixels
-    glm::vec2 size;       ///< sides of the rectangle around `at` that the point stands for, in pixels
+    std::uint32_t pixel;  ///< index, row by row, of the pixel that gets the light; seeds light samples
 
     /// Returns the group. Points of one group are shaded by the same data.
     [[nodiscard]] std::uint64_t group() const { return std::uint64_t{2} * range + occluded; }
+};
+
+/// Returns the point of a triangle. range: an index of a range, which is tried first because consecutive
+/// points often have the same range; becomes the point's range.
+[[nodiscard]] SurfacePoint surface_point(const TransferInput& input, std::uint32_t triangle,
+                                         std::size_t pixel, std::size_t& range);
+
+/// Pixel, or the part of a pixel that shows one surface.
+struct PixelPoint : SurfacePoint {
+    float weight;    ///< fraction of the pixel's samples
+    glm::vec2 at;    ///< mean position of the point's samples, relative to the pixel's centre, in pixels
+    glm::vec2 size;  ///< sides of the rectangle around `at` that the point stands for, in pixels
     /// Returns the mean position of the point's samples, see nicol::on_image_plane().
     [[nodiscard]] glm::dvec2 on_image_plane(const Projection& projection, int width, int height) const;
 };
 
+/// Point that a ray meets. The light that leaves the point against the ray is wanted.
+struct RayPoint : SurfacePoint {
+    float b1, b2;  ///< barycentric weights of the triangle's corners 1 and 2
+    /// Viewpoint whose frame() receives the light, in the geometry's axes. For a ray in any direction: an
+    /// orthographic one that looks along the ray.
+    Viewpoint view;
+    bool emits;  ///< whether the surface's own emission is wanted as well
+
+    [[nodiscard]] std::uint64_t group() const { return 2 * SurfacePoint::group() + (emits ? 1 : 0); }
+};
+
 /// Lists the points of pixels first <= i < last; the points of a group are consecutive. Also writes the
 /// fraction of the samples that show a surface, its back included, to coverage[i - first]. Samples of
-/// triangles that share a corner belong to one smooth surface, which has one point at their mean. The input's
+/// triangles that share a corner belong to one surface, which has one point at their mean. Points of
+/// smooth boundaries (input.smooth) are left out. The input's
 /// hits must be on the host.
 void list_points(const PixelInput& input, std::size_t first, std::size_t last, std::vector<PixelPoint>& out,
                  std::span<float> coverage);
 
+/// Image of the points.
+struct PointImage {
+    const Projection& projection;  ///< projection of the geometry's axes
+    int width, height;             ///< size of the image, in pixels
+};
+
 /// View of the points.
 struct TextureView {
     const WorldGeometry& geometry;
-    const Projection& projection;  ///< projection of the geometry's axes
-    int width, height;             ///< size of the image, in pixels
+    Views views;  ///< in the geometry's axes
+    /// Image whose pixels the points cover. Null: textures are looked up at the points themselves.
+    const PointImage* image;
 };
 
 /// Textures at a batch of pixels of one surface. Holds results, so each thread needs its own object.
@@ -54,7 +84,7 @@ public:
     /// Finds the textures at points of triangles, and perturbs the normals of surfaces[block of sixteen] and
     /// rotates their tangents.
     /// back: whether the surface is the second side of a two-sided instance, the mirror image of the front.
-    /// mirrors: whether LaneSurface::parts are wanted, if textures perturb normals.
+    /// mirrors: whether LaneSurface::parts are wanted, if textures perturb normals; needs view.image.
     void find(const SpatialVariation& variation, bool back, bool mirrors, const TextureView& view,
               std::span<const std::uint32_t> triangles, std::span<LaneSurface> surfaces);
 
@@ -74,8 +104,14 @@ public:
 
     /// Takes the first points: points of one group, at most kMost.
     void take(const PixelInput& input, std::span<const PixelPoint> points);
+    void take(const PixelInput& input, std::span<const RayPoint> points);
 
-    [[nodiscard]] std::span<const PixelPoint> points() const { return points_; }
+    [[nodiscard]] std::span<const SurfacePoint> points() const { return points_; }
+    /// Returns the points as parts of pixels. Empty: the points are those of rays and cover nothing.
+    [[nodiscard]] std::span<const PixelPoint> in_pixels() const { return in_pixels_; }
+    [[nodiscard]] const Views& views() const { return views_; }
+    /// Returns whether the surface's own emission is wanted.
+    [[nodiscard]] bool emits() const { return emits_; }
     /// Returns surfaces of sixteen points each, with normals perturbed by textures.
     [[nodiscard]] std::span<const LaneSurface> surfaces() const {
         return std::span(surfaces_).first((points_.size() + kLanes - 1) / kLanes);
@@ -83,16 +119,23 @@ public:
     /// Returns the weights of a textured material's layers, [sixteen points][layer]; empty: no textures.
     [[nodiscard]] std::span<const LayerWeights> weights() const { return weights_; }
 
-    /// Adds to out[c][pixel - first] the points' stokes[c][point] times their weights, for the first
+    /// Adds to out[c][pixel - first] the stokes[c][point] of in_pixels() times their weights, for the first
     /// `components` Stokes components.
     void gather(std::span<const std::span<glm::vec4>> stokes, std::size_t components, std::size_t first,
                 std::span<const std::span<glm::vec4>> out) const;
 
 private:
+    template <class Point>
+    std::span<const Point> take_group(std::span<const Point> points);
     void find_surfaces(const PixelInput& input);
-    void find_textures(const PixelInput& input, const VertexRange& range);
+    void find_surfaces(const PixelInput& input, std::span<const RayPoint> points);
+    void find_textures(const PixelInput& input);
 
-    std::span<const PixelPoint> points_;
+    std::vector<SurfacePoint> points_;
+    std::span<const PixelPoint> in_pixels_;
+    std::vector<Viewpoint> ray_views_;
+    bool emits_ = true;
+    Views views_{std::span<const Viewpoint>()};
     std::array<LaneSurface, kMost / kLanes> surfaces_;
     std::span<const LayerWeights> weights_;
     // Textures of a textured material.

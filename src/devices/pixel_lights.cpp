@@ -42,7 +42,7 @@ std::vector<const Material*> layers_of(const Material& material) {
 
 LightingTally PixelLights::add(const PixelBatch& batch, std::span<const std::span<glm::vec4>> out) const {
     const std::span points = batch.points();
-    const PixelPoint& any = points.front();
+    const SurfacePoint& any = points.front();
     const VertexRange& range = input_.geometry.ranges[any.range];
     const bool shadowed = input_.visibility == nullptr || any.occluded != 0;
     const std::vector<const Material*> layers = layers_of(*range.material);
@@ -50,7 +50,7 @@ LightingTally PixelLights::add(const PixelBatch& batch, std::span<const std::spa
     const SpatialVariation* const variation = range.material->variation();
     const bool turned = variation != nullptr && variation->normal.kind != NormalVariation::Kind::none;
     const bool dimmed = turned && variation->normal.shadowed;
-    const bool mirrors = lights_.lighting().needs_pixels(*range.material);
+    const bool mirrors = !batch.in_pixels().empty() && lights_.lighting().needs_pixels(*range.material);
     LightingTally tally;
     std::vector<std::span<glm::vec4>> channels(out.size());
     for (std::size_t first = 0; first < points.size(); first += kLanes) {
@@ -67,7 +67,7 @@ LightingTally PixelLights::add(const PixelBatch& batch, std::span<const std::spa
             origins[i] = surface.positions[i] + static_cast<float>(ray_offset(corners)) * facets[i];
             seeds[i] = sample_seed(points[first + i].pixel, input_.seed);
             if (mirrors)
-                mirrored[i] = mirrored_at(points[first + i], surface, i,
+                mirrored[i] = mirrored_at(batch.in_pixels()[first + i], surface, i,
                                           {.corners = corners,
                                            .normals = corners_of(input_.geometry.normals, triangle),
                                            .facet = facets[i]});
@@ -86,7 +86,7 @@ LightingTally PixelLights::add(const PixelBatch& batch, std::span<const std::spa
         for (std::size_t c = 0; c < out.size(); ++c) channels[c] = out[c].subspan(first, count);
         const std::span of_facets = std::span(facets).first(count);
         tally +=
-            lights_.lighting().add(input_.view,
+            lights_.lighting().add(batch.views().subspan(first, count),
                                    {.positions = std::span(surface.positions).first(count),
                                     .normals = std::span(surface.normals).first(count),
                                     .tangents = std::span(tangents).first(anisotropic ? count : 0),
@@ -98,7 +98,7 @@ LightingTally PixelLights::add(const PixelBatch& batch, std::span<const std::spa
                                     .seeds = std::span(seeds).first(count),
                                     .shadowed = shadowed},
                                    {.layers = layers, .weights = weights}, channels);
-        if (range.emission != nullptr) add_emission(range, batch, first, channels);
+        if (range.emission != nullptr && batch.emits()) add_emission(range, batch, first, channels);
     }
     return tally;
 }
@@ -136,7 +136,7 @@ void PixelLights::add_emission(const VertexRange& range, const PixelBatch& batch
             for (std::size_t k = 0; k < 3; ++k) texcoords[i] += surface.weights[k][i] * corners[k];
         }
     }
-    add_emitted(*range.emission, lights_.axis_of(range.instance), input_.view,
+    add_emitted(*range.emission, lights_.axis_of(range.instance), batch.views().subspan(first, count),
                 std::span(surface.positions).first(count), std::span(surface.normals).first(count),
                 std::span(texcoords).first(count), out);
 }

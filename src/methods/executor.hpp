@@ -21,6 +21,7 @@ class HighOrderTransfer;
 class VisibilityBuffer;
 class PixelImage;
 class LocalLights;
+class SmoothSurfaces;
 class VertexBuffers;
 struct Projection;
 
@@ -42,6 +43,9 @@ struct PixelInput : ShadeInput {
     std::uint32_t seed;               ///< seed of light samples
     const Background* background;     ///< background behind the surfaces; null: none, or it is drawn
     double light_scale;               ///< factor of the background
+    /// Surfaces whose pixels show what rays meet; null: none. Only executors that follow_rays() take them.
+    const SmoothSurfaces* smooth;
+    const Background* sky;  ///< environment that rays meet; null: none
 };
 
 /// Executor, which computes and keeps the light and Stokes vectors of vertices. Callers decide what is
@@ -62,6 +66,9 @@ public:
     /// Returns whether shade_pixels() adds the background; otherwise the background is drawn around the
     /// shaded pixels.
     [[nodiscard]] virtual bool adds_background() const noexcept = 0;
+
+    /// Returns whether shade_pixels() follows rays from smooth surfaces.
+    [[nodiscard]] virtual bool follows_rays() const noexcept = 0;
 
     /// Relights at least the vertices with current[v] == 0: computes their light times their visibility, in
     /// their own frames, or in the geometry's axes for pixels. Returns the number of relit vertices.

@@ -56,9 +56,12 @@ void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderO
     // Where the bake found that nothing is occluded, local lights need no shadow rays either.
     RenderOptions lighting = options;
     if (scene.distant_light() != nullptr && surfaces.visibility == nullptr) lighting.shadows = false;
+    const bool follows_rays = given.method == Method::factored && executor.follows_rays();
+    if (follows_rays) smooth_.update(visibility_.surfaces());
     local_lights_.update(
         scene, {split_.extracted_lights(), scene.distant_light(), split_.rest(), sampled, light_to_geometry},
-        visibility_.surfaces(), rays, lighting, run.statistics);
+        visibility_.surfaces(), rays, follows_rays && options.shadows ? smooth_.before_mirrors() : nullptr,
+        lighting, run.statistics);
     rays.release();
     pixels_ = shades_pixels(scene, projection, light_to_geometry, options, executor, run.statistics);
     const TransferInput input{
@@ -217,16 +220,19 @@ void Pipeline::shade_pixels(const Scene& scene, ShadeInput input, const Projecti
     chosen_.assign(input.geometry.positions.size(), 1);
     input.chosen = chosen_;
     const bool behind = scene.background() != nullptr && executor.adds_background();
-    showing_.run(scene.background(), input.channels, behind, [&] {
-        background_.reset();
-        if (behind) background_.emplace(*scene.background(), input.channels);
+    const bool smooth = options.method == Method::factored && executor.follows_rays() && smooth_.any();
+    const bool looked_up = scene.distant_light() != nullptr && (behind || smooth);
+    showing_.run(scene.distant_light(), input.channels, looked_up, [&] {
+        sky_.reset();
+        if (looked_up) sky_.emplace(*scene.distant_light(), input.channels);
     });
+    const Background* const sky = looked_up ? &*sky_ : nullptr;
     method_for(options.method)
-        .shade_pixels(
-            {input, projection, hits, high_orders ? &high_orders_ : nullptr, options.physical,
-             local_lights_.any() ? &local_lights_ : nullptr, static_cast<std::uint32_t>(options.seed),
-             behind ? &*background_ : nullptr, scene.light_scale()},
-            executor, run);
+        .shade_pixels({input, projection, hits, high_orders ? &high_orders_ : nullptr, options.physical,
+                       local_lights_.any() ? &local_lights_ : nullptr,
+                       static_cast<std::uint32_t>(options.seed), behind ? sky : nullptr, scene.light_scale(),
+                       smooth ? &smooth_ : nullptr, smooth ? sky : nullptr},
+                      executor, run);
     executor.finish();
     run.statistics.shade_ms += watch.milliseconds();
 }
@@ -258,7 +264,7 @@ void Pipeline::count(const TransferInput& input, const DistantLight& distant, St
     statistics.light_columns_skipped =
         static_cast<std::uint64_t>((4 - static_cast<int>(input.layout.kind())) * light_channels);
     statistics.channels_shared = static_cast<std::uint64_t>(input.channels - light_channels);
-    statistics.transfer_bytes += input.geometry.bytes() + chosen_.size();
+    statistics.transfer_bytes += input.geometry.bytes() + chosen_.size() + smooth_.bytes();
 }
 
 }  // namespace nicol

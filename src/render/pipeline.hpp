@@ -26,6 +26,7 @@
 #include "stage/options.hpp"
 #include "surfaces/local_lights.hpp"
 #include "surfaces/scene_geometry.hpp"
+#include "surfaces/smooth_surfaces.hpp"
 #include "surfaces/vertex_stage.hpp"
 
 namespace nicol {
@@ -84,6 +85,7 @@ private:
     DenseMethod dense_;
     HighOrderTransfer high_orders_;
     LocalLights local_lights_;
+    SmoothSurfaces smooth_;
     bool pixels_ = false;
     float noise_ = 0;  // noise for make_physical()
     InterpolationError interpolation_error_;
@@ -97,8 +99,8 @@ private:
         shading_{{.on_places = true, .on_materials = true}};
     std::vector<std::uint8_t> chosen_;
 
-    std::optional<Background> background_;
-    Stage<EnvironmentPtr, int, bool> showing_;  // environment, channels, whether the executor adds it
+    std::optional<Background> sky_;
+    Stage<EnvironmentPtr, int, bool> showing_;  // environment, channels, whether anything looks it up
 };
 
 }  // namespace nicol

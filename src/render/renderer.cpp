@@ -93,14 +93,16 @@ void check_varying(const RenderOptions& options) {
 }
 
 // Throws Error(unsupported) if the options do not allow a material that light passes.
-void check_transmitting(const Scene& scene, const RenderOptions& options) {
-    if (options.method == Method::reference) return;
-    for (std::size_t i = 0; i < scene.instances().size(); ++i)
-        if (scene.instances()[i].material->smooth_boundary() != nullptr)
-            throw Error(ErrorCode::unsupported,
-                        "the material of instance " + std::to_string(scene.ids()[i]) +
-                            " is glass that light passes (dielectric or thindielectric), which only the "
-                            "reference method follows; set method to reference");
+void check_transmitting(const RenderOptions& options) {
+    const auto refuse_unsupported = [](const std::string& message) {
+        throw Error(
+            ErrorCode::unsupported,
+            "a material of the scene is glass that light passes (dielectric or thindielectric): " + message);
+    };
+    if (options.method == Method::dense)
+        refuse_unsupported("the dense method follows no rays; set method to factored or reference");
+    if (options.method == Method::factored && options.shade_at == ShadeAt::vertices)
+        refuse_unsupported("rays begin at pixels; set shade_at to automatic or pixels");
 }
 
 // Throws if the image has too many samples for the visibility buffer, which shading at pixels and elements
@@ -153,8 +155,9 @@ Renderer::Renderer(std::shared_ptr<gl::Context> context, int threads)
       painter_(context),
       elements_(std::move(context)) {}
 
-RenderExecutor& Renderer::executor_for(const RenderOptions& options) {
-    const Device& device = device_for(options.executor, *context_);
+RenderExecutor& Renderer::executor_for(const Scene& scene, const RenderOptions& options) {
+    // Compute shaders follow no rays, so threads shade scenes that light passes.
+    const Device& device = device_for(scene.transmits() ? Executor::cpu : options.executor, *context_);
     if (executor_ == nullptr || device_ != &device) {
         executor_.reset();  // frees the data of the former executor as well
         executor_ = device.make(context_, buffers_);
@@ -174,7 +177,7 @@ Statistics Renderer::render(const Scene& scene, const Camera& camera, const Rend
     }
     check(options);
     if (scene.varies()) check_varying(options);
-    check_transmitting(scene, options);
+    if (scene.transmits()) check_transmitting(options);
     check_size(scene, options, target);
     memory_limit_.check(scene, options, target.width(), target.height());
     if (!grey || options.method == Method::reference) return render_into(scene, camera, options, target);
@@ -304,7 +307,7 @@ void Renderer::draw(const Scene& scene, const Projection& projection, const Rend
                     Framebuffer& target) {
     Progress progress(options.progress);
     Statistics statistics;
-    RenderExecutor& executor = executor_for(options);
+    RenderExecutor& executor = executor_for(scene, options);
     statistics.compute = device_->executor == Executor::compute;
     RenderOptions chosen = options;
     chosen.max_vertices = memory_limit_.max_vertices(options);

@@ -57,7 +57,7 @@ private:
                          Framebuffer& target);
     // Copies surfaces to the device. Must be called inside run() of the context.
     void update_buffers(const RefinedSurfaces& surfaces, int channels);
-    [[nodiscard]] RenderExecutor& executor_for(const RenderOptions& options);
+    [[nodiscard]] RenderExecutor& executor_for(const Scene& scene, const RenderOptions& options);
 
     std::shared_ptr<gl::Context> context_;
     int threads_;

@@ -72,6 +72,12 @@ bool Scene::varies() const {
     });
 }
 
+bool Scene::transmits() const {
+    return std::ranges::any_of(instances(), [](const Instance& instance) {
+        return instance.material->smooth_boundary() != nullptr;
+    });
+}
+
 std::uint32_t Scene::add(Instance instance) {
     if (!instance.mesh) refuse("the instance has no mesh");
     if (!instance.material) refuse("the instance has no material");
@@ -126,6 +132,7 @@ void Scene::set_material(std::uint32_t id, MaterialPtr material) {
     if (instance.material == material) return;
     channels_.make_room(material->channels());
     if (instance.material->twosided() != material->twosided() ||
+        (instance.material->smooth_boundary() == nullptr) != (material->smooth_boundary() == nullptr) ||
         alpha_mask_of(*instance.material) != alpha_mask_of(*material))
         geometry_version_ = new_version();
     material_version_ = new_version();

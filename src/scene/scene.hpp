@@ -179,8 +179,11 @@ public:
     [[nodiscard]] int channels() const { return channels_.largest(); }
     /// Returns whether a material or an emission varies over its surface.
     [[nodiscard]] bool varies() const;
+    /// Returns whether light passes a material, see Material::smooth_boundary().
+    [[nodiscard]] bool transmits() const;
 
-    /// Returns the version of the triangles' positions, of the sides that reflect, and of alpha masks.
+    /// Returns the version of the triangles' positions, of the sides that reflect, of alpha masks,
+    /// and of what light passes.
     [[nodiscard]] Version geometry_version() const noexcept { return geometry_version_; }
     /// Returns the version of the materials and their assignment to instances.
     [[nodiscard]] Version material_version() const noexcept { return material_version_; }

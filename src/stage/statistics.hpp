@@ -22,6 +22,7 @@ struct RenderWork {
     std::uint64_t shadow_rays = 0;       ///< shadow rays of the reference method
     std::uint64_t bake_rays = 0;         ///< rays from vertices, for the visibility of the environment
     std::uint64_t light_rays = 0;        ///< rays from shading points to local lights
+    std::uint64_t smooth_rays = 0;       ///< rays of pixels that show smooth surfaces
     std::uint64_t lights_projected = 0;  ///< environments projected to coefficients
     /// Materials whose tables, matrices and sets of lobes were computed or read from a cache.
     std::uint64_t materials_projected = 0;
@@ -78,10 +79,10 @@ inline RenderWork& RenderWork::operator+=(const RenderWork& other) {
                                &RenderWork::relight_ms, &RenderWork::shade_ms,   &RenderWork::light_ms,
                                &RenderWork::draw_ms,    &RenderWork::observe_ms, &RenderWork::trace_ms};
     constexpr std::array counts{
-        &RenderWork::camera_rays,     &RenderWork::shadow_rays,      &RenderWork::bake_rays,
-        &RenderWork::light_rays,      &RenderWork::lights_projected, &RenderWork::materials_projected,
-        &RenderWork::vertices_traced, &RenderWork::matrices_baked,   &RenderWork::vertices_relit,
-        &RenderWork::vertices_shaded, &RenderWork::pixels_shaded};
+        &RenderWork::camera_rays,         &RenderWork::shadow_rays,     &RenderWork::bake_rays,
+        &RenderWork::light_rays,          &RenderWork::smooth_rays,     &RenderWork::lights_projected,
+        &RenderWork::materials_projected, &RenderWork::vertices_traced, &RenderWork::matrices_baked,
+        &RenderWork::vertices_relit,      &RenderWork::vertices_shaded, &RenderWork::pixels_shaded};
     static_assert(sizeof(RenderWork) == 8 * (times.size() + counts.size()), "every member is added");
     for (const auto time : times) this->*time += other.*time;
     for (const auto count : counts) this->*count += other.*count;

@@ -35,6 +35,9 @@ struct WorldGeometry {
     std::vector<glm::uvec3> triangles;  ///< one-sided triangles first
     std::size_t one_sided = 0;          ///< number of one-sided triangles
     std::vector<VertexRange> ranges;
+    /// Triangles as shadow rays meet them, see BakeGeometry::blocking; not set after refinement, which
+    /// divides triangles and moves none.
+    std::vector<glm::uvec3> blocking;
 
     /// Texture coordinates of the triangles' corners, in the order of `triangles`; 0 for meshes without
     /// texture coordinates. Empty unless a textured or anisotropic material or a textured emission needs
@@ -50,8 +53,9 @@ struct WorldGeometry {
 
     [[nodiscard]] std::size_t bytes() const noexcept {
         return (positions.size() + normals.size()) * sizeof(glm::vec3) +
-               triangles.size() * sizeof(glm::uvec3) + texcoords.size() * sizeof(texcoords.front()) +
-               colors.size() * sizeof(colors.front()) + tangents.size() * sizeof(tangents.front());
+               (triangles.size() + blocking.size()) * sizeof(glm::uvec3) +
+               texcoords.size() * sizeof(texcoords.front()) + colors.size() * sizeof(colors.front()) +
+               tangents.size() * sizeof(tangents.front());
     }
 };
 

@@ -32,7 +32,8 @@ EmissiveSurface emissive_surface(const Instance& instance, std::uint32_t id, con
 }  // namespace
 
 void LocalLights::update(const Scene& scene, const DistantLight& distant, const RefinedSurfaces& surfaces,
-                         SurfaceRays& rays, const RenderOptions& options, Statistics& statistics) {
+                         SurfaceRays& rays, const std::shared_ptr<const RayScene>& before_mirrors,
+                         const RenderOptions& options, Statistics& statistics) {
     materials_.run(surfaces.version(), surfaces.material_version(), distant.sampled, [&] {
         vertex_tangents_ = nicol::vertex_tangents(surfaces.geometry());
         const auto any = [&](const auto& is) {
@@ -74,21 +75,23 @@ void LocalLights::update(const Scene& scene, const DistantLight& distant, const 
             {.positions = geometry.positions, .normals = geometry.normals, .triangles = geometry.triangles},
             geometry.normals);
     });
-    making_.run(
-        scene.local_light_version(), scene.emission_version(), scene.geometry_version(), surfaces.to_world(),
-        rays_.version(), mirrors_, options.light_samples, grids_.version(), distant.sampled,
-        filtered_.version(), distant.extracted_lights, distant.rotation, scene.light_scale(), [&] {
-            if (!lit && !any()) return;  // the lighting of vertices stays as it is
-            LocalLighting::Lights lights = make_lights(scene, distant, surfaces.to_world());
-            lights_ = lights.local.size() + lights.extracted.size();
-            std::optional<LocalLighting>& lighting = lighting_.change();
-            lighting.reset();
-            if (!lit) return;
-            if (sampled)
-                lights.environment.emplace(filtered_->whole, filtered_->rest, glm::mat3(distant.rotation),
-                                           static_cast<float>(scene.light_scale()), distant.sampled, *grids_);
-            lighting.emplace(std::move(lights), rays_->get(), options.light_samples);
-        });
+    making_.run(scene.local_light_version(), scene.emission_version(), scene.geometry_version(),
+                surfaces.to_world(), rays_.version(), mirrors_, options.light_samples, grids_.version(),
+                distant.sampled, filtered_.version(), distant.extracted_lights, distant.rotation,
+                scene.light_scale(), before_mirrors, [&] {
+                    if (!lit && !any()) return;  // the lighting of vertices stays as it is
+                    LocalLighting::Lights lights = make_lights(scene, distant, surfaces.to_world());
+                    lights_ = lights.local.size() + lights.extracted.size();
+                    std::optional<LocalLighting>& lighting = lighting_.change();
+                    lighting.reset();
+                    if (!lit) return;
+                    if (sampled)
+                        lights.environment.emplace(
+                            filtered_->whole, filtered_->rest, glm::mat3(distant.rotation),
+                            static_cast<float>(scene.light_scale()), distant.sampled, *grids_);
+                    lights.before_mirrors = before_mirrors;
+                    lighting.emplace(std::move(lights), rays_->get(), options.light_samples);
+                });
     statistics.local_lights = lights_;
     if (whole) statistics.response_bytes += filtered_->whole->bytes();
     if (rest && rest != whole) statistics.response_bytes += filtered_->rest->bytes();

@@ -34,8 +34,10 @@ public:
         const glm::dmat3& rotation;  ///< from the environment's axes to the surfaces' axes
     };
     /// Takes over changes of the scene and the surfaces. rays: of the surfaces before their refinement.
+    /// before_mirrors: see LocalLighting::Lights.
     void update(const Scene& scene, const DistantLight& distant, const RefinedSurfaces& surfaces,
-                SurfaceRays& rays, const RenderOptions& options, Statistics& statistics);
+                SurfaceRays& rays, const std::shared_ptr<const RayScene>& before_mirrors,
+                const RenderOptions& options, Statistics& statistics);
 
     /// Returns a version that changes whenever the lighting changes.
     [[nodiscard]] Version version() const noexcept { return lighting_.version(); }
@@ -72,9 +74,10 @@ private:
     Stage<int> placing_;  // samples of lobes
     Versioned<std::shared_ptr<const NodeGrids>> grids_;
     // Inputs: lights, emission, placements of instances, the axes, rays, mirrors, samples of lights, grids
-    // of lobes; sampled terms, their light; extracted lights, their axes and scale.
+    // of lobes; sampled terms, their light; extracted lights, their axes and scale; rays before mirrors.
     Stage<Version, Version, Version, glm::dmat4, Version, bool, int, Version, SampledTerms, Version,
-          std::vector<std::shared_ptr<const ExtractedLight>>, glm::dmat3, double>
+          std::vector<std::shared_ptr<const ExtractedLight>>, glm::dmat3, double,
+          std::shared_ptr<const RayScene>>
         making_;
     Versioned<std::optional<LocalLighting>> lighting_;
     std::map<std::uint32_t, glm::dvec3> axes_;  // by id of the emissive instance

@@ -276,6 +276,26 @@ TEST_CASE("rays pass where a surface is not, one by one and in packets") {
     CHECK(scene.occluded(packet, 0xffff) == expected);
 }
 
+TEST_CASE(
+    "rays pass the backs of a surface of which only the front counts, and meet the other side's triangles") {
+    const std::vector<glm::vec3> corners{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    const std::vector<glm::uvec3> both{{0, 1, 2}, {0, 2, 1}};  // the front of the first faces +z
+    const RaySurface surfaces[] = {{.positions = corners, .triangles = both, .front_only = true}};
+    const RayScene scene(surfaces);
+    const auto from = [&](double z) {
+        return scene.intersect({.origin = {0.2, 0.2, z}, .direction = {0, 0, z > 0 ? -1 : 1}});
+    };
+    CHECK(from(1).value().triangle == 0);
+    CHECK(from(-1).value().triangle == 1);
+    const RaySurface one[] = {
+        {.positions = corners, .triangles = std::span(both).first(1), .front_only = true}};
+    const RayScene half(one);
+    const Ray up{.origin = {0.2, 0.2, -1}, .direction = {0, 0, 1}};
+    CHECK_FALSE(half.intersect(up).has_value());
+    CHECK_FALSE(half.occluded(up));
+    CHECK(half.occluded({.origin = {0.2, 0.2, 1}, .direction = {0, 0, -1}}));
+}
+
 TEST_CASE("an empty scene has no hits") {
     const RayScene scene({});
     CHECK(!scene.intersect({.origin = {0, 0, 0}, .direction = {0, 0, 1}}).has_value());

@@ -670,6 +670,7 @@ class Statistics(Struct):
         ("lights_split", c_uint64),
         ("light_rays", c_uint64),
         ("light_ms", c_double),
+        ("smooth_rays", c_uint64),
     ]
 
 

@@ -1123,10 +1123,11 @@ pub struct nicol_statistics {
     pub lights_split: u64,
     pub light_rays: u64,
     pub light_ms: f64,
+    pub smooth_rays: u64,
 }
 defaults!(nicol_statistics, nicol_statistics_init);
 const _: () = {
-    assert!(size_of::<nicol_statistics>() == 312);
+    assert!(size_of::<nicol_statistics>() == 320);
     assert!(offset_of!(nicol_statistics, struct_size) == 0);
     assert!(offset_of!(nicol_statistics, order) == 4);
     assert!(offset_of!(nicol_statistics, vertices) == 8);
@@ -1168,6 +1169,7 @@ const _: () = {
     assert!(offset_of!(nicol_statistics, lights_split) == 288);
     assert!(offset_of!(nicol_statistics, light_rays) == 296);
     assert!(offset_of!(nicol_statistics, light_ms) == 304);
+    assert!(offset_of!(nicol_statistics, smooth_rays) == 312);
 };
 pub type nicol_plane = u32;
 pub type nicol_format = u32;

@@ -177,10 +177,10 @@ void CpuExecutor::shade_pixels(const FactoredMethod& method, const PixelInput& i
     const Shade shade(input.layout, input.least_components, input.most_components);
     const FrameRotation rotation(input.layout);
     const Relight unoccluded(input.layout, input.light);
-    std::vector<PixelSurface> surfaces;
+    std::vector<PointSurface> surfaces;
     std::deque<TexturedSurface> textured;  // a deque, because pointers to its elements must stay valid
     for (const VertexRange& range : input.geometry.ranges) {
-        PixelSurface& surface = surfaces.emplace_back(PixelSurface{.shade = &shade,
+        PointSurface& surface = surfaces.emplace_back(PointSurface{.shade = &shade,
                                                                    .textures = nullptr,
                                                                    .response = nullptr,
                                                                    .high_orders = nullptr,
@@ -206,7 +206,7 @@ void CpuExecutor::shade_pixels(const DenseMethod& method, const PixelInput& inpu
         shades.emplace_back(of.matrices.material().outgoing());
         rotations.emplace_back(of.matrices.material().outgoing());
     }
-    std::vector<PixelSurface> surfaces;
+    std::vector<PointSurface> surfaces;
     for (std::size_t i = 0; i < runs.size(); ++i) {
         surfaces.push_back({.shade = &shades[i],
                             .textures = nullptr,
@@ -220,7 +220,7 @@ void CpuExecutor::shade_pixels(const DenseMethod& method, const PixelInput& inpu
     run_pixels(input, surfaces, run);
 }
 
-void CpuExecutor::run_pixels(const PixelInput& input, std::span<PixelSurface> surfaces, RenderRun& run) {
+void CpuExecutor::run_pixels(const PixelInput& input, std::span<PointSurface> surfaces, RenderRun& run) {
     std::vector<HighOrder> high_orders;
     if (input.high_orders != nullptr) {
         compute_fractions(*input.high_orders, input, run);
@@ -239,18 +239,21 @@ void CpuExecutor::run_pixels(const PixelInput& input, std::span<PixelSurface> su
     for (auto& channel : pixels_) channel.resize(pixels);
     const std::vector<std::span<glm::vec4>> channels(pixels_.begin(), pixels_.end());
     const bool fractions = input.high_orders != nullptr && !input.high_orders->visibility()->empty();
-    const PixelShading shading(input, surfaces, fractions ? fractions_ : std::span<const glm::vec2>());
-    std::atomic<std::uint64_t> shaded = 0;
+    const SurfaceShading of_points(input, surfaces, fractions ? fractions_ : std::span<const glm::vec2>());
+    const PixelShading shading(input, of_points);
+    std::atomic<std::uint64_t> shaded = 0, rays = 0;
     tbb::combinable<LightingTally> tallies;
     std::atomic<double> light_seconds = 0;
     run.workers.for_vertices(0, pixels, pixels, "shade", run.progress,
                              [&](std::size_t begin, std::size_t end) {
-                                 const PixelCounts counts = shading.run(begin, end, channels);
+                                 const PointCounts counts = shading.run(begin, end, channels);
                                  shaded += counts.shaded;
                                  tallies.local() += counts.lighting;
                                  light_seconds += counts.light_seconds;
+                                 rays += counts.ray_count;
                              });
     run.statistics.pixels_shaded += shaded;
+    run.statistics.smooth_rays += rays;
     tallies.combine_each([&](const LightingTally& tally) { run.add(tally); });
     run.statistics.light_ms += 1e3 * light_seconds / run.workers.count();
 }

@@ -20,6 +20,7 @@ public:
     [[nodiscard]] bool samples_pixels() const noexcept override { return true; }
     [[nodiscard]] bool reads_hits_on_host() const noexcept override { return true; }
     [[nodiscard]] bool adds_background() const noexcept override { return true; }
+    [[nodiscard]] bool follows_rays() const noexcept override { return true; }
     std::uint64_t relight(const FactoredMethod& method, const TransferInput& input,
                           std::span<const std::uint8_t> current, RenderRun& run) override;
     bool renumber(std::span<const std::uint32_t> former, bool at_pixels, RenderRun& run) override;
@@ -44,7 +45,7 @@ private:
     /// Allocates Stokes vectors; vertices that are not shaded keep their values.
     void resize(const ShadeInput& input);
     void compute_fractions(const HighOrderTransfer& high_orders, const ShadeInput& input, RenderRun& run);
-    void run_pixels(const PixelInput& input, std::span<PixelSurface> surfaces, RenderRun& run);
+    void run_pixels(const PixelInput& input, std::span<PointSurface> surfaces, RenderRun& run);
 
     VertexLight light_;                  // light for the factored method
     std::vector<VertexLight> outgoing_;  // reflected light of the dense method, one per run

@@ -19,7 +19,7 @@
 namespace nicol {
 
 /// List of the points that an image's pixels show, and the image made from them. The points equal those that
-/// PixelShading finds on threads. Points are listed for some pixels at a time. The points of a group are
+/// SurfaceShading finds on threads. Points are listed for some pixels at a time. The points of a group are
 /// consecutive; a group has the points of one range of the geometry, either with or without an occluded
 /// corner. Only the numbers of points come back to the host. All members must be called inside run() of the
 /// context.

@@ -28,6 +28,7 @@ public:
     [[nodiscard]] bool samples_pixels() const noexcept override { return false; }
     [[nodiscard]] bool reads_hits_on_host() const noexcept override { return false; }
     [[nodiscard]] bool adds_background() const noexcept override { return false; }
+    [[nodiscard]] bool follows_rays() const noexcept override { return false; }
     std::uint64_t relight(const FactoredMethod& method, const TransferInput& input,
                           std::span<const std::uint8_t> current, RenderRun& run) override;
     std::uint64_t relight(const DenseMethod& method, const TransferInput& input,

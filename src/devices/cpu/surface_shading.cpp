@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+#include "devices/cpu/surface_shading.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+#include "methods/high_orders.hpp"
+#include "shading/realizable_range.hpp"
+#include "simd/lane_transpose.hpp"
+#include "specular/high_order_visibility.hpp"
+#include "specular/lane_mirror.hpp"
+
+namespace nicol {
+namespace {
+
+constexpr std::size_t kMost = PixelBatch::kMost;
+
+constexpr std::array<std::uint8_t, kMost> kAll = [] {
+    std::array<std::uint8_t, kMost> all{};
+    all.fill(1);
+    return all;
+}();
+
+}  // namespace
+
+// Work space for the points of a batch.
+struct SurfaceShading::Work {
+    std::array<glm::vec3, kMost> positions;
+    std::array<glm::vec3, kMost> normals;
+    std::array<glm::vec2, kMost> fractions;
+    VertexLight light;
+};
+
+SurfaceShading::SurfaceShading(const PixelInput& input, std::span<const PointSurface> surfaces,
+                               std::span<const glm::vec2> fractions)
+    : input_(input), surfaces_(surfaces), fractions_(fractions) {
+    if (input.local_lights != nullptr) local_lights_.emplace(*input.local_lights, input);
+}
+
+void SurfaceShading::run(const PixelBatch& batch, std::span<const std::span<glm::vec4>> out,
+                         PointCounts& counts) const {
+    thread_local Work work;
+    const PointSurface& surface = surfaces_[batch.points().front().range];
+    const std::size_t count = batch.points().size();
+    for (std::size_t begin = 0; begin < count; begin += kLanes) {
+        const LaneSurface& of = batch.surfaces()[begin / kLanes];
+        std::ranges::copy(of.positions, work.positions.begin() + static_cast<std::ptrdiff_t>(begin));
+        std::ranges::copy(of.normals, work.normals.begin() + static_cast<std::ptrdiff_t>(begin));
+    }
+    find_light(surface, batch, work);
+
+    const std::span positions = std::span(work.positions).first(count);
+    const std::span normals = std::span(work.normals).first(count);
+    const std::span chosen = std::span(kAll).first(count);
+    HighOrderShadows shadows;
+    if (!fractions_.empty()) {
+        if (batch.views().shared())
+            find_fractions(batch, work);
+        else
+            find_fractions_of_views(batch, work);
+        shadows.fractions = std::span(work.fractions).first(count);
+    }
+    if (const TexturedSurface* const textures = surface.textures) {
+        surface.shade->run(textures->responses, batch.weights(), work.light, batch.views(), positions,
+                           normals, out);
+        if (textures->high_orders) {
+            textures->high_orders->run(batch.views(), positions, normals, batch.weights(), shadows.fractions,
+                                       out);
+        }
+    } else {
+        surface.shade->run(*surface.response, work.light, batch.views(), positions, normals, chosen, 0, count,
+                           out);
+        if (surface.high_orders != nullptr)
+            surface.high_orders->run(batch.views(), positions, normals, chosen, shadows, 0, count, out);
+    }
+    if (input_.physical) {
+        for (const std::span<glm::vec4> channel : out) make_physical(channel, input_.noise);
+    }
+    counts.shaded += count;
+    if (!local_lights_) return;
+    const Stopwatch watch;
+    counts.lighting += local_lights_->add(batch, out);
+    counts.light_seconds += 1e-3 * watch.milliseconds();
+}
+
+void SurfaceShading::find_fractions(const PixelBatch& batch, Work& work) const {
+    for (std::size_t i = 0; i < batch.points().size(); ++i) {
+        const glm::uvec3& corners = input_.geometry.triangles[batch.points()[i].triangle];
+        const std::array<Lanes, 3>& weights = batch.surfaces()[i / kLanes].weights;
+        const std::size_t lane = i % kLanes;
+        work.fractions[i] = weights[0][lane] * fractions_[corners.x] +
+                            weights[1][lane] * fractions_[corners.y] +
+                            weights[2][lane] * fractions_[corners.z];
+    }
+}
+
+void SurfaceShading::find_fractions_of_views(const PixelBatch& batch, Work& work) const {
+    const WorldGeometry& geometry = input_.geometry;
+    const VisibilityBlocks& visibility = *input_.high_orders->visibility();
+    const MaterialPtr& material = geometry.ranges[batch.points().front().range].material;
+    const HighOrderVisibility seen(visibility.order(), input_.high_orders->lobe_width(material));
+    std::array<glm::vec3, kLanes> positions, normals;
+    std::array<Lanes, 2> fractions;
+    for (std::size_t begin = 0; begin < batch.points().size(); begin += kLanes) {
+        const std::size_t count = std::min(kLanes, batch.points().size() - begin);
+        for (std::size_t i = 0; i < count; ++i) work.fractions[begin + i] = glm::vec2(0);
+        for (glm::length_t k = 0; k < 3; ++k) {
+            const auto corner = [&](std::size_t i) {
+                return geometry.triangles[batch.points()[begin + i].triangle][k];
+            };
+            for (std::size_t i = 0; i < count; ++i) {
+                positions[i] = geometry.positions[corner(i)];
+                normals[i] = geometry.normals[corner(i)];
+            }
+            const LaneMirror mirror =
+                mirror_views(batch.views().subspan(begin, count), glm::dmat3(1.0),
+                             std::span(positions).first(count), std::span(normals).first(count));
+            for (std::size_t i = 0; i < count; ++i) {
+                // The vertex has a lane of its own in a block, so its view moves to that lane.
+                const std::size_t lane = corner(i) % kLanes;
+                LaneMirror moved = mirror;
+                put(moved.local, lane, vector_at(mirror.local, i));
+                glm::vec2 of_vertex(1);
+                if (const std::int16_t* const block = visibility.block(corner(i) / kLanes)) {
+                    seen.filter_block(moved, block, fractions);
+                    of_vertex = {fractions[0][lane], fractions[1][lane]};
+                }
+                work.fractions[begin + i] +=
+                    batch.surfaces()[begin / kLanes].weights[static_cast<std::size_t>(k)][i] * of_vertex;
+            }
+        }
+    }
+}
+
+void SurfaceShading::find_light(const PointSurface& surface, const PixelBatch& batch, Work& work) const {
+    const LightLayout& layout = surface.shade->layout();
+    const std::span points = batch.points();
+    const std::span normals = std::span(work.normals).first(points.size());
+    const std::size_t blocks = batch.surfaces().size();
+    if (surface.unoccluded != nullptr && points.front().occluded == 0) {
+        work.light.resize(layout, input_.light.channels(), kMost);
+        surface.unoccluded->run(normals, 0, blocks, work.light);
+        return;
+    }
+    const VertexLight& from = *surface.light;
+    work.light.resize(layout, from.channels(), kMost);
+    for (std::size_t block = 0; block < blocks; ++block) {
+        std::array<std::array<const float*, kLanes>, 3> rows;
+        for (std::size_t i = 0; i < kLanes; ++i) {
+            const std::size_t point = block * kLanes + i;
+            const glm::uvec3& corners =
+                input_.geometry.triangles[points[point < points.size() ? point : block * kLanes].triangle];
+            for (glm::length_t k = 0; k < 3; ++k)
+                rows[static_cast<std::size_t>(k)][i] = from.row(corners[k] - surface.first_row);
+        }
+        to_lanes_weighted(rows, batch.surfaces()[block].weights, from.row_size(),
+                          work.light.block(block, 0).data());
+        surface.rotation->into_frames(
+            normals.subspan(block * kLanes, std::min(kLanes, points.size() - block * kLanes)), work.light,
+            block);
+    }
+}
+
+}  // namespace nicol

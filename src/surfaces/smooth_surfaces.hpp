@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// Smooth surfaces of a scene, whose pixels show what rays meet, and the rays.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "geometry/ray_scene.hpp"
+#include "surfaces/refined_surfaces.hpp"
+#include "versioned.hpp"
+
+namespace nicol {
+
+/// What a surface shows of its surroundings.
+enum class Smoothness : std::uint8_t {
+    none,      ///< nothing that rays follow
+    mirror,    ///< a smooth term of the material mirrors other surfaces
+    boundary,  ///< light is reflected and transmitted, see Material::smooth_boundary()
+};
+
+class SmoothSurfaces {
+public:
+    /// Takes over changes of the surfaces as drawn, which must outlive this object. Builds the ray hierarchy
+    /// only if there are smooth surfaces.
+    void update(const RefinedSurfaces& surfaces);
+
+    [[nodiscard]] bool any() const noexcept { return !of_triangles_.empty(); }
+    /// Returns the smoothness of a triangle of the geometry. any() must be true.
+    [[nodiscard]] Smoothness of(std::uint32_t triangle) const { return of_triangles_[triangle]; }
+
+    /// Returns the first hit of a ray, which passes the backs of two-sided surfaces because their other side
+    /// has triangles of its own. RayHit::triangle is an index into the geometry's triangles. any() must be
+    /// true.
+    [[nodiscard]] std::optional<RayHit> intersect(const Ray& ray) const;
+
+    /// Returns the ray hierarchy if light passes some surfaces, which mirrors then show; else null.
+    [[nodiscard]] std::shared_ptr<const RayScene> before_mirrors() const;
+
+    [[nodiscard]] std::uint64_t bytes() const noexcept { return of_triangles_.size(); }
+
+private:
+    Stage<Version, Version> finding_;  // vertices and triangles, materials
+    std::vector<Smoothness> of_triangles_;
+    Stage<Version, bool> tracing_;  // vertices and triangles, whether there are smooth surfaces
+    std::shared_ptr<const RayScene> rays_;
+    std::uint32_t one_sided_ = 0;  // number of one-sided triangles
+};
+
+}  // namespace nicol
