@@ -16,6 +16,7 @@ BakeGeometry bake_geometry(const SceneGeometry& surfaces, SurfaceRays& rays) {
             .normals = world.normals,
             .triangles = world.triangles,
             .present = presence_of(world),
+            .blocking = world.blocking,
             .rays = [&rays] { return rays.get(); }};
 }
 

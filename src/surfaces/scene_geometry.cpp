@@ -142,6 +142,7 @@ std::vector<SceneGeometry::Piece> SceneGeometry::place(const Scene& scene) {
                                       .mesh = instance.mesh,
                                       .twosided = instance.material->twosided(),
                                       .mask = alpha_mask_of(*instance.material),
+                                      .transmits = instance.material->smooth_boundary() != nullptr,
                                       .placement = moved ? from_world * instance.to_world : instance.to_world,
                                       .extent = {},
                                       .details = {},
@@ -152,7 +153,8 @@ std::vector<SceneGeometry::Piece> SceneGeometry::place(const Scene& scene) {
                                       .former = kNone});
         const auto former = std::ranges::lower_bound(pieces_, piece.id, {}, &Piece::id);
         if (former == pieces_.end() || former->id != piece.id || former->mesh != piece.mesh ||
-            former->twosided != piece.twosided || former->mask != piece.mask) {
+            former->twosided != piece.twosided || former->mask != piece.mask ||
+            former->transmits != piece.transmits) {
             continue;
         }
         if (stays(*former, piece.placement, to_world_)) {
@@ -248,6 +250,13 @@ void SceneGeometry::build(const Scene& scene, std::vector<Piece>& pieces) {
     }
     next.one_sided = next.triangles.size();
     next.triangles.insert(next.triangles.end(), two_sided.begin(), two_sided.end());
+    if (std::ranges::any_of(pieces, &Piece::transmits)) {
+        next.blocking = next.triangles;
+        for (glm::uvec3& triangle : next.blocking)
+            for (const Piece& piece : pieces)
+                if (piece.transmits && triangle.x >= piece.first && triangle.x < piece.last)
+                    triangle = glm::uvec3(triangle.x);
+    }
 
     equal_materials_.forget_unused();
     if (geometry_->ranges != next.ranges) material_version_ = new_version();

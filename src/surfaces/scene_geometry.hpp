@@ -64,6 +64,7 @@ private:
         std::shared_ptr<const Mesh> mesh;
         bool twosided;
         AlphaMask mask;        // shadows depend on it
+        bool transmits;        // whether light passes the material, and shadow rays do
         glm::dmat4 placement;  // in geometry()'s axes
         MeshExtent extent;
         std::vector<Ball> details;             // objects for which large triangles are divided

@@ -8,8 +8,9 @@ namespace nicol {
 namespace {
 
 RayScene rays_of(const WorldGeometry& geometry) {
-    const RaySurface surface{
-        .positions = geometry.positions, .triangles = geometry.triangles, .present = presence_of(geometry)};
+    const RaySurface surface{.positions = geometry.positions,
+                             .triangles = geometry.blocking.empty() ? geometry.triangles : geometry.blocking,
+                             .present = presence_of(geometry)};
     return RayScene(std::span(&surface, 1));
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Ray hierarchy of a scene's surfaces, shared by bake, refinement and local lights.
+// Hierarchy of shadow rays of a scene's surfaces, shared by bake, refinement and local lights.
 #pragma once
 
 #include <memory>

@@ -64,8 +64,9 @@ std::vector<std::size_t> places_before(const FormerBake& former, std::size_t ver
 
 std::shared_ptr<const RayScene> rays_of(const BakeGeometry& geometry) {
     if (geometry.rays) return geometry.rays();
-    const RaySurface surface{
-        .positions = geometry.positions, .triangles = geometry.triangles, .present = geometry.present};
+    const RaySurface surface{.positions = geometry.positions,
+                             .triangles = geometry.blocking.empty() ? geometry.triangles : geometry.blocking,
+                             .present = geometry.present};
     return std::make_shared<const RayScene>(std::span(&surface, 1));
 }
 

@@ -21,6 +21,8 @@ struct BakeGeometry {
     std::span<const glm::vec3> normals;  ///< normals of the vertices, of any length but zero
     std::span<const glm::uvec3> triangles;
     Presence present = {};  ///< alpha mask; empty: triangles are whole
+    /// Triangles as rays meet them: those that light passes have no area. Empty: all block rays.
+    std::span<const glm::uvec3> blocking = {};
     /// The triangles' ray hierarchy, asked for where rays are traced; empty: bake() and refine() build their
     /// own.
     std::function<std::shared_ptr<const RayScene>()> rays = {};

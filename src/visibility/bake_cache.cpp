@@ -29,8 +29,9 @@ std::string hash_of(std::span<const T> numbers) {
 }
 
 Key key_of(const char* what, const BakeGeometry& geometry, const DirectionSet& directions) {
-    return Key(what)
-        .add("vertices", static_cast<double>(geometry.positions.size()))
+    Key key(what);
+    if (!geometry.blocking.empty()) key.add("blocking", hash_of(geometry.blocking));
+    return key.add("vertices", static_cast<double>(geometry.positions.size()))
         .add("triangles", static_cast<double>(geometry.triangles.size()))
         .add("positions", hash_of(geometry.positions))
         .add("normals", hash_of(geometry.normals))
