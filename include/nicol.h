@@ -1167,7 +1167,8 @@ NICOL_API nicol_result nicol_scene_release(nicol_scene scene);
 
 typedef uint32_t nicol_method;
 /* Real-time method that stores light up to order_low in each vertex's frame and multiplies the light by a
- * table of the material's response at each view angle. */
+ * table of the material's response at each view angle. Pixels that show smooth glass or a mirror are followed
+ * by rays, through at most eight reflections and refractions, to other surfaces and the environment. */
 #define NICOL_METHOD_FACTORED 0u
 /* Real-time method of the paper, with a transfer matrix per vertex, baked from shadow and material. Outgoing
  * light is truncated at order_low too. The method is slower and larger, for comparison. */
@@ -1199,7 +1200,8 @@ typedef uint32_t nicol_shade_at;
 #define NICOL_SHADE_AT_PIXELS 2u
 
 /* Device that runs relight and shade. The images of both devices agree to 1e-5 of their largest value; shaded
- * at pixels, to 1e-4 where a surface is seen edge-on. */
+ * at pixels, to 1e-4 where a surface is seen edge-on. Threads alone follow rays: they shade scenes with glass
+ * whatever the option says, and mirrors show other surfaces only if threads shade. */
 typedef uint32_t nicol_executor;
 #define NICOL_EXECUTOR_AUTOMATIC 0u /* compute, unless OpenGL runs on the CPU or lacks features */
 #define NICOL_EXECUTOR_CPU 1u       /* threads */

@@ -11,6 +11,7 @@ Report bench_bake(const Options& options);
 
 /// Measures the light that surfaces reflect to each other, and what images err without it.
 Report bench_bounces(const Options& given);
+Report bench_glass(const Options& given);
 
 /// Counts the OpenGL calls of a frame inside a host's context.
 Report bench_calls(const Options& options);

@@ -56,6 +56,11 @@ const Command commands[] = {
      {"--backend", "--cache", "--size", "--samples", "--csv", "--json"},
      "light that surfaces reflect to each other: what is missing without it, by rays and by\n"
      "              default"},
+    {"glass",
+     bench_glass,
+     {"--backend", "--cache", "--size", "--samples", "--seconds", "--csv", "--json"},
+     "spheres of glass and mirrors and a pane in the forest, against rays, and their frames beside\n"
+     "              one of plastic"},
     {"extremes",
      bench_extremes,
      {"--backend", "--cache", "--size", "--samples", "--only", "--csv", "--json"},

@@ -36,6 +36,8 @@ ModelOf<DielectricParameters> read_glass(const MaterialSource& source,
     read_indices(source.plugin, model.parameters.int_ior, model.parameters.ext_ior);
     read_factor(source, "specular_reflectance", model, &DielectricParameters::specular_reflectance);
     read_factor(source, "specular_transmittance", model, &DielectricParameters::specular_transmittance);
+    source.notices.add_once(source.node,
+                            "glass casts no shadow and focuses no light, but by the reference method");
     return model;
 }
 

@@ -127,13 +127,17 @@ TransferMethod& Pipeline::method_for(Method method) {
     return factored_;
 }
 
+bool Pipeline::follows_smooth(const RenderOptions& options, const RenderExecutor& executor) const {
+    return options.method == Method::factored && executor.follows_rays() && smooth_.any();
+}
+
 bool Pipeline::shades_pixels(const Scene& scene, const Projection& projection,
                              const glm::dmat3& light_to_geometry, const RenderOptions& options,
                              const RenderExecutor& executor, Statistics& statistics) {
     if (options.shade_at == ShadeAt::pixels) return true;
     const bool automatic = options.shade_at == ShadeAt::automatic;
-    if (automatic &&
-        ((options.pixel_samples > 1 && executor.samples_pixels()) || scene.varies() || local_lights_.any()))
+    if (automatic && ((options.pixel_samples > 1 && executor.samples_pixels()) || scene.varies() ||
+                      local_lights_.any() || follows_smooth(options, executor)))
         return true;
     const double error = interpolation_error_.of(visibility_.state().geometry, projection, split_.rest(),
                                                  glm::transpose(light_to_geometry));
@@ -220,7 +224,7 @@ void Pipeline::shade_pixels(const Scene& scene, ShadeInput input, const Projecti
     chosen_.assign(input.geometry.positions.size(), 1);
     input.chosen = chosen_;
     const bool behind = scene.background() != nullptr && executor.adds_background();
-    const bool smooth = options.method == Method::factored && executor.follows_rays() && smooth_.any();
+    const bool smooth = follows_smooth(options, executor);
     const bool looked_up = scene.distant_light() != nullptr && (behind || smooth);
     showing_.run(scene.distant_light(), input.channels, looked_up, [&] {
         sky_.reset();

@@ -56,6 +56,8 @@ private:
     /// Returns the options with the orders that their tolerance allows.
     RenderOptions choose_orders(const Scene& scene, const RenderOptions& options, SampledTerms sampled,
                                 RenderRun& run);
+    /// Returns whether rays follow smooth surfaces.
+    [[nodiscard]] bool follows_smooth(const RenderOptions& options, const RenderExecutor& executor) const;
     /// Returns whether light becomes Stokes vectors at pixels. Otherwise, adds the error of shading at
     /// vertices to the predicted one.
     bool shades_pixels(const Scene& scene, const Projection& projection, const glm::dmat3& light_to_geometry,
