@@ -12,8 +12,9 @@ namespace {
 // farther away are not of the sample's surface.
 constexpr double kFarthest = 1;
 
-// Returns the change of a triangle's interpolated normal along a way in its plane, orthogonal to the normal.
-glm::dvec3 turn_of_normal(const ShownTriangle& triangle, const glm::dvec3& way, const glm::dvec3& normal) {
+}  // namespace
+
+glm::dvec3 bend_of_normal(const ShownTriangle& triangle, const glm::dvec3& way, const glm::dvec3& normal) {
     const glm::dvec3 corner(triangle.corners[0]);
     const glm::dvec3 second = glm::dvec3(triangle.corners[1]) - corner;
     const glm::dvec3 third = glm::dvec3(triangle.corners[2]) - corner;
@@ -27,8 +28,6 @@ glm::dvec3 turn_of_normal(const ShownTriangle& triangle, const glm::dvec3& way, 
                             along_third * (glm::dvec3(triangle.normals[2]) - first);
     return here - glm::dot(here, normal) * normal;
 }
-
-}  // namespace
 
 MirroredPixel mirrored_pixel(const Projection& projection, int width, int height,
                              const ShownTriangle& triangle, const glm::vec3& position,
@@ -50,7 +49,7 @@ MirroredPixel mirrored_pixel(const Projection& projection, int width, int height
         const glm::dvec3 turn = view.orthographic ? glm::dvec3(0.0) : upright * (depth / glm::length(away));
         glm::dvec3 way = upright * depth;
         if (std::abs(seen) > 1e-3) way -= glm::dot(way, facet) / seen * sight;
-        const glm::dvec3 bent = turn_of_normal(triangle, way, n);
+        const glm::dvec3 bent = bend_of_normal(triangle, way, n);
         const glm::dvec3 step =
             turn - 2 * (glm::dot(turn, n) + glm::dot(sight, bent)) * n - 2 * glm::dot(sight, n) * bent;
         const double length = glm::length(step);

@@ -18,6 +18,11 @@ struct ShownTriangle {
     glm::vec3 facet;                   ///< unit geometric normal, either sign
 };
 
+/// Returns the change of a triangle's interpolated normal along a way in its plane, orthogonal to the unit
+/// normal.
+[[nodiscard]] glm::dvec3 bend_of_normal(const ShownTriangle& triangle, const glm::dvec3& way,
+                                        const glm::dvec3& normal);
+
 /// Returns what a sample of an image of width x height pixels shows mirrored. position: that of the shown
 /// point, on the triangle. normal: the unit shading normal there. middle: the sample's place on the image
 /// plane, see on_image_plane(), which may be beside the point. Each change of direction is at most 1 long.

@@ -20,6 +20,7 @@ class FactoredMethod;
 class HighOrderTransfer;
 class VisibilityBuffer;
 class PixelImage;
+class LightPyramid;
 class LocalLights;
 class SmoothSurfaces;
 class VertexBuffers;
@@ -45,7 +46,7 @@ struct PixelInput : ShadeInput {
     double light_scale;               ///< factor of the background
     /// Surfaces whose pixels show what rays meet; null: none. Only executors that follow_rays() take them.
     const SmoothSurfaces* smooth;
-    const Background* sky;  ///< environment that rays meet; null: none
+    const LightPyramid* sky;  ///< environment that rays meet; null: none
 };
 
 /// Executor, which computes and keeps the light and Stokes vectors of vertices. Callers decide what is

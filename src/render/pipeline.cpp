@@ -224,18 +224,21 @@ void Pipeline::shade_pixels(const Scene& scene, ShadeInput input, const Projecti
     chosen_.assign(input.geometry.positions.size(), 1);
     input.chosen = chosen_;
     const bool behind = scene.background() != nullptr && executor.adds_background();
-    const bool smooth = follows_smooth(options, executor);
-    const bool looked_up = scene.distant_light() != nullptr && (behind || smooth);
-    showing_.run(scene.distant_light(), input.channels, looked_up, [&] {
-        sky_.reset();
-        if (looked_up) sky_.emplace(*scene.distant_light(), input.channels);
+    showing_.run(scene.background(), input.channels, behind, [&] {
+        background_.reset();
+        if (behind) background_.emplace(*scene.background(), input.channels);
     });
-    const Background* const sky = looked_up ? &*sky_ : nullptr;
+    const bool smooth = follows_smooth(options, executor);
+    const EnvironmentPtr met = smooth ? scene.distant_light() : nullptr;
+    meeting_.run(met, [&] {
+        sky_.reset();
+        if (met) sky_.emplace(*met);
+    });
     method_for(options.method)
         .shade_pixels({input, projection, hits, high_orders ? &high_orders_ : nullptr, options.physical,
                        local_lights_.any() ? &local_lights_ : nullptr,
-                       static_cast<std::uint32_t>(options.seed), behind ? sky : nullptr, scene.light_scale(),
-                       smooth ? &smooth_ : nullptr, smooth ? sky : nullptr},
+                       static_cast<std::uint32_t>(options.seed), behind ? &*background_ : nullptr,
+                       scene.light_scale(), smooth ? &smooth_ : nullptr, met ? &*sky_ : nullptr},
                       executor, run);
     executor.finish();
     run.statistics.shade_ms += watch.milliseconds();

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "draw/visibility_buffer.hpp"
+#include "light/light_pyramid.hpp"
 #include "methods/dense_method.hpp"
 #include "methods/executor.hpp"
 #include "methods/factored_method.hpp"
@@ -101,8 +102,10 @@ private:
         shading_{{.on_places = true, .on_materials = true}};
     std::vector<std::uint8_t> chosen_;
 
-    std::optional<Background> sky_;
-    Stage<EnvironmentPtr, int, bool> showing_;  // environment, channels, whether anything looks it up
+    std::optional<Background> background_;
+    Stage<EnvironmentPtr, int, bool> showing_;  // environment, channels, whether the executor adds it
+    std::optional<LightPyramid> sky_;           // environment that rays meet
+    Stage<EnvironmentPtr> meeting_;
 };
 
 }  // namespace nicol

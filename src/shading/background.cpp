@@ -20,15 +20,7 @@ struct BackgroundPlaces {
 
 namespace {
 
-[[gnu::always_inline]] inline Vector3<float> up_of(const glm::vec3& shared, std::size_t /*lane*/) {
-    return {shared.x, shared.y, shared.z};
-}
-[[gnu::always_inline]] inline Vector3<float> up_of(const LaneVectors& each, std::size_t lane) {
-    return {each.x.value[lane], each.y.value[lane], each.z.value[lane]};
-}
-
-template <class Ups>
-[[gnu::always_inline]] inline void find_places(const LaneVectors& rays, const Ups& ups,
+[[gnu::always_inline]] inline void find_places(const LaneVectors& rays, const glm::vec3& up,
                                                BackgroundPlaces& out) {
     for (std::size_t i = 0; i < kLanes; ++i) {
         const float x = rays.x.value[i];
@@ -42,7 +34,7 @@ template <class Ups>
         // The x axes of both frames are orthogonal to the ray: ray x up, and (-z, 0, x) or, at the poles, (1,
         // 0, 0).
         const Vector3<float> ray{x, y, z};
-        const Vector3<float> to = cross(ray, up_of(ups, i));
+        const Vector3<float> to = cross(ray, Vector3<float>{up.x, up.y, up.z});
         const Vector3<float> from{across > 0 ? -z : 1.0F, 0, across > 0 ? x : 0.0F};
         float c = 0;
         dot(to, from, c);
@@ -81,7 +73,7 @@ void Background::add(const PixelRays& rays, float scale, std::size_t components,
             pixels.rays.y[i] = pixels.rays.y[0];
             pixels.rays.z[i] = pixels.rays.z[0];
         }
-        dispatch<find_places<glm::vec3>>(pixels.rays, rays.up, pixels.places);
+        dispatch<find_places>(pixels.rays, rays.up, pixels.places);
         add(pixels, components, out);
         pixels.count = 0;
     };
@@ -130,25 +122,6 @@ void Background::add(const Pixels& pixels, std::size_t components,
                 const auto component = static_cast<glm::length_t>(p);
                 out[c][pixel][component] += rotated[component];
             }
-        }
-    }
-}
-
-void Background::look_up(const LaneVectors& rays, const LaneVectors& ups,
-                         std::span<std::array<Lanes, 4>> out) const {
-    BackgroundPlaces places;
-    dispatch<find_places<LaneVectors>>(rays, ups, places);
-    for (std::size_t i = 0; i < kLanes; ++i) {
-        for (std::size_t c = 0; c < out.size(); ++c) {
-            glm::vec4 stokes = texels_.at(polarized_ ? c : c / 4, places.turn[i], places.half_turn[i]);
-            if (!polarized_) {
-                stokes = {stokes[static_cast<glm::length_t>(c % 4)], 0, 0, 0};
-            } else {
-                const float cosine = places.cosine[i], sine = places.sine[i];
-                stokes = {stokes.x, cosine * stokes.y + sine * stokes.z, cosine * stokes.z - sine * stokes.y,
-                          stokes.w};
-            }
-            for (glm::length_t p = 0; p < 4; ++p) out[c][static_cast<std::size_t>(p)][i] = stokes[p];
         }
     }
 }

@@ -2,14 +2,12 @@
 // The environment as the background of an image.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <span>
 
 #include "light/equirect_texels.hpp"
-#include "polarization/lane_points.hpp"
 
 namespace nicol {
 
@@ -31,10 +29,6 @@ public:
     /// `components` Stokes components are added.
     void add(const PixelRays& rays, float scale, std::size_t components, std::size_t first, std::size_t last,
              std::span<const float> coverage, std::span<const std::span<glm::vec4>> out) const;
-
-    /// Sets out[c] to channel c's Stokes vectors of the light that arrives against sixteen rays, in frames
-    /// with z = -ray and x = up x z. The rays and ups are in the light's axes; rays may have any length.
-    void look_up(const LaneVectors& rays, const LaneVectors& ups, std::span<std::array<Lanes, 4>> out) const;
 
 private:
     struct Pixels;

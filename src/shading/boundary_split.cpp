@@ -77,7 +77,9 @@ BoundarySplit split_at(const SmoothBoundary& boundary, const glm::dvec3& geometr
                             .radiance_scale = scale};
     };
     return {.reflected = part(rays.reflected, split.reflection, 1),
-            .transmitted = part(rays.transmitted, split.transmission, slab ? 1 : 1 / (eta * eta))};
+            .transmitted = part(rays.transmitted, split.transmission, slab ? 1 : 1 / (eta * eta)),
+            .normal = facing,
+            .eta = eta};
 }
 
 }  // namespace nicol

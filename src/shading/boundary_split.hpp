@@ -26,6 +26,8 @@ struct BoundaryPart {
 struct BoundarySplit {
     BoundaryPart reflected;
     BoundaryPart transmitted;
+    glm::dvec3 normal;  ///< unit normal that both parts follow, on the viewer's side
+    double eta;         ///< index of the far side relative to the viewer's
 };
 
 /// Returns what a boundary sends to a viewer in the frame `received`. geometric: unit normal of the surface

@@ -3,18 +3,20 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <numbers>
 #include <numeric>
 #include <optional>
 
+#include "devices/mirrored_pixel.hpp"
 #include "draw/visibility_buffer.hpp"
+#include "light/light_pyramid.hpp"
 #include "material/conductor.hpp"
 #include "material/reflectance.hpp"
 #include "material/spatial_variation.hpp"
 #include "polarization/mueller.hpp"
-#include "shading/background.hpp"
 #include "shading/boundary_split.hpp"
 #include "shading/light_samples.hpp"
 #include "shading/normal_variation.hpp"
@@ -72,6 +74,7 @@ struct SmoothChains::Place {
     glm::dvec3 facet;   // unit normal of the triangle, towards its front
     glm::dvec3 normal;  // unit shading normal
     double offset;      // distance between the surface and the start of rays that leave it
+    double distance;    // along the ray
 };
 
 // Ends of chains.
@@ -81,7 +84,8 @@ struct SmoothChains::Ends {
         Way way;
     };
     struct Sky {
-        glm::vec3 direction, up;  // in the light's axes
+        glm::vec3 direction, x;  // in the light's axes
+        float variance;          // of the direction within the sample
         Way way;
     };
     std::vector<Surface> surfaces;
@@ -138,8 +142,9 @@ SmoothChains::Chain SmoothChains::first_chain(std::size_t pixel, std::size_t sam
                 .matrices = static_cast<std::uint32_t>(ends.matrices.size())},
         .ray = {.origin = view.orthographic ? view.eye + beside : view.eye,
                 .direction = view.orthographic ? view.forward : glm::normalize(view.forward + beside)},
+        .spread = {},
         .received = {},
-        .carried = weight,
+        .carried = 1,
         .events = 0,
         .lit = false,
         .seed = sample_seed(static_cast<std::uint32_t>(pixel * kMostPixelSamples + sample), input_.seed)};
@@ -147,6 +152,16 @@ SmoothChains::Chain SmoothChains::first_chain(std::size_t pixel, std::size_t sam
                          glm::mat4(static_cast<float>(weight)));
     out.ray.nearest = projection.near_clip / glm::dot(out.ray.direction, view.forward);
     out.received = view.frame(-out.ray.direction);
+    const double size = projection.sample_size * std::sqrt(weight);
+    const std::array steps{2 * size * projection.half_width / input_.hits.width() * view.right,
+                           -2 * size * projection.half_height / input_.hits.height() * view.up};
+    for (std::size_t i = 0; i < 2; ++i) {
+        const glm::dvec3 step = steps[i] - glm::dot(steps[i], out.ray.direction) * out.ray.direction;
+        if (view.orthographic)
+            out.spread.places[i] = step;
+        else
+            out.spread.directions[i] = glm::dot(out.ray.direction, view.forward) * step;
+    }
     return out;
 }
 
@@ -169,7 +184,23 @@ SmoothChains::Place SmoothChains::place_at(const RayHit& hit, const Ray& ray, En
             .position = glm::dmat3(a, b, c) * weights,
             .facet = facet,
             .normal = length > 0 ? normal / length : facet,
-            .offset = ray_offset(positions)};
+            .offset = ray_offset(positions),
+            .distance = hit.distance};
+}
+
+std::array<glm::dvec3, 2> SmoothChains::bends_at(const Place& place, const glm::dvec3& normal, const Ray& ray,
+                                                 RaySpread& spread) const {
+    const WorldGeometry& geometry = input_.geometry;
+    const Corners& corners = geometry.triangles[place.point.triangle];
+    const ShownTriangle triangle{
+        .corners = {geometry.positions[corners.x], geometry.positions[corners.y],
+                    geometry.positions[corners.z]},
+        .normals = {geometry.normals[corners.x], geometry.normals[corners.y], geometry.normals[corners.z]},
+        .facet = glm::vec3(place.facet)};
+    spread.meet(ray.direction, place.distance, place.facet);
+    const double side = glm::dot(normal, place.normal) < 0 ? -1 : 1;
+    return {side * bend_of_normal(triangle, spread.places[0], place.normal),
+            side * bend_of_normal(triangle, spread.places[1], place.normal)};
 }
 
 void SmoothChains::follow(const Chain& chain, std::vector<Chain>& rest, Ends& ends) const {
@@ -179,7 +210,8 @@ void SmoothChains::follow(const Chain& chain, std::vector<Chain>& rest, Ends& en
         if (chain.lit || input_.sky == nullptr) return;
         const glm::dmat3 to_light = glm::transpose(input_.light_to_geometry);
         ends.sky.push_back({.direction = glm::vec3(to_light * chain.ray.direction),
-                            .up = glm::vec3(to_light * chain.received[1]),
+                            .x = glm::vec3(to_light * chain.received[0]),
+                            .variance = static_cast<float>(chain.spread.variance()),
                             .way = chain.way});
         return;
     }
@@ -210,6 +242,12 @@ void SmoothChains::pass(const Chain& chain, const Place& place, std::vector<Chai
     const double transmitted = mean_factor(boundary.transmittance) * split.transmitted.share;
     const double both = reflected + transmitted;
     if (!(both > 0)) return;
+    RaySpread reflected_spread = chain.spread;
+    const auto bends = bends_at(place, split.normal, chain.ray, reflected_spread);
+    RaySpread transmitted_spread = reflected_spread;
+    reflected_spread.reflect(chain.ray.direction, split.normal, bends);
+    if (boundary.behind == SmoothBoundary::Behind::body)
+        transmitted_spread.refract(chain.ray.direction, split.normal, bends, split.eta);
     const auto go_on = [&](const BoundaryPart& part, const std::vector<double>& factors, double probability,
                            double carried) {
         const auto matrices = static_cast<std::uint32_t>(ends.matrices.size());
@@ -221,6 +259,7 @@ void SmoothChains::pass(const Chain& chain, const Place& place, std::vector<Chai
         }
         rest.push_back({.way = {.pixel = chain.way.pixel, .matrices = matrices},
                         .ray = leaving(place.position, place.facet, part.towards_light, place.offset),
+                        .spread = &part == &split.reflected ? reflected_spread : transmitted_spread,
                         .received = part.incident,
                         .carried = carried,
                         .events = chain.events + 1,
@@ -286,8 +325,12 @@ void SmoothChains::mirror(const Chain& chain, const Place& place, std::vector<Ch
         const glm::mat4 before = ends.matrices[chain.way.matrices + c];
         ends.matrices.push_back(before * in_columns(into_received * mirrors[c]));
     }
+    RaySpread spread = chain.spread;
+    const auto bends = bends_at(place, normal, chain.ray, spread);
+    spread.reflect(chain.ray.direction, normal, bends);
     rest.push_back({.way = {.pixel = chain.way.pixel, .matrices = matrices},
                     .ray = leaving(place.position, place.facet, towards_light, place.offset),
+                    .spread = spread,
                     .received = frame * theta_phi_frame(-mirrored),
                     .carried = share * chain.carried,
                     .events = chain.events + 1,
@@ -319,21 +362,28 @@ void SmoothChains::add_surfaces(Ends& ends, std::span<const std::span<glm::vec4>
 }
 
 void SmoothChains::add_sky(const Ends& ends, std::span<const std::span<glm::vec4>> out) const {
-    std::vector<std::array<Lanes, 4>> stokes(out.size());
-    LaneVectors rays, ups;
+    thread_local LaneLight light;
+    Lanes variances;
     for (std::size_t begin = 0; begin < ends.sky.size(); begin += kLanes) {
         const std::span some = std::span(ends.sky).subspan(begin, std::min(kLanes, ends.sky.size() - begin));
         for (std::size_t i = 0; i < kLanes; ++i) {
             const Ends::Sky& end = some[i < some.size() ? i : 0];
-            put(rays, i, end.direction);
-            put(ups, i, end.up);
+            put(light.towards, i, glm::normalize(end.direction));
+            variances[i] = end.variance;
         }
-        input_.sky->look_up(rays, ups, stokes);
+        input_.sky->look_up(variances, light);
         for (std::size_t i = 0; i < some.size(); ++i) {
-            for (std::size_t c = 0; c < out.size(); ++c) {
-                const std::array<Lanes, 4>& of = stokes[c];
-                const glm::vec4 light(of[0][i], of[1][i], of[2][i], of[3][i]);
-                add_arriving(ends, some[i].way, c, static_cast<float>(input_.light_scale) * light, out);
+            // From the image's frame into that of the chain: both have z along the light.
+            const glm::vec3 z = -vector_at(light.towards, i), x = vector_at(light.x, i);
+            const float c = glm::dot(some[i].x, x), s = glm::dot(some[i].x, glm::cross(z, x));
+            const float cosine = c * c - s * s, sine = 2 * c * s;
+            for (std::size_t channel = 0; channel < out.size(); ++channel) {
+                const std::array<Lanes, 4>& of = light.irradiance[light.irradiance.size() == 1 ? 0 : channel];
+                const auto component = [&](std::size_t p) { return p < light.components ? of[p][i] : 0.0F; };
+                const glm::vec4 arriving(component(0), cosine * component(1) + sine * component(2),
+                                         cosine * component(2) - sine * component(1), component(3));
+                add_arriving(ends, some[i].way, channel, static_cast<float>(input_.light_scale) * arriving,
+                             out);
             }
         }
     }

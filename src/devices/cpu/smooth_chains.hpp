@@ -2,6 +2,7 @@
 // Rays at pixels that show smooth surfaces, on threads.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <glm/mat4x4.hpp>
@@ -11,6 +12,7 @@
 
 #include "devices/cpu/surface_shading.hpp"
 #include "geometry/ray_scene.hpp"
+#include "shading/ray_spread.hpp"
 
 namespace nicol {
 
@@ -22,7 +24,7 @@ class SmoothChains {
 public:
     /// Largest number of reflections and refractions in a chain. Light of longer chains is left out.
     static constexpr int kMostEvents = 8;
-    /// A chain has both branches of an event if each carries at least this fraction of the pixel's light;
+    /// A chain has both branches of an event if each carries at least this fraction of its sample's light;
     /// otherwise one of them, chosen at random by the light that it carries.
     static constexpr double kBothCarry = 0.01;
 
@@ -43,8 +45,9 @@ private:
     struct Chain {
         Way way;
         Ray ray;
+        RaySpread spread;
         Frame received;  ///< frame of the light that travels against the ray
-        double carried;  ///< fraction of the pixel's light
+        double carried;  ///< fraction of the sample's light
         int events;      ///< number of events so far
         bool lit;        ///< whether the surfaces before have reflected the lights on the ray already
         std::uint32_t seed;
@@ -62,6 +65,9 @@ private:
     void add_arriving(const Ends& ends, const Way& way, std::size_t channel, const glm::vec4& stokes,
                       std::span<const std::span<glm::vec4>> out) const;
     [[nodiscard]] Place place_at(const RayHit& hit, const Ray& ray, Ends& ends) const;
+    /// Moves a chain's spread to the place, and returns the changes of the normal along it.
+    [[nodiscard]] std::array<glm::dvec3, 2> bends_at(const Place& place, const glm::dvec3& normal,
+                                                     const Ray& ray, RaySpread& spread) const;
 
     const SurfaceShading& surfaces_;
     const PixelInput& input_;
