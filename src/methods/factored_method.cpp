@@ -46,16 +46,16 @@ void FactoredMethod::bake(const TransferInput& input, VisibilityRequest* request
         const Stopwatch watch;
         run.workers.run([&] {
             std::optional<VisibilityProduct>& shadows = shadows_.change();
+            const bool fits = request != nullptr && request->blocks.order() == 2 * input.layout.order();
+            const KeptCoefficients keep =
+                fits ? KeptCoefficients{&request->blocks, request->missing} : KeptCoefficients{};
             if (former && baking_.any_current()) {
                 shadows.emplace(std::move(*former), baking_.former(), *input.visibility, *input.directions,
-                                input.geometry.normals);
+                                input.geometry.normals, keep);
                 return;
             }
             former.reset();
-            const bool fits = request != nullptr && request->blocks.order() == 2 * input.layout.order();
-            shadows.emplace(*input.visibility, *input.directions, input.geometry.normals, input.layout,
-                            fits ? &request->blocks : nullptr);
-            if (fits) request->filled = true;
+            shadows.emplace(*input.visibility, *input.directions, input.geometry.normals, input.layout, keep);
         });
         run.statistics.bake_ms += watch.milliseconds();
     }

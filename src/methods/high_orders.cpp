@@ -86,71 +86,59 @@ void HighOrderTransfer::filter(const DistantLight& light, HighOrders form) {
     }
 }
 
-std::optional<VisibilityRequest> HighOrderTransfer::request(const TransferInput& input, int low) {
+std::optional<VisibilityRequest> HighOrderTransfer::request(const TransferInput& input, int low,
+                                                            RenderRun& run) {
     const int order = 2 * low;
-    if (input.visibility == nullptr || !expanding_.update(input, order) || expanding_.any_current()) {
-        return std::nullopt;
-    }
-    return VisibilityRequest{.blocks = VisibilityBlocks(*input.visibility, order)};
+    if (!expanding_.update(input, order) || input.visibility == nullptr) return std::nullopt;
+    VisibilityBlocks before = std::exchange(visibility_.change(), {});
+    if (!expanding_.any_current()) before = {};
+    VisibilityRequest out;
+    run.workers.run([&] {
+        out.blocks =
+            VisibilityBlocks(std::move(before), expanding_.former(), *input.visibility, order, out.missing);
+    });
+    // The coefficients are lost if the caller throws before bake().
+    expanding_.discard();
+    return out;
 }
 
 void HighOrderTransfer::bake(const TransferInput& input, int low, std::optional<VisibilityRequest> request,
                              RenderRun& run) {
-    const int order = 2 * low;
-    if (!expanding_.update(input, order)) return;
+    if (!expanding_.update(input, 2 * low)) return;
     const Stopwatch watch;
-    if (!expanding_.any_current()) visibility_.change() = {};
-    if (request && request->filled) {
+    if (request) {
+        fill(*request, input, run);
         visibility_.change() = std::move(request->blocks);
-    } else if (input.visibility != nullptr) {
-        request.reset();
-        visibility_.change() = expanded(input, order, run);
+    } else {
+        visibility_.change() = {};
     }
     expanding_.complete();
     run.statistics.bake_ms += watch.milliseconds();
 }
 
-VisibilityBlocks HighOrderTransfer::expanded(const TransferInput& input, int order, RenderRun& run) const {
-    const std::size_t vertices = input.geometry.positions.size();
+void HighOrderTransfer::fill(VisibilityRequest& request, const TransferInput& input, RenderRun& run) {
+    std::vector<std::uint32_t> vertices;
+    for (std::size_t block = 0; block < request.missing.size(); ++block) {
+        if (request.missing[block] == 0) continue;
+        const std::size_t last = std::min((block + 1) * kLanes, input.geometry.positions.size());
+        for (std::size_t v = block * kLanes; v < last; ++v) vertices.push_back(static_cast<std::uint32_t>(v));
+    }
+    if (vertices.empty()) return;
+    const int order = request.blocks.order();
     std::optional<VisibilityHarmonics> harmonics;
     run.workers.run([&] { harmonics.emplace(*input.directions, order); });
-    const std::span former = expanding_.former();
-    // Former vertices of a block; none if one of them is not known.
-    const auto known = [&](std::size_t first) -> std::optional<std::array<std::uint32_t, kLanes>> {
-        std::array<std::uint32_t, kLanes> out{};
-        for (std::size_t i = 0; i < kLanes; ++i) {
-            out[i] = former[std::min(first + i, vertices - 1)];
-            if (out[i] == kNoVertex || visibility_->block(out[i] / kLanes) == nullptr) return std::nullopt;
-        }
-        return out;
-    };
-    VisibilityBlocks next(*input.visibility, order);
+    constexpr std::size_t batch = VisibilityHarmonics::kBatch;
+    const std::size_t size = psh_count(order);
     run.workers.for_vertices(
-        0, vertices, vertices, "bake", run.progress, [&](std::size_t begin, std::size_t end) {
-            const std::size_t of_block = psh_count(order);
-            std::vector<Lanes> coefficients(VisibilityHarmonics::kBatch / kLanes * of_block);
-            std::vector<std::uint32_t> unknown;
-            const auto project = [&] {
-                harmonics->project(*input.visibility, input.geometry.normals, unknown, coefficients);
-                for (std::size_t k = 0; k < unknown.size(); k += kLanes)
-                    next.set(unknown[k] / kLanes, &coefficients[k / kLanes * of_block]);
-                unknown.clear();
-            };
-            for (std::size_t first = begin; first < end; first += kLanes) {
-                const std::size_t block = first / kLanes;
-                if (next.block(block) == nullptr) continue;
-                const std::size_t size = std::min(kLanes, end - first);
-                if (const auto before = known(first)) {
-                    next.take_over(block, *visibility_, *before);
-                    continue;
-                }
-                for (std::size_t v = first; v < first + size; ++v)
-                    unknown.push_back(static_cast<std::uint32_t>(v));
-                if (unknown.size() == VisibilityHarmonics::kBatch) project();
+        0, vertices.size(), vertices.size(), "bake", run.progress, [&](std::size_t begin, std::size_t end) {
+            std::vector<Lanes> coefficients(batch / kLanes * size);
+            for (std::size_t first = begin; first < end; first += batch) {
+                const auto some = std::span(vertices).subspan(first, std::min(batch, end - first));
+                harmonics->project(*input.visibility, input.geometry.normals, some, coefficients);
+                for (std::size_t k = 0; k < some.size(); k += kLanes)
+                    request.blocks.set(some[k] / kLanes, &coefficients[k / kLanes * size]);
             }
-            project();
         });
-    return next;
 }
 
 double HighOrderTransfer::lobe_width(const MaterialPtr& material) const {

@@ -35,10 +35,11 @@ public:
 
     /// Filters the light and fits the materials (project). Repeats only what changes require.
     void project(const TransferInput& input, const DistantLight& light, HighOrders form, RenderRun& run);
-    /// Returns a request for the visibility that bake() would compute for all vertices; none if nothing casts
-    /// shadows or the visibility of any vertex is current.
-    [[nodiscard]] std::optional<VisibilityRequest> request(const TransferInput& input, int low);
-    /// Computes the coefficients of visibility (bake), or takes those of a request that has been filled.
+    /// Returns a request for the visibility that bake() would compute; none if nothing casts shadows or all
+    /// of it is current. The caller must pass the request to bake().
+    [[nodiscard]] std::optional<VisibilityRequest> request(const TransferInput& input, int low,
+                                                           RenderRun& run);
+    /// Computes the coefficients of visibility (bake) that the request still misses.
     void bake(const TransferInput& input, int low, std::optional<VisibilityRequest> request, RenderRun& run);
     /// Adds the memory of the kept results to the statistics.
     void count(Statistics& statistics) const;
@@ -62,7 +63,7 @@ public:
 private:
     void fit(const TransferInput& input, const DistantLight& light, HighOrders form, RenderRun& run);
     void filter(const DistantLight& light, HighOrders form);
-    [[nodiscard]] VisibilityBlocks expanded(const TransferInput& input, int order, RenderRun& run) const;
+    static void fill(VisibilityRequest& request, const TransferInput& input, RenderRun& run);
 
     std::filesystem::path folder_;
     CacheNotice notice_;

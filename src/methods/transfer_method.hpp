@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "methods/executor.hpp"
 #include "methods/transfer_input.hpp"
@@ -16,7 +17,7 @@ namespace nicol {
 /// Coefficients of visibility that are needed in addition to a method's own.
 struct VisibilityRequest {
     VisibilityBlocks blocks;
-    bool filled = false;
+    std::vector<std::uint8_t> missing;  ///< 1 for each block that is still to be set
 };
 
 /// Method that turns incident light into reflected light. Every function computes only what changes of its
@@ -28,7 +29,8 @@ public:
 
     /// Projects the response of the materials.
     virtual void project(const TransferInput& input, RenderRun& run) = 0;
-    /// Bakes shadows. Fills `request`, which may be null, if the shadows of all vertices are computed.
+    /// Bakes shadows. Sets the missing blocks of `request`, which may be null, whose coefficients are
+    /// computed on the way.
     virtual void bake(const TransferInput& input, VisibilityRequest* request, RenderRun& run) = 0;
     /// Relights all vertices; the executor keeps their light.
     virtual void relight(const TransferInput& input, RenderExecutor& executor, RenderRun& run) = 0;

@@ -91,7 +91,7 @@ void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderO
         high_input.change.reset();
     }
     std::optional<VisibilityRequest> request;
-    if (high_orders) request = high_orders_.request(high_input, distant.low);
+    if (high_orders) request = high_orders_.request(high_input, distant.low, run);
     method.bake(input, request ? &*request : nullptr, run);
     if (high_orders) high_orders_.bake(high_input, distant.low, std::move(request), run);
 

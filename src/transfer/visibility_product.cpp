@@ -56,10 +56,10 @@ bool all_ones(std::span<const std::uint8_t> flags) {
 
 VisibilityProduct::VisibilityProduct(const Visibility& visibility, const DirectionSet& directions,
                                      std::span<const glm::vec3> normals, const LightLayout& layout,
-                                     VisibilityBlocks* keep)
+                                     const KeptCoefficients& keep)
     : layout_(layout) {
     check_sizes(visibility, directions, normals);
-    check_keep(keep, visibility, 2 * layout.order());
+    check_keep(keep.blocks, visibility, 2 * layout.order());
     const VisibilityHarmonics harmonics(directions, 2 * layout_.order());
     if (layout.order() <= kHighestMatrixOrder) {
         size_ = matrices_.emplace(layout).size();
@@ -69,7 +69,7 @@ VisibilityProduct::VisibilityProduct(const Visibility& visibility, const Directi
     find_vertices(visibility);
     numbers_.resize(blocks() * size_ / 2);
     if (psh_count(harmonics.order()) > directions.size()) {
-        find_unit({visibility, directions, harmonics, normals, nullptr});
+        find_unit({visibility, directions, harmonics, normals, {}});
     }
     compute(all_blocks(), {visibility, directions, harmonics, normals, keep},
             [&](std::size_t block, std::span<const Lanes> numbers) { store_block(block, numbers); });
@@ -77,9 +77,10 @@ VisibilityProduct::VisibilityProduct(const Visibility& visibility, const Directi
 
 VisibilityProduct::VisibilityProduct(VisibilityProduct&& before, std::span<const std::uint32_t> former,
                                      const Visibility& visibility, const DirectionSet& directions,
-                                     std::span<const glm::vec3> normals)
+                                     std::span<const glm::vec3> normals, const KeptCoefficients& keep)
     : VisibilityProduct(std::move(before)) {
     check_sizes(visibility, directions, normals);
+    check_keep(keep.blocks, visibility, 2 * layout_.order());
     if (former.size() != visibility.vertices()) {
         throw Error(ErrorCode::invalid_argument, "`former` must have one number for each vertex");
     }
@@ -119,7 +120,7 @@ VisibilityProduct::VisibilityProduct(VisibilityProduct&& before, std::span<const
     }
     if (changed.empty()) return;
     const VisibilityHarmonics harmonics(directions, 2 * layout_.order());
-    compute(changed, {visibility, directions, harmonics, normals, nullptr},
+    compute(changed, {visibility, directions, harmonics, normals, keep},
             [&](std::size_t block, std::span<const Lanes> numbers) { store_block(block, numbers); });
 }
 
@@ -128,6 +129,12 @@ void VisibilityProduct::take_over(std::size_t block, const std::vector<NumberPai
     const std::size_t step = matrices_ ? 2 : 1;
     const std::size_t second = matrices_ ? 1 : kLanes;
     NumberPair* const to = &numbers_[block * size_ / 2];
+    bool aligned = places[0] % kLanes == 0;
+    for (std::size_t i = 0; i < kLanes; ++i) aligned = aligned && places[i] == places[0] + i;
+    if (aligned) {
+        std::copy_n(&before[places[0] / kLanes * size_ / 2], size_ / 2, to);
+        return;
+    }
     for (std::size_t i = 0; i < kLanes; ++i) {
         const NumberPair* const from = &before[places[i] / kLanes * size_ / 2];
         const std::size_t lane = places[i] % kLanes * step;
@@ -190,7 +197,11 @@ void VisibilityProduct::compute(std::span<const std::uint32_t> blocks, const Inp
         input.harmonics.project(input.visibility, input.normals, vertices, all);
         for (std::size_t k = 0; k < some.size(); ++k) {
             const std::span coefficients = std::span(all).subspan(k * size, size);
-            if (input.keep != nullptr) input.keep->set(vertices[k * kLanes] / kLanes, coefficients.data());
+            if (input.keep.blocks != nullptr) {
+                const std::size_t sixteen = vertices[k * kLanes] / kLanes;
+                input.keep.blocks->set(sixteen, coefficients.data());
+                if (!input.keep.missing.empty()) input.keep.missing[sixteen] = 0;
+            }
             const std::span numbers_of_lanes(coefficients.front().value.data(), size * kLanes);
             for (std::size_t i = 0; i < kLanes && k * kLanes + i < vertices.size(); ++i) {
                 const std::size_t vertex = vertices[k * kLanes + i];

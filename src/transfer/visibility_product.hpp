@@ -18,6 +18,12 @@
 
 namespace nicol {
 
+/// Coefficients of visibility that VisibilityProduct computes on the way and keeps in addition.
+struct KeptCoefficients {
+    VisibilityBlocks* blocks = nullptr;  ///< of as many vertices and twice the light's order; null: none
+    std::span<std::uint8_t> missing;     ///< set to 0 for each block that is set; may be empty
+};
+
 /// The product V f (Eq. 54) of visibility and Stokes vector field at every vertex, in the vertices' frames.
 /// It is truncated at the order of f and exact for the coefficients of V (VisibilityHarmonics) up to twice
 /// that order, which are scaled in narrow openings (scale_narrow_opening()). Numbers have 16 bits; each is
@@ -31,19 +37,18 @@ public:
     /// at order 6 and eleven times at 12.
     static constexpr int kHighestMatrixOrder = 9;
 
-    /// Makes the product for light of this layout. `normals`: one for each vertex of `visibility`. `keep`, of
-    /// equally many vertices and twice the layout's order, receives the coefficients of visibility, which are
-    /// computed on the way. Runs on the calling thread's TBB arena. Throws Error(invalid_argument) for sizes
-    /// that do not fit or an order beyond half of VisibilityHarmonics::kHighestOrder.
+    /// Makes the product for light of this layout. `normals`: one for each vertex of `visibility`. Runs on
+    /// the calling thread's TBB arena. Throws Error(invalid_argument) for sizes that do not fit or an order
+    /// beyond half of VisibilityHarmonics::kHighestOrder.
     VisibilityProduct(const Visibility& visibility, const DirectionSet& directions,
                       std::span<const glm::vec3> normals, const LightLayout& layout,
-                      VisibilityBlocks* keep = nullptr);
+                      const KeptCoefficients& keep = {});
     /// Makes the product from that of an earlier state with equal directions and layout. Numbers are taken
     /// over for blocks of vertices that all have one in `former`: for each vertex, the index in the earlier
     /// state of a vertex with equal visibility and normal, or kNoVertex.
     VisibilityProduct(VisibilityProduct&& before, std::span<const std::uint32_t> former,
                       const Visibility& visibility, const DirectionSet& directions,
-                      std::span<const glm::vec3> normals);
+                      std::span<const glm::vec3> normals, const KeptCoefficients& keep = {});
 
     /// Returns the number of blocks of sixteen consecutive vertices, as in VertexLight, with an occluded
     /// vertex.
@@ -85,7 +90,7 @@ private:
         const DirectionSet& directions;
         const VisibilityHarmonics& harmonics;
         std::span<const glm::vec3> normals;
-        VisibilityBlocks* keep;
+        KeptCoefficients keep;
     };
 
     void find_vertices(const Visibility& visibility);

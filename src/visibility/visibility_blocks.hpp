@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -25,6 +26,11 @@ public:
     VisibilityBlocks() = default;
     /// Makes coefficients that are all zero, except for unoccluded blocks.
     VisibilityBlocks(const Visibility& visibility, int order);
+    /// Makes coefficients from those of an earlier state, of the same order or empty. former: for each
+    /// vertex, the index in the earlier state of a vertex with equal coefficients, or kNoVertex. Sets
+    /// missing[block] to 1 for each occluded block with a vertex whose coefficients are not known, else to 0.
+    VisibilityBlocks(VisibilityBlocks&& before, std::span<const std::uint32_t> former,
+                     const Visibility& visibility, int order, std::vector<std::uint8_t>& missing);
 
     [[nodiscard]] int order() const noexcept { return order_; }
     [[nodiscard]] bool empty() const noexcept { return place_.empty(); }
@@ -33,9 +39,6 @@ public:
     /// Sets the coefficients of vertices 16 block to 16 block + 15, by psh_index; has no effect on an
     /// unoccluded block. Calls for different blocks may run side by side.
     void set(std::size_t block, const Lanes* coefficients);
-    /// Copies a block from vertices of another object of this order; their blocks must not be unoccluded.
-    void take_over(std::size_t block, const VisibilityBlocks& before,
-                   const std::array<std::uint32_t, kLanes>& vertices);
     /// Returns the numbers of a block: for each m from 0 on and each l = m, m + 2, ..., the number of m in
     /// each lane, then the number of -m unless m = 0. Returns null if the vertices are unoccluded.
     [[nodiscard]] const std::int16_t* block(std::size_t block) const {
@@ -51,6 +54,11 @@ public:
 
 private:
     static constexpr std::uint32_t kUnoccluded = ~std::uint32_t{0};
+    void find_places(const Visibility& visibility);
+    // Returns the vertices of the earlier state that a block takes over; none if one of them is not known.
+    [[nodiscard]] std::optional<std::array<std::uint32_t, kLanes>> known(
+        std::size_t block, std::span<const std::uint32_t> former) const;
+
     // Sixteen numbers, aligned for vector instructions.
     struct alignas(32) FixedLanes {
         std::array<std::int16_t, kLanes> value;
@@ -60,6 +68,7 @@ private:
     std::size_t vertices_ = 0;
     std::vector<std::size_t> kept_;     // psh_index of each number of a block
     std::vector<std::uint32_t> place_;  // place of each block in numbers_, or kUnoccluded
+    std::uint32_t stored_ = 0;          // number of blocks in numbers_
     std::vector<FixedLanes> numbers_;   // [place][kept]
 };
 

@@ -128,12 +128,15 @@ TEST_CASE("coefficients are kept small, where they are not known beforehand") {
         for (std::size_t i = 0; i < found.size(); ++i)
             CHECK(std::abs(found[i] - lanes[v / kLanes * psh_count(order) + i][v % kLanes]) < 5.5e-5F);
     }
-    VisibilityBlocks after(visibility, order);
-    std::array<std::uint32_t, kLanes> from{};
-    for (std::uint32_t i = 0; i < kLanes; ++i) from[i] = (i % 2 == 0 ? 0 : 32) + (3 * i + 5) % 16;
-    after.take_over(2, blocks, from);
+    std::vector<std::uint32_t> former(vertices, kNoVertex);
+    for (std::uint32_t i = 0; i < kLanes && 32 + i < vertices; ++i)
+        former[32 + i] = (i % 2 == 0 ? 0 : 32) + (3 * i + 5) % (i % 2 == 0 ? 16 : 8);
+    VisibilityBlocks before = blocks;
+    std::vector<std::uint8_t> missing;
+    const VisibilityBlocks after(std::move(before), former, visibility, order, missing);
+    CHECK(missing == std::vector<std::uint8_t>{1, 0, 0});
     for (std::size_t i = 0; i < numbers * kLanes; ++i) {
-        const std::uint32_t vertex = from[i % kLanes];
+        const std::uint32_t vertex = former[std::min<std::size_t>(32 + i % kLanes, vertices - 1)];
         CHECK(after.block(2)[i] == blocks.block(vertex / kLanes)[i / kLanes * kLanes + vertex % kLanes]);
     }
     CHECK(after.block(0)[0] == 0);

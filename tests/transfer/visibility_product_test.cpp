@@ -178,7 +178,7 @@ TEST_CASE("coefficients that are computed on the way can be kept") {
     const LightLayout layout(3, LightKind::unpolarized);
     const VisibilityHarmonics harmonics(directions(), 6);
     VisibilityBlocks kept(scene.visibility, 6);
-    const VisibilityProduct product(scene.visibility, directions(), scene.normals, layout, &kept);
+    const VisibilityProduct product(scene.visibility, directions(), scene.normals, layout, {&kept, {}});
     VisibilityBlocks expected(scene.visibility, 6);
     std::vector<Lanes> lanes(5 * psh_count(6));
     std::vector<std::uint32_t> vertices(70);
@@ -193,8 +193,8 @@ TEST_CASE("coefficients that are computed on the way can be kept") {
         CHECK(one == other);
     }
     VisibilityBlocks short_one(scene.visibility, 4);
-    CHECK_THROWS_AS(VisibilityProduct(scene.visibility, directions(), scene.normals, layout, &short_one),
-                    Error);
+    CHECK_THROWS_AS(
+        VisibilityProduct(scene.visibility, directions(), scene.normals, layout, {&short_one, {}}), Error);
 }
 
 TEST_CASE("what does not fit together is refused") {
