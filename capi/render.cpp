@@ -148,6 +148,7 @@ RenderOptions options_from(const nicol_render_options& given) {
     options.shade_at = value_from(given.shade_at, ShadeAt::pixels, "shade_at", "NICOL_SHADE_AT_...");
     options.refine_tolerance = given.refine_tolerance;
     options.max_vertices = given.max_vertices;
+    options.bake_budget_ms = given.bake_budget_ms;
     options.dering = given.dering;
     options.physical = switch_from(given.physical, "physical");
     options.tolerance = given.tolerance;
@@ -385,6 +386,7 @@ nicol_result nicol_framebuffer_get_statistics(nicol_framebuffer framebuffer, nic
         out.light_rays = s.light_rays;
         out.light_ms = s.light_ms;
         out.smooth_rays = s.smooth_rays;
+        out.vertices_pending = s.vertices_pending;
         write_struct(statistics, out, "statistics");
     });
 }

@@ -1339,11 +1339,20 @@ typedef struct nicol_render_options {
      * 1: it returns NICOL_ERROR_BUSY. No effect on nicol_render_async. */
     uint32_t fail_if_busy;
     uint32_t reserved; /* 0 */
+    /* Time that a render of a real-time method spends on shadows, bake and relight of changed vertices, in
+     * milliseconds: about that much, and at least one step. 0, the default: as long as the final picture
+     * takes. Above 0, a render uses the shadows that are there, and the next renders, also of an unchanged
+     * scene, go on: nearest to the change and visible first. vertices_pending of the statistics says how much
+     * is left; at 0 the picture is that of a render without a budget. Until then it approximates: a vertex
+     * keeps its former shadows, those of a moved object on itself move with it, a new object casts and
+     * receives none, and orders stay as chosen before. The cache folder is not used for these shadows. A
+     * scene that was rendered with a budget stays divided into steps; 0 then completes all of them. */
+    double bake_budget_ms;
 } nicol_render_options;
 /* clang-format off */
 #define NICOL_RENDER_OPTIONS_INIT \
     { sizeof(nicol_render_options), 0, NICOL_ORDER_AUTOMATIC, NICOL_ORDER_AUTOMATIC, 0, 1, NICOL_DIRECTIONS_AUTOMATIC, 1, 0, 0, 0, 256, 0, 0, \
-      0.03, 0, 0, 1, 0, 0, 0, 0.02, 0, NICOL_SPLIT_AUTOMATIC, 16, 32, 0, 0, 0 }
+      0.03, 0, 0, 1, 0, 0, 0, 0.02, 0, NICOL_SPLIT_AUTOMATIC, 16, 32, 0, 0, 0, 0 }
 /* clang-format on */
 NICOL_API nicol_result nicol_render_options_init(nicol_render_options* descriptor, uint32_t struct_size);
 
@@ -1496,12 +1505,13 @@ typedef struct nicol_statistics {
     double light_ms;                /* part of shade_ms for local lights and their shadows */
     uint64_t smooth_rays;           /* real-time methods: rays from pixels that show glass or mirrors, by threads; 0 if
                                        compute shaders shaded: these mirror lights alone, no surfaces */
+    uint64_t vertices_pending;      /* vertices whose shadows are not final (bake_budget_ms); 0: the picture is */
 } nicol_statistics;
 /* clang-format on */
 #define NICOL_STATISTICS_INIT                                                                                \
     {                                                                                                        \
         sizeof(nicol_statistics), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, \
-            0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0                                                   \
+            0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0                                                \
     }
 NICOL_API nicol_result nicol_statistics_init(nicol_statistics* descriptor, uint32_t struct_size);
 

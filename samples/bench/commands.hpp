@@ -21,6 +21,7 @@ Report bench_coarse(const Options& given);
 
 /// Measures what a change of objects, materials or light costs the frame after it.
 Report bench_edit(const Options& options);
+Report bench_motion(const Options& options);
 
 /// Measures the distance from the reference method, by order.
 Report bench_error(const Options& options);

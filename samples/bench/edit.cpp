@@ -21,7 +21,10 @@ constexpr std::uint32_t kChannels = 3;
 constexpr std::uint32_t kRow = 10;  // balls in a row
 constexpr std::uint32_t kBalls = 50;
 constexpr std::uint32_t kPebbles = 1000;
-constexpr int kRounds = 3;  // repetitions of an edit
+constexpr int kRounds = 3;        // repetitions of an edit
+constexpr double kBudget = 8;     // milliseconds of a frame in motion
+constexpr int kMovingFrames = 8;  // frames in motion
+constexpr int kMostFrames = 5000;
 
 struct Transform {
     double to_world[16];
@@ -100,6 +103,11 @@ public:
         return other;
     }
 
+    [[nodiscard]] std::uint64_t pending() const {
+        nicol_statistics statistics = NICOL_STATISTICS_INIT;
+        check(nicol_framebuffer_get_statistics(framebuffer_.get(), &statistics));
+        return statistics.vertices_pending;
+    }
     [[nodiscard]] nicol_scene scene() const { return scene_.get(); }
     [[nodiscard]] Image image() const { return read_image(framebuffer_.get()); }
     [[nodiscard]] std::vector<std::uint32_t> ids() const {
@@ -119,6 +127,7 @@ public:
         check(nicol_scene_add_instance(scene(), &instance, &id));
         return id;
     }
+    void set_budget(double milliseconds) { options_.bake_budget_ms = milliseconds; }
     void move(std::uint32_t id, const Transform& place) {
         check(nicol_scene_set_transform(scene(), id, place.to_world));
     }
@@ -186,11 +195,11 @@ public:
         // The first ball is the instance with the most vertices, which decides the axes of the bake.
         for (std::uint32_t i = 0; i < kBalls; ++i)
             balls_.push_back(film_.add(ball_.get(), i % 2 == 0 ? grey_.get() : red_.get(), ball_place(i)));
-        const Frame first = film_.frame([] {});
-        add_row("first picture", {first});
+        first_ = film_.frame([] {});
     }
 
     void run() {
+        add_row("first picture", {first_});
         for (const std::uint32_t count : {1U, 10U})
             measure("move " + std::to_string(count) + " of 50", [&](int round) { move(count, round); });
         measure("move the largest of 50",
@@ -198,6 +207,15 @@ public:
         measure_new_mesh();
         measure_materials_and_lights();
         measure_pebbles();
+    }
+
+    /// Measures frames in motion within a budget.
+    void run_within_budget() {
+        for (const std::uint32_t count : {1U, 10U}) measure_motion(count, kBalls);
+        if (!wanted("1 of 1,050")) return;
+        for (std::uint32_t i = 0; i < kPebbles; ++i) film_.add(pebble_.get(), grey_.get(), pebble_place(i));
+        film_.frame([] {});
+        measure_motion(1, kBalls + kPebbles);
     }
 
 private:
@@ -261,6 +279,32 @@ private:
         measure(names[2], collect, 1);
     }
 
+    void measure_motion(std::uint32_t count, std::uint32_t of) {
+        const std::string name =
+            std::to_string(count) + (of == kBalls ? " of 50" : " of 1,050") + ", within 8 ms";
+        if (!wanted("move " + name)) return;
+        std::vector<double> still, cpu, error, final_error;
+        for (int i = 0; i < kRounds; ++i) still.push_back(film_.frame([&] { film_.orbit(); }).cpu_ms);
+        film_.set_budget(kBudget);
+        for (int round = 0; round < kMovingFrames; ++round) {
+            cpu.push_back(film_.frame([&] { move(count, round); }).cpu_ms);
+            if (round % 4 == 3)
+                error.push_back(relative_difference(film_.image(), film_.fresh(size_).image()));
+        }
+        int frames = 0;
+        double spent = 0, longest = 0;
+        while (frames < kMostFrames && film_.pending() > 0) {
+            const Frame frame = film_.frame([] {});
+            spent += frame.cpu_ms;
+            longest = std::max(longest, frame.cpu_ms);
+            ++frames;
+        }
+        report_.add("move " + name, {median(cpu) - median(still), median(error), static_cast<double>(frames),
+                                     frames > 0 ? spent / frames - median(still) : 0, longest - median(still),
+                                     relative_difference(film_.image(), film_.fresh(size_).image())});
+        film_.set_budget(0);
+    }
+
     [[nodiscard]] bool wanted(const std::string& name) const { return name.find(only_) != std::string::npos; }
 
     // Measures an edit, which is given the number of its repetition, over a frame of a moved camera.
@@ -303,6 +347,7 @@ private:
     Report& report_;
     Context context_;
     Film film_;
+    Frame first_;
     Mesh ball_;
     Mesh pebble_;
     Material grey_;
@@ -319,5 +364,18 @@ Report bench_edit(const Options& options) {
     report.note(
         "A floor and 50 balls, default options. Extra: over a frame after a move of the camera. "
         "Difference: RMS from a scene that has rendered nothing else, over the RMS of s0.");
+    return report;
+}
+
+Report bench_motion(const Options& options) {
+    Report report({"edit in each frame", "extra CPU ms", "error", "frames to the end", "extra CPU ms each",
+                   "longest", "difference"});
+    Edits(options, report).run_within_budget();
+    report.note(
+        "The scene of nicol-bench edit with a bake_budget_ms of 8. Extra: over a frame after a move of the "
+        "camera without a budget. Error: of frames in motion, from a scene that has rendered nothing else, "
+        "as "
+        "RMS over the RMS of s0. Then the scene stands still: frames until nothing is pending, and the "
+        "difference of the last one.");
     return report;
 }

@@ -329,6 +329,7 @@ typedef struct nicol_render_options {
     int32_t max_depth;
     uint32_t fail_if_busy;
     uint32_t reserved;
+    double bake_budget_ms;
 } nicol_render_options;
 typedef uint32_t nicol_quality;
 typedef struct nicol_job_impl* nicol_job;
@@ -384,6 +385,7 @@ typedef struct nicol_statistics {
     uint64_t light_rays;
     double light_ms;
     uint64_t smooth_rays;
+    uint64_t vertices_pending;
 } nicol_statistics;
 typedef uint32_t nicol_plane;
 typedef uint32_t nicol_format;

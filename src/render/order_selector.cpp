@@ -64,9 +64,12 @@ std::size_t parts_of(LightKind kind) {
 }  // namespace
 
 OrderSelector::Orders OrderSelector::choose(const Scene& scene, const Projected& projected,
-                                            const SurfaceState& surfaces, const RenderOptions& options,
-                                            std::uint64_t memory_limit) {
-    measuring_.run(scene.distant_light(), projected, surfaces.materials, surfaces.versions, [&] {
+                                            const SurfaceState& surfaces, bool settled,
+                                            const RenderOptions& options, std::uint64_t memory_limit) {
+    const SurfaceVersions versions =
+        settled || measured_ == SurfaceVersions{} ? surfaces.versions : measured_;
+    measuring_.run(scene.distant_light(), projected, surfaces.materials, versions, [&] {
+        measured_ = versions;
         choosing_.reset();
         shares_.clear();
         mean_square_ = values_ = 0;

@@ -49,7 +49,9 @@ public:
     /// split. A low order above the options' needs no more than memory_limit bytes in all, and no more than
     /// kMostBytes of transfer. The error is relative to the reflection of the whole environment by whole
     /// materials.
-    Orders choose(const Scene& scene, const Projected& projected, const SurfaceState& surfaces,
+    /// settled: whether the visibility is final. Otherwise a change of vertices or visibility alone changes
+    /// no orders, so that pictures do not change between two choices.
+    Orders choose(const Scene& scene, const Projected& projected, const SurfaceState& surfaces, bool settled,
                   const RenderOptions& options, std::uint64_t memory_limit);
 
     static constexpr std::uint64_t kMostBytes = std::uint64_t{1} << 30;
@@ -88,6 +90,7 @@ private:
     const std::array<double, kOutputs>& missed(const Share& share, int low, int high);
 
     Stage<EnvironmentPtr, Projected, Version, SurfaceVersions> measuring_;
+    SurfaceVersions measured_;              // versions of the last measuring_
     std::vector<OrderCoupling> couplings_;  // spin 0, spin 2; made when shadows are first measured
     LightKind kind_ = LightKind::unpolarized;
     Stage<LightKind, SampledTerms, int> responding_;  // kind, sampled terms, channels

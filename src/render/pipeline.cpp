@@ -41,7 +41,8 @@ void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderO
     // First half of bake, because the choice of orders may depend on it.
     surfaces_.update(scene);
     SurfaceRays rays(surfaces_);
-    visibility_.update(surfaces_, rays, scene.distant_light() != nullptr, given, run.workers, run.progress,
+    visibility_.update(surfaces_, rays, scene.distant_light() != nullptr,
+                       in_axes(of_world, surfaces_.to_world()), given, run.workers, run.progress,
                        run.statistics);
     const SurfaceState surfaces = visibility_.state();
 
@@ -84,6 +85,7 @@ void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderO
     if (high_orders) high_orders_.project(input, distant, options.high_orders, run);
 
     // Second half of bake.
+    const double before = run.statistics.bake_ms;
     TransferInput high_input = input;
     if (!options.high_order_shadows) {
         high_input.visibility = nullptr;
@@ -96,6 +98,7 @@ void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderO
     if (high_orders) high_orders_.bake(high_input, distant.low, std::move(request), run);
 
     method.relight(input, executor, run);
+    visibility_.count_later_steps(run.statistics.bake_ms - before + run.statistics.relight_ms);
 
     const ShadeInput shaded{input, projection.view, {}, light_to_geometry, noise_};
     if (pixels_) {
@@ -165,7 +168,8 @@ RenderOptions Pipeline::choose_orders(const Scene& scene, const RenderOptions& o
     const Stopwatch watch;
     run.workers.run([&] {
         const OrderSelector::Orders orders =
-            selector_.choose(scene, {split_.rest(), sampled}, visibility_.state(), options, run.memory_limit);
+            selector_.choose(scene, {split_.rest(), sampled}, visibility_.state(), visibility_.pending() == 0,
+                             options, run.memory_limit);
         chosen.order_low = orders.low;
         chosen.order_high = orders.high;
         run.statistics.order_error = orders.error;
@@ -204,6 +208,7 @@ void Pipeline::shade(ShadeInput input, const Projection& projection, const Rende
         const Stopwatch lighting;
         // The executor has shaded all vertices; rays are traced only for vertices that can be seen.
         if (!executor.can_choose()) find_seen(input.geometry, projection, options, run);
+        local_lights_.find_vertex_origins(visibility_.surfaces());
         executor.illuminate(local_lights_, input, run);
         run.statistics.light_ms += lighting.milliseconds();
     }

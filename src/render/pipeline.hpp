@@ -49,6 +49,8 @@ public:
 
     /// Returns the surfaces that are drawn, in their own axes.
     [[nodiscard]] const RefinedSurfaces& surfaces() const noexcept { return visibility_.surfaces(); }
+    /// Returns the number of vertices whose shadows the next run() improves.
+    [[nodiscard]] std::size_t pending() const noexcept { return visibility_.pending(); }
     /// Returns whether the last run() shaded pixels.
     [[nodiscard]] bool shaded_pixels() const noexcept { return pixels_; }
 

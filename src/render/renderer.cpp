@@ -38,6 +38,10 @@ void check(const RenderOptions& options) {
     if (!(options.refine_tolerance >= 0 && options.refine_tolerance <= 1)) {
         refuse("refine_tolerance is " + std::to_string(options.refine_tolerance) + "; it must lie in 0 to 1");
     }
+    if (!(options.bake_budget_ms >= 0 && std::isfinite(options.bake_budget_ms))) {
+        refuse("bake_budget_ms is " + std::to_string(options.bake_budget_ms) +
+               "; it must be finite and not negative");
+    }
     if (!(options.dering >= 0 && std::isfinite(options.dering))) {
         refuse("dering is " + std::to_string(options.dering) + "; it must be finite and not negative");
     }
@@ -206,7 +210,10 @@ Statistics Renderer::render_into(const Scene& scene, const Camera& camera, const
         const std::lock_guard lock(target.mutex());
         return target.content();
     };
-    if ((options.disabled_optimisations & skip_unchanged) != 0 || content_ != content()) rendering_.reset();
+    if ((options.disabled_optimisations & skip_unchanged) != 0 || content_ != content() ||
+        (options.method != Method::reference && pipeline_.pending() > 0)) {
+        rendering_.reset();
+    }
     const bool rendered = rendering_.run(
         scene.geometry_version(), scene.material_version(), scene.light_version(), scene.emission_version(),
         scene.local_light_version(), scene.element_version(), camera, used(options), [&] {

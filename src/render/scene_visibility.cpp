@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <utility>
 
 #include "visibility/bake_cache.hpp"
@@ -35,8 +36,11 @@ void SceneVisibility::set_cache(std::filesystem::path folder, CacheNotice notice
 }
 
 void SceneVisibility::update(const SceneGeometry& surfaces, SurfaceRays& rays, bool lit,
-                             const RenderOptions& options, Workers& workers, Progress& progress,
-                             Statistics& statistics) {
+                             const Projection& projection, const RenderOptions& options, Workers& workers,
+                             Progress& progress, Statistics& statistics) {
+    if (!options.shadows || !lit) progressive_.reset();
+    if (options.shadows && lit && (options.bake_budget_ms > 0 || progressive_))
+        return update_progressively(surfaces, rays, projection, options, workers, progress, statistics);
     const SurfaceVersions former = versions_;
     const std::shared_ptr<const Visibility> visible_before = *visible_;
     const bool had_bake = former.visibility == visible_.version();
@@ -64,6 +68,7 @@ void SceneVisibility::update(const SceneGeometry& surfaces, SurfaceRays& rays, b
     if (shadowed ? !(had_bake && carried) : former.visibility != 0) return;
     before_ = former;
     former_ = surfaces_.change().former;
+    same_places_ = surfaces_.change().same_places;
     if (!shadowed) return;
     for (std::size_t v = 0; v < vertices; ++v) {
         const std::uint32_t before = former_[v];
@@ -76,14 +81,109 @@ SurfaceState SceneVisibility::state() const {
     const bool shadowed = versions_.visibility != 0;
     std::optional<SurfaceChange> change;
     if (before_) {
-        change = {.before = *before_, .former = former_, .same_places = surfaces_.change().same_places};
+        change = {.before = *before_, .former = former_, .same_places = same_places_};
     }
     return {.geometry = surfaces_.geometry(),
-            .visibility = shadowed ? visible_->get() : nullptr,
+            .visibility = !shadowed      ? nullptr
+                          : progressive_ ? &progressive_->visibility()
+                                         : visible_->get(),
             .directions = shadowed ? &*directions_ : nullptr,
             .versions = versions_,
             .materials = surfaces_.material_version(),
             .change = change};
+}
+
+void SceneVisibility::find_directions(const SceneGeometry& surfaces, const RenderOptions& options) {
+    const int count = options.bake_directions;
+    const glm::dmat3& axes = surfaces.own_axes();
+    spreading_.run(count, [&] { lattice_.emplace(count); });
+    rotating_.run(count, axes, [&] {
+        directions_ = lattice_->rotated(axes);
+        axes_ = new_version();
+    });
+}
+
+void SceneVisibility::begin_progressively(const SceneGeometry& surfaces, const RenderOptions& options) {
+    progressive_ = std::make_unique<ProgressiveBake>();
+    // What the last update() has baked, if it belongs to the surfaces before or after their last change.
+    const bool current =
+        baked_geometry_ != 0 &&
+        refining_.is_current(baked_.version(), options.refine_tolerance, options.max_vertices, false);
+    const bool follows = baked_geometry_ == surfaces.version() || baked_geometry_ == surfaces.change().before;
+    if (current && follows) {
+        progressive_->begin({.surfaces = baked_geometry_,
+                             .axes = axes_,
+                             .given = (*baked_)->vertices(),
+                             .topology = std::move(topology_),
+                             .visibility = **visible_,
+                             .refined = std::move(refined_),
+                             .parts = std::move(parts_),
+                             .numbers = std::move(numbers_),
+                             .points = std::move(points_),
+                             .tolerance = options.refine_tolerance,
+                             .most_vertices = options.max_vertices});
+    } else {
+        versions_.visibility = 0;
+    }
+    topology_ = {};
+    refined_.reset();
+    parts_.clear();
+    numbers_.clear();
+    points_ = {};
+    points_bake_ = 0;
+    baked_.change().reset();
+    visible_.change().reset();
+    baked_geometry_ = 0;
+    baking_.reset();
+    refining_.reset();
+}
+
+void SceneVisibility::update_progressively(const SceneGeometry& surfaces, SurfaceRays& rays,
+                                           const Projection& projection, const RenderOptions& options,
+                                           Workers& workers, Progress& progress, Statistics& statistics) {
+    const Stopwatch watch;
+    find_directions(surfaces, options);
+    if (!progressive_) begin_progressively(surfaces, options);
+    const SurfaceVersions former = versions_;
+    const ProgressiveBake::Input input{.surfaces = surfaces,
+                                       .directions = *directions_,
+                                       .axes = axes_,
+                                       .options = options,
+                                       .projection = projection};
+    workers.run([&] { progressive_->follow(input); });
+    BakeStatistics baked;
+    if (progressive_->pending() > 0) {
+        const bool limited = options.bake_budget_ms > 0;
+        progressive_->advance(input, rays,
+                              limited ? options.bake_budget_ms : std::numeric_limits<double>::infinity(),
+                              workers, progress, baked);
+    }
+    surfaces_.update(surfaces, progressive_->refined(), progressive_->parts(), progressive_->numbers());
+    const Visibility& visible = progressive_->visibility();
+    const std::size_t vertices = visible.vertices();
+    versions_.geometry = surfaces_.version();
+    if (progressive_->any_changed() || former.visibility == 0) versions_.visibility = new_version();
+    count_bake(baked, watch, statistics);
+    statistics.vertices_unoccluded = visible.unoccluded_count();
+    statistics.vertices_added = vertices - surfaces.geometry().positions.size();
+    statistics.vertices_pending = progressive_->pending();
+    statistics.visibility_bytes = progressive_->bytes();
+    progressive_->published();
+    if (versions_ == former) return;
+    before_.reset();
+    const bool same_geometry = versions_.geometry == former.geometry;
+    if (former.visibility == 0 || former.geometry == 0) return;
+    if (!same_geometry && surfaces_.change().before != former.geometry) return;
+    before_ = former;
+    former_.assign(progressive_->former().begin(), progressive_->former().end());
+    same_places_.assign(vertices, 1);
+    if (same_geometry) return;
+    for (std::size_t v = 0; v < vertices; ++v)
+        same_places_[v] = surfaces_.change().former[v] == former_[v] ? surfaces_.change().same_places[v] : 0;
+}
+
+void SceneVisibility::count_later_steps(double milliseconds) {
+    if (progressive_) progressive_->count_later_steps(milliseconds);
 }
 
 bool SceneVisibility::bake(const SceneGeometry& surfaces, SurfaceRays& rays, const RenderOptions& options,
@@ -96,8 +196,7 @@ bool SceneVisibility::bake(const SceneGeometry& surfaces, SurfaceRays& rays, con
         const Stopwatch watch;
         carried_ = carry ? baked_.version() : 0;
         baked_geometry_ = 0;
-        spreading_.run(count, [&] { lattice_.emplace(count); });
-        rotating_.run(count, axes, [&] { directions_ = lattice_->rotated(axes); });
+        find_directions(surfaces, options);
         const auto report = [&progress](double fraction) { progress.report("bake", fraction); };
         BakeStatistics baked;
         workers.run([&] {
@@ -127,6 +226,7 @@ void SceneVisibility::refine(const SceneGeometry& surfaces, SurfaceRays& rays, c
         const auto report = [&progress](double fraction) { progress.report("bake", fraction); };
         BakeStatistics baked;
         refined_.reset();
+        topology_ = {};
         std::shared_ptr<const Visibility> visible = *baked_;
         workers.run([&] {
             if (!(options.refine_tolerance > 0)) return;
@@ -143,6 +243,8 @@ void SceneVisibility::refine(const SceneGeometry& surfaces, SurfaceRays& rays, c
             parts_ = std::move(split.parts);
             numbers_ = std::move(split.numbers);
             visible = std::make_shared<const Visibility>(std::move(split.visibility));
+            topology_ = std::move(refinement);
+            topology_.visibility = {};
         });
         if (shadow_all) {
             Visibility all = *visible;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "material/response_cache.hpp"
+#include "render/progressive_bake.hpp"
 #include "stage/options.hpp"
 #include "stage/statistics.hpp"
 #include "stage/workers.hpp"
@@ -30,15 +31,27 @@ public:
     void set_cache(std::filesystem::path folder, CacheNotice notice);
 
     /// Bakes and refines the surfaces, unless nothing casts shadows or `lit` is false; repeats only what
-    /// changes require. rays: of the surfaces. Adds times and counts to `statistics`.
-    void update(const SceneGeometry& surfaces, SurfaceRays& rays, bool lit, const RenderOptions& options,
-                Workers& workers, Progress& progress, Statistics& statistics);
+    /// changes require, within the options' budget. rays: of the surfaces; projection: of their axes. Adds
+    /// times and counts to `statistics`.
+    void update(const SceneGeometry& surfaces, SurfaceRays& rays, bool lit, const Projection& projection,
+                const RenderOptions& options, Workers& workers, Progress& progress, Statistics& statistics);
+    /// Tells how long later steps took for the vertices that update() changed.
+    void count_later_steps(double milliseconds);
+    /// Returns the number of vertices whose visibility is not final.
+    [[nodiscard]] std::size_t pending() const noexcept { return progressive_ ? progressive_->pending() : 0; }
 
     /// Returns the state of the last update().
     [[nodiscard]] SurfaceState state() const;
     [[nodiscard]] const RefinedSurfaces& surfaces() const noexcept { return surfaces_; }
 
 private:
+    void find_directions(const SceneGeometry& surfaces, const RenderOptions& options);
+    /// Updates by slices: as much as the budget allows.
+    void update_progressively(const SceneGeometry& surfaces, SurfaceRays& rays, const Projection& projection,
+                              const RenderOptions& options, Workers& workers, Progress& progress,
+                              Statistics& statistics);
+    /// Hands the current bake to progressive_.
+    void begin_progressively(const SceneGeometry& surfaces, const RenderOptions& options);
     /// Bakes the surfaces before refinement. Returns whether the former bake was carried over.
     bool bake(const SceneGeometry& surfaces, SurfaceRays& rays, const RenderOptions& options,
               Workers& workers, Progress& progress, Statistics& statistics);
@@ -52,10 +65,13 @@ private:
 
     std::filesystem::path folder_;
     CacheNotice notice_;
+    // Set once a render has had a budget. It then holds what the members below hold otherwise.
+    std::unique_ptr<ProgressiveBake> progressive_;
     Stage<int> spreading_;
     std::optional<DirectionSet> lattice_;
     Stage<int, glm::dmat3> rotating_;
     std::optional<DirectionSet> directions_;  // lattice_ along the surfaces' own axes
+    Version axes_ = 0;                        // version of directions_
     // Inputs: geometry, number of directions, their axes.
     Stage<Version, int, glm::dmat3> baking_;
     Versioned<std::shared_ptr<const Visibility>> baked_;
@@ -65,6 +81,7 @@ private:
     Stage<Version, double, std::uint64_t, bool> refining_;
     TracedPoints points_;                                   // of the last refinement
     Version points_bake_ = 0;                               // version of the bake that points_ belong to
+    Refinement topology_;                                   // the refinement without visibility and points
     std::shared_ptr<WorldGeometry> refined_;                // null: no triangle was split
     std::vector<TrianglePart> parts_;                       // triangles of refined_
     std::vector<std::uint32_t> numbers_;                    // numbers of its vertices
@@ -74,6 +91,7 @@ private:
     SurfaceVersions versions_;
     std::optional<SurfaceVersions> before_;  // versions that former_ refers to
     std::vector<std::uint32_t> former_;
+    std::vector<std::uint8_t> same_places_;
 };
 
 }  // namespace nicol

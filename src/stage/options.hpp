@@ -96,6 +96,9 @@ struct RenderOptions {
     /// Largest total number of vertices after splitting; 0: 65536 or four times the number before splitting,
     /// whichever is more. A memory limit lowers the number.
     std::uint64_t max_vertices = 0;
+    /// Time of bake and relight in a render, in milliseconds; 0: as long as it takes. Above 0, shadows that
+    /// are not done use former visibility (ProgressiveBake), and the next renders go on.
+    double bake_budget_ms = 0;
     int order_low = 4;   ///< highest order of light with its full angular detail, 0..kMaxRenderOrder
     int order_high = 9;  ///< highest order of light at all, order_low..64
     HighOrders high_orders = HighOrders::split;  ///< form of the orders order_low + 1 .. order_high

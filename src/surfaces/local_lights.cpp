@@ -66,15 +66,7 @@ void LocalLights::update(const Scene& scene, const DistantLight& distant, const 
     }
     const bool lit = scene.has_local_lights() || !distant.extracted_lights.empty() || sampled;
     const bool shadows = options.shadows && lit;
-    tracing_.run(surfaces.version(), shadows, [&] {
-        rays_.change() = shadows ? rays.get() : nullptr;
-        vertex_origins_.clear();
-        if (!shadows) return;
-        const WorldGeometry& geometry = surfaces.geometry();
-        vertex_origins_ = bake_origins(
-            {.positions = geometry.positions, .normals = geometry.normals, .triangles = geometry.triangles},
-            geometry.normals);
-    });
+    tracing_.run(surfaces.version(), shadows, [&] { rays_.change() = shadows ? rays.get() : nullptr; });
     making_.run(scene.local_light_version(), scene.emission_version(), scene.geometry_version(),
                 surfaces.to_world(), rays_.version(), mirrors_, options.light_samples, grids_.version(),
                 distant.sampled, filtered_.version(), distant.extracted_lights, distant.rotation,
@@ -95,6 +87,17 @@ void LocalLights::update(const Scene& scene, const DistantLight& distant, const 
     statistics.local_lights = lights_;
     if (whole) statistics.response_bytes += filtered_->whole->bytes();
     if (rest && rest != whole) statistics.response_bytes += filtered_->rest->bytes();
+}
+
+void LocalLights::find_vertex_origins(const RefinedSurfaces& surfaces) {
+    starting_.run(surfaces.version(), rays_.version(), [&] {
+        vertex_origins_.clear();
+        if (*rays_ == nullptr) return;
+        const WorldGeometry& geometry = surfaces.geometry();
+        vertex_origins_ = bake_origins(
+            {.positions = geometry.positions, .normals = geometry.normals, .triangles = geometry.triangles},
+            geometry.normals);
+    });
 }
 
 LocalLighting::Lights LocalLights::make_lights(const Scene& scene, const DistantLight& distant,

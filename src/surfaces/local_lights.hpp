@@ -39,13 +39,16 @@ public:
                 SurfaceRays& rays, const std::shared_ptr<const RayScene>& before_mirrors,
                 const RenderOptions& options, Statistics& statistics);
 
+    /// Finds the start points of shadow rays beside vertices, if they are to be lit. any() must be true.
+    void find_vertex_origins(const RefinedSurfaces& surfaces);
+
     /// Returns a version that changes whenever the lighting changes.
     [[nodiscard]] Version version() const noexcept { return lighting_.version(); }
     [[nodiscard]] bool any() const { return lighting_->has_value(); }
     /// Returns the lighting. any() must be true.
     [[nodiscard]] const LocalLighting& lighting() const { return **lighting_; }
 
-    /// Returns the start points of shadow rays beside each vertex.
+    /// Returns the start points of shadow rays beside each vertex, as of the last find_vertex_origins().
     [[nodiscard]] std::span<const glm::vec3> vertex_origins() const { return vertex_origins_; }
     /// Returns the direction of growing texture coordinate u at each vertex. Empty: no material is
     /// anisotropic.
@@ -60,6 +63,7 @@ private:
 
     Stage<Version, bool> tracing_;  // vertices and triangles, whether anything casts shadows
     Versioned<std::shared_ptr<const RayScene>> rays_;
+    Stage<Version, Version> starting_;  // vertices and triangles, rays
     std::vector<glm::vec3> vertex_origins_;
     Stage<Version, Version, SampledTerms> materials_;  // vertices and triangles, materials
     std::vector<glm::vec3> vertex_tangents_;

@@ -71,7 +71,8 @@ RefinedGeometry refined(const WorldGeometry& geometry, const Refinement& refinem
         out.ranges.push_back(std::move(range));
     }
     return {.geometry = std::move(out),
-            .visibility = refinement.visibility.selected(order),
+            .visibility =
+                refinement.visibility.vertices() > 0 ? refinement.visibility.selected(order) : Visibility(),
             .parts = triangle_parts(geometry.triangles, geometry.positions.size(), refinement.parents,
                                     refinement.triangles, refinement.sources),
             .numbers = std::move(number)};

@@ -18,9 +18,10 @@
 
 namespace nicol {
 
-/// Geometry after refinement, and the visibility of its vertices. Added vertices follow the other vertices of
-/// their range. Their positions and normals are interpolated, and the normals are then made unit length.
-/// Corners have neither texture coordinates nor colours, because RefinedSurfaces interpolates these.
+/// Geometry after refinement, and the visibility of its vertices (none if the refinement has none). Added
+/// vertices follow the other vertices of their range. Their positions and normals are interpolated, and the
+/// normals are then made unit length. Corners have neither texture coordinates nor colours, because
+/// RefinedSurfaces interpolates these.
 struct RefinedGeometry {
     WorldGeometry geometry;
     Visibility visibility;

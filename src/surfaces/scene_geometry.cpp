@@ -161,6 +161,8 @@ std::vector<SceneGeometry::Piece> SceneGeometry::place(const Scene& scene) {
             piece.placement = former->placement;
             piece.extent = former->extent;
             piece.former = static_cast<std::size_t>(former - pieces_.begin());
+        } else {
+            piece.elsewhere = static_cast<std::size_t>(former - pieces_.begin());
         }
     }
     divide(pieces);
@@ -201,7 +203,7 @@ void SceneGeometry::divide(std::vector<Piece>& pieces) const {
 
 void SceneGeometry::build(const Scene& scene, std::vector<Piece>& pieces) {
     WorldGeometry next;
-    Change change{.before = version_, .kept = {}, .added = {}, .removed = {}};
+    Change change{.before = version_, .kept = {}, .added = {}, .removed = {}, .moved = {}, .triangles = {}};
     std::vector<glm::uvec3> two_sided;
     std::vector<char> stays(pieces_.size(), 0);
     for (std::size_t i = 0; i < pieces.size(); ++i) {
@@ -234,6 +236,7 @@ void SceneGeometry::build(const Scene& scene, std::vector<Piece>& pieces) {
             }
             if (!piece.divided) piece.in_place.reset();
         }
+        piece.first_triangle = (piece.twosided ? two_sided : next.triangles).size();
         for (std::size_t side = 0; side < sides; ++side) {
             const std::size_t first = piece.first + side * count;
             append_triangles(mesh, piece.mirrored() != (side == 1), first,
@@ -249,6 +252,9 @@ void SceneGeometry::build(const Scene& scene, std::vector<Piece>& pieces) {
         if (stays[i] == 0) change.removed.push_back(pieces_[i].extent.ball);
     }
     next.one_sided = next.triangles.size();
+    for (Piece& piece : pieces)
+        if (piece.twosided) piece.first_triangle += next.one_sided;
+    follow_pieces(pieces, change);
     next.triangles.insert(next.triangles.end(), two_sided.begin(), two_sided.end());
     if (std::ranges::any_of(pieces, &Piece::transmits)) {
         next.blocking = next.triangles;
@@ -264,6 +270,28 @@ void SceneGeometry::build(const Scene& scene, std::vector<Piece>& pieces) {
     pieces_ = std::move(pieces);
     change_ = std::move(change);
     version_ = new_version();
+}
+
+void SceneGeometry::follow_pieces(const std::vector<Piece>& pieces, Change& change) const {
+    for (const Piece& piece : pieces) {
+        const bool moved = piece.former == kNone;
+        const std::size_t number = moved ? piece.elsewhere : piece.former;
+        if (number == kNone) continue;
+        const Piece& former = pieces_[number];
+        if (moved) {
+            if (piece.divided || former.divided || piece.mirrored() != former.mirrored()) continue;
+            const glm::dmat3 linear =
+                glm::dmat3(piece.placement) * glm::inverse(glm::dmat3(former.placement));
+            change.moved.push_back(
+                {.vertices = {.first = piece.first, .last = piece.last, .before = former.first},
+                 .rotation = glm::dmat3(piece.placement) == glm::dmat3(former.placement)
+                                 ? glm::dmat3(1.0)
+                                 : rotate_in(linear)});
+        }
+        change.triangles.push_back({.first = piece.first_triangle,
+                                    .last = piece.first_triangle + piece.triangles(),
+                                    .before = former.first_triangle});
+    }
 }
 
 void SceneGeometry::set_materials(const Scene& scene) {

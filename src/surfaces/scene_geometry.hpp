@@ -48,16 +48,26 @@ public:
     /// its motions that geometry()'s axes follow.
     [[nodiscard]] const glm::dmat3& own_axes() const noexcept { return own_axes_; }
 
+    /// Vertices of an instance that has moved, and the rotation in its motion.
+    struct MovedRun {
+        VertexRun vertices;
+        glm::dmat3 rotation;
+    };
+
     /// Change from the previous version to the current one.
     struct Change {
         Version before = 0;           ///< previous version; 0: none
         std::vector<VertexRun> kept;  ///< vertices of instances that have not moved
         std::vector<Ball> added;      ///< balls that contain all other triangles of the current version
         std::vector<Ball> removed;    ///< balls that contain all other triangles of the previous version
+        std::vector<MovedRun> moved;  ///< vertices of instances that have moved and not changed otherwise
+        std::vector<VertexRun> triangles;  ///< triangles of kept and moved vertices
     };
     [[nodiscard]] const Change& change() const noexcept { return change_; }
 
 private:
+    static constexpr std::size_t kNone = ~std::size_t{0};
+
     // Instance in geometry_.
     struct Piece {
         std::uint32_t id;
@@ -72,16 +82,17 @@ private:
         bool divided;                          // whether triangles of in_place are parts of those of `mesh`
         std::size_t first;                     // index of the first vertex
         std::size_t last;
-        std::size_t former;  // index among the former pieces if it has not moved, or kNone
+        std::size_t former;              // index among the former pieces if it has not moved, or kNone
+        std::size_t elsewhere = kNone;   // index among the former pieces if it has moved, or kNone
+        std::size_t first_triangle = 0;  // index of the first triangle
 
         // Returns the mesh whose vertices and triangles are drawn, and whether the placement mirrors it.
         [[nodiscard]] const Mesh& parts() const { return divided ? *in_place : *mesh; }
+        [[nodiscard]] std::size_t triangles() const { return (twosided ? 2 : 1) * parts().triangles.size(); }
         [[nodiscard]] bool mirrored() const {
             return !divided && glm::determinant(glm::dmat3(placement)) < 0;
         }
     };
-    static constexpr std::size_t kNone = ~std::size_t{0};
-
     [[nodiscard]] std::vector<Piece> place(const Scene& scene);
     // Divides triangles that are far larger than an object beside them.
     void divide(std::vector<Piece>& pieces) const;
@@ -92,6 +103,8 @@ private:
     [[nodiscard]] static bool stays(const Piece& former, const glm::dmat4& placement,
                                     const glm::dmat4& to_world);
     void build(const Scene& scene, std::vector<Piece>& pieces);
+    // Adds the moved instances to a change, and the triangles of kept and moved ones.
+    void follow_pieces(const std::vector<Piece>& pieces, Change& change) const;
     void set_materials(const Scene& scene);
     void set_corners();
 

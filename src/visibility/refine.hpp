@@ -58,4 +58,7 @@ struct FormerRefinement {
                                 const BakeProgress& progress, BakeStatistics& statistics,
                                 const FormerRefinement* former = nullptr);
 
+/// Returns whether refine() may split anything: a vertex is occluded, and there may be more vertices.
+[[nodiscard]] bool can_refine(const Visibility& visibility, const RefineOptions& options);
+
 }  // namespace nicol

@@ -410,6 +410,8 @@ STAGE_TEST_CASE("cameras and options out of range are refused, and the image sta
          {"bake_directions", [](auto& o) { o.bake_directions = 1; }},
          {"bake_directions", [](auto& o) { o.bake_directions = 65537; }},
          {"physical", [](auto& o) { o.physical = 2; }},
+         {"bake_budget_ms is -1", [](auto& o) { o.bake_budget_ms = -1; }},
+         {"bake_budget_ms", [](auto& o) { o.bake_budget_ms = not_a_number; }},
          {"dering", [](auto& o) { o.dering = -1e-9; }},
          {"dering", [](auto& o) { o.dering = not_a_number; }},
          {"components", [](auto& o) { o.components = 2; }},

@@ -153,21 +153,25 @@ TEST_CASE("a tolerance that cannot be reached is reported, and the least error t
                                   .change = {}};
     RenderOptions options{.high_orders = HighOrders::none, .tolerance = 1e-9};
     constexpr std::uint64_t all_memory = MemoryLimit::kNone;
-    const auto orders =
-        selector.choose(scene, {scene.environment(), SampledTerms::none}, unshadowed, options, all_memory);
+    const auto orders = selector.choose(scene, {scene.environment(), SampledTerms::none}, unshadowed, true,
+                                        options, all_memory);
     CHECK(orders.error > 1e-9);
     CHECK(orders.low == OrderSelector::kHighestLow);
     options.high_orders = HighOrders::split;
-    CHECK(selector.choose(scene, {scene.environment(), SampledTerms::none}, unshadowed, options, all_memory)
+    CHECK(selector
+              .choose(scene, {scene.environment(), SampledTerms::none}, unshadowed, true, options, all_memory)
               .error < orders.error);
     // The memory limits the order, but never below that of the options.
     RenderOptions fitting = options;
     fitting.order_low = 8;
     const std::uint64_t bytes = estimate_memory(scene, fitting).total();
     fitting.order_low =
-        selector.choose(scene, {scene.environment(), SampledTerms::none}, unshadowed, options, bytes).low;
+        selector.choose(scene, {scene.environment(), SampledTerms::none}, unshadowed, true, options, bytes)
+            .low;
     CHECK(fitting.order_low > 4);
     CHECK(fitting.order_low < OrderSelector::kHighestLow);
     CHECK(estimate_memory(scene, fitting).total() <= bytes);
-    CHECK(selector.choose(scene, {scene.environment(), SampledTerms::none}, unshadowed, options, 1).low == 4);
+    CHECK(
+        selector.choose(scene, {scene.environment(), SampledTerms::none}, unshadowed, true, options, 1).low ==
+        4);
 }

@@ -605,6 +605,7 @@ class RenderOptions(Struct):
         ("max_depth", c_int32),
         ("fail_if_busy", c_uint32),
         ("reserved", c_uint32),
+        ("bake_budget_ms", c_double),
     ]
 
     def set_quality(self, quality):
@@ -671,6 +672,7 @@ class Statistics(Struct):
         ("light_rays", c_uint64),
         ("light_ms", c_double),
         ("smooth_rays", c_uint64),
+        ("vertices_pending", c_uint64),
     ]
 
 

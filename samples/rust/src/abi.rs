@@ -1008,10 +1008,11 @@ pub struct nicol_render_options {
     pub max_depth: i32,
     pub fail_if_busy: u32,
     pub reserved: u32,
+    pub bake_budget_ms: f64,
 }
 defaults!(nicol_render_options, nicol_render_options_init);
 const _: () = {
-    assert!(size_of::<nicol_render_options>() == 144);
+    assert!(size_of::<nicol_render_options>() == 152);
     assert!(offset_of!(nicol_render_options, struct_size) == 0);
     assert!(offset_of!(nicol_render_options, method) == 4);
     assert!(offset_of!(nicol_render_options, order_low) == 8);
@@ -1041,6 +1042,7 @@ const _: () = {
     assert!(offset_of!(nicol_render_options, max_depth) == 132);
     assert!(offset_of!(nicol_render_options, fail_if_busy) == 136);
     assert!(offset_of!(nicol_render_options, reserved) == 140);
+    assert!(offset_of!(nicol_render_options, bake_budget_ms) == 144);
 };
 pub type nicol_quality = u32;
 
@@ -1124,10 +1126,11 @@ pub struct nicol_statistics {
     pub light_rays: u64,
     pub light_ms: f64,
     pub smooth_rays: u64,
+    pub vertices_pending: u64,
 }
 defaults!(nicol_statistics, nicol_statistics_init);
 const _: () = {
-    assert!(size_of::<nicol_statistics>() == 320);
+    assert!(size_of::<nicol_statistics>() == 328);
     assert!(offset_of!(nicol_statistics, struct_size) == 0);
     assert!(offset_of!(nicol_statistics, order) == 4);
     assert!(offset_of!(nicol_statistics, vertices) == 8);
@@ -1170,6 +1173,7 @@ const _: () = {
     assert!(offset_of!(nicol_statistics, light_rays) == 296);
     assert!(offset_of!(nicol_statistics, light_ms) == 304);
     assert!(offset_of!(nicol_statistics, smooth_rays) == 312);
+    assert!(offset_of!(nicol_statistics, vertices_pending) == 320);
 };
 pub type nicol_plane = u32;
 pub type nicol_format = u32;

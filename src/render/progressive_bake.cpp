@@ -1,0 +1,386 @@
+// SPDX-License-Identifier: MIT
+#include "render/progressive_bake.hpp"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <atomic>
+#include <functional>
+#include <glm/geometric.hpp>
+#include <numeric>
+#include <unordered_map>
+#include <utility>
+
+#include "geometry/position_hash.hpp"
+#include "surfaces/carried_refinement.hpp"
+#include "visibility/bake_origins.hpp"
+#include "visibility/turned_directions.hpp"
+#include "visibility/vertex_rays.hpp"
+
+namespace nicol {
+namespace {
+
+constexpr std::size_t kVerticesAtATime = 128;
+constexpr std::size_t kPointsAtATime = 64;
+// Weight of a block that cannot be seen, relative to one that can.
+constexpr float kUnseen = 1.0F / 64;
+
+}  // namespace
+
+void ProgressiveBake::begin(Finished finished) {
+    surfaces_ = finished.surfaces;
+    axes_ = finished.axes;
+    given_ = finished.given;
+    topology_ = std::move(finished.topology);
+    refined_ = std::move(finished.refined);
+    parts_ = std::move(finished.parts);
+    numbers_ = std::move(finished.numbers);
+    visible_ = std::move(finished.visibility);
+    points_ = std::move(finished.points);
+    tolerance_ = finished.tolerance;
+    most_vertices_ = finished.most_vertices;
+    unoccluded_.assign(visible_.unoccluded().begin(), visible_.unoccluded().end());
+    states_.assign(visible_.vertices(), state_);
+    finished_ = true;
+}
+
+void ProgressiveBake::follow(const Input& input) {
+    const bool same_scene = surfaces_ == input.surfaces.version() && axes_ == input.axes;
+    const bool same_refinement =
+        tolerance_ == input.options.refine_tolerance && most_vertices_ == input.options.max_vertices;
+    tolerance_ = input.options.refine_tolerance;
+    most_vertices_ = input.options.max_vertices;
+    any_changed_ = false;
+    changed_ = 0;
+    if (same_scene) {
+        former_.resize(visible_.vertices());
+        std::iota(former_.begin(), former_.end(), 0U);
+        if (!same_refinement) {
+            refinement_.reset();
+            finished_ = false;
+        }
+    } else {
+        follow_geometry(input);
+        find_order(input);
+    }
+    if (std::exchange(unpublished_, true)) {
+        std::ranges::fill(former_, kNoVertex);
+        any_changed_ = true;
+    }
+}
+
+void ProgressiveBake::follow_geometry(const Input& input) {
+    const SceneGeometry::Change& change = input.surfaces.change();
+    const WorldGeometry& geometry = input.surfaces.geometry();
+    const bool follows = surfaces_ != 0 && surfaces_ == change.before && axes_ == input.axes;
+    refinement_.reset();
+    rays_.reset();
+    finished_ = false;
+    any_changed_ = true;
+    origins_.clear();
+    CarriedRefinement next;
+    if (follows) {
+        next = carried(topology_, given_, input.surfaces);
+        if (pending_ == 0) all_ = {};
+        last_ = {};
+        last_.add(change.added, change.removed);
+        all_.add(change.added, change.removed);
+        for_points_.add(change.added, change.removed);
+    } else {
+        next.former.assign(geometry.positions.size(), kNoVertex);
+        next.moved = next.former;
+        points_ = {};
+        for_points_ = {};
+    }
+    surfaces_ = input.surfaces.version();
+    axes_ = input.axes;
+    given_ = geometry.positions.size();
+    ++state_;
+
+    const std::vector<std::uint32_t> numbers_before = std::move(numbers_);
+    numbers_.clear();
+    parts_.clear();
+    refined_.reset();
+    topology_ = std::move(next.refinement);
+    if (!topology_.parents.empty()) {
+        RefinedGeometry split = nicol::refined(geometry, topology_);
+        refined_ = std::make_shared<WorldGeometry>(std::move(split.geometry));
+        parts_ = std::move(split.parts);
+        numbers_ = std::move(split.numbers);
+    }
+    take_over(input, next.former, next.moved, numbers_before);
+}
+
+void ProgressiveBake::take_over(const Input& input, std::span<const std::uint32_t> former,
+                                std::span<const std::uint32_t> moved,
+                                std::span<const std::uint32_t> numbers_before) {
+    const std::size_t vertices = former.size();
+    const std::size_t directions = input.directions.size();
+    std::vector<TurnedDirections> turned;
+    std::vector<std::uint32_t> turned_of;
+    for (const SceneGeometry::MovedRun& run : input.surfaces.change().moved) {
+        turned_of.push_back(run.rotation == glm::dmat3(1.0) ? kNoVertex
+                                                            : static_cast<std::uint32_t>(turned.size()));
+        if (turned_of.back() != kNoVertex) turned.emplace_back(input.directions, run.rotation);
+    }
+    former_.assign(vertices, kNoVertex);
+    bool in_place = visible_.vertices() == vertices && visible_.directions() == directions;
+    for (std::size_t i = 0; i < vertices; ++i) {
+        if (former[i] == kNoVertex) {
+            in_place = false;
+            continue;
+        }
+        const std::uint32_t before = numbers_before.empty() ? former[i] : numbers_before[former[i]];
+        former_[number(i)] = before;
+        in_place = in_place && before == number(i);
+    }
+    Visibility last;
+    std::vector<std::uint32_t> last_states;
+    std::vector<std::uint8_t> last_unoccluded;
+    if (!in_place) {
+        last = std::exchange(visible_, Visibility(directions, vertices));
+        last_states = std::exchange(states_, std::vector<std::uint32_t>(vertices, 0));
+        last_unoccluded = std::exchange(unoccluded_, std::vector<std::uint8_t>(vertices, 1));
+    }
+    tbb::parallel_for(std::size_t{0}, vertices, [&](std::size_t i) {
+        const std::uint32_t v = number(i);
+        const std::uint32_t before = former_[v];
+        const std::span bits = visible_.at(v);
+        if (before == kNoVertex) {
+            std::ranges::fill(bits, ~std::uint64_t{0});
+            visible_.set_unoccluded(v, true);
+            return;
+        }
+        if (!in_place) {
+            std::ranges::copy(std::as_const(last).at(before), bits.begin());
+            visible_.set_unoccluded(v, last.unoccluded(before));
+            states_[v] = last_states[before];
+            unoccluded_[v] = last_unoccluded[before];
+        }
+        if (moved[i] == kNoVertex) return;
+        states_[v] = 0;
+        const std::uint32_t turn = turned_of[moved[i]];
+        if (turn == kNoVertex) return;
+        former_[v] = kNoVertex;  // its normal has turned
+        if (unoccluded_[v] != 0) return;
+        const std::vector<std::uint64_t> unturned(bits.begin(), bits.end());
+        turned[turn].turn(unturned, bits);
+    });
+    pending_ = vertices;
+}
+
+void ProgressiveBake::find_order(const Input& input) {
+    const WorldGeometry& geometry = refined_ ? *refined_ : input.surfaces.geometry();
+    std::vector<std::uint8_t> seen;
+    find_visible(geometry, input.projection, seen);
+    const std::size_t blocks = (seen.size() + kLanes - 1) / kLanes;
+    std::vector<float> weights(blocks);
+    const Disturbances change = last_.disturbances();
+    tbb::parallel_for(std::size_t{0}, blocks, [&](std::size_t block) {
+        const std::size_t first = block * kLanes;
+        const std::size_t last = std::min(first + kLanes, seen.size());
+        float most = 0;
+        for (std::size_t v = first; v < last; ++v) {
+            float part = states_[v] == 0 ? 1.0F : 0.0F;  // part of the sky that may have changed
+            if (part == 0) {
+                for (const std::span<const Ball> balls : {change.added, change.removed})
+                    for (const Ball& ball : balls) {
+                        const glm::vec3 to = ball.centre - geometry.positions[v];
+                        const float square = ball.radius * ball.radius;
+                        part = std::max(part, square / std::max(glm::dot(to, to), square));
+                    }
+            }
+            most = std::max(most, (seen[v] != 0 ? 1 : kUnseen) * part);
+        }
+        weights[block] = most;
+    });
+    order_.resize(blocks);
+    std::iota(order_.begin(), order_.end(), 0U);
+    std::ranges::stable_sort(order_, std::greater(), [&](std::uint32_t block) { return weights[block]; });
+    next_ = 0;
+}
+
+void ProgressiveBake::find_origins(const Input& input) {
+    const WorldGeometry& geometry = input.surfaces.geometry();
+    std::vector<glm::vec3> normals;
+    for (const glm::vec3& normal : geometry.normals) normals.emplace_back(glm::normalize(glm::dvec3(normal)));
+    std::vector<glm::vec3> origins = bake_origins(
+        {.positions = geometry.positions, .normals = normals, .triangles = geometry.triangles}, normals);
+    if (!refined_) {
+        origins_ = std::move(origins);
+        return;
+    }
+    std::vector<glm::vec3> shifts;
+    for (std::size_t v = 0; v < given_; ++v) shifts.push_back(origins[v] - geometry.positions[v]);
+    for (const glm::uvec2& pair : topology_.parents)
+        shifts.push_back(0.5F * shifts[pair.x] + 0.5F * shifts[pair.y]);
+    origins_.resize(shifts.size());
+    for (std::size_t i = 0; i < shifts.size(); ++i)
+        origins_[number(i)] = i < given_ ? origins[i] : refined_->positions[number(i)] + shifts[i];
+}
+
+void ProgressiveBake::trace(const Input& input, std::span<const std::uint32_t> vertices,
+                            BakeStatistics& statistics) {
+    const WorldGeometry& geometry = refined_ ? *refined_ : input.surfaces.geometry();
+    const DisturbedRays since_last(input.directions, last_.disturbances());
+    const DisturbedRays since_all(input.directions, all_.disturbances());
+    std::atomic<std::uint64_t> rays = 0, traced = 0, changed = 0;
+    tbb::parallel_for(std::size_t{0}, vertices.size(), [&](std::size_t i) {
+        const std::uint32_t v = vertices[i];
+        const glm::vec3 normal(glm::normalize(glm::dvec3(geometry.normals[v])));
+        DisturbedBundles bundles;
+        std::optional<FormerBits> known;
+        const std::span bits = visible_.at(v);
+        const std::vector<std::uint64_t> before(bits.begin(), bits.end());
+        if (states_[v] != 0) {
+            const DisturbedRays& disturbed = states_[v] + 1 == state_ ? since_last : since_all;
+            const bool any = disturbed.find(origins_[v], normal, bundles);
+            states_[v] = state_;
+            if (!any) return;
+            known = {.bits = before, .disturbed = &bundles};
+        }
+        states_[v] = state_;
+        const bool was_unoccluded = visible_.unoccluded(v);
+        std::ranges::fill(bits, 0U);
+        const std::uint64_t count =
+            trace_vertex(*rays_, input.directions, origins_[v], normal, v, known, visible_);
+        unoccluded_[v] = visible_.unoccluded(v) ? 1 : 0;
+        visible_.set_unoccluded(v, was_unoccluded && visible_.unoccluded(v));
+        rays += count;
+        traced += count > 0 ? 1 : 0;
+        const bool same = was_unoccluded ? visible_.unoccluded(v) : std::ranges::equal(before, bits);
+        if (same) return;
+        former_[v] = kNoVertex;
+        ++changed;
+    });
+    statistics.rays += rays;
+    statistics.vertices += traced;
+    changed_ += changed;
+    any_changed_ = any_changed_ || changed > 0;
+}
+
+void ProgressiveBake::advance(const Input& input, SurfaceRays& rays, double milliseconds, Workers& workers,
+                              Progress& progress, BakeStatistics& statistics) {
+    const Stopwatch watch;
+    const auto spent = [&] { return watch.milliseconds() + static_cast<double>(changed_) * later_ms_; };
+    std::vector<std::uint32_t> vertices;
+    bool first = true;
+    if (!rays_) rays_ = rays.get();
+    for (; next_ < order_.size() && (first || spent() < milliseconds); first = false) {
+        progress.report("bake", static_cast<double>(next_) / static_cast<double>(order_.size()));
+        if (origins_.empty()) find_origins(input);
+        vertices.clear();
+        for (; next_ < order_.size() && vertices.size() < kVerticesAtATime; ++next_) {
+            const std::uint32_t begin = order_[next_] * static_cast<std::uint32_t>(kLanes);
+            const std::uint32_t end = std::min(begin + static_cast<std::uint32_t>(kLanes),
+                                               static_cast<std::uint32_t>(states_.size()));
+            for (std::uint32_t v = begin; v < end; ++v) vertices.push_back(v);
+        }
+        workers.run([&] { trace(input, vertices, statistics); });
+        pending_ -= vertices.size();
+    }
+    if (next_ < order_.size() || finished_) return;
+    pending_ = 0;
+    while (!finished_ && (first || spent() < milliseconds)) {
+        progress.report("bake", 1);
+        first = false;
+        workers.run([&] {
+            if (refinement_) {
+                if (!refinement_->step(kPointsAtATime))
+                    end_refinement(input, refinement_->result(statistics));
+            } else {
+                begin_refinement(input);
+            }
+        });
+    }
+}
+
+void ProgressiveBake::begin_refinement(const Input& input) {
+    std::vector<std::uint32_t> given(given_);
+    for (std::size_t i = 0; i < given_; ++i) given[i] = number(i);
+    refining_visibility_ = visible_.selected(given);
+    for (std::size_t i = 0; i < given_; ++i)
+        refining_visibility_.set_unoccluded(i, unoccluded_[given[i]] != 0);
+    refining_ = input.surfaces.shared_geometry();
+    const RefineOptions wanted{.tolerance = tolerance_, .max_vertices = most_vertices_};
+    if (!(tolerance_ > 0) || !can_refine(refining_visibility_, wanted)) return end_refinement(input, {});
+    former_points_ = std::make_unique<FormerRefinement>(
+        FormerRefinement{.points = points_, .disturbances = for_points_.disturbances()});
+    refinement_ = std::make_unique<StepwiseRefinement>(BakeGeometry{.positions = refining_->positions,
+                                                                    .normals = refining_->normals,
+                                                                    .triangles = refining_->triangles,
+                                                                    .present = presence_of(*refining_),
+                                                                    .rays = [this] { return rays_; }},
+                                                       input.directions, refining_visibility_, wanted,
+                                                       points_.size() > 0 ? former_points_.get() : nullptr);
+}
+
+void ProgressiveBake::end_refinement(const Input& input, Refinement next) {
+    refinement_.reset();
+    points_ = std::move(next.points);
+    for_points_ = {};
+    // A point takes less memory than a vertex, for which the limit leaves room.
+    if (given_ + next.parents.size() + points_.size() > most_vertices_) points_ = {};
+    const std::vector<std::uint32_t> numbers_before = std::move(numbers_);
+    const std::shared_ptr<WorldGeometry> refined_before = std::exchange(refined_, nullptr);
+    const Visibility last = std::exchange(visible_, std::move(refining_visibility_));
+    const std::vector<std::uint32_t> former = std::move(former_);
+    const std::size_t added_before = topology_.parents.size();
+    numbers_.clear();
+    parts_.clear();
+    if (!next.parents.empty()) {
+        RefinedGeometry split = nicol::refined(*refining_, next);
+        refined_ = std::make_shared<WorldGeometry>(std::move(split.geometry));
+        parts_ = std::move(split.parts);
+        numbers_ = std::move(split.numbers);
+        visible_ = std::move(split.visibility);
+    }
+    next.visibility = {};
+    next.points = {};
+    topology_ = std::move(next);
+    former_.assign(visible_.vertices(), kNoVertex);
+    for (std::size_t i = 0; i < given_; ++i)
+        former_[number(i)] = former[numbers_before.empty() ? i : numbers_before[i]];
+    // Added vertices are paired with former ones of equal position, normal and visibility.
+    std::unordered_map<std::size_t, std::uint32_t> added;
+    const auto hash = [](const WorldGeometry& geometry, std::uint32_t v) {
+        return geometry::hash_of(geometry.positions[v], geometry.normals[v]);
+    };
+    for (std::size_t i = given_; i < given_ + added_before; ++i)
+        added.try_emplace(hash(*refined_before, numbers_before[i]), numbers_before[i]);
+    for (std::size_t i = given_; i < given_ + topology_.parents.size(); ++i) {
+        const auto found = added.find(hash(*refined_, numbers_[i]));
+        if (found == added.end()) continue;
+        const std::uint32_t before = found->second;
+        if (refined_before->positions[before] == refined_->positions[numbers_[i]] &&
+            refined_before->normals[before] == refined_->normals[numbers_[i]] &&
+            std::ranges::equal(last.at(before), std::as_const(visible_).at(numbers_[i])))
+            former_[numbers_[i]] = former[before];
+    }
+    any_changed_ = true;
+    unoccluded_.assign(visible_.unoccluded().begin(), visible_.unoccluded().end());
+    finish(input);
+}
+
+void ProgressiveBake::finish(const Input& input) {
+    const bool shadow_all = (input.options.disabled_optimisations & skip_unoccluded) != 0;
+    for (std::size_t v = 0; v < visible_.vertices(); ++v)
+        visible_.set_unoccluded(v, unoccluded_[v] != 0 && !shadow_all);
+    states_.assign(visible_.vertices(), state_);
+    origins_.clear();
+    order_.clear();
+    next_ = 0;
+    last_ = all_ = {};
+    refining_visibility_ = {};
+    rays_.reset();
+    refining_.reset();
+    finished_ = true;
+}
+
+void ProgressiveBake::count_later_steps(double milliseconds) {
+    // Fewer vertices would say more of what every frame costs.
+    if (changed_ < kVerticesAtATime) return;
+    later_ms_ = (later_ms_ + milliseconds / static_cast<double>(changed_)) / 2;
+}
+
+}  // namespace nicol

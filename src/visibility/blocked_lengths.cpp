@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#include "visibility/blocked_lengths.hpp"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+
+namespace nicol {
+namespace {
+
+// Largest number of vertices, and of blocked rays per vertex, that are followed to their hit points.
+constexpr std::size_t kFollowedVertices = 4096;
+constexpr std::size_t kFollowedRays = 16;
+
+// Returns the length of the longest edge at each vertex.
+std::vector<float> longest_edges(const BakeGeometry& geometry) {
+    std::vector<float> around(geometry.positions.size(), 0);
+    for (const glm::uvec3& t : geometry.triangles) {
+        for (glm::length_t k = 0; k < 3; ++k) {
+            const std::uint32_t a = t[k];
+            const std::uint32_t b = t[(k + 1) % 3];
+            const auto edge = static_cast<float>(
+                glm::distance(glm::dvec3(geometry.positions[a]), glm::dvec3(geometry.positions[b])));
+            around[a] = std::max(around[a], edge);
+            around[b] = std::max(around[b], edge);
+        }
+    }
+    return around;
+}
+
+}  // namespace
+
+std::vector<WantedLength> blocked_lengths(const BakeGeometry& geometry, const DirectionSet& directions,
+                                          const Visibility& baked, const RayScene& scene,
+                                          std::span<const std::uint32_t> occluded,
+                                          std::span<const glm::vec3> shifts) {
+    const std::vector<float> around = longest_edges(geometry);
+    const std::size_t count = std::min(occluded.size(), kFollowedVertices);
+    std::vector<WantedLength> found(count * kFollowedRays,
+                                    WantedLength{.triangle = 0, .weights{}, .length = 0});
+    tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
+        const std::uint32_t v = occluded[i * occluded.size() / count];
+        const glm::dvec3 origin = glm::dvec3(geometry.positions[v]) + glm::dvec3(shifts[v]);
+        std::vector<std::size_t> blocked;
+        for (std::size_t d = 0; d < directions.size(); ++d) {
+            const bool up = glm::dot(geometry.normals[v], directions.directions()[d]) > 0;
+            if (up && !baked.seen(v, d)) blocked.push_back(d);
+        }
+        const std::size_t rays = std::min(blocked.size(), kFollowedRays);
+        for (std::size_t r = 0; r < rays; ++r) {
+            const std::size_t d = blocked[r * blocked.size() / rays];
+            const auto hit =
+                scene.intersect({.origin = origin, .direction = glm::dvec3(directions.directions()[d])});
+            if (!hit) continue;
+            found[i * kFollowedRays + r] = {.triangle = hit->triangle,
+                                            .weights = glm::vec3(1 - hit->b1 - hit->b2, hit->b1, hit->b2),
+                                            .length = std::max(static_cast<float>(hit->distance), around[v])};
+        }
+    });
+    std::erase_if(found, [](const WantedLength& wanted) { return wanted.length == 0; });
+    return found;
+}
+
+}  // namespace nicol

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// Disturbances of several changes of a scene, one after the other.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "visibility/disturbed_rays.hpp"
+
+namespace nicol {
+
+/// Balls around everything that was added and removed. Their number stays small, however many changes there
+/// are: balls that follow one another in the record are joined.
+class DisturbanceRecord {
+public:
+    void add(std::span<const Ball> added, std::span<const Ball> removed);
+    /// Returns the record, valid until it changes.
+    [[nodiscard]] Disturbances disturbances() const { return {.added = added_, .removed = removed_}; }
+
+private:
+    std::vector<Ball> added_, removed_;
+};
+
+}  // namespace nicol

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#include "visibility/extent_of_triangles.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <utility>
+#include <vector>
+
+namespace nicol {
+
+double extent_of_triangles(const EdgeBisection& mesh, const std::function<bool(std::uint32_t)>& counts) {
+    using Corners = std::array<std::uint32_t, 3>;
+    std::vector<std::pair<Corners, std::size_t>> counted;
+    for (std::size_t i = 0; i < mesh.triangles().size(); ++i) {
+        const glm::uvec3& t = mesh.triangles()[i];
+        if (!counts(t.x) && !counts(t.y) && !counts(t.z)) continue;
+        Corners corners{t.x, t.y, t.z};
+        std::ranges::sort(corners);
+        counted.emplace_back(corners, i);
+    }
+    std::ranges::sort(counted);
+    double area = 0;
+    for (std::size_t k = 0; k < counted.size(); ++k) {
+        if (k > 0 && counted[k].first == counted[k - 1].first) continue;
+        const glm::uvec3& t = mesh.triangles()[counted[k].second];
+        const glm::dvec3 a(mesh.positions()[t.x]);
+        area += glm::length(glm::cross(glm::dvec3(mesh.positions()[t.y]) - a,
+                                       glm::dvec3(mesh.positions()[t.z]) - a)) /
+                2;
+    }
+    return std::sqrt(area);
+}
+
+}  // namespace nicol

@@ -1,0 +1,391 @@
+// SPDX-License-Identifier: MIT
+#include "visibility/stepwise_refinement.hpp"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/vec4.hpp>
+#include <optional>
+#include <unordered_map>
+#include <utility>
+
+#include "geometry/edge_bisection.hpp"
+#include "geometry/largest_coordinate.hpp"
+#include "geometry/ray_scene.hpp"
+#include "visibility/bake_origins.hpp"
+#include "visibility/blocked_lengths.hpp"
+#include "visibility/extent_of_triangles.hpp"
+#include "visibility/hidden_light.hpp"
+#include "visibility/vertex_rays.hpp"
+
+namespace nicol {
+namespace {
+
+// Largest number of rounds. Each round halves edges, so that floats run out of precision before the rounds
+// end.
+constexpr int kRounds = 32;
+// Shortest edge in units of the distance between the edge and the start of rays.
+constexpr double kOffsets = 64;
+// Lengths as fractions of the shadowed region's extent: edges up to kShortest are not split. Edges below
+// kShort may err by more, in inverse proportion to their length, because there is less area at them.
+constexpr double kShortest = 1.0 / 256;
+constexpr double kShort = 1.0 / 32;
+// Smallest share of the tolerance that is asked for where little light arrives.
+constexpr double kStrictest = 0.25;
+
+glm::vec3 unit(const glm::vec3& v) {
+    return {glm::normalize(glm::dvec3(v))};
+}
+
+}  // namespace
+
+class StepwiseRefinement::Refiner {
+public:
+    Refiner(const BakeGeometry& geometry, const DirectionSet& directions, const Visibility& baked,
+            const RefineOptions& options, const FormerRefinement* former)
+        : geometry_(geometry),
+          directions_(directions),
+          baked_(baked),
+          options_(options),
+          former_(former),
+          scene_(rays_of(geometry)),
+          light_(directions),
+          mesh_(geometry.positions, geometry.triangles),
+          normals_(geometry.normals.begin(), geometry.normals.end()) {
+        if (former != nullptr) disturbed_.emplace(directions, former->disturbances);
+        std::vector<glm::vec3> units(normals_.size());
+        hidden_.resize(normals_.size());
+        tbb::parallel_for(std::size_t{0}, normals_.size(), [&](std::size_t v) {
+            units[v] = unit(normals_[v]);
+            hidden_[v] = light_.at(baked_, v, units[v]);
+        });
+        shifts_ = bake_origins(geometry, units);
+        for (std::size_t v = 0; v < shifts_.size(); ++v) shifts_[v] -= geometry.positions[v];
+        rows_.resize(normals_.size());
+        for (std::size_t v = 0; v < rows_.size(); ++v) rows_[v] = v;
+    }
+
+    bool step(std::size_t points) {
+        if (next_ < fresh_.size()) {
+            trace(std::min(points, fresh_.size() - next_));
+            return true;
+        }
+        switch (phase_) {
+            case Phase::start:
+                find_wanted_lengths();
+                phase_ = Phase::follow;
+                return true;
+            case Phase::follow:
+                take_rows();
+                if (round_++ < kRounds && split(long_edges())) return true;
+                wanted_.clear();
+                find_extent();
+                round_ = 0;
+                phase_ = Phase::suspect;
+                return true;
+            case Phase::suspect:
+                take_rows();
+                if (round_++ == kRounds) break;
+                find_suspects();
+                phase_ = Phase::split;
+                return true;
+            case Phase::split:
+                if (!split(wrong_edges())) break;
+                phase_ = Phase::suspect;
+                return true;
+            case Phase::done:
+                return false;
+        }
+        phase_ = Phase::done;
+        return false;
+    }
+
+    [[nodiscard]] Refinement result(BakeStatistics& statistics) {
+        std::vector<std::uint64_t> bits;
+        bits.reserve(rows_.size() * baked_.at(0).size());
+        bits.assign(baked_.bits().begin(), baked_.bits().end());
+        std::vector<std::uint8_t> open(baked_.unoccluded().begin(), baked_.unoccluded().end());
+        for (std::size_t v = baked_.vertices(); v < rows_.size(); ++v) {
+            const std::size_t point = rows_[v] - baked_.vertices();
+            bits.insert(bits.end(), points_.bits(point).begin(), points_.bits(point).end());
+            open.push_back(points_.unoccluded(point) ? 1 : 0);
+        }
+        statistics.rays += rays_;
+        statistics.vertices += traced_;
+        return {.parents = mesh_.parents(),
+                .triangles = mesh_.triangles(),
+                .sources = mesh_.sources(),
+                .visibility = Visibility(directions_.size(), std::move(bits), std::move(open)),
+                .points = std::move(points_)};
+    }
+
+private:
+    // Work after the queued points have been traced.
+    enum class Phase {
+        start,    // find the wanted lengths at hit points of blocked rays
+        follow,   // split edges that are longer than wanted
+        suspect,  // find edges along which interpolation may err
+        split,    // split the edges among them that do
+        done,
+    };
+
+    struct Wrong {
+        double weight;
+        EdgeBisection::Edge edge;
+        // NOLINTNEXTLINE(modernize-use-nullptr): the zero is the comparison's own
+        auto operator<=>(const Wrong&) const = default;
+    };
+
+    // Returns the magnitude of a difference of two sums of HiddenLight: of the irradiance or of the moment,
+    // whichever is larger.
+    static double size(const glm::vec4& difference) {
+        return static_cast<double>(std::max(
+            std::abs(difference.x), glm::length(glm::vec3(difference.y, difference.z, difference.w))));
+    }
+
+    [[nodiscard]] double length(std::uint32_t a, std::uint32_t b) const {
+        return glm::distance(glm::dvec3(mesh_.positions()[a]), glm::dvec3(mesh_.positions()[b]));
+    }
+
+    // Returns the length up to which an edge is not split.
+    [[nodiscard]] double shortest(std::uint32_t a, std::uint32_t b) const {
+        return std::max(shortest_, kOffsets * std::max(offset(a), offset(b)));
+    }
+
+    // Returns the distance between a vertex and the start of rays beside it.
+    [[nodiscard]] double offset(std::uint32_t v) const {
+        return kRayOffset * static_cast<double>(largest_coordinate(mesh_.positions()[v]));
+    }
+
+    [[nodiscard]] bool occluded(std::uint32_t v) const { return hidden_[rows_[v]].x > 0; }
+
+    // Returns whether the interpolation error of an edge is too large.
+    [[nodiscard]] bool wrong(double error, std::uint32_t a, std::uint32_t b) const {
+        const double here = length(a, b);
+        return here > shortest(a, b) && error * std::min(here, short_) > tolerance(a, b) * short_;
+    }
+
+    // Returns the tolerance at an edge: relative to the light that arrives there, because a picture of the
+    // inside of a box holds no other light.
+    [[nodiscard]] double tolerance(std::uint32_t a, std::uint32_t b) const {
+        const double hidden = static_cast<double>(hidden_[rows_[a]].x + hidden_[rows_[b]].x) / 2;
+        return options_.tolerance * std::clamp(1 - hidden, kStrictest, 1.0);
+    }
+
+    // Returns the normal (or the shift to the start of rays) at the middle of two vertices.
+    [[nodiscard]] glm::vec3 middle_normal(std::uint32_t a, std::uint32_t b) const {
+        const glm::vec3 mean = 0.5F * normals_[a] + 0.5F * normals_[b];
+        return glm::dot(mean, mean) > 1e-12F ? mean : normals_[a];
+    }
+    [[nodiscard]] glm::vec3 middle_shift(std::uint32_t a, std::uint32_t b) const {
+        const glm::vec3 normal = unit(middle_normal(a, b));
+        const glm::vec3 mean = 0.5F * shifts_[a] + 0.5F * shifts_[b];
+        const float along =
+            std::max(glm::dot(shifts_[a], unit(normals_[a])), glm::dot(shifts_[b], unit(normals_[b])));
+        return mean + (along - glm::dot(mean, normal)) * normal;
+    }
+
+    // Queues the middles of those pairs of vertices that have not been traced yet.
+    void queue(std::span<const glm::uvec2> pairs) {
+        fresh_.clear();
+        next_ = 0;
+        for (const glm::uvec2& pair : pairs) {
+            const std::size_t row = hidden_.size() + fresh_.size();
+            if (middles_.try_emplace(pair_key(pair.x, pair.y), row).second) fresh_.push_back(pair);
+        }
+    }
+
+    // Traces the next points of the queue.
+    void trace(std::size_t count) {
+        const std::span some = std::span(fresh_).subspan(next_, count);
+        Visibility seen(directions_.size(), count);
+        std::vector<glm::vec4> hides(count);
+        std::vector<glm::vec3> origins(count);
+        std::vector<glm::vec3> normals(count);
+        std::atomic<std::uint64_t> rays = 0;
+        std::atomic<std::uint64_t> traced = 0;
+        tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
+            const auto [a, b] = std::pair(some[i].x, some[i].y);
+            normals[i] = unit(middle_normal(a, b));
+            origins[i] = 0.5F * mesh_.positions()[a] + 0.5F * mesh_.positions()[b] + middle_shift(a, b);
+            const std::uint64_t of_point = trace_point(origins[i], normals[i], i, seen, hides[i]);
+            rays += of_point;
+            traced += of_point > 0 ? 1 : 0;
+        });
+        rays_ += rays;
+        traced_ += traced;
+        next_ += count;
+        hidden_.insert(hidden_.end(), hides.begin(), hides.end());
+        points_.add(origins, normals, seen, hides);
+    }
+
+    // Finds what a point sees, as far as possible from the former refinement. Returns the number of rays.
+    std::uint64_t trace_point(const glm::vec3& origin, const glm::vec3& normal, std::size_t i,
+                              Visibility& seen, glm::vec4& hides) const {
+        DisturbedBundles bundles;
+        std::optional<FormerBits> known;
+        std::optional<std::size_t> point;
+        if (former_ != nullptr) point = former_->points.find(origin, normal);
+        if (point) {
+            if (!disturbed_->find(origin, normal, bundles)) {
+                std::ranges::copy(former_->points.bits(*point), seen.at(i).begin());
+                seen.set_unoccluded(i, former_->points.unoccluded(*point));
+                hides = former_->points.hidden(*point);
+                return 0;
+            }
+            known = {.bits = former_->points.bits(*point), .disturbed = &bundles};
+        }
+        const std::uint64_t rays = trace_vertex(*scene_, directions_, origin, normal, i, known, seen);
+        hides = light_.at(seen, i, normal);
+        return rays;
+    }
+
+    [[nodiscard]] std::size_t row_of_middle(std::uint32_t a, std::uint32_t b) const {
+        return middles_.at(pair_key(a, b));
+    }
+
+    // Finds the pairs of vertices between which interpolation may err by more than the tolerance. If the
+    // hidden irradiance is monotonic along an edge, the error is at most half of the change; therefore the
+    // middle is traced only if half of the change exceeds the tolerance.
+    void find_suspects() {
+        suspects_.clear();
+        for (const glm::uvec3& t : mesh_.triangles()) {
+            for (glm::length_t k = 0; k < 3; ++k) {
+                const std::uint32_t a = t[k];
+                const std::uint32_t b = t[(k + 1) % 3];
+                if (!occluded(a) && !occluded(b)) continue;
+                const double change = size(hidden_[rows_[a]] - hidden_[rows_[b]]);
+                if (wrong(change / 2, a, b)) suspects_.emplace_back(a, b);
+            }
+        }
+        queue(suspects_);
+    }
+
+    // Returns the edges between suspects along which interpolation errs by more than the tolerance.
+    [[nodiscard]] std::vector<Wrong> wrong_edges() const {
+        std::vector<Wrong> found;
+        for (const glm::uvec2& pair : suspects_) {
+            const auto [a, b] = std::pair(pair.x, pair.y);
+            const glm::vec4 mean = 0.5F * (hidden_[rows_[a]] + hidden_[rows_[b]]);
+            const double error = size(hidden_[row_of_middle(a, b)] - mean);
+            if (wrong(error, a, b)) {
+                found.push_back({.weight = error * length(a, b) * length(a, b), .edge = mesh_.edge(a, b)});
+            }
+        }
+        return found;
+    }
+
+    // Splits as many of these edges as the bound on vertices allows, heaviest first, and queues the added
+    // vertices. Returns whether any edge was split.
+    bool split(std::vector<Wrong> wrong) {
+        const std::size_t vertices = mesh_.positions().size();
+        if (vertices >= options_.max_vertices) return false;
+        const std::size_t room = options_.max_vertices - vertices;
+        std::ranges::sort(wrong, std::greater());
+        EdgeBisection::Edges edges;
+        for (std::size_t count = std::min(wrong.size(), room); count > 0; count /= 2) {
+            edges.clear();
+            for (std::size_t i = 0; i < count; ++i) edges.insert(wrong[i].edge);
+            mesh_.close(edges);
+            if (mesh_.cost(edges) <= room) break;
+            edges.clear();
+        }
+        if (edges.empty()) return false;
+        mesh_.split(edges, wanted_);
+        queue(std::span(mesh_.parents()).subspan(vertices - baked_.vertices()));
+        return true;
+    }
+
+    // Completes added vertices once they have been traced.
+    void take_rows() {
+        for (std::size_t v = rows_.size(); v < mesh_.positions().size(); ++v) {
+            const auto [a, b] =
+                std::pair(mesh_.parents()[v - baked_.vertices()].x, mesh_.parents()[v - baked_.vertices()].y);
+            rows_.push_back(row_of_middle(a, b));
+            shifts_.push_back(middle_shift(a, b));
+            normals_.push_back(middle_normal(a, b));
+        }
+    }
+
+    void find_wanted_lengths() {
+        std::vector<std::uint32_t> occluded_vertices;
+        for (std::uint32_t v = 0; v < baked_.vertices(); ++v)
+            if (occluded(v)) occluded_vertices.push_back(v);
+        wanted_ = blocked_lengths(geometry_, directions_, baked_, *scene_, occluded_vertices, shifts_);
+        rays_ += wanted_.size();
+    }
+
+    // Returns the longest edges of triangles that are larger than wanted.
+    [[nodiscard]] std::vector<Wrong> long_edges() const {
+        std::unordered_map<EdgeBisection::Edge, double> longest;
+        for (const WantedLength& wanted : wanted_) {
+            const glm::uvec3& t = mesh_.triangles()[wanted.triangle];
+            const double here = std::max({length(t.x, t.y), length(t.y, t.z), length(t.z, t.x)});
+            const double least = std::max({static_cast<double>(wanted.length), shortest(t.x, t.y),
+                                           shortest(t.y, t.z), shortest(t.z, t.x)});
+            if (!(here > least)) continue;
+            double& weight = longest[mesh_.longest(t)];
+            weight = std::max(weight, here * here * here / least);
+        }
+        std::vector<Wrong> wrong;
+        wrong.reserve(longest.size());
+        for (const auto& [edge, weight] : longest) wrong.push_back({.weight = weight, .edge = edge});
+        return wrong;
+    }
+
+    void find_extent() {
+        const double extent = extent_of_triangles(mesh_, [this](std::uint32_t v) { return occluded(v); });
+        shortest_ = kShortest * extent;
+        short_ = kShort * extent;
+    }
+
+    const BakeGeometry geometry_;
+    const DirectionSet& directions_;
+    const Visibility& baked_;
+    const RefineOptions options_;
+    const FormerRefinement* const former_;
+    std::optional<DisturbedRays> disturbed_;  // set if there is a former refinement
+    const std::shared_ptr<const RayScene> scene_;
+    HiddenLight light_;
+    EdgeBisection mesh_;
+    std::vector<WantedLength> wanted_;
+    std::vector<glm::vec3> normals_;  // by vertex: interpolated normals, of any length
+    std::vector<glm::vec3> shifts_;   // by vertex: shifts from the vertices to the start of their rays
+    std::vector<std::size_t> rows_;   // by vertex: rows of hidden_
+    // HiddenLight of all given vertices, then of points_.
+    std::vector<glm::vec4> hidden_;
+    TracedPoints points_;  // middles of edges, whether these are split or not
+    std::unordered_map<std::uint64_t, std::size_t> middles_;  // row of a pair's middle
+    std::uint64_t rays_ = 0;
+    std::uint64_t traced_ = 0;  // points that any ray was traced from
+    double shortest_ = 0;
+    double short_ = 0;
+    Phase phase_ = Phase::start;
+    int round_ = 0;
+    std::vector<glm::uvec2> fresh_;  // queued points: the middles of these pairs of vertices
+    std::size_t next_ = 0;           // first of them that has not been traced
+    std::vector<glm::uvec2> suspects_;
+};
+
+StepwiseRefinement::StepwiseRefinement(const BakeGeometry& geometry, const DirectionSet& directions,
+                                       const Visibility& visibility, const RefineOptions& options,
+                                       const FormerRefinement* former)
+    : refiner_(std::make_unique<Refiner>(geometry, directions, visibility, options, former)) {}
+StepwiseRefinement::~StepwiseRefinement() = default;
+
+bool StepwiseRefinement::step(std::size_t points) {
+    return refiner_->step(points);
+}
+
+Refinement StepwiseRefinement::result(BakeStatistics& statistics) {
+    Refinement out = refiner_->result(statistics);
+    if (!out.parents.empty()) return out;
+    Refinement none;
+    none.points = std::move(out.points);
+    return none;
+}
+
+}  // namespace nicol

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+// Tests of bakes within a budget: shadows follow over several renders and end as those of a fresh start.
+#include "gl/contexts.hpp"
+#include "image_difference.hpp"
+#include "render/scenes.hpp"
+#include "test.hpp"
+
+using namespace nicol;
+using test::at;
+using test::Studio;
+
+namespace {
+
+RenderOptions options_with(double budget_ms, ShadeAt where = ShadeAt::pixels) {
+    return {.executor = Executor::cpu,
+            .bake_directions = 512,
+            .refine_tolerance = 0.02,
+            .bake_budget_ms = budget_ms,
+            .order_low = 3,
+            .order_high = 5,
+            .shade_at = where};
+}
+
+// Shorter than any step, so that each render takes one.
+constexpr double kLeast = 1e-6;
+
+/// A floor, a ball and a sheet with two sides.
+struct Stage {
+    Stage() {
+        scene.set_environment(test::falling_light(5, true, 3), glm::dmat3(1), 1);
+        scene.add(
+            {.mesh = test::rectangle(16), .material = diffuse({0.5}), .to_world = test::plate_at(0, 3)});
+        ball = scene.add({.mesh = test::coarse_sphere(5),
+                          .material = pplastic({.alpha = 0.3}),
+                          .to_world = at(0.5, 0.4, 0, 0.4)});
+        sheet = scene.add({.mesh = test::rectangle(4),
+                           .material = twosided(test::some_metal(0.4)),
+                           .to_world = at(-1, 0.5, 0.3, 0.5)});
+    }
+
+    Scene scene;
+    std::uint32_t ball = 0, sheet = 0;
+};
+
+// Renders until nothing is pending. Returns the number of renders.
+int converge(Studio& studio, const Scene& scene, const RenderOptions& options) {
+    constexpr int most = 3000;
+    for (int renders = 1; renders < most; ++renders) {
+        studio(scene, options);
+        if (studio.statistics.vertices_pending == 0) return renders;
+    }
+    return most;
+}
+
+}  // namespace
+
+IMAGE_TEST_CASE("renders within a budget end with the image of a fresh start") {
+    for (const ShadeAt where : {ShadeAt::vertices, ShadeAt::pixels}) {
+        Stage stage;
+        Studio studio(context);
+        const RenderOptions options = options_with(kLeast, where);
+        std::uint32_t added = 0;
+        const std::vector<std::pair<const char*, std::function<void()>>> edits{
+            {"first picture", [] {}},
+            {"move", [&] { stage.scene.set_transform(stage.ball, at(0.9, 0.4, 0.3, 0.4)); }},
+            {"rotate",
+             [&] {
+                 stage.scene.set_transform(
+                     stage.sheet,
+                     at(-0.6, 0.5, 0.3, 0.5) * glm::rotate(glm::dmat4(1), 0.7, glm::dvec3(0, 1, 0)));
+             }},
+            {"add",
+             [&] {
+                 added = stage.scene.add({.mesh = test::coarse_sphere(3),
+                                          .material = diffuse({0.3}),
+                                          .to_world = at(-0.2, 0.2, 1, 0.2)});
+             }},
+            {"remove", [&] { stage.scene.remove(added); }},
+        };
+        for (const auto& [name, edit] : edits) {
+            CAPTURES(where, name);
+            edit();
+            studio(stage.scene, options);
+            std::uint64_t pending = studio.statistics.vertices_pending;
+            CHECK(pending > 0);
+            studio(stage.scene, options);
+            CHECK(studio.statistics.vertices_pending <= pending);
+            CHECK(converge(studio, stage.scene, options) < 3000);
+            const StokesImage image = studio(stage.scene, options);
+            CHECK(studio.statistics.bake_rays == 0);
+            Studio fresh(context);
+            const StokesImage truth = fresh(stage.scene, options_with(0, where));
+            CHECK(fresh.statistics.vertices_pending == 0);
+            CHECK(studio.statistics.vertices == fresh.statistics.vertices);
+            CHECK(studio.statistics.vertices_unoccluded == fresh.statistics.vertices_unoccluded);
+            CHECK(test::rms_difference(image, truth) < 1e-5 * largest(truth));
+        }
+    }
+}
+
+IMAGE_TEST_CASE(
+    "an object that moves in every render keeps its own shadow, and a render without budget ends it") {
+    Stage stage;
+    Studio studio(context);
+    studio(stage.scene, options_with(0));
+    const StokesImage still = studio(stage.scene, options_with(0));
+    for (int step = 1; step <= 10; ++step) {
+        stage.scene.set_transform(stage.ball, at(0.5 + 0.05 * step, 0.4, 0.04 * step, 0.4));
+        const StokesImage image = studio(stage.scene, options_with(kLeast));
+        CHECK(studio.statistics.vertices_pending > 0);
+        Studio fresh(context);
+        const StokesImage truth = fresh(stage.scene, options_with(0));
+        CAPTURE(step);
+        CHECK(test::rms_difference(image, truth) < 0.5 * test::rms_difference(still, truth) + 1e-3);
+    }
+    const StokesImage image = studio(stage.scene, options_with(0));
+    CHECK(studio.statistics.vertices_pending == 0);
+    Studio fresh(context);
+    const StokesImage truth = fresh(stage.scene, options_with(0));
+    CHECK(test::rms_difference(image, truth) < 1e-5 * largest(truth));
+}
