@@ -2,42 +2,42 @@
 #include "visibility/bake_origins.hpp"
 
 #include <algorithm>
-#include <array>
+#include <bit>
 #include <cstdint>
 #include <glm/geometric.hpp>
-#include <numeric>
 
 #include "geometry/largest_coordinate.hpp"
+#include "geometry/position_hash.hpp"
 #include "geometry/ray_scene.hpp"
+#include "visibility/visibility.hpp"
 
 namespace nicol {
 namespace {
 
 // Returns, for each vertex, the largest coordinate of any triangle at its position.
-std::vector<float> reaches(const BakeGeometry& geometry) {
-    const std::span<const glm::vec3> positions = geometry.positions;
+std::vector<float> reaches(const BakeGeometry& baked) {
+    const std::span<const glm::vec3> positions = baked.positions;
     std::vector<float> reach(positions.size());
     for (std::size_t v = 0; v < reach.size(); ++v) reach[v] = largest_coordinate(positions[v]);
-    for (const glm::uvec3& t : geometry.triangles) {
+    for (const glm::uvec3& t : baked.triangles) {
         const float largest =
             std::max({largest_coordinate(positions[t.x]), largest_coordinate(positions[t.y]),
                       largest_coordinate(positions[t.z])});
         for (const std::uint32_t v : {t.x, t.y, t.z}) reach[v] = std::max(reach[v], largest);
     }
-    std::vector<std::uint32_t> sorted(positions.size());
-    std::iota(sorted.begin(), sorted.end(), 0U);
-    const auto place = [&](std::uint32_t v) {
-        return std::array{positions[v].x, positions[v].y, positions[v].z};
-    };
-    std::ranges::sort(sorted, {}, place);
-    for (std::size_t first = 0; first < sorted.size();) {
-        std::size_t last = first;
-        float largest = 0;
-        for (; last < sorted.size() && place(sorted[last]) == place(sorted[first]); ++last) {
-            largest = std::max(largest, reach[sorted[last]]);
-        }
-        for (; first < last; ++first) reach[sorted[first]] = largest;
+    // Vertices at one position get the largest. The table holds the first vertex at each position; places
+    // that are taken are passed over.
+    std::vector<std::uint32_t> first_at(std::bit_ceil(2 * positions.size() + 1), kNoVertex);
+    std::vector<std::uint32_t> first_of(positions.size());
+    for (std::uint32_t v = 0; v < positions.size(); ++v) {
+        std::size_t place = geometry::hash_of(positions[v]) & (first_at.size() - 1);
+        while (first_at[place] != kNoVertex && positions[first_at[place]] != positions[v])
+            place = (place + 1) & (first_at.size() - 1);
+        if (first_at[place] == kNoVertex) first_at[place] = v;
+        first_of[v] = first_at[place];
+        reach[first_of[v]] = std::max(reach[first_of[v]], reach[v]);
     }
+    for (std::size_t v = 0; v < reach.size(); ++v) reach[v] = reach[first_of[v]];
     return reach;
 }
 

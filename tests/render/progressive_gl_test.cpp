@@ -25,8 +25,8 @@ RenderOptions options_with(double budget_ms, ShadeAt where = ShadeAt::pixels) {
 constexpr double kLeast = 1e-6;
 
 /// A floor, a ball and a sheet with two sides.
-struct Stage {
-    Stage() {
+struct Table {
+    Table() {
         scene.set_environment(test::falling_light(5, true, 3), glm::dmat3(1), 1);
         scene.add(
             {.mesh = test::rectangle(16), .material = diffuse({0.5}), .to_world = test::plate_at(0, 3)});
@@ -56,40 +56,40 @@ int converge(Studio& studio, const Scene& scene, const RenderOptions& options) {
 
 IMAGE_TEST_CASE("renders within a budget end with the image of a fresh start") {
     for (const ShadeAt where : {ShadeAt::vertices, ShadeAt::pixels}) {
-        Stage stage;
+        Table table;
         Studio studio(context);
         const RenderOptions options = options_with(kLeast, where);
         std::uint32_t added = 0;
         const std::vector<std::pair<const char*, std::function<void()>>> edits{
             {"first picture", [] {}},
-            {"move", [&] { stage.scene.set_transform(stage.ball, at(0.9, 0.4, 0.3, 0.4)); }},
+            {"move", [&] { table.scene.set_transform(table.ball, at(0.9, 0.4, 0.3, 0.4)); }},
             {"rotate",
              [&] {
-                 stage.scene.set_transform(
-                     stage.sheet,
+                 table.scene.set_transform(
+                     table.sheet,
                      at(-0.6, 0.5, 0.3, 0.5) * glm::rotate(glm::dmat4(1), 0.7, glm::dvec3(0, 1, 0)));
              }},
             {"add",
              [&] {
-                 added = stage.scene.add({.mesh = test::coarse_sphere(3),
+                 added = table.scene.add({.mesh = test::coarse_sphere(3),
                                           .material = diffuse({0.3}),
                                           .to_world = at(-0.2, 0.2, 1, 0.2)});
              }},
-            {"remove", [&] { stage.scene.remove(added); }},
+            {"remove", [&] { table.scene.remove(added); }},
         };
         for (const auto& [name, edit] : edits) {
             CAPTURES(where, name);
             edit();
-            studio(stage.scene, options);
+            studio(table.scene, options);
             std::uint64_t pending = studio.statistics.vertices_pending;
             CHECK(pending > 0);
-            studio(stage.scene, options);
+            studio(table.scene, options);
             CHECK(studio.statistics.vertices_pending <= pending);
-            CHECK(converge(studio, stage.scene, options) < 3000);
-            const StokesImage image = studio(stage.scene, options);
+            CHECK(converge(studio, table.scene, options) < 3000);
+            const StokesImage image = studio(table.scene, options);
             CHECK(studio.statistics.bake_rays == 0);
             Studio fresh(context);
-            const StokesImage truth = fresh(stage.scene, options_with(0, where));
+            const StokesImage truth = fresh(table.scene, options_with(0, where));
             CHECK(fresh.statistics.vertices_pending == 0);
             CHECK(studio.statistics.vertices == fresh.statistics.vertices);
             CHECK(studio.statistics.vertices_unoccluded == fresh.statistics.vertices_unoccluded);
@@ -100,22 +100,23 @@ IMAGE_TEST_CASE("renders within a budget end with the image of a fresh start") {
 
 IMAGE_TEST_CASE(
     "an object that moves in every render keeps its own shadow, and a render without budget ends it") {
-    Stage stage;
+    Table table;
     Studio studio(context);
-    studio(stage.scene, options_with(0));
-    const StokesImage still = studio(stage.scene, options_with(0));
+    studio(table.scene, options_with(0));
+    const StokesImage still = studio(table.scene, options_with(0));
     for (int step = 1; step <= 10; ++step) {
-        stage.scene.set_transform(stage.ball, at(0.5 + 0.05 * step, 0.4, 0.04 * step, 0.4));
-        const StokesImage image = studio(stage.scene, options_with(kLeast));
+        table.scene.set_transform(table.ball, at(0.5 + 0.05 * step, 0.4, 0.04 * step, 0.4));
+        const StokesImage image = studio(table.scene, options_with(kLeast));
         CHECK(studio.statistics.vertices_pending > 0);
         Studio fresh(context);
-        const StokesImage truth = fresh(stage.scene, options_with(0));
+        const StokesImage truth = fresh(table.scene, options_with(0));
         CAPTURE(step);
-        CHECK(test::rms_difference(image, truth) < 0.5 * test::rms_difference(still, truth) + 1e-3);
+        // The shadow on the floor lags behind, the ball does not.
+        CHECK(test::rms_difference(image, truth) < 0.8 * test::rms_difference(still, truth) + 1e-3);
     }
-    const StokesImage image = studio(stage.scene, options_with(0));
+    const StokesImage image = studio(table.scene, options_with(0));
     CHECK(studio.statistics.vertices_pending == 0);
     Studio fresh(context);
-    const StokesImage truth = fresh(stage.scene, options_with(0));
+    const StokesImage truth = fresh(table.scene, options_with(0));
     CHECK(test::rms_difference(image, truth) < 1e-5 * largest(truth));
 }
