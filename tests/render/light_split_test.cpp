@@ -67,7 +67,7 @@ TEST_CASE("without lamps a tolerance is reached with fewer orders, relative to a
     split.update(scene.environment(), options, statistics);
     OrderSelector selector;
     const auto choose = [&](const EnvironmentPtr& projected) {
-        return selector.choose(scene, {projected, SampledTerms::none}, unshadowed, options,
+        return selector.choose(scene, {projected, SampledTerms::none}, unshadowed, true, options,
                                MemoryLimit::kNone);
     };
     const auto whole = choose(scene.environment());
