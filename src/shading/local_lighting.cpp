@@ -366,16 +366,10 @@ private:
 
 }  // namespace
 
-LightingTally& LightingTally::operator+=(const LightingTally& other) {
-    rays += other.rays;
-    values += other.values;
-    power += other.power;
-    noise += other.noise;
-    return *this;
-}
-
 LightingTally LocalLighting::add(const Views& views, const LitPoints& points, const LitMaterial& material,
+                                 const SampledEnvironment* environment, std::uint32_t samples,
                                  std::span<const std::span<glm::vec4>> out) const {
+    const SampledTerms sampled = environment != nullptr ? environment->sampled() : SampledTerms::none;
     thread_local std::vector<std::array<Lanes, 4>> sums;
     sums.assign(out.size(), {});
     LitBatch batch(views, points, material, rays_, lights_.before_mirrors.get(), sums);
@@ -383,16 +377,16 @@ LightingTally LocalLighting::add(const Views& views, const LitPoints& points, co
         batch.find_places();
         std::uint32_t index = 0;
         for (const LightSourcePtr& source : lights_.local)
-            batch.add_source(*source, SampledTerms::none, index++, samples_);
+            batch.add_source(*source, SampledTerms::none, index++, samples);
         for (const LightSourcePtr& source : lights_.extracted)
-            batch.add_source(*source, sampled(), index++, samples_);
+            batch.add_source(*source, sampled, index++, samples);
     }
     if (batch.any_layer_has(true)) {
         for (const LightSourcePtr& source : lights_.local) batch.add_mirrored(*source);
-        if (sampled() != SampledTerms::anisotropic_narrow)
+        if (sampled != SampledTerms::anisotropic_narrow)
             for (const LightSourcePtr& source : lights_.extracted) batch.add_mirrored(*source);
     }
-    if (lights_.environment) batch.add_environment(*lights_.environment);
+    if (environment != nullptr) batch.add_environment(*environment);
     for (std::size_t c = 0; c < out.size(); ++c)
         for (std::size_t i = 0; i < points.positions.size(); ++i)
             out[c][i] += glm::vec4(sums[c][0][i], sums[c][1][i], sums[c][2][i], sums[c][3][i]);

@@ -56,7 +56,13 @@ struct LightingTally {
     double power = 0;          ///< sum over the values of s0^2
     double noise = 0;          ///< sum over the values of the expected squared error of s0
 
-    LightingTally& operator+=(const LightingTally& other);
+    LightingTally& operator+=(const LightingTally& other) {
+        rays += other.rays;
+        values += other.values;
+        power += other.power;
+        noise += other.noise;
+        return *this;
+    }
 };
 
 /// Local lights, the environment of sampled terms, and shadows. Immutable; threads share it.
@@ -87,9 +93,22 @@ public:
     /// Adds to out[c][i] channel c's Stokes vector of point i towards the viewpoint, in the camera's frame
     /// field. The noise is estimated from the difference of both halves of each light's samples.
     LightingTally add(const Views& views, const LitPoints& points, const LitMaterial& material,
-                      std::span<const std::span<glm::vec4>> out) const;
+                      std::span<const std::span<glm::vec4>> out) const {
+        return add(views, points, material, lights_.environment ? &*lights_.environment : nullptr, samples_,
+                   out);
+    }
+    /// Adds the reflection of local and of extracted lights by all terms, and nothing of the rest of the
+    /// environment. samples: number of light samples for wide lights, in place of the object's.
+    LightingTally add_lights(const Views& views, const LitPoints& points, const LitMaterial& material,
+                             std::uint32_t samples, std::span<const std::span<glm::vec4>> out) const {
+        return add(views, points, material, nullptr, samples, out);
+    }
 
 private:
+    LightingTally add(const Views& views, const LitPoints& points, const LitMaterial& material,
+                      const SampledEnvironment* environment, std::uint32_t samples,
+                      std::span<const std::span<glm::vec4>> out) const;
+
     Lights lights_;
     const RayScene* rays_;
     std::uint32_t samples_;
