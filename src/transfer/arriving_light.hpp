@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// Projection of light that arrives from single directions, such as that of links.
+#pragma once
+
+#include <cstddef>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <span>
+#include <vector>
+
+#include "harmonics/light_layout.hpp"
+#include "polarization/viewpoint.hpp"
+#include "transfer/vertex_light.hpp"
+
+namespace nicol {
+
+/// Numbers of LightLayout, in the axes of the directions, for light from each direction of a set. Immutable;
+/// threads share it.
+class ArrivingLight {
+public:
+    /// directions: unit vectors to where the light comes from. Stokes vectors are in the frame field of
+    /// `frames`.
+    ArrivingLight(const LightLayout& layout, std::span<const glm::vec3> directions, const Viewpoint& frames);
+
+    /// Adds light from a direction, in a solid angle, to the numbers of one channel.
+    void add(std::size_t direction, float solid_angle, const glm::vec4& stokes, float* numbers) const;
+
+private:
+    std::size_t spin_;
+    std::size_t s3_;
+    std::size_t size_;
+    std::size_t stride_;
+    /// [direction]: numbers of s0 = 1, then those of the spin-2 part for s1 = 1 and for s2 = 1.
+    std::vector<float> data_;
+};
+
+/// Adds to each light its mirror image in the plane of its surface, in place: for light of the upper
+/// hemisphere alone, which so loses its edge at the horizon. Reflection sees none of the image. Block of
+/// sixteen lights in their surfaces' frames.
+void add_mirror_image(const LightLayout& layout, VertexLight& light, std::size_t block);
+
+/// Returns, for each number of a light of layout `part`, its index in a light of layout `whole`, which has at
+/// least the order and the components of the part.
+[[nodiscard]] std::vector<std::size_t> places_in(const LightLayout& part, const LightLayout& whole);
+
+}  // namespace nicol

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+#include "transfer/surface_links.hpp"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <optional>
+
+#include "visibility/bake_origins.hpp"
+
+namespace nicol {
+namespace {
+
+/// Triangles of a geometry that rays meet.
+class TracedTriangles {
+public:
+    TracedTriangles(const BakeGeometry& geometry, std::span<const std::uint32_t> triangles)
+        : numbers_(triangles), corners_(corners_of(geometry, triangles)), rays_(rays_of(geometry)) {}
+
+    [[nodiscard]] std::optional<RayHit> intersect(const Ray& ray) const {
+        std::optional<RayHit> hit = rays_.intersect(ray);
+        if (hit) hit->triangle = numbers_[hit->triangle];
+        return hit;
+    }
+
+private:
+    static std::vector<glm::uvec3> corners_of(const BakeGeometry& geometry,
+                                              std::span<const std::uint32_t> triangles) {
+        std::vector<glm::uvec3> out;
+        out.reserve(triangles.size());
+        for (const std::uint32_t triangle : triangles) out.push_back(geometry.triangles[triangle]);
+        return out;
+    }
+    [[nodiscard]] RayScene rays_of(const BakeGeometry& geometry) const {
+        Presence present;
+        if (geometry.present) {
+            present = [numbers = numbers_, &all = geometry.present](std::uint32_t triangle, float b1,
+                                                                    float b2) {
+                return all(numbers[triangle], b1, b2);
+            };
+        }
+        const RaySurface surface{
+            .positions = geometry.positions, .triangles = corners_, .present = std::move(present)};
+        return RayScene(std::span(&surface, 1));
+    }
+
+    std::span<const std::uint32_t> numbers_;
+    std::vector<glm::uvec3> corners_;
+    RayScene rays_;
+};
+
+/// Search for the points that rays from vertices meet.
+class LinkedPoints {
+public:
+    LinkedPoints(const BakeGeometry& geometry, const TriangleSides& sides)
+        : geometry_(geometry), fronts_(geometry, sides.fronts) {
+        if (!sides.backs.empty()) backs_.emplace(geometry, sides.backs);
+    }
+
+    // Returns the first point of a surface that faces the ray; none if something without light hides it.
+    [[nodiscard]] std::optional<RayHit> find(const glm::vec3& origin, const glm::vec3& direction) const {
+        Ray ray{.origin = glm::dvec3(origin), .direction = glm::dvec3(direction)};
+        std::optional<RayHit> hit = fronts_.intersect(ray);
+        if (!hit || faces(*hit, direction)) return hit;
+        if (!backs_) return std::nullopt;
+        // The back of a two-sided surface lies in the same place.
+        constexpr double around = 1e-5;
+        ray.nearest = (1 - around) * hit->distance;
+        ray.farthest = (1 + around) * hit->distance;
+        hit = backs_->intersect(ray);
+        if (!hit || faces(*hit, direction)) return hit;
+        return std::nullopt;
+    }
+
+private:
+    [[nodiscard]] bool faces(const RayHit& hit, const glm::vec3& direction) const {
+        const glm::uvec3& corners = geometry_.triangles[hit.triangle];
+        const glm::dvec3 first(geometry_.positions[corners.x]);
+        const glm::dvec3 normal = glm::cross(glm::dvec3(geometry_.positions[corners.y]) - first,
+                                             glm::dvec3(geometry_.positions[corners.z]) - first);
+        return glm::dot(normal, glm::dvec3(direction)) < 0;
+    }
+
+    const BakeGeometry& geometry_;
+    TracedTriangles fronts_;
+    std::optional<TracedTriangles> backs_;
+};
+
+// Returns a number of 0 to count - 1 that depends on the vertex and the stratum as if by chance.
+std::size_t choice(std::size_t vertex, std::size_t stratum, std::size_t count) {
+    std::uint64_t x = (vertex * kLinkStrata + stratum + 1) * 0x9e3779b97f4a7c15U;
+    x = (x ^ x >> 32U) * 0xd6e8feb86659fd93U;
+    return static_cast<std::size_t>((x >> 32U) * count >> 32U);
+}
+
+}  // namespace
+
+std::vector<SurfaceLink> find_links(const BakeGeometry& geometry, const TriangleSides& sides,
+                                    const DirectionSet& directions, const Visibility& visibility,
+                                    const BakeProgress& progress) {
+    constexpr std::size_t step = 64;    // vertices of one task
+    constexpr std::size_t chunk = 128;  // tasks between two calls of the progress callback
+    const std::size_t vertices = geometry.positions.size();
+    const LinkedPoints points(geometry, sides);
+    std::vector<glm::vec3> normals;
+    normals.reserve(vertices);
+    for (const glm::vec3& normal : geometry.normals) normals.push_back(glm::normalize(normal));
+    const std::vector<glm::vec3> origins = bake_origins(geometry, normals);
+    const std::size_t stratum_size = (directions.size() + kLinkStrata - 1) / kLinkStrata;
+
+    std::vector<std::vector<SurfaceLink>> parts((vertices + step - 1) / step);
+    const auto add = [&](std::size_t vertex, std::size_t stratum, std::vector<std::uint32_t>& blocked,
+                         std::vector<SurfaceLink>& out) {
+        blocked.clear();
+        float solid_angle = 0;
+        const std::size_t end = std::min((stratum + 1) * stratum_size, directions.size());
+        for (std::size_t d = stratum * stratum_size; d < end; ++d) {
+            if (visibility.seen(vertex, d) || !(glm::dot(directions.directions()[d], normals[vertex]) > 0))
+                continue;
+            blocked.push_back(static_cast<std::uint32_t>(d));
+            solid_angle += directions.weights()[d];
+        }
+        if (blocked.empty()) return;
+        const std::uint32_t chosen = blocked[choice(vertex, stratum, blocked.size())];
+        const std::optional<RayHit> hit = points.find(origins[vertex], directions.directions()[chosen]);
+        if (!hit) return;
+        out.push_back({.vertex = static_cast<std::uint32_t>(vertex),
+                       .direction = chosen,
+                       .triangle = hit->triangle,
+                       .b1 = static_cast<float>(hit->b1),
+                       .b2 = static_cast<float>(hit->b2),
+                       .solid_angle = solid_angle});
+    };
+    for (std::size_t first = 0; first < parts.size(); first += chunk) {
+        if (progress) progress(static_cast<double>(first) / static_cast<double>(parts.size()));
+        tbb::parallel_for(first, std::min(first + chunk, parts.size()), [&](std::size_t part) {
+            std::vector<std::uint32_t> blocked;
+            for (std::size_t v = part * step; v < std::min((part + 1) * step, vertices); ++v) {
+                if (visibility.unoccluded(v)) continue;
+                for (std::size_t stratum = 0; stratum < kLinkStrata; ++stratum)
+                    add(v, stratum, blocked, parts[part]);
+            }
+        });
+    }
+    std::vector<SurfaceLink> out;
+    for (std::vector<SurfaceLink>& part : parts) {
+        out.insert(out.end(), part.begin(), part.end());
+        std::vector<SurfaceLink>().swap(part);
+    }
+    return out;
+}
+
+}  // namespace nicol
