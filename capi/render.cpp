@@ -387,6 +387,11 @@ nicol_result nicol_framebuffer_get_statistics(nicol_framebuffer framebuffer, nic
         out.light_ms = s.light_ms;
         out.smooth_rays = s.smooth_rays;
         out.vertices_pending = s.vertices_pending;
+        out.bounce_ms = s.bounce_ms;
+        out.bounce_links = s.bounce_links;
+        out.bounce_rounds = s.bounce_rounds;
+        out.bounced_light = s.bounced_light;
+        out.bounced_left = s.bounced_left;
         write_struct(statistics, out, "statistics");
     });
 }

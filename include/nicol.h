@@ -1331,9 +1331,10 @@ typedef struct nicol_render_options {
     uint32_t bsdf_samples;
     /* Largest number of segments of a path from the camera to a light, counted as Mitsuba's max_depth: 1 is
      * light that the camera sees directly, 2 adds light that a surface reflects once (direct light), 3 adds
-     * light that two surfaces reflect, and so on; NICOL_DEPTH_UNLIMITED: no limit. 0, the default: 2. Other
-     * methods than the reference compute direct light and refuse other numbers than 0 and 2 with
-     * NICOL_ERROR_UNSUPPORTED. More than 2 needs shadows. */
+     * light that two surfaces reflect, and so on; NICOL_DEPTH_UNLIMITED: no limit. 0, the default: 2. The
+     * factored method computes the light that surfaces reflect to each other at vertices, up to order 3 of
+     * its incident field, and stops at 0.002 of all light. It refuses 1 and the dense method refuses
+     * everything but 0 and 2, with NICOL_ERROR_UNSUPPORTED. More than 2 needs shadows. */
     int32_t max_depth;
     /* What nicol_render does while another render of the scene runs, such as a job: 0, the default: it waits;
      * 1: it returns NICOL_ERROR_BUSY. No effect on nicol_render_async. */
@@ -1506,12 +1507,17 @@ typedef struct nicol_statistics {
     uint64_t smooth_rays;           /* real-time methods: rays from pixels that show glass or mirrors, by threads; 0 if
                                        compute shaders shaded: these mirror lights alone, no surfaces */
     uint64_t vertices_pending;      /* vertices whose shadows are not final (bake_budget_ms); 0: the picture is */
+    double bounce_ms;               /* real-time methods: part of relight_ms for light that surfaces reflect to each other */
+    uint64_t bounce_links;          /* pairs of a vertex and a point of a surface that it sees, along which light bounces */
+    uint64_t bounce_rounds;         /* bounces that were computed; 0: direct light alone */
+    double bounced_light;           /* RMS over vertices of bounced light, relative to that of all light */
+    double bounced_left;            /* estimate of the bounces that were left out, in the same unit */
 } nicol_statistics;
 /* clang-format on */
 #define NICOL_STATISTICS_INIT                                                                                \
     {                                                                                                        \
         sizeof(nicol_statistics), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, \
-            0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0                                                \
+            0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0                                 \
     }
 NICOL_API nicol_result nicol_statistics_init(nicol_statistics* descriptor, uint32_t struct_size);
 

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "commands.hpp"
+#include "median.hpp"
 #include "scene_file.hpp"
 #include "temporary_folder.hpp"
 #include "truth.hpp"
@@ -83,6 +86,34 @@ double sum_of_s0(const Image& image) {
     return sum;
 }
 
+Image difference(const Image& all, const Image& direct) {
+    Image out = all;
+    for (std::size_t i = 0; i < out.stokes.size(); ++i) out.stokes[i] -= direct.stokes[i];
+    return out;
+}
+
+/// Times of one frame whose light was rotated, and of one whose camera moved, in milliseconds.
+struct FrameTimes {
+    double light, camera;
+};
+FrameTimes frame_times(Stage& stage, const nicol_render_options& options, nicol_framebuffer framebuffer) {
+    constexpr int frames = 3;
+    const auto median_time = [&](const auto& change) {
+        std::vector<double> times;
+        for (int i = 0; i < frames; ++i) {
+            change();
+            const auto begin = std::chrono::steady_clock::now();
+            stage.render(options, framebuffer);
+            times.push_back(
+                std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count());
+        }
+        return median(times);
+    };
+    const double camera = median_time([&] { stage.orbit(0.5); });
+    if (!stage.has_light()) return {.light = std::nan(""), .camera = camera};
+    return {.light = median_time([&] { stage.rotate_light(1); }), .camera = camera};
+}
+
 }  // namespace
 
 Report bench_bounces(const Options& given) {
@@ -93,26 +124,58 @@ Report bench_bounces(const Options& given) {
     const std::filesystem::path file = folder.path() / "scene.xml";
     options.scene = file.string();
 
-    Report report({"against light to depth 12", "missing", "s0", "s1", "s2"});
+    const double none = std::nan("");
+    Report report({"against light to depth 12", "missing", "s0", "s1", "s2", "indirect s0", "indirect s1",
+                   "indirect s2", "bake s", "light ms", "camera ms"});
     for (const Example& example : examples()) {
         write_scene(file, example.eye, "0,0.2,0", example.content);
         const SceneSource source(options);
-        const Stage stage(source);
+        Stage stage(source);
         const Framebuffer framebuffer = stage.framebuffer(size, size);
-        const Truth truth{.first = traced(stage, framebuffer.get(), samples, 1, kAllLight),
-                          .second = traced(stage, framebuffer.get(), samples, 2, kAllLight),
-                          .mask = Mask(std::size_t{size} * size, 1)};
-        const auto add = [&](const char* how, const Image& image) {
+        const auto by_rays = [&](std::uint64_t seed, std::int32_t max_depth) {
+            return traced(stage, framebuffer.get(), samples, seed, max_depth);
+        };
+        const Mask mask(std::size_t{size} * size, 1);
+        const Truth truth{.first = by_rays(1, kAllLight), .second = by_rays(2, kAllLight), .mask = mask};
+        const Truth indirect{.first = difference(truth.first, by_rays(4, 2)),
+                             .second = difference(truth.second, by_rays(5, 2)),
+                             .mask = mask};
+        const bool bounces = sum_of_s0(indirect.first) > 1e-3 * sum_of_s0(truth.first);
+        const auto add = [&](const char* how, const Image& image, const StokesErrors& alone,
+                             const std::array<double, 3>& times) {
             const StokesErrors errors = truth.errors(image);
             report.add(std::string(example.name) + ", " + how,
-                       {1 - sum_of_s0(image) / sum_of_s0(truth.first), errors[0], errors[1], errors[2]});
+                       {1 - sum_of_s0(image) / sum_of_s0(truth.first), errors[0], errors[1], errors[2],
+                        alone[0], alone[1], alone[2], times[0], times[1], times[2]});
         };
-        add("rays to depth 2", traced(stage, framebuffer.get(), samples, 3, 2));
-        add("rays to depth 3", traced(stage, framebuffer.get(), samples, 3, 3));
-        stage.render(default_recipe().options(), framebuffer.get());
-        add("by default", read_image(framebuffer.get()));
+        const StokesErrors no_errors{none, none, none, none};
+        const std::array<double, 3> no_times{none, none, none};
+        add("rays to depth 2", by_rays(3, 2), no_errors, no_times);
+        add("rays to depth 3", by_rays(3, 3), no_errors, no_times);
+
+        nicol_render_options real_time = default_recipe().options();
+        const auto measure = [&](std::int32_t max_depth, Image& image) -> std::array<double, 3> {
+            real_time.max_depth = max_depth;
+            const SceneSource uncached(options);
+            Stage fresh(uncached);
+            const Framebuffer target = fresh.framebuffer(size, size);
+            const nicol_statistics statistics = fresh.render(real_time, target.get());
+            image = read_image(target.get());
+            const FrameTimes times = frame_times(fresh, real_time, target.get());
+            return {1e-3 * (statistics.project_ms + statistics.bake_ms + statistics.relight_ms), times.light,
+                    times.camera};
+        };
+        Image direct, all;
+        const std::array<double, 3> direct_times = measure(0, direct);
+        add("by default", direct, no_errors, direct_times);
+        const std::array<double, 3> all_times = measure(kAllLight, all);
+        add("with bounces", all, bounces ? indirect.errors(difference(all, direct)) : no_errors, all_times);
     }
-    report.note("Missing: part of the picture's light. Errors: RMSE over the RMS of s0, with the noise of " +
-                std::to_string(samples) + " samples a pixel.");
+    report.note(
+        "Missing: part of the picture's light. Errors: RMSE over the RMS of s0, with the noise of " +
+        std::to_string(samples) +
+        " samples a pixel taken out; indirect: of the light to depth 12 without direct light alone. Bake: "
+        "everything before the first shading. Light, camera: a frame after the light was rotated by 1 "
+        "degree, or the camera by 0.5.");
     return report;
 }

@@ -386,6 +386,11 @@ typedef struct nicol_statistics {
     double light_ms;
     uint64_t smooth_rays;
     uint64_t vertices_pending;
+    double bounce_ms;
+    uint64_t bounce_links;
+    uint64_t bounce_rounds;
+    double bounced_light;
+    double bounced_left;
 } nicol_statistics;
 typedef uint32_t nicol_plane;
 typedef uint32_t nicol_format;

@@ -73,13 +73,13 @@ std::uint32_t samples_of(nicol_scene scene) {
     return count == 0 ? without_sampler : std::min(count, most);
 }
 
-// Returns the length of light's paths that the scene asks for, which only the reference method follows, and
-// only with shadows.
+// Returns the length of light's paths that the scene asks for, as far as the method follows it, which needs
+// shadows.
 std::int32_t depth_of(nicol_scene scene, const Options& options) {
     std::int32_t depth = 0;
-    if (options.method != NICOL_METHOD_REFERENCE || !options.shadows) return depth;
+    if (options.method == NICOL_METHOD_DENSE || !options.shadows) return depth;
     check(nicol_scene_get_max_depth(scene, &depth));
-    return depth;
+    return depth == 1 && options.method != NICOL_METHOD_REFERENCE ? 0 : depth;
 }
 
 void render(nicol_scene scene, nicol_framebuffer framebuffer, const Options& options, ProgressBar& progress) {

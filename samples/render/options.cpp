@@ -59,7 +59,7 @@ const char* const usage =
     "      --bsdf-samples N     most samples of the environment for each anisotropic or narrow lobe, 0 to "
     "1024; default 32\n"
     "      --samples N          of the reference method, camera rays a pixel, 1 to 1048576; default 256\n"
-    "      --max-depth N        by the reference method, how often light is reflected, counted as in "
+    "      --max-depth N        how often light is reflected, counted as in "
     "Mitsuba: 2 is\n"
     "                           direct light, -1 no limit; default: that of the scene's integrator, else 2\n"
     "      --seed N             of the reference method, gives other noise; default 0\n"

@@ -94,16 +94,14 @@ void read_integrator(const XmlDocument& document, pugi::xml_node node, Notices& 
     Plugin plugin(document, node);
     const auto type = std::ranges::find(kTypes, std::string_view(plugin.type()), &Type::name);
     if (type == kTypes.end())
-        plugin.fail_type(joined(kTypes, &Type::name), "light is reflected once, to Stokes vectors");
+        plugin.fail_type(joined(kTypes, &Type::name), "light is followed to Stokes vectors");
     const int max_depth = type->reflects_often ? read_depth(plugin) : kDirectLightDepth;
     integrator.aovs |= type->aovs;
     if (plugin.type() == "aov")
         integrator.aovs |= read_aovs(plugin, node, notices);
     else
         notices.add_unfollowed(node, "integrator " + in_quotes(plugin.type()) +
-                                         (max_depth > kDirectLightDepth
-                                              ? " (light is reflected once, but by the reference method)"
-                                              : ""));
+                                         (max_depth > kDirectLightDepth ? " (but for max_depth)" : ""));
     integrator.hide_emitters |= plugin.boolean("hide_emitters", false);
     const auto others = type->holds_others ? plugin.objects({"integrator"}) : plugin.objects({});
     // An integrator that holds others has their depth.

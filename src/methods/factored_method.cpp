@@ -8,6 +8,7 @@
 namespace nicol {
 
 void FactoredMethod::set_cache(std::filesystem::path folder, CacheNotice notice) {
+    bounces_.set_cache(folder, notice);
     folder_ = std::move(folder);
     notice_ = std::move(notice);
 }
@@ -37,9 +38,14 @@ void FactoredMethod::project(const TransferInput& input, RenderRun& run) {
         known = std::move(tables);
         run.statistics.project_ms += watch.milliseconds();
     });
+    if (input.bounces > 0) bounces_.project(input, run);
 }
 
 void FactoredMethod::bake(const TransferInput& input, VisibilityRequest* request, RenderRun& run) {
+    if (input.bounces > 0)
+        bounces_.bake(input, run);
+    else
+        bounces_.clear();
     if (!baking_.update(input, input.layout.order(), input.layout.kind())) return;
     std::optional<VisibilityProduct> former = std::exchange(shadows_.change(), std::nullopt);
     if (input.visibility != nullptr) {
@@ -64,8 +70,11 @@ void FactoredMethod::bake(const TransferInput& input, VisibilityRequest* request
 
 void FactoredMethod::relight(const TransferInput& input, RenderExecutor& executor, RenderRun& run) {
     if (input.at_pixels && !*shadows_) return;  // all points have the same light
-    if (!relighting_.update(input, executor.version(), input.light_version, input.at_pixels)) return;
     const Stopwatch watch;
+    if (input.bounces > 0) bounces_.relight(input, **shadows_, run);
+    if (!relighting_.update(input, executor.version(), input.light_version, bounces_.version(),
+                            input.at_pixels))
+        return;
     if (relighting_.has_renumbered()) {
         if (executor.renumber(relighting_.former(), input.at_pixels, run))
             relighting_.renumbered();
@@ -94,6 +103,7 @@ void FactoredMethod::count(const TransferInput& input, Statistics& statistics) c
             if (!made) statistics.response_rows_skipped += static_cast<std::uint64_t>(input.channels);
         }
     }
+    if (input.bounces > 0) bounces_.count(statistics);
     if (*shadows_) statistics.transfer_bytes += (*shadows_)->bytes();
 }
 

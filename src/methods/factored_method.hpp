@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "material/response_cache.hpp"
+#include "methods/bounces.hpp"
 #include "methods/transfer_method.hpp"
 #include "surfaces/vertex_stage.hpp"
 #include "transfer/visibility_product.hpp"
@@ -33,6 +34,9 @@ public:
         return shadows_;
     }
 
+    /// Returns the bounced light.
+    [[nodiscard]] const Bounces& bounces() const noexcept { return bounces_; }
+
 private:
     std::filesystem::path folder_;
     CacheNotice notice_;
@@ -43,8 +47,9 @@ private:
     // Inputs: order, kind of the light.
     VertexStage<int, LightKind> baking_{{.renumbers = true}};
     Versioned<std::optional<VisibilityProduct>> shadows_;
-    // Inputs: executor, light, whether pixels are shaded.
-    VertexStage<Version, Version, bool> relighting_{{.renumbers = true}};
+    Bounces bounces_;
+    // Inputs: executor, light, bounced light, whether pixels are shaded.
+    VertexStage<Version, Version, Version, bool> relighting_{{.renumbers = true}};
 };
 
 }  // namespace nicol

@@ -14,6 +14,8 @@
 
 namespace nicol {
 
+class LocalLights;
+
 /// Surfaces, and the distant light's coefficients.
 struct TransferInput : SurfaceState {
     const LightLayout& layout;
@@ -24,6 +26,10 @@ struct TransferInput : SurfaceState {
     /// Whether pixels are shaded instead of vertices. If so, relight leaves light in the geometry's axes,
     /// which can be interpolated.
     bool at_pixels = false;
+    /// Largest number of times that light is reflected before the reflection that is shaded; 0: direct light.
+    /// Above 0, the surfaces have visibility and the light has the image's channels.
+    int bounces = 0;
+    const LocalLights* local_lights = nullptr;  ///< lights that bounce beside the distant light; null: none
     /// Number of leading components of reflected light that are shaded even if they are zero.
     std::size_t least_components = 1;
     /// Number of leading components of reflected light that are shaded if they are not zero.

@@ -22,6 +22,14 @@ PshVector without_repeats(PshVector light) {
     return single;
 }
 
+// Repeats the only channel of a light until it has `channels`.
+PshVector with_channels(PshVector light, int channels) {
+    if (light.channels() >= channels) return light;
+    PshVector out(light.order(), channels);
+    for (int c = 0; c < channels; ++c) std::ranges::copy(light.channel(0), out.channel(c).begin());
+    return out;
+}
+
 void suppress_ringing(PshVector& light, double strength) {
     std::vector<double> gains;
     for (int l = 0; l <= light.order(); ++l) {
@@ -56,18 +64,19 @@ LightKind light_kind(const Environment* light) {
 }
 
 void LightProjection::update(const EnvironmentPtr& environment, double scale, const RenderOptions& options,
-                             const glm::dmat3& rotation, Statistics& statistics) {
+                             const LeastLight& least, const glm::dmat3& rotation, Statistics& statistics) {
     const int low = options.order_low;
     const int high = options.high_orders == HighOrders::none ? low : options.order_high;
     const LightKind kind = (options.disabled_optimisations & skip_light_components) != 0
                                ? LightKind::full
-                               : light_kind(environment.get());
-    projecting_.run(environment, low, high, kind, options.dering, options.disabled_optimisations, [&] {
-        const Stopwatch watch;
-        project(environment.get(), low, high, kind, options);
-        ++statistics.lights_projected;
-        statistics.project_ms += watch.milliseconds();
-    });
+                               : std::max(light_kind(environment.get()), least.kind);
+    projecting_.run(environment, low, high, kind, least.channels, options.dering,
+                    options.disabled_optimisations, [&] {
+                        const Stopwatch watch;
+                        project(environment.get(), low, high, kind, least.channels, options);
+                        ++statistics.lights_projected;
+                        statistics.project_ms += watch.milliseconds();
+                    });
     const Stopwatch watch;
     bool changed = scaling_.run(light_.version(), scale, [&] {
         check_brightness(*light_, scale);
@@ -81,11 +90,12 @@ void LightProjection::update(const EnvironmentPtr& environment, double scale, co
     if (changed) statistics.relight_ms += watch.milliseconds();
 }
 
-void LightProjection::project(const Environment* environment, int low, int high, LightKind kind,
+void LightProjection::project(const Environment* environment, int low, int high, LightKind kind, int channels,
                               const RenderOptions& options) {
     PshVector& light = light_.change();
     light = environment != nullptr ? environment->project(high) : PshVector(high, 1);
     if ((options.disabled_optimisations & skip_channels) == 0) light = without_repeats(std::move(light));
+    light = with_channels(std::move(light), channels);
     suppress_ringing(light, options.dering);
     layout_.emplace(low, kind);
     last_order_ =

@@ -17,6 +17,13 @@ namespace nicol {
 /// Returns the Stokes components that a light has; null: no light.
 [[nodiscard]] LightKind light_kind(const Environment* light);
 
+/// Components and channels that a light is given even if they are zero or equal.
+struct LeastLight {
+    LightKind kind = LightKind::unpolarized;
+    int channels = 1;
+    bool operator==(const LeastLight&) const = default;
+};
+
 /// Coefficients of the distant light. Low orders are kept in the axes of the scene's geometry, for the
 /// transfer methods; all orders are kept in the light's own axes, for the high orders. Both are scaled, and
 /// have one channel if all channels are equal.
@@ -25,7 +32,7 @@ public:
     /// Projects the light; repeats only what changes require. environment: the scene's environment, or a part
     /// of it. rotation: from the light's axes to the geometry's. Adds times and counts to `statistics`.
     void update(const EnvironmentPtr& environment, double scale, const RenderOptions& options,
-                const glm::dmat3& rotation, Statistics& statistics);
+                const LeastLight& least, const glm::dmat3& rotation, Statistics& statistics);
 
     /// Returns the layout of the low orders.
     [[nodiscard]] const LightLayout& layout() const { return *layout_; }
@@ -36,11 +43,11 @@ public:
     [[nodiscard]] int last_order() const noexcept { return last_order_; }
 
 private:
-    void project(const Environment* environment, int low, int high, LightKind kind,
+    void project(const Environment* environment, int low, int high, LightKind kind, int channels,
                  const RenderOptions& options);
 
-    // Inputs: environment, low and high order, kind, dering, disabled optimisations.
-    Stage<EnvironmentPtr, int, int, LightKind, double, std::uint32_t> projecting_;
+    // Inputs: environment, low and high order, kind, least channels, dering, disabled optimisations.
+    Stage<EnvironmentPtr, int, int, LightKind, int, double, std::uint32_t> projecting_;
     Versioned<PshVector> light_;  // coefficients in the environment's axes, unscaled, windowed
     std::optional<LightLayout> layout_;
     int last_order_ = -1;

@@ -38,10 +38,13 @@ void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderO
                    RenderExecutor& executor, RenderRun& run, const DrawHits& draw_hits) {
     TransferMethod& method = method_for(given.method);
 
+    // Light bounces where surfaces hide others, so bounces need the bake whatever the light.
+    const bool bouncing = given.max_depth > kDirectLightDepth;
+
     // First half of bake, because the choice of orders may depend on it.
     surfaces_.update(scene);
     SurfaceRays rays(surfaces_);
-    visibility_.update(surfaces_, rays, scene.distant_light() != nullptr,
+    visibility_.update(surfaces_, rays, scene.distant_light() != nullptr || bouncing,
                        in_axes(of_world, surfaces_.to_world()), given, run.workers, run.progress,
                        run.statistics);
     const SurfaceState surfaces = visibility_.state();
@@ -49,14 +52,25 @@ void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderO
     // project: a rotation of the whole scene is the opposite rotation of light and camera.
     split_.update(scene.distant_light(), given, run.statistics);
     const SampledTerms sampled = sampled_terms(scene, given);
-    const RenderOptions options = choose_orders(scene, given, sampled, run);
+    RenderOptions options = choose_orders(scene, given, sampled, run);
+    const int bounces = bouncing && surfaces.visibility != nullptr ? given.max_depth - kDirectLightDepth : 0;
+    LeastLight least;
+    if (bounces > 0) {
+        least = {.kind = given.components > 1 ? LightKind::linear : LightKind::unpolarized,
+                 .channels = scene.channels()};
+        if (given.choose_orders || scene.distant_light() == nullptr) {
+            options.order_low = std::max(options.order_low, kBounceOrder);
+            options.order_high = std::max(options.order_high, options.order_low);
+        }
+    }
     const Projection projection = in_axes(of_world, surfaces_.to_world());
     const glm::dmat3 light_to_geometry =
         glm::transpose(glm::dmat3(surfaces_.to_world())) * scene.light_rotation();
-    light_.update(split_.rest(), scene.light_scale(), options, light_to_geometry, run.statistics);
+    light_.update(split_.rest(), scene.light_scale(), options, least, light_to_geometry, run.statistics);
     // Where the bake found that nothing is occluded, local lights need no shadow rays either.
     RenderOptions lighting = options;
-    if (scene.distant_light() != nullptr && surfaces.visibility == nullptr) lighting.shadows = false;
+    if ((scene.distant_light() != nullptr || bouncing) && surfaces.visibility == nullptr)
+        lighting.shadows = false;
     const bool follows_rays = given.method == Method::factored && executor.follows_rays();
     if (follows_rays) smooth_.update(visibility_.surfaces());
     local_lights_.update(
@@ -73,6 +87,8 @@ void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderO
         scene.channels(),
         sampled,
         pixels_,
+        bounces,
+        local_lights_.any() ? &local_lights_ : nullptr,
         (options.disabled_optimisations & skip_response_rows) != 0 ? std::size_t{4} : std::size_t{1},
         static_cast<std::size_t>(options.components)};
     const DistantLight distant{.coefficients = *light_.distant(),
@@ -190,7 +206,7 @@ void Pipeline::shade(ShadeInput input, const Projection& projection, const Rende
     const bool high_orders = distant.high > distant.low;
     if ((options.disabled_optimisations & skip_unchanged) != 0) shading_.reset();
     shading_.update(input, executor.version(), options.method, input.view, input.light_version,
-                    distant.version, local_lights_.version(),
+                    distant.version, factored_.bounces().version(), local_lights_.version(),
                     high_orders ? options.high_orders : HighOrders::none,
                     high_orders && !high_orders_.visibility()->empty(), options.physical, noise_,
                     input.channels, input.least_components, input.most_components);

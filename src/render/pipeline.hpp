@@ -97,10 +97,10 @@ private:
     PredictedError predicted_;  // of the chosen orders and of shading at vertices
     LightingTally lighting_{};  // of the samples that the image holds
 
-    // Inputs: executor, method, view, light of low and high orders, local lights, form of the high orders,
-    // with shadows, physical, noise, channels, least and most components.
-    VertexStage<Version, Method, Viewpoint, Version, Version, Version, HighOrders, bool, bool, float, int,
-                std::size_t, std::size_t>
+    // Inputs: executor, method, view, light of low and high orders, bounced light, local lights, form of the
+    // high orders, with shadows, physical, noise, channels, least and most components.
+    VertexStage<Version, Method, Viewpoint, Version, Version, Version, Version, HighOrders, bool, bool, float,
+                int, std::size_t, std::size_t>
         shading_{{.on_places = true, .on_materials = true}};
     std::vector<std::uint8_t> chosen_;
 

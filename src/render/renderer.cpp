@@ -61,12 +61,18 @@ void check(const RenderOptions& options) {
         refuse("bsdf_samples is " + std::to_string(options.bsdf_samples) + "; it must lie in 0 to " +
                std::to_string(kMaxBsdfSamples));
     }
-    if (options.max_depth != kDirectLightDepth) {
-        throw Error(
-            ErrorCode::unsupported,
-            "max_depth is " + depth_text(options.max_depth) +
-                ", which only the reference method follows; set method to reference, or max_depth to 2, "
-                "direct light");
+    if (options.max_depth < kDirectLightDepth ||
+        (options.max_depth > kDirectLightDepth && options.method == Method::dense)) {
+        throw Error(ErrorCode::unsupported, "max_depth is " + depth_text(options.max_depth) +
+                                                (options.method == Method::dense
+                                                     ? ", but the dense method computes direct light alone"
+                                                     : ", which only the reference method follows") +
+                                                "; set method to reference, or max_depth to 2, direct light");
+    }
+    if (options.max_depth > kDirectLightDepth && !options.shadows) {
+        refuse(
+            "shadows is off, but max_depth is more than 2: surfaces that light passes do not reflect it to "
+            "each other; turn shadows on or set max_depth to 2");
     }
     if ((options.aovs & aov_variance) != 0) {
         refuse("aovs asks for the variance, which the reference method alone makes: others have no noise");

@@ -14,7 +14,8 @@ struct RenderWork {
     double bake_trace_ms = 0;  ///< part of bake_ms: tracing rays
     double relight_ms = 0;
     double shade_ms = 0;
-    double light_ms = 0;  ///< part of shade_ms: local lights and their shadows
+    double light_ms = 0;   ///< part of shade_ms: local lights and their shadows
+    double bounce_ms = 0;  ///< part of relight_ms: light that surfaces reflect to each other
     double draw_ms = 0;
     double observe_ms = 0;
     double trace_ms = 0;                 ///< time of the reference method
@@ -57,7 +58,11 @@ struct Statistics : RenderWork {
     std::uint64_t channels_shared = 0;        ///< colour channels of light that equal another
     /// Local lights of the scene, each emissive surface counted as one, and extracted lights.
     std::uint64_t local_lights = 0;
-    std::uint64_t lights_split = 0;  ///< part of local_lights: extracted lights of the environment
+    std::uint64_t lights_split = 0;   ///< part of local_lights: extracted lights of the environment
+    std::uint64_t bounce_links = 0;   ///< links from vertices to surfaces that bounced light travels
+    std::uint64_t bounce_rounds = 0;  ///< bounces that were computed
+    double bounced_light = 0;  ///< share of bounced light in the light at vertices, as RMS over vertices
+    double bounced_left = 0;   ///< estimated share of the bounces that were left out
     std::uint64_t response_bytes = 0;
     std::uint64_t visibility_bytes = 0;
     std::uint64_t transfer_bytes = 0;
@@ -76,9 +81,10 @@ struct Statistics : RenderWork {
 };
 
 inline RenderWork& RenderWork::operator+=(const RenderWork& other) {
-    constexpr std::array times{&RenderWork::project_ms, &RenderWork::bake_ms,    &RenderWork::bake_trace_ms,
-                               &RenderWork::relight_ms, &RenderWork::shade_ms,   &RenderWork::light_ms,
-                               &RenderWork::draw_ms,    &RenderWork::observe_ms, &RenderWork::trace_ms};
+    constexpr std::array times{&RenderWork::project_ms, &RenderWork::bake_ms,  &RenderWork::bake_trace_ms,
+                               &RenderWork::relight_ms, &RenderWork::shade_ms, &RenderWork::light_ms,
+                               &RenderWork::bounce_ms,  &RenderWork::draw_ms,  &RenderWork::observe_ms,
+                               &RenderWork::trace_ms};
     constexpr std::array counts{
         &RenderWork::camera_rays,         &RenderWork::shadow_rays,     &RenderWork::bake_rays,
         &RenderWork::light_rays,          &RenderWork::smooth_rays,     &RenderWork::lights_projected,

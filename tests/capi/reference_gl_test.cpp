@@ -47,7 +47,8 @@ STAGE_TEST_CASE("the reference method shows what the factored one shows, and wha
     CHECK(stage.image() == factored);
 }
 
-STAGE_TEST_CASE("the reference method follows light to max_depth, and other methods refuse it") {
+STAGE_TEST_CASE(
+    "the reference and the factored method follow light to max_depth, and the dense method refuses it") {
     nicol_render_options options = reference(4);
     const std::vector<float> direct = stage.image(options);
     options.max_depth = 2;
@@ -68,6 +69,12 @@ STAGE_TEST_CASE("the reference method follows light to max_depth, and other meth
         options.max_depth = 1;
         FAILS(stage.try_render(options), NICOL_ERROR_UNSUPPORTED, "max_depth is 1");
         options.max_depth = NICOL_DEPTH_UNLIMITED;
-        FAILS(stage.try_render(options), NICOL_ERROR_UNSUPPORTED, "max_depth is unlimited");
+        if (method == NICOL_METHOD_DENSE) {
+            FAILS(stage.try_render(options), NICOL_ERROR_UNSUPPORTED, "max_depth is unlimited");
+            continue;
+        }
+        OK(stage.try_render(options));
+        options.shadows = 0;
+        REFUSES(stage.try_render(options), "shadows");
     }
 }

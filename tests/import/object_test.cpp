@@ -294,8 +294,7 @@ TEST_CASE("one notice for all that only steers Mitsuba's sampling") {
         a_shape);
     REQUIRE(s.notices.size() == 1);
     CHECK(
-        s.notices[0].ends_with("scene.xml:2: not followed: integrator \"path\" (light is reflected once, but "
-                               "by the reference method), "
+        s.notices[0].ends_with("scene.xml:2: not followed: integrator \"path\" (but for max_depth), "
                                "sample_border, mis_compensation."));
     const SceneDescription twice = read(
         "<integrator type='stokes'><integrator type='direct' id='d'/></integrator>" + a_sensor + a_shape +
@@ -321,7 +320,7 @@ TEST_CASE("integrators that hold others") {
     REQUIRE(listed.size() == 1);
     CHECK(
         listed[0].ends_with("not followed: integrator \"moment\", integrator \"volpath\" "
-                            "(light is reflected once, but by the reference method), integrator \"depth\"."));
+                            "(but for max_depth), integrator \"depth\"."));
     const std::string hide = "<boolean name='hide_emitters' value=";
     struct Case {
         std::string inner;

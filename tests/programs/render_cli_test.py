@@ -144,7 +144,7 @@ class Success(RenderTest):
         self.assertGreater(stats["vertices"], 3)
         self.assertEqual(
             set(stats["milliseconds"]),
-            {"project", "bake", "bake_trace", "relight", "shade", "light", "trace", "draw", "observe"},
+            {"project", "bake", "bake_trace", "relight", "bounce", "shade", "light", "trace", "draw", "observe"},
         )
         # A flat square does not shadow itself, but the bake must still trace rays to find out.
         self.assertEqual(stats["rays"], {"bake": stats["rays"]["bake"], "camera": 0, "shadow": 0, "light": 0, "smooth": 0})
@@ -195,8 +195,15 @@ class Success(RenderTest):
         self.assertEqual(self.image_and_statistics(*reference)[0], image[2])
         self.write("corner.xml", scene(integrator + EMITTER, corner))
         self.assert_succeeds(*reference, "-o", "out/a.exr", "--no-shadows")
-        # The other methods reflect light once, whatever the scene asks for.
-        self.assert_succeeds("corner.xml", "-o", "out/a.exr")
+        # The factored method follows the scene too; the dense method reflects light once, whatever the scene asks for.
+        factored = {depth: self.image_and_statistics("corner.xml", f"--max-depth={depth}")[0] for depth in (2, 3)}
+        self.assertNotEqual(factored[2], factored[3])
+        image, statistics = self.image_and_statistics("corner.xml")
+        self.assertEqual(image, factored[3])
+        self.assertEqual(statistics["bounces"]["rounds"], 1)
+        self.assertGreater(statistics["bounces"]["light"], 0)
+        self.assert_succeeds("corner.xml", "-o", "out/a.exr", "--no-shadows")
+        self.assert_succeeds("corner.xml", "-o", "out/a.exr", "--method=dense")
 
     def test_cache(self):
         def tables():
@@ -447,7 +454,9 @@ class CommandLine(RenderTest):
             (["--max-depth", "0", "-1"], "--max-depth 0"),
             (["--max-depth", "-2"], "--max-depth=-2"),
             (["--max-depth", "'deep'"], "--max-depth deep"),
-            (["max_depth is 3", "reference"], "--max-depth 3"),
+            (["max_depth is 3", "dense", "reference"], "--max-depth 3 --method dense"),
+            (["max_depth is 1", "reference"], "--max-depth 1"),
+            (["max_depth to 2"], "--max-depth 3 --no-shadows"),
             (["max_depth to 2"], "--max-depth 3 --no-shadows --method reference"),
             (["--samples", "'many'"], "--samples many"),
             (["--samples", "0"], "--samples 0"),

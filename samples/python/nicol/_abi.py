@@ -673,6 +673,11 @@ class Statistics(Struct):
         ("light_ms", c_double),
         ("smooth_rays", c_uint64),
         ("vertices_pending", c_uint64),
+        ("bounce_ms", c_double),
+        ("bounce_links", c_uint64),
+        ("bounce_rounds", c_uint64),
+        ("bounced_light", c_double),
+        ("bounced_left", c_double),
     ]
 
 

@@ -1127,10 +1127,15 @@ pub struct nicol_statistics {
     pub light_ms: f64,
     pub smooth_rays: u64,
     pub vertices_pending: u64,
+    pub bounce_ms: f64,
+    pub bounce_links: u64,
+    pub bounce_rounds: u64,
+    pub bounced_light: f64,
+    pub bounced_left: f64,
 }
 defaults!(nicol_statistics, nicol_statistics_init);
 const _: () = {
-    assert!(size_of::<nicol_statistics>() == 328);
+    assert!(size_of::<nicol_statistics>() == 368);
     assert!(offset_of!(nicol_statistics, struct_size) == 0);
     assert!(offset_of!(nicol_statistics, order) == 4);
     assert!(offset_of!(nicol_statistics, vertices) == 8);
@@ -1174,6 +1179,11 @@ const _: () = {
     assert!(offset_of!(nicol_statistics, light_ms) == 304);
     assert!(offset_of!(nicol_statistics, smooth_rays) == 312);
     assert!(offset_of!(nicol_statistics, vertices_pending) == 320);
+    assert!(offset_of!(nicol_statistics, bounce_ms) == 328);
+    assert!(offset_of!(nicol_statistics, bounce_links) == 336);
+    assert!(offset_of!(nicol_statistics, bounce_rounds) == 344);
+    assert!(offset_of!(nicol_statistics, bounced_light) == 352);
+    assert!(offset_of!(nicol_statistics, bounced_left) == 360);
 };
 pub type nicol_plane = u32;
 pub type nicol_format = u32;

@@ -90,6 +90,7 @@ std::uint64_t CpuExecutor::relight(const FactoredMethod& method, const TransferI
                                for_runs(first, last, stale, [&](std::size_t begin, std::size_t end) {
                                    rotation.run(normals, begin, end, light_);
                                    if (shadows) shadows->run(light_, begin, end);
+                                   if (input.bounces > 0) method.bounces().add_to(light_, begin, end);
                                    if (back) leave_for_pixels(*back, normals, begin, end, light_);
                                    relit += std::min(end * kLanes, vertices) - begin * kLanes;
                                });

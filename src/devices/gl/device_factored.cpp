@@ -86,7 +86,29 @@ void DeviceFactored::relight(const FactoredMethod& method, const TransferInput& 
         rotation_->run(normals, light);
         if (shadow_matrices_) shadow_matrices_->run(light);
         if (shadow_grid_) shadow_grid_->run(light);
+        if (input.bounces > 0) add_bounced(method.bounces(), light);
         if (input.at_pixels) rotation_->into_world(normals, light);
+    }
+}
+
+void DeviceFactored::add_bounced(const Bounces& bounces, DeviceLight& light) {
+    if (!add_bounced_) add_bounced_ = gl::Program::compute(context_, "bounced.comp");
+    const std::vector<std::uint32_t> numbers(bounces.places().begin(), bounces.places().end());
+    const gl::Buffer places = gl::storage(context_, numbers);
+    DeviceLight bounced(context_, light.first(), light.count(), numbers.size(), light.channels());
+    std::vector<float> row(numbers.size());
+    bounced.upload([&](std::size_t vertex, int channel) -> std::span<const float> {
+        const std::span<const Lanes> from = bounces.light().block(vertex / kLanes, channel);
+        for (std::size_t j = 0; j < row.size(); ++j) row[j] = from[j][vertex % kLanes];
+        return row;
+    });
+    places.bind_storage(2);
+    add_bounced_->set("count", static_cast<int>(light.count()));
+    add_bounced_->set("stride", static_cast<int>(light.stride()));
+    for (int c = 0; c < light.channels(); ++c) {
+        bounced.bind(0, c);
+        light.bind(1, c);
+        gl::dispatch(*add_bounced_, gl::groups_for(light.count()), static_cast<unsigned>(numbers.size()));
     }
 }
 

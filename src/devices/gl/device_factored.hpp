@@ -63,6 +63,7 @@ private:
     void copy_shadows(const FactoredMethod& method);
     void allocate_light(const TransferInput& input);
     void set_light(const TransferInput& input);
+    void add_bounced(const Bounces& bounces, DeviceLight& light);
     [[nodiscard]] std::size_t most_points(const TransferInput& input) const;
 
     std::shared_ptr<gl::Context> context_;
@@ -73,6 +74,7 @@ private:
     std::optional<DeviceShadowMatrices> shadow_matrices_;  // shadows as matrices, or as the grid below
     std::optional<DeviceShadowGrid> shadow_grid_;
     std::vector<DeviceLight> light_;
+    std::optional<gl::Program> add_bounced_;
 };
 
 }  // namespace nicol

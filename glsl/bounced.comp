@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// Adds bounced light to the light of vertices. One invocation per vertex, in x, and number of the bounced light,
+// in y.
+#version 450 core
+
+layout(local_size_x = 64) in;
+
+layout(std430, binding = 0) readonly buffer Bounced { float bounced[]; };
+layout(std430, binding = 1) buffer Light { float light[]; };
+layout(std430, binding = 2) readonly buffer Places { uint places[]; };
+
+uniform int count;
+uniform int stride;
+
+void main() {
+    int vertex = int(gl_GlobalInvocationID.x);
+    if (vertex >= count) return;
+    int number = int(gl_GlobalInvocationID.y);
+    light[int(places[number]) * stride + vertex] += bounced[number * stride + vertex];
+}

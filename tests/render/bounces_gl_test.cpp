@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: MIT
+// Tests of light that surfaces reflect to each other, by the factored method.
+#include "gl/contexts.hpp"
+#include "image_difference.hpp"
+#include "render/scenes.hpp"
+#include "scene/path_depth.hpp"
+
+using namespace nicol;
+using test::rms;
+using test::rms_difference;
+
+namespace {
+
+const glm::dmat4 kBack = glm::translate(glm::dmat4(1), {0, 1, -2});
+
+glm::dmat4 left_wall() {
+    return test::at(-2, 1, 0, 2) * glm::rotate(glm::dmat4(1), glm::radians(90.0), glm::dvec3(0, 1, 0));
+}
+
+/// Returns a ball on a floor between two walls.
+Scene corner(const MaterialPtr& ball, const MaterialPtr& floor, const MaterialPtr& wall, int cells = 6) {
+    Scene scene;
+    scene.add({.mesh = test::coarse_sphere(6), .material = ball, .to_world = test::at(0, -0.3, 0, 0.7)});
+    scene.add({.mesh = test::rectangle(cells), .material = floor, .to_world = test::plate_at(-1, 2)});
+    scene.add({.mesh = test::rectangle(cells), .material = wall, .to_world = kBack * test::at(0, 0, 0, 2)});
+    scene.add({.mesh = test::rectangle(cells), .material = wall, .to_world = left_wall()});
+    return scene;
+}
+
+Scene colored_corner() {
+    Scene scene = corner(diffuse({0.7, 0.4, 0.2}), diffuse({0.6}), diffuse({0.8, 0.2, 0.1}));
+    scene.set_environment(test::falling_light(3, false), glm::dmat3(1), 1);
+    return scene;
+}
+
+RenderOptions bouncing(int max_depth, int samples = 1) {
+    return {.order_low = 4,
+            .high_orders = HighOrders::none,
+            .shade_at = ShadeAt::pixels,
+            .pixel_samples = samples,
+            .max_depth = max_depth};
+}
+
+double distance_from(const StokesImage& image, float s0) {
+    double out = 0;
+    for (std::size_t i = 0; i < image.data.size(); i += 4)
+        out = std::max(out, std::abs(double{image.data[i]} - double{s0}));
+    return out;
+}
+
+double mean_s0(const StokesImage& image) {
+    double sum = 0;
+    for (std::size_t i = 0; i < image.data.size(); i += 4) sum += double{image.data[i]};
+    return sum / static_cast<double>(image.data.size() / 4);
+}
+
+}  // namespace
+
+IMAGE_TEST_CASE("surfaces that absorb nothing look like the even light around them") {
+    test::Studio render(context);
+    const MaterialPtr white = diffuse({1.0});
+    Scene scene = corner(white, white, white);
+    scene.set_environment(constant_environment({1}), glm::dmat3(1), 1);
+    const StokesImage image = render(scene, bouncing(kUnlimitedDepth));
+    CHECK(render.statistics.bounce_rounds > 3);
+    CHECK(render.statistics.bounced_left < 0.01);
+    CHECK(mean_s0(image) == doctest::Approx(1).epsilon(0.01));
+    CHECK(distance_from(image, 1) < 0.1);
+    CHECK(distance_from(render(scene, bouncing(2)), 1) > 0.3);
+}
+
+IMAGE_TEST_CASE("a closed box whose walls emit 1 and reflect a has the radiance 1 / (1 - a)") {
+    test::Studio render(context, 24, 24);
+    constexpr double albedo = 0.8;
+    const auto emission = std::make_shared<const Emission>(Emission{.radiance = {1}});
+    Scene scene;
+    for (int axis = 0; axis < 3; ++axis)
+        for (const double side : {-1.0, 1.0}) {
+            glm::dvec3 middle(0);
+            middle[axis] = side;
+            const glm::dvec3 up = axis == 1 ? glm::dvec3(0, 0, 1) : glm::dvec3(0, 1, 0);
+            const glm::dmat4 aimed = glm::inverse(glm::lookAt(middle, 2.0 * middle, up));
+            scene.add({.mesh = test::rectangle(3),
+                       .material = diffuse({albedo}),
+                       .to_world = aimed,
+                       .emission = emission});
+        }
+    RenderOptions options = bouncing(kUnlimitedDepth);
+    options.light_samples = 64;
+    const StokesImage image = render(scene, options, test::camera_at({0.3, 0.2, 0.6}, {-0.5, -0.4, -0.9}));
+    CHECK(mean_s0(image) == doctest::Approx(1 / (1 - albedo)).epsilon(0.01));
+    CHECK(distance_from(image, 5) < 0.4);
+}
+
+IMAGE_TEST_CASE("light bounces as rays do, as often as max_depth says") {
+    test::Studio render(context, 32, 24);
+    const Scene scene = colored_corner();
+    StokesImage before = render(scene, bouncing(2, 8));
+    for (const int depth : {3, 6}) {
+        const StokesImage image = render(scene, bouncing(depth, 8));
+        const StokesImage truth =
+            render(scene, {.method = Method::reference, .samples = 256, .max_depth = depth});
+        CHECK(rms_difference(image, truth) < 0.03 * rms(truth));
+        CHECK(rms_difference(image, before) > 0.03 * rms(truth));
+        before = image;
+    }
+}
+
+IMAGE_TEST_CASE("bounced light is polarized as that of rays") {
+    test::Studio render(context, 32, 24);
+    const MaterialPtr metal = test::some_metal(0.4);
+    Scene scene = corner(diffuse({0.6}), metal, metal);
+    scene.set_environment(test::falling_light(3, false), glm::dmat3(1), 1);
+    const auto polarization = [](StokesImage image) {
+        for (std::size_t i = 0; i < image.data.size(); i += 4) image.data[i] = image.data[i + 3] = 0;
+        return image;
+    };
+    const StokesImage truth =
+        polarization(render(scene, {.method = Method::reference, .samples = 1024, .max_depth = 6}));
+    const double direct = rms_difference(polarization(render(scene, bouncing(2, 8))), truth);
+    CHECK(rms_difference(polarization(render(scene, bouncing(6, 8))), truth) < 0.4 * direct);
+}
+
+IMAGE_TEST_CASE("an object that sees no other has no bounces") {
+    test::Studio render(context);
+    Scene scene;
+    scene.add({.mesh = test::coarse_sphere(6), .material = test::some_metal(0.3)});
+    scene.set_environment(test::falling_light(3, false), glm::dmat3(1), 1);
+    const StokesImage direct = render(scene, bouncing(2));
+    CHECK(render(scene, bouncing(12)).data == direct.data);
+    CHECK(render.statistics.bounce_links == 0);
+}
+
+IMAGE_TEST_CASE("bounces are computed when the light changes, and not for a camera") {
+    test::Studio render(context);
+    Scene scene = colored_corner();
+    static_cast<void>(render(scene, bouncing(5)));
+    CHECK(render.statistics.bounce_ms > 0);
+    CHECK(render.statistics.bounced_light > 0.1);
+    static_cast<void>(render(scene, bouncing(5), test::camera_at({3, 2, 3})));
+    CHECK(render.statistics.bounce_ms == 0);
+    CHECK(render.statistics.vertices_relit == 0);
+    scene.set_environment(test::falling_light(3, true), glm::dmat3(1), 1);
+    static_cast<void>(render(scene, bouncing(5)));
+    CHECK(render.statistics.bounce_ms > 0);
+    CHECK(render.statistics.vertices_traced == 0);
+}
+
+IMAGE_TEST_CASE("after any change, bounced light is that of a fresh start") {
+    test::Studio render(context);
+    Scene scene = colored_corner();
+    static_cast<void>(render(scene, bouncing(2)));
+    const auto check_fresh = [&] {
+        const StokesImage image = render(scene, bouncing(5));
+        test::Studio fresh(context);
+        CHECK(rms_difference(image, fresh(scene, bouncing(5))) < 1e-5 * rms(image));
+    };
+    check_fresh();
+    scene.set_transform(0, test::at(0.4, -0.2, 0.3, 0.6));
+    check_fresh();
+    scene.set_material(2, diffuse({0.1, 0.9, 0.3}));
+    check_fresh();
+    const std::uint32_t lamp = scene.add_light({});
+    check_fresh();
+    scene.remove_light(lamp);
+    check_fresh();
+}
+
+IMAGE_TEST_CASE("compute shaders add the same bounced light") {
+    test::Studio render(context);
+    const Scene scene = colored_corner();
+    for (const ShadeAt where : {ShadeAt::pixels, ShadeAt::vertices}) {
+        RenderOptions options = bouncing(5);
+        options.shade_at = where;
+        options.executor = Executor::cpu;
+        const StokesImage threads = render(scene, options);
+        options.executor = Executor::compute;
+        CHECK(rms_difference(render(scene, options), threads) < 2e-5 * rms(threads));
+    }
+}
