@@ -79,6 +79,7 @@ private:
 
 bool is_sampled(const Material& material, int term, SampledTerms sampled) {
     if (sampled == SampledTerms::none || material.matrix(0) != nullptr) return false;
+    if (sampled == SampledTerms::smooth) return material.smooth(term);
     const glm::dvec2 widths = material.lobe_widths(term);
     return widths.x != widths.y || (sampled == SampledTerms::anisotropic_narrow && widths.x < kNarrowestLobe);
 }

@@ -11,6 +11,7 @@ namespace nicol {
 /// the light's harmonics.
 enum class SampledTerms {
     none,
+    smooth,              ///< terms that replace a smooth surface, whose surroundings rays find
     anisotropic,         ///< terms whose lobes differ along x and along y
     anisotropic_narrow,  ///< these, and terms with lobes narrower than kNarrowestLobe
 };

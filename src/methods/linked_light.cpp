@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <numeric>
 
+#include "material/sampled_terms.hpp"
 #include "material/spatial_variation.hpp"
 #include "shading/light_samples.hpp"
 #include "simd/lane_transpose.hpp"
@@ -170,8 +171,14 @@ LightingTally reflect_lights(const WorldGeometry& geometry, const DirectionSet& 
                              const LinkedSurfaces& surfaces, const LinkedSurfaces::Batch& batch,
                              const LocalLighting& lighting, LinkStokes& out) {
     const MaterialPtr& material = geometry.ranges[batch.range].material;
+    // Mirrors and narrow lobes show a light in so few links that their vertices would be far too bright, and
+    // all others too dark.
+    std::vector<MaterialPtr> wide;
     std::vector<const Material*> layers;
-    for (const MaterialPtr& layer : plain_materials(material)) layers.push_back(layer.get());
+    for (const MaterialPtr& layer : plain_materials(material)) {
+        wide.push_back(in_harmonics(layer, SampledTerms::anisotropic_narrow));
+        layers.push_back(wide.back().get());
+    }
     const bool textured = material->variation() != nullptr;
     const bool anisotropic = material->anisotropic() && !geometry.texcoords.empty();
     const std::span numbers = surfaces.numbers(batch);

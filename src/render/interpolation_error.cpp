@@ -110,9 +110,8 @@ InterpolationError::Reflections InterpolationError::reflections(const Material& 
 }
 
 Lanes InterpolationError::reflected(const Reflections& reflections, const LaneVectors& normals,
-                                    const LaneVectors& viewers, const glm::mat3& to_light) const {
+                                    const LaneVectors& viewers, const glm::mat3& to_light) {
     Lanes out{};
-    LaneLight light;
     Lanes albedo;
     for (const Reflection& lobe : reflections) {
         Lanes variances;
@@ -124,11 +123,11 @@ Lanes InterpolationError::reflected(const Reflections& reflections, const LaneVe
             const std::size_t below = std::min(kAngles - 2, static_cast<std::size_t>(zenith));
             const float part = zenith - static_cast<float>(below);
             albedo[i] = std::lerp(lobe.albedo[below], lobe.albedo[below + 1], part);
-            put(light.towards, i,
+            put(seen_.towards, i,
                 to_light * (lobe.diffuse ? normal : glm::normalize(2 * cosine * normal - viewer)));
         }
-        light_->look_up(variances, light);
-        for (const std::array<Lanes, 4>& channel : light.irradiance)
+        light_->look_up(variances, seen_);
+        for (const std::array<Lanes, 4>& channel : seen_.irradiance)
             for (std::size_t i = 0; i < kLanes; ++i) out[i] += albedo[i] * channel[0][i];
     }
     return out;

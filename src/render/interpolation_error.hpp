@@ -46,11 +46,12 @@ private:
     [[nodiscard]] static Reflections reflections(const Material& material);
     // Returns the reflected s0 at places with unit normals and unit vectors towards the viewer.
     [[nodiscard]] Lanes reflected(const Reflections& reflections, const LaneVectors& normals,
-                                  const LaneVectors& viewers, const glm::mat3& to_light) const;
+                                  const LaneVectors& viewers, const glm::mat3& to_light);
 
     std::map<MaterialPtr, Reflections> reflections_;
     Stage<EnvironmentPtr> filtering_;
     std::optional<LightPyramid> light_;
+    LaneLight seen_;  // work space of reflected()
 };
 
 }  // namespace nicol

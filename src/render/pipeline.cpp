@@ -17,9 +17,10 @@ namespace {
 
 // Returns the terms that do not reflect harmonics. Light that is given as harmonics has no detail that narrow
 // lobes would miss.
-SampledTerms sampled_terms(const Scene& scene, const RenderOptions& options) {
+SampledTerms sampled_terms(const Scene& scene, const RenderOptions& options, bool follows_rays) {
     const EnvironmentPtr& environment = scene.distant_light();
-    if (environment == nullptr || options.bsdf_samples == 0 || options.method != Method::factored ||
+    if (environment == nullptr) return follows_rays ? SampledTerms::smooth : SampledTerms::none;
+    if (options.bsdf_samples == 0 || options.method != Method::factored ||
         options.high_orders == HighOrders::convolution)
         return SampledTerms::none;
     return environment->pixels().values != nullptr ? SampledTerms::anisotropic_narrow
@@ -51,7 +52,8 @@ void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderO
 
     // project: a rotation of the whole scene is the opposite rotation of light and camera.
     split_.update(scene.distant_light(), given, run.statistics);
-    const SampledTerms sampled = sampled_terms(scene, given);
+    const bool follows_rays = given.method == Method::factored && executor.follows_rays();
+    const SampledTerms sampled = sampled_terms(scene, given, follows_rays);
     RenderOptions options = choose_orders(scene, given, sampled, run);
     const int bounces = bouncing && surfaces.visibility != nullptr ? given.max_depth - kDirectLightDepth : 0;
     LeastLight least;
@@ -71,7 +73,6 @@ void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderO
     RenderOptions lighting = options;
     if ((scene.distant_light() != nullptr || bouncing) && surfaces.visibility == nullptr)
         lighting.shadows = false;
-    const bool follows_rays = given.method == Method::factored && executor.follows_rays();
     if (follows_rays) smooth_.update(visibility_.surfaces());
     local_lights_.update(
         scene, {split_.extracted_lights(), scene.distant_light(), split_.rest(), sampled, light_to_geometry},

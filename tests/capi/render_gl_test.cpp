@@ -90,7 +90,8 @@ STAGE_TEST_CASE("options mean what they say, and those that an older program doe
         options.order_high = high;
         OK(stage.try_render(options));
         CHECK(statistics_of(stage.framebuffer).order == order);
-        CHECK(statistics_of(stage.framebuffer).predicted_error == 0);
+        // Interpolation between vertices alone is predicted.
+        CHECK(statistics_of(stage.framebuffer).predicted_error < 0.01);
     }
     options = NICOL_RENDER_OPTIONS_INIT;
     const std::vector<float> before = stage.image(options);

@@ -27,6 +27,7 @@ Names functions_of_contexts(bool in_host) {
                       "nicol_last_error",
                       "nicol_result_name",
                       "nicol_camera_look_at",
+                      "nicol_render_options_set_quality",
                       "nicol_device_count",
                       "nicol_device_get_info",
                       "nicol_context_create",
