@@ -44,13 +44,13 @@ CarriedRefinement carried(const Refinement& before, std::size_t given, const Sce
             sources[t] = static_cast<std::uint32_t>(run.before + (t - run.first));
     for (std::uint32_t t = 0; t < sources.size(); ++t) {
         const std::size_t already = out.refinement.triangles.size();
-        const auto parts = std::ranges::equal_range(before.sources, sources[t]);
-        for (const std::uint32_t& part : parts) {
+        const auto [first, last] = std::equal_range(before.sources.begin(), before.sources.end(), sources[t]);
+        for (auto part = first; part != last; ++part) {
             const glm::uvec3& corners =
-                before.triangles[static_cast<std::size_t>(&part - before.sources.data())];
+                before.triangles[static_cast<std::size_t>(part - before.sources.begin())];
             out.refinement.triangles.emplace_back(next[corners.x], next[corners.y], next[corners.z]);
         }
-        if (parts.empty()) out.refinement.triangles.push_back(now.triangles[t]);
+        if (first == last) out.refinement.triangles.push_back(now.triangles[t]);
         out.refinement.sources.insert(out.refinement.sources.end(), out.refinement.triangles.size() - already,
                                       t);
     }

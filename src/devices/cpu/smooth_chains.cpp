@@ -57,7 +57,7 @@ void add_mirrors(const Material& material, const glm::dvec3& towards_viewer, con
     for (int t = 0; t < material.terms(); ++t) {
         if (!material.smooth(t)) continue;
         for (std::size_t c = 0; c < out.size(); ++c) {
-            const double of_layer = static_cast<double>(weights[out.size() == 3 ? static_cast<int>(c) : 0]);
+            const auto of_layer = static_cast<double>(weights[out.size() == 3 ? static_cast<int>(c) : 0]);
             const double of_term = material.weight(t, material.channels() == 1 ? 0 : static_cast<int>(c));
             out[c] = out[c] + scale * of_layer * of_term * terms[static_cast<std::size_t>(t)];
         }
