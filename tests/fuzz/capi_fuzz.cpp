@@ -216,7 +216,11 @@ void call(const Function& function, const Everything& all, Handles& handles, Byt
                 std::memcpy(arguments.memory(i).data() + sizeof value * bytes.next(), &value, sizeof value);
             }
         } else if (parameter.kind == Kind::number && bytes.below(4) == 0) {
-            arguments.set(i, whole_number(parameter.name, bytes));
+            Slot number = whole_number(parameter.name, bytes);
+            // A larger struct than the caller's memory cannot be seen from inside.
+            if (parameter.name == std::string_view("struct_size"))
+                number = std::min<Slot>(number, function.parameters[0].size);
+            arguments.set(i, number);
         }
         // A pointer may also become NULL.
         if (parameter.kind != Kind::handle && parameter.kind != Kind::number && bytes.next() == 255)
