@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# What others link to. A shared libnicol has the components `runtime` (the library) and `development` (headers, CMake
+# Files that other projects link to. A shared libnicol has the components `runtime` (the library) and `development` (headers, CMake
 # package, pkg-config); the static one has `static`, all in one, which is installed on request beside the shared one.
 include(CMakePackageConfigHelpers)
 

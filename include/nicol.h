@@ -1336,8 +1336,8 @@ typedef struct nicol_render_options {
      * its incident field, and stops at 0.002 of all light. It refuses 1 and the dense method refuses
      * everything but 0 and 2, with NICOL_ERROR_UNSUPPORTED. More than 2 needs shadows. */
     int32_t max_depth;
-    /* What nicol_render does while another render of the scene runs, such as a job: 0, the default: it waits;
-     * 1: it returns NICOL_ERROR_BUSY. No effect on nicol_render_async. */
+    /* Behaviour of nicol_render while another render of the scene runs, such as a job. 0, the default: it
+     * waits; 1: it returns NICOL_ERROR_BUSY. No effect on nicol_render_async. */
     uint32_t fail_if_busy;
     uint32_t reserved; /* 0 */
     /* Time that a render of a real-time method spends on shadows, bake and relight of changed vertices, in
@@ -1357,7 +1357,7 @@ typedef struct nicol_render_options {
 /* clang-format on */
 NICOL_API nicol_result nicol_render_options_init(nicol_render_options* descriptor, uint32_t struct_size);
 
-/* What an image is for. */
+/* Purpose of an image. */
 typedef uint32_t nicol_quality;
 /* Frames of a scene that moves: one sample per pixel, tolerance 0.03. These are the defaults. */
 #define NICOL_QUALITY_REALTIME 0u

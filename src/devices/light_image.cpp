@@ -5,6 +5,7 @@
 
 #include "devices/pixel_lights.hpp"
 #include "draw/visibility_buffer.hpp"
+#include "shading/channel_spans.hpp"
 
 namespace nicol {
 
@@ -18,26 +19,24 @@ void find_light_image(const PixelInput& input, std::size_t first, std::size_t la
     const std::size_t pixels =
         static_cast<std::size_t>(input.hits.width()) * static_cast<std::size_t>(input.hits.height());
     tbb::combinable<LightingTally> tallies;
-    run.workers.for_vertices(first, last, pixels, "shade", run.progress,
-                             [&](std::size_t begin, std::size_t end) {
-                                 thread_local std::vector<PixelPoint> points;
-                                 thread_local std::vector<float> coverage;
-                                 thread_local PixelBatch batch;
-                                 thread_local std::vector<glm::vec4> sums;
-                                 coverage.resize(end - begin);
-                                 list_points(input, begin, end, points, coverage);
-                                 for (std::span<const PixelPoint> rest(points); !rest.empty();
-                                      rest = rest.subspan(batch.points().size())) {
-                                     batch.take(input, rest);
-                                     const std::size_t count = batch.points().size();
-                                     sums.assign(out.size() * count, glm::vec4(0));
-                                     std::vector<std::span<glm::vec4>> stokes;
-                                     for (std::size_t c = 0; c < out.size(); ++c)
-                                         stokes.push_back(std::span(sums).subspan(c * count, count));
-                                     tallies.local() += lights.add(batch, stokes);
-                                     batch.gather(stokes, input.most_components, first, image);
-                                 }
-                             });
+    run.workers.for_vertices(
+        first, last, pixels, "shade", run.progress, [&](std::size_t begin, std::size_t end) {
+            thread_local std::vector<PixelPoint> points;
+            thread_local std::vector<float> coverage;
+            thread_local PixelBatch batch;
+            thread_local std::vector<glm::vec4> sums;
+            coverage.resize(end - begin);
+            list_points(input, begin, end, points, coverage);
+            for (std::span<const PixelPoint> rest(points); !rest.empty();
+                 rest = rest.subspan(batch.points().size())) {
+                batch.take(input, rest);
+                const std::size_t count = batch.points().size();
+                sums.clear();
+                const std::vector<std::span<glm::vec4>> stokes = channel_spans(sums, out.size(), count);
+                tallies.local() += lights.add(batch, stokes);
+                batch.gather(stokes, input.most_components, first, image);
+            }
+        });
     tallies.combine_each([&](const LightingTally& tally) { run.add(tally); });
     run.statistics.light_ms += watch.milliseconds();
 }

@@ -6,6 +6,7 @@
 #include <array>
 #include <vector>
 
+#include "shading/channel_spans.hpp"
 #include "shading/emission.hpp"
 
 namespace nicol {
@@ -52,10 +53,8 @@ LightingTally VertexLights::add(const VertexRange& range, std::span<const std::u
         shadowed = shadowed || input_.visibility == nullptr || !input_.visibility->unoccluded(v);
     }
     thread_local std::vector<glm::vec4> sums;
-    sums.assign(out.size() * count, glm::vec4(0));
-    std::vector<std::span<glm::vec4>> channels;
-    for (std::size_t c = 0; c < out.size(); ++c)
-        channels.push_back(std::span(sums).subspan(c * count, count));
+    sums.clear();
+    const std::vector<std::span<glm::vec4>> channels = channel_spans(sums, out.size(), count);
 
     const Material* const material = range.material.get();
     const LightingTally tally =

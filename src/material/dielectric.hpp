@@ -10,7 +10,7 @@ namespace nicol {
 
 /// Smooth boundary that splits light into a reflected and a transmitted part by Fresnel's formulas.
 struct SmoothBoundary {
-    /// What lies behind the front of the surface.
+    /// Medium behind the front of the surface.
     enum class Behind {
         body,  ///< a body: the transmitted light is refracted
         slab,  ///< a thin slab and then the outside again: the transmitted light goes straight on

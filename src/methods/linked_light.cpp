@@ -8,6 +8,7 @@
 
 #include "material/sampled_terms.hpp"
 #include "material/spatial_variation.hpp"
+#include "shading/channel_spans.hpp"
 #include "shading/light_samples.hpp"
 #include "simd/lane_transpose.hpp"
 #include "surfaces/plain_materials.hpp"
@@ -145,10 +146,7 @@ void Bounce::leave(const LinkedSurfaces::Batch& batch, const VertexLight& light,
         rotation_.into_frames(std::span(normals).subspan(begin, std::min(kLanes, count - begin)), at_points,
                               block);
     }
-    stokes.resize(out.size() * kMost);
-    std::vector<std::span<glm::vec4>> channels;
-    for (std::size_t c = 0; c < out.size(); ++c)
-        channels.push_back(std::span(stokes).subspan(c * kMost, count));
+    const std::vector<std::span<glm::vec4>> channels = channel_spans(stokes, out.size(), count);
     const MaterialPtr& material = geometry_.ranges[batch.range].material;
     const std::span positions = std::span<const glm::vec3>(sights).first(count);
     if (const SpatialVariation* const variation = material->variation()) {
@@ -207,10 +205,9 @@ LightingTally reflect_lights(const WorldGeometry& geometry, const DirectionSet& 
             views[i].orthographic = true;
             views[i].forward = directions.directions()[link.direction];
         }
-        std::array<glm::vec4, 3 * kLanes> sums{};
-        std::vector<std::span<glm::vec4>> channels;
-        for (std::size_t c = 0; c < out.size(); ++c)
-            channels.push_back(std::span(sums).subspan(c * kLanes, count));
+        thread_local std::vector<glm::vec4> sums;
+        sums.clear();
+        const std::vector<std::span<glm::vec4>> channels = channel_spans(sums, out.size(), count);
         tally += lighting.add_lights(Views(std::span(views).first(count)),
                                      {.positions = std::span(positions).first(count),
                                       .normals = std::span(normals).first(count),

@@ -105,7 +105,7 @@ void SceneVisibility::find_directions(const SceneGeometry& surfaces, const Rende
 
 void SceneVisibility::begin_progressively(const SceneGeometry& surfaces, const RenderOptions& options) {
     progressive_ = std::make_unique<ProgressiveBake>();
-    // What the last update() has baked, if it belongs to the surfaces before or after their last change.
+    // Bake of the last update(), if it belongs to the surfaces before or after their last change.
     const bool current =
         baked_geometry_ != 0 &&
         refining_.is_current(baked_.version(), options.refine_tolerance, options.max_vertices, false);

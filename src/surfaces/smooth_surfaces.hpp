@@ -13,7 +13,7 @@
 
 namespace nicol {
 
-/// What a surface shows of its surroundings.
+/// Way in which rays go on at a surface.
 enum class Smoothness : std::uint8_t {
     none,      ///< nothing that rays follow
     mirror,    ///< a smooth term of the material mirrors other surfaces

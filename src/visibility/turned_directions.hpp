@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a vertex sees after its object has rotated, as far as the object's own shadow goes.
+// Visibility of a vertex after its object has rotated, as far as the object's own shadow goes.
 #pragma once
 
 #include <cstdint>

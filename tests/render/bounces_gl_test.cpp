@@ -92,6 +92,20 @@ IMAGE_TEST_CASE("a closed box whose walls emit 1 and reflect a has the radiance 
     CHECK(distance_from(image, 5) < 0.4);
 }
 
+IMAGE_TEST_CASE("light of a lamp bounces in sixteen channels as in one") {
+    test::Studio render(context, 24, 24);
+    const auto image_of = [&](std::size_t channels) {
+        const MaterialPtr grey = diffuse({0.6});
+        Scene scene = corner(grey, grey, grey, 3);
+        scene.add_light({.value = std::vector<double>(channels, 10.0), .to_world = test::at(1, 1.5, 1)});
+        return render(scene, bouncing(4));
+    };
+    const StokesImage one = image_of(1), sixteen = image_of(16);
+    for (std::size_t c = 0; c < 16; ++c)
+        CHECK(std::equal(one.data.begin(), one.data.end(),
+                         sixteen.data.begin() + static_cast<std::ptrdiff_t>(c * one.data.size())));
+}
+
 IMAGE_TEST_CASE("light bounces as rays do, as often as max_depth says") {
     test::Studio render(context, 32, 24);
     const Scene scene = colored_corner();

@@ -7,6 +7,7 @@
 
 #include "devices/pixel_batch.hpp"
 #include "draw/visibility_buffer.hpp"
+#include "shading/channel_spans.hpp"
 
 namespace nicol {
 
@@ -26,10 +27,7 @@ PointCounts PixelShading::run(std::size_t first, std::size_t last,
          rest = rest.subspan(batch.points().size())) {
         batch.take(input_, rest);
         const std::size_t count = batch.points().size();
-        light.resize(out.size() * count);
-        std::vector<std::span<glm::vec4>> stokes;
-        for (std::size_t c = 0; c < out.size(); ++c)
-            stokes.push_back(std::span(light).subspan(c * count, count));
+        const std::vector<std::span<glm::vec4>> stokes = channel_spans(light, out.size(), count);
         surfaces_.run(batch, stokes, counts);
         batch.gather(stokes, input_.most_components, 0, out);
     }

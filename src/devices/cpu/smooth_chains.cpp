@@ -18,6 +18,7 @@
 #include "material/spatial_variation.hpp"
 #include "polarization/mueller.hpp"
 #include "shading/boundary_split.hpp"
+#include "shading/channel_spans.hpp"
 #include "shading/light_samples.hpp"
 #include "shading/normal_variation.hpp"
 #include "surfaces/smooth_surfaces.hpp"
@@ -51,7 +52,7 @@ void add_mirrors(const Material& material, const glm::dvec3& towards_viewer, con
     thread_local std::vector<Mueller> terms;
     terms.resize(static_cast<std::size_t>(material.terms()));
     material.evaluate_terms({-towards_viewer.x, -towards_viewer.y, towards_viewer.z}, towards_viewer, terms);
-    // As ReflectedLight::add_mirrored().
+    // ReflectedLight::add_mirrored() scales a smooth term by the same factor.
     const double scale =
         4 * std::numbers::pi * kSmoothAlpha * kSmoothAlpha * towards_viewer.z * towards_viewer.z;
     for (int t = 0; t < material.terms(); ++t) {
@@ -349,10 +350,7 @@ void SmoothChains::add_surfaces(Ends& ends, std::span<const std::span<glm::vec4>
     for (std::size_t begin = 0; begin < points.size(); begin += batch.points().size()) {
         batch.take(input_, std::span<const RayPoint>(points).subspan(begin));
         const std::size_t count = batch.points().size();
-        light.resize(out.size() * count);
-        std::vector<std::span<glm::vec4>> stokes;
-        for (std::size_t c = 0; c < out.size(); ++c)
-            stokes.push_back(std::span(light).subspan(c * count, count));
+        const std::vector<std::span<glm::vec4>> stokes = channel_spans(light, out.size(), count);
         surfaces_.run(batch, stokes, counts);
         for (std::size_t i = 0; i < count; ++i) {
             for (std::size_t c = 0; c < out.size(); ++c)
