@@ -122,9 +122,9 @@ ErrorCode code_of(const std::exception& error) noexcept {
 
 nicol_result Call::fail(ErrorCode code, const char* message) noexcept {
     const nicol_result result = capi::fail(code, message);
-    bool nested = false;
-    for (const Call* call = outer_; call != nullptr; call = call->outer_) nested = nested || call->reports_;
-    if (nested || !session_ || session_->error == nullptr) return result;
+    if (!session_ || session_->error == nullptr) return result;
+    for (const Call* call = outer_; call != nullptr; call = call->outer_)
+        if (call->reports_) return result;
     reports_ = true;
     session_->error(session_->error_user, result, last_error.data(), function_);
     return result;

@@ -193,12 +193,12 @@ void edit_lights(const EntryPoints::Watch& watch, nicol_scene scene, nicol_envir
     call(watch, NAMED(nicol_scene_set_environment), scene, environment, nullptr, 1.0);
     call(watch, NAMED(nicol_scene_hide_emitters), scene, 0U);
     double scale = 0;
-    make<Environment>([&](const char* name, const std::function<void()>& get) { watch(name, get); },
-                      "nicol_scene_get_environment",
-                      +[](nicol_scene from, double* factor, nicol_environment* got) {
-                          return nicol_scene_get_environment(from, got, nullptr, factor);
-                      },
-                      scene, &scale);
+    make<Environment>(
+        watch, "nicol_scene_get_environment",
+        +[](nicol_scene from, double* factor, nicol_environment* got) {
+            return nicol_scene_get_environment(from, got, nullptr, factor);
+        },
+        scene, &scale);
 }
 
 void edit_elements(const EntryPoints::Watch& watch, nicol_scene scene) {
@@ -233,6 +233,13 @@ void ask_scene(const EntryPoints::Watch& watch, nicol_scene loaded) {
 EntryPoints::EntryPoints(nicol_context context, std::filesystem::path folder)
     : objects_(std::make_unique<Objects>(context, std::move(folder))) {}
 EntryPoints::~EntryPoints() = default;
+
+void EntryPoints::all(const Watch& watch, std::uint32_t texture) {
+    assets(watch);
+    images(watch);
+    jobs(watch);
+    if (texture != 0) host(watch, texture);
+}
 
 void EntryPoints::assets(const Watch& watch) {
     const Objects& o = *objects_;

@@ -19,6 +19,8 @@ public:
     EntryPoints(const EntryPoints&) = delete;
     EntryPoints& operator=(const EntryPoints&) = delete;
 
+    /// Calls all functions but reads(). texture: of host(); 0: the context is not a host's.
+    void all(const Watch& watch, std::uint32_t texture);
     /// Calls the functions that make textures, meshes, environments and materials, and those on their
     /// objects.
     void assets(const Watch& watch);

@@ -13,7 +13,6 @@
 
 namespace {
 
-const std::string kForest = kForestLight;
 const std::string kEvenSky = R"(<emitter type="constant"/>)";
 
 std::string number(const char* name, const std::string& value) {
@@ -93,16 +92,16 @@ struct Row {
 std::vector<Row> rows() {
     std::vector<Row> out;
     for (const auto& [u, v] : {std::pair{"0.2", "0.2"}, {"0.1", "0.4"}, {"0.4", "0.1"}, {"0.05", "0.5"}})
-        out.push_back({std::string("aluminium, alpha ") + u + " and " + v, ball(metal(u, v), kForest)});
+        out.push_back({std::string("aluminium, alpha ") + u + " and " + v, ball(metal(u, v), kForestLight)});
     out.push_back({"principled, anisotropic 0.8",
                    ball(R"(<bsdf type="principled"><rgb name="base_color" value="0.9,0.6,0.3"/>)" +
                             number("metallic", "1") + number("roughness", "0.4") +
                             number("anisotropic", "0.8") + "</bsdf>",
-                        kForest)});
+                        kForestLight)});
     for (const char* alpha : {"0.005", "0.01", "0.02", "0.03"})
-        out.push_back({std::string("aluminium, alpha ") + alpha, ball(metal(alpha, alpha), kForest)});
+        out.push_back({std::string("aluminium, alpha ") + alpha, ball(metal(alpha, alpha), kForestLight)});
     for (const char* alpha : {"0.005", "0.02", "0.05"})
-        out.push_back({std::string("plastic, alpha ") + alpha, ball(plastic(alpha), kForest)});
+        out.push_back({std::string("plastic, alpha ") + alpha, ball(plastic(alpha), kForestLight)});
     for (const char* apart : {"0.2", "0.5", "1"})
         out.push_back({std::string("sheets ") + apart + " apart", sheets(apart), "0.3,0.1,1.6", "0,0.1,0"});
     out.push_back({"box with a slit in its roof", open_box(), "0,-0.5,0.9", "0,-0.2,0"});

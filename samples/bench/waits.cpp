@@ -52,13 +52,6 @@ EntryPoints::Watch stopwatch_of(LongestTimes& longest) {
     };
 }
 
-void call_everything(EntryPoints& points, std::uint32_t texture, const EntryPoints::Watch& watch) {
-    points.assets(watch);
-    points.images(watch);
-    points.jobs(watch);
-    if (texture != 0) points.host(watch, texture);
-}
-
 /// Submits jobs that bake a scene from nothing, and calls everything until each is done, then what reads its
 /// image.
 LongestTimes during_jobs(const Guest& guest, EntryPoints& points, const Options& options,
@@ -81,7 +74,7 @@ LongestTimes during_jobs(const Guest& guest, EntryPoints& points, const Options&
         auto status = nicol::defaults(nicol_job_status_init);
         while (status.state != NICOL_JOB_DONE) {
             points.reads(watch, framebuffer.get());
-            call_everything(points, guest.texture, watch);
+            points.all(watch, guest.texture);
             check(nicol_job_poll(job.get(), &status));
         }
         check(status.result);
@@ -101,9 +94,8 @@ Report bench_waits(const Options& options) {
         const TemporaryFolder folder;
         EntryPoints points(guest.context.get(), folder.path());
         LongestTimes alone;
-        call_everything(points, guest.texture, [](const char*, const auto& call) { call(); });
-        for (int round = 0; round < kRoundsAlone; ++round)
-            call_everything(points, guest.texture, stopwatch_of(alone));
+        points.all([](const char*, const auto& call) { call(); }, guest.texture);
+        for (int round = 0; round < kRoundsAlone; ++round) points.all(stopwatch_of(alone), guest.texture);
         LongestTimes beside = during_jobs(guest, points, options, alone);
         columns.push_back(std::move(alone));
         columns.push_back(std::move(beside));

@@ -2,19 +2,7 @@
 # SPDX-License-Identifier: MIT
 # Checks that an installation can be moved and then serves CMake projects, users of pkg-config and its own programs.
 # usage: install_test.sh CMAKE BUILD_FOLDER SAMPLES_FOLDER C_COMPILER
-set -eu
-cmake=$1
-build=$2
-samples=$3
-compiler=$4
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-unset LD_LIBRARY_PATH CPATH LIBRARY_PATH PKG_CONFIG_PATH CMAKE_PREFIX_PATH
-
-fail() {
-    echo "failed: $*" >&2
-    exit 1
-}
+. "$(dirname "$0")/installed.sh"
 
 # Each component contains its own files and no others.
 for component in runtime development tools; do

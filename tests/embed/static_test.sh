@@ -2,19 +2,7 @@
 # SPDX-License-Identifier: MIT
 # Checks that the component `static` can be moved and then serves CMake projects and users of pkg-config by itself.
 # usage: static_test.sh CMAKE BUILD_FOLDER SAMPLES_FOLDER C_COMPILER
-set -eu
-cmake=$1
-build=$2
-samples=$3
-compiler=$4
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-unset LD_LIBRARY_PATH CPATH LIBRARY_PATH PKG_CONFIG_PATH CMAKE_PREFIX_PATH
-
-fail() {
-    echo "failed: $*" >&2
-    exit 1
-}
+. "$(dirname "$0")/installed.sh"
 
 "$cmake" --build "$build" --target nicol_archive >"$folder/log" || { cat "$folder/log"; fail "libnicol.a"; }
 "$cmake" --install "$build" --prefix "$folder/first" --component static >"$folder/log"

@@ -107,10 +107,7 @@ Names called_beside_a_job(const Guest& guest, nicol_method method) {
     };
     const TemporaryFolder folder;
     EntryPoints points(guest.context.get(), folder.path());
-    points.assets(watch);
-    points.images(watch);
-    points.jobs(watch);
-    if (guest.egl) points.host(watch, guest.texture);
+    points.all(watch, guest.texture);
     points.reads(watch, picture.framebuffer.get());
     CHECK(picture.read() == before);
     picture.move(1);
