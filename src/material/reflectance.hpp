@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <numeric>
 #include <string_view>
 #include <vector>
 
@@ -37,6 +38,11 @@ void check_plastic(const Parameters& p) {
 /// Returns the value of a channel; a single value stands for every channel.
 [[nodiscard]] inline double of_channel(const std::vector<double>& values, int channel) {
     return values.size() == 1 ? values.front() : values.at(static_cast<std::size_t>(channel));
+}
+
+/// Returns the mean over the channels.
+[[nodiscard]] inline double mean_factor(const std::vector<double>& values) {
+    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
 }  // namespace nicol

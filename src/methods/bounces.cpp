@@ -239,10 +239,9 @@ void Bounces::count(Statistics& statistics) const {
     statistics.bounced_left = left_;
     for (const auto& [material, table] : *tables_) statistics.response_bytes += table.bytes();
     statistics.transfer_bytes += links_->bytes() + direct_.bytes() + rows_.bytes() + light_->bytes();
-    for (const std::vector<glm::vec4>& channel : stokes_)
-        statistics.transfer_bytes += channel.size() * sizeof(glm::vec4);
-    for (const std::vector<glm::vec4>& channel : *lit_)
-        statistics.transfer_bytes += channel.size() * sizeof(glm::vec4);
+    for (const LinkStokes* const kept : {&stokes_, &*lit_})
+        for (const std::vector<glm::vec4>& channel : *kept)
+            statistics.transfer_bytes += channel.size() * sizeof(glm::vec4);
 }
 
 }  // namespace nicol

@@ -2,7 +2,6 @@
 #include "methods/high_orders.hpp"
 
 #include <algorithm>
-#include <array>
 #include <glm/vec2.hpp>
 #include <utility>
 

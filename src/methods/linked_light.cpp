@@ -34,18 +34,11 @@ glm::vec3 weights_of(const SurfaceLink& link) {
 
 // Sets lane i of the points to where a link ends. Textures have no footprint there.
 void put_point(const WorldGeometry& geometry, const SurfaceLink& link, std::size_t i, TexturePoints& points) {
-    const glm::vec3 weights = weights_of(link);
-    if (!geometry.texcoords.empty()) {
-        const std::array<glm::vec2, 3>& corners = geometry.texcoords[link.triangle];
-        const glm::vec2 uv = weights.x * corners[0] + weights.y * corners[1] + weights.z * corners[2];
-        points.uv[0][i] = uv.x;
-        points.uv[1][i] = uv.y;
-    }
-    if (!geometry.colors.empty()) {
-        const std::array<glm::vec3, 3>& corners = geometry.colors[link.triangle];
-        const glm::vec3 color = weights.x * corners[0] + weights.y * corners[1] + weights.z * corners[2];
-        for (glm::length_t k = 0; k < 3; ++k) points.color[static_cast<std::size_t>(k)][i] = color[k];
-    }
+    const TexturePoint at = texture_point(
+        weights_of(link), geometry.texcoords.empty() ? nullptr : &geometry.texcoords[link.triangle],
+        geometry.colors.empty() ? nullptr : &geometry.colors[link.triangle]);
+    for (glm::length_t k = 0; k < 2; ++k) points.uv[static_cast<std::size_t>(k)][i] = at.uv[k];
+    for (glm::length_t k = 0; k < 3; ++k) points.color[static_cast<std::size_t>(k)][i] = at.color[k];
 }
 
 // Sum of the values at a triangle's corners, each times its weight.

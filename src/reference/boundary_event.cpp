@@ -1,25 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "reference/boundary_event.hpp"
 
-#include <numeric>
-
 #include "material/reflectance.hpp"
 #include "shading/boundary_split.hpp"
 
 namespace nicol {
-namespace {
-
-double mean(const std::vector<double>& factors) {
-    return std::accumulate(factors.begin(), factors.end(), 0.0) / static_cast<double>(factors.size());
-}
-
-}  // namespace
 
 std::optional<BoundaryEvent> sample_boundary(const SmoothBoundary& boundary, const SurfaceHit& hit,
                                              const Frame& received, double point, PathWorkspace& workspace) {
     const BoundarySplit split = split_at(boundary, hit.geometric_normal, hit.frame[2], received);
-    const double reflected = mean(boundary.reflectance) * split.reflected.share;
-    const double transmitted = mean(boundary.transmittance) * split.transmitted.share;
+    const double reflected = mean_factor(boundary.reflectance) * split.reflected.share;
+    const double transmitted = mean_factor(boundary.transmittance) * split.transmitted.share;
     if (!(reflected + transmitted > 0)) return std::nullopt;
     const bool reflects = point * (reflected + transmitted) < reflected;
     const double probability = (reflects ? reflected : transmitted) / (reflected + transmitted);

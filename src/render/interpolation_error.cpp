@@ -184,10 +184,9 @@ double InterpolationError::of(const WorldGeometry& geometry, const Projection& p
             const glm::dvec3 away = glm::dvec3(a) - view.eye;
             solid_angle = std::min(solid_angle / glm::dot(away, away), 4.0);
         }
-        const auto range =
-            std::ranges::upper_bound(geometry.ranges, std::size_t{triangle.x}, {}, &VertexRange::last);
-        const auto [known, fresh] = reflections_.try_emplace(range->material);
-        if (fresh) known->second = reflections(*range->material);
+        const MaterialPtr& material = geometry.ranges[range_of(geometry, triangle.x)].material;
+        const auto [known, fresh] = reflections_.try_emplace(material);
+        if (fresh) known->second = reflections(*material);
         if (batch.of != &known->second) {
             finish();
             batch.of = &known->second;

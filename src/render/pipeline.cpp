@@ -2,9 +2,6 @@
 #include "render/pipeline.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <vector>
 
@@ -14,6 +11,11 @@
 
 namespace nicol {
 namespace {
+
+// Returns whether rays are followed from pixels that show smooth surfaces.
+bool follows_rays(Method method, const RenderExecutor& executor) {
+    return method == Method::factored && executor.follows_rays();
+}
 
 // Returns the terms that do not reflect harmonics. Light that is given as harmonics has no detail that narrow
 // lobes would miss.
@@ -44,15 +46,15 @@ void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderO
 
     // First half of bake, because the choice of orders may depend on it.
     surfaces_.update(scene);
+    const Projection projection = in_axes(of_world, surfaces_.to_world());
     SurfaceRays rays(surfaces_);
-    visibility_.update(surfaces_, rays, scene.distant_light() != nullptr || bouncing,
-                       in_axes(of_world, surfaces_.to_world()), given, run.workers, run.progress,
-                       run.statistics);
+    visibility_.update(surfaces_, rays, scene.distant_light() != nullptr || bouncing, projection, given,
+                       run.workers, run.progress, run.statistics);
     const SurfaceState surfaces = visibility_.state();
 
     // project: a rotation of the whole scene is the opposite rotation of light and camera.
     split_.update(scene.distant_light(), given, run.statistics);
-    const bool follows_rays = given.method == Method::factored && executor.follows_rays();
+    const bool follows_rays = nicol::follows_rays(given.method, executor);
     const SampledTerms sampled = sampled_terms(scene, given, follows_rays);
     RenderOptions options = choose_orders(scene, given, sampled, run);
     const int bounces = bouncing && surfaces.visibility != nullptr ? given.max_depth - kDirectLightDepth : 0;
@@ -65,7 +67,6 @@ void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderO
             options.order_high = std::max(options.order_high, options.order_low);
         }
     }
-    const Projection projection = in_axes(of_world, surfaces_.to_world());
     const glm::dmat3 light_to_geometry =
         glm::transpose(glm::dmat3(surfaces_.to_world())) * scene.light_rotation();
     light_.update(split_.rest(), scene.light_scale(), options, least, light_to_geometry, run.statistics);
@@ -148,7 +149,7 @@ TransferMethod& Pipeline::method_for(Method method) {
 }
 
 bool Pipeline::follows_smooth(const RenderOptions& options, const RenderExecutor& executor) const {
-    return options.method == Method::factored && executor.follows_rays() && smooth_.any();
+    return nicol::follows_rays(options.method, executor) && smooth_.any();
 }
 
 bool Pipeline::shades_pixels(const Scene& scene, const Projection& projection,

@@ -220,26 +220,23 @@ void ProgressiveBake::find_origins(const Input& input) {
 }
 
 void ProgressiveBake::trace(const Input& input, std::span<const std::uint32_t> vertices,
+                            const DisturbedRays& since_last, const DisturbedRays& since_all,
                             BakeStatistics& statistics) {
     const WorldGeometry& geometry = refined_ ? *refined_ : input.surfaces.geometry();
-    const DisturbedRays since_last(input.directions, last_.disturbances());
-    const DisturbedRays since_all(input.directions, all_.disturbances());
     std::atomic<std::uint64_t> rays = 0, traced = 0, changed = 0;
     tbb::parallel_for(std::size_t{0}, vertices.size(), [&](std::size_t i) {
         const std::uint32_t v = vertices[i];
         const glm::vec3 normal(glm::normalize(glm::dvec3(geometry.normals[v])));
         DisturbedBundles bundles;
-        std::optional<FormerBits> known;
+        const std::uint32_t state = std::exchange(states_[v], state_);
+        if (state != 0) {
+            const DisturbedRays& disturbed = state + 1 == state_ ? since_last : since_all;
+            if (!disturbed.find(origins_[v], normal, bundles)) return;
+        }
         const std::span bits = visible_.at(v);
         const std::vector<std::uint64_t> before(bits.begin(), bits.end());
-        if (states_[v] != 0) {
-            const DisturbedRays& disturbed = states_[v] + 1 == state_ ? since_last : since_all;
-            const bool any = disturbed.find(origins_[v], normal, bundles);
-            states_[v] = state_;
-            if (!any) return;
-            known = {.bits = before, .disturbed = &bundles};
-        }
-        states_[v] = state_;
+        std::optional<FormerBits> known;
+        if (state != 0) known = {.bits = before, .disturbed = &bundles};
         const bool was_unoccluded = visible_.unoccluded(v);
         std::ranges::fill(bits, 0U);
         const std::uint64_t count =
@@ -264,6 +261,7 @@ void ProgressiveBake::advance(const Input& input, SurfaceRays& rays, double mill
     const Stopwatch watch;
     const auto spent = [&] { return watch.milliseconds() + static_cast<double>(changed_) * later_ms_; };
     std::vector<std::uint32_t> vertices;
+    std::optional<DisturbedRays> since_last, since_all;
     bool first = true;
     if (!rays_) rays_ = rays.get();
     for (; next_ < order_.size() && (first || spent() < milliseconds); first = false) {
@@ -276,7 +274,13 @@ void ProgressiveBake::advance(const Input& input, SurfaceRays& rays, double mill
                                                static_cast<std::uint32_t>(states_.size()));
             for (std::uint32_t v = begin; v < end; ++v) vertices.push_back(v);
         }
-        workers.run([&] { trace(input, vertices, statistics); });
+        workers.run([&] {
+            if (!since_last) {
+                since_last.emplace(input.directions, last_.disturbances());
+                since_all.emplace(input.directions, all_.disturbances());
+            }
+            trace(input, vertices, *since_last, *since_all, statistics);
+        });
         pending_ -= vertices.size();
     }
     if (next_ < order_.size() || finished_) return;

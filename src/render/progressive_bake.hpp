@@ -83,7 +83,8 @@ private:
                    std::span<const std::uint32_t> moved, std::span<const std::uint32_t> numbers_before);
     void find_order(const Input& input);
     void find_origins(const Input& input);
-    void trace(const Input& input, std::span<const std::uint32_t> vertices, BakeStatistics& statistics);
+    void trace(const Input& input, std::span<const std::uint32_t> vertices, const DisturbedRays& since_last,
+               const DisturbedRays& since_all, BakeStatistics& statistics);
     void begin_refinement(const Input& input);
     void end_refinement(const Input& input, Refinement next);
     void finish(const Input& input);

@@ -2,8 +2,6 @@
 // Reflection and transmission of light that reaches a viewer from a smooth boundary.
 #pragma once
 
-#include <array>
-
 #include "material/dielectric.hpp"
 #include "polarization/mueller.hpp"
 #include "polarization/stokes.hpp"

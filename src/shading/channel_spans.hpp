@@ -10,6 +10,7 @@
 namespace nicol {
 
 /// Resizes a work space to one value per channel and point, and returns the points' values of each channel.
+/// All values of a work space that was empty are 0.
 [[nodiscard]] inline std::vector<std::span<glm::vec4>> channel_spans(std::vector<glm::vec4>& values,
                                                                      std::size_t channels,
                                                                      std::size_t points) {

@@ -99,7 +99,8 @@ public:
         reflected_.set(views, points.positions, points.normals, points.tangents);
         set_pixels(points.mirrored);
         if (rays != nullptr && points.shadowed) shadows_.emplace(*rays, positions_, origins_);
-        if (before_mirrors != nullptr) before_mirrors_.emplace(*before_mirrors, positions_, origins_);
+        if (before_mirrors != nullptr && any_layer_has(true))
+            before_mirrors_.emplace(*before_mirrors, positions_, origins_);
     }
 
     // Prepares add_source().

@@ -32,12 +32,17 @@ glm::dmat3 rotate_in(const glm::dmat3& m) {
     return rotation;
 }
 
+glm::dmat3 rotation_between(const glm::dmat4& before, const glm::dmat4& after) {
+    const glm::dmat3 from(before), to(after);
+    return from == to ? glm::dmat3(1.0) : rotate_in(to * glm::inverse(from));
+}
+
 std::optional<glm::dmat4> rigid_motion(const glm::dmat4& before, const glm::dmat4& after) {
     if (before == after) return glm::dmat4(1.0);
     const glm::dmat3 linear = glm::dmat3(after) * glm::inverse(glm::dmat3(before));
     const glm::dmat3 deviation = glm::transpose(linear) * linear - glm::dmat3(1.0);
     if (!(largest(deviation) < kRotationTolerance) || glm::determinant(linear) < 0) return std::nullopt;
-    const glm::dmat3 rotation = glm::dmat3(before) == glm::dmat3(after) ? glm::dmat3(1.0) : rotate_in(linear);
+    const glm::dmat3 rotation = rotation_between(before, after);
     glm::dmat4 motion(rotation);
     motion[3] = glm::dvec4(glm::dvec3(after[3]) - rotation * glm::dvec3(before[3]), 1);
     return motion;

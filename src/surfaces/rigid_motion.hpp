@@ -16,6 +16,8 @@ inline constexpr double kRotationTolerance = 1e-6;
 /// Returns the proper rotation nearest to an invertible matrix, or to its negative if the matrix mirrors. The
 /// rotation in R * m is R times the rotation in m.
 [[nodiscard]] glm::dmat3 rotate_in(const glm::dmat3& m);
+/// Returns the rotation from one placement to another, exactly 1 if their linear parts are equal.
+[[nodiscard]] glm::dmat3 rotation_between(const glm::dmat4& before, const glm::dmat4& after);
 
 /// Returns the motion with after = motion * before, or none if this is not a proper rotation and a shift;
 /// exactly the identity if `before` equals `after`. Both matrices must be affine and invertible.

@@ -7,6 +7,7 @@
 #include <glm/gtc/quaternion.hpp>
 #include <glm/matrix.hpp>
 #include <limits>
+#include <span>
 #include <utility>
 
 #include "error.hpp"
@@ -258,10 +259,12 @@ void SceneGeometry::build(const Scene& scene, std::vector<Piece>& pieces) {
     next.triangles.insert(next.triangles.end(), two_sided.begin(), two_sided.end());
     if (std::ranges::any_of(pieces, &Piece::transmits)) {
         next.blocking = next.triangles;
-        for (glm::uvec3& triangle : next.blocking)
-            for (const Piece& piece : pieces)
-                if (piece.transmits && triangle.x >= piece.first && triangle.x < piece.last)
-                    triangle = glm::uvec3(triangle.x);
+        for (const Piece& piece : pieces) {
+            if (!piece.transmits) continue;
+            for (glm::uvec3& triangle :
+                 std::span(next.blocking).subspan(piece.first_triangle, piece.triangles()))
+                triangle = glm::uvec3(triangle.x);
+        }
     }
 
     equal_materials_.forget_unused();
@@ -280,13 +283,9 @@ void SceneGeometry::follow_pieces(const std::vector<Piece>& pieces, Change& chan
         const Piece& former = pieces_[number];
         if (moved) {
             if (piece.divided || former.divided || piece.mirrored() != former.mirrored()) continue;
-            const glm::dmat3 linear =
-                glm::dmat3(piece.placement) * glm::inverse(glm::dmat3(former.placement));
             change.moved.push_back(
                 {.vertices = {.first = piece.first, .last = piece.last, .before = former.first},
-                 .rotation = glm::dmat3(piece.placement) == glm::dmat3(former.placement)
-                                 ? glm::dmat3(1.0)
-                                 : rotate_in(linear)});
+                 .rotation = rotation_between(former.placement, piece.placement)});
         }
         change.triangles.push_back({.first = piece.first_triangle,
                                     .last = piece.first_triangle + piece.triangles(),

@@ -41,8 +41,13 @@ Presence presence_from(const WorldGeometry& geometry, std::uint32_t first) {
 
 void SmoothSurfaces::update(const RefinedSurfaces& surfaces) {
     const WorldGeometry& geometry = surfaces.geometry();
-    finding_.run(surfaces.version(), surfaces.material_version(),
-                 [&] { of_triangles_ = nicol::of_triangles(geometry); });
+    finding_.run(surfaces.version(), surfaces.material_version(), [&] {
+        of_triangles_ = nicol::of_triangles(geometry);
+        const auto has = [this](Smoothness smoothness) {
+            return std::ranges::find(of_triangles_, smoothness) != of_triangles_.end();
+        };
+        mirrors_and_glass_ = has(Smoothness::boundary) && has(Smoothness::mirror);
+    });
     tracing_.run(surfaces.version(), any(), [&] {
         rays_.reset();
         if (!any()) return;
@@ -60,10 +65,7 @@ void SmoothSurfaces::update(const RefinedSurfaces& surfaces) {
 }
 
 std::shared_ptr<const RayScene> SmoothSurfaces::before_mirrors() const {
-    const auto has = [this](Smoothness smoothness) {
-        return std::ranges::find(of_triangles_, smoothness) != of_triangles_.end();
-    };
-    return has(Smoothness::boundary) && has(Smoothness::mirror) ? rays_ : nullptr;
+    return mirrors_and_glass_ ? rays_ : nullptr;
 }
 
 std::optional<RayHit> SmoothSurfaces::intersect(const Ray& ray) const {

@@ -43,7 +43,8 @@ public:
 private:
     Stage<Version, Version> finding_;  // vertices and triangles, materials
     std::vector<Smoothness> of_triangles_;
-    Stage<Version, bool> tracing_;  // vertices and triangles, whether there are smooth surfaces
+    bool mirrors_and_glass_ = false;  // whether there are triangles of both
+    Stage<Version, bool> tracing_;    // vertices and triangles, whether there are smooth surfaces
     std::shared_ptr<const RayScene> rays_;
     std::uint32_t one_sided_ = 0;  // number of one-sided triangles
 };

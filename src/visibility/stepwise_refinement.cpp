@@ -104,6 +104,13 @@ public:
     }
 
     [[nodiscard]] Refinement result(BakeStatistics& statistics) {
+        statistics.rays += rays_;
+        statistics.vertices += traced_;
+        if (mesh_.parents().empty()) {
+            Refinement none;
+            none.points = std::move(points_);
+            return none;
+        }
         std::vector<std::uint64_t> bits;
         bits.reserve(rows_.size() * baked_.at(0).size());
         bits.assign(baked_.bits().begin(), baked_.bits().end());
@@ -113,8 +120,6 @@ public:
             bits.insert(bits.end(), points_.bits(point).begin(), points_.bits(point).end());
             open.push_back(points_.unoccluded(point) ? 1 : 0);
         }
-        statistics.rays += rays_;
-        statistics.vertices += traced_;
         return {.parents = mesh_.parents(),
                 .triangles = mesh_.triangles(),
                 .sources = mesh_.sources(),
@@ -381,11 +386,7 @@ bool StepwiseRefinement::step(std::size_t points) {
 }
 
 Refinement StepwiseRefinement::result(BakeStatistics& statistics) {
-    Refinement out = refiner_->result(statistics);
-    if (!out.parents.empty()) return out;
-    Refinement none;
-    none.points = std::move(out.points);
-    return none;
+    return refiner_->result(statistics);
 }
 
 }  // namespace nicol

@@ -7,7 +7,6 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <numbers>
-#include <numeric>
 #include <optional>
 
 #include "devices/mirrored_pixel.hpp"
@@ -26,10 +25,6 @@
 
 namespace nicol {
 namespace {
-
-double mean_factor(const std::vector<double>& factors) {
-    return std::accumulate(factors.begin(), factors.end(), 0.0) / static_cast<double>(factors.size());
-}
 
 double fraction(std::uint32_t bits) {
     return bits * 0x1p-32;
