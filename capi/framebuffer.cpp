@@ -3,8 +3,8 @@
 #include <numbers>
 #include <utility>
 
-#include "handles.hpp"
 #include "image/observer.hpp"
+#include "planes.hpp"
 #include "progress.hpp"
 
 using namespace nicol;
@@ -40,10 +40,7 @@ std::shared_ptr<Framebuffer> make_framebuffer(const Session& session, std::uint3
         refuse("a framebuffer of " + std::to_string(width) + " x " + std::to_string(height) +
                " pixels; each side must lie in 1 to " + std::to_string(NICOL_MAX_SIZE));
     }
-    if (channels < 1 || channels > NICOL_MAX_CHANNELS) {
-        refuse("channels is " + std::to_string(channels) + "; it must lie in 1 to " +
-               std::to_string(NICOL_MAX_CHANNELS));
-    }
+    require_channels(channels);
     refuse_in_callback(session);
     return std::make_shared<Framebuffer>(session.gl, static_cast<int>(width), static_cast<int>(height),
                                          static_cast<int>(channels));
@@ -65,6 +62,11 @@ nicol_result nicol_framebuffer_resize(nicol_framebuffer framebuffer, uint32_t wi
     return guarded([&] {
         const nicol_framebuffer_impl& self = resolve(framebuffer);
         const Framebuffer& former = *self.content;
+        if (former.borrows())
+            throw Error(
+                ErrorCode::unsupported,
+                "the framebuffer's images are textures of the host; nicol_framebuffer_create_textures "
+                "makes one of other textures");
         if (std::cmp_equal(width, former.width()) && std::cmp_equal(height, former.height())) return;
         // Calls in progress go on with the former object.
         replace_content(framebuffer, make_framebuffer(*self.session, width, height,

@@ -38,8 +38,9 @@ struct Session {
     std::filesystem::path cache;                      ///< folder of tables; empty: none
     std::uint64_t memory_limit = MemoryLimit::kNone;  ///< memory limit per scene, in bytes
     LoadLimits load_limits;
-    std::shared_ptr<struct HostObserver> observer;  ///< only in a host's context, made for its first image
-    std::atomic<std::size_t> handles{};             ///< number of the context's handles
+    std::shared_ptr<struct HostPrograms>
+        host_programs;                   ///< only in a host's context, made for its first image
+    std::atomic<std::size_t> handles{};  ///< number of the context's handles
 
     /// Returns the queue, made on first use.
     JobQueue& job_queue() {

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Contexts that belong to the caller.
+#include <span>
+
 #include "handles.hpp"
 #include "host_image.hpp"
+#include "planes.hpp"
 
 using namespace nicol;
 using namespace nicol::capi;
@@ -24,13 +27,26 @@ gl::HostAccess access_from(const nicol_host& host) {
     return access;
 }
 
-const Framebuffer& of_host(const nicol_framebuffer_impl& framebuffer) {
+Framebuffer& of_host(const nicol_framebuffer_impl& framebuffer) {
     if (!framebuffer.session->in_host()) {
         throw Error(ErrorCode::unsupported,
                     "the framebuffer's context is Nicol's own and shares no textures; it must come from "
                     "nicol_context_create_host");
     }
     return *framebuffer.content;
+}
+
+nicol_texture_target read_target(const nicol_texture_target* target) {
+    return read_struct(target, nicol_texture_target NICOL_TEXTURE_TARGET_INIT, "target");
+}
+
+void draw_plane(nicol_framebuffer framebuffer, nicol_plane plane, std::uint32_t channel,
+                const nicol_texture_target* target) {
+    const nicol_framebuffer_impl& self = resolve(framebuffer);
+    Framebuffer& content = of_host(self);
+    const nicol_texture_target to = read_target(target);
+    const Access access(self);
+    draw(*self.session, content, plane_image(content, plane, channel), to);
 }
 
 }  // namespace
@@ -51,13 +67,35 @@ nicol_result nicol_context_create_host(const nicol_host* host, const nicol_conte
     });
 }
 
+nicol_result nicol_framebuffer_create_textures(nicol_context context, const uint32_t* textures,
+                                               uint32_t channels, nicol_framebuffer* framebuffer) {
+    return guarded([&] {
+        require(textures, "textures");
+        require(framebuffer, "framebuffer");
+        const SessionPtr session = resolve(context).session;
+        if (!session->in_host()) {
+            throw Error(ErrorCode::unsupported,
+                        "the context is Nicol's own and shares no textures; it must come from "
+                        "nicol_context_create_host");
+        }
+        require_channels(channels);
+        refuse_in_callback(*session);
+        std::shared_ptr<Framebuffer> made;
+        session->gl->run([&] {
+            made = std::make_shared<Framebuffer>(session->gl,
+                                                 std::span<const unsigned>(textures, textures + channels));
+        });
+        *framebuffer = make_handle<nicol_framebuffer_impl>(session, std::move(made));
+    });
+}
+
 nicol_result nicol_framebuffer_get_texture(nicol_framebuffer framebuffer, uint32_t channel,
                                            nicol_gl_texture* texture) {
     return guarded([&] {
         const nicol_framebuffer_impl& self = resolve(framebuffer);
-        static_cast<void>(of_host(self));
-        require_channel(*self.content, channel);
-        const gl::Texture2D& from = channel_texture(*self.content, static_cast<int>(channel));
+        Framebuffer& content = of_host(self);
+        require_channel(channel, content.channels());
+        const gl::Texture2D& from = channel_texture(content, static_cast<int>(channel));
         nicol_gl_texture out = NICOL_GL_TEXTURE_INIT;
         out.name = from.id();
         out.target = 0x0DE1;           // GL_TEXTURE_2D
@@ -70,15 +108,12 @@ nicol_result nicol_framebuffer_get_texture(nicol_framebuffer framebuffer, uint32
 
 nicol_result nicol_framebuffer_draw_stokes(nicol_framebuffer framebuffer, uint32_t channel,
                                            const nicol_texture_target* target) {
-    return guarded([&] {
-        const nicol_framebuffer_impl& self = resolve(framebuffer);
-        static_cast<void>(of_host(self));
-        const nicol_texture_target to =
-            read_struct(target, nicol_texture_target NICOL_TEXTURE_TARGET_INIT, "target");
-        require_channel(*self.content, channel);
-        const Access access(self);
-        draw_stokes(*self.session, *self.content, static_cast<int>(channel), to);
-    });
+    return guarded([&] { draw_plane(framebuffer, NICOL_PLANE_STOKES, channel, target); });
+}
+
+nicol_result nicol_framebuffer_draw_plane(nicol_framebuffer framebuffer, nicol_plane plane, uint32_t channel,
+                                          const nicol_texture_target* target) {
+    return guarded([&] { draw_plane(framebuffer, plane, channel, target); });
 }
 
 nicol_result nicol_framebuffer_draw_observation(nicol_framebuffer framebuffer,
@@ -86,12 +121,11 @@ nicol_result nicol_framebuffer_draw_observation(nicol_framebuffer framebuffer,
                                                 const nicol_texture_target* target) {
     return guarded([&] {
         const nicol_framebuffer_impl& self = resolve(framebuffer);
-        static_cast<void>(of_host(self));
+        Framebuffer& content = of_host(self);
         const nicol_observation shown =
             read_struct(observation, nicol_observation NICOL_OBSERVATION_INIT, "observation");
-        const nicol_texture_target to =
-            read_struct(target, nicol_texture_target NICOL_TEXTURE_TARGET_INIT, "target");
+        const nicol_texture_target to = read_target(target);
         const Access access(self);
-        draw_observation(*self.session, *self.content, shown, to);
+        draw(*self.session, content, observation_image(content, shown), to);
     });
 }

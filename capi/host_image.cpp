@@ -2,102 +2,102 @@
 #include "host_image.hpp"
 
 #include <cmath>
-#include <glm/vec4.hpp>
-#include <numbers>
-#include <vector>
+#include <glm/vec2.hpp>
 
 #include "gl/draw.hpp"
+#include "planes.hpp"
 #include "progress.hpp"
 
 namespace nicol::capi {
 namespace {
 
-/// Observers in the numbering of glsl/observe.frag.
-enum class Observer { stokes, radiance, signed_component, dolp, aolp };
+constexpr int kTextureUnits = 16;  // as many as every driver has in a fragment shader
 
-struct Observed {
-    Observer observer = Observer::stokes;
-    glm::vec4 analyzer{0.0F};
-    int first = 0;  // first channel
-    int channels = 1;
-};
-
-float stops(float exposure) {
-    if (!(std::abs(exposure) <= 100)) {
-        refuse("observation->exposure is " + std::to_string(exposure) + "; it must lie in -100 to 100 stops");
-    }
-    return std::exp2(exposure);
-}
-
-Observed observe(const nicol_observation& given, int channels) {
-    Observed o{.channels = channels};
-    switch (given.kind) {
-        case NICOL_OBSERVATION_S0:
-            o.observer = Observer::radiance;
-            o.analyzer.x = stops(given.exposure);
-            break;
-        case NICOL_OBSERVATION_POLARIZER: {
-            if (!std::isfinite(given.polarizer_angle)) refuse("observation->polarizer_angle must be finite");
-            const double twice = static_cast<double>(given.polarizer_angle) * std::numbers::pi / 90;
-            o.observer = Observer::radiance;
-            o.analyzer = 0.5F * stops(given.exposure) * glm::vec4(1, std::cos(twice), std::sin(twice), 0);
-            break;
-        }
-        case NICOL_OBSERVATION_S1:
-        case NICOL_OBSERVATION_S2:
-        case NICOL_OBSERVATION_S3:
-            if (!(given.scale > 0) || !std::isfinite(given.scale)) {
-                refuse(
-                    "observation->scale is " + std::to_string(given.scale) +
-                    "; it must be finite and above 0, since nothing is read back to find the largest value");
-            }
-            o.observer = Observer::signed_component;
-            o.analyzer[static_cast<int>(given.kind)] = 1 / given.scale;
-            break;
-        case NICOL_OBSERVATION_DOLP:
-            o.observer = Observer::dolp;
-            break;
-        case NICOL_OBSERVATION_AOLP:
-            o.observer = Observer::aolp;
-            break;
-        default:
-            refuse("observation->kind is " + std::to_string(given.kind) +
-                   "; it must be one of NICOL_OBSERVATION_S0 to NICOL_OBSERVATION_POLARIZER");
-    }
-    if (o.observer == Observer::radiance && channels != 1 && channels != 3) {
-        refuse("the framebuffer has " + std::to_string(channels) +
-               " channels; s0 and polarizer need 1 (grey) or 3 (R G B)");
-    }
-    return o;
-}
-
-gl::Program& program(Session& session, int channels) {
-    if (!session.observer) session.observer = std::make_shared<HostObserver>();
-    auto& programs = session.observer->programs;
-    auto found = programs.find(channels);
+gl::Program& program(Session& session, const HostImage& image, bool depth) {
+    std::vector<gl::Define> defines = image.defines;
+    if (depth) defines.push_back({.name = "HOST_DEPTH", .value = std::to_string(image.textures)});
+    std::string key = image.fragment;
+    for (const gl::Define& define : defines) key += ' ' + define.name + '=' + define.value;
+    if (!session.host_programs) session.host_programs = std::make_shared<HostPrograms>();
+    auto& programs = session.host_programs->programs;
+    auto found = programs.find(key);
     if (found == programs.end()) {
-        const gl::Define define{.name = "CHANNELS", .value = std::to_string(channels)};
         found = programs
-                    .emplace(channels, gl::Program::graphics(session.gl, "fullscreen.vert", "observe.frag",
-                                                             std::span(&define, 1)))
+                    .emplace(std::move(key),
+                             gl::Program::graphics(session.gl, "fullscreen.vert", image.fragment, defines))
                     .first;
     }
     return found->second;
 }
 
-void draw(Session& session, Framebuffer& framebuffer, const Observed& observed,
-          const nicol_texture_target& target) {
+bool reversed(const nicol_texture_target& target) {
+    return target.depth_mapping == NICOL_DEPTH_MAPPING_PERSPECTIVE_REVERSED ||
+           target.depth_mapping == NICOL_DEPTH_MAPPING_ORTHOGRAPHIC_REVERSED;
+}
+bool orthographic(const nicol_texture_target& target) {
+    return target.depth_mapping == NICOL_DEPTH_MAPPING_ORTHOGRAPHIC ||
+           target.depth_mapping == NICOL_DEPTH_MAPPING_ORTHOGRAPHIC_REVERSED;
+}
+
+/// Returns (x, y) of the host's depth: x + y * distance, or x + y / distance in perspective.
+glm::vec2 mapping(const nicol_texture_target& target) {
+    const double near = target.depth_near, far = target.depth_far;
+    const double at_near = orthographic(target) ? near : 1 / near;
+    const double at_far = orthographic(target) ? far : far == 0 ? 0 : 1 / far;
+    // Depth is linear in these: 0 at the near plane and 1 at the far plane, or the other way round.
+    const double zero = reversed(target) ? at_far : at_near, one = reversed(target) ? at_near : at_far;
+    return {-zero / (one - zero), 1 / (one - zero)};
+}
+
+void check(const nicol_texture_target& target) {
     if (target.bottom_up > 1) refuse("target->bottom_up must be 0 or 1");
-    if (target.encoding > NICOL_ENCODING_SRGB) {
-        refuse("target->encoding is " + std::to_string(target.encoding) +
-               "; it must be one of NICOL_ENCODING_...");
+    require_constant(target.encoding, NICOL_ENCODING_SRGB, "target->encoding", "NICOL_ENCODING_...");
+    require_constant(target.depth_mapping, NICOL_DEPTH_MAPPING_ORTHOGRAPHIC_REVERSED, "target->depth_mapping",
+                     "NICOL_DEPTH_MAPPING_...");
+    if (target.depth_texture == 0) return;
+    const double near = target.depth_near, far = target.depth_far;
+    const bool endless = far == 0 && !orthographic(target);
+    if (!std::isfinite(near) || !std::isfinite(far) || !(orthographic(target) || near > 0) ||
+        !(endless || far > near)) {
+        refuse(
+            "target->depth_near is " + std::to_string(near) + " and depth_far " + std::to_string(far) +
+            "; they must be finite and depth_far larger, in perspective depth_near above 0 and depth_far 0 "
+            "for a projection without a far plane");
     }
+}
+
+/// Sets what an image in the host's depth buffer needs.
+void prepare_depth(gl::Program& program, Framebuffer& framebuffer, const nicol_texture_target& target,
+                   int unit) {
+    const auto [attachments, first] = framebuffer.drawn_aov(aov_depth);
+    attachments->colour(first / 4).bind(static_cast<unsigned>(unit));
+    program.set("distance_component", first % 4);
+    program.set("orthographic", orthographic(target) ? 1 : 0);
+    program.set("depth_mapping", mapping(target));
+}
+
+}  // namespace
+
+const gl::Texture2D& channel_texture(Framebuffer& framebuffer, int channel) {
+    return framebuffer.groups()[static_cast<std::size_t>(channel / Framebuffer::kGroup)].colour(
+        channel % Framebuffer::kGroup);
+}
+
+void draw(Session& session, Framebuffer& framebuffer, const HostImage& image,
+          const nicol_texture_target& target) {
+    check(target);
+    const bool depth = target.depth_texture != 0;
+    if (depth && image.textures >= kTextureUnits)
+        refuse("target->depth_texture needs a framebuffer of at most " + std::to_string(kTextureUnits - 1) +
+               " channels");
+    if (depth) require_made(plane_kind(NICOL_PLANE_DEPTH), framebuffer);
     const Stopwatch watch;
     session.gl->run([&] {
-        gl::RenderTarget image(session.gl, target.texture);
-        if (image.width() != framebuffer.width() || image.height() != framebuffer.height()) {
-            refuse("target->texture is of " + std::to_string(image.width()) + " x " +
-                   std::to_string(image.height()) + " pixels and the framebuffer of " +
+        gl::RenderTarget drawn(
+            session.gl, {.colour = target.texture, .formats = image.formats, .depth = target.depth_texture});
+        if (drawn.width() != framebuffer.width() || drawn.height() != framebuffer.height()) {
+            refuse("target->texture is of " + std::to_string(drawn.width()) + " x " +
+                   std::to_string(drawn.height()) + " pixels and the framebuffer of " +
                    std::to_string(framebuffer.width()) + " x " + std::to_string(framebuffer.height()) +
                    "; they must agree");
         }
@@ -106,44 +106,20 @@ void draw(Session& session, Framebuffer& framebuffer, const Observed& observed,
                 refuse("target->texture is the framebuffer's own");
             }
         }
-        gl::Program& observe = program(session, observed.channels);
-        const auto set = [&observe](const char* name, const auto& value) {
-            if (observe.uses(name)) observe.set(name, value);
-        };
-        set("kind", static_cast<int>(observed.observer));
-        set("analyzer", observed.analyzer);
-        set("encode", target.encoding == NICOL_ENCODING_SRGB ? 1 : 0);
-        set("bottom_up", static_cast<int>(target.bottom_up));
-        for (int c = 0; c < observed.channels; ++c) {
-            channel_texture(framebuffer, observed.first + c).bind(static_cast<unsigned>(c));
+        gl::Program& observe = program(session, image, depth);
+        image.prepare(observe);
+        observe.set("bottom_up", static_cast<int>(target.bottom_up));
+        if (observe.uses("encode")) observe.set("encode", target.encoding == NICOL_ENCODING_SRGB ? 1 : 0);
+        if (!depth) {
+            gl::draw_fullscreen(drawn, observe);
+        } else {
+            prepare_depth(observe, framebuffer, target, image.textures);
+            gl::draw_fullscreen(
+                drawn, observe,
+                {.depth_test = gl::DepthTest::nearer_or_equal, .reversed_depth = reversed(target)});
         }
-        gl::draw_fullscreen(image, observe);
     });
     framebuffer.statistics().observe_ms += watch.milliseconds();
-}
-
-}  // namespace
-
-void require_channel(const Framebuffer& framebuffer, std::uint32_t channel) {
-    if (channel >= static_cast<std::uint32_t>(framebuffer.channels())) {
-        refuse("channel is " + std::to_string(channel) + "; the framebuffer has " +
-               std::to_string(framebuffer.channels()) + ", counted from 0");
-    }
-}
-
-const gl::Texture2D& channel_texture(Framebuffer& framebuffer, int channel) {
-    return framebuffer.groups()[static_cast<std::size_t>(channel / Framebuffer::kGroup)].colour(
-        channel % Framebuffer::kGroup);
-}
-
-void draw_stokes(Session& session, Framebuffer& framebuffer, int channel,
-                 const nicol_texture_target& target) {
-    draw(session, framebuffer, {.first = channel}, target);
-}
-
-void draw_observation(Session& session, Framebuffer& framebuffer, const nicol_observation& given,
-                      const nicol_texture_target& target) {
-    draw(session, framebuffer, observe(given, framebuffer.channels()), target);
 }
 
 }  // namespace nicol::capi

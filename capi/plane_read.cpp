@@ -2,38 +2,17 @@
 // Reading of framebuffer planes into the caller's memory.
 #include <half.h>
 
-#include <array>
 #include <vector>
 
 #include "assets.hpp"
 #include "image/observer.hpp"
+#include "planes.hpp"
 #include "progress.hpp"
 
 using namespace nicol;
 using namespace nicol::capi;
 
 namespace {
-
-struct PlaneKind {
-    const char* name;
-    std::size_t components;
-    std::uint32_t aov = 0;  // AovBit of planes that a render makes on request
-    bool coloured = aov == 0;
-};
-
-constexpr std::array<PlaneKind, 13> kKinds{{{"NICOL_PLANE_S0", 1},
-                                            {"NICOL_PLANE_S1", 1},
-                                            {"NICOL_PLANE_S2", 1},
-                                            {"NICOL_PLANE_S3", 1},
-                                            {"NICOL_PLANE_STOKES", 4},
-                                            {"NICOL_PLANE_DOLP", 1},
-                                            {"NICOL_PLANE_AOLP", 1},
-                                            {"NICOL_PLANE_DEPTH", 1, aov_depth},
-                                            {"NICOL_PLANE_NORMAL", 3, aov_normals},
-                                            {"NICOL_PLANE_POSITION", 3, aov_positions},
-                                            {"NICOL_PLANE_INSTANCE", 1, aov_instances},
-                                            {"NICOL_PLANE_VARIANCE", 4, aov_variance, true},
-                                            {"NICOL_PLANE_ALPHA", 1, aov_alpha}}};
 
 // A checked request with resolved defaults.
 struct Request {
@@ -48,9 +27,8 @@ std::size_t bytes_of(nicol_format format) {
 }
 
 Request understand(const nicol_plane_buffer& given, int channels) {
-    require_constant(given.plane, NICOL_PLANE_ALPHA, "plane", "NICOL_PLANE_...");
+    const PlaneKind& kind = plane_kind(given.plane);
     require_constant(given.format, NICOL_FORMAT_UINT32, "format", "NICOL_FORMAT_...");
-    const PlaneKind& kind = kKinds[given.plane];
     const bool ids = given.plane == NICOL_PLANE_INSTANCE;
     const nicol_format own = ids ? NICOL_FORMAT_UINT32 : NICOL_FORMAT_FLOAT32;
     const nicol_format format = given.format == NICOL_FORMAT_AUTOMATIC ? own : given.format;
@@ -58,15 +36,8 @@ Request understand(const nicol_plane_buffer& given, int channels) {
         refuse(std::string("the format of ") + kind.name + " must be " +
                (ids ? "NICOL_FORMAT_UINT32" : "NICOL_FORMAT_FLOAT32 or NICOL_FORMAT_FLOAT16"));
     }
-    if (!kind.coloured) {
-        if (given.channel != 0) refuse(std::string("channel must be 0: ") + kind.name + " has none");
-        return {given.plane, format, 0, 1};
-    }
-    if (given.channel == NICOL_ALL_CHANNELS) return {given.plane, format, 0, channels};
-    if (given.channel >= static_cast<std::uint32_t>(channels)) {
-        refuse("channel is " + std::to_string(given.channel) + "; the framebuffer has " +
-               std::to_string(channels) + ", counted from 0");
-    }
+    if (kind.coloured && given.channel == NICOL_ALL_CHANNELS) return {given.plane, format, 0, channels};
+    require_channel(kind, given.channel, channels);
     return {given.plane, format, static_cast<int>(given.channel), 1};
 }
 
@@ -102,8 +73,8 @@ private:
 class Source {
 public:
     Source(Framebuffer& from, const Request& request)
-        : components_(kKinds[request.plane].components), width_(static_cast<std::size_t>(from.width())) {
-        if (kKinds[request.plane].aov != 0) aovs_ = &from.aovs();
+        : components_(plane_kind(request.plane).components), width_(static_cast<std::size_t>(from.width())) {
+        if (plane_kind(request.plane).aov != 0) aovs_ = &from.aovs();
         for (int c = 0; c < request.channels; ++c)
             parts_.push_back(part(from, request.plane, request.first_channel + c));
     }
@@ -169,11 +140,8 @@ private:
 
 void read(Framebuffer& from, const nicol_plane_buffer& to) {
     const Request request = understand(to, from.channels());
-    const PlaneKind& kind = kKinds[request.plane];
-    if ((from.aov_mask() & kind.aov) != kind.aov) {
-        refuse(std::string("the plane ") + kind.name +
-               " is not there: the options of the last render into the framebuffer did not ask for it");
-    }
+    const PlaneKind& kind = plane_kind(request.plane);
+    require_made(kind, from);
     const std::size_t elements =
         static_cast<std::size_t>(from.width()) * static_cast<std::size_t>(request.channels) * kind.components;
     const Rows rows(to, bytes_of(request.format), elements, from.height());

@@ -2,20 +2,19 @@
 // An observer's image of a Stokes image, pixel by pixel.
 #version 450 core
 
+#include "linear.glsl"
+#ifdef HOST_DEPTH
+#include "host_depth.glsl"
+#endif
+
 layout(location = 0) out vec4 pixel;
 
 layout(binding = 0) uniform sampler2D stokes[CHANNELS];
 
-uniform int kind;        // 0 the Stokes vector itself, 1 radiance, 2 signed component, 3 DoLP, 4 AoLP
+uniform int kind;        // 0 radiance, 1 signed component, 2 DoLP, 3 AoLP
 uniform vec4 analyzer;   // radiance and signed component: the value is dot(analyzer, s)
 uniform bool encode;     // radiance: sRGB-encoded
 uniform bool bottom_up;  // whether the image's last row goes into row 0
-
-const float PI = 3.14159265358979;
-
-vec4 finite_or_zero(vec4 s) {
-    return mix(s, vec4(0.0), bvec4(uvec4(isnan(s)) | uvec4(isinf(s))));
-}
 
 vec4 mean(ivec2 at) {
     vec4 sum = vec4(0.0);
@@ -28,10 +27,6 @@ vec3 srgb(vec3 v) {
     return mix(1.055 * pow(v, vec3(1.0 / 2.4)) - 0.055, 12.92 * v, lessThanEqual(v, vec3(0.0031308)));
 }
 
-float dolp(vec4 s) {
-    return s.x > 0.0 ? min(length(s.yz) / s.x, 1.0) : 0.0;
-}
-
 vec3 hue(float angle) {
     return clamp(abs(mod(6.0 * angle + vec3(0.0, 4.0, 2.0), 6.0) - 3.0) - 1.0, 0.0, 1.0);
 }
@@ -39,21 +34,20 @@ vec3 hue(float angle) {
 void main() {
     ivec2 at = ivec2(gl_FragCoord.xy);
     if (bottom_up) at.y = textureSize(stokes[0], 0).y - 1 - at.y;
-    if (kind == 0) {
-        pixel = texelFetch(stokes[0], at, 0);
-        return;
-    }
+#ifdef HOST_DEPTH
+    gl_FragDepth = host_depth(at);
+#endif
     vec3 colour = vec3(0.0);
-    if (kind == 1) {
+    if (kind == 0) {
         for (int i = 0; i < 3; ++i)
             colour[i] = dot(analyzer, finite_or_zero(texelFetch(stokes[min(i, CHANNELS - 1)], at, 0)));
         if (encode) colour = srgb(colour);
     } else {
         vec4 s = mean(at);
         float value = dot(analyzer, s);
-        if (kind == 2) colour = value < 0.0 ? vec3(-value, 0.0, 0.0) : vec3(0.0, value, 0.0);
-        if (kind == 3) colour = vec3(dolp(s));
-        if (kind == 4) colour = dolp(s) * hue(s.y == 0.0 && s.z == 0.0 ? 0.0 : 0.5 * atan(s.z, s.y) / PI);
+        if (kind == 1) colour = value < 0.0 ? vec3(-value, 0.0, 0.0) : vec3(0.0, value, 0.0);
+        if (kind == 2) colour = vec3(dolp(s));
+        if (kind == 3) colour = dolp(s) * hue(aolp(s) / PI);
     }
     pixel = vec4(colour, 1.0);
 }

@@ -1706,6 +1706,16 @@ NICOL_API nicol_result nicol_host_init(nicol_host* descriptor, uint32_t struct_s
 NICOL_API nicol_result nicol_context_create_host(const nicol_host* host, const nicol_context_options* options,
                                                  nicol_context* context);
 
+/* Creates a framebuffer whose images are textures of the host's, one for each channel: level 0 of a
+ * GL_TEXTURE_2D of GL_RGBA32F, allocated by glTexStorage2D or glTextureStorage2D, all of one size. A texel is
+ * the Stokes vector, and row 0 the image's TOP. The textures must live until the framebuffer is released;
+ * Nicol never deletes them. The host may sample them between renders, and must not write them while the
+ * framebuffer lives. nicol_framebuffer_resize fails with NICOL_ERROR_UNSUPPORTED. Returns
+ * NICOL_ERROR_INVALID_ARGUMENT that names a texture which cannot be used, and NICOL_ERROR_UNSUPPORTED for a
+ * context that is not a host's. */
+NICOL_API nicol_result nicol_framebuffer_create_textures(nicol_context context, const uint32_t* textures,
+                                                         uint32_t channels, nicol_framebuffer* framebuffer);
+
 typedef struct nicol_gl_texture {
     uint32_t struct_size;
     uint32_t name;            /* OpenGL's name of the texture */
@@ -1730,6 +1740,15 @@ typedef uint32_t nicol_encoding;
 #define NICOL_ENCODING_LINEAR 0u /* radiance, stored as far as the texture's format goes */
 #define NICOL_ENCODING_SRGB 1u   /* radiance clipped to 0 to 1, through the sRGB curve, as in PNG files */
 
+/* Mapping of the distance z along the camera's +z to the numbers of a host's depth buffer, with the host's
+ * near plane n and far plane f. They do not depend on the range of z in clip space (glClipControl). */
+typedef uint32_t nicol_depth_mapping;
+#define NICOL_DEPTH_MAPPING_PERSPECTIVE 0u /* (1/n - 1/z) / (1/n - 1/f): 0 at n, 1 at f */
+#define NICOL_DEPTH_MAPPING_PERSPECTIVE_REVERSED \
+    1u /* 1 at n, 0 at f: the host's depth test is GL_GREATER or GL_GEQUAL */
+#define NICOL_DEPTH_MAPPING_ORTHOGRAPHIC 2u /* (z - n) / (f - n) */
+#define NICOL_DEPTH_MAPPING_ORTHOGRAPHIC_REVERSED 3u
+
 /* Texture of the host's to draw into: level 0 of a GL_TEXTURE_2D of GL_RGBA8, GL_SRGB8_ALPHA8, GL_RGBA16F or
  * GL_RGBA32F, as large as the framebuffer. */
 typedef struct nicol_texture_target {
@@ -1741,13 +1760,28 @@ typedef struct nicol_texture_target {
     /* Encoding of the images S0 and POLARIZER, default linear. SRGB8_ALPHA8 gets the encoded numbers
      * unchanged. */
     nicol_encoding encoding;
+    /* Depth texture of the host's, of the same size and with the same row 0; default 0: none. The image is
+     * then drawn only where its surfaces are nearer than the texture's depths, and its depths replace these:
+     * what the host has drawn hides Nicol's surfaces, and these hide what the host draws next. Pixels without
+     * a surface are infinitely far. The render needs NICOL_AOV_DEPTH and the host's own view. Formats:
+     * GL_DEPTH_COMPONENT16, 24 or 32F, GL_DEPTH24_STENCIL8 or GL_DEPTH32F_STENCIL8. */
+    uint32_t depth_texture;
+    nicol_depth_mapping depth_mapping; /* numbers in depth_texture, default NICOL_DEPTH_MAPPING_PERSPECTIVE */
+    float depth_near; /* the host's near plane, default 0: above 0 is needed in perspective */
+    float depth_far;  /* the host's far plane; 0, the default: none, in perspective */
 } nicol_texture_target;
 #define NICOL_TEXTURE_TARGET_INIT \
-    { sizeof(nicol_texture_target), 0, 0, 0 }
+    { sizeof(nicol_texture_target), 0, 0, 0, 0, 0, 0, 0 }
 NICOL_API nicol_result nicol_texture_target_init(nicol_texture_target* descriptor, uint32_t struct_size);
 
-/* Copies the Stokes vectors of a channel into a texture; nothing is read back. Returns
- * NICOL_ERROR_UNSUPPORTED for a framebuffer whose context is not a host's. */
+/* Copies a plane of one channel into a texture; nothing is read back. A texel gets the numbers that
+ * nicol_framebuffer_read copies, in red, green, blue and alpha; components that the plane does not have are
+ * 0, and alpha 1. The texture may also be of GL_R16F or GL_R32F for one component, and is of GL_R32UI for
+ * NICOL_PLANE_INSTANCE. Returns NICOL_ERROR_INVALID_ARGUMENT for NICOL_PLANE_VARIANCE, which is not on the
+ * device, and NICOL_ERROR_UNSUPPORTED for a framebuffer whose context is not a host's. */
+NICOL_API nicol_result nicol_framebuffer_draw_plane(nicol_framebuffer framebuffer, nicol_plane plane,
+                                                    uint32_t channel, const nicol_texture_target* target);
+/* Draws the plane NICOL_PLANE_STOKES. */
 NICOL_API nicol_result nicol_framebuffer_draw_stokes(nicol_framebuffer framebuffer, uint32_t channel,
                                                      const nicol_texture_target* target);
 /* Draws the image of nicol_framebuffer_write_png into a texture, as red, green, blue and alpha 1. s1 to s3

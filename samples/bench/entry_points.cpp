@@ -314,6 +314,9 @@ void EntryPoints::host(const Watch& watch, std::uint32_t texture) {
     auto target = defaults(nicol_texture_target_init);
     target.texture = texture;
     call(watch, NAMED(nicol_framebuffer_draw_stokes), o.framebuffer.get(), 0U, &target);
+    call(watch, NAMED(nicol_framebuffer_draw_plane), o.framebuffer.get(), nicol_plane{NICOL_PLANE_DOLP}, 0U,
+         &target);
+    make<Framebuffer>(watch, NAMED(nicol_framebuffer_create_textures), o.context, &texture, 1U);
     const auto shown = defaults(nicol_observation_init);
     call(watch, NAMED(nicol_framebuffer_draw_observation), o.framebuffer.get(), &shown, &target);
 }

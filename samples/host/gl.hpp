@@ -24,7 +24,9 @@
     X(DrawArrays, decltype(&::glDrawArrays))                     \
     X(Enable, decltype(&::glEnable))                             \
     X(EnableVertexAttribArray, PFNGLENABLEVERTEXATTRIBARRAYPROC) \
+    X(FramebufferTexture2D, PFNGLFRAMEBUFFERTEXTURE2DPROC)       \
     X(GenBuffers, PFNGLGENBUFFERSPROC)                           \
+    X(GenFramebuffers, PFNGLGENFRAMEBUFFERSPROC)                 \
     X(GenTextures, decltype(&::glGenTextures))                   \
     X(GenVertexArrays, PFNGLGENVERTEXARRAYSPROC)                 \
     X(GetDoublei_v, PFNGLGETDOUBLEI_VPROC)                       \

@@ -10,6 +10,7 @@
 #include "gl_state.hpp"
 #include "options.hpp"
 #include "polarized.hpp"
+#include "rings.hpp"
 #include "stage.hpp"
 
 namespace {
@@ -91,12 +92,24 @@ void run(const Options& options) {
     const Stage stage(gl);
     std::optional<Polarized> polarized;
     if (options.nicol) untouched(gl, [&] { polarized.emplace(); });
+    std::optional<Rings> rings;
+    if (options.rings) rings.emplace(gl, stage.image(), Stage::kQuadSize);
     double polarizer = options.polarizer;
     for (int frame = 0; handle_events(polarizer) && (options.frames == 0 || frame < options.frames);
          ++frame) {
         stage.draw_triangles(frame);
         if (polarized) {
-            untouched(gl, [&] { polarized->draw(2.0 * frame, polarizer, stage.image()); });
+            // One ring is there before the ball, which hides what is behind it; the other one comes after,
+            // and is hidden by the ball's depth.
+            if (rings) {
+                rings->clear();
+                rings->draw(0, frame);
+            }
+            untouched(gl, [&] {
+                polarized->draw(2.0 * frame, polarizer, stage.image(), rings ? rings->depth() : 0,
+                                Rings::kNear);
+            });
+            if (rings) rings->draw(1, frame);
             stage.draw_quad(3.0 * frame);
         }
         if (frame + 1 == options.frames && !options.screenshot.empty())

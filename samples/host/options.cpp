@@ -15,6 +15,7 @@ const char* const usage =
     "  --screenshot FILE   write the last frame as a PPM image; needs --frames\n"
     "  --planes FILE       write what the image on the quad is made of: 256 x 256 x 3 Stokes vectors as "
     "floats\n"
+    "  --rings             draw two rings about the ball, by the application, which share its depth\n"
     "  --without-nicol     leave the quad out\n";
 
 namespace {
@@ -41,6 +42,8 @@ Options parse(int count, char** arguments) {
             options.help = true;
         } else if (option == "--without-nicol") {
             options.nicol = false;
+        } else if (option == "--rings") {
+            options.rings = true;
         } else if (option == "--screenshot") {
             options.screenshot = value();
         } else if (option == "--planes") {
@@ -57,6 +60,7 @@ Options parse(int count, char** arguments) {
         }
     }
     if (!options.screenshot.empty() && options.frames == 0) throw Failure("--screenshot needs --frames");
+    if (options.rings && !options.nicol) throw Failure("--rings and --without-nicol exclude each other");
     if (!options.planes.empty() && !options.nicol)
         throw Failure("--planes and --without-nicol exclude each other");
     return options;

@@ -10,6 +10,7 @@ struct Options {
     int frames = 0;          ///< number of frames; 0: until the window is closed
     double polarizer = 0;    ///< in degrees
     bool nicol = true;
+    bool rings = false;  ///< whether the application draws rings about the ball
     bool help = false;
 };
 

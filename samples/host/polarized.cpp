@@ -44,11 +44,13 @@ Polarized::Polarized() {
     check(nicol_camera_look_at(&camera_, origin, target, up));
 }
 
-void Polarized::draw(double sun, double polarizer, unsigned texture) {
+void Polarized::draw(double sun, double polarizer, unsigned texture, unsigned depth, float depth_near) {
     const double c = std::cos(sun * std::numbers::pi / 180), s = std::sin(sun * std::numbers::pi / 180);
     const double to_world[] = {c, 0, s, 0, 0, 1, 0, 0, -s, 0, c, 0, 0, 0, 0, 1};
     check(nicol_scene_set_environment(scene_.get(), sky_.get(), to_world, 1));
-    check(nicol_render(scene_.get(), &camera_, nullptr, framebuffer_.get()));
+    nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
+    options.aovs = depth != 0 ? NICOL_AOV_DEPTH : 0;
+    check(nicol_render(scene_.get(), &camera_, &options, framebuffer_.get()));
 
     nicol_observation seen = NICOL_OBSERVATION_INIT;
     seen.kind = NICOL_OBSERVATION_POLARIZER;
@@ -57,6 +59,8 @@ void Polarized::draw(double sun, double polarizer, unsigned texture) {
     target.texture = texture;
     target.bottom_up = 1;
     target.encoding = NICOL_ENCODING_SRGB;
+    target.depth_texture = depth;
+    target.depth_near = depth_near;
     check(nicol_framebuffer_draw_observation(framebuffer_.get(), &seen, &target));
 }
 

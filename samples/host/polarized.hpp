@@ -15,8 +15,9 @@ public:
     Polarized();
 
     /// Renders with the sun at this azimuth in degrees, and draws the light behind a polarizer at this angle
-    /// in degrees into the texture: RGBA8, row 0 at the bottom, as in OpenGL.
-    void draw(double sun, double polarizer, unsigned texture);
+    /// in degrees into the texture: RGBA8, row 0 at the bottom, as in OpenGL. If `depth` is not 0, the ball
+    /// and what the application draws with this depth texture and this near plane hide each other.
+    void draw(double sun, double polarizer, unsigned texture, unsigned depth = 0, float depth_near = 0);
     /// Returns [channel][row][column][4], the top row first.
     [[nodiscard]] std::vector<float> planes() const;
 

@@ -429,11 +429,16 @@ typedef struct nicol_gl_texture {
     uint32_t height;
 } nicol_gl_texture;
 typedef uint32_t nicol_encoding;
+typedef uint32_t nicol_depth_mapping;
 typedef struct nicol_texture_target {
     uint32_t struct_size;
     uint32_t texture;
     uint32_t bottom_up;
     nicol_encoding encoding;
+    uint32_t depth_texture;
+    nicol_depth_mapping depth_mapping;
+    float depth_near;
+    float depth_far;
 } nicol_texture_target;
 typedef uint32_t nicol_psh_grid;
 typedef struct nicol_psh_sampling {
@@ -651,9 +656,11 @@ nicol_result nicol_observation_init(nicol_observation* descriptor, uint32_t stru
 nicol_result nicol_framebuffer_write_png(nicol_framebuffer framebuffer, const nicol_observation* observation, const char* path);
 nicol_result nicol_host_init(nicol_host* descriptor, uint32_t struct_size);
 nicol_result nicol_context_create_host(const nicol_host* host, const nicol_context_options* options, nicol_context* context);
+nicol_result nicol_framebuffer_create_textures(nicol_context context, const uint32_t* textures, uint32_t channels, nicol_framebuffer* framebuffer);
 nicol_result nicol_gl_texture_init(nicol_gl_texture* descriptor, uint32_t struct_size);
 nicol_result nicol_framebuffer_get_texture(nicol_framebuffer framebuffer, uint32_t channel, nicol_gl_texture* texture);
 nicol_result nicol_texture_target_init(nicol_texture_target* descriptor, uint32_t struct_size);
+nicol_result nicol_framebuffer_draw_plane(nicol_framebuffer framebuffer, nicol_plane plane, uint32_t channel, const nicol_texture_target* target);
 nicol_result nicol_framebuffer_draw_stokes(nicol_framebuffer framebuffer, uint32_t channel, const nicol_texture_target* target);
 nicol_result nicol_framebuffer_draw_observation(nicol_framebuffer framebuffer, const nicol_observation* observation, const nicol_texture_target* target);
 nicol_result nicol_psh_project_image(const nicol_image* image, uint32_t order, double* coefficients, uint64_t count);
@@ -823,6 +830,10 @@ return {
         HOST_VALIDATE = 2,
         ENCODING_LINEAR = 0,
         ENCODING_SRGB = 1,
+        DEPTH_MAPPING_PERSPECTIVE = 0,
+        DEPTH_MAPPING_PERSPECTIVE_REVERSED = 1,
+        DEPTH_MAPPING_ORTHOGRAPHIC = 2,
+        DEPTH_MAPPING_ORTHOGRAPHIC_REVERSED = 3,
         PSH_MAX_ORDER = 4096,
         PSH_MAX_MATRIX_ORDER = 64,
         PSH_GRID_FEJER = 0,
@@ -929,7 +940,9 @@ return {
         framebuffer_write_exr = true,
         framebuffer_write_png = true,
         context_create_host = "nicol_context",
+        framebuffer_create_textures = "nicol_framebuffer",
         framebuffer_get_texture = true,
+        framebuffer_draw_plane = true,
         framebuffer_draw_stokes = true,
         framebuffer_draw_observation = true,
         psh_project_image = true,

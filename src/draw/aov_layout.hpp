@@ -32,6 +32,23 @@ struct AovLayout {
         place(alpha, aov_alpha, 1);
         place(instances, aov_instances, 2);
     }
+    /// Returns the index of an AOV's first float, -1 if the AOV is absent.
+    [[nodiscard]] int first(AovBit aov) const noexcept {
+        switch (aov) {
+            case aov_normals:
+                return normals;
+            case aov_depth:
+                return depth;
+            case aov_positions:
+                return positions;
+            case aov_alpha:
+                return alpha;
+            case aov_instances:
+                return instances;
+            default:
+                return -1;
+        }
+    }
     [[nodiscard]] int attachments() const noexcept { return (floats + 3) / 4; }
     /// Returns the value of an attachment's pixels without surfaces.
     [[nodiscard]] glm::vec4 background(int attachment) const;

@@ -2,7 +2,9 @@
 #include "draw/framebuffer.hpp"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
+#include <iterator>
 #include <span>
 #include <string>
 #include <utility>
@@ -14,39 +16,78 @@
 namespace nicol {
 namespace {
 
+// AOV of floats, and its place in a layout.
+template <class Values>
+struct FloatAov {
+    int place;
+    std::size_t count;  // floats of a pixel
+    Values* values;
+};
+
+// Calls visit(component, aov, i) for each float i of an AOV that an attachment holds, where `component` is
+// the float's place in the attachment's texels. `aovs` is Aovs, constant or not.
+template <class AnyAovs, class Visit>
+void visit_floats(const AovLayout& layout, int attachment, AnyAovs& aovs, Visit visit) {
+    const std::array all{FloatAov{layout.normals, 3, &aovs.normals}, FloatAov{layout.depth, 1, &aovs.depth},
+                         FloatAov{layout.positions, 3, &aovs.positions},
+                         FloatAov{layout.alpha, 1, &aovs.alpha}};
+    for (const auto& aov : all) {
+        // Depth may be drawn for the sake of other AOVs alone.
+        if (aov.place < 0 || aov.values->empty()) continue;
+        for (std::size_t i = 0; i < aov.count; ++i) {
+            const int at = aov.place + static_cast<int>(i);
+            if (at / 4 == attachment) visit(static_cast<std::size_t>(at % 4), aov, i);
+        }
+    }
+}
+
+// Calls visit(component, shift) for each half of the instances' ids that an attachment holds.
+template <class Visit>
+void visit_ids(const AovLayout& layout, int attachment, Visit visit) {
+    for (int half = 0; layout.instances >= 0 && half < 2; ++half) {
+        const int at = layout.instances + half;
+        if (at / 4 == attachment) visit(static_cast<std::size_t>(at % 4), 16 * half);
+    }
+}
+
 // Reads the AOVs of a layout back, one attachment after the other.
 void unpack(const gl::RenderTarget& attachments, const AovLayout& layout, Aovs& aovs) {
     const std::size_t pixels = static_cast<std::size_t>(aovs.width) * static_cast<std::size_t>(aovs.height);
     std::vector<float> packed(4 * pixels);
-    std::vector<std::uint32_t>& ids = aovs.instances;
     for (int a = 0; a < attachments.colours(); ++a) {
         attachments.read(a, packed);
-        const auto copy = [&](int place, std::size_t count, auto&& put) {
-            for (std::size_t i = 0; place >= 0 && i < count; ++i) {
-                const int at = place + static_cast<int>(i);
-                if (at / 4 != a) continue;
-                for (std::size_t p = 0; p < pixels; ++p)
-                    put(p, i, packed[4 * p + static_cast<std::size_t>(at % 4)]);
+        visit_floats(layout, a, aovs, [&](std::size_t component, const auto& aov, std::size_t i) {
+            for (std::size_t p = 0; p < pixels; ++p)
+                (*aov.values)[aov.count * p + i] = packed[4 * p + component];
+        });
+        visit_ids(layout, a, [&](std::size_t component, int shift) {
+            for (std::size_t p = 0; p < pixels; ++p) {
+                const auto half = static_cast<std::uint32_t>(packed[4 * p + component]);
+                aovs.instances[p] = shift == 0 ? half : aovs.instances[p] | half << shift;
             }
-        };
-        if (!aovs.depth.empty())
-            copy(layout.depth, 1, [&](std::size_t p, std::size_t, float x) { aovs.depth[p] = x; });
-        copy(layout.normals, 3, [&](std::size_t p, std::size_t i, float x) { aovs.normals[3 * p + i] = x; });
-        copy(layout.positions, 3,
-             [&](std::size_t p, std::size_t i, float x) { aovs.positions[3 * p + i] = x; });
-        copy(layout.alpha, 1, [&](std::size_t p, std::size_t, float x) { aovs.alpha[p] = x; });
-        copy(layout.instances, 2, [&](std::size_t p, std::size_t i, float x) {
-            const auto half = static_cast<std::uint32_t>(x);
-            ids[p] = i == 0 ? half : ids[p] | half << 16;
         });
     }
 }
 
-}  // namespace
+// Writes AOVs into attachments.
+void pack(const Aovs& aovs, const AovLayout& layout, gl::RenderTarget& attachments) {
+    const std::size_t pixels = static_cast<std::size_t>(aovs.width) * static_cast<std::size_t>(aovs.height);
+    for (int a = 0; a < attachments.colours(); ++a) {
+        std::vector<float> packed(4 * pixels);
+        visit_floats(layout, a, aovs, [&](std::size_t component, const auto& aov, std::size_t i) {
+            for (std::size_t p = 0; p < pixels; ++p)
+                packed[4 * p + component] = (*aov.values)[aov.count * p + i];
+        });
+        visit_ids(layout, a, [&](std::size_t component, int shift) {
+            for (std::size_t p = 0; p < pixels; ++p)
+                packed[4 * p + component] = static_cast<float>(aovs.instances[p] >> shift & 0xffff);
+        });
+        attachments.write(a, packed);
+    }
+}
 
-Framebuffer::Framebuffer(std::shared_ptr<gl::Context> context, int width, int height, int channels)
-    : context_(std::move(context)), mutex_(context_), width_(width), height_(height), channels_(channels) {
-    const int most = context_->limits().target_size;
+void check_size(const gl::Context& context, int width, int height) {
+    const int most = context.limits().target_size;
     if (width < 1 || height < 1 || width > most || height > most) {
         throw Error(ErrorCode::invalid_argument,
                     "a framebuffer of " + std::to_string(width) + " x " + std::to_string(height) +
@@ -58,6 +99,13 @@ Framebuffer::Framebuffer(std::shared_ptr<gl::Context> context, int width, int he
                                                      std::to_string(height) + " has more than " +
                                                      std::to_string(most_pixels) + " pixels");
     }
+}
+
+}  // namespace
+
+Framebuffer::Framebuffer(std::shared_ptr<gl::Context> context, int width, int height, int channels)
+    : context_(std::move(context)), mutex_(context_), width_(width), height_(height), channels_(channels) {
+    check_size(*context_, width, height);
     context_->run([this] {
         for (int first = 0; first < channels_; first += kGroup) {
             groups_.emplace_back(
@@ -66,6 +114,36 @@ Framebuffer::Framebuffer(std::shared_ptr<gl::Context> context, int width, int he
                     .width = width_, .height = height_, .colours = std::min(kGroup, channels_ - first)});
         }
     });
+}
+
+Framebuffer::Framebuffer(std::shared_ptr<gl::Context> context, std::span<const unsigned> textures)
+    : context_(std::move(context)),
+      mutex_(context_),
+      width_(0),
+      height_(0),
+      channels_(static_cast<int>(textures.size())),
+      borrows_(true) {
+    std::vector<gl::Texture2D> images;
+    for (std::size_t i = 0; i < textures.size(); ++i) {
+        if (std::ranges::find(textures.first(i), textures[i]) != textures.first(i).end())
+            throw Error(ErrorCode::invalid_argument,
+                        "the texture " + std::to_string(textures[i]) + " is given for two channels");
+        images.push_back(gl::Texture2D::borrowed(context_, textures[i]));
+        if (images.back().width() != images[0].width() || images.back().height() != images[0].height())
+            throw Error(ErrorCode::invalid_argument, "the texture " + std::to_string(textures[i]) +
+                                                         " has another size than the texture " +
+                                                         std::to_string(textures[0]));
+    }
+    width_ = images.at(0).width();
+    height_ = images[0].height();
+    check_size(*context_, width_, height_);
+    for (std::size_t first = 0; first < images.size(); first += kGroup) {
+        const auto begin = images.begin() + static_cast<std::ptrdiff_t>(first);
+        const auto end =
+            images.begin() + static_cast<std::ptrdiff_t>(std::min(first + kGroup, images.size()));
+        groups_.emplace_back(
+            std::vector<gl::Texture2D>(std::make_move_iterator(begin), std::make_move_iterator(end)));
+    }
 }
 
 const StokesImage& Framebuffer::image() {
@@ -96,6 +174,17 @@ const Aovs& Framebuffer::aovs() {
         statistics_.observe_ms += watch.milliseconds();
     }
     return *aovs_;
+}
+
+Framebuffer::DrawnAov Framebuffer::drawn_aov(AovBit aov) {
+    if (!aov_attachments_) {
+        const std::uint32_t drawn = aov_mask_ & ~std::uint32_t{aov_variance};
+        std::shared_ptr<gl::RenderTarget> attachments = aov_attachments(drawn);
+        pack(aovs(), AovLayout(drawn), *attachments);
+        aovs_drawn_ = drawn;
+        aov_attachments_ = std::move(attachments);
+    }
+    return {aov_attachments_.get(), AovLayout(aovs_drawn_).first(aov)};
 }
 
 std::shared_ptr<gl::RenderTarget> Framebuffer::aov_attachments(std::uint32_t drawn) const {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "gl/lending_mutex.hpp"
@@ -25,6 +26,13 @@ public:
     /// Throws Error(invalid_argument) for sizes or channels out of range, and Error(out_of_memory).
     Framebuffer(std::shared_ptr<gl::Context> context, int width, int height, int channels);
 
+    /// Makes images in textures that are not ours, one for each channel, of one size, which must outlive this
+    /// object. Must be called inside run(). Throws Error(invalid_argument) that names a texture which cannot
+    /// be used.
+    Framebuffer(std::shared_ptr<gl::Context> context, std::span<const unsigned> textures);
+
+    /// Returns whether the images are textures that are not ours.
+    [[nodiscard]] bool borrows() const noexcept { return borrows_; }
     [[nodiscard]] int width() const noexcept { return width_; }
     [[nodiscard]] int height() const noexcept { return height_; }
     [[nodiscard]] int channels() const noexcept { return channels_; }
@@ -41,6 +49,15 @@ public:
     [[nodiscard]] std::uint32_t aov_mask() const noexcept { return aov_mask_; }
     /// Returns the AOVs of the last render in memory, read back on first use after a render.
     [[nodiscard]] const Aovs& aovs();
+
+    /// AOVs on the device: the attachments that hold them, packed as in AovLayout, and an AOV's first float.
+    struct DrawnAov {
+        const gl::RenderTarget* attachments;
+        int first;
+    };
+    /// Returns an AOV other than the variance, which the last render must have made. AOVs that were made
+    /// without drawing are uploaded at the first call. Must be called inside run() of the context.
+    [[nodiscard]] DrawnAov drawn_aov(AovBit aov);
 
     /// Replaces the content by an image that was made without drawing, and its AOVs. Throws
     /// Error(invalid_argument) unless they have this size and these channels.
@@ -66,6 +83,7 @@ private:
     int width_;
     int height_;
     int channels_;
+    bool borrows_ = false;
     std::vector<gl::RenderTarget> groups_;
     std::optional<StokesImage> image_;
     std::uint32_t aov_mask_ = 0;

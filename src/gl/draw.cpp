@@ -29,7 +29,12 @@ const GladGLContext& prepare(const char* what, RenderTarget& target, const Progr
         gl.Disable(GL_DEPTH_TEST);
     } else {
         gl.Enable(GL_DEPTH_TEST);
-        gl.DepthFunc(state.depth_test == DepthTest::nearer ? GL_GREATER : GL_GEQUAL);
+        const bool strictly = state.depth_test == DepthTest::nearer;
+        if (state.reversed_depth) {
+            gl.DepthFunc(strictly ? GL_GREATER : GL_GEQUAL);
+        } else {
+            gl.DepthFunc(strictly ? GL_LESS : GL_LEQUAL);
+        }
     }
     gl.DepthMask(state.depth_write ? GL_TRUE : GL_FALSE);
     if (state.cull == Cull::none) {

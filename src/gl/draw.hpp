@@ -21,6 +21,7 @@ struct DrawState {
     bool depth_write = true;
     Cull cull = Cull::none;
     int components = 4;  ///< 1..4: number of components of each texel that are written; the others are kept
+    bool reversed_depth = true;  ///< false: the target's depth is a host's that grows with distance
 };
 
 /// All functions below must be called inside run(). Objects of different contexts, or a program of the wrong

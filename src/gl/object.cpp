@@ -76,6 +76,13 @@ Object::Object(std::shared_ptr<Context> context, ObjectKind kind, unsigned detai
     }
 }
 
+Object::Object(ObjectKind kind, unsigned id, std::shared_ptr<Context> context) noexcept
+    : context_(std::move(context)), kind_(kind), id_(id), owned_(false) {}
+
+Object Object::borrowed(std::shared_ptr<Context> context, ObjectKind kind, unsigned id) {
+    return {kind, id, std::move(context)};
+}
+
 Object::~Object() {
     drop();
 }
@@ -84,6 +91,7 @@ Object::Object(Object&& other) noexcept
     : context_(std::move(other.context_)),
       kind_(other.kind_),
       id_(std::exchange(other.id_, 0)),
+      owned_(other.owned_),
       memory_kind_(other.memory_kind_),
       bytes_(std::exchange(other.bytes_, 0)) {}
 
@@ -93,6 +101,7 @@ Object& Object::operator=(Object&& other) noexcept {
         context_ = std::move(other.context_);
         kind_ = other.kind_;
         id_ = std::exchange(other.id_, 0);
+        owned_ = other.owned_;
         memory_kind_ = other.memory_kind_;
         bytes_ = std::exchange(other.bytes_, 0);
     }
@@ -109,7 +118,9 @@ void Object::drop() noexcept {
     if (id_ == 0) return;
     Context::State& state = context_->state();
     state.bytes[static_cast<std::size_t>(memory_kind_)] -= bytes_;
-    if (context_->on_thread()) {
+    if (!owned_) {
+        // The owner deletes it.
+    } else if (context_->on_thread()) {
         delete_object(state.gl, kind_, id_);
     } else if (state.host) {
         state.host->remove(state, kind_, id_);

@@ -23,6 +23,8 @@ public:
     /// Makes the object. `detail` is the stage of a shader and otherwise unused. Inside run(); throws
     /// Error(opengl).
     Object(std::shared_ptr<Context> context, ObjectKind kind, unsigned detail = 0);
+    /// Holds an object that is not ours, and never deletes it.
+    static Object borrowed(std::shared_ptr<Context> context, ObjectKind kind, unsigned id);
     ~Object();
     Object(Object&& other) noexcept;
     Object& operator=(Object&& other) noexcept;
@@ -33,11 +35,13 @@ public:
     void account(MemoryKind kind, std::size_t bytes) noexcept;
 
 private:
+    Object(ObjectKind kind, unsigned id, std::shared_ptr<Context> context) noexcept;
     void drop() noexcept;
 
     std::shared_ptr<Context> context_;
     ObjectKind kind_;
     unsigned id_ = 0;
+    bool owned_ = true;
     MemoryKind memory_kind_ = MemoryKind::vertex;
     std::size_t bytes_ = 0;
 };

@@ -48,58 +48,13 @@ const RenderTargetDescription& checked(const RenderTargetDescription& descriptio
     return description;
 }
 
-struct TextureTarget {
-    GLenum target, binding;
-};
-constexpr std::array kTextureTargets{
-    TextureTarget{GL_TEXTURE_1D, GL_TEXTURE_BINDING_1D},
-    TextureTarget{GL_TEXTURE_2D, GL_TEXTURE_BINDING_2D},
-    TextureTarget{GL_TEXTURE_3D, GL_TEXTURE_BINDING_3D},
-    TextureTarget{GL_TEXTURE_1D_ARRAY, GL_TEXTURE_BINDING_1D_ARRAY},
-    TextureTarget{GL_TEXTURE_2D_ARRAY, GL_TEXTURE_BINDING_2D_ARRAY},
-    TextureTarget{GL_TEXTURE_RECTANGLE, GL_TEXTURE_BINDING_RECTANGLE},
-    TextureTarget{GL_TEXTURE_BUFFER, GL_TEXTURE_BINDING_BUFFER},
-    TextureTarget{GL_TEXTURE_CUBE_MAP, GL_TEXTURE_BINDING_CUBE_MAP},
-    TextureTarget{GL_TEXTURE_CUBE_MAP_ARRAY, GL_TEXTURE_BINDING_CUBE_MAP_ARRAY},
-    TextureTarget{GL_TEXTURE_2D_MULTISAMPLE, GL_TEXTURE_BINDING_2D_MULTISAMPLE},
-    TextureTarget{GL_TEXTURE_2D_MULTISAMPLE_ARRAY, GL_TEXTURE_BINDING_2D_MULTISAMPLE_ARRAY}};
-
-/// Returns the target of an existing texture; 0 if an extension defines the target. The function binds the
-/// texture and checks the bindings, because Mesa's compatibility contexts do not answer
-/// glGetTextureParameteriv(GL_TEXTURE_TARGET).
-GLenum target_of(const Context::State& state, GLuint texture) {
-    const GladGLContext& gl = state.gl;
-    const auto bound = [&state](const TextureTarget& target) {
-        return static_cast<GLuint>(state.integer(target.binding));
-    };
-    gl.ActiveTexture(GL_TEXTURE0);
-    std::array<GLuint, kTextureTargets.size()> before{};
-    std::ranges::transform(kTextureTargets, before.begin(), bound);
-    gl.BindTextureUnit(0, texture);
-    const auto found = std::ranges::find(kTextureTargets, texture, bound);
-    if (found == kTextureTargets.end()) return 0;
-    gl.BindTexture(found->target, before[static_cast<std::size_t>(found - kTextureTargets.begin())]);
-    return found->target;
-}
-
-/// Returns the description of level 0 of a texture that is not ours.
-RenderTargetDescription described(Context& context, unsigned texture) {
-    const GladGLContext& gl = functions(context, "RenderTarget");
-    const std::string what = "the texture " + std::to_string(texture);
-    const auto refuse = [](const std::string& text) { throw Error(ErrorCode::invalid_argument, text); };
-    if (gl.IsTexture(texture) != GL_TRUE) refuse(what + " does not exist in the host's context");
-    if (HostState* const host = context.state().host_state) host->prepare_texture(0);
-    if (target_of(context.state(), texture) != GL_TEXTURE_2D) refuse(what + " is not a GL_TEXTURE_2D");
-    GLint format = 0, width = 0, height = 0;
-    gl.GetTextureLevelParameteriv(texture, 0, GL_TEXTURE_INTERNAL_FORMAT, &format);
-    gl.GetTextureLevelParameteriv(texture, 0, GL_TEXTURE_WIDTH, &width);
-    gl.GetTextureLevelParameteriv(texture, 0, GL_TEXTURE_HEIGHT, &height);
-    if (width < 1 || height < 1) refuse(what + " has no pixels yet");
-    if (format != GL_RGBA8 && format != GL_SRGB8_ALPHA8 && format != GL_RGBA16F && format != GL_RGBA32F)
-        refuse(what + " has the internal format " + std::to_string(format) +
-               "; it must be GL_RGBA8, GL_SRGB8_ALPHA8, GL_RGBA16F or GL_RGBA32F");
-    context.state().check(what);
-    return {.width = width, .height = height, .colours = 1, .depth = false};
+RenderTargetDescription described(Context& context, const BorrowedTextures& borrowed) {
+    const BorrowedSize size = borrowed_size(context, borrowed.colour, borrowed.formats);
+    if (borrowed.depth != 0 && borrowed_size(context, borrowed.depth, BorrowedFormats::depths) != size)
+        throw Error(ErrorCode::invalid_argument, "the depth texture " + std::to_string(borrowed.depth) +
+                                                     " has another size than the texture " +
+                                                     std::to_string(borrowed.colour));
+    return {.width = size.width, .height = size.height, .colours = 1, .depth = borrowed.depth != 0};
 }
 
 std::shared_ptr<Context> required(std::shared_ptr<Context> context) {
@@ -113,20 +68,36 @@ RenderTarget::RenderTarget(const std::shared_ptr<Context>& context,
                            const RenderTargetDescription& description)
     : description_(checked(description, required(context)->limits())),
       framebuffer_(context, ObjectKind::framebuffer) {
-    const GladGLContext& gl = functions(*context, "RenderTarget");
-    Context::State& state = context->state();
     const auto [width, height, colours, has_depth, format] = description_;
-    std::vector<GLenum> draw_buffers;
-    for (int i = 0; i < colours; ++i) {
-        const GLenum attachment = GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(i);
+    for (int i = 0; i < colours; ++i)
         colours_.emplace_back(context, TextureDescription{.width = width, .height = height, .format = format},
                               std::span<const float>{}, MemoryKind::render_target);
-        gl.NamedFramebufferTexture(id(), attachment, colours_.back().id(), 0);
-        draw_buffers.push_back(attachment);
+    attach();
+}
+
+RenderTarget::RenderTarget(std::vector<Texture2D> colours)
+    : description_{.width = colours.at(0).width(),
+                   .height = colours[0].height(),
+                   .colours = static_cast<int>(colours.size()),
+                   .format = colours[0].format()},
+      colours_(std::move(colours)),
+      framebuffer_(colours_[0].context(), ObjectKind::framebuffer) {
+    static_cast<void>(checked(description_, context()->limits()));
+    attach();
+}
+
+void RenderTarget::attach() {
+    const GladGLContext& gl = functions(*context(), "RenderTarget");
+    Context::State& state = context()->state();
+    const auto [width, height, colours, has_depth, format] = description_;
+    std::vector<GLenum> draw_buffers;
+    for (const Texture2D& colour : colours_) {
+        draw_buffers.push_back(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(draw_buffers.size()));
+        gl.NamedFramebufferTexture(id(), draw_buffers.back(), colour.id(), 0);
     }
     gl.NamedFramebufferDrawBuffers(id(), colours, draw_buffers.data());
     if (has_depth) {
-        const Object& depth = depth_.emplace_back(context, ObjectKind::renderbuffer);
+        const Object& depth = depth_.emplace_back(context(), ObjectKind::renderbuffer);
         gl.NamedRenderbufferStorage(depth.id(), GL_DEPTH_COMPONENT32F, width, height);
         state.check(text_of(description_) + " and depth");
         depth_.back().account(MemoryKind::render_target, sizeof(float) * static_cast<std::size_t>(width) *
@@ -144,14 +115,14 @@ RenderTarget::RenderTarget(const std::shared_ptr<Context>& context,
     if (has_depth) clear_depth();
 }
 
-RenderTarget::RenderTarget(const std::shared_ptr<Context>& context, unsigned borrowed_texture)
-    : description_(described(*required(context), borrowed_texture)),
-      framebuffer_(context, ObjectKind::framebuffer) {
+RenderTarget::RenderTarget(const std::shared_ptr<Context>& context, const BorrowedTextures& borrowed)
+    : description_(described(*required(context), borrowed)), framebuffer_(context, ObjectKind::framebuffer) {
     const GladGLContext& gl = functions(*context, "RenderTarget");
-    gl.NamedFramebufferTexture(id(), GL_COLOR_ATTACHMENT0, borrowed_texture, 0);
+    gl.NamedFramebufferTexture(id(), GL_COLOR_ATTACHMENT0, borrowed.colour, 0);
+    if (borrowed.depth != 0) gl.NamedFramebufferTexture(id(), GL_DEPTH_ATTACHMENT, borrowed.depth, 0);
     const GLenum status = gl.CheckNamedFramebufferStatus(id(), GL_DRAW_FRAMEBUFFER);
     if (status != GL_FRAMEBUFFER_COMPLETE)
-        throw Error(ErrorCode::invalid_argument, "the texture " + std::to_string(borrowed_texture) +
+        throw Error(ErrorCode::invalid_argument, "the texture " + std::to_string(borrowed.colour) +
                                                      " cannot be drawn into: " + text_of_status(status));
     context->state().check("drawing into a texture");
 }

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "gl/borrowed_texture.hpp"
 #include "gl/texture.hpp"
 
 namespace nicol::gl {
@@ -16,6 +17,13 @@ struct RenderTargetDescription {
     int colours = 1;            ///< colour attachments, 1 .. Limits::colour_attachments
     bool depth = true;          ///< whether there is a 32-bit float depth buffer
     Format format = Format::rgba32f;
+};
+
+/// Textures that are not ours: first levels of GL_TEXTURE_2D.
+struct BorrowedTextures {
+    unsigned colour = 0;
+    BorrowedFormats formats = BorrowedFormats::colours;
+    unsigned depth = 0;  ///< texture of a depth format, with or without stencil; 0: none
 };
 
 /// A framebuffer with its attachments. Row 0 is the top of the image, in memory, in the textures, and in
@@ -28,10 +36,12 @@ class RenderTarget {
 public:
     RenderTarget(const std::shared_ptr<Context>& context, const RenderTargetDescription& description);
 
-    /// Uses a texture that is not ours as the only attachment, without depth: the first level of a
-    /// GL_TEXTURE_2D of RGBA8, SRGB8_ALPHA8, RGBA16F or RGBA32F. The texture must outlive the target. Throws
-    /// Error(invalid_argument) for any other name.
-    RenderTarget(const std::shared_ptr<Context>& context, unsigned borrowed_texture);
+    /// Uses these textures, of one size and format, as colour attachments, with depth.
+    explicit RenderTarget(std::vector<Texture2D> colours);
+
+    /// Uses textures that are not ours, which must have one size and outlive the target. Throws
+    /// Error(invalid_argument) that names the texture which cannot be drawn into.
+    RenderTarget(const std::shared_ptr<Context>& context, const BorrowedTextures& borrowed);
 
     /// Clears every colour attachment, and depth to 1. Integer attachments are always cleared to 0.
     void clear(const glm::vec4& colour = glm::vec4(0.0f));
@@ -56,6 +66,8 @@ public:
     [[nodiscard]] const std::shared_ptr<Context>& context() const noexcept { return framebuffer_.context(); }
 
 private:
+    void attach();
+
     RenderTargetDescription description_;
     std::vector<Texture2D> colours_;
     std::vector<Object> depth_;  ///< one renderbuffer or none

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "error.hpp"
+#include "gl/borrowed_texture.hpp"
 #include "gl/host_state.hpp"
 #include "gl/state.hpp"
 
@@ -82,6 +83,20 @@ Texture2D::Texture2D(std::shared_ptr<Context> context, const TextureDescription&
     else
         gl.TextureSubImage2D(id(), 0, 0, 0, width, height, layout.format, layout.type, texels.data());
     state.check(what);
+}
+
+Texture2D Texture2D::borrowed(std::shared_ptr<Context> context, unsigned texture) {
+    const BorrowedSize size = borrowed_size(*context, texture, BorrowedFormats::stokes);
+    const GladGLContext& gl = functions(*context, "Texture2D::borrowed");
+    GLint immutable = GL_FALSE;
+    gl.GetTextureParameteriv(texture, GL_TEXTURE_IMMUTABLE_FORMAT, &immutable);
+    if (immutable != GL_TRUE)
+        throw Error(
+            ErrorCode::invalid_argument,
+            "the texture " + std::to_string(texture) +
+                " may lose its storage; it must be allocated by glTexStorage2D or glTextureStorage2D");
+    return {Object::borrowed(std::move(context), ObjectKind::texture, texture),
+            {.width = size.width, .height = size.height}};
 }
 
 void Texture2D::update(std::span<const float> texels) {

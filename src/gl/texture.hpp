@@ -33,6 +33,10 @@ public:
     Texture2D(std::shared_ptr<Context> context, const TextureDescription& description,
               std::span<const float> texels = {}, MemoryKind kind = MemoryKind::texture);
 
+    /// Holds a texture that is not ours, of RGBA32F and immutable storage, and must outlive this object.
+    /// Throws Error(invalid_argument) for any other texture.
+    [[nodiscard]] static Texture2D borrowed(std::shared_ptr<Context> context, unsigned texture);
+
     /// Replaces all texels.
     void update(std::span<const float> texels);
     /// Replaces a rectangle of width * height texels at (x, y).
@@ -59,6 +63,8 @@ public:
     [[nodiscard]] const std::shared_ptr<Context>& context() const noexcept { return object_.context(); }
 
 private:
+    Texture2D(Object object, const TextureDescription& description)
+        : object_(std::move(object)), description_(description) {}
     void check_numbers(const char* what, bool floats, std::size_t given, int width, int height) const;
     void read(void* texels) const;
 

@@ -69,7 +69,7 @@ class LayoutTest(unittest.TestCase):
             if name == "NICOL_NO_LIMIT":
                 return "unsigned long long"
             # Results, split_lights and max_depth are signed; limits are compared with numbers of any type.
-            signed = re.match("NICOL_(OK$|ERROR_|SPLIT_|DEPTH_|VERSION|MAX_|PSH_MAX_|PSH_BAND_)", name)
+            signed = re.match("NICOL_(OK$|ERROR_|SPLIT_|DEPTH_UNLIMITED|VERSION|MAX_|PSH_MAX_|PSH_BAND_)", name)
             return "int32_t" if signed else "uint32_t"
 
         lines = [f'_Static_assert(_Generic({n}, {type_of(n)}: 1, default: 0), "{n}");' for n in MODEL.constants]

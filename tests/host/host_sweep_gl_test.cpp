@@ -20,12 +20,14 @@ UnusualStates every_state() {
     return all;
 }
 
-/// Uploads, renders with threads and on the device, reads, and draws into `texture`. Returns the images read.
-std::vector<float> images(nicol_context context, GLuint texture) {
+/// Uploads, renders with threads and on the device, reads, and draws into `texture`, nearer than what `depth`
+/// has. Returns the images read.
+std::vector<float> images(nicol_context context, GLuint texture, GLuint depth) {
     const Stage stage(context);
     std::vector<float> all;
     nicol_render_options options = plain_options();
     options.shade_at = NICOL_SHADE_AT_PIXELS;
+    options.aovs = NICOL_AOV_DEPTH;
     for (const nicol_executor executor : {NICOL_EXECUTOR_CPU, NICOL_EXECUTOR_COMPUTE}) {
         options.executor = executor;
         const std::vector<float> image = stage.image(options);
@@ -33,6 +35,8 @@ std::vector<float> images(nicol_context context, GLuint texture) {
     }
     nicol_texture_target target = NICOL_TEXTURE_TARGET_INIT;
     target.texture = texture;
+    target.depth_texture = depth;
+    target.depth_near = 1;
     const nicol_observation seen = NICOL_OBSERVATION_INIT;
     OK(nicol_framebuffer_draw_observation(stage.framebuffer, &seen, &target));
     return all;
@@ -51,18 +55,26 @@ HOST_TEST_CASE("no state of the application's shows in an image or is changed by
     const Application application;
     const GladGLContext& gl = application.gl;
     const Owned context(make_host_context());
-    GLuint texture = 0;
+    GLuint texture = 0, depth = 0;
     gl.CreateTextures(GL_TEXTURE_2D, 1, &texture);
     gl.TextureStorage2D(texture, 1, GL_RGBA32F, width, height);
-    const std::vector<float> expected = images(context, texture), drawn = texels(gl, texture);
+    gl.CreateTextures(GL_TEXTURE_2D, 1, &depth);
+    gl.TextureStorage2D(depth, 1, GL_DEPTH_COMPONENT32F, width, height);
+    const GLfloat middle = 0.64F;  // hides a part of the body
+    const auto clear = [&] {
+        gl.ClearTexImage(texture, 0, GL_RGBA, GL_FLOAT, nullptr);
+        gl.ClearTexImage(depth, 0, GL_DEPTH_COMPONENT, GL_FLOAT, &middle);
+    };
+    clear();
+    const std::vector<float> expected = images(context, texture, depth), drawn = texels(gl, texture);
     const GlState initial = gl_state(gl);
     for (const UnusualState& state : every_state()) {
         CAPTURE(state.name);
-        gl.ClearTexImage(texture, 0, GL_RGBA, GL_FLOAT, nullptr);
+        clear();
         state.set(gl, true);
         REQUIRE(gl.GetError() == GL_NO_ERROR);
         const GlState before = gl_state(gl);
-        CHECK(images(context, texture) == expected);
+        CHECK(images(context, texture, depth) == expected);
         CHECK(difference(before, gl_state(gl)) == "");
         state.set(gl, false);
         CHECK(texels(gl, texture) == drawn);

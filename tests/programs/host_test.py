@@ -106,12 +106,24 @@ class HostTest(ProgramTest):
         self.assertEqual(pixel(spun, LEFT + 4, middle), pixel(alone, LEFT + 4, middle))
         self.assertNotEqual(pixel(spun, LEFT + SIZE // 2, middle), pixel(alone, LEFT + SIZE // 2, middle))
 
+    def test_the_ball_hides_the_backs_of_the_rings_and_their_fronts_hide_it(self):
+        ball = self.screenshot("--frames", "1")
+        rings = self.screenshot("--frames", "1", "--rings")
+        middle = LEFT + SIZE // 2
+        column = [pixel(rings, middle, y) != pixel(ball, middle, y) for y in range(TOP, TOP + SIZE)]
+        fronts = [y for y in range(1, SIZE) if column[y] and not column[y - 1]]
+        self.assertEqual(len(fronts), 2, "the column through the ball shows the front of each ring, and no back")
+        gold, blue = (pixel(rings, middle, TOP + y + 3) for y in fronts)
+        self.assertGreater(gold[0], gold[2])  # drawn before the ball
+        self.assertGreater(blue[2], blue[0])  # drawn after it
+
     def test_wrong_options_are_refused(self):
         table = (
             (["--fraems"], "--fraems 3"),
             (["--frames"], "--screenshot shot.ppm"),
             (["--frames"], "--frames 0"),
             (["--polarizer", "up"], "--frames 1 --polarizer up"),
+            (["--rings", "--without-nicol"], "--rings --without-nicol"),
             (["shot.ppm"], "--frames 1 --screenshot nowhere/shot.ppm"),
         )
         self.assert_each_fails(table)

@@ -135,6 +135,10 @@ HOST_SETS_STATE = 1
 HOST_VALIDATE = 2
 ENCODING_LINEAR = 0
 ENCODING_SRGB = 1
+DEPTH_MAPPING_PERSPECTIVE = 0
+DEPTH_MAPPING_PERSPECTIVE_REVERSED = 1
+DEPTH_MAPPING_ORTHOGRAPHIC = 2
+DEPTH_MAPPING_ORTHOGRAPHIC_REVERSED = 3
 PSH_MAX_ORDER = 4096
 PSH_MAX_MATRIX_ORDER = 64
 PSH_GRID_FEJER = 0
@@ -733,6 +737,10 @@ class TextureTarget(Struct):
         ("texture", c_uint32),
         ("bottom_up", c_uint32),
         ("encoding", c_uint32),
+        ("depth_texture", c_uint32),
+        ("depth_mapping", c_uint32),
+        ("depth_near", c_float),
+        ("depth_far", c_float),
     ]
 
 
@@ -1466,6 +1474,20 @@ class Framebuffer(Handle):
         show the mean of the channels."""
         check(_framebuffer_write_png(self, byref(observation) if observation is not None else None, text(path)))
 
+    @classmethod
+    def create_textures(cls, context, channels):
+        """Creates a framebuffer whose images are textures of the host's, one for each channel: level 0 of a
+        GL_TEXTURE_2D of GL_RGBA32F, allocated by glTexStorage2D or glTextureStorage2D, all of one size. A texel is
+        the Stokes vector, and row 0 the image's TOP. The textures must live until the framebuffer is released;
+        Nicol never deletes them. The host may sample them between renders, and must not write them while the
+        framebuffer lives. nicol_framebuffer_resize fails with NICOL_ERROR_UNSUPPORTED. Returns
+        NICOL_ERROR_INVALID_ARGUMENT that names a texture which cannot be used, and NICOL_ERROR_UNSUPPORTED for a
+        context that is not a host's."""
+        textures = c_uint32()
+        framebuffer = cls()
+        check(_framebuffer_create_textures(context, byref(textures), channels, byref(framebuffer)))
+        return textures.value, framebuffer
+
     def get_texture(self, channel):
         """Gets the texture of a colour channel: a texel is the Stokes vector (s0, s1, s2, s3), and row 0 is the
         image's TOP. The name is valid, and stays the same, until the framebuffer is released or resized; the
@@ -1476,9 +1498,16 @@ class Framebuffer(Handle):
         check(_framebuffer_get_texture(self, channel, byref(texture)))
         return texture
 
+    def draw_plane(self, plane, channel, target):
+        """Copies a plane of one channel into a texture; nothing is read back. A texel gets the numbers that
+        nicol_framebuffer_read copies, in red, green, blue and alpha; components that the plane does not have are
+        0, and alpha 1. The texture may also be of GL_R16F or GL_R32F for one component, and is of GL_R32UI for
+        NICOL_PLANE_INSTANCE. Returns NICOL_ERROR_INVALID_ARGUMENT for NICOL_PLANE_VARIANCE, which is not on the
+        device, and NICOL_ERROR_UNSUPPORTED for a framebuffer whose context is not a host's."""
+        check(_framebuffer_draw_plane(self, plane, channel, byref(target) if target is not None else None))
+
     def draw_stokes(self, channel, target):
-        """Copies the Stokes vectors of a channel into a texture; nothing is read back. Returns
-        NICOL_ERROR_UNSUPPORTED for a framebuffer whose context is not a host's."""
+        """Draws the plane NICOL_PLANE_STOKES."""
         check(_framebuffer_draw_stokes(self, channel, byref(target) if target is not None else None))
 
     def draw_observation(self, observation, target):
@@ -1935,9 +1964,11 @@ Observation._init = declare("nicol_observation_init", c_int32, POINTER(Observati
 _framebuffer_write_png = declare("nicol_framebuffer_write_png", c_int32, Framebuffer, POINTER(Observation), c_char_p)
 Host._init = declare("nicol_host_init", c_int32, POINTER(Host), c_uint32)
 _context_create_host = declare("nicol_context_create_host", c_int32, POINTER(Host), POINTER(ContextOptions), POINTER(Context))
+_framebuffer_create_textures = declare("nicol_framebuffer_create_textures", c_int32, Context, POINTER(c_uint32), c_uint32, POINTER(Framebuffer))
 GlTexture._init = declare("nicol_gl_texture_init", c_int32, POINTER(GlTexture), c_uint32)
 _framebuffer_get_texture = declare("nicol_framebuffer_get_texture", c_int32, Framebuffer, c_uint32, POINTER(GlTexture))
 TextureTarget._init = declare("nicol_texture_target_init", c_int32, POINTER(TextureTarget), c_uint32)
+_framebuffer_draw_plane = declare("nicol_framebuffer_draw_plane", c_int32, Framebuffer, c_uint32, c_uint32, POINTER(TextureTarget))
 _framebuffer_draw_stokes = declare("nicol_framebuffer_draw_stokes", c_int32, Framebuffer, c_uint32, POINTER(TextureTarget))
 _framebuffer_draw_observation = declare("nicol_framebuffer_draw_observation", c_int32, Framebuffer, POINTER(Observation), POINTER(TextureTarget))
 _psh_project_image = declare("nicol_psh_project_image", c_int32, POINTER(Image), c_uint32, POINTER(c_double), c_uint64)
@@ -1997,6 +2028,10 @@ __all__ = [
     "Context",
     "ContextInfo",
     "ContextOptions",
+    "DEPTH_MAPPING_ORTHOGRAPHIC",
+    "DEPTH_MAPPING_ORTHOGRAPHIC_REVERSED",
+    "DEPTH_MAPPING_PERSPECTIVE",
+    "DEPTH_MAPPING_PERSPECTIVE_REVERSED",
     "DEPTH_UNLIMITED",
     "DIRECTIONS_AUTOMATIC",
     "DISTRIBUTION_BECKMANN",

@@ -147,6 +147,10 @@ pub const NICOL_HOST_SETS_STATE: u32 = 1;
 pub const NICOL_HOST_VALIDATE: u32 = 2;
 pub const NICOL_ENCODING_LINEAR: u32 = 0;
 pub const NICOL_ENCODING_SRGB: u32 = 1;
+pub const NICOL_DEPTH_MAPPING_PERSPECTIVE: u32 = 0;
+pub const NICOL_DEPTH_MAPPING_PERSPECTIVE_REVERSED: u32 = 1;
+pub const NICOL_DEPTH_MAPPING_ORTHOGRAPHIC: u32 = 2;
+pub const NICOL_DEPTH_MAPPING_ORTHOGRAPHIC_REVERSED: u32 = 3;
 pub const NICOL_PSH_MAX_ORDER: u32 = 4096;
 pub const NICOL_PSH_MAX_MATRIX_ORDER: u32 = 64;
 pub const NICOL_PSH_GRID_FEJER: u32 = 0;
@@ -1278,6 +1282,7 @@ const _: () = {
     assert!(offset_of!(nicol_gl_texture, height) == 20);
 };
 pub type nicol_encoding = u32;
+pub type nicol_depth_mapping = u32;
 
 /// Texture of the host's to draw into: level 0 of a GL_TEXTURE_2D of GL_RGBA8, GL_SRGB8_ALPHA8, GL_RGBA16F or
 /// GL_RGBA32F, as large as the framebuffer.
@@ -1288,14 +1293,22 @@ pub struct nicol_texture_target {
     pub texture: u32,
     pub bottom_up: u32,
     pub encoding: nicol_encoding,
+    pub depth_texture: u32,
+    pub depth_mapping: nicol_depth_mapping,
+    pub depth_near: f32,
+    pub depth_far: f32,
 }
 defaults!(nicol_texture_target, nicol_texture_target_init);
 const _: () = {
-    assert!(size_of::<nicol_texture_target>() == 16);
+    assert!(size_of::<nicol_texture_target>() == 32);
     assert!(offset_of!(nicol_texture_target, struct_size) == 0);
     assert!(offset_of!(nicol_texture_target, texture) == 4);
     assert!(offset_of!(nicol_texture_target, bottom_up) == 8);
     assert!(offset_of!(nicol_texture_target, encoding) == 12);
+    assert!(offset_of!(nicol_texture_target, depth_texture) == 16);
+    assert!(offset_of!(nicol_texture_target, depth_mapping) == 20);
+    assert!(offset_of!(nicol_texture_target, depth_near) == 24);
+    assert!(offset_of!(nicol_texture_target, depth_far) == 28);
 };
 pub type nicol_psh_grid = u32;
 
@@ -1857,6 +1870,14 @@ extern "C" {
     /// NICOL_ERROR_NOT_CURRENT if is_current returns 0, and NICOL_ERROR_NO_BACKEND if there is no such
     /// OpenGL.
     pub fn nicol_context_create_host(host: *const nicol_host, options: *const nicol_context_options, context: *mut nicol_context) -> nicol_result;
+    /// Creates a framebuffer whose images are textures of the host's, one for each channel: level 0 of a
+    /// GL_TEXTURE_2D of GL_RGBA32F, allocated by glTexStorage2D or glTextureStorage2D, all of one size. A texel is
+    /// the Stokes vector, and row 0 the image's TOP. The textures must live until the framebuffer is released;
+    /// Nicol never deletes them. The host may sample them between renders, and must not write them while the
+    /// framebuffer lives. nicol_framebuffer_resize fails with NICOL_ERROR_UNSUPPORTED. Returns
+    /// NICOL_ERROR_INVALID_ARGUMENT that names a texture which cannot be used, and NICOL_ERROR_UNSUPPORTED for a
+    /// context that is not a host's.
+    pub fn nicol_framebuffer_create_textures(context: nicol_context, textures: *const u32, channels: u32, framebuffer: *mut nicol_framebuffer) -> nicol_result;
     pub fn nicol_gl_texture_init(descriptor: *mut nicol_gl_texture, struct_size: u32) -> nicol_result;
     /// Gets the texture of a colour channel: a texel is the Stokes vector (s0, s1, s2, s3), and row 0 is the
     /// image's TOP. The name is valid, and stays the same, until the framebuffer is released or resized; the
@@ -1865,8 +1886,13 @@ extern "C" {
     /// framebuffer whose context is not a host's.
     pub fn nicol_framebuffer_get_texture(framebuffer: nicol_framebuffer, channel: u32, texture: *mut nicol_gl_texture) -> nicol_result;
     pub fn nicol_texture_target_init(descriptor: *mut nicol_texture_target, struct_size: u32) -> nicol_result;
-    /// Copies the Stokes vectors of a channel into a texture; nothing is read back. Returns
-    /// NICOL_ERROR_UNSUPPORTED for a framebuffer whose context is not a host's.
+    /// Copies a plane of one channel into a texture; nothing is read back. A texel gets the numbers that
+    /// nicol_framebuffer_read copies, in red, green, blue and alpha; components that the plane does not have are
+    /// 0, and alpha 1. The texture may also be of GL_R16F or GL_R32F for one component, and is of GL_R32UI for
+    /// NICOL_PLANE_INSTANCE. Returns NICOL_ERROR_INVALID_ARGUMENT for NICOL_PLANE_VARIANCE, which is not on the
+    /// device, and NICOL_ERROR_UNSUPPORTED for a framebuffer whose context is not a host's.
+    pub fn nicol_framebuffer_draw_plane(framebuffer: nicol_framebuffer, plane: nicol_plane, channel: u32, target: *const nicol_texture_target) -> nicol_result;
+    /// Draws the plane NICOL_PLANE_STOKES.
     pub fn nicol_framebuffer_draw_stokes(framebuffer: nicol_framebuffer, channel: u32, target: *const nicol_texture_target) -> nicol_result;
     /// Draws the image of nicol_framebuffer_write_png into a texture, as red, green, blue and alpha 1. s1 to s3
     /// need a scale above 0, because nothing is read back. Returns NICOL_ERROR_UNSUPPORTED for a framebuffer whose
