@@ -248,6 +248,9 @@ nicol_result nicol_context_get_info(nicol_context context, nicol_context_info* i
         out.vertex_limit = self.session->load_limits.vertices;
         out.triangle_limit = self.session->load_limits.triangles;
         out.load_seconds_limit = self.session->load_limits.seconds;
+        out.device_uuid = self.content->device_uuid.c_str();
+        out.driver_uuid = self.content->driver_uuid.c_str();
+        for (const std::size_t bytes : self.session->gl->memory().bytes) out.device_bytes += bytes;
         write_struct(info, out, "info");
     });
 }

@@ -260,9 +260,17 @@ typedef struct nicol_context_info {
     uint64_t vertex_limit;
     uint64_t triangle_limit;
     double load_seconds_limit;
+    /* UUIDs of the device and of the driver, by which Vulkan, CUDA and others find the same device: 32
+     * hexadecimal digits, or "" if OpenGL does not tell (GL_EXT_memory_object); live as long as the context.
+     */
+    const char* device_uuid;
+    const char* driver_uuid;
+    /* Bytes of the OpenGL objects that the context holds now: buffers, textures and framebuffers, as
+     * requested. */
+    uint64_t device_bytes;
 } nicol_context_info;
 #define NICOL_CONTEXT_INFO_INIT \
-    { sizeof(nicol_context_info), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 }
+    { sizeof(nicol_context_info), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 }
 NICOL_API nicol_result nicol_context_info_init(nicol_context_info* descriptor, uint32_t struct_size);
 
 /* Creates a context. options may be NULL: all defaults. Returns NICOL_ERROR_NO_BACKEND if no such OpenGL

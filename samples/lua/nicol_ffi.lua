@@ -59,6 +59,9 @@ typedef struct nicol_context_info {
     uint64_t vertex_limit;
     uint64_t triangle_limit;
     double load_seconds_limit;
+    const char* device_uuid;
+    const char* driver_uuid;
+    uint64_t device_bytes;
 } nicol_context_info;
 typedef void (*nicol_release_callback)(void* user);
 typedef struct nicol_image {

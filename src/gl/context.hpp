@@ -39,6 +39,9 @@ struct ContextInfo {
     Backend backend = Backend::automatic;   ///< never automatic
     std::string device;                     ///< opened device, for example "EGL device 0 (/dev/dri/card0)"
     std::string vendor, renderer, version;  ///< GL_VENDOR, GL_RENDERER, GL_VERSION
+    /// UUIDs of the device and of the driver as 32 hexadecimal digits, as Vulkan has them; empty if OpenGL
+    /// does not tell (GL_EXT_memory_object).
+    std::string device_uuid{}, driver_uuid{};
     bool software = false;  ///< whether the processor rasterises; if so, prefer threads to compute shaders
 };
 

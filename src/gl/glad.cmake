@@ -17,7 +17,7 @@ endif()
 
 set(NICOL_GLAD_DIR ${CMAKE_CURRENT_BINARY_DIR}/glad)
 add_custom_command(OUTPUT ${NICOL_GLAD_DIR}/src/gl.c ${NICOL_GLAD_DIR}/include/glad/gl.h
-  COMMAND ${NICOL_PYTHON} -m glad --quiet --reproducible --api gl:core=4.5 --extensions GL_KHR_debug
+  COMMAND ${NICOL_PYTHON} -m glad --quiet --reproducible --api gl:core=4.5 --extensions GL_KHR_debug,GL_EXT_memory_object
     --out-path ${NICOL_GLAD_DIR} c --mx
   COMMENT "Generating the OpenGL loader" VERBATIM)
 # Generated code is compiled without our warnings, and as system headers.

@@ -3,7 +3,10 @@
 #include "gl/state.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
+#include <span>
+#include <string_view>
 
 #include "error.hpp"
 #include "gl/host_state.hpp"
@@ -57,6 +60,16 @@ bool is_software(const std::string& renderer) {
                        [&](const char* name) { return renderer.find(name) != std::string::npos; });
 }
 
+std::string hexadecimal(std::span<const GLubyte> bytes) {
+    constexpr std::string_view digits = "0123456789abcdef";
+    std::string text;
+    for (const GLubyte byte : bytes) {
+        text += digits[byte >> 4];
+        text += digits[byte & 15];
+    }
+    return text;
+}
+
 }  // namespace
 
 void Context::State::open(std::unique_ptr<Platform> made, Backend backend, const std::string& device) {
@@ -101,7 +114,18 @@ void Context::State::load(Backend backend, const std::string& device) {
         const GLubyte* value = gl.GetString(name);
         return value != nullptr ? std::string(reinterpret_cast<const char*>(value)) : std::string();
     };
-    info = {backend, device, text(GL_VENDOR), text(GL_RENDERER), text(GL_VERSION), false};
+    info = {.backend = backend,
+            .device = device,
+            .vendor = text(GL_VENDOR),
+            .renderer = text(GL_RENDERER),
+            .version = text(GL_VERSION)};
+    if (gl.EXT_memory_object != 0) {
+        std::array<GLubyte, GL_UUID_SIZE_EXT> uuid{};
+        gl.GetUnsignedBytei_vEXT(GL_DEVICE_UUID_EXT, 0, uuid.data());
+        info.device_uuid = hexadecimal(uuid);
+        gl.GetUnsignedBytevEXT(GL_DRIVER_UUID_EXT, uuid.data());
+        info.driver_uuid = hexadecimal(uuid);
+    }
     info.software = is_software(info.renderer);
     if (version < GLAD_MAKE_VERSION(4, 5))
         throw Error(ErrorCode::no_backend, "OpenGL 4.5 is needed, " + info.renderer + " has " + info.version);

@@ -24,6 +24,15 @@ TEST_CASE("a context says what it is") {
             CHECK(text[0] != '\0');
         }
         CHECK(std::string(info.version).find('.') != std::string::npos);
+        for (const std::string uuid : {info.device_uuid, info.driver_uuid}) {
+            CHECK((uuid.empty() || uuid.size() == 32));
+            CHECK(uuid.find_first_not_of("0123456789abcdef") == std::string::npos);
+        }
+        const Owned held(framebuffer_of(context, 64, 32, 1));
+        nicol_context_info with_framebuffer = NICOL_CONTEXT_INFO_INIT;
+        OK(nicol_context_get_info(context, &with_framebuffer));
+        // Stokes vectors and depth, as floats.
+        CHECK(with_framebuffer.device_bytes == info.device_bytes + std::uint64_t{64} * 32 * (4 + 1) * 4);
     }
 }
 

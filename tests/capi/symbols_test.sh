@@ -9,7 +9,7 @@ export LC_ALL
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 
-# The version node NICOL_0 is a symbol of kind A.
+# The version node NICOL_0.1 is a symbol of kind A.
 nm -D --defined-only "$1" | awk '$2 != "A" { sub(/@.*/, "", $3); print $3 }' | sort >"$folder/exported"
 # A declaration starts with NICOL_API and names the function before the first parenthesis.
 sed -n 's/^NICOL_API [^(]*\(nicol_[a-z0-9_]*\)(.*/\1/p' "$2"/*.h | sort >"$folder/declared"

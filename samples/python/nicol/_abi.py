@@ -223,6 +223,9 @@ class ContextInfo(Struct):
         ("vertex_limit", c_uint64),
         ("triangle_limit", c_uint64),
         ("load_seconds_limit", c_double),
+        ("device_uuid", c_char_p),
+        ("driver_uuid", c_char_p),
+        ("device_bytes", c_uint64),
     ]
 
 

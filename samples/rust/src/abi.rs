@@ -327,10 +327,13 @@ pub struct nicol_context_info {
     pub vertex_limit: u64,
     pub triangle_limit: u64,
     pub load_seconds_limit: f64,
+    pub device_uuid: *const c_char,
+    pub driver_uuid: *const c_char,
+    pub device_bytes: u64,
 }
 defaults!(nicol_context_info, nicol_context_info_init);
 const _: () = {
-    assert!(size_of::<nicol_context_info>() == 88);
+    assert!(size_of::<nicol_context_info>() == 112);
     assert!(offset_of!(nicol_context_info, struct_size) == 0);
     assert!(offset_of!(nicol_context_info, backend) == 4);
     assert!(offset_of!(nicol_context_info, software) == 8);
@@ -345,6 +348,9 @@ const _: () = {
     assert!(offset_of!(nicol_context_info, vertex_limit) == 64);
     assert!(offset_of!(nicol_context_info, triangle_limit) == 72);
     assert!(offset_of!(nicol_context_info, load_seconds_limit) == 80);
+    assert!(offset_of!(nicol_context_info, device_uuid) == 88);
+    assert!(offset_of!(nicol_context_info, driver_uuid) == 96);
+    assert!(offset_of!(nicol_context_info, device_bytes) == 104);
 };
 
 pub type nicol_release_callback = Option<unsafe extern "C" fn(user: *mut c_void)>;
