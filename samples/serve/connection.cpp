@@ -214,6 +214,8 @@ void Connection::handle() {
         around_.service.handle({.method = text_of(message.method_string()),
                                 .target = origin_form(text_of(message.target())),
                                 .if_none_match = text_of(message[http::field::if_none_match]),
+                                .range = text_of(message[http::field::range]),
+                                .if_range = text_of(message[http::field::if_range]),
                                 .accept_encoding = text_of(message[http::field::accept_encoding]),
                                 .host = text_of(message[http::field::host]),
                                 .authority = std::string(authority_of(text_of(message.target()))),

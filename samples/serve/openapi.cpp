@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "openapi.hpp"
 
+#include <algorithm>
+#include <initializer_list>
+
 #include "json.hpp"
 #include "parameters.hpp"
 
@@ -48,51 +51,129 @@ std::string image_parameters(const Options& options, Format format) {
     return text;
 }
 
-std::string problem_response(int status, const std::string& description) {
+// The texts below are JSON as it is sent.
+
+constexpr const char* kSchemas = R"("schemas":{
+"Problem":{"type":"object","description":"Problem details (RFC 9457).","required":["type","title","status","detail"],"properties":{
+"type":{"type":"string"},"title":{"type":"string"},"status":{"type":"integer"},"detail":{"type":"string"},
+"parameter":{"type":"string","description":"The parameter that is wrong."},
+"range":{"type":"string","description":"Its range."}}},
+"Scene":{"type":"object","required":["id","channels","size","up","fov","azimuth","elevation","distance","target","preview",
+"image.png","image.exr","stokes.exr","stokes.planes","stokes.f16","stokes.f32"],"properties":{
+"id":{"type":"string"},"channels":{"type":"integer","description":"Colour channels."},
+"size":{"type":"array","description":"Width and height of the scene's film, in pixels.","items":{"type":"integer"},"minItems":2,"maxItems":2},
+"up":{"type":"string","enum":["x","y","z"],"description":"Axis of the orbit."},
+"fov":{"type":"number","description":"Horizontal field of view of the scene's camera, degrees."},
+"azimuth":{"type":"number"},"elevation":{"type":"number"},"distance":{"type":"number"},
+"target":{"type":"array","items":{"type":"number"},"minItems":3,"maxItems":3},
+"preview":{"type":"string","description":"Target of a small image."},
+"image.png":{"type":"string"},"image.exr":{"type":"string"},"stokes.exr":{"type":"string"},
+"stokes.planes":{"type":"string"},"stokes.f16":{"type":"string"},"stokes.f32":{"type":"string"}}},
+"Scenes":{"type":"object","required":["scenes","preparing","broken","signed","max_side","max_pixels"],"properties":{
+"scenes":{"type":"array","items":{"$ref":"#/components/schemas/Scene"}},
+"preparing":{"type":"array","items":{"type":"string"},"description":"Scenes that are not ready yet."},
+"broken":{"type":"array","items":{"type":"string"},"description":"Scenes that cannot be loaded."},
+"signed":{"type":"boolean","description":"Whether targets of images need a signature."},
+"max_side":{"type":"integer"},"max_pixels":{"type":"integer"}}},
+"State":{"type":"object","required":["alive","ready","draining","scenes"],"properties":{
+"alive":{"type":"boolean"},"ready":{"type":"boolean"},"draining":{"type":"boolean"},
+"scenes":{"type":"object","additionalProperties":{"type":"string","enum":["ready","preparing","broken"]}}}}})";
+
+constexpr const char* kHeaders = R"("headers":{
+"ETag":{"description":"Strong tag of the image; equal for equal requests.","schema":{"type":"string"}},
+"Nicol-Size":{"description":"WIDTHxHEIGHT of the image.","schema":{"type":"string"}},
+"Nicol-Scale":{"description":"Value at full colour, of s1, s2 and s3.","schema":{"type":"number"}},
+"Nicol-Components":{"description":"Stokes components in stokes.planes: 3 where s3 is 0 everywhere, else 4.","schema":{"type":"integer"}},
+"Retry-After":{"description":"Seconds after which to come again.","schema":{"type":"integer"}},
+"Allow":{"description":"The methods that there are.","schema":{"type":"string"}},
+"Content-Range":{"description":"The bytes that were sent, of how many.","schema":{"type":"string"}}})";
+
+std::string header_references(std::initializer_list<const char*> names) {
+    std::string text;
+    for (const std::string name : names)
+        text += (text.empty() ? "\"" : ",\"") + name + R"(":{"$ref":"#/components/headers/)" + name + "\"}";
+    return "\"headers\":{" + text + "}";
+}
+
+std::string problem_response(int status, const std::string& description, const char* header = nullptr) {
     return ",\"" + std::to_string(status) + "\":{\"description\":" + json_string(description) +
+           (header != nullptr ? "," + header_references({header}) : "") +
            R"(,"content":{"application/problem+json":{"schema":{"$ref":"#/components/schemas/Problem"}}}})";
 }
 
+/// Returns the responses that every path may give.
+std::string common_responses() {
+    return problem_response(405, "There is GET, HEAD and OPTIONS alone", "Allow") +
+           problem_response(421, "The service does not answer for this host") +
+           problem_response(429, "All connections of this address are taken");
+}
+
+/// Returns what an image's bytes are.
+const char* layout(Format format) {
+    switch (format) {
+        case Format::stokes_f32:
+            return "Little-endian 32-bit floats [channel][row][column][s0 s1 s2 s3], first row at the top; "
+                   "Nicol-Size has columns and rows";
+        case Format::stokes_f16:
+            return "Little-endian 16-bit floats [channel][row][column][s0 s1 s2 s3], first row at the top; "
+                   "Nicol-Size has columns and rows";
+        case Format::stokes_planes:
+            return "The numbers of stokes.f16 as differences by row: [component][channel][byte][row][column]";
+        default:
+            return "The image";
+    }
+}
+
 std::string image_path(const Options& options, const Resource& resource) {
-    std::string text = ",\"/scenes/{id}/" + std::string(resource.name) + "\":{\"get\":{\"summary\":";
+    const bool planes = resource.format == Format::stokes_planes;
+    std::string operation = "get_" + std::string(resource.name);
+    std::ranges::replace(operation, '.', '_');
+    const std::string content = ",\"content\":{" + json_string(resource.type) +
+                                R"(:{"schema":{"type":"string","format":"binary"}}}})";
+    std::string text = ",\"/scenes/{id}/" + std::string(resource.name) +
+                       "\":{\"get\":{\"operationId\":" + json_string(operation) + ",\"summary\":";
     text += json_string(has_observer(resource.format) ? "An image of an observer"
                                                       : "The Stokes vector of every pixel");
     text += ",\"parameters\":[" + image_parameters(options, resource.format) + "],\"responses\":{";
-    text += "\"200\":{\"description\":\"The image\",\"content\":{" + json_string(resource.type) + ":{}}}";
+    text += "\"200\":{\"description\":" + json_string(layout(resource.format)) + ",";
+    text += header_references({"ETag", "Nicol-Size", planes ? "Nicol-Components" : "Nicol-Scale"}) + content;
+    if (!planes) {
+        text += R"(,"206":{"description":"The bytes that Range asks for",)" +
+                header_references({"ETag", "Content-Range"}) + content;
+        text += R"(,"416":{"description":"There are no such bytes",)" + header_references({"Content-Range"}) +
+                "}";
+    }
     text += R"(,"304":{"description":"As If-None-Match has it"})";
     text += problem_response(400, "A parameter is wrong; the problem names it and its range");
     if (!options.keys.empty()) text += problem_response(403, "The signature is missing, wrong or expired");
-    text += problem_response(404, "There is no such scene");
-    text += problem_response(421, "The service does not answer for this host");
-    text += problem_response(
-        503,
-        "The scene is not ready, too much to do, or a renderer failed; Retry-After says when "
-        "to come again");
+    text += problem_response(404, "There is no such scene") + common_responses();
+    text +=
+        problem_response(503, "The scene is not ready, too much to do, or a renderer failed", "Retry-After");
     return text + problem_response(504, "Not done within the deadline") + "}}}";
 }
 
-std::string plain_path(const char* path, const char* summary, const char* type) {
-    return std::string(",\"") + path + R"(":{"get":{"summary":")" + summary +
-           R"(","responses":{"200":{"description":"OK","content":{")" + type + "\":{}}}}}}";
+std::string plain_path(const std::string& name, const char* summary, const char* type, const char* schema) {
+    return ",\"/" + name + R"(":{"get":{"operationId":"get_)" + name + R"(","summary":")" + summary +
+           R"(","responses":{"200":{"description":"OK","content":{")" + type + "\":{\"schema\":" + schema +
+           "}}}" + common_responses() + "}}}";
 }
 
 }  // namespace
 
 std::string openapi(const Options& options) {
+    constexpr const char* state = R"({"$ref":"#/components/schemas/State"})";
     std::string text = R"({"openapi":"3.1.0","info":{"title":"nicol-serve","version":)";
     text += json_string(nicol_version_string());
-    text += R"(,"description":"Images of polarized light."},"paths":{)";
-    std::string paths = plain_path("/scenes", "The scenes and their previews", "application/json");
+    text += R"(,"description":"Images of polarized light.","license":{"name":"MIT","identifier":"MIT"}},)";
+    text += R"("servers":[{"url":"/v1"}],"paths":{)";
+    std::string paths = plain_path("scenes", "The scenes and their previews", "application/json",
+                                   R"({"$ref":"#/components/schemas/Scenes"})");
     for (const Resource& resource : resources) paths += image_path(options, resource);
-    paths += plain_path("/health", "Whether the service is alive", "application/json");
+    paths += plain_path("health", "Whether the service is alive", "application/json", state);
     paths +=
-        plain_path("/ready", "Whether it renders, and which scenes are ready; 503 where it does not render",
-                   "application/json");
-    paths += plain_path("/metrics", "Counts and times for Prometheus", "text/plain");
-    text += paths.substr(1);
-    text +=
-        R"(},"components":{"schemas":{"Problem":{"type":"object","required":["type","title","status","detail"],)"
-        R"("properties":{"type":{"type":"string"},"title":{"type":"string"},"status":{"type":"integer"},)"
-        R"("detail":{"type":"string"},"parameter":{"type":"string"},"range":{"type":"string"}}}}}})";
+        plain_path("ready", "Whether it renders, and which scenes are ready; 503 where it does not render",
+                   "application/json", state);
+    paths += plain_path("metrics", "Counts and times for Prometheus", "text/plain", R"({"type":"string"})");
+    text += paths.substr(1) + "},\"components\":{" + kSchemas + "," + kHeaders + "}}";
     return text + "\n";
 }

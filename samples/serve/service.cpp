@@ -7,6 +7,7 @@
 #include <ctime>
 
 #include "assets.hpp"
+#include "byte_range.hpp"
 #include "coding.hpp"
 #include "common/failure.hpp"
 #include "digest.hpp"
@@ -43,7 +44,7 @@ const char* name_of(SceneLoads::Condition condition) {
 }
 
 std::string scene_json(const SceneInfo& scene) {
-    const std::string path = "/scenes/" + scene.id + "/";
+    const std::string path = "/v1/scenes/" + scene.id + "/";
     const double side = std::max(scene.width, scene.height);
     const auto fit = [&](std::uint32_t length) {
         constexpr double preview_side = 256;
@@ -105,7 +106,10 @@ std::variant<Response, Render> Service::route(const Request& request) {
                 response.headers.push_back(std::move(header));
         return response;
     }
-    const Target target = parse_target(request.target);
+    Target target = parse_target(request.target);
+    // Without a version the paths are those of the first one.
+    if (target.segments.size() > 1 && target.segments.front() == "v1")
+        target.segments.erase(target.segments.begin());
     const std::vector<std::string>& path = target.segments;
     const std::string& name = path.front();
     const bool alone = path.size() == 1;
@@ -139,6 +143,8 @@ std::variant<Response, Render> Service::image(const Request& request, const Targ
     const SceneInfo* const scene = &found->info;
     Render render{.request = parse_image(target, resource->format, static_cast<std::uint32_t>(index), *scene,
                                          options_.limits)};
+    render.range = request.range;
+    render.if_range = request.if_range;
     render.request.deflate =
         resource->format == Format::stokes_planes && accepts_coding(request.accept_encoding, "deflate");
     render.tag = entity_tag(build_ + '\n' + pool_.renderer() + '\n' + scene->digest + '\n' +
@@ -191,7 +197,25 @@ Response Service::respond(const Render& render, const AnswerPtr& answer) {
         response.headers.emplace_back("Nicol-Scale", json_number(static_cast<double>(head.scale)));
     if (head.components > 0)
         response.headers.emplace_back("Nicol-Components", std::to_string(head.components));
+    cut(render, response);
     return response;
+}
+
+void Service::cut(const Render& render, Response& response) {
+    // Planes are coded in two ways under one tag, so that parts of them could not be told apart.
+    if (render.request.format == Format::stokes_planes) return;
+    response.headers.emplace_back("Accept-Ranges", "bytes");
+    const std::size_t size = response.content.size();
+    const WantedBytes wanted = wanted_bytes(render.range, render.if_range, render.tag, size);
+    if (const auto* const part = std::get_if<ByteRange>(&wanted)) {
+        response.status = 206;
+        response.headers.emplace_back("Content-Range", content_range(*part, size));
+        response.content = response.content.substr(part->first, part->count);
+    } else if (std::holds_alternative<NothingThere>(wanted)) {
+        response.status = 416;
+        response.headers.emplace_back("Content-Range", "bytes */" + std::to_string(size));
+        response.content = {};
+    }
 }
 
 Response Service::respond(const Problem& problem) const {

@@ -17,7 +17,7 @@
 
 /// The parts of a request that the service uses.
 struct Request {
-    std::string method, target, if_none_match, accept_encoding;
+    std::string method, target, if_none_match, range, if_range, accept_encoding;
     std::string host;           ///< Host header; empty if there is none
     std::string authority;      ///< host in the target, if any
     std::string origin;         ///< Origin header, sent by pages
@@ -37,6 +37,7 @@ struct Response {
 struct Render {
     ImageRequest request;
     std::string tag = {};                   ///< entity tag, quotes included; equal for equal requests
+    std::string range = {}, if_range = {};  ///< headers that ask for a part of the answer
     std::shared_ptr<AnswerRoom> room = {};  ///< memory reserved for the answer
 };
 
@@ -56,6 +57,9 @@ public:
     std::function<std::size_t()> connections;  ///< number for the metrics
 
 private:
+    /// Reduces an image's answer to the bytes that the request asks for.
+    static void cut(const Render& render, Response& response);
+
     std::variant<Response, Render> route(const Request& request);
     std::variant<Response, Render> image(const Request& request, const Target& target);
     [[nodiscard]] static Response tagged(int status, const Render& render);

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 # Tests of nicol-serve's answers: resources, images, signed URLs.
+import functools
 import hashlib
 import hmac
 import os
@@ -45,8 +46,55 @@ class Resources(ServeTest):
         self.assertTrue(description["openapi"].startswith("3."))
         names = {p["name"] for p in description["paths"]["/scenes/{id}/image.png"]["get"]["parameters"]}
         self.assertLessEqual({"id", "size", "azimuth", "light", "observer", "polarizer"}, names)
-        for path in description["paths"]:
-            self.assertEqual(self.server.get(path.replace("{id}", "square")).status, 200, path)
+        (server,) = description["servers"]
+        for path, item in description["paths"].items():
+            target = path.replace("{id}", "square")
+            for prefix in ("", server["url"]):
+                answer = self.server.get(prefix + target)
+                self.assertEqual(answer.status, 200, prefix + path)
+            described = item["get"]["responses"]["200"]
+            kind = answer.headers["content-type"].split(";")[0]
+            self.assertIn(kind, described["content"], path)
+            if kind == "application/json":
+                self.assert_described(description, described["content"][kind]["schema"], answer.json(), path)
+            for header in described.get("headers", {}):
+                if header != "Nicol-Scale":  # of some images
+                    self.assertIn(header.lower(), answer.headers, path)
+        operations = [item["get"]["operationId"] for item in description["paths"].values()]
+        self.assertEqual(len(set(operations)), len(operations))
+        wrong = self.server.get("/v1/scenes/none/image.png").json()
+        self.assert_described(description, {"$ref": "#/components/schemas/Problem"}, wrong, "problem")
+
+    def assert_described(self, description, schema, value, where):
+        """Checks a value by the parts of JSON Schema that the description uses; nothing else may be there."""
+        if "$ref" in schema:
+            schema = functools.reduce(lambda at, key: at[key], schema["$ref"][2:].split("/"), description)
+        kinds = {"object": dict, "array": list, "string": str, "boolean": bool, "integer": int, "number": (int, float)}
+        self.assertIsInstance(value, kinds[schema["type"]], where)
+        self.assertIn(value, schema.get("enum", [value]), where)
+        if schema["type"] == "array":
+            for one in value:
+                self.assert_described(description, schema["items"], one, where + "[]")
+        if schema["type"] == "object":
+            self.assertLessEqual(set(schema.get("required", [])), set(value), where)
+            for name, one in value.items():
+                inner = schema.get("properties", {}).get(name) or schema.get("additionalProperties")
+                self.assertIsNotNone(inner, f"{where}.{name} is not described")
+                self.assert_described(description, inner, one, f"{where}.{name}")
+
+    def test_parts_of_an_answer(self):
+        target = f"{SQUARE}stokes.f32"
+        whole = self.server.get(target)
+        self.assertEqual(whole.headers["accept-ranges"], "bytes")
+        part = self.server.get(target, **{"Range": "bytes=100-199", "If-Range": whole.headers["etag"]})
+        self.assertEqual((part.status, part.body), (206, whole.body[100:200]))
+        self.assertEqual(part.headers["content-range"], f"bytes 100-199/{len(whole.body)}")
+        self.assertEqual(part.headers["etag"], whole.headers["etag"])
+        former = self.server.get(target, **{"Range": "bytes=100-199", "If-Range": '"former"'})
+        self.assertEqual((former.status, former.body), (200, whole.body))
+        beyond = self.server.get(target, Range=f"bytes={len(whole.body)}-")
+        self.assertEqual((beyond.status, beyond.body), (416, b""))
+        self.assertEqual(beyond.headers["content-range"], f"bytes */{len(whole.body)}")
 
     def test_what_is_not_there(self):
         for target in ("/none", "/scenes/none/image.png", "/scenes/square", "/scenes/square/image.gif", "/scenes/../secret/image.png",
