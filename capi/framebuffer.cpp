@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Framebuffers, and files of their content.
+#include <algorithm>
+#include <array>
 #include <numbers>
+#include <string_view>
 #include <utility>
 
+#include "files/suffix.hpp"
 #include "image/observer.hpp"
 #include "planes.hpp"
 #include "progress.hpp"
@@ -32,6 +36,15 @@ Observation observe(const StokesImage& image, const nicol_observation& given) {
             refuse("observation->kind is " + std::to_string(given.kind) +
                    "; it must be one of NICOL_OBSERVATION_...");
     }
+}
+
+/// Throws Error(invalid_argument) for a name that ends as those of another kind of file do.
+void require_suffix(const char* path, std::string_view own) {
+    constexpr std::array others{".exr",  ".png",  ".jpg", ".jpeg", ".hdr", ".bmp", ".tga", ".tif",
+                                ".tiff", ".webp", ".gif", ".pfm",  ".ppm", ".npy", ".npz"};
+    const std::string suffix = suffix_of(path);
+    if (suffix != own && std::ranges::find(others, suffix) != others.end())
+        refuse(std::string(path) + " ends in " + suffix + "; what is written is " + std::string(own));
 }
 
 std::shared_ptr<Framebuffer> make_framebuffer(const Session& session, std::uint32_t width,
@@ -98,6 +111,7 @@ nicol_result nicol_framebuffer_write_exr(nicol_framebuffer framebuffer, const ch
     return guarded([&] {
         const nicol_framebuffer_impl& self = resolve(framebuffer);
         require(path, "path");
+        require_suffix(path, ".exr");
         const Access access(self);
         const StokesImage* image = nullptr;
         const Aovs* aovs = nullptr;
@@ -118,6 +132,7 @@ nicol_result nicol_framebuffer_write_png(nicol_framebuffer framebuffer, const ni
         const nicol_observation given =
             read_struct(observation, nicol_observation NICOL_OBSERVATION_INIT, "observation");
         require(path, "path");
+        require_suffix(path, ".png");
         const Access access(self);
         const StokesImage& image = self.content->image();
         const Stopwatch watch;

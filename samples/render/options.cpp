@@ -3,6 +3,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <string_view>
 
@@ -317,6 +318,10 @@ Options parse_options(int argc, const char* const* argv) {
     }
     if (options.scene.empty()) throw Failure("no scene given; usage: nicol-render SCENE -o OUT.exr");
     if (options.output.empty()) throw Failure("no output given; add -o OUT.exr");
+    const std::string suffix = std::filesystem::path(options.output).extension().string();
+    if (!suffix.empty() && suffix != ".exr" && suffix != ".EXR")
+        throw Failure("--output " + options.output +
+                      ": what is written is OpenEXR; the name must end in .exr (--images writes PNG)");
     if (options.output == kStandardOutput && options.stats == kStandardOutput)
         throw Failure("--output and --stats are both '-', the standard output; one of them must be a file");
     if (options.order_low && options.order_high && *options.order_high < *options.order_low)

@@ -20,6 +20,7 @@
 #include "arguments.hpp"
 #include "import/elements_before_lights.hpp"
 #include "import/material_maker.hpp"
+#include "import/other_file.hpp"
 #include "import/scene_color.hpp"
 #include "import/scene_description.hpp"
 #include "import/scene_files.hpp"
@@ -184,6 +185,10 @@ SceneDescription read_scene(const std::filesystem::path& file, const SceneParame
                             const LoadBudget& budget) {
     const std::string suffix = suffix_of(file);
     if (suffix == ".gltf" || suffix == ".glb") return read_gltf_scene(file, parameters, budget);
+    const std::string other = scene::kind_of_other_file(file);
+    if (!other.empty())
+        throw Error(ErrorCode::invalid_file, file.string() + ": " + other +
+                                                 "; a scene is a Mitsuba 3 XML file, a .gltf or a .glb file");
     return read_mitsuba_scene(file, parameters, budget);
 }
 

@@ -62,7 +62,15 @@ STAGE_TEST_CASE("files that cannot be written leave nothing behind") {
         FAILS(nicol_framebuffer_write_png(stage.framebuffer, &image, path.c_str()), NICOL_ERROR_WRITE_FAILED,
               path);
     }
+    // Names that end as other files do would deceive the programs that read them.
+    for (const char* name : {"image.png", "image.JPG", "image.tiff"})
+        REFUSES(nicol_framebuffer_write_exr(stage.framebuffer, folder.file(name).c_str()),
+                "what is written is .exr");
+    for (const char* name : {"image.exr", "image.jpeg"})
+        REFUSES(nicol_framebuffer_write_png(stage.framebuffer, &image, folder.file(name).c_str()),
+                "what is written is .png");
     CHECK(folder.names().empty());
+    OK(nicol_framebuffer_write_png(stage.framebuffer, &image, folder.file("image.1").c_str()));
 }
 
 STAGE_TEST_CASE("a framebuffer of another size keeps its handle, also while a job renders into it") {

@@ -3,8 +3,11 @@
 #include <sys/stat.h>
 
 #include <algorithm>
+#include <fstream>
 
+#include "import/load_scene.hpp"
 #include "import/scene_file.hpp"
+#include "temporary_folder.hpp"
 #include "test.hpp"
 
 using namespace nicol;
@@ -292,6 +295,32 @@ TEST_CASE("hostile documents are refused soon") {
     check_refused_text(huge, ErrorCode::unsupported, {"16 MiB"});
 
     bad_shape("<float name='radius' value='" + std::string(1000000, '9') + "'/>", {"\"radius\""});
+}
+
+TEST_CASE("files of another kind are named as what they are") {
+    struct Case {
+        std::string name, bytes, kind;
+    };
+    const Case cases[] = {{"photograph.xml", "\x89PNG\r\n\x1a\n", "a PNG image"},
+                          {"photograph", "\xff\xd8\xff\xe0", "a JPEG image"},
+                          {"light.exr", std::string("\x76\x2f\x31\x01\2\0\0\0", 8), "an OpenEXR image"},
+                          {"light.hdr", "#?RADIANCE\n", "a Radiance HDR image"},
+                          {"bunny.PLY", "ply\nformat ascii 1.0\n", "a PLY mesh"},
+                          {"bunny.obj", "v 0 0 0\n", "an OBJ mesh"},
+                          {"model.bin", "glTF\2", "must end in .glb"}};
+    const TemporaryFolder folder;
+    for (const Case& c : cases) {
+        CAPTURE(c.name);
+        const std::filesystem::path file = folder.path() / c.name;
+        std::ofstream(file, std::ios::binary) << c.bytes;
+        const std::string message = error_of(CALL(load_scene(file, {})), ErrorCode::invalid_file);
+        CHECK(message.starts_with(file.string() + ": "));
+        CHECK_MESSAGE(message.find(c.kind) != std::string::npos, message);
+    }
+    // What only looks wrong is read as a scene.
+    const std::filesystem::path text = folder.path() / "scene.txt";
+    std::ofstream(text) << "solidarity";
+    CHECK(error_of(CALL(load_scene(text, {})), ErrorCode::invalid_file).find(":1:") != std::string::npos);
 }
 
 TEST_CASE("a scene cut short anywhere or with bytes changed never does worse than fail") {

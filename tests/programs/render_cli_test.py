@@ -475,6 +475,10 @@ class CommandLine(RenderTest):
 
 
 class BadOutput(RenderTest):
+    def test_name_of_another_kind(self):
+        self.assert_fails(["photo.jpg", "must end in .exr"], "good.xml", "-o", "photo.jpg")
+        self.assertFalse(os.path.exists(self.path("photo.jpg")))
+
     def test_folder_missing_or_no_folder(self):
         self.write("file", "x")
         self.assert_each_fails([([output], output) for output in ("nowhere/a.exr", "file/a.exr", "out")], "good.xml", "-o")

@@ -1468,12 +1468,14 @@ class Framebuffer(Handle):
           3             R G B (which are s0) and S0.R S0.G S0.B to S3.R S3.G S3.B, as Mitsuba 3's stokes integrator
           1             Y (which is s0) and S0.Y to S3.Y
           2, 4 to 16    S0.0 S0.1 ... to S3.0 S3.1 ...
+        A path that ends as the names of another kind of image do, such as .png, is refused.
         AOVs of the last render are Z (depth), N.X N.Y N.Z, P.X P.Y P.Z, id (32-bit unsigned), A (alpha; R G B still have the
         environment) and, for each Stokes channel, variance.S0.R ... variance.S3.B."""
         check(_framebuffer_write_exr(self, text(path)))
 
     def write_png(self, observation, path):
-        """Writes a PNG file of 8-bit RGB. S0 and POLARIZER need a framebuffer of 1 or 3 channels; the other kinds
+        """Writes a PNG file of 8-bit RGB; a path that ends as the names of another kind of image do, such as .jpg, is
+        refused. S0 and POLARIZER need a framebuffer of 1 or 3 channels; the other kinds
         show the mean of the channels."""
         check(_framebuffer_write_png(self, byref(observation) if observation is not None else None, text(path)))
 

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// Files that are given as scenes by mistake.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace nicol::scene {
+
+/// Returns what a file is that its first bytes or its suffix tell to be no scene, such as "a PNG image";
+/// empty for all others, and for files that cannot be read.
+[[nodiscard]] std::string kind_of_other_file(const std::filesystem::path& file);
+
+}  // namespace nicol::scene
