@@ -3,6 +3,7 @@
 #include <cstring>
 
 #include "assets.hpp"
+#include "box.hpp"
 
 using namespace nicol;
 using namespace nicol::capi;
@@ -107,6 +108,17 @@ nicol_result nicol_mesh_get_size(nicol_mesh mesh, uint32_t* vertices, uint32_t* 
         require(triangles, "triangles");
         *vertices = static_cast<uint32_t>(self.content->positions.size());
         *triangles = static_cast<uint32_t>(self.content->triangles.size());
+    });
+}
+
+nicol_result nicol_mesh_get_bounds(nicol_mesh mesh, double lower[3], double upper[3]) {
+    return guarded([&] {
+        const nicol_mesh_impl& self = resolve(mesh);
+        require(lower, "lower");
+        require(upper, "upper");
+        Box box;
+        box.add(*self.content, glm::dmat4(1.0));
+        write_box(box, lower, upper);
     });
 }
 

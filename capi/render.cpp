@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "assets.hpp"
+#include "camera.hpp"
 #include "handles.hpp"
 #include "scene/path_depth.hpp"
 
@@ -15,22 +16,6 @@ using namespace nicol;
 using namespace nicol::capi;
 
 namespace {
-
-Camera camera_from(const nicol_camera& given) {
-    if (given.projection > NICOL_PROJECTION_ORTHOGRAPHIC) {
-        refuse("camera->projection is " + std::to_string(given.projection) +
-               "; it must be one of NICOL_PROJECTION_...");
-    }
-    Camera camera;
-    camera.orthographic = given.projection == NICOL_PROJECTION_ORTHOGRAPHIC;
-    camera.to_world = matrix(given.to_world);
-    camera.fov = given.fov;
-    camera.near_clip = given.near_clip;
-    camera.far_clip = given.far_clip;
-    camera.jitter = {given.jitter[0], given.jitter[1]};
-    camera.shift = {given.shift[0], given.shift[1]};
-    return camera;
-}
 
 int int_from(std::uint32_t given, const char* name) {
     if (given > INT32_MAX) refuse(std::string(name) + " is " + std::to_string(given) + "; that is too many");

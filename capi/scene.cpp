@@ -4,6 +4,8 @@
 #include <cmath>
 #include <vector>
 
+#include "box.hpp"
+#include "camera.hpp"
 #include "handles.hpp"
 #include "import/load_scene.hpp"
 #include "scene/path_depth.hpp"
@@ -40,20 +42,6 @@ glm::dmat4 matrix_or_identity(const double* rows) {
 }
 
 }  // namespace
-
-nicol_result nicol_camera_look_at(nicol_camera* camera, const double origin[3], const double target[3],
-                                  const double up[3]) {
-    return guarded([&] {
-        nicol_camera out = read_struct(camera, nicol_camera NICOL_CAMERA_INIT, "camera");
-        require(origin, "origin");
-        require(target, "target");
-        require(up, "up");
-        write_matrix(look_at({origin[0], origin[1], origin[2]}, {target[0], target[1], target[2]},
-                             {up[0], up[1], up[2]}),
-                     out.to_world);
-        write_struct(camera, out, "camera");
-    });
-}
 
 nicol_result nicol_scene_create(nicol_context context, nicol_scene* scene) {
     return guarded([&] {
@@ -207,21 +195,25 @@ nicol_result nicol_scene_get_environment(nicol_scene scene, nicol_environment* e
     });
 }
 
+nicol_result nicol_scene_get_bounds(nicol_scene scene, double lower[3], double upper[3]) {
+    return guarded([&] {
+        const nicol_scene_impl& self = resolve(scene);
+        require(lower, "lower");
+        require(upper, "upper");
+        const Edit edit(self);
+        Box box;
+        for (const Instance& instance : self.content->scene.instances())
+            box.add(*instance.mesh, instance.to_world);
+        if (box.empty()) refuse("the scene has no instances");
+        write_box(box, lower, upper);
+    });
+}
+
 nicol_result nicol_scene_get_camera(nicol_scene scene, nicol_camera* camera) {
     return guarded([&] {
         const nicol_scene_impl& self = resolve(scene);
         const Camera& from = film_of(*self.content).camera;
-        nicol_camera out = NICOL_CAMERA_INIT;
-        out.projection = from.orthographic ? NICOL_PROJECTION_ORTHOGRAPHIC : NICOL_PROJECTION_PERSPECTIVE;
-        write_matrix(from.to_world, out.to_world);
-        out.fov = from.fov;
-        out.near_clip = from.near_clip;
-        out.far_clip = from.far_clip;
-        out.jitter[0] = from.jitter.x;
-        out.jitter[1] = from.jitter.y;
-        out.shift[0] = from.shift.x;
-        out.shift[1] = from.shift.y;
-        write_struct(camera, out, "camera");
+        write_struct(camera, camera_to(from), "camera");
     });
 }
 

@@ -847,6 +847,8 @@ NICOL_API nicol_result nicol_mesh_create_cylinder(nicol_context context, const d
                                                   const double p1[3], double radius, nicol_mesh* mesh);
 /* Gets the numbers of vertices and triangles of a mesh. */
 NICOL_API nicol_result nicol_mesh_get_size(nicol_mesh mesh, uint32_t* vertices, uint32_t* triangles);
+/* Gets the box of the mesh in its own axes: the least and the largest coordinates. */
+NICOL_API nicol_result nicol_mesh_get_bounds(nicol_mesh mesh, double lower[3], double upper[3]);
 NICOL_API nicol_result nicol_mesh_retain(nicol_mesh mesh);
 NICOL_API nicol_result nicol_mesh_release(nicol_mesh mesh);
 
@@ -875,10 +877,11 @@ typedef struct nicol_camera {
      * and heights of the image, -1e5 to 1e5 each, default 0. A crop of a larger image has its own fov and
      * shift. */
     double shift[2];
+    double pixel_aspect; /* width of a pixel over its height on the image plane, 0.01 to 100, default 1 */
 } nicol_camera;
 /* clang-format off */
 #define NICOL_CAMERA_INIT \
-    { sizeof(nicol_camera), 0, NICOL_IDENTITY_4X4, 45, 0.01, 10000, { 0, 0 }, { 0, 0 } }
+    { sizeof(nicol_camera), 0, NICOL_IDENTITY_4X4, 45, 0.01, 10000, { 0, 0 }, { 0, 0 }, 1 }
 /* clang-format on */
 NICOL_API nicol_result nicol_camera_init(nicol_camera* descriptor, uint32_t struct_size);
 
@@ -886,6 +889,23 @@ NICOL_API nicol_result nicol_camera_init(nicol_camera* descriptor, uint32_t stru
  * lie along the view. */
 NICOL_API nicol_result nicol_camera_look_at(nicol_camera* camera, const double origin[3],
                                             const double target[3], const double up[3]);
+
+/* Sets to_world, fov, shift, pixel_aspect and projection, and no other field, to those of a pinhole camera in
+ * OpenCV's convention: a point X of the world is at x = R X + t, with x[0] to the right, x[1] down and x[2]
+ * forward, and there at the pixel (fx x[0] / x[2] + cx, fy x[1] / x[2] + cy), where (0, 0) is the MIDDLE of
+ * the first pixel and K = [fx 0 cx; 0 fy cy; 0 0 1]. Matrices are row-major. Undistort images first: there is
+ * no lens distortion. (COLMAP has the same R and t, and 0.5 more in cx and cy.) */
+NICOL_API nicol_result nicol_camera_set_opencv(nicol_camera* camera, const double K[9], const double R[9],
+                                               const double t[3], uint32_t width, uint32_t height);
+/* Gets the pinhole camera of a perspective camera, for an image of this size; jitter is left out. */
+NICOL_API nicol_result nicol_camera_get_opencv(const nicol_camera* camera, uint32_t width, uint32_t height,
+                                               double K[9], double R[9], double t[3]);
+
+/* Moves the camera, without turning it, so that the box from `lower` to `upper` is in the image of this size
+ * and as large as it can be. near_clip and far_clip enclose the box; an orthographic camera gets another half
+ * extent. nicol_scene_get_bounds has the box of a scene. */
+NICOL_API nicol_result nicol_camera_frame(nicol_camera* camera, const double lower[3], const double upper[3],
+                                          uint32_t width, uint32_t height);
 
 /* ---------------------------------------------------------------- light */
 
@@ -1065,6 +1085,10 @@ NICOL_API nicol_result nicol_scene_remove_instance(nicol_scene scene, uint32_t i
  * three may be NULL. */
 NICOL_API nicol_result nicol_scene_get_instance(nicol_scene scene, uint32_t id, nicol_mesh* mesh,
                                                 nicol_material* material, double to_world[16]);
+/* Gets the box of all instances in the world, without local lights, which have no surface. Returns
+ * NICOL_ERROR_INVALID_ARGUMENT for a scene without instances. */
+NICOL_API nicol_result nicol_scene_get_bounds(nicol_scene scene, double lower[3], double upper[3]);
+
 /* Gets the number of instances. */
 NICOL_API nicol_result nicol_scene_get_instance_count(nicol_scene scene, uint32_t* instances);
 /* Gets the ids of all instances, ascending. count must be the number of instances. */

@@ -98,6 +98,8 @@ void make_meshes(const EntryPoints::Watch& watch, nicol_context context, nicol_m
     make<Mesh>(watch, NAMED(nicol_mesh_create_cylinder), context, from, to, 0.5);
     std::uint32_t vertices = 0, triangles = 0;
     call(watch, NAMED(nicol_mesh_get_size), mesh, &vertices, &triangles);
+    std::array<double, 3> lower{}, upper{};
+    call(watch, NAMED(nicol_mesh_get_bounds), mesh, lower.data(), upper.data());
     keep(watch, NAMED(nicol_mesh_retain), NAMED(nicol_mesh_release), mesh);
 }
 
@@ -170,6 +172,8 @@ void edit_instances(const EntryPoints::Watch& watch, nicol_scene scene, std::uin
     std::array<std::uint32_t, 2> ids{};
     call(watch, NAMED(nicol_scene_add_instance), scene, &placed, &added);
     call(watch, NAMED(nicol_scene_get_instance_count), scene, &count);
+    std::array<double, 3> lower{}, upper{};
+    call(watch, NAMED(nicol_scene_get_bounds), scene, lower.data(), upper.data());
     call(watch, NAMED(nicol_scene_get_instance_ids), scene, ids.data(), std::uint64_t{2});
     call(watch, NAMED(nicol_scene_remove_instance), scene, added);
     call(watch, NAMED(nicol_scene_set_transform), scene, id, placed.to_world);

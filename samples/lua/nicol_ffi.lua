@@ -241,6 +241,7 @@ typedef struct nicol_camera {
     double far_clip;
     double jitter[2];
     double shift[2];
+    double pixel_aspect;
 } nicol_camera;
 typedef struct nicol_polarization {
     double dolp;
@@ -588,10 +589,14 @@ nicol_result nicol_mesh_create_cube(nicol_context context, nicol_mesh* mesh);
 nicol_result nicol_mesh_create_disk(nicol_context context, nicol_mesh* mesh);
 nicol_result nicol_mesh_create_cylinder(nicol_context context, const double p0[3], const double p1[3], double radius, nicol_mesh* mesh);
 nicol_result nicol_mesh_get_size(nicol_mesh mesh, uint32_t* vertices, uint32_t* triangles);
+nicol_result nicol_mesh_get_bounds(nicol_mesh mesh, double lower[3], double upper[3]);
 nicol_result nicol_mesh_retain(nicol_mesh mesh);
 nicol_result nicol_mesh_release(nicol_mesh mesh);
 nicol_result nicol_camera_init(nicol_camera* descriptor, uint32_t struct_size);
 nicol_result nicol_camera_look_at(nicol_camera* camera, const double origin[3], const double target[3], const double up[3]);
+nicol_result nicol_camera_set_opencv(nicol_camera* camera, const double K[9], const double R[9], const double t[3], uint32_t width, uint32_t height);
+nicol_result nicol_camera_get_opencv(const nicol_camera* camera, uint32_t width, uint32_t height, double K[9], double R[9], double t[3]);
+nicol_result nicol_camera_frame(nicol_camera* camera, const double lower[3], const double upper[3], uint32_t width, uint32_t height);
 nicol_result nicol_polarization_init(nicol_polarization* descriptor, uint32_t struct_size);
 nicol_result nicol_light_init(nicol_light* descriptor, uint32_t struct_size);
 nicol_result nicol_emission_init(nicol_emission* descriptor, uint32_t struct_size);
@@ -604,6 +609,7 @@ nicol_result nicol_scene_set_transform(nicol_scene scene, uint32_t id, const dou
 nicol_result nicol_scene_set_material(nicol_scene scene, uint32_t id, nicol_material material);
 nicol_result nicol_scene_remove_instance(nicol_scene scene, uint32_t id);
 nicol_result nicol_scene_get_instance(nicol_scene scene, uint32_t id, nicol_mesh* mesh, nicol_material* material, double to_world[16]);
+nicol_result nicol_scene_get_bounds(nicol_scene scene, double lower[3], double upper[3]);
 nicol_result nicol_scene_get_instance_count(nicol_scene scene, uint32_t* instances);
 nicol_result nicol_scene_get_instance_ids(nicol_scene scene, uint32_t* ids, uint64_t count);
 nicol_result nicol_scene_set_environment(nicol_scene scene, nicol_environment environment, const double to_world[16], double scale);
@@ -893,7 +899,11 @@ return {
         mesh_create_disk = "nicol_mesh",
         mesh_create_cylinder = "nicol_mesh",
         mesh_get_size = true,
+        mesh_get_bounds = true,
         camera_look_at = true,
+        camera_set_opencv = true,
+        camera_get_opencv = true,
+        camera_frame = true,
         scene_create = "nicol_scene",
         scene_load = "nicol_scene",
         scene_add_instance = true,
@@ -901,6 +911,7 @@ return {
         scene_set_material = true,
         scene_remove_instance = true,
         scene_get_instance = true,
+        scene_get_bounds = true,
         scene_get_instance_count = true,
         scene_get_instance_ids = true,
         scene_set_environment = true,

@@ -82,9 +82,18 @@ std::int32_t depth_of(nicol_scene scene, const Options& options) {
     return depth == 1 && options.method != NICOL_METHOD_REFERENCE ? 0 : depth;
 }
 
+void frame_all(nicol_scene scene, nicol_framebuffer framebuffer, nicol_camera& camera) {
+    double lower[3], upper[3];
+    std::uint32_t width = 0, height = 0, channels = 0;
+    check(nicol_scene_get_bounds(scene, lower, upper));
+    check(nicol_framebuffer_get_size(framebuffer, &width, &height, &channels));
+    check(nicol_camera_frame(&camera, lower, upper, width, height));
+}
+
 void render(nicol_scene scene, nicol_framebuffer framebuffer, const Options& options, ProgressBar& progress) {
     nicol_camera camera = NICOL_CAMERA_INIT;
     check(nicol_scene_get_camera(scene, &camera));
+    if (options.frame_all) frame_all(scene, framebuffer, camera);
     nicol_render_options wanted = NICOL_RENDER_OPTIONS_INIT;
     wanted.pixel_samples = samples_of(scene);
     if (options.quality) check(nicol_render_options_set_quality(&wanted, *options.quality));

@@ -70,6 +70,8 @@ const char* const usage =
     "                           what a scene may take, with all that it names and each instance counted;\n"
     "                           default 8 GiB, 2^26, 2^27 and 600\n"
     "      --size WxH           replaces the size of the scene's film\n"
+    "      --frame-all          moves the camera, without turning it, so that the whole scene is in the "
+    "image\n"
     "      --stats FILE         writes what ran, and how long it took, as JSON; -: to the standard output\n"
     "      --help               shows this text\n"
     "      --version            shows the version and what this build has\n"
@@ -305,6 +307,8 @@ Options parse_options(int argc, const char* const* argv) {
             options.load_limits.load_seconds_limit = parse_strength(name, value());
         else if (name == "--size")
             parse_size(options, value());
+        else if (name == "--frame-all" && !attached)
+            options.frame_all = true;
         else if (name == "--stats")
             options.stats = path();
         else if (name.starts_with("-"))

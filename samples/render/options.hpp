@@ -35,6 +35,7 @@ struct Options {
     std::optional<std::uint32_t> pixel_samples;  ///< none: by quality, or as the scene asks
     std::optional<double> tolerance;
     nicol_components components = NICOL_COMPONENTS_ALL;
+    bool frame_all = false;
     bool shadows = true;
     bool physical = true;
     double dering = 0;

@@ -24,6 +24,7 @@ struct Camera {
     /// Offset of the image's middle from the view direction (the principal point), right and down, in widths
     /// and heights of the image, -1e5 to 1e5 each.
     glm::dvec2 shift{0.0};
+    double pixel_aspect = 1;  ///< width of a pixel over its height on the image plane, 0.01 to 100
 
     bool operator==(const Camera&) const = default;
 };

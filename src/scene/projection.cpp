@@ -82,7 +82,11 @@ Projection project(const Camera& camera, int width, int height) {
                       "; each must lie in -100000 to 100000");
     }
     const glm::dmat3 axes(camera.to_world);
-    const double aspect = static_cast<double>(width) / height;
+    if (!(camera.pixel_aspect >= 0.01 && camera.pixel_aspect <= 100)) {
+        refuse_camera("pixel_aspect is " + std::to_string(camera.pixel_aspect) +
+                      "; it must lie in 0.01 to 100");
+    }
+    const double aspect = camera.pixel_aspect * width / height;
 
     Projection p;
     p.view.orthographic = camera.orthographic;

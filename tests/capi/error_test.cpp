@@ -95,6 +95,30 @@ TEST_CASE("a camera is rotated towards its target") {
     CHECK(camera.struct_size == sizeof camera);
 }
 
+TEST_CASE("cameras that cannot be are refused by the name of the argument, and leave the camera alone") {
+    nicol_camera camera = NICOL_CAMERA_INIT;
+    camera.to_world[3] = 42;
+    const double good_k[] = {50, 0, 12, 0, 50, 8, 0, 0, 1}, r[] = {1, 0, 0, 0, 1, 0, 0, 0, 1},
+                 t[] = {0, 0, 0};
+    const auto with = [&](std::size_t i, double value) {
+        std::array<double, 9> k{};
+        std::ranges::copy(good_k, k.begin());
+        k[i] = value;
+        return nicol_camera_set_opencv(&camera, k.data(), r, t, 24, 16);
+    };
+    const double lower[] = {0, 0, 0}, upper[] = {1, 1, 1};
+    check_refused({{"K[1]", [&] { return with(1, 0.5); }},
+                   {"K[8]", [&] { return with(8, 2); }},
+                   {"focal", [&] { return with(4, -50); }},
+                   {"K is NULL", [&] { return nicol_camera_set_opencv(&camera, nullptr, r, t, 24, 16); }},
+                   {"0 x 16", [&] { return nicol_camera_set_opencv(&camera, good_k, r, t, 0, 16); }},
+                   {"box", [&] { return nicol_camera_frame(&camera, upper, lower, 24, 16); }},
+                   {"upper is NULL", [&] { return nicol_camera_frame(&camera, lower, nullptr, 24, 16); }}});
+    CHECK((camera.to_world[3] == 42 && camera.fov == 45));
+    OK(nicol_camera_set_opencv(&camera, good_k, r, t, 24, 16));
+    CHECK((camera.to_world[3] == 0 && camera.fov < 45));
+}
+
 TEST_CASE("a quality sets what trades time for accuracy, and nothing else") {
     nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
     options.seed = 5;

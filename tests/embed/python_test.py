@@ -62,6 +62,49 @@ class AbiTest(unittest.TestCase):
         self.assertIn("NICOL_LIBRARY", ended.stderr)
 
 
+@unittest.skipIf(numpy is None, "numpy is absent")
+class CameraTest(unittest.TestCase):
+    K = [[30.0, 0, 11], [0, 31.0, 9], [0, 0, 1]]
+    SIZE = (24, 16)
+    R = [[0.8, 0, 0.6], [0, 1, 0], [-0.6, 0, 0.8]]
+    t = [0.1, -0.2, 4]
+
+    def assert_near(self, found, wanted):
+        self.assertEqual(numpy.shape(found), numpy.shape(wanted))
+        self.assertLess(numpy.abs(numpy.subtract(found, wanted)).max(), 1e-9)
+
+    def test_conventions_come_back(self):
+        camera = nicol.Camera.from_opencv(self.K, self.R, self.t, self.SIZE)
+        for found, wanted in zip(camera.to_opencv(self.SIZE), (self.K, self.R, self.t)):
+            self.assert_near(found, wanted)
+        K, R, t = camera.to_colmap(self.SIZE)
+        self.assert_near(K, numpy.add(self.K, [[0, 0, 0.5], [0, 0, 0.5], [0, 0, 0]]))
+        self.assert_near(nicol.Camera.from_colmap(K, R, t, self.SIZE).to_opencv(self.SIZE)[0], self.K)
+        to_world, K = camera.to_opengl(self.SIZE)
+        again = nicol.Camera.from_opengl(numpy.array(to_world), K, self.SIZE)
+        self.assert_near(list(again.to_world), list(camera.to_world))
+        # OpenGL's camera looks along its -z, with +y up.
+        ahead = numpy.array(to_world) @ [0, 0, -1, 1]
+        self.assert_near((numpy.array(self.R) @ ahead[:3] + self.t), [0, 0, 1])
+
+    def test_pixels_are_where_opencv_has_them(self):
+        with nicol.Context.create() as context:
+            scene = scene_of_sphere(context)
+            camera = nicol.Camera.from_opencv(self.K, self.R, self.t, self.SIZE)
+            framebuffer = nicol.Framebuffer.create(context, *self.SIZE, 1)
+            nicol.render(scene, camera, nicol.RenderOptions(aovs=nicol.AOV_POSITION | nicol.AOV_ALPHA), framebuffer)
+            seen = numpy.asarray(framebuffer.plane(nicol.PLANE_ALPHA)) > 0
+            places = numpy.asarray(framebuffer.plane(nicol.PLANE_POSITION))[seen]
+            self.assertGreater(len(places), 20)
+            x = (places @ numpy.transpose(self.R) + self.t) @ numpy.transpose(self.K)
+            rows, columns = numpy.nonzero(seen)
+            self.assertLess(numpy.abs(x[:, 0] / x[:, 2] - columns).max(), 1e-3)
+            self.assertLess(numpy.abs(x[:, 1] / x[:, 2] - rows).max(), 1e-3)
+            lower, upper = scene.get_bounds()
+            self.assertTrue((places >= numpy.subtract(lower, 1e-5)).all() and (places <= numpy.add(upper, 1e-5)).all())
+            self.assertEqual(len(scene.get_bounds()), 2)
+
+
 class StructTest(unittest.TestCase):
     def test_fields(self):
         options = nicol.RenderOptions(order_low=4)

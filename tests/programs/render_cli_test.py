@@ -6,7 +6,7 @@ import struct
 import subprocess
 import unittest
 
-from images import exr_channels, exr_size
+from images import exr_channels, exr_size, read_png
 from program_test import PROGRAM, ProgramTest
 
 EMITTER = '<emitter type="constant"><rgb name="radiance" value="1,0.5,0.25"/></emitter>'
@@ -472,6 +472,22 @@ class CommandLine(RenderTest):
             (["4294967295"], "--size 4294967295x4294967295"),
         )
         self.assert_each_fails(table, "good.xml", "-o", "out/a.exr")
+
+
+class Framed(RenderTest):
+    def test_all_of_the_scene_is_in_the_image_and_touches_its_edges(self):
+        self.write("lamp.xml", """<scene version="3.0.0">
+            <sensor type="perspective"><transform name="to_world"><lookat origin="40,9,30" target="1,0,0" up="0,1,0"/></transform></sensor>
+            <shape type="sphere"><emitter type="area"><rgb name="radiance" value="1,1,1"/></emitter></shape></scene>""")
+        self.assert_succeeds("lamp.xml", "-o", "out/lamp.exr", "--frame-all", "--size", "60x40", "--pixel-samples", "1", "--images", "out")
+        with open(self.path("out/s0.png"), "rb") as file:
+            width, height, pixels = read_png(file.read())
+        lit = {(i // 3 % width, i // 3 // width) for i, code in enumerate(pixels) if code > 0}
+        rows, columns = {y for _, y in lit}, {x for x, _ in lit}
+        # The box about the sphere touches the upper and lower edges, the sphere itself nearly.
+        self.assertGreater(len(rows), 28)
+        self.assertTrue(0 < min(columns) and max(columns) < width - 1)
+        self.assertLess(abs(min(columns) + max(columns) - width + 1), 4)
 
 
 class BadOutput(RenderTest):

@@ -79,6 +79,8 @@ TEST_CASE("cameras out of range are refused by the name of the member") {
         check_error(ErrorCode::invalid_argument, CALL(project(camera, 100, 50)), part);
     };
     refused("fov", [](Camera& c) { c.fov = 180; });
+    refused("pixel_aspect", [](Camera& c) { c.pixel_aspect = 0; });
+    refused("pixel_aspect", [](Camera& c) { c.pixel_aspect = NAN; });
     refused("fov", [](Camera& c) { c.fov = std::nan(""); });
     refused("near_clip", [](Camera& c) { c.near_clip = 0; });
     refused("far_clip", [](Camera& c) { c.far_clip = c.near_clip; });

@@ -54,6 +54,71 @@ def _user_cache_folder():
     return folder if os.access(folder, os.W_OK | os.X_OK) else None
 
 
+class Camera(_abi.Camera):
+    __doc__ = _abi.Camera.__doc__
+
+    @classmethod
+    def from_opencv(cls, K, R, t, size):
+        """Returns the camera of OpenCV's intrinsics K (3 x 3) and pose (x = R X + t) for images of size (width, height). Pixels
+        have their middles at whole numbers. Images must be undistorted."""
+        return cls().set_opencv(_flat(K), _flat(R), _flat(t), *size)
+
+    @classmethod
+    def from_colmap(cls, K, R, t, size):
+        """Returns the camera of COLMAP's intrinsics and pose, which are OpenCV's but for the first pixel's middle: (0.5, 0.5)."""
+        return cls.from_opencv(_moved(K, -0.5), R, t, size)
+
+    @classmethod
+    def from_opengl(cls, to_world, K, size):
+        """Returns the camera of a pose as OpenGL, Blender and transforms.json of nerfstudio have it: to_world (4 x 4) takes
+        points of a camera that looks along -z, with +y up. The first pixel's middle is (0.5, 0.5), as in COLMAP."""
+        m = _flat(to_world)
+        R = [m[0], m[4], m[8], -m[1], -m[5], -m[9], -m[2], -m[6], -m[10]]
+        t = [-sum(R[3 * i + j] * m[4 * j + 3] for j in range(3)) for i in range(3)]
+        return cls.from_colmap(K, R, t, size)
+
+    def to_opencv(self, size):
+        """Returns K (3 x 3), R (3 x 3) and t of from_opencv(), as numpy arrays, or as nested lists without numpy."""
+        K, R, t = self.get_opencv(*size)
+        return _rows(K, 3), _rows(R, 3), _rows(t, None)
+
+    def to_colmap(self, size):
+        """Returns K, R and t of from_colmap()."""
+        K, R, t = self.get_opencv(*size)
+        return _rows(_moved(K, 0.5), 3), _rows(R, 3), _rows(t, None)
+
+    def to_opengl(self, size):
+        """Returns to_world (4 x 4) and K (3 x 3) of from_opengl()."""
+        K, R, t = self.get_opencv(*size)
+        place = [-sum(R[3 * j + i] * t[j] for j in range(3)) for i in range(3)]
+        m = [x for i in range(3) for x in (R[i], -R[3 + i], -R[6 + i], place[i])] + [0, 0, 0, 1]
+        return _rows(m, 4), _rows(_moved(K, 0.5), 3)
+
+
+_abi.Camera = Camera  # what Scene.get_camera() returns
+
+
+def _flat(numbers):
+    """Returns the numbers of nested sequences, or of an array of any shape, as a flat list."""
+    if hasattr(numbers, "__len__"):
+        return [x for part in numbers for x in _flat(part)]
+    return [float(numbers)]
+
+
+def _moved(K, by):
+    """Returns intrinsics with the principal point moved."""
+    K = _flat(K)
+    K[2] += by
+    K[5] += by
+    return K
+
+
+def _rows(numbers, length):
+    """Returns numbers as rows of this length, or as one row for None."""
+    rows = list(numbers) if length is None else [list(numbers[i : i + length]) for i in range(0, len(numbers), length)]
+    return rows if numpy is None else numpy.array(rows, float)
+
+
 class Framebuffer(_abi.Framebuffer):
     __doc__ = _abi.Framebuffer.__doc__
 

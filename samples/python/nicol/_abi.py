@@ -470,12 +470,37 @@ class Camera(Struct):
         ("far_clip", c_double),
         ("jitter", c_double * 2),
         ("shift", c_double * 2),
+        ("pixel_aspect", c_double),
     ]
 
     def look_at(self, origin, target, up):
         """Sets to_world, and no other field, to that of a camera at `origin` that looks at `target`. `up` must not
         lie along the view."""
         check(_camera_look_at(byref(self), array(origin, c_double, 3), array(target, c_double, 3), array(up, c_double, 3)))
+        return self
+
+    def set_opencv(self, K, R, t, width, height):
+        """Sets to_world, fov, shift, pixel_aspect and projection, and no other field, to those of a pinhole camera in
+        OpenCV's convention: a point X of the world is at x = R X + t, with x[0] to the right, x[1] down and x[2]
+        forward, and there at the pixel (fx x[0] / x[2] + cx, fy x[1] / x[2] + cy), where (0, 0) is the MIDDLE of
+        the first pixel and K = [fx 0 cx; 0 fy cy; 0 0 1]. Matrices are row-major. Undistort images first: there is
+        no lens distortion. (COLMAP has the same R and t, and 0.5 more in cx and cy.)"""
+        check(_camera_set_opencv(byref(self), array(K, c_double, 9), array(R, c_double, 9), array(t, c_double, 3), width, height))
+        return self
+
+    def get_opencv(self, width, height):
+        """Gets the pinhole camera of a perspective camera, for an image of this size; jitter is left out."""
+        K = (c_double * 9)()
+        R = (c_double * 9)()
+        t = (c_double * 3)()
+        check(_camera_get_opencv(byref(self), width, height, K, R, t))
+        return tuple(K), tuple(R), tuple(t)
+
+    def frame(self, lower, upper, width, height):
+        """Moves the camera, without turning it, so that the box from `lower` to `upper` is in the image of this size
+        and as large as it can be. near_clip and far_clip enclose the box; an orthographic camera gets another half
+        extent. nicol_scene_get_bounds has the box of a scene."""
+        check(_camera_frame(byref(self), array(lower, c_double, 3), array(upper, c_double, 3), width, height))
         return self
 
 
@@ -1188,6 +1213,13 @@ class Mesh(Handle):
         check(_mesh_get_size(self, byref(vertices), byref(triangles)))
         return vertices.value, triangles.value
 
+    def get_bounds(self):
+        """Gets the box of the mesh in its own axes: the least and the largest coordinates."""
+        lower = (c_double * 3)()
+        upper = (c_double * 3)()
+        check(_mesh_get_bounds(self, lower, upper))
+        return tuple(lower), tuple(upper)
+
 
 class Scene(Handle):
     """instances, light and polarization elements"""
@@ -1241,6 +1273,14 @@ class Scene(Handle):
         to_world = (c_double * 16)()
         check(_scene_get_instance(self, id, byref(mesh), byref(material), to_world))
         return mesh if mesh.value else None, material if material.value else None, tuple(to_world)
+
+    def get_bounds(self):
+        """Gets the box of all instances in the world, without local lights, which have no surface. Returns
+        NICOL_ERROR_INVALID_ARGUMENT for a scene without instances."""
+        lower = (c_double * 3)()
+        upper = (c_double * 3)()
+        check(_scene_get_bounds(self, lower, upper))
+        return tuple(lower), tuple(upper)
 
     def get_instance_count(self):
         """Gets the number of instances."""
@@ -1902,9 +1942,13 @@ _mesh_create_cube = declare("nicol_mesh_create_cube", c_int32, Context, POINTER(
 _mesh_create_disk = declare("nicol_mesh_create_disk", c_int32, Context, POINTER(Mesh))
 _mesh_create_cylinder = declare("nicol_mesh_create_cylinder", c_int32, Context, POINTER(c_double), POINTER(c_double), c_double, POINTER(Mesh))
 _mesh_get_size = declare("nicol_mesh_get_size", c_int32, Mesh, POINTER(c_uint32), POINTER(c_uint32))
+_mesh_get_bounds = declare("nicol_mesh_get_bounds", c_int32, Mesh, POINTER(c_double), POINTER(c_double))
 Mesh._release = declare("nicol_mesh_release", c_int32, c_void_p)
 Camera._init = declare("nicol_camera_init", c_int32, POINTER(Camera), c_uint32)
 _camera_look_at = declare("nicol_camera_look_at", c_int32, POINTER(Camera), POINTER(c_double), POINTER(c_double), POINTER(c_double))
+_camera_set_opencv = declare("nicol_camera_set_opencv", c_int32, POINTER(Camera), POINTER(c_double), POINTER(c_double), POINTER(c_double), c_uint32, c_uint32)
+_camera_get_opencv = declare("nicol_camera_get_opencv", c_int32, POINTER(Camera), c_uint32, c_uint32, POINTER(c_double), POINTER(c_double), POINTER(c_double))
+_camera_frame = declare("nicol_camera_frame", c_int32, POINTER(Camera), POINTER(c_double), POINTER(c_double), c_uint32, c_uint32)
 Polarization._init = declare("nicol_polarization_init", c_int32, POINTER(Polarization), c_uint32)
 Light._init = declare("nicol_light_init", c_int32, POINTER(Light), c_uint32)
 Emission._init = declare("nicol_emission_init", c_int32, POINTER(Emission), c_uint32)
@@ -1917,6 +1961,7 @@ _scene_set_transform = declare("nicol_scene_set_transform", c_int32, Scene, c_ui
 _scene_set_material = declare("nicol_scene_set_material", c_int32, Scene, c_uint32, Material)
 _scene_remove_instance = declare("nicol_scene_remove_instance", c_int32, Scene, c_uint32)
 _scene_get_instance = declare("nicol_scene_get_instance", c_int32, Scene, c_uint32, POINTER(Mesh), POINTER(Material), POINTER(c_double))
+_scene_get_bounds = declare("nicol_scene_get_bounds", c_int32, Scene, POINTER(c_double), POINTER(c_double))
 _scene_get_instance_count = declare("nicol_scene_get_instance_count", c_int32, Scene, POINTER(c_uint32))
 _scene_get_instance_ids = declare("nicol_scene_get_instance_ids", c_int32, Scene, POINTER(c_uint32), c_uint64)
 _scene_set_environment = declare("nicol_scene_set_environment", c_int32, Scene, Environment, POINTER(c_double), c_double)

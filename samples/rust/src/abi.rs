@@ -799,10 +799,11 @@ pub struct nicol_camera {
     pub far_clip: f64,
     pub jitter: [f64; 2],
     pub shift: [f64; 2],
+    pub pixel_aspect: f64,
 }
 defaults!(nicol_camera, nicol_camera_init);
 const _: () = {
-    assert!(size_of::<nicol_camera>() == 192);
+    assert!(size_of::<nicol_camera>() == 200);
     assert!(offset_of!(nicol_camera, struct_size) == 0);
     assert!(offset_of!(nicol_camera, projection) == 4);
     assert!(offset_of!(nicol_camera, to_world) == 8);
@@ -811,6 +812,7 @@ const _: () = {
     assert!(offset_of!(nicol_camera, far_clip) == 152);
     assert!(offset_of!(nicol_camera, jitter) == 160);
     assert!(offset_of!(nicol_camera, shift) == 176);
+    assert!(offset_of!(nicol_camera, pixel_aspect) == 192);
 };
 
 /// Polarization of the emission of a light, equal in all directions. The frame, as seen by a viewer who looks into the
@@ -1683,12 +1685,26 @@ extern "C" {
     pub fn nicol_mesh_create_cylinder(context: nicol_context, p0: *const [f64; 3], p1: *const [f64; 3], radius: f64, mesh: *mut nicol_mesh) -> nicol_result;
     /// Gets the numbers of vertices and triangles of a mesh.
     pub fn nicol_mesh_get_size(mesh: nicol_mesh, vertices: *mut u32, triangles: *mut u32) -> nicol_result;
+    /// Gets the box of the mesh in its own axes: the least and the largest coordinates.
+    pub fn nicol_mesh_get_bounds(mesh: nicol_mesh, lower: *mut [f64; 3], upper: *mut [f64; 3]) -> nicol_result;
     pub fn nicol_mesh_retain(mesh: nicol_mesh) -> nicol_result;
     pub fn nicol_mesh_release(mesh: nicol_mesh) -> nicol_result;
     pub fn nicol_camera_init(descriptor: *mut nicol_camera, struct_size: u32) -> nicol_result;
     /// Sets to_world, and no other field, to that of a camera at `origin` that looks at `target`. `up` must not
     /// lie along the view.
     pub fn nicol_camera_look_at(camera: *mut nicol_camera, origin: *const [f64; 3], target: *const [f64; 3], up: *const [f64; 3]) -> nicol_result;
+    /// Sets to_world, fov, shift, pixel_aspect and projection, and no other field, to those of a pinhole camera in
+    /// OpenCV's convention: a point X of the world is at x = R X + t, with x[0] to the right, x[1] down and x[2]
+    /// forward, and there at the pixel (fx x[0] / x[2] + cx, fy x[1] / x[2] + cy), where (0, 0) is the MIDDLE of
+    /// the first pixel and K = [fx 0 cx; 0 fy cy; 0 0 1]. Matrices are row-major. Undistort images first: there is
+    /// no lens distortion. (COLMAP has the same R and t, and 0.5 more in cx and cy.)
+    pub fn nicol_camera_set_opencv(camera: *mut nicol_camera, K: *const [f64; 9], R: *const [f64; 9], t: *const [f64; 3], width: u32, height: u32) -> nicol_result;
+    /// Gets the pinhole camera of a perspective camera, for an image of this size; jitter is left out.
+    pub fn nicol_camera_get_opencv(camera: *const nicol_camera, width: u32, height: u32, K: *mut [f64; 9], R: *mut [f64; 9], t: *mut [f64; 3]) -> nicol_result;
+    /// Moves the camera, without turning it, so that the box from `lower` to `upper` is in the image of this size
+    /// and as large as it can be. near_clip and far_clip enclose the box; an orthographic camera gets another half
+    /// extent. nicol_scene_get_bounds has the box of a scene.
+    pub fn nicol_camera_frame(camera: *mut nicol_camera, lower: *const [f64; 3], upper: *const [f64; 3], width: u32, height: u32) -> nicol_result;
     pub fn nicol_polarization_init(descriptor: *mut nicol_polarization, struct_size: u32) -> nicol_result;
     pub fn nicol_light_init(descriptor: *mut nicol_light, struct_size: u32) -> nicol_result;
     pub fn nicol_emission_init(descriptor: *mut nicol_emission, struct_size: u32) -> nicol_result;
@@ -1717,6 +1733,9 @@ extern "C" {
     /// Gets the parts of an instance: mesh and material as handles to release, and the transform. Each of the
     /// three may be NULL.
     pub fn nicol_scene_get_instance(scene: nicol_scene, id: u32, mesh: *mut nicol_mesh, material: *mut nicol_material, to_world: *mut [f64; 16]) -> nicol_result;
+    /// Gets the box of all instances in the world, without local lights, which have no surface. Returns
+    /// NICOL_ERROR_INVALID_ARGUMENT for a scene without instances.
+    pub fn nicol_scene_get_bounds(scene: nicol_scene, lower: *mut [f64; 3], upper: *mut [f64; 3]) -> nicol_result;
     /// Gets the number of instances.
     pub fn nicol_scene_get_instance_count(scene: nicol_scene, instances: *mut u32) -> nicol_result;
     /// Gets the ids of all instances, ascending. count must be the number of instances.

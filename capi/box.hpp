@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// Boxes about meshes.
+#pragma once
+
+#include <glm/common.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+#include <limits>
+
+#include "geometry/mesh.hpp"
+
+namespace nicol::capi {
+
+/// Box along the axes.
+struct Box {
+    glm::dvec3 lower{std::numeric_limits<double>::infinity()};
+    glm::dvec3 upper{-std::numeric_limits<double>::infinity()};
+
+    [[nodiscard]] bool empty() const { return lower.x > upper.x; }
+    /// Grows the box by all vertices of a mesh.
+    void add(const Mesh& mesh, const glm::dmat4& to_world) {
+        for (const glm::vec3& position : mesh.positions) {
+            const glm::dvec3 place(to_world * glm::dvec4(position, 1));
+            lower = glm::min(lower, place);
+            upper = glm::max(upper, place);
+        }
+    }
+};
+
+inline void write_box(const Box& box, double* lower, double* upper) {
+    for (int i = 0; i < 3; ++i) {
+        lower[i] = box.lower[i];
+        upper[i] = box.upper[i];
+    }
+}
+
+}  // namespace nicol::capi
