@@ -3,33 +3,43 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstring>
 #include <glm/vec4.hpp>
 #include <vector>
 
 #include "light/environment.hpp"
+#include "polarization/view_geometry.hpp"
 #include "simd/lane_angle.hpp"
 #include "simd/lane_parts.hpp"
 
 namespace nicol {
 
-/// Place of a direction in an equirectangular image.
+/// Place of a direction in an equirectangular image. Number: float, or a vector of it.
+template <class Number>
 struct EquirectPlace {
-    float turn;       ///< turns about the vertical, 0 to 1
-    float half_turn;  ///< half turns from the zenith, 0 to 1
-    float across;     ///< distance of the direction from the vertical
+    Number turn;       ///< turns about the vertical, 0 to 1
+    Number half_turn;  ///< half turns from the zenith, 0 to 1
+    Number across;     ///< distance of the direction from the vertical
 };
 
 /// Returns the place of a direction of any length but 0.
-[[gnu::always_inline]] inline EquirectPlace equirect_place(float x, float y, float z) {
-    const float across = std::sqrt(x * x + z * z);
-    const float quarter = 0.25F * quarter_turns(std::abs(x), std::abs(z));
-    const float from_front = z > 0 ? 0.5F - quarter : quarter;
-    const float turn = x < 0 ? 1 - from_front : from_front;
-    const float height = 0.5F * quarter_turns(across, std::abs(y));
-    return {across > 0 ? turn : 0.0F, y < 0 ? 1 - height : height, across};
+template <class Number>
+[[gnu::always_inline]] inline EquirectPlace<Number> equirect_place(const Number& x, const Number& y,
+                                                                   const Number& z) {
+    EquirectPlace<Number> out;
+    out.across = x * x + z * z;
+    square_root(out.across);
+    Number quarter, height;
+    quarter_turns<Number>(x < 0.0F ? -x : x, z < 0.0F ? -z : z, quarter);
+    quarter *= 0.25F;
+    const Number from_front = z > 0.0F ? 0.5F - quarter : quarter;
+    out.turn = x < 0.0F ? 1.0F - from_front : from_front;
+    out.turn = out.across > 0.0F ? out.turn : Number{};
+    quarter_turns<Number>(out.across, y < 0.0F ? -y : y, height);
+    height *= 0.5F;
+    out.half_turn = y < 0.0F ? 1.0F - height : height;
+    return out;
 }
 
 [[gnu::always_inline]] inline FourLanes in_register(const glm::vec4& texel) {

@@ -5,14 +5,15 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 #include <numbers>
+#include <span>
 
 #include "simd/dispatch.hpp"
+#include "simd/work_space.hpp"
 
 namespace nicol {
 namespace {
@@ -60,32 +61,37 @@ glm::vec4 turned(const glm::vec4& stokes, const glm::vec3& direction, const glm:
             stokes[3]};
 }
 
-// Where sixteen look-ups lie: in the images, and between levels.
-struct Places {
-    Lanes turn, half_turn;
-    std::array<std::uint32_t, kLanes> lower;
-    Lanes part;  // of the level after `lower`
-};
-
+// first_variance: of level 1.
+template <class Number>
 [[gnu::always_inline]] inline void find_places(const Lanes& variances, float first_variance,
-                                               const LaneVectors& towards, LaneVectors& frames, Places& out) {
-    for (std::size_t i = 0; i < kLanes; ++i) {
-        const float x = towards.x.value[i], y = towards.y.value[i], z = towards.z.value[i];
-        const EquirectPlace place = equirect_place(x, y, z);
-        out.turn.value[i] = place.turn;
-        out.half_turn.value[i] = place.half_turn;
-        const bool pole = !(place.across > 0);
-        const float inverse = 1 / (pole ? 1.0F : place.across);
-        frames.x.value[i] = pole ? 1.0F : -z * inverse;
-        frames.y.value[i] = 0;
-        frames.z.value[i] = x * inverse;
+                                               const LaneVectors& towards, ImageLevels::Places& out) {
+    using Bits [[gnu::vector_size(sizeof(Number))]] = std::int32_t;
+    for (std::size_t first = 0; first < kLanes; first += kPart<Number>) {
+        Vector3<Number> direction;
+        load_part(towards, first, direction);
+        const EquirectPlace<Number> place = equirect_place(direction.x, direction.y, direction.z);
+        store_part(place.turn, first, out.turn);
+        store_part(place.half_turn, first, out.half_turn);
 
         // A mixture of two levels has the wanted variance, which doubles from level to level.
-        const float relative = variances.value[i] / first_variance;
-        const auto bits = std::bit_cast<std::uint32_t>(relative);
-        const bool sharp = relative < 1;
-        out.lower[i] = sharp ? 0 : 1 + (bits >> 23) - 127;
-        out.part.value[i] = sharp ? relative : std::bit_cast<float>((bits & 0x7FFFFF) | 0x3F800000) - 1;
+        Number relative;
+        load_part(variances, first, relative);
+        relative *= 1 / first_variance;
+        const Bits bits = reinterpret_cast<Bits>(relative);
+        const Number octave = __builtin_convertvector((bits >> 23) - 127, Number);
+        const Number part = reinterpret_cast<Number>((bits & 0x7FFFFF) | 0x3F800000);  // 1 to 2
+        store_part(Number(relative < 1.0F ? relative : octave + part), first, out.level);
+    }
+}
+
+// Computes the x axes of the frames in the columns of directions.
+template <class Number>
+[[gnu::always_inline]] inline void find_frames(const LaneVectors& towards, LaneVectors& frames) {
+    for (std::size_t first = 0; first < kLanes; first += kPart<Number>) {
+        Vector3<Number> direction;
+        load_part(towards, first, direction);
+        const Vector3<Number> across{-direction.z, Number{}, direction.x};
+        store_part(normalized_or(across, 0.0F, Vector3<float>{1, 0, 0}), first, frames);
     }
 }
 
@@ -96,18 +102,18 @@ LightPyramid::LightPyramid(const Environment& environment, int most_columns)
       components_(environment.circular()    ? 4
                   : environment.polarized() ? 3
                                             : 1),
-      planes_(components_ > 1 ? channels_ : (channels_ + 3) / 4) {
+      planes_(components_ > 1 ? channels_ : (channels_ + 3) / 4),
+      levels_(planes_) {
     const std::unique_ptr<const Environment> tabulated = environment.tabulated();
-    levels_.push_back(texels_of((tabulated ? *tabulated : environment).image(), components_ > 1, channels_));
-    EquirectTexels narrow;
+    EquirectTexels image =
+        texels_of((tabulated ? *tabulated : environment).image(), components_ > 1, channels_);
+    levels_.add(image);
     double variance = 0;
-    const EquirectTexels* image = &levels_.front();
-    while (image->width > most_columns) {
-        narrow = half_of(*image);
-        image = &narrow;
-        variance = 1.5 * interpolation(narrow.width);  // averaging adds half of what interpolation does
+    while (image.width > most_columns) {
+        image = half_of(image);
+        variance = 1.5 * interpolation(image.width);  // averaging adds half of what interpolation does
     }
-    const int most = image->width;
+    const int most = image.width;
     const int fewest = components_ > 1 ? kFewestPolarized : kFewestColumns;
     // The first level's texels are wide for its blobs, because the image's are.
     double next = variance + std::pow(0.75 * texel_of(most), 2);
@@ -115,10 +121,9 @@ LightPyramid::LightPyramid(const Environment& environment, int most_columns)
     while (true) {
         const auto wanted = static_cast<int>(2 * kPi * kTexels / std::sqrt(next));
         const int width = std::max(std::min(wanted, most), std::min(fewest, most));
-        EquirectTexels level = blurred(*image, width, next - variance);
-        levels_.push_back(std::move(level));
+        image = blurred(image, width, next - variance);
+        levels_.add(image);
         if (next >= kMostVariance) break;
-        image = &levels_.back();
         variance = next;
         next *= 2;
     }
@@ -174,7 +179,7 @@ EquirectTexels LightPyramid::blurred(const EquirectTexels& image, int width, dou
                     const glm::vec3 way = along * std::cos(around) * frame + down * std::sin(around) * other;
                     const float radius = glm::length(way);
                     const glm::vec3 there = std::cos(radius) * direction + std::sin(radius) / radius * way;
-                    const EquirectPlace place = equirect_place(there.x, there.y, there.z);
+                    const EquirectPlace<float> place = equirect_place(there.x, there.y, there.z);
                     const glm::vec4 light = image.at(plane, place.turn, place.half_turn);
                     sum += 1 / 12.0F *
                            (components_ == 1
@@ -193,31 +198,18 @@ EquirectTexels LightPyramid::blurred(const EquirectTexels& image, int width, dou
 void LightPyramid::look_up(const Lanes& variances, LaneLight& out) const {
     out.components = components_;
     out.irradiance.resize(channels_);
-    Places places;
-    dispatch<find_places>(variances, first_variance_, out.towards, out.x, places);
-    const std::size_t last = levels_.size() - 1;
-    for (std::size_t i = 0; i < kLanes; ++i) {
-        const std::size_t lower = std::min<std::size_t>(places.lower[i], last);
-        const float part = lower < last ? places.part[i] : 0.0F;
-        const float turn = places.turn[i], half_turn = places.half_turn[i];
-        for (std::size_t plane = 0; plane < planes_; ++plane) {
-            glm::vec4 value = levels_[lower].at(plane, turn, half_turn);
-            if (part > 0) value += part * (levels_[lower + 1].at(plane, turn, half_turn) - value);
-            if (components_ > 1) {
-                for (std::size_t p = 0; p < components_; ++p)
-                    out.irradiance[plane][p][i] = value[static_cast<glm::length_t>(p)];
-                continue;
-            }
-            for (std::size_t c = 4 * plane; c < std::min(channels_, 4 * plane + 4); ++c)
-                out.irradiance[c][0][i] = value[static_cast<glm::length_t>(c % 4)];
-        }
+    ImageLevels::Places places;
+    dispatch<find_places<FourLanes>, find_places<EightLanes>, find_places<AllLanes>>(
+        variances, first_variance_, out.towards, places);
+    const std::span<Lanes> found = work_space<LightPyramid, Lanes>(4 * planes_);
+    levels_.look_up(places, found.data());
+    if (components_ == 1) {
+        for (std::size_t c = 0; c < channels_; ++c) out.irradiance[c][0] = found[c];
+        return;
     }
-}
-
-std::size_t LightPyramid::bytes() const noexcept {
-    std::size_t out = 0;
-    for (const EquirectTexels& level : levels_) out += level.texels.size() * sizeof(glm::vec4);
-    return out;
+    for (std::size_t c = 0; c < channels_; ++c)
+        std::copy_n(&found[4 * c], components_, out.irradiance[c].begin());
+    dispatch<find_frames<FourLanes>, find_frames<EightLanes>, find_frames<AllLanes>>(out.towards, out.x);
 }
 
 }  // namespace nicol

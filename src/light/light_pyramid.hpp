@@ -3,11 +3,10 @@
 #pragma once
 
 #include <cstddef>
-#include <glm/vec4.hpp>
-#include <vector>
 
 #include "light/environment.hpp"
 #include "light/equirect_texels.hpp"
+#include "light/image_levels.hpp"
 #include "light/lane_light.hpp"
 
 namespace nicol {
@@ -20,11 +19,11 @@ public:
     explicit LightPyramid(const Environment& environment, int most_columns = 1024);
 
     /// Computes the mean radiance in blobs around unit directions `out.towards`, in the environment's axes:
-    /// out.irradiance, out.x and out.components. variances: of the blobs, along each axis, in square radians.
-    /// Blobs are close to normal distributions.
+    /// out.irradiance, out.components and, of polarized light, out.x. variances: of the blobs, along each
+    /// axis, in square radians. Blobs are close to normal distributions.
     void look_up(const Lanes& variances, LaneLight& out) const;
 
-    [[nodiscard]] std::size_t bytes() const noexcept;
+    [[nodiscard]] std::size_t bytes() const noexcept { return levels_.bytes(); }
 
 private:
     [[nodiscard]] EquirectTexels half_of(const EquirectTexels& image) const;
@@ -34,7 +33,7 @@ private:
     std::size_t components_;
     std::size_t planes_;    // one per channel if the light is polarized, else one per four channels
     float first_variance_;  // of level 1
-    std::vector<EquirectTexels> levels_;  // level 0 is the image itself
+    ImageLevels levels_;    // level 0 is the image itself
 };
 
 }  // namespace nicol

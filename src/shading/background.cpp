@@ -26,7 +26,7 @@ namespace {
         const float x = rays.x.value[i];
         const float y = rays.y.value[i];
         const float z = rays.z.value[i];
-        const EquirectPlace place = equirect_place(x, y, z);
+        const EquirectPlace<float> place = equirect_place(x, y, z);
         const float across = place.across;
         out.turn.value[i] = place.turn;
         out.half_turn.value[i] = place.half_turn;

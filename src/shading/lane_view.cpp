@@ -48,7 +48,7 @@ template <class Sights>
         ThetaPhiFrame<float> about_view = theta_phi_axes(local);
         out.azimuth_cosine.value[i] = static_cast<double>(about_view.cos_phi);
         out.azimuth_sine.value[i] = static_cast<double>(about_view.sin_phi);
-        out.zenith.value[i] = quarter_turns(about_view.rho, local.z > 0 ? local.z : 0);
+        quarter_turns(about_view.rho, local.z > 0 ? local.z : 0, out.zenith.value[i]);
 
         const Vector3<float> x = in_frame(about_view, in_frame(about_normal, x_axes.at(i, w)));
         const float inverse = 1 / (x.x * x.x + x.y * x.y);

@@ -7,27 +7,30 @@
 
 namespace nicol {
 
-/// Returns whether the ratio is above tan(pi/8).
-[[gnu::always_inline]] inline bool beyond_eighth(float ratio) {
-    return ratio > 0.41421356F;
-}
+/// Ratio above which arctangent_rest() leaves pi/4 out: tan(pi/8).
+inline constexpr float kEighth = 0.41421356F;
 
-/// Returns atan(ratio) for a ratio of 0 to 1, minus pi/4 if beyond_eighth(ratio).
-[[gnu::always_inline]] inline float arctangent_rest(float ratio) {
+/// Computes atan(ratio) for a ratio of 0 to 1, minus pi/4 if the ratio is above kEighth. Number: float, or a
+/// vector of it.
+template <class Number>
+[[gnu::always_inline]] inline void arctangent_rest(const Number& ratio, Number& angle) {
     // The polynomial in t^2 approximates atan(t) / t within 2e-8 up to tan(pi/8).
-    const float t = beyond_eighth(ratio) ? (ratio - 1) / (ratio + 1) : ratio;
-    const float z = t * t;
-    return t * (0.99999998F + z * (-0.33332786F + z * (0.19974082F + z * (-0.13848490F + z * 0.07976292F))));
+    const Number t = ratio > kEighth ? (ratio - 1.0F) / (ratio + 1.0F) : ratio;
+    const Number z = t * t;
+    angle = t * (0.99999998F + z * (-0.33332786F + z * (0.19974082F + z * (-0.13848490F + z * 0.07976292F))));
 }
 
-/// Returns atan(rise / run) over pi/2 for numbers that are not negative; 1 if both are 0.
-[[gnu::always_inline]] inline float quarter_turns(float rise, float run) {
-    const bool steep = rise >= run;
-    const float large = steep ? rise : run;
-    const float ratio = (steep ? run : rise) / (large > 0 ? large : 1.0F);
-    float angle = arctangent_rest(ratio);
-    angle = angle * (2 / std::numbers::pi_v<float>)+(beyond_eighth(ratio) ? 0.5F : 0.0F);
-    return steep ? 1 - angle : angle;
+/// Computes atan(rise / run) over pi/2 for numbers that are not negative; 1 if both are 0. Number: float, or
+/// a vector of it.
+template <class Number>
+[[gnu::always_inline]] inline void quarter_turns(const Number& rise, const Number& run, Number& turns) {
+    const auto steep = rise >= run;
+    const Number large = steep ? rise : run;
+    const Number ratio = (steep ? run : rise) / (large > 0.0F ? large : Number{} + 1.0F);
+    arctangent_rest(ratio, turns);
+    turns *= 2 / std::numbers::pi_v<float>;
+    turns += ratio > kEighth ? Number{} + 0.5F : Number{};
+    turns = steep ? 1.0F - turns : turns;
 }
 
 /// Computes the cosine and sine of 2 pi turns, for turns of 0 to 1.

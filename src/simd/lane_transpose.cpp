@@ -83,6 +83,27 @@ template <int Step, int... K>
     }
 }
 
+[[gnu::always_inline]] inline void take(const float* from, Lanes* lanes) {
+    LaneVector fours[4];
+    for (std::size_t k = 0; k < 4; ++k) std::memcpy(&fours[k], from + k * kLanes, sizeof fours[k]);
+    LaneVector pairs[2][2];  // two components of eight vectors
+    for (int k = 0; k < 2; ++k) {
+        const LaneVector& a = fours[2 * k];
+        const LaneVector& b = fours[2 * k + 1];
+        pairs[0][k] = __builtin_shufflevector(a, b, 0, 4, 8, 12, 16, 20, 24, 28, 1, 5, 9, 13, 17, 21, 25, 29);
+        pairs[1][k] =
+            __builtin_shufflevector(a, b, 2, 6, 10, 14, 18, 22, 26, 30, 3, 7, 11, 15, 19, 23, 27, 31);
+    }
+    for (int p = 0; p < 2; ++p) {
+        const LaneVector& a = pairs[p][0];
+        const LaneVector& b = pairs[p][1];
+        store(lanes + 2 * p,
+              __builtin_shufflevector(a, b, 0, 1, 2, 3, 4, 5, 6, 7, 16, 17, 18, 19, 20, 21, 22, 23));
+        store(lanes + 2 * p + 1,
+              __builtin_shufflevector(a, b, 8, 9, 10, 11, 12, 13, 14, 15, 24, 25, 26, 27, 28, 29, 30, 31));
+    }
+}
+
 using FourFloats [[gnu::vector_size(16), gnu::may_alias, gnu::aligned(4)]] = float;
 
 template <bool Add>
@@ -128,6 +149,10 @@ template <bool Add>
 }
 
 }  // namespace
+
+void take_fours(const glm::vec4* from, Lanes* lanes) {
+    dispatch<take>(&from->x, lanes);
+}
 
 void put_fours(const Lanes* lanes, const std::uint8_t* show, std::size_t count, glm::vec4* out) {
     dispatch<put>(lanes, show, count, &out->x);

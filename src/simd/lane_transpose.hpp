@@ -23,6 +23,9 @@ void to_lanes_between(const std::array<const float*, kLanes>& rows, std::size_t 
 void to_lanes_weighted(const std::array<std::array<const float*, kLanes>, 3>& rows,
                        const std::array<Lanes, 3>& weights, std::size_t count, Lanes* lanes);
 
+/// Sets lanes[p][i] = from[i][p] for p < 4 and i < kLanes.
+void take_fours(const glm::vec4* from, Lanes* lanes);
+
 /// Assigns or adds lanes[p][i] to out[i][p] for p < 4 and i < count if show[i] != 0.
 void put_fours(const Lanes* lanes, const std::uint8_t* show, std::size_t count, glm::vec4* out);
 void add_fours(const Lanes* lanes, const std::uint8_t* show, std::size_t count, glm::vec4* out);

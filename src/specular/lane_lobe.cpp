@@ -35,8 +35,9 @@ struct Grid {
     const bool steep = along > across;
     const float large = steep ? along : across;
     const float ratio = (steep ? across : along) / (large > 0 ? large : 1.0F);
-    float angle = arctangent_rest(ratio);
-    angle += beyond_eighth(ratio) ? kPi / 4 : 0.0F;
+    float angle = 0;
+    arctangent_rest(ratio, angle);
+    angle += ratio > kEighth ? kPi / 4 : 0.0F;
     angle = steep ? kPi / 2 - angle : angle;
     angle = x < 0 ? kPi - angle : angle;
     return y < 0 ? -angle : angle;

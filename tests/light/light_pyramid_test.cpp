@@ -26,6 +26,7 @@ Stokes found(const LaneLight& light, std::size_t channel, std::size_t i) {
     Stokes s(0.0);
     for (std::size_t p = 0; p < light.components; ++p)
         s[static_cast<int>(p)] = static_cast<double>(light.irradiance[channel][p][i]);
+    if (light.components == 1) return s;
     const glm::dvec3 along = -lane(light.towards, i);
     return rotated(s, angle_between(frame_with_x(along, lane(light.x, i)), theta_phi_frame(along)));
 }

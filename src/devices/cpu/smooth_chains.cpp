@@ -367,7 +367,8 @@ void SmoothChains::add_sky(const Ends& ends, std::span<const std::span<glm::vec4
         input_.sky->look_up(variances, light);
         for (std::size_t i = 0; i < some.size(); ++i) {
             // From the image's frame into that of the chain: both have z along the light.
-            const glm::vec3 z = -vector_at(light.towards, i), x = vector_at(light.x, i);
+            const glm::vec3 z = -vector_at(light.towards, i);
+            const glm::vec3 x = light.components > 1 ? vector_at(light.x, i) : some[i].x;
             const float c = glm::dot(some[i].x, x), s = glm::dot(some[i].x, glm::cross(z, x));
             const float cosine = c * c - s * s, sine = 2 * c * s;
             for (std::size_t channel = 0; channel < out.size(); ++channel) {

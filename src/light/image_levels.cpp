@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+#include "light/image_levels.hpp"
+
+#include <array>
+#include <cstring>
+
+#include "simd/dispatch.hpp"
+#include "simd/lane_parts.hpp"
+#include "simd/lane_transpose.hpp"
+#include "simd/work_space.hpp"
+
+namespace nicol {
+namespace {
+
+// Two rows in each of two images. The column after `left` is next to it.
+constexpr std::size_t kRows = 4;
+
+// Texels of sixteen look-ups.
+struct Taps {
+    alignas(64) std::array<std::array<std::int32_t, kLanes>, kRows> left;
+    std::array<Lanes, kRows> left_weights, right_weights;
+};
+
+template <class Number>
+using Integers [[gnu::vector_size(sizeof(Number))]] = std::int32_t;
+
+// Loads from[indices[i]] into each lane. GCC has an instruction for the loop alone.
+template <class Element, class Vector>
+[[gnu::always_inline]] inline void gather(const std::vector<Element>& from,
+                                          const std::array<std::int32_t, kLanes>& indices, Vector& out) {
+    const Element* const values = from.data();
+    alignas(64) std::array<Element, kLanes> found;
+    for (std::size_t i = 0; i < sizeof(Vector) / sizeof(Element); ++i) found[i] = values[indices[i]];
+    std::memcpy(&out, found.data(), sizeof out);
+}
+
+// Finds the rows of one image for the lanes from `first` on. row: of the two, the first in `out`.
+template <class Number>
+[[gnu::always_inline]] inline void find_rows(const ImageLevels::Shapes& shapes,
+                                             const ImageLevels::Places& places, std::size_t first,
+                                             const Integers<Number>& image, const Number& weight,
+                                             std::size_t row, Taps& out) {
+    using Integer = Integers<Number>;
+    std::array<std::int32_t, kLanes> images;
+    std::memcpy(images.data(), &image, sizeof image);
+    Number width, last_row, x, y;
+    Integer offset;
+    gather(shapes.widths, images, width);
+    gather(shapes.last_rows, images, last_row);
+    gather(shapes.first, images, offset);
+    load_part(places.turn, first, x);
+    load_part(places.half_turn, first, y);
+    // The comparisons replace a NaN by 0, because they are false for it.
+    x = x > 0.0F ? x * width : Number{};
+    x = 0.5F + (x < width ? x : width);
+    y = y > 0.0F ? y * last_row : Number{};
+    const Integer columns = __builtin_convertvector(width, Integer);
+    const Integer last = __builtin_convertvector(last_row, Integer) - 1;
+    const Integer after = __builtin_convertvector(x, Integer);  // the column to the right, plus one
+    const Integer left = after > 0 ? after - 1 : columns - 1;
+    Integer upper = __builtin_convertvector(y < last_row ? y : last_row, Integer);
+    upper = upper < last ? upper : last;
+    const Number right_part = x - __builtin_convertvector(after, Number);
+    const Number lower_part = y - __builtin_convertvector(upper, Number);
+    const Integer texel = offset + upper * (columns + 1) + left;
+    const Integer below = texel + columns + 1;
+    std::memcpy(out.left[row].data() + first, &texel, sizeof texel);
+    std::memcpy(out.left[row + 1].data() + first, &below, sizeof below);
+    const Number lower_weight = weight * lower_part, upper_weight = weight - lower_weight;
+    store_part(Number(upper_weight * (1.0F - right_part)), first, out.left_weights[row]);
+    store_part(Number(upper_weight * right_part), first, out.right_weights[row]);
+    store_part(Number(lower_weight * (1.0F - right_part)), first, out.left_weights[row + 1]);
+    store_part(Number(lower_weight * right_part), first, out.right_weights[row + 1]);
+}
+
+template <class Number>
+[[gnu::always_inline]] inline void find_taps(const ImageLevels::Shapes& shapes,
+                                             const ImageLevels::Places& places, Taps& out) {
+    using Integer = Integers<Number>;
+    const auto last = static_cast<std::int32_t>(shapes.first.size()) - 1;
+    for (std::size_t first = 0; first < kLanes; first += kPart<Number>) {
+        Number level;
+        load_part(places.level, first, level);
+        const Number most = Number{} + static_cast<float>(last);
+        level = level > 0.0F ? level : Number{};
+        level = level < most ? level : most;
+        Integer image = __builtin_convertvector(level, Integer);
+        image = image < last ? image : Integer{} + (last - 1);
+        const Number part = level - __builtin_convertvector(image, Number);
+        find_rows<Number>(shapes, places, first, image, 1.0F - part, 0, out);
+        find_rows<Number>(shapes, places, first, image + 1, part, 2, out);
+    }
+}
+
+// Adds a texel and the next one, times their weights, to the two halves of the sums.
+[[gnu::always_inline]] inline void add_pair(const glm::vec4* left, float left_weight, float right_weight,
+                                            EightLanes& sums) {
+    const FourLanes weights{left_weight, right_weight};
+    EightLanes texels;
+    std::memcpy(&texels, left, sizeof texels);
+    sums += texels * __builtin_shufflevector(weights, weights, 0, 0, 0, 0, 1, 1, 1, 1);
+}
+
+// Computes out[plane][lane].
+template <class Number>
+[[gnu::always_inline]] inline void add_taps(const ImageLevels::Shapes& shapes, const glm::vec4* texels,
+                                            std::size_t planes, const ImageLevels::Places& places,
+                                            glm::vec4* out) {
+    Taps taps;
+    find_taps<Number>(shapes, places, taps);
+    if (planes == 1) {
+        for (std::size_t i = 0; i < kLanes; ++i) {
+            EightLanes sums{};
+            for (std::size_t row = 0; row < kRows; ++row)
+                add_pair(texels + taps.left[row][i], taps.left_weights[row].value[i],
+                         taps.right_weights[row].value[i], sums);
+            const FourLanes sum = __builtin_shufflevector(sums, sums, 0, 1, 2, 3) +
+                                  __builtin_shufflevector(sums, sums, 4, 5, 6, 7);
+            std::memcpy(out + i, &sum, sizeof sum);
+        }
+        return;
+    }
+    for (std::size_t i = 0; i < kLanes; ++i) {
+        for (std::size_t plane = 0; plane < planes; ++plane) {
+            FourLanes sum{};
+            for (std::size_t row = 0; row < kRows; ++row) {
+                const glm::vec4* const left =
+                    texels + static_cast<std::size_t>(taps.left[row][i]) * planes + plane;
+                sum += taps.left_weights[row].value[i] * in_register(left[0]);
+                sum += taps.right_weights[row].value[i] * in_register(left[planes]);
+            }
+            std::memcpy(out + plane * kLanes + i, &sum, sizeof sum);
+        }
+    }
+}
+
+}  // namespace
+
+void ImageLevels::add(const EquirectTexels& image) {
+    const auto width = static_cast<std::size_t>(image.width), height = static_cast<std::size_t>(image.height);
+    shapes_.first.push_back(static_cast<std::int32_t>(texels_.size() / planes_));
+    shapes_.widths.push_back(static_cast<float>(image.width));
+    shapes_.last_rows.push_back(static_cast<float>(image.height - 1));
+    texels_.reserve(texels_.size() + planes_ * (width + 1) * height);
+    for (std::size_t row = 0; row < height; ++row)
+        for (std::size_t column = 0; column <= width; ++column)
+            for (std::size_t plane = 0; plane < planes_; ++plane)
+                texels_.push_back(image.texels[(plane * height + row) * width + column % width]);
+}
+
+void ImageLevels::look_up(const Places& places, Lanes* out) const {
+    const std::span<glm::vec4> fours = work_space<ImageLevels, glm::vec4>(planes_ * kLanes);
+    dispatch<add_taps<FourLanes>, add_taps<EightLanes>, add_taps<AllLanes>>(shapes_, texels_.data(), planes_,
+                                                                            places, fours.data());
+    for (std::size_t plane = 0; plane < planes_; ++plane)
+        take_fours(fours.data() + plane * kLanes, out + 4 * plane);
+}
+
+}  // namespace nicol
