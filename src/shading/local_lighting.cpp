@@ -230,6 +230,9 @@ private:
     void add_lobe(const SampledEnvironment& environment, const Material& layer, const Lobe& lobe,
                   const LayerWeights* weights, std::uint32_t there) {
         const bool whole = finds_lights(lobe, environment.sampled());
+        const LaneFrames frames = environment.in_environment(reflected_.frames());
+        const WeightedTerms terms =
+            ReflectedLight::sampled_terms(layer, environment.sampled(), lobe, sums_.size());
         for (const SlopePart& part : slope_parts(lobe.distribution)) {
             const ReflectedNodes nodes(environment.grids(), lobe, part, reflected_.towards_viewer(), pixels_);
             const auto count = static_cast<std::uint32_t>(nodes.count());
@@ -243,40 +246,38 @@ private:
             // Even nodes come first, because either half of the nodes is spread over the lobe.
             for_samples(count, even, nodes.even_shares(), shares, [&](std::uint32_t k) {
                 const ReflectedNode node = nodes.node(k < even ? 2 * k : 2 * (k - even) + 1);
-                look_up(environment, whole, node);
-                for (std::array<Lanes, 4>& stokes : light_.irradiance)
-                    for (std::size_t p = 0; p < light_.components; ++p)
-                        for (std::size_t i = 0; i < kLanes; ++i) stokes[p][i] *= node.weights[i];
-                const std::uint32_t lit = shadowing.reached(light_, there & lit_points());
-                if (lit != 0)
-                    reflected_.add_sampled(layer, environment.sampled(), lobe, weights, light_, lit, 1,
-                                           sums_);
+                environment.look_up(whole, frames, node, light_);
+                reflected_.add_sampled(terms, weights, light_, reached(shadowing, there), sums_);
             });
         }
     }
 
-    // Sets the light to that of the environment at a node.
-    void look_up(const SampledEnvironment& environment, bool whole, const ReflectedNode& node) {
-        light_.towards = reflected_.in_world(node.seen);
-        environment.look_up(whole, node.variances, light_);
-        light_.towards = reflected_.in_world(node.towards);
+    // Returns the points that the light of a node reaches, and dims the light as perturbed normals need.
+    std::uint32_t reached(LightShadows& shadowing, std::uint32_t there) {
+        if (!shadows_ && points_.facets.empty() && points_.unperturbed.empty()) return there;
+        const LaneVectors local = light_.towards;
+        out_of_frames(reflected_.frames(), local, light_.towards);
+        const std::uint32_t out = shadowing.reached(light_, there & lit_points());
+        light_.towards = local;
+        return out;
     }
 
     // Sets the light to the mean over the pixels around the mirrored directions.
     void look_up_mirrored(const SampledEnvironment& environment) {
         thread_local std::vector<std::array<Lanes, 4>> sums;
+        const LaneFrames frames = environment.in_environment(reflected_.frames());
         const ReflectedNodes nodes(environment.grids(), reflected_.towards_viewer(), pixels_);
         sums.clear();
         for (std::size_t k = 0; k < nodes.count(); ++k) {
-            const ReflectedNode node = nodes.node(k);
-            look_up(environment, true, node);
+            environment.look_up(true, frames, nodes.node(k), light_);
             sums.resize(light_.irradiance.size(), {});
             for (std::size_t c = 0; c < sums.size(); ++c)
                 for (std::size_t p = 0; p < light_.components; ++p)
-                    for (std::size_t i = 0; i < kLanes; ++i)
-                        sums[c][p][i] += light_.irradiance[c][p][i] * node.weights[i];
+                    for (std::size_t i = 0; i < kLanes; ++i) sums[c][p][i] += light_.irradiance[c][p][i];
         }
         std::ranges::copy(sums, light_.irradiance.begin());
+        out_of_frames(reflected_.frames(), light_.towards, light_.towards);
+        if (light_.components > 1) out_of_frames(reflected_.frames(), light_.x, light_.x);
     }
 
     // Calls reflect(share) for places of the pixels, with the light as these places reflect it. lobe: the
@@ -340,8 +341,8 @@ private:
             put(pixels_.shift, i, pixel.shift);
             for (std::size_t k = 0; k < 2; ++k) put(pixels_.steps[k], i, pixel.steps[k]);
         }
-        pixels_.shift = reflected_.in_surface(pixels_.shift);
-        for (LaneVectors& steps : pixels_.steps) steps = reflected_.in_surface(steps);
+        into_frames(reflected_.frames(), pixels_.shift, pixels_.shift);
+        for (LaneVectors& steps : pixels_.steps) into_frames(reflected_.frames(), steps, steps);
     }
 
     void seed(std::uint32_t index) {

@@ -13,8 +13,15 @@
 #include "material/material.hpp"
 #include "material/sampled_terms.hpp"
 #include "polarization/views.hpp"
+#include "shading/lane_frames.hpp"
 
 namespace nicol {
+
+/// Some of a material's terms.
+struct WeightedTerms {
+    const Material& material;
+    std::span<const float> weights;  ///< [channel][term]; 0 for the other terms
+};
 
 /// Sixteen points of a surface, seen from viewpoints. Holds results, so each thread needs its own object.
 class ReflectedLight {
@@ -41,13 +48,16 @@ public:
 
     /// Returns unit directions towards the viewer, in the surfaces' frames.
     [[nodiscard]] const LaneVectors& towards_viewer() const { return towards_viewer_; }
-    /// Returns vectors of the surfaces' frames in the positions' axes, and the other way round.
-    [[nodiscard]] LaneVectors in_world(const LaneVectors& local) const;
-    [[nodiscard]] LaneVectors in_surface(const LaneVectors& world) const;
-    /// Adds the terms with this lobe that `sampled` names. Otherwise equals add().
-    void add_sampled(const Material& material, SampledTerms sampled, const Lobe& lobe,
-                     const LayerWeights* weights, const LaneLight& light, std::uint32_t points, float factor,
-                     std::span<std::array<Lanes, 4>> out) const;
+    /// Returns the surfaces' frames, in the positions' axes.
+    [[nodiscard]] const LaneFrames& frames() const { return frames_; }
+
+    /// Returns the terms with this lobe that `sampled` names. The weights are valid until the thread's next
+    /// call of a function of this class but add_sampled().
+    [[nodiscard]] static WeightedTerms sampled_terms(const Material& material, SampledTerms sampled,
+                                                     const Lobe& lobe, std::size_t channels);
+    /// Adds what add() adds by these terms. The directions of the light are in the surfaces' frames.
+    void add_sampled(const WeightedTerms& terms, const LayerWeights* weights, const LaneLight& light,
+                     std::uint32_t points, std::span<std::array<Lanes, 4>> out) const;
 
     /// Returns the unit directions, in the positions' axes, that the viewer sees in a mirror.
     [[nodiscard]] LaneVectors mirrored_directions() const;
@@ -57,14 +67,22 @@ public:
                       std::uint32_t points, std::span<std::array<Lanes, 4>> out) const;
 
 private:
-    // Adds the terms t with has(t); scale(cosine) is the factor of the pBRDF times the light.
-    template <class Has, class Scale>
-    void add_terms(const Has& has, const Material& material, const LayerWeights* weights,
-                   const LaneLight& light, std::uint32_t points, const Scale& scale,
+    // Returns the weights of the terms t with has(t).
+    template <class Has>
+    static std::span<const float> weights_of(const Material& material, std::size_t channels, const Has& has);
+    // Directions of light in the surfaces' frames.
+    struct Directions {
+        LaneVectors towards;
+        LaneVectors x;  // unset if the light is unpolarized
+    };
+    [[nodiscard]] Directions directions_of(const LaneLight& light) const;
+    // scale(cosine): factor of the pBRDF times the light.
+    template <class Scale>
+    void add_terms(const WeightedTerms& terms, const LayerWeights* weights, const LaneLight& light,
+                   const Directions& directions, std::uint32_t points, const Scale& scale,
                    std::span<std::array<Lanes, 4>> out) const;
 
-    // Axes of the surface's frames in the world.
-    LaneVectors tangent_, bitangent_, normal_;
+    LaneFrames frames_;
     LaneVectors towards_viewer_;  // in the surface's frames
     // Cosine and sine of the rotation of (s1, s2) from the theta-phi frame to the camera's.
     Lanes frame_cosine_, frame_sine_;

@@ -3,11 +3,27 @@
 
 #include <limits>
 
-#include "shading/rotated_light.hpp"
-
 namespace nicol {
-void SampledEnvironment::look_up(bool whole, const Lanes& variances, LaneLight& out) const {
-    look_up_rotated(to_points_, scale_, out, [&] { (whole ? whole_ : rest_)->look_up(variances, out); });
+
+LaneFrames SampledEnvironment::in_environment(const LaneFrames& of_points) const {
+    LaneFrames out;
+    for (std::size_t i = 0; i < kLanes; ++i) {
+        put(out.x, i, vector_at(of_points.x, i) * to_points_);
+        put(out.y, i, vector_at(of_points.y, i) * to_points_);
+        put(out.z, i, vector_at(of_points.z, i) * to_points_);
+    }
+    return out;
+}
+
+void SampledEnvironment::look_up(bool whole, const LaneFrames& frames, const ReflectedNode& node,
+                                 LaneLight& out) const {
+    out_of_frames(frames, node.seen, out.towards);
+    (whole ? whole_ : rest_)->look_up(node.variances, out);
+    for (std::array<Lanes, 4>& stokes : out.irradiance)
+        for (std::size_t p = 0; p < out.components; ++p)
+            for (std::size_t i = 0; i < kLanes; ++i) stokes[p][i] *= scale_ * node.weights[i];
+    if (out.components > 1) into_frames(frames, out.x, out.x);
+    out.towards = node.towards;
     out.points = (std::uint32_t{1} << kLanes) - 1;
     out.distance.value.fill(std::numeric_limits<float>::infinity());
 }

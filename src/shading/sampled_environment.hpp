@@ -8,7 +8,9 @@
 
 #include "light/light_pyramid.hpp"
 #include "material/sampled_terms.hpp"
+#include "shading/lane_frames.hpp"
 #include "shading/node_grids.hpp"
+#include "shading/reflected_nodes.hpp"
 
 namespace nicol {
 
@@ -32,10 +34,11 @@ public:
     /// Returns grids for the nodes of lobes.
     [[nodiscard]] const NodeGrids& grids() const noexcept { return *grids_; }
 
-    /// whole: whether extracted lights are included. Computes the mean radiance in blobs of these variances,
-    /// see LightPyramid, around the directions out.towards, which are unit vectors in the points' axes: all
-    /// other members of `out`, with radiance in place of irradiance.
-    void look_up(bool whole, const Lanes& variances, LaneLight& out) const;
+    /// Returns frames in the points' axes as frames in the environment's axes.
+    [[nodiscard]] LaneFrames in_environment(const LaneFrames& of_points) const;
+    /// whole: whether extracted lights are included. Computes the radiance that a node sees, times the node's
+    /// weights: all members of `out`, with directions in the surfaces' frames. frames: in_environment().
+    void look_up(bool whole, const LaneFrames& frames, const ReflectedNode& node, LaneLight& out) const;
 
 private:
     Light whole_, rest_;

@@ -283,10 +283,14 @@ TEST_CASE("terms that find lights by samples are not lit by light samples") {
     reflected.add(*narrow, nullptr, p.light, 0xFFF7, 1, all);
     reflected.add(*narrow, nullptr, p.light, 0xFFF7, 1, kept, sampled);
     parts = kept;
-    reflected.add_sampled(*narrow, sampled, {glm::dvec2(0.09), Distribution::beckmann}, nullptr, p.light,
-                          0xFFF7, 1, parts);
-    reflected.add_sampled(*narrow, sampled, {glm::dvec2(0.3), Distribution::beckmann}, nullptr, p.light,
-                          0xFFF7, 1, parts);
+    LaneLight local = p.light;
+    into_frames(reflected.frames(), local.towards, local.towards);
+    into_frames(reflected.frames(), local.x, local.x);
+    for (const double alpha : {0.09, 0.3}) {
+        const Lobe lobe{glm::dvec2(alpha), Distribution::beckmann};
+        reflected.add_sampled(ReflectedLight::sampled_terms(*narrow, sampled, lobe, 1), nullptr, local,
+                              0xFFF7, parts);
+    }
     for (std::size_t q = 0; q < 4; ++q)
         for (std::size_t i = 0; i < kLanes; ++i)
             CHECK(parts[0][q][i] == doctest::Approx(all[0][q][i]).epsilon(1e-5));
