@@ -10,16 +10,19 @@
 namespace nicol {
 namespace {
 
-// Nodes at equal distances.
+// Rows of a normal distribution that have more nodes are dense in the middle.
+constexpr std::size_t kFewNodes = 10;
+
 struct Row {
     std::vector<double> x, weights;
+    std::vector<double> widths;  // of the gaps at the nodes, relative to those in the middle
     double blob;
 };
 
-double variance(const Row& row) {
+double mean_square(const Row& row, const std::vector<double>& values) {
     double sum = 0, total = 0;
-    for (std::size_t k = 0; k < row.x.size(); ++k) {
-        sum += row.weights[k] * row.x[k] * row.x[k];
+    for (std::size_t k = 0; k < values.size(); ++k) {
+        sum += row.weights[k] * values[k] * values[k];
         total += row.weights[k];
     }
     return sum / total;
@@ -27,22 +30,45 @@ double variance(const Row& row) {
 
 void set_normal_weights(double sharpness, Row& row) {
     for (std::size_t k = 0; k < row.x.size(); ++k)
-        row.weights[k] = std::exp(-0.5 * sharpness * row.x[k] * row.x[k]);
+        row.weights[k] = row.widths[k] * std::exp(-0.5 * sharpness * row.x[k] * row.x[k]);
+}
+
+// Returns the number of standard deviations below which a normal distribution has this share.
+double normal_quantile(double share) {
+    double low = -8, high = 8;
+    for (int i = 0; i < 50; ++i) {
+        const double middle = (low + high) / 2;
+        (0.5 * std::erfc(-middle / std::numbers::sqrt2) < share ? low : high) = middle;
+    }
+    return low;
 }
 
 Row row_of(std::size_t count, bool normal) {
-    if (count == 1) return {.x = {0}, .weights = {1}, .blob = 1};
+    if (count == 1) return {.x = {0}, .weights = {1}, .widths = {1}, .blob = 1};
     const auto n = static_cast<double>(count);
     // The more nodes a normal distribution has, the denser they are and the farther out they go.
-    const double step = normal ? 2 * std::pow(n / 2, -0.8) : std::sqrt(12 / (n * n - 1));
-    Row out{.x = std::vector<double>(count), .weights = std::vector<double>(count, 1), .blob = 0};
+    double step = normal ? 2 * std::pow(n / 2, -0.8) : std::sqrt(12 / (n * n - 1));
+    Row out{.x = std::vector<double>(count),
+            .weights = std::vector<double>(count, 1),
+            .widths = std::vector<double>(count, 1),
+            .blob = 0};
     for (std::size_t k = 0; k < count; ++k) out.x[k] = step * (static_cast<double>(k) - (n - 1) / 2);
+    if (normal && count > kFewNodes) {
+        // Blurring the tails more costs little. As many nodes a length as the cube root of the density gives
+        // the least error.
+        step = 2 * std::sqrt(2 * std::numbers::pi) / n;
+        for (std::size_t k = 0; k < count; ++k) {
+            const double z = normal_quantile((static_cast<double>(k) + 0.5) / n);
+            out.x[k] = 2 * z;
+            out.widths[k] = std::exp(0.5 * z * z);
+        }
+    }
     if (normal) {
         double low = 0, high = 4;
         for (int i = 0; i < 50; ++i) {
             const double middle = (low + high) / 2;
             set_normal_weights(middle, out);
-            (variance(out) > 1 ? low : high) = middle;
+            (mean_square(out, out.x) > 1 ? low : high) = middle;
         }
     }
     const double total = std::accumulate(out.weights.begin(), out.weights.end(), 0.0);
@@ -68,6 +94,10 @@ NodeGrid grid_of(std::size_t across, std::size_t down, bool normal) {
                  .weights = {},
                  .blob_x = static_cast<float>(row.blob),
                  .blob_y = static_cast<float>(column.blob),
+                 .widths_x = {},
+                 .widths_y = {},
+                 .width_x = static_cast<float>(std::sqrt(mean_square(row, row.widths))),
+                 .width_y = static_cast<float>(std::sqrt(mean_square(column, column.widths))),
                  .even_share = 0};
     const std::size_t count = across * down;
     const std::vector<std::size_t> even = spread((count + 1) / 2), odd = spread(count / 2);
@@ -77,6 +107,8 @@ NodeGrid grid_of(std::size_t across, std::size_t down, bool normal) {
         out.x.push_back(static_cast<float>(row.x[i]));
         out.y.push_back(static_cast<float>(column.x[j]));
         out.weights.push_back(static_cast<float>(row.weights[i] * column.weights[j]));
+        out.widths_x.push_back(static_cast<float>(row.widths[i]));
+        out.widths_y.push_back(static_cast<float>(column.widths[j]));
         if (k % 2 == 0) out.even_share += out.weights.back();
     }
     return out;
@@ -97,9 +129,8 @@ NodeGrids::NodeGrids(std::size_t count) : count_(count) {
         std::ranges::move(grids_of(size, false), std::back_inserter(uniform_));
     };
     add(1);
-    // 4, 6, 8, 12, 16, 24 and so on.
-    for (std::size_t size = 4; size < count; size += std::has_single_bit(size) ? size / 2 : size / 3)
-        add(size);
+    // 4, 5, 6, 7, 8, 10, 12, 14, 16, 20 and so on.
+    for (std::size_t size = 4; size < count; size += std::bit_floor(size) / 4) add(size);
     if (count > 1) add(count);
     std::ranges::stable_sort(normal_, {}, &NodeGrid::size);
     std::ranges::stable_sort(uniform_, {}, &NodeGrid::size);

@@ -13,9 +13,13 @@ namespace nicol {
 /// the grid, and so are the odd ones and the first ones of both.
 struct NodeGrid {
     std::vector<float> x, y, weights;
-    /// Along x and along y: standard deviation of round blobs that fill the gaps between the nodes, relative
-    /// to that of nodes and blobs together.
+    /// Along x and along y: standard deviation of round blobs that fill the gaps between the nodes in the
+    /// middle, relative to that of nodes and blobs together.
     float blob_x, blob_y;
+    /// Along x and along y: how much wider the gaps at a node are than in the middle, 1 or more, and the root
+    /// mean square over all nodes.
+    std::vector<float> widths_x, widths_y;
+    float width_x, width_y;
     float even_share;  ///< sum of the weights of even nodes
 
     [[nodiscard]] std::size_t size() const noexcept { return x.size(); }

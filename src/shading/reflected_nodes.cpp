@@ -3,12 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
-#include <glm/matrix.hpp>
 #include <numbers>
 
-#include "geometry/perpendicular.hpp"
 #include "material/microfacet.hpp"
+#include "shading/lane_frames.hpp"
+#include "shading/lane_matrix.hpp"
 #include "simd/dispatch.hpp"
 
 namespace nicol {
@@ -24,6 +23,9 @@ constexpr float kMostMoved = 8;  // largest exponent of the ratio of two distrib
 // many times as wide, squared, the lobe is where it does not.
 constexpr float kLargestOfPixels = 0.55F;
 constexpr float kSmallPixel = 16;
+// Wanted blobs are this much wider where a lobe is so much longer than wide, because each node counts less.
+constexpr float kLong = 6;
+constexpr float kLongBlob = 1.25F;
 // Widest blob, in radians, for which nodes are spent: the pBRDF of wide lobes changes within it.
 constexpr float kWidest = 0.25F;
 
@@ -34,35 +36,95 @@ constexpr std::array<SlopePart, 1> kBeckmann{
 constexpr std::array<SlopePart, 2> kGgx{{{.deviation = 0.6455F, .share = 0.68F, .nodes = 1, .blob = 1},
                                          {.deviation = 2.041F, .share = 0.32F, .nodes = 0.5F, .blob = 0.9F}}};
 
-// Returns the rotation or reflection that is nearest to a matrix.
-glm::mat2 nearest_orthogonal(const glm::mat2& m) {
-    const float turned = m[0][0] * m[1][1] > m[0][1] * m[1][0] ? 1.0F : -1.0F;
-    const float cosine = m[0][0] + turned * m[1][1], sine = m[0][1] - turned * m[1][0];
-    const float length = std::sqrt(cosine * cosine + sine * sine);
-    if (!(length > 0)) return glm::mat2(1.0F);
-    return {glm::vec2(cosine, sine) / length, turned * glm::vec2(-sine, cosine) / length};
+// Normal distribution of slopes, in standard deviations of the facets' own.
+template <class Number>
+struct SeenSlopes {
+    Vector2<Number> mean;
+    Matrix2<Number> spread;
+    Number narrowing;  // determinant of `spread`
+};
+
+// Returns the slopes that a viewer sees.
+template <class Number>
+[[gnu::always_inline]] inline SeenSlopes<Number> seen_slopes(const glm::vec2& deviations,
+                                                             const Vector3<Number>& viewer) {
+    const Vector3<Number> towards{deviations.x * viewer.x, deviations.y * viewer.y, Number{}};
+    const Vector3<Number> axis = normalized_or(towards, 0.0F, Vector3<float>{1, 0, 0});
+    Number steepness;
+    dot(axis, towards, steepness);
+    // A facet looks as large as a + x, where x is its slope towards the viewer, and is not seen where that is
+    // below 0.
+    const Number height = viewer.z > 0.0F ? viewer.z : Number{};
+    const auto some_hidden = steepness * kFewHidden > height;
+    const Number a = height / (some_hidden ? steepness : Number{} + 1.0F);
+    Number density = -0.5F * a * a;
+    density = density > -80.0F ? density : Number{} - 80.0F;
+    exponential(density);
+    // The integral of the density from a on (Abramowitz and Stegun 7.1.26).
+    const Number t = 1.0F / (1.0F + 0.23164189F * a);
+    const Number back =
+        density * t *
+        (0.12741480F + t * (-0.14224837F + t * (0.71070687F + t * (-0.72657601F + t * 0.53070271F))));
+    density *= 0.39894228F;
+    const Number front = 1.0F - back;
+    const Number all = a * front + density;
+    Number mean = front / all;
+    Number deviation = 1.0F + density / all - mean * mean;
+    deviation = deviation > 0.1F ? deviation : Number{} + 0.1F;
+    square_root(deviation);
+    mean = some_hidden ? mean : Number{};
+    deviation = some_hidden ? deviation : Number{} + 1.0F;
+    const Number xy = (deviation - 1.0F) * axis.x * axis.y;
+    return {{mean * axis.x, mean * axis.y},
+            {{1.0F + (deviation - 1.0F) * axis.x * axis.x, xy},
+             {xy, 1.0F + (deviation - 1.0F) * axis.y * axis.y}},
+            deviation};
 }
 
-// Returns the square root of a covariance that is nearest to a matrix.
-glm::mat2 root_near(const glm::mat2& covariance, const glm::mat2& near) {
-    const float determinant = std::sqrt(std::max(0.0F, glm::determinant(covariance)));
-    const float trace = std::sqrt(covariance[0][0] + covariance[1][1] + 2 * determinant);
-    if (!(trace > 0)) return glm::mat2(0.0F);
-    glm::mat2 root = covariance / trace;
-    root[0][0] += determinant / trace;
-    root[1][1] += determinant / trace;
-    const glm::mat2 inverse(root[1][1], -root[0][1], -root[1][0], root[0][0]);  // times the determinant
-    return root * nearest_orthogonal(inverse * near);
+// Returns the change of the direction that a facet mirrors to the viewer by a change of its slopes, given in
+// standard deviations. cosine: that of the angle between viewer and facet.
+template <class Number>
+[[gnu::always_inline]] inline Vector3<Number> change_by(const Vector2<Number>& slopes,
+                                                        const glm::vec2& deviations,
+                                                        const Vector3<Number>& viewer,
+                                                        const Vector3<Number>& facet, const Number& cosine) {
+    const Vector3<Number> slope{deviations.x * slopes.x, deviations.y * slopes.y, Number{}};
+    Number rise, towards;
+    dot(slope, facet, rise);
+    const Vector3<Number> turned = minus_scaled(slope, rise, facet);
+    dot(viewer, turned, towards);
+    const Number scale = 2.0F * facet.z;
+    return {scale * (towards * facet.x + cosine * turned.x), scale * (towards * facet.y + cosine * turned.y),
+            scale * (towards * facet.z + cosine * turned.z)};
 }
 
-float squares(const glm::mat2& m) {
-    return glm::dot(m[0], m[0]) + glm::dot(m[1], m[1]);
+// Returns the components of two vectors along two axes, as columns.
+template <class Number>
+[[gnu::always_inline]] inline Matrix2<Number> along_axes(const Vector3<Number>& first,
+                                                         const Vector3<Number>& second,
+                                                         const Vector3<Number>& x, const Vector3<Number>& y) {
+    Matrix2<Number> out;
+    dot(first, x, out.first.x);
+    dot(first, y, out.first.y);
+    dot(second, x, out.second.x);
+    dot(second, y, out.second.y);
+    return out;
 }
 
-// Returns two unit vectors that are orthogonal to n and to each other.
-std::array<glm::vec3, 2> axes_across(const glm::vec3& n) {
-    const glm::vec3 x(perpendicular(glm::dvec3(n)));
-    return {x, glm::cross(n, x)};
+// Returns the vector with these components along two axes.
+template <class Number>
+[[gnu::always_inline]] inline Vector3<Number> in_plane(const Vector2<Number>& v, const Vector3<Number>& x,
+                                                       const Vector3<Number>& y) {
+    return {v.x * x.x + v.y * y.x, v.x * x.y + v.y * y.y, v.x * x.z + v.y * y.z};
+}
+
+// Computes sqrt(1 - (part / whole)^2), 0 if `part` is larger.
+template <class Number>
+[[gnu::always_inline]] inline void rest_of(const Number& whole, const Number& part, Number& out) {
+    const auto some = whole > part;
+    const Number ratio = part / (some ? whole : Number{} + 1.0F);
+    out = some ? 1.0F - ratio * ratio : Number{};
+    square_root(out);
 }
 
 }  // namespace
@@ -93,101 +155,126 @@ ReflectedNodes::ReflectedNodes(const NodeGrids& grids, const LaneVectors& toward
     set_all(grids, kBeckmann.front().blob, grids.count());
 }
 
-void ReflectedNodes::set_all(const NodeGrids& grids, float largest_blob, std::size_t most) {
-    for (std::size_t i = 0; i < kLanes; ++i) set(i, grids, largest_blob, most);
-    for (const NodeGrid* grid : grids_) count_ = std::max(count_, grid->size());
-}
+template <class Number>
+[[gnu::always_inline]] inline void ReflectedNodes::set(ReflectedNodes& r, const NodeGrids& grids,
+                                                       float largest_blob, std::size_t most, Chosen& chosen) {
+    for (std::size_t first = 0; first < kLanes; first += kPart<Number>) {
+        Vector3<Number> viewer, right, down;
+        load_part(r.towards_viewer_, first, viewer);
+        load_part(r.pixels_.steps[0], first, right);
+        load_part(r.pixels_.steps[1], first, down);
+        // A facet of the middle slopes, and the changes of the direction that it mirrors by the slopes, in
+        // standard deviations.
+        const SeenSlopes<Number> seen = seen_slopes(r.deviations_, viewer);
+        const Vector3<Number> facet = normalized_or(
+            Vector3<Number>{r.deviations_.x * seen.mean.x, r.deviations_.y * seen.mean.y, Number{} + 1.0F},
+            0.0F, Vector3<float>{0, 0, 1});
+        Number cosine;
+        dot(viewer, facet, cosine);
+        Vector3<Number> x_axis, y_axis;
+        some_axes(Vector3<Number>{2.0F * cosine * facet.x - viewer.x, 2.0F * cosine * facet.y - viewer.y,
+                                  2.0F * cosine * facet.z - viewer.z},
+                  x_axis, y_axis);
+        const Vector3<Number> by_first = change_by(seen.spread.first, r.deviations_, viewer, facet, cosine);
+        const Vector3<Number> by_second = change_by(seen.spread.second, r.deviations_, viewer, facet, cosine);
+        const Matrix2<Number> lobe = along_axes(by_first, by_second, x_axis, y_axis);
+        const Matrix2<Number> step = along_axes(right, down, x_axis, y_axis);
+        const float even = std::sqrt(1 / 12.0F);  // standard deviation of an even distribution of width 1
+        const Matrix2<Number> pixel{{even * step.first.x, even * step.first.y},
+                                    {even * step.second.x, even * step.second.y}};
+        Number of_lobe, of_pixel;
+        squares(lobe, of_lobe);
+        squares(pixel, of_pixel);
+        const auto lobe_is_wider = of_lobe >= of_pixel;
+        const Matrix2<Number> a = times(lobe, transposed(lobe)), b = times(pixel, transposed(pixel));
+        const Matrix2<Number> covariance{{a.first.x + b.first.x, a.first.y + b.first.y},
+                                         {a.second.x + b.second.x, a.second.y + b.second.y}};
+        Matrix2<Number> root = root_near(covariance, choose(lobe_is_wider, lobe, pixel));
+        Number longer = root.first.x * root.first.x + root.first.y * root.first.y;
+        const Number other = root.second.x * root.second.x + root.second.y * root.second.y;
+        root = choose(longer < other, Matrix2<Number>{root.second, root.first}, root);
+        longer = longer < other ? other : longer;
+        square_root(longer);
+        Number area;
+        determinant(root, area);
+        area = area > 0.0F ? area : -area;
+        const Number shorter = area / (longer > 0.0F ? longer : Number{} + 1.0F);
 
-void ReflectedNodes::set(std::size_t lane_index, const NodeGrids& grids, float largest_blob,
-                         std::size_t most) {
-    const std::size_t i = lane_index;
-    const glm::vec3 viewer = vector_at(towards_viewer_, i);
-    // A facet of the middle slopes, and the changes of the direction that it mirrors by the slopes, in
-    // standard deviations.
-    const Seen seen = seen_slopes(viewer);
-    const glm::vec3 facet = glm::normalize(glm::vec3(deviations_ * seen.mean, 1));
-    const float along = glm::dot(viewer, facet);
-    const std::array<glm::vec3, 2> axes = axes_across(2 * along * facet - viewer);
-    std::array<glm::vec3, 2> by_slopes;
-    for (std::size_t k = 0; k < 2; ++k) {
-        const glm::vec3 slope(deviations_ * seen.spread[static_cast<glm::length_t>(k)], 0);
-        const glm::vec3 turned = facet.z * (slope - glm::dot(slope, facet) * facet);
-        by_slopes[k] = 2.0F * (glm::dot(viewer, turned) * facet + along * turned);
-    }
-    const float even = std::sqrt(1 / 12.0F);  // standard deviation of an even distribution of width 1
-    glm::mat2 lobe, pixel;
-    for (glm::length_t k = 0; k < 2; ++k) {
-        const auto n = static_cast<std::size_t>(k);
-        for (glm::length_t a = 0; a < 2; ++a) {
-            const glm::vec3& axis = axes[static_cast<std::size_t>(a)];
-            lobe[k][a] = glm::dot(by_slopes[n], axis);
-            pixel[k][a] = even * glm::dot(vector_at(pixels_.steps[n], i), axis);
+        const auto small_pixel = kSmallPixel * of_pixel < of_lobe;
+        Number enough = shorter * (small_pixel ? Number{} + largest_blob : Number{} + kLargestOfPixels);
+        enough = longer > kLong * shorter ? kLongBlob * enough : enough;
+        enough = enough < kWidest ? enough : Number{} + kWidest;
+        Number index{}, blob_x{}, blob_y{}, mean_x{}, mean_y{}, blob = Number{} + 1e30F;
+        for (std::size_t g = 0; g < grids.normal().size(); ++g) {
+            const NodeGrid& normal = grids.normal()[g];
+            const NodeGrid& uniform = grids.uniform()[g];  // of as many nodes
+            if (g > 0 && normal.size() > most) break;
+            const Number wide_x =
+                longer * (lobe_is_wider ? Number{} + normal.blob_x : Number{} + uniform.blob_x);
+            const Number wide_y =
+                shorter * (lobe_is_wider ? Number{} + normal.blob_y : Number{} + uniform.blob_y);
+            const Number wide = wide_x > wide_y ? wide_x : wide_y;
+            // GCC 12 does not vectorise two combined conditions.
+            const Number limit = blob > enough ? blob : Number{};
+            const auto better = wide < limit;
+            index = better ? Number{} + static_cast<float>(g) : index;
+            blob_x = better ? wide_x : blob_x;
+            blob_y = better ? wide_y : blob_y;
+            mean_x = better ? (lobe_is_wider ? normal.width_x * wide_x : wide_x) : mean_x;
+            mean_y = better ? (lobe_is_wider ? normal.width_y * wide_y : wide_y) : mean_y;
+            blob = better ? wide : blob;
         }
-    }
-    const bool lobe_is_wider = squares(lobe) >= squares(pixel);
-    const glm::mat2 covariance = lobe * glm::transpose(lobe) + pixel * glm::transpose(pixel);
-    glm::mat2 root = root_near(covariance, lobe_is_wider ? lobe : pixel);
-    if (squares(root) > 0 && glm::length(root[0]) < glm::length(root[1])) std::swap(root[0], root[1]);
-    const float longer = glm::length(root[0]), area = std::abs(glm::determinant(root));
-    const float shorter = longer > 0 ? area / longer : 0.0F;
+        store_part(index, first, chosen.index);
+        store_part(Number(lobe_is_wider ? Number{} + 1.0F : Number{}), first, chosen.normal);
+        store_part(blob_x, first, r.blob_x_);
+        store_part(blob_y, first, r.blob_y_);
+        Number excess = blob / (enough > 0.0F ? enough : blob);
+        excess = excess > 1.0F ? excess : Number{} + 1.0F;  // of points, too
+        store_part(excess, first, r.excess_);
 
-    const NodeGrid* best = nullptr;
-    float blob = 0;
-    const float enough = std::min(
-        (kSmallPixel * squares(pixel) < squares(lobe) ? largest_blob : kLargestOfPixels) * shorter, kWidest);
-    for (const NodeGrid& grid : lobe_is_wider ? grids.normal() : grids.uniform()) {
-        if (best != nullptr && (grid.size() > most || blob <= enough)) break;
-        const float wide = std::max(longer * grid.blob_x, shorter * grid.blob_y);
-        if (best != nullptr && wide >= blob) continue;
-        best = &grid;
-        blob = wide;
-    }
-    grids_[i] = best;
-    blob_x_[i] = longer * best->blob_x;
-    blob_y_[i] = shorter * best->blob_y;
-    even_shares_[i] = best->even_share;
-    excess_[i] = blob > enough && enough > 0 ? blob / enough : 1.0F;
+        // Nodes and blobs together have the variance of lobe and pixel.
+        Number rest_x, rest_y;
+        rest_of(longer, Number(mean_x > blob ? mean_x : blob), rest_x);
+        rest_of(shorter, Number(mean_y > blob ? mean_y : blob), rest_y);
+        store_part(rest_x, first, r.rests_[0]);
+        store_part(rest_y, first, r.rests_[1]);
+        const Matrix2<Number> turn = nearest_orthogonal(times(transposed(lobe), root));
+        const Matrix2<Number> nodes{{rest_x * turn.first.x, rest_x * turn.first.y},
+                                    {rest_y * turn.second.x, rest_y * turn.second.y}};
+        const Matrix2<Number> slopes = times(seen.spread, nodes), by_slopes = times(lobe, nodes);
+        store_part(slopes.first.x, first, r.slopes_[0][0]);
+        store_part(slopes.first.y, first, r.slopes_[0][1]);
+        store_part(slopes.second.x, first, r.slopes_[1][0]);
+        store_part(slopes.second.y, first, r.slopes_[1][1]);
+        const Matrix2<Number> moved{
+            {rest_x * root.first.x - by_slopes.first.x, rest_x * root.first.y - by_slopes.first.y},
+            {rest_y * root.second.x - by_slopes.second.x, rest_y * root.second.y - by_slopes.second.y}};
+        store_part(in_plane(moved.first, x_axis, y_axis), first, r.moves_[0]);
+        store_part(in_plane(moved.second, x_axis, y_axis), first, r.moves_[1]);
 
-    // Nodes and blobs together have the variance of lobe and pixel.
-    const auto rest_of = [blob](float length) {
-        return length > blob ? std::sqrt(1 - blob * blob / (length * length)) : 0.0F;
-    };
-    const glm::vec2 rests(rest_of(longer), rest_of(shorter));
-    const glm::mat2 turn = nearest_orthogonal(glm::transpose(lobe) * root);
-    for (glm::length_t k = 0; k < 2; ++k) {
-        const auto n = static_cast<std::size_t>(k);
-        const glm::vec2 chosen = rests[k] * turn[k];
-        const glm::vec2 moved = rests[k] * root[k] - lobe * chosen;
-        const glm::vec2 slopes = seen.spread * chosen;
-        slopes_[n][0][i] = slopes.x;
-        slopes_[n][1][i] = slopes.y;
-        rests_[n][i] = rests[k];
-        put(moves_[n], i, moved.x * axes[0] + moved.y * axes[1]);
+        store_part(seen.mean.x, first, r.middle_[0]);
+        store_part(seen.mean.y, first, r.middle_[1]);
+        store_part(seen.narrowing, first, r.narrowing_);
+        const Vector2<Number> way = times(lobe, nodes.first);
+        store_part(Number(0.25F * (way.x * way.x + way.y * way.y)), first, r.middle_way_);
+        store_part(Number(cosine * facet.z * facet.z * facet.z), first, r.middle_area_);
+        Number of_slopes;
+        determinant(lobe, of_slopes);
+        of_slopes = of_slopes > 0.0F ? of_slopes : -of_slopes;
+        const Number share = of_slopes / (area > 0.0F ? area : Number{} + 1.0F);
+        store_part(Number(share < 1.0F ? share : Number{} + 1.0F), first, r.lobes_);
     }
-    middle_[0][i] = seen.mean.x;
-    middle_[1][i] = seen.mean.y;
-    narrowing_[i] = glm::determinant(seen.spread);
-    const glm::vec3 by_first = rests.x * (by_slopes[0] * turn[0].x + by_slopes[1] * turn[0].y);
-    middle_way_[i] = glm::dot(by_first, by_first) / 4;
-    middle_area_[i] = along * facet.z * facet.z * facet.z;
-    lobes_[i] = area > 0 ? std::min(1.0F, std::abs(glm::determinant(lobe)) / area) : 0.0F;
 }
 
-ReflectedNodes::Seen ReflectedNodes::seen_slopes(const glm::vec3& viewer) const {
-    const glm::vec2 towards = deviations_ * glm::vec2(viewer);
-    const float steepness = glm::length(towards);
-    if (!(steepness > 0)) return {};
-    // A facet looks as large as a + x, where x is its slope towards the viewer, and is not seen where that is
-    // below 0.
-    const float a = std::max(viewer.z, 0.0F) / steepness;
-    if (a > kFewHidden) return {};
-    const float density = std::exp(-0.5F * a * a) / std::sqrt(2 * std::numbers::pi_v<float>);
-    const float front = 0.5F * std::erfc(-a / std::numbers::sqrt2_v<float>);
-    const float all = a * front + density;
-    const float mean = front / all;
-    const float deviation = std::sqrt(std::max(0.1F, 1 + density / all - mean * mean));
-    const glm::vec2 axis = towards / steepness;
-    return {mean * axis, glm::mat2(1.0F) + (deviation - 1) * glm::outerProduct(axis, axis)};
+void ReflectedNodes::set_all(const NodeGrids& grids, float largest_blob, std::size_t most) {
+    Chosen chosen;
+    dispatch<set<FourLanes>, set<EightLanes>, set<AllLanes>>(*this, grids, largest_blob, most, chosen);
+    for (std::size_t i = 0; i < kLanes; ++i) {
+        const std::span<const NodeGrid> of_shape = chosen.normal[i] > 0 ? grids.normal() : grids.uniform();
+        grids_[i] = &of_shape[static_cast<std::size_t>(chosen.index[i])];
+        even_shares_[i] = grids_[i]->even_share;
+        count_ = std::max(count_, grids_[i]->size());
+    }
 }
 
 template <class Number>
@@ -237,10 +324,9 @@ template <class Number>
         moved = moved < 0.0F ? moved : Number{};
         moved = moved > -80.0F ? moved : Number{} - 80.0F;
         exponential(moved);
-        const auto seen = (along > kLeastCosine) & (of_facets > 0.0F);
-        weight = seen
-                     ? 4.0F * std::exp(kMostMoved) * weight * narrowing * moved * along / (of_facets * cosine)
-                     : Number{};
+        const Number inverse = of_facets > 0.0F ? 1.0F / (of_facets * cosine) : Number{};
+        weight *= 4.0F * std::exp(kMostMoved) * narrowing * moved * inverse *
+                  (along > kLeastCosine ? along : Number{});
         store_part(weight, first, out.weights);
 
         // How a change of the slopes along the grid's x, and of both slopes, changes the direction, relative
@@ -260,8 +346,11 @@ template <class Number>
         load_part(r.lobes_, first, lobe);
         load_part(r.blob_x_, first, blob_x);
         load_part(r.blob_y_, first, blob_y);
-        blob_x *= 1.0F + lobe * (way - 1.0F);
-        blob_y *= 1.0F + lobe * (area / way - 1.0F);
+        Number width_x, width_y;
+        load_part(nodes.widths_x, first, width_x);
+        load_part(nodes.widths_y, first, width_y);
+        blob_x *= width_x * (1.0F + lobe * (way - 1.0F));
+        blob_y *= width_y * (1.0F + lobe * (area / way - 1.0F));
         const Number blob = blob_x > blob_y ? blob_x : blob_y;
         store_part(Number(blob * blob), first, out.variances);
 
@@ -282,9 +371,12 @@ ReflectedNode ReflectedNodes::node(std::size_t k) const {
     for (std::size_t i = 0; i < kLanes; ++i) {
         const NodeGrid& grid = *grids_[i];
         const bool has = k < grid.size();
-        nodes.x[i] = has ? grid.x[k] : 0.0F;
-        nodes.y[i] = has ? grid.y[k] : 0.0F;
-        nodes.weights[i] = has ? share_ * grid.weights[k] : 0.0F;
+        const std::size_t own = has ? k : 0;
+        nodes.x[i] = grid.x[own];
+        nodes.y[i] = grid.y[own];
+        nodes.weights[i] = has ? share_ * grid.weights[own] : 0.0F;
+        nodes.widths_x[i] = grid.widths_x[own];
+        nodes.widths_y[i] = grid.widths_y[own];
     }
     ReflectedNode out;
     const Facets<float> facets{lobe_.distribution, static_cast<float>(lobe_.alpha.x),

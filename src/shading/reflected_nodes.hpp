@@ -4,7 +4,7 @@
 
 #include <array>
 #include <cstddef>
-#include <glm/mat2x2.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <span>
 
@@ -71,20 +71,21 @@ public:
 private:
     // The k-th nodes of sixteen points on their grids.
     struct GridNodes {
-        Lanes x, y, weights;
+        Lanes x, y, weights, widths_x, widths_y;
     };
     // Computes what the facets at these nodes reflect.
     template <class Number>
     static void reflect(const ReflectedNodes& r, const Facets<float>& facets, const GridNodes& nodes,
                         ReflectedNode& out);
     void set_all(const NodeGrids& grids, float largest_blob, std::size_t most);
-    // Normal distribution of slopes, in standard deviations of the facets' own: those that the viewer sees.
-    struct Seen {
-        glm::vec2 mean{0.0F};
-        glm::mat2 spread{1.0F};
+    // Grids by their index among grids of normal distributions, or of uniform ones if `normal` is 0.
+    struct Chosen {
+        Lanes index, normal;
     };
-    [[nodiscard]] Seen seen_slopes(const glm::vec3& viewer) const;
-    void set(std::size_t lane, const NodeGrids& grids, float largest_blob, std::size_t most);
+    // Computes all members but those of the grids, which are left to choose.
+    template <class Number>
+    static void set(ReflectedNodes& r, const NodeGrids& grids, float largest_blob, std::size_t most,
+                    Chosen& chosen);
 
     Lobe lobe_;
     glm::vec2 deviations_;  // of the slopes along x and along y

@@ -67,6 +67,29 @@ TEST_CASE("half of a grid's nodes, and the first ones, are spread over it") {
             CHECK(std::abs(moment(grid, 2, 0, first, 2) - 1) < 0.3);
         }
         const auto [low, high] = std::minmax_element(grid.x.begin(), grid.x.begin() + 4);
-        CHECK(*high - *low > 0.8F);
+        CHECK(*high - *low > 0.7F);
+    }
+}
+
+TEST_CASE("nodes and blobs of a row add up to a normal distribution") {
+    const NodeGrids grids(48);
+    for (const NodeGrid& grid : grids.normal()) {
+        const bool row = std::ranges::all_of(grid.y, [](float y) { return y == 0; });
+        if (!row || grid.size() < 4) continue;
+        const auto blob = static_cast<double>(grid.blob_x), width = static_cast<double>(grid.width_x);
+        CAPTURES(grid.size(), blob, width);
+        CHECK(blob < 2.7 / static_cast<double>(grid.size()));
+        const double nodes = std::sqrt(1 - blob * blob * width * width);
+        const auto normal = [](double x, double deviation) {
+            return std::exp(-x * x / (2 * deviation * deviation)) / (deviation * std::sqrt(2 * pi));
+        };
+        for (double x = -2.5; x < 2.51; x += 0.1) {
+            double sum = 0;
+            for (std::size_t k = 0; k < grid.size(); ++k)
+                sum += static_cast<double>(grid.weights[k]) *
+                       normal(x - nodes * static_cast<double>(grid.x[k]),
+                              blob * static_cast<double>(grid.widths_x[k]));
+            CHECK(std::abs(sum / normal(x, 1) - 1) < 0.25);
+        }
     }
 }

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+// Matrices of two rows and two columns, written for vectors of lanes.
+#pragma once
+
+#include "polarization/view_geometry.hpp"
+
+namespace nicol {
+
+template <class Number>
+struct Vector2 {
+    Number x, y;
+};
+
+/// Columns of a matrix.
+template <class Number>
+struct Matrix2 {
+    Vector2<Number> first, second;
+};
+
+template <class Number>
+[[gnu::always_inline]] inline Vector2<Number> times(const Matrix2<Number>& m, const Vector2<Number>& v) {
+    return {m.first.x * v.x + m.second.x * v.y, m.first.y * v.x + m.second.y * v.y};
+}
+
+template <class Number>
+[[gnu::always_inline]] inline Matrix2<Number> times(const Matrix2<Number>& a, const Matrix2<Number>& b) {
+    return {times(a, b.first), times(a, b.second)};
+}
+
+template <class Number>
+[[gnu::always_inline]] inline Matrix2<Number> transposed(const Matrix2<Number>& m) {
+    return {{m.first.x, m.second.x}, {m.first.y, m.second.y}};
+}
+
+/// Returns a where the condition holds, else b.
+template <class Condition, class Number>
+[[gnu::always_inline]] inline Matrix2<Number> choose(const Condition& condition, const Matrix2<Number>& a,
+                                                     const Matrix2<Number>& b) {
+    return {{condition ? a.first.x : b.first.x, condition ? a.first.y : b.first.y},
+            {condition ? a.second.x : b.second.x, condition ? a.second.y : b.second.y}};
+}
+
+/// Computes the determinant.
+template <class Number>
+[[gnu::always_inline]] inline void determinant(const Matrix2<Number>& m, Number& out) {
+    out = m.first.x * m.second.y - m.first.y * m.second.x;
+}
+
+/// Computes the sum of the squared elements.
+template <class Number>
+[[gnu::always_inline]] inline void squares(const Matrix2<Number>& m, Number& out) {
+    out = m.first.x * m.first.x + m.first.y * m.first.y + m.second.x * m.second.x + m.second.y * m.second.y;
+}
+
+/// Returns the rotation or reflection that is nearest to a matrix; any of them for a matrix of zeros.
+template <class Number>
+[[gnu::always_inline]] inline Matrix2<Number> nearest_orthogonal(const Matrix2<Number>& m) {
+    Number sign;
+    determinant(m, sign);
+    sign = sign > 0.0F ? Number{} + 1.0F : Number{} - 1.0F;
+    const Vector3<Number> axis{m.first.x + sign * m.second.y, m.first.y - sign * m.second.x, Number{}};
+    const Vector3<Number> unit = normalized_or(axis, 0.0F, Vector3<float>{1, 0, 0});
+    return {{unit.x, unit.y}, {-sign * unit.y, sign * unit.x}};
+}
+
+/// Returns the square root of a covariance that is nearest to a matrix.
+template <class Number>
+[[gnu::always_inline]] inline Matrix2<Number> root_near(const Matrix2<Number>& covariance,
+                                                        const Matrix2<Number>& near) {
+    Number area;
+    determinant(covariance, area);
+    area = area > 0.0F ? area : Number{};
+    square_root(area);
+    Number trace = covariance.first.x + covariance.second.y + 2.0F * area;
+    square_root(trace);
+    const auto some = trace > 0.0F;
+    const Number inverse = some ? 1.0F / (some ? trace : Number{} + 1.0F) : Number{};
+    const Number xy = inverse * covariance.first.y;
+    const Matrix2<Number> root{{inverse * (covariance.first.x + area), xy},
+                               {xy, inverse * (covariance.second.y + area)}};
+    // The root's inverse times its determinant.
+    const Matrix2<Number> turned{{root.second.y, -xy}, {-xy, root.first.x}};
+    return times(root, nearest_orthogonal(times(turned, near)));
+}
+
+}  // namespace nicol
