@@ -107,8 +107,9 @@ template <class Number>
     visibility_over_cosine(facets, viewer, to_viewer);
     density(facets, half, length2, out.scale);
     out.scale *= 0.25F * from_light * to_viewer;
-    const auto above = (light.z > 0.0F) & (viewer.z > 0.0F);
-    out.scale = above ? out.scale : Number{};
+    // One condition, because GCC 12 does not vectorise two combined ones.
+    const Number lower = light.z < viewer.z ? light.z : viewer.z;
+    out.scale = lower > 0.0F ? out.scale : Number{};
     out.rotations = rotations_from_s_frames(light, viewer);
     return out;
 }

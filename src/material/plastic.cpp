@@ -39,7 +39,8 @@ template <class Number>
         Number from_base;
         load_part(plastic.in, first, in);
         load_part(plastic.from_base, first, from_base);
-        const auto above = (light.z > 0.0F) & (viewer.z > 0.0F);
+        const Number lower = light.z < viewer.z ? light.z : viewer.z;  // GCC 12 vectorises one condition
+        const auto above = lower > 0.0F;
         store_part<Number>(above ? plastic.base * in * from_base : Number{}, first, out[0].m[0]);
         const FacetReflection<Number> facet = facet_reflection(plastic.facets, light, viewer);
         store_part<Number>(facet.scale * dielectric_reflection(facet.cosine, plastic.index).a, first,

@@ -53,7 +53,8 @@ template <class Number>
         Number from_difference;
         dielectric_transmission(light.z, plastic.index, in, in_difference);
         dielectric_transmission(viewer.z, plastic.index, from_base, from_difference);
-        const auto above = (light.z > 0.0F) & (viewer.z > 0.0F);
+        const Number lower = light.z < viewer.z ? light.z : viewer.z;  // GCC 12 vectorises one condition
+        const auto above = lower > 0.0F;
         const Number lambert = above ? Number{} + 1 / std::numbers::pi_v<float> : Number{};
         from_base *= lambert;
         from_difference *= -lambert;

@@ -25,8 +25,23 @@ struct Term {
     glm::dvec2 widths;
 };
 
+WantedLobes wanted_of(const std::vector<Term>& terms) {
+    const auto any = [&](PrincipledLobe first, PrincipledLobe last) {
+        return std::ranges::any_of(terms, [=](const Term& term) {
+            return std::any_of(&term.amounts[index(first)], &term.amounts[index(last)] + 1,
+                               [](double amount) { return amount != 0; });
+        });
+    };
+    using enum PrincipledLobe;
+    return {.base = any(diffuse, subsurface),
+            .facets = any(metal, tinted),
+            .dielectric = any(dielectric, dielectric),
+            .coat = any(clearcoat, clearcoat)};
+}
+
 template <class Number>
 [[gnu::always_inline]] inline void reflect_principled(const PrincipledConstants<float>& constants,
+                                                      const WantedLobes& wanted,
                                                       const std::vector<Term>& terms,
                                                       const LaneVectors& towards_light,
                                                       const LaneVectors& towards_viewer, LaneMueller* out) {
@@ -36,7 +51,7 @@ template <class Number>
         Vector3<Number> viewer;
         load_part(towards_light, first, light);
         load_part(towards_viewer, first, viewer);
-        const PrincipledValues<Number> values = principled_values(constants, light, viewer);
+        const PrincipledValues<Number> values = principled_values(constants, wanted, light, viewer);
         for (std::size_t t = 0; t < terms.size(); ++t) {
             Number sum{};
             for (std::size_t i = 0; i < kPrincipledLobes; ++i)
@@ -63,6 +78,7 @@ public:
                 if (any) terms_.push_back(term);
             }
         }
+        wanted_ = wanted_of(terms_);
         if (std::ranges::none_of(terms_, &Term::colored)) color_ = {1};
         const auto anisotropic = [](const Term& term) { return term.widths.x != term.widths.y; };
         if (std::ranges::any_of(terms_, anisotropic)) {
@@ -114,13 +130,13 @@ public:
     void evaluate_lanes(const LaneVectors& towards_light, const LaneVectors& towards_viewer, std::size_t,
                         std::span<LaneMueller> out) const override {
         dispatch<reflect_principled<FourLanes>, reflect_principled<EightLanes>, reflect_principled<AllLanes>>(
-            lanes_, terms_, towards_light, towards_viewer, out.data());
+            lanes_, wanted_, terms_, towards_light, towards_viewer, out.data());
     }
 
 private:
     [[nodiscard]] const Term& at(int term) const { return terms_[static_cast<std::size_t>(term)]; }
     [[nodiscard]] PrincipledValues<double> values(const glm::dvec3& light, const glm::dvec3& viewer) const {
-        return principled_values(doubles_, components(light), components(viewer));
+        return principled_values(doubles_, wanted_, components(light), components(viewer));
     }
     static Mueller sum(const Term& term, const PrincipledValues<double>& values) {
         Mueller m;
@@ -133,6 +149,7 @@ private:
     PrincipledConstants<float> lanes_;
     std::vector<double> color_;
     std::vector<Term> terms_;
+    WantedLobes wanted_{};
     std::unique_ptr<const PrincipledLobes> isotropic_;  // null: this material is isotropic
 };
 
