@@ -29,13 +29,13 @@ TextureAxes material_axes(const WorldGeometry& geometry, std::uint32_t triangle,
 
 glm::vec3 tangent(const WorldGeometry& geometry, std::uint32_t triangle, const glm::vec3& weights) {
     const glm::uvec3& t = geometry.triangles[triangle];
-    const glm::dvec3 normal =
-        unit_or_zero(weights.x * geometry.normals[t.x] + weights.y * geometry.normals[t.y] +
-                     weights.z * geometry.normals[t.z]);
-    const TextureAxes axes =
-        material_axes(geometry, triangle, weights, glm::vec3(normal), texture_axes(geometry, triangle));
-    const glm::dvec3 along = unit_or_zero(axes.by_u);
-    return unit_or_zero(along - glm::dot(along, normal) * normal);
+    const glm::dvec3 normal = weights.x * geometry.normals[t.x] + weights.y * geometry.normals[t.y] +
+                              weights.z * geometry.normals[t.z];
+    // The direction of the normal matters to the second axis alone, which is not used.
+    const glm::dvec3 along =
+        material_axes(geometry, triangle, weights, glm::vec3(normal), texture_axes(geometry, triangle)).by_u;
+    const double square = glm::dot(normal, normal);
+    return unit_or_zero(square > 0 ? along - glm::dot(along, normal) / square * normal : along);
 }
 
 std::vector<glm::vec3> vertex_tangents(const WorldGeometry& geometry) {
