@@ -201,9 +201,9 @@ template <class Number>
         const Number shorter = area / (longer > 0.0F ? longer : Number{} + 1.0F);
 
         const auto small_pixel = kSmallPixel * of_pixel < of_lobe;
-        Number enough = shorter * (small_pixel ? Number{} + largest_blob : Number{} + kLargestOfPixels);
-        enough = longer > kLong * shorter ? kLongBlob * enough : enough;
-        enough = enough < kWidest ? enough : Number{} + kWidest;
+        Number wanted = shorter * (small_pixel ? Number{} + largest_blob : Number{} + kLargestOfPixels);
+        wanted = wanted < kWidest ? wanted : Number{} + kWidest;
+        const Number enough = longer > kLong * shorter ? kLongBlob * wanted : wanted;
         Number index{}, blob_x{}, blob_y{}, mean_x{}, mean_y{}, blob = Number{} + 1e30F;
         for (std::size_t g = 0; g < grids.normal().size(); ++g) {
             const NodeGrid& normal = grids.normal()[g];
@@ -228,7 +228,7 @@ template <class Number>
         store_part(Number(lobe_is_wider ? Number{} + 1.0F : Number{}), first, chosen.normal);
         store_part(blob_x, first, r.blob_x_);
         store_part(blob_y, first, r.blob_y_);
-        Number excess = blob / (enough > 0.0F ? enough : blob);
+        Number excess = blob / (wanted > 0.0F ? wanted : blob);
         excess = excess > 1.0F ? excess : Number{} + 1.0F;  // of points, too
         store_part(excess, first, r.excess_);
 
