@@ -6,6 +6,7 @@
 
 #include "assets.hpp"
 #include "material/conductor.hpp"
+#include "material/dielectric.hpp"
 #include "material/measured.hpp"
 #include "material/mixture.hpp"
 #include "material/plastic.hpp"
@@ -144,6 +145,19 @@ MaterialPtr make(const nicol_conductor& given, const nicol_context_impl& context
          .distribution = distribution_of(given.distribution)});
 }
 
+MaterialPtr make(const nicol_dielectric& given, const nicol_context_impl& context) {
+    const bool thin = switch_from(given.thin, "parameters->thin");
+    const auto make_glass = thin ? thin_dielectric : dielectric;
+    return make_glass(
+        {.specular_reflectance = spectrum(given.specular_reflectance, 1, 1, "specular_reflectance"),
+         .specular_transmittance = spectrum(given.specular_transmittance, 1, 1, "specular_transmittance"),
+         .int_ior = static_cast<double>(given.int_ior),
+         .ext_ior = static_cast<double>(given.ext_ior),
+         .absorption = spectrum(given.absorption, 0, 1, "absorption"),
+         .alpha = number(given.alpha, given.alpha_texture, context),
+         .distribution = distribution_of(given.distribution)});
+}
+
 // Makes a material of another one and a texture: combine(base, texture).
 template <class Combine>
 nicol_result create_textured(nicol_context context, nicol_material base, nicol_texture texture,
@@ -236,6 +250,14 @@ nicol_result nicol_material_create_conductor(nicol_context context, const nicol_
                                              nicol_material* material) {
     return create(context, material, "material", [&] {
         return make(read_struct(parameters, nicol_conductor NICOL_CONDUCTOR_INIT, "parameters"),
+                    resolve(context));
+    });
+}
+
+nicol_result nicol_material_create_dielectric(nicol_context context, const nicol_dielectric* parameters,
+                                              nicol_material* material) {
+    return create(context, material, "material", [&] {
+        return make(read_struct(parameters, nicol_dielectric NICOL_DIELECTRIC_INIT, "parameters"),
                     resolve(context));
     });
 }

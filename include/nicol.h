@@ -555,8 +555,9 @@ NICOL_API nicol_result nicol_plastic_init(nicol_plastic* descriptor, uint32_t st
 NICOL_API nicol_result nicol_material_create_plastic(nicol_context context, const nicol_plastic* parameters,
                                                      nicol_material* material);
 
-/* Disney's material as Mitsuba 3's principled, without the light that it transmits. The material depolarizes.
- * Only the front side reflects. Numbers are 0 to 1, default 0, unless stated otherwise. */
+/* Disney's material as Mitsuba 3's principled. What it reflects is unpolarized. Light that passes the surface
+ * (spec_trans above 0) is followed as that of a rough nicol_dielectric. Only the front side reflects. Numbers
+ * are 0 to 1, default 0, unless stated otherwise. */
 typedef struct nicol_principled {
     uint32_t struct_size;
     /* Relative refractive index of the facets, 0.001 to 1000, default 1.5. 1: no facets, not even of a metal.
@@ -568,7 +569,9 @@ typedef struct nicol_principled {
      * u. */
     float anisotropic;
     float metallic;
-    float spec_trans; /* fraction of the diffuse base that transmits light instead of reflecting it */
+    /* Fraction of the diffuse base that transmits light instead of reflecting it, times the square root of
+     * base_color; the means of textures. */
+    float spec_trans;
     /* Tint of the reflection, from white (0) to the tint of the base (1), which is its colour over its
      * luminance. */
     float spec_tint;
@@ -667,6 +670,49 @@ NICOL_API nicol_result nicol_conductor_init(nicol_conductor* descriptor, uint32_
 NICOL_API nicol_result nicol_material_create_conductor(nicol_context context,
                                                        const nicol_conductor* parameters,
                                                        nicol_material* material);
+
+/* Glass as Mitsuba 3's dielectric, roughdielectric and thindielectric: a boundary that reflects and transmits
+ * light, polarized as Fresnel's formulas say. The factored method follows light through it by rays at pixels,
+ * the reference method by its paths; max_depth of nicol_render_options limits how often. By the factored
+ * method the light of lamps passes glass straight on to other surfaces, dimmed in each channel as unpolarized
+ * light is; the light of the environment is not dimmed, and nothing is focused. The dense method and shading
+ * at vertices return NICOL_ERROR_UNSUPPORTED. The surface of a body must be closed, its normals pointing
+ * outwards, and bodies must not overlap. */
+typedef struct nicol_dielectric {
+    uint32_t struct_size;
+    /* 0, the default: the surface bounds a body, and refracts the light that it transmits. 1: the surface is
+     * a thin pane, such as a window of one rectangle, which transmits light straight on; all reflections
+     * inside the pane are summed, without interference. */
+    uint32_t thin;
+    float int_ior; /* refractive index inside, 0.001 to 1000, default 1.5046 (borosilicate glass) */
+    float ext_ior; /* refractive index outside, 0.001 to 1000, default 1.000277 (air) */
+    nicol_spectrum specular_reflectance;   /* factor on reflected light, 0 to 1, default 1 */
+    nicol_spectrum specular_transmittance; /* factor on transmitted light, 0 to 1, default 1 */
+    /* Absorption coefficient of the inside, per unit of length in the world, 0 or more, default 0: a path of
+     * length d through the body transmits exp(-absorption d) (Beer's law). Only 0 for a thin pane. */
+    nicol_spectrum absorption;
+    /* Roughness of facets, 0.001 to 1; 0, the default: smooth. Light through a rough surface is sampled at
+     * each pixel, so it is noisy; more pixel_samples reduce the noise. The factored method shows no lights
+     * without a size (points, spots, projectors, and directional lights whose angular_radius is 0) through
+     * glass. A smooth surface does not reflect them either. */
+    float alpha;
+    nicol_distribution distribution; /* distribution of the facets of a rough surface, default Beckmann */
+    /* Texture whose first channel, clamped to 0.01 to 1, replaces alpha; NULL, the default: none. The texture
+     * varies what a body reflects; facets that transmit light, and those of a thin pane, have its mean. */
+    nicol_texture alpha_texture;
+} nicol_dielectric;
+/* clang-format off */
+#define NICOL_DIELECTRIC_INIT                                                                     \
+    { sizeof(nicol_dielectric), 0, 1.5046f, 1.000277f, NICOL_SPECTRUM_INIT, NICOL_SPECTRUM_INIT, \
+      NICOL_SPECTRUM_INIT, 0, 0, 0 }
+/* clang-format on */
+NICOL_API nicol_result nicol_dielectric_init(nicol_dielectric* descriptor, uint32_t struct_size);
+
+/* Creates a material from nicol_dielectric. The message of NICOL_ERROR_INVALID_ARGUMENT names the field that
+ * is out of range. */
+NICOL_API nicol_result nicol_material_create_dielectric(nicol_context context,
+                                                        const nicol_dielectric* parameters,
+                                                        nicol_material* material);
 
 typedef uint32_t nicol_wavelength_sampling;
 #define NICOL_WAVELENGTH_LINEAR 0u  /* linear between the measured wavelengths, constant beyond them */
@@ -1200,7 +1246,8 @@ NICOL_API nicol_result nicol_scene_release(nicol_scene scene);
 typedef uint32_t nicol_method;
 /* Real-time method that stores light up to order_low in each vertex's frame and multiplies the light by a
  * table of the material's response at each view angle. Pixels that show smooth glass or a mirror are followed
- * by rays, through at most eight reflections and refractions, to other surfaces and the environment. */
+ * by rays, through as many reflections and refractions as max_depth says, to other surfaces and the
+ * environment. */
 #define NICOL_METHOD_FACTORED 0u
 /* Real-time method of the paper, with a transfer matrix per vertex, baked from shadow and material. Outgoing
  * light is truncated at order_low too. The method is slower and larger, for comparison. */
@@ -1366,7 +1413,9 @@ typedef struct nicol_render_options {
      * light that two surfaces reflect, and so on; NICOL_DEPTH_UNLIMITED: no limit. 0, the default: 2. The
      * factored method computes the light that surfaces reflect to each other at vertices, up to order 3 of
      * its incident field, and stops at 0.002 of all light. It refuses 1 and the dense method refuses
-     * everything but 0 and 2, with NICOL_ERROR_UNSUPPORTED. More than 2 needs shadows. */
+     * everything but 0 and 2, with NICOL_ERROR_UNSUPPORTED. More than 2 needs shadows. Smooth glass and
+     * mirrors count as well: the rays of the factored method have max_depth - 1 reflections and refractions,
+     * at most 64, but eight for 0 and 2, because direct light would not leave a body of glass. */
     int32_t max_depth;
     /* Behaviour of nicol_render while another render of the scene runs, such as a job. 0, the default: it
      * waits; 1: it returns NICOL_ERROR_BUSY. No effect on nicol_render_async. */

@@ -144,12 +144,14 @@ void make_materials(const EntryPoints::Watch& watch, nicol_context context, nico
     const auto plastic = defaults(nicol_plastic_init);
     const auto principled = defaults(nicol_principled_init);
     const auto conductor = defaults(nicol_conductor_init);
+    const auto glass = defaults(nicol_dielectric_init);
     const auto function = grey();
     make<Material>(watch, NAMED(nicol_material_create_pplastic), context, &pplastic);
     make<Material>(watch, NAMED(nicol_material_create_plastic), context, &plastic);
     make<Material>(watch, NAMED(nicol_material_create_principled), context, &principled);
     make<Material>(watch, NAMED(nicol_material_create_diffuse), context, nullptr);
     make<Material>(watch, NAMED(nicol_material_create_conductor), context, &conductor);
+    make<Material>(watch, NAMED(nicol_material_create_dielectric), context, &glass);
     make<Material>(watch, NAMED(nicol_material_create_callback), context, &function);
     make<Material>(watch, NAMED(nicol_material_create_twosided), context, base);
     make<Material>(watch, NAMED(nicol_material_create_scaled), context, base, texture);

@@ -195,6 +195,18 @@ typedef struct nicol_conductor {
     nicol_texture alpha_u_texture;
     nicol_texture alpha_v_texture;
 } nicol_conductor;
+typedef struct nicol_dielectric {
+    uint32_t struct_size;
+    uint32_t thin;
+    float int_ior;
+    float ext_ior;
+    nicol_spectrum specular_reflectance;
+    nicol_spectrum specular_transmittance;
+    nicol_spectrum absorption;
+    float alpha;
+    nicol_distribution distribution;
+    nicol_texture alpha_texture;
+} nicol_dielectric;
 typedef uint32_t nicol_wavelength_sampling;
 typedef struct nicol_measured {
     uint32_t struct_size;
@@ -565,6 +577,8 @@ nicol_result nicol_material_create_principled(nicol_context context, const nicol
 nicol_result nicol_material_create_diffuse(nicol_context context, const nicol_spectrum* reflectance, nicol_material* material);
 nicol_result nicol_conductor_init(nicol_conductor* descriptor, uint32_t struct_size);
 nicol_result nicol_material_create_conductor(nicol_context context, const nicol_conductor* parameters, nicol_material* material);
+nicol_result nicol_dielectric_init(nicol_dielectric* descriptor, uint32_t struct_size);
+nicol_result nicol_material_create_dielectric(nicol_context context, const nicol_dielectric* parameters, nicol_material* material);
 nicol_result nicol_measured_init(nicol_measured* descriptor, uint32_t struct_size);
 nicol_result nicol_material_load_measured(nicol_context context, const char* path, const nicol_measured* options, nicol_material* material);
 nicol_result nicol_psh_matrix_init(nicol_psh_matrix* descriptor, uint32_t struct_size);
@@ -881,6 +895,7 @@ return {
         material_create_principled = "nicol_material",
         material_create_diffuse = "nicol_material",
         material_create_conductor = "nicol_material",
+        material_create_dielectric = "nicol_material",
         material_load_measured = "nicol_material",
         material_load_psh = "nicol_material",
         material_create_twosided = "nicol_material",
@@ -1004,6 +1019,7 @@ return {
         plastic = true,
         principled = true,
         conductor = true,
+        dielectric = true,
         measured = true,
         psh_matrix = true,
         callback_material = true,

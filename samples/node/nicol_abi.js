@@ -415,6 +415,23 @@ export const types = [
       ["alpha_v_texture", "nicol_texture", 0],
     ],
   },
+  {
+    kind: "struct",
+    name: "nicol_dielectric",
+    // name, type, length of a fixed array
+    fields: [
+      ["struct_size", "uint32_t", 0],
+      ["thin", "uint32_t", 0],
+      ["int_ior", "float", 0],
+      ["ext_ior", "float", 0],
+      ["specular_reflectance", "nicol_spectrum", 0],
+      ["specular_transmittance", "nicol_spectrum", 0],
+      ["absorption", "nicol_spectrum", 0],
+      ["alpha", "float", 0],
+      ["distribution", "nicol_distribution", 0],
+      ["alpha_texture", "nicol_texture", 0],
+    ],
+  },
   { kind: "alias", name: "nicol_wavelength_sampling", of: "uint32_t" },
   {
     kind: "struct",
@@ -909,6 +926,8 @@ export const functions = {
   material_create_diffuse: ["nicol_result nicol_material_create_diffuse(nicol_context context, const nicol_spectrum *reflectance, _Out_ nicol_material *material)", true, "nicol_material"],
   conductor_init: ["nicol_result nicol_conductor_init(_Out_ nicol_conductor *descriptor, uint32_t struct_size)", true, null],
   material_create_conductor: ["nicol_result nicol_material_create_conductor(nicol_context context, const nicol_conductor *parameters, _Out_ nicol_material *material)", true, "nicol_material"],
+  dielectric_init: ["nicol_result nicol_dielectric_init(_Out_ nicol_dielectric *descriptor, uint32_t struct_size)", true, null],
+  material_create_dielectric: ["nicol_result nicol_material_create_dielectric(nicol_context context, const nicol_dielectric *parameters, _Out_ nicol_material *material)", true, "nicol_material"],
   measured_init: ["nicol_result nicol_measured_init(_Out_ nicol_measured *descriptor, uint32_t struct_size)", true, null],
   material_load_measured: ["nicol_result nicol_material_load_measured(nicol_context context, const char *path, const nicol_measured *options, _Out_ nicol_material *material)", true, "nicol_material"],
   psh_matrix_init: ["nicol_result nicol_psh_matrix_init(_Out_ nicol_psh_matrix *descriptor, uint32_t struct_size)", true, null],

@@ -76,4 +76,12 @@ MaterialDescription read_conductor(const MaterialSource& source) {
     return model;
 }
 
+glm::dvec3 extinction_of(const glm::dvec3& reflectance) {
+    constexpr double most = 100;
+    glm::dvec3 k;
+    for (glm::length_t c = 0; c < 3; ++c)
+        k[c] = std::min(2 * std::sqrt(reflectance[c] / (1 - std::min(reflectance[c], 0.9999))), most);
+    return k;
+}
+
 }  // namespace nicol::scene

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <complex>
+#include <glm/vec3.hpp>
 #include <string>
 #include <vector>
 
@@ -23,5 +24,11 @@ private:
     /// n - ik, one or one a channel.
     [[nodiscard]] std::vector<std::complex<double>> index(const SceneChannels& channels) const;
 };
+
+/// Returns k of the index 1 - ik of a metal that reflects `reflectance` at normal incidence, k^2 / (4 + k^2).
+/// Real parts from (1 - sqrt r) / (1 + sqrt r) to (1 + sqrt r) / (1 - sqrt r) are possible for a reflectance
+/// r (Gulbrandsen, "Artist Friendly Metallic Fresnel", JCGT 3(4), 2014, which lets its user choose); 1 always
+/// is, and is near aluminium's.
+[[nodiscard]] glm::dvec3 extinction_of(const glm::dvec3& reflectance);
 
 }  // namespace nicol::scene

@@ -11,15 +11,6 @@
 namespace nicol::scene {
 namespace {
 
-/// Whether the scene's integrator, which may follow the bsdf, does. One that is not given does.
-bool reflects_often(const XmlDocument& document) {
-    Notices heard_elsewhere(document);
-    for (const pugi::xml_node node : document.elements(document.root()))
-        if (std::string_view(node.name()) == "integrator")
-            return read_integrator(document, node, heard_elsewhere).reflects_often();
-    return IntegratorDescription().reflects_often();
-}
-
 /// Reads a factor of 0 to 1 into a parameter.
 void read_factor(const MaterialSource& source, const char* name, ModelOf<DielectricParameters>& model,
                  ColorParameter DielectricParameters::*parameter) {
@@ -36,8 +27,9 @@ ModelOf<DielectricParameters> read_glass(const MaterialSource& source,
     read_indices(source.plugin, model.parameters.int_ior, model.parameters.ext_ior);
     read_factor(source, "specular_reflectance", model, &DielectricParameters::specular_reflectance);
     read_factor(source, "specular_transmittance", model, &DielectricParameters::specular_transmittance);
-    source.notices.add_once(source.node,
-                            "glass casts no shadow and focuses no light, but by the reference method");
+    source.notices.add_once(
+        source.node,
+        "glass dims the light of lamps behind it, and focuses no light, but by the reference method");
     return model;
 }
 
@@ -60,17 +52,29 @@ MetalModel read_reflection(const MaterialSource& source) {
 
 }  // namespace
 
+bool reflects_often(const XmlDocument& document) {
+    Notices heard_elsewhere(document);
+    for (const pugi::xml_node node : document.elements(document.root()))
+        if (std::string_view(node.name()) == "integrator")
+            return read_integrator(document, node, heard_elsewhere).reflects_often();
+    return IntegratorDescription().reflects_often();
+}
+
 MaterialDescription read_dielectric(const MaterialSource& source) {
     if (reflects_often(source.document)) return read_glass(source, dielectric);
     return read_reflection(source);
 }
 
 MaterialDescription read_rough_dielectric(const MaterialSource& source) {
-    if (reflects_often(source.document))
-        source.plugin.fail("",
-                           "lets light through a rough surface, which is not followed. With an integrator of "
-                           "max_depth 2, or \"direct\", it is read as what its boundary reflects",
-                           ErrorCode::unsupported);
+    if (reflects_often(source.document)) {
+        ModelOf<DielectricParameters> glass = read_glass(source, dielectric);
+        const FacetDescription facets = read_facets(source);
+        set_facets(facets, glass);
+        if (facets.alpha.texture)
+            source.notices.add_once(source.node,
+                                    "alpha is a texture: facets that transmit light have its mean");
+        return glass;
+    }
     MetalModel model = read_reflection(source);
     set_facets(read_facets(source), model);
     return model;

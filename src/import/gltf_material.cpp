@@ -13,8 +13,10 @@
 #include "import/brushed_material.hpp"
 #include "import/conductor_material.hpp"
 #include "import/diffuse_material.hpp"
+#include "import/glass_material.hpp"
 #include "import/gltf_extension.hpp"
 #include "import/gltf_readers.hpp"
+#include "import/gltf_transmission.hpp"
 #include "import/late_parameters.hpp"
 #include "import/nested_material.hpp"
 #include "import/specular_material.hpp"
@@ -24,15 +26,14 @@ namespace {
 
 using Part = TextureSpecification::Part;
 
-constexpr const char* kIor = "KHR_materials_ior";
 constexpr const char* kAnisotropy = "KHR_materials_anisotropy";
 constexpr const char* kSpecular = "KHR_materials_pbrSpecularGlossiness";
 constexpr const char* kUnlit = "KHR_materials_unlit";
 /// Those of a material that have an effect here.
-constexpr std::array<std::string_view, 3> kFollowed = {kIor, "KHR_materials_emissive_strength", kAnisotropy};
+constexpr std::array<std::string_view, 5> kFollowed = {kIor, "KHR_materials_emissive_strength", kAnisotropy,
+                                                       kTransmission, kVolume};
 
-constexpr double kIndex = 1.5;
-/// The reflectance of that index at normal incidence.
+/// The reflectance of kIndex at normal incidence.
 constexpr double kPlasticReflectance = 0.04;
 
 TextureSpecificationPtr shared(TextureSpecification texture) {
@@ -61,7 +62,10 @@ public:
                       ? specular_.texture("specularGlossinessTexture")
                       : texture_use(pbr_.metallicRoughnessTexture, where_ + ".metallicRoughnessTexture")),
           normal_(texture_use(material.normalTexture, where_ + ".normalTexture")),
-          directions_(anisotropy_.texture("anisotropyTexture")) {}
+          directions_(anisotropy_.texture("anisotropyTexture")) {
+        if (!is_unlit_ && !is_specular_)
+            transmission_ = read_transmission(document, material, where_, notices);
+    }
 
     GltfMaterial run() {
         say_what_is_left();
@@ -77,7 +81,8 @@ public:
             out = std::move(mask);
         }
         out.id = material_.name;
-        out.twosided = material_.doubleSided;
+        out.twosided = material_.doubleSided && transmission_.share == 0;
+        if (transmission_.share > 0) out = GlassModel(std::move(out), glass());
         return made;
     }
 
@@ -163,9 +168,9 @@ private:
                             : factors(pbr_.baseColorFactor, "baseColorFactor");
     }
 
-    /// Returns the factor, times the texture and the colours of vertices where there are any.
-    [[nodiscard]] TexturedColor base_color() {
-        const glm::dvec3 factor(base_factor());
+    /// Returns `scale` times the factor, the texture and the colours of vertices where there are any.
+    [[nodiscard]] TexturedColor base_color(double scale = 1) {
+        const glm::dvec3 factor = scale * glm::dvec3(base_factor());
         const bool with_vertices = surface_.colors && !is_unlit_;
         std::optional<TextureSpecification> image = texture(base_);
         if (!image && !with_vertices) return factor;
@@ -200,13 +205,13 @@ private:
             weight->part = Part::blue;
             weight->factor = glm::dvec3(metallic);
         } else if (metallic == 0) {
-            return plastic(1.0, index_of_refraction());
+            return plastic(1.0, read_index(document_, material_, where_));
         } else if (metallic == 1) {
             return metal(base_color());
         } else {
             weight = constant_specification(metallic);
         }
-        return BlendModel{plastic(1.0, index_of_refraction()), metal(base_color()),
+        return BlendModel{plastic(1.0, read_index(document_, material_, where_)), metal(base_color()),
                           shared(std::move(*weight))};
     }
 
@@ -242,7 +247,7 @@ private:
     [[nodiscard]] MaterialDescription plastic(const TexturedColor& boundary, double index) {
         using P = PplasticParameters;
         ModelOf<P> out(pplastic);
-        out.set(&P::diffuse_reflectance, base_color());
+        out.set(&P::diffuse_reflectance, base_color(1 - transmission_.share));
         out.set(&P::specular_reflectance, boundary);
         out.parameters.int_ior = index;
         out.parameters.ext_ior = 1;
@@ -255,7 +260,7 @@ private:
         MetalModel out;
         out.set(&RoughConductorParameters::specular_reflectance, 1.0);
         out.eta = 1.0;
-        out.k = absorption(color.rgb);
+        out.k = extinction_of(color.rgb);
         return with_facets(std::move(out));
     }
 
@@ -302,6 +307,16 @@ private:
         return out;
     }
 
+    /// Returns the boundary that light passes.
+    [[nodiscard]] GlassDescription glass() {
+        return {.index = read_index(document_, material_, where_),
+                .share = transmission_.share,
+                .color = base_color(),
+                .alpha = facets().alpha,
+                .is_body = transmission_.is_body,
+                .absorption = transmission_.absorption};
+    }
+
     /// Reads how strong KHR_materials_anisotropy is, if there is any.
     void read_strength() {
         const double strength = in_unit(anisotropy_.number("anisotropyStrength", 0), "anisotropyStrength");
@@ -325,27 +340,6 @@ private:
         if (directions) directions->raw = true;
         material =
             RotatedModel(std::move(material), directions ? shared(std::move(*directions)) : nullptr, angle);
-    }
-
-    /// The index 1 - ik of a metal that reflects `reflectance` at normal incidence, k^2 / (4 + k^2). Real
-    /// parts from (1 - sqrt r) / (1 + sqrt r) to (1 + sqrt r) / (1 - sqrt r) are possible for a reflectance r
-    /// (Gulbrandsen, "Artist Friendly Metallic Fresnel", JCGT 3(4), 2014, which lets its user choose); 1
-    /// always is, and is near aluminium's.
-    static glm::dvec3 absorption(const glm::dvec3& reflectance) {
-        constexpr double most = 100;
-        glm::dvec3 k;
-        for (glm::length_t c = 0; c < 3; ++c)
-            k[c] = std::min(2 * std::sqrt(reflectance[c] / (1 - std::min(reflectance[c], 0.9999))), most);
-        return k;
-    }
-
-    [[nodiscard]] double index_of_refraction() const {
-        const double ior = GltfExtension(document_, material_.extensions, kIor, where_).number("ior", kIndex);
-        // 0 stands for an infinite index, a mirror at every angle.
-        if (ior == 0) return 1e3;
-        if (!(ior >= 1 && ior <= 1e3))
-            document_.fail(where_, "KHR_materials_ior: ior is not 0 or a number from 1 to 1000");
-        return ior;
     }
 
     void say_what_is_left() {
@@ -380,6 +374,7 @@ private:
     GltfTextureUse normal_;
     GltfTextureUse directions_;               ///< of anisotropy
     std::optional<TexturedNumber> strength_;  ///< none: no anisotropy
+    GltfTransmission transmission_;           ///< what passes the surface
     bool has_texcoords_ = false;
 };
 

@@ -30,12 +30,12 @@ struct MaterialSource {
 /// Reads what the boundary reflects if the scene's integrator reflects light once, and otherwise a material
 /// that light passes.
 [[nodiscard]] MaterialDescription read_dielectric(const MaterialSource& source);
-/// Reads what the boundary reflects. Throws Error(unsupported) if the scene's integrator reflects light more
-/// than once, because most of that light passes through the boundary.
+/// Reads what read_dielectric() reads, of a rough boundary.
 [[nodiscard]] MaterialDescription read_rough_dielectric(const MaterialSource& source);
 [[nodiscard]] MaterialDescription read_thin_dielectric(const MaterialSource& source);
 [[nodiscard]] MaterialDescription read_null(const MaterialSource& source);
 [[nodiscard]] MaterialDescription read_principled(const MaterialSource& source);
+[[nodiscard]] MaterialDescription read_principled_thin(const MaterialSource& source);
 [[nodiscard]] MaterialDescription read_measured(const MaterialSource& source);
 [[nodiscard]] MaterialDescription read_psh(const MaterialSource& source);
 [[nodiscard]] MaterialDescription read_twosided(const MaterialSource& source);
@@ -62,6 +62,7 @@ inline constexpr MaterialType kMaterialTypes[] = {{"pplastic", read_pplastic},
                                                   {"roughdielectric", read_rough_dielectric},
                                                   {"null", read_null},
                                                   {"principled", read_principled},
+                                                  {"principledthin", read_principled_thin},
                                                   {"measured_polarized", read_measured},
                                                   {"psh", read_psh},
                                                   {"twosided", read_twosided, true},
@@ -86,6 +87,10 @@ void read_color(const MaterialSource& source, const char* name, LateParameters<P
     const double otherwise = (out.parameters.*parameter).values.front();
     out.set(parameter, read_color(source.document, source.plugin, name, otherwise, 1.0));
 }
+
+/// Returns whether the scene's integrator, which may stand behind the bsdf, reflects light more than once.
+/// One that is not given does.
+[[nodiscard]] bool reflects_often(const XmlDocument& document);
 
 /// Reads int_ior and ext_ior, numbers or names of media, which must differ. The arguments hold the defaults.
 void read_indices(Plugin& plugin, double& int_ior, double& ext_ior);

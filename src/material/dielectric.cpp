@@ -2,35 +2,31 @@
 #include "material/dielectric.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <string>
 #include <utility>
 
 #include "error.hpp"
 #include "material/key.hpp"
 #include "material/reflectance.hpp"
+#include "material/textured.hpp"
 
 namespace nicol {
 namespace {
 
-class Dielectric final : public Material {
-public:
-    explicit Dielectric(SmoothBoundary boundary) : boundary_(std::move(boundary)) {}
+// Least roughness that a texture gives.
+constexpr double kLeastOfTexture = 0.01;
 
-    [[nodiscard]] int channels() const noexcept override {
-        return static_cast<int>(std::max(boundary_.reflectance.size(), boundary_.transmittance.size()));
-    }
+class SmoothDielectric final : public Material {
+public:
+    explicit SmoothDielectric(SmoothBoundary boundary) : boundary_(std::move(boundary)) {}
+
+    [[nodiscard]] int channels() const noexcept override { return boundary_.channels(); }
     [[nodiscard]] int terms() const noexcept override { return 1; }
     [[nodiscard]] double weight(int, int) const override { return 0; }
     [[nodiscard]] double lobe_width(int) const noexcept override { return 1; }
     [[nodiscard]] const SmoothBoundary* smooth_boundary() const noexcept override { return &boundary_; }
-    [[nodiscard]] std::string content_key() const override {
-        return Key("dielectric")
-            .add("eta", boundary_.eta)
-            .add("slab", boundary_.behind == SmoothBoundary::Behind::slab)
-            .add("reflectance", boundary_.reflectance)
-            .add("transmittance", boundary_.transmittance)
-            .text();
-    }
+    [[nodiscard]] std::string content_key() const override { return boundary_.content_key(); }
     [[nodiscard]] Mueller evaluate(int, const glm::dvec3&, const glm::dvec3&) const override { return {}; }
 
 private:
@@ -44,27 +40,60 @@ void check_factor(const ColorParameter& color, const std::string& name) {
     check_reflectance(color.values, name);
 }
 
-MaterialPtr smooth_boundary(SmoothBoundary::Behind behind, const DielectricParameters& p) {
+MaterialPtr boundary_material(SmoothBoundary::Behind behind, const DielectricParameters& p) {
     check_range(p.int_ior, 1e-3, 1e3, "int_ior");
     check_range(p.ext_ior, 1e-3, 1e3, "ext_ior");
     check_factor(p.specular_reflectance, "specular_reflectance");
     check_factor(p.specular_transmittance, "specular_transmittance");
     check_channels(p.specular_reflectance.values.size(), "specular_reflectance",
                    p.specular_transmittance.values.size(), "specular_transmittance");
-    return std::make_shared<Dielectric>(SmoothBoundary{.behind = behind,
-                                                       .eta = p.int_ior / p.ext_ior,
-                                                       .reflectance = p.specular_reflectance.values,
-                                                       .transmittance = p.specular_transmittance.values});
+    if (p.absorption.empty())
+        throw Error(ErrorCode::invalid_argument, "absorption has no value; give one, or one per channel");
+    for (const double value : p.absorption)
+        check_range(value, 0, std::numeric_limits<double>::max(), "absorption");
+    check_channels(p.specular_reflectance.values.size(), "specular_reflectance", p.absorption.size(),
+                   "absorption");
+    check_channels(p.specular_transmittance.values.size(), "specular_transmittance", p.absorption.size(),
+                   "absorption");
+    if (behind == SmoothBoundary::Behind::slab && !black(p.absorption))
+        throw Error(ErrorCode::invalid_argument,
+                    "absorption is not 0, but a thin pane has no thickness; set specular_transmittance");
+    const SmoothBoundary boundary{.behind = behind,
+                                  .eta = p.int_ior / p.ext_ior,
+                                  .reflectance = p.specular_reflectance.values,
+                                  .transmittance = p.specular_transmittance.values,
+                                  .absorption = p.absorption,
+                                  .alpha = mean_of(p.alpha, kLeastOfTexture),
+                                  .distribution = p.distribution};
+    if (boundary.alpha != 0) check_range(boundary.alpha, 0.001, 1, "alpha");
+    if (!boundary.rough()) return std::make_shared<SmoothDielectric>(boundary);
+    return transmitting(rough_reflection(boundary, p.alpha), boundary);
 }
 
 }  // namespace
 
+int SmoothBoundary::channels() const noexcept {
+    return static_cast<int>(std::max({reflectance.size(), transmittance.size(), absorption.size()}));
+}
+
+std::string SmoothBoundary::content_key() const {
+    return Key("dielectric")
+        .add("eta", eta)
+        .add("slab", behind == Behind::slab)
+        .add("reflectance", reflectance)
+        .add("transmittance", transmittance)
+        .add("absorption", absorption)
+        .add("alpha", alpha)
+        .add("distribution", distribution == Distribution::ggx)
+        .text();
+}
+
 MaterialPtr dielectric(const DielectricParameters& parameters) {
-    return smooth_boundary(SmoothBoundary::Behind::body, parameters);
+    return boundary_material(SmoothBoundary::Behind::body, parameters);
 }
 
 MaterialPtr thin_dielectric(const DielectricParameters& parameters) {
-    return smooth_boundary(SmoothBoundary::Behind::slab, parameters);
+    return boundary_material(SmoothBoundary::Behind::slab, parameters);
 }
 
 }  // namespace nicol

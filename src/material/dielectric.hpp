@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
-// Smooth glass: materials that transmit light.
+// Glass: materials that transmit light.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "material/material.hpp"
 
 namespace nicol {
 
-/// Smooth boundary that splits light into a reflected and a transmitted part by Fresnel's formulas.
+/// Boundary that splits light into a reflected and a transmitted part by Fresnel's formulas: smooth, or made
+/// of facets that are smooth.
 struct SmoothBoundary {
     /// Medium behind the front of the surface.
     enum class Behind {
@@ -19,20 +21,48 @@ struct SmoothBoundary {
     double eta = 1;                          ///< index of the inside relative to the outside
     std::vector<double> reflectance{1.0};    ///< factor of reflected light, one value or one per channel
     std::vector<double> transmittance{1.0};  ///< factor of transmitted light, as `reflectance`
+    /// Absorption coefficient of the body per unit of length, as `reflectance`; 0 for a slab.
+    std::vector<double> absorption{0.0};
+    double alpha = 0;                                    ///< roughness, 0.001..1; 0: smooth
+    Distribution distribution = Distribution::beckmann;  ///< distribution of the facets of a rough boundary
+
+    [[nodiscard]] bool rough() const noexcept { return alpha > 0; }
+    /// Returns the number of channels; 1 if the boundary is equal in every channel.
+    [[nodiscard]] int channels() const noexcept;
+    /// Returns everything that the values depend on, as text.
+    [[nodiscard]] std::string content_key() const;
 };
 
-/// Parameters of Mitsuba 3's `dielectric` and `thindielectric`.
+/// Parameters of Mitsuba 3's `dielectric`, `roughdielectric` and `thindielectric`, and of a body that absorbs
+/// light.
 struct DielectricParameters {
     ColorParameter specular_reflectance{1.0};    ///< 0..1
     ColorParameter specular_transmittance{1.0};  ///< 0..1
     double int_ior = 1.5046;                     ///< index of the inside, 0.001..1000
     double ext_ior = 1.000277;                   ///< index of the outside, 0.001..1000
+    /// Absorption coefficient of the inside, per unit of length, finite and not negative: a path of length d
+    /// transmits exp(-absorption d). One value or one per channel.
+    std::vector<double> absorption{0.0};
+    /// Roughness of facets, 0.001..1; 0: a smooth boundary. A texture is clamped to 0.01..1; the facets that
+    /// transmit light have its mean.
+    NumberParameter alpha = 0.0;
+    Distribution distribution = Distribution::beckmann;
 };
 /// Returns the boundary between the inside of a body and the outside. Throws Error(invalid_argument) that
 /// names the parameter out of range, and Error(unsupported) for a texture.
 [[nodiscard]] MaterialPtr dielectric(const DielectricParameters& parameters);
 /// Returns a slab so thin that light leaves it where it arrives. All reflections inside the slab are summed
-/// without interference. Throws what dielectric() throws.
+/// without interference. Throws what dielectric() throws, and Error(invalid_argument) for an absorption,
+/// because a slab has no thickness.
 [[nodiscard]] MaterialPtr thin_dielectric(const DielectricParameters& parameters);
+
+/// Returns what the front of a rough boundary reflects. alpha: roughness in place of the boundary's, of which
+/// a slab takes the number alone. Throws what rough_conductor() throws, and Error(invalid_argument) for an
+/// index out of range.
+[[nodiscard]] MaterialPtr rough_reflection(const SmoothBoundary& boundary, const NumberParameter& alpha);
+/// Returns a material that reflects like `reflection` on its front, and that transmits light through a rough
+/// boundary, whose reflection on the front `reflection` stands for. Throws Error(invalid_argument) if the
+/// boundary is smooth.
+[[nodiscard]] MaterialPtr transmitting(MaterialPtr reflection, SmoothBoundary boundary);
 
 }  // namespace nicol

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "arguments.hpp"
-#include "error.hpp"
 #include "material/key.hpp"
 #include "material/mixture.hpp"
 #include "simd/work_space.hpp"
@@ -17,10 +16,6 @@ class Layered final : public Material {
 public:
     explicit Layered(SpatialVariation variation) : variation_(std::move(variation)) {
         for (const MaterialLayer& layer : variation_.layers) {
-            if (layer.material->smooth_boundary() != nullptr)
-                throw Error(ErrorCode::unsupported,
-                            "a material that light passes is part of a blend, a mask or a normal map, or is "
-                            "scaled by a texture; use it alone");
             add(layer);
         }
         varies_ = variation_.normal.kind != NormalVariation::Kind::none || variation_.rotation.any() ||

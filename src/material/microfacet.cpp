@@ -2,6 +2,8 @@
 #include "material/microfacet.hpp"
 
 #include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
 
 namespace nicol {
 namespace {
@@ -33,6 +35,17 @@ double facet_visibility(Distribution distribution, const glm::dvec2& alpha, cons
     double out = 0;
     visibility_over_cosine({distribution, alpha.x, alpha.y}, components(view), out);
     return out * view.z;
+}
+
+// If space is stretched until the roughness is 1, the facets are a hemisphere, whose reflections of the
+// viewer fill a cap of the sphere uniformly.
+glm::dvec3 visible_facet(const glm::dvec2& alpha, const glm::dvec3& view, const glm::dvec2& point) {
+    const glm::dvec3 stretched = glm::normalize(view * glm::dvec3(alpha, 1));
+    const double z = (1 - point.x) * (1 + stretched.z) - stretched.z;
+    const double radius = std::sqrt(std::fmax(0, 1 - z * z));
+    const double phi = 2 * std::numbers::pi * point.y;
+    const glm::dvec3 half = glm::dvec3(radius * std::cos(phi), radius * std::sin(phi), z) + stretched;
+    return glm::normalize(half * glm::dvec3(alpha, 1));
 }
 
 }  // namespace nicol

@@ -140,4 +140,9 @@ template <class Number>
 [[nodiscard]] double facet_visibility(Distribution distribution, const glm::dvec2& alpha,
                                       const glm::dvec3& view);
 
+/// Samples the normal of a GGX facet that is visible from a unit direction above the horizon, with density
+/// G1 D (view.facet) / view.z, after Dupuy and Benyoub 2023. point: in [0, 1)^2.
+[[nodiscard]] glm::dvec3 visible_facet(const glm::dvec2& alpha, const glm::dvec3& view,
+                                       const glm::dvec2& point);
+
 }  // namespace nicol

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "arguments.hpp"
+#include "error.hpp"
 #include "material/reflectance.hpp"
 
 namespace nicol {
@@ -29,6 +30,11 @@ bool is_anisotropic(const MaterialLayer& layer) {
 
 SpatialVariation parts_of(const MaterialPtr& material, const char* of) {
     require(material != nullptr, std::string(of) + ": the material is null; give one");
+    if (material->smooth_boundary() != nullptr)
+        throw Error(
+            ErrorCode::unsupported,
+            "a material that light passes is part of a blend, a mask or a normal map, or is scaled by "
+            "a texture; use it alone");
     if (const SpatialVariation* variation = material->variation()) return *variation;
     SpatialVariation out;
     out.layers.push_back({.material = material});

@@ -8,6 +8,8 @@
 #include <string_view>
 #include <utility>
 
+#include "material/dielectric.hpp"
+#include "material/mixture.hpp"
 #include "material/principled_lobes.hpp"
 #include "material/reflectance.hpp"
 #include "material/textured.hpp"
@@ -202,10 +204,60 @@ private:
     std::vector<Part> parts_;
 };
 
+// Least roughness of facets, and an index that stands for 1, as in Mitsuba.
+constexpr double kLeastAlpha = 0.001;
+constexpr double kNearlyOne = 1.001;
+
+/// Returns the diffuse base and the sheen of a sheet.
+MaterialPtr principled_base(const PrincipledThinParameters& p) {
+    const MaterialPtr base = Composer({.base_color = p.base_color,
+                                       .roughness = p.roughness,
+                                       .spec_trans = mean_of(p.spec_trans, 0),
+                                       .eta = 1,
+                                       .sheen = p.sheen,
+                                       .sheen_tint = p.sheen_tint,
+                                       .flatness = p.flatness})
+                                 .run();
+    if (p.diff_trans == 0) return base;
+    return scaled(base, constant_texture(glm::vec4(static_cast<float>(1 - p.diff_trans / 2)), 1));
+}
+
+/// Returns the boundary that transmits a share of the light.
+SmoothBoundary boundary_of(double eta, const NumberParameter& roughness, double share,
+                           std::vector<double> color) {
+    const double mean = mean_of(roughness, 0);
+    for (double& value : color) value *= share;
+    return {.eta = eta == 1 ? kNearlyOne : eta,
+            .reflectance = {share},
+            .transmittance = std::move(color),
+            .alpha = std::max(mean * mean, kLeastAlpha),
+            .distribution = Distribution::ggx};
+}
+
 }  // namespace
 
 MaterialPtr principled(const PrincipledParameters& parameters) {
-    return Composer(parameters).run();
+    MaterialPtr reflection = Composer(parameters).run();
+    const double share = (1 - mean_of(parameters.metallic, 0)) * mean_of(parameters.spec_trans, 0);
+    if (share == 0 || !parameters.transmits) return reflection;
+    std::vector<double> color = mean_of(parameters.base_color);
+    for (double& value : color) value = std::sqrt(value);
+    return transmitting(std::move(reflection),
+                        boundary_of(parameters.eta, parameters.roughness, share, std::move(color)));
+}
+
+MaterialPtr principled_thin(const PrincipledThinParameters& p) {
+    check_range(p.diff_trans, 0, 2, "diff_trans");
+    const MaterialPtr base = principled_base(p);
+    const double share = mean_of(p.spec_trans, 0);
+    if (share == 0) return base;
+    SmoothBoundary sheet = boundary_of(p.eta, p.roughness, share, mean_of(p.base_color));
+    sheet.behind = SmoothBoundary::Behind::slab;
+    const MaterialPtr reflection = sum(base, rough_reflection(sheet, sheet.alpha));
+    // Two refractions bend light less than a reflection does. Burley's roughness of what is transmitted.
+    const double narrowing = std::clamp(0.65 * p.eta - 0.35, 0.0, 1.0);
+    sheet.alpha = std::max(sheet.alpha * narrowing * narrowing, kLeastAlpha);
+    return transmitting(reflection, sheet);
 }
 
 double index_of_specular(double specular) {

@@ -2,6 +2,11 @@
 // Textures for the parameters of a model that takes only values.
 #pragma once
 
+#include <algorithm>
+#include <glm/common.hpp>
+#include <glm/vec3.hpp>
+#include <vector>
+
 #include "material/mixture.hpp"
 #include "material/parameter.hpp"
 
@@ -11,6 +16,19 @@ namespace nicol {
 template <class... Parameters>
 [[nodiscard]] bool textured(const Parameters&... parameters) {
     return ((parameters.texture != nullptr) || ...);
+}
+
+/// Returns the value of a number, or the mean of its texture, clamped to least..1.
+[[nodiscard]] inline double mean_of(const NumberParameter& number, double least) {
+    if (!number.texture) return number.value;
+    return std::clamp(static_cast<double>(number.texture->mean().x), least, 1.0);
+}
+/// Returns the values of a colour, or the mean of its texture, clamped to 0..1.
+[[nodiscard]] inline std::vector<double> mean_of(const ColorParameter& color) {
+    if (!color.texture) return color.values;
+    const glm::dvec3 mean = glm::clamp(glm::dvec3(color.texture->mean()), 0.0, 1.0);
+    if (color.texture->channels() == 1) return {mean.x};
+    return {mean.x, mean.y, mean.z};
 }
 
 /// Returns the values of a colour, or 1 for a texture, which times() multiplies by.

@@ -46,6 +46,7 @@ struct PixelInput : ShadeInput {
     double light_scale;               ///< factor of the background
     /// Surfaces whose pixels show what rays meet; null: none. Only executors that follow_rays() take them.
     const SmoothSurfaces* smooth;
+    int smooth_events;        ///< largest number of reflections and refractions of a ray
     const LightPyramid* sky;  ///< environment that rays meet; null: none
 };
 

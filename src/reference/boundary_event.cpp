@@ -24,7 +24,8 @@ std::optional<BoundaryEvent> sample_boundary(const SmoothBoundary& boundary, con
     return BoundaryEvent{
         .ray = leaving(hit.position, hit.geometric_normal, part.towards_light, hit.ray_offset),
         .incident = part.incident,
-        .radiance_scale = part.radiance_scale};
+        .radiance_scale = part.radiance_scale,
+        .body = body_before(boundary, split, part, workspace.body)};
 }
 
 }  // namespace nicol

@@ -12,9 +12,10 @@ namespace nicol {
 
 /// Direction in which a path goes on beyond a smooth boundary.
 struct BoundaryEvent {
-    Ray ray;                ///< ray from the boundary towards the light
-    Frame incident;         ///< frame of the light that arrives against the ray
-    double radiance_scale;  ///< see BoundaryPart
+    Ray ray;                     ///< ray from the boundary towards the light
+    Frame incident;              ///< frame of the light that arrives against the ray
+    double radiance_scale;       ///< see BoundaryPart
+    const SmoothBoundary* body;  ///< body that the ray travels through; null: none
 };
 
 /// Chooses reflection or transmission in proportion to their shares of unpolarized light, and moves the

@@ -7,6 +7,7 @@
 
 #include "reference/boundary_event.hpp"
 #include "scene/path_depth.hpp"
+#include "shading/boundary_split.hpp"
 
 namespace nicol {
 namespace {
@@ -33,9 +34,18 @@ bool survives(std::span<Mueller> throughput, double radiance_scale, double point
     return true;
 }
 
+/// Multiplies a path's throughput by what the body at its end transmits over a distance.
+void absorb(double distance, PathWorkspace& workspace) {
+    if (workspace.body == nullptr) return;
+    for (std::size_t c = 0; c < workspace.throughput.size(); ++c)
+        workspace.throughput[c] *= transmitted_by(workspace.body, static_cast<int>(c), distance);
+}
+
 /// Returns whether light leaves the point of a surface against a ray. A perturbed normal may face a viewer
 /// who is behind the surface.
 bool seen(const SurfaceHit& hit, const glm::dvec3& ray_direction) {
+    if (hit.side.material->smooth_boundary() != nullptr)
+        return hit.towards_viewer.z * glm::dot(hit.unturned, ray_direction) < 0;
     return hit.towards_viewer.z > 0 && glm::dot(hit.unturned, ray_direction) < 0;
 }
 
@@ -69,6 +79,7 @@ void PathTracer::begin(const Ray& ray, const Frame& received, std::size_t channe
     workspace.scattering.resize(channels);
     workspace.incident.resize(channels);
     workspace.irradiance.resize(channels);
+    workspace.body = nullptr;
 }
 
 void PathTracer::follow(Path path, const LowDiscrepancy& points, std::uint32_t index, std::span<Stokes> sum,
@@ -80,8 +91,9 @@ void PathTracer::follow(Path path, const LowDiscrepancy& points, std::uint32_t i
         const SurfaceHit hit = scene_.surface_at(path.found, path.direction);
         const bool last = depth == max_depth_;
         const SmoothBoundary* const boundary = hit.side.material->smooth_boundary();
-        const bool goes_on = boundary != nullptr ? pass(path, *boundary, hit, vertex_points, sum, workspace)
-                                                 : scatter(path, hit, vertex_points, last, sum, workspace);
+        const bool goes_on = boundary != nullptr && !boundary->rough()
+                                 ? pass(path, *boundary, hit, vertex_points, sum, workspace)
+                                 : scatter(path, hit, vertex_points, last, sum, workspace);
         if (!goes_on || last) return;
         if (depth >= kRouletteDepth &&
             !survives(workspace.throughput, path.radiance_scale, vertex_points.at(roulette).x))
@@ -100,7 +112,8 @@ bool PathTracer::scatter(Path& path, const SurfaceHit& hit, const VertexPoints& 
     if (!vertex.lit_from(towards_light)) return false;
     const std::optional<RayHit> next = lights_.add_along(vertex, towards_light, sum);
     if (!next || last) return false;
-    vertex.extend(towards_light, vertex.pdf(towards_light));
+    path.radiance_scale *= vertex.extend(towards_light, vertex.pdf(towards_light));
+    absorb(next->distance, workspace);
     path.found = *next;
     path.direction = vertex.in_world(towards_light);
     path.received = vertex.incident_frame(towards_light);
@@ -112,8 +125,10 @@ bool PathTracer::pass(Path& path, const SmoothBoundary& boundary, const SurfaceH
     const auto event =
         sample_boundary(boundary, hit, path.received, points.at(lights_.streams()).x, workspace);
     if (!event) return false;
+    workspace.body = event->body;
     const std::optional<RayHit> next = lights_.add_arriving(event->ray, event->incident, workspace, sum);
     if (!next) return false;
+    absorb(next->distance, workspace);
     path = {.found = *next,
             .direction = event->ray.direction,
             .received = event->incident,

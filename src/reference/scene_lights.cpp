@@ -68,12 +68,14 @@ void SceneLights::add_sky(const glm::dvec3& direction, const Frame& received, Pa
                           std::span<Stokes> sum) const {
     if (environment_ == nullptr) return;
     set_incident(glm::normalize(direction * light_to_world_), received, workspace);
+    workspace.absorb(workspace.body, kSky);
     add_incident(workspace, sum);
 }
 
 void SceneLights::add_emission(const RayHit& hit, const Frame& received, PathWorkspace& workspace,
                                std::span<Stokes> sum) const {
     if (!surfaces_.surfaces()[hit.surface].emitted(hit, received, workspace.incident)) return;
+    workspace.absorb(workspace.body, hit.distance);
     add_incident(workspace, sum);
 }
 
@@ -130,6 +132,7 @@ std::optional<RayHit> SceneLights::add_arriving(const Ray& ray, const Frame& rec
     for (const SkyDisc& disc : discs_) {
         if (disc.pdf(ray.direction) == 0) continue;
         set_incident(disc, received, workspace);
+        workspace.absorb(workspace.body, kSky);
         add_incident(workspace, sum);
     }
     return first;
@@ -167,6 +170,7 @@ void SceneLights::add_sampled_area_light(const Reflection& at, const RayHit& pla
     // at a slant.
     const double offset = std::max(at.vertex.hit().ray_offset, area_light.ray_offset(place));
     if (hidden(at, towards_light, distance - 2 * offset / cosine)) return;
+    at.vertex.absorb(towards_light, distance);
     at.vertex.add_reflected(towards_light, pdf(at, towards_light, area_light_pdf(at, place)), true, at.sum);
 }
 
@@ -180,12 +184,14 @@ void SceneLights::add_without_size(const Reflection& at, const LocalLight& light
                                    axis_in_world(light.to_world, light.state));
     for (std::size_t c = 0; c < at.sum.size(); ++c)
         at.workspace.incident[c] = at.workspace.irradiance[c] * state;
+    at.vertex.absorb(towards_light, arrival->distance);
     at.vertex.add_reflected(towards_light, 1, false, at.sum);
 }
 
 void SceneLights::add_environment(const Reflection& at, const glm::dvec3& towards_light) const {
     const glm::dvec3 in_light = glm::normalize(at.vertex.in_world(towards_light) * light_to_world_);
     set_incident(in_light, at.vertex.incident_frame(towards_light), at.workspace);
+    at.vertex.absorb(towards_light, kSky);
     const double of_light =
         light_sampler_->pdf(glm::normalize(at.vertex.hit().frame * towards_light * light_to_world_));
     at.vertex.add_reflected(towards_light, pdf(at, towards_light, of_light), true, at.sum);
@@ -195,6 +201,7 @@ void SceneLights::add_disc(const Reflection& at, const SkyDisc& disc, const glm:
     const double of_light = disc.pdf(at.vertex.in_world(towards_light));
     if (of_light == 0) return;
     set_incident(disc, at.vertex.incident_frame(towards_light), at.workspace);
+    at.vertex.absorb(towards_light, kSky);
     at.vertex.add_reflected(towards_light, pdf(at, towards_light, of_light), true, at.sum);
 }
 
@@ -217,6 +224,7 @@ void SceneLights::add_area_light(const Reflection& at, const glm::dvec3& towards
                                  const RayHit& place) const {
     const TracedSurface& area_light = surfaces_.surfaces()[place.surface];
     if (!area_light.emitted(place, at.vertex.incident_frame(towards_light), at.workspace.incident)) return;
+    at.vertex.absorb(towards_light, place.distance);
     at.vertex.add_reflected(towards_light, pdf(at, towards_light, area_light_pdf(at, place)), true, at.sum);
 }
 

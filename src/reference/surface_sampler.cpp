@@ -23,18 +23,6 @@ glm::dvec3 cosine_sample(const glm::dvec2& point) {
     return {radius * std::cos(phi), radius * std::sin(phi), std::sqrt(1 - point.x)};
 }
 
-/// Samples the normal of a facet that is visible to the viewer, after Dupuy and Benyoub 2023. If space is
-/// stretched until the roughness is 1, the facets are a hemisphere, whose reflections of the viewer fill a
-/// cap of the sphere uniformly.
-glm::dvec3 visible_facet(const glm::dvec2& roughness, const glm::dvec3& viewer, const glm::dvec2& point) {
-    const glm::dvec3 stretched = glm::normalize(viewer * glm::dvec3(roughness, 1));
-    const double z = (1 - point.x) * (1 + stretched.z) - stretched.z;
-    const double radius = std::sqrt(std::max(0.0, 1 - z * z));
-    const double phi = 2 * pi * point.y;
-    const glm::dvec3 half = glm::dvec3(radius * std::cos(phi), radius * std::sin(phi), z) + stretched;
-    return glm::normalize(half * glm::dvec3(roughness, 1));
-}
-
 double facet_pdf(const glm::dvec2& roughness, const glm::dvec3& viewer, const glm::dvec3& light) {
     const glm::dvec3 sum = viewer + light;
     const double length = glm::length(sum);

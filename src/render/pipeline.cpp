@@ -17,6 +17,15 @@ bool follows_rays(Method method, const RenderExecutor& executor) {
     return method == Method::factored && executor.follows_rays();
 }
 
+// Returns the largest number of events at smooth surfaces. The last segment of a path, from the last event to
+// a light, is the environment's or that of the light which surfaces reflect.
+int smooth_events(int max_depth) {
+    // Direct light is the default, which does not say how often glass is passed.
+    constexpr int of_direct_light = 8;
+    constexpr int most = 64;
+    return max_depth == kDirectLightDepth ? of_direct_light : std::min(max_depth - 1, most);
+}
+
 // Returns the terms that do not reflect harmonics. Light that is given as harmonics has no detail that narrow
 // lobes would miss.
 SampledTerms sampled_terms(const Scene& scene, const RenderOptions& options, bool follows_rays) {
@@ -258,11 +267,12 @@ void Pipeline::shade_pixels(const Scene& scene, ShadeInput input, const Projecti
         if (met) sky_.emplace(*met);
     });
     method_for(options.method)
-        .shade_pixels({input, projection, hits, high_orders ? &high_orders_ : nullptr, options.physical,
-                       local_lights_.any() ? &local_lights_ : nullptr,
-                       static_cast<std::uint32_t>(options.seed), behind ? &*background_ : nullptr,
-                       scene.light_scale(), smooth ? &smooth_ : nullptr, met ? &*sky_ : nullptr},
-                      executor, run);
+        .shade_pixels(
+            {input, projection, hits, high_orders ? &high_orders_ : nullptr, options.physical,
+             local_lights_.any() ? &local_lights_ : nullptr, static_cast<std::uint32_t>(options.seed),
+             behind ? &*background_ : nullptr, scene.light_scale(), smooth ? &smooth_ : nullptr,
+             smooth_events(options.max_depth), met ? &*sky_ : nullptr},
+            executor, run);
     executor.finish();
     run.statistics.shade_ms += watch.milliseconds();
 }

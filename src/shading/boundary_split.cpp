@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "geometry/perpendicular.hpp"
+#include "material/reflectance.hpp"
 #include "polarization/fresnel.hpp"
 #include "polarization/slab.hpp"
 
@@ -79,7 +80,22 @@ BoundarySplit split_at(const SmoothBoundary& boundary, const glm::dvec3& geometr
     return {.reflected = part(rays.reflected, split.reflection, 1),
             .transmitted = part(rays.transmitted, split.transmission, slab ? 1 : 1 / (eta * eta)),
             .normal = facing,
-            .eta = eta};
+            .eta = eta,
+            .inside = inside};
+}
+
+const SmoothBoundary* body_before(const SmoothBoundary& boundary, const BoundarySplit& split,
+                                  const BoundaryPart& part, const SmoothBoundary* around) {
+    if (boundary.behind == SmoothBoundary::Behind::slab) return around;
+    const bool inside = split.inside == (&part == &split.reflected);
+    return inside ? &boundary : nullptr;
+}
+
+double transmitted_by(const SmoothBoundary* body, int channel, double distance) {
+    if (body == nullptr) return 1;
+    const double absorption = of_channel(body->absorption, channel);
+    // The product is not a number for no absorption over an infinite distance.
+    return absorption > 0 ? std::exp(-absorption * distance) : 1;
 }
 
 }  // namespace nicol

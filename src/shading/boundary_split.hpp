@@ -26,6 +26,7 @@ struct BoundarySplit {
     BoundaryPart transmitted;
     glm::dvec3 normal;  ///< unit normal that both parts follow, on the viewer's side
     double eta;         ///< index of the far side relative to the viewer's
+    bool inside;        ///< whether the viewer is on the inside
 };
 
 /// Returns what a boundary sends to a viewer in the frame `received`. geometric: unit normal of the surface
@@ -33,5 +34,14 @@ struct BoundarySplit {
 /// surface, the geometric normal takes its place.
 [[nodiscard]] BoundarySplit split_at(const SmoothBoundary& boundary, const glm::dvec3& geometric,
                                      const glm::dvec3& normal, const Frame& received);
+
+/// Returns the body through which light travels before it reaches the boundary as `part` of `split`; null:
+/// none, which assumes that bodies do not overlap. around: body between the boundary and the viewer, or null.
+[[nodiscard]] const SmoothBoundary* body_before(const SmoothBoundary& boundary, const BoundarySplit& split,
+                                                const BoundaryPart& part, const SmoothBoundary* around);
+
+/// Returns the fraction of a channel's light that a body transmits over a distance, which may be infinite.
+/// body: null for none.
+[[nodiscard]] double transmitted_by(const SmoothBoundary* body, int channel, double distance);
 
 }  // namespace nicol

@@ -3,14 +3,17 @@
 
 #include <algorithm>
 #include <span>
+#include <utility>
 
+#include "material/dielectric.hpp"
 #include "material/sampled_terms.hpp"
 
 namespace nicol {
 namespace {
 
 Smoothness smoothness_of(const Material& material) {
-    if (material.smooth_boundary() != nullptr) return Smoothness::boundary;
+    if (const SmoothBoundary* const boundary = material.smooth_boundary())
+        return boundary->rough() ? Smoothness::rough_boundary : Smoothness::boundary;
     const bool mirrors =
         any_term(material, [](const Material& layer, int term) { return layer.smooth(term); });
     return mirrors ? Smoothness::mirror : Smoothness::none;
@@ -46,7 +49,8 @@ void SmoothSurfaces::update(const RefinedSurfaces& surfaces) {
         const auto has = [this](Smoothness smoothness) {
             return std::ranges::find(of_triangles_, smoothness) != of_triangles_.end();
         };
-        mirrors_and_glass_ = has(Smoothness::boundary) && has(Smoothness::mirror);
+        mirrors_and_glass_ =
+            (has(Smoothness::boundary) || has(Smoothness::rough_boundary)) && has(Smoothness::mirror);
     });
     tracing_.run(surfaces.version(), any(), [&] {
         rays_.reset();

@@ -15,9 +15,10 @@ namespace nicol {
 
 /// Way in which rays go on at a surface.
 enum class Smoothness : std::uint8_t {
-    none,      ///< nothing that rays follow
-    mirror,    ///< a smooth term of the material mirrors other surfaces
-    boundary,  ///< light is reflected and transmitted, see Material::smooth_boundary()
+    none,            ///< nothing that rays follow
+    mirror,          ///< a smooth term of the material mirrors other surfaces
+    boundary,        ///< light is reflected and transmitted, see Material::smooth_boundary()
+    rough_boundary,  ///< light is transmitted by facets; the material's terms are what the front reflects
 };
 
 class SmoothSurfaces {

@@ -121,6 +121,27 @@ CONTEXT_TEST_CASE("plastic: a base under a boundary, smooth by default, coloured
     CHECK(deep[1] == Approx(plain[1] * (1 - f) / (1 - 0.9F * f)).epsilon(0.01));
 }
 
+CONTEXT_TEST_CASE("glass: a pane that transmits a part, and a body that absorbs by its thickness") {
+    const auto glass = [&](const nicol_dielectric& parameters) {
+        return middle_of(context, Owned(make(nicol_material_create_dielectric, context, &parameters)));
+    };
+    nicol_dielectric pane = NICOL_DIELECTRIC_INIT;
+    pane.thin = 1;
+    CHECK(same(glass(pane), {1}, 1e-3));
+    pane.int_ior = 1.5F;
+    pane.ext_ior = 1;
+    pane.specular_transmittance = spectrum({0.25F, 0.5F});
+    // The view is 22.6 degrees from the normal, where the pane reflects 0.078 of unpolarized light.
+    CHECK(same(glass(pane), {0.078F + 0.25F * 0.922F, 0.078F + 0.5F * 0.922F}, 2e-3));
+
+    // The rectangle bounds a body without an end.
+    nicol_dielectric body = NICOL_DIELECTRIC_INIT;
+    body.int_ior = body.ext_ior = 1;
+    CHECK(same(glass(body), {1}, 1e-3));
+    body.absorption = spectrum({0, 1});
+    CHECK(same(glass(body), {1, 0}, 1e-3));
+}
+
 TEST_CASE("a measured material has the channels asked for") {
     const TemporaryFolder folder;
     const std::string path = folder.file("grey.pbsdf"), text = folder.write("text.pbsdf", "no table");

@@ -141,6 +141,21 @@ CONTEXT_TEST_CASE("materials that cannot be are refused") {
                  {"distribution", [](auto& p) { p.distribution = 2; }},
                  {"reserved", [](auto& p) { p.reserved = 1; }},
                  {"specular_reflectance", [](auto& p) { p.specular_reflectance = spectrum({1.5F}); }}});
+    check_wrong(nicol_dielectric NICOL_DIELECTRIC_INIT, creates(nicol_material_create_dielectric, context),
+                {{"thin", [](auto& p) { p.thin = 2; }},
+                 {"int_ior", [](auto& p) { p.int_ior = 0; }},
+                 {"ext_ior", [](auto& p) { p.ext_ior = INFINITY; }},
+                 {"specular_reflectance", [](auto& p) { p.specular_reflectance = spectrum({1.5F}); }},
+                 {"specular_transmittance", [](auto& p) { p.specular_transmittance = spectrum({-0.1F}); }},
+                 {"absorption", [](auto& p) { p.absorption = spectrum({-1}); }},
+                 {"alpha", [](auto& p) { p.alpha = 1.5F; }},
+                 {"distribution", [](auto& p) { p.distribution = 2; }},
+                 {"absorption.count", [](auto& p) { p.absorption.count = 17; }},
+                 {"absorption",
+                  [](auto& p) {
+                      p.absorption = spectrum({1, 2}), p.specular_reflectance = spectrum({1, 1, 1});
+                  }},
+                 {"specular_transmittance", [](auto& p) { p.thin = 1, p.absorption = spectrum({1}); }}});
 }
 
 CONTEXT_TEST_CASE("meshes that are none are refused") {

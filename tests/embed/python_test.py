@@ -393,6 +393,22 @@ class CallTest(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "shape"):
             nicol.texture_image(bytes(24))
 
+    def test_glass(self):
+        mesh, black = nicol.Mesh.create_rectangle(self.context), nicol.Material.create_diffuse(self.context, 0)
+        scene = nicol.Scene.create(self.context)
+        wall = scene.add_instance(nicol.Instance(mesh=mesh, material=black))
+        scene.set_emission(wall, nicol.Emission(radiance=1))
+        tinted = nicol.Dielectric(thin=1, int_ior=1, ext_ior=1, specular_transmittance=[0.5, 0.25, 1])
+        pane = nicol.Instance(mesh=mesh, material=nicol.Material.create_dielectric(self.context, tinted))
+        pane.to_world = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0.5, 0, 0, 0, 1]
+        scene.add_instance(pane)
+        with nicol.Framebuffer.create(self.context, 8, 8, scene.get_channels()) as framebuffer:
+            nicol.render(scene, camera(), None, framebuffer)
+            for channel, wanted in enumerate([0.5, 0.25, 1]):
+                self.assertAlmostEqual(float(framebuffer.plane(nicol.PLANE_S0, channel)[4, 4]), wanted, places=3)
+        with self.assertRaisesRegex(nicol.Error, "int_ior"):
+            nicol.Material.create_dielectric(self.context, nicol.Dielectric(int_ior=0))
+
     def test_mathematics(self):
         transform = nicol.PshTransform.create(nicol.PshSampling(order=3))
         rows, columns = transform.get_size()

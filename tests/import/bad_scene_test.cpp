@@ -91,10 +91,12 @@ TEST_CASE("plug-ins and elements that do not exist here, with what does") {
                 {":3: shape \"hair\"",
                  "obj, ply, off, stl, serialized, sphere, rectangle, cube, disk, cylinder, shapegroup, "
                  "instance, merge"});
-    unsupported("<bsdf type='principledthin'/>",
-                {":2: bsdf \"principledthin\"", "no light passes",
-                 "pplastic, plastic, roughplastic, diffuse, conductor, roughconductor, dielectric, "
-                 "thindielectric, roughdielectric, null, principled, measured_polarized, psh, twosided"});
+    unsupported(
+        "<bsdf type='hair'/>",
+        {":2: bsdf \"hair\"",
+         "pplastic, plastic, roughplastic, diffuse, conductor, roughconductor, dielectric, "
+         "thindielectric, roughdielectric, null, principled, principledthin, measured_polarized, psh, "
+         "twosided"});
     unsupported("<integrator type='bdpt'/>", {"integrator \"bdpt\"", "stokes, moment, aov, direct"});
     unsupported("<integrator type='stokes'><integrator type='prb'/></integrator>", {"\"prb\""});
     unsupported("<sensor type='batch'/>",

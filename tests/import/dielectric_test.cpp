@@ -126,14 +126,43 @@ TEST_CASE("light passes glass where it is to be reflected often, wherever the in
               SmoothBoundary::Behind::slab);
 }
 
+TEST_CASE("rough glass and what principled materials transmit") {
+    const auto boundary = [](const std::string& bsdf, const std::string& integrator = {}) {
+        const LoadedScene loaded = load_scene(SceneFile(::scene(shape_with(bsdf) + integrator)).scene(), {});
+        const SmoothBoundary* const found = loaded.scene.instances().front().material->smooth_boundary();
+        return found != nullptr ? *found : SmoothBoundary{.eta = 0};
+    };
+    const SmoothBoundary rough = boundary(
+        "<bsdf type='roughdielectric'><float name='alpha' value='0.3'/>"
+        "<string name='distribution' value='ggx'/><float name='specular_transmittance' value='0.5'/></bsdf>");
+    CHECK(rough.alpha == 0.3);
+    CHECK(rough.distribution == Distribution::ggx);
+    CHECK(rough.transmittance.front() == 0.5);
+    CHECK(rough.eta == doctest::Approx(1.5046 / 1.000277));
+    CHECK(boundary("<bsdf type='roughdielectric'/>").alpha == 0.1);
+    // A texture's mean transmits.
+    CHECK(boundary("<bsdf type='roughdielectric'><texture type='checkerboard' name='alpha'>"
+                   "<float name='color0' value='0.1'/><float name='color1' value='0.3'/></texture></bsdf>")
+              .alpha == doctest::Approx(0.2));
+
+    const std::string clear =
+        "<float name='spec_trans' value='0.5'/><float name='roughness' value='0.4'/>"
+        "<rgb name='base_color' value='0.25, 1, 0.16'/></bsdf>";
+    const SmoothBoundary body = boundary("<bsdf type='principled'>" + clear);
+    CHECK(body.behind == SmoothBoundary::Behind::body);
+    CHECK(body.alpha == doctest::Approx(0.16));
+    CHECK(body.reflectance == std::vector{0.5});
+    CHECK(body.transmittance[0] == doctest::Approx(0.25));
+    CHECK(body.transmittance[2] == doctest::Approx(0.2));
+    CHECK(boundary("<bsdf type='principled'>" + clear, once).eta == 0);
+    CHECK(boundary("<bsdf type='principled'/>").eta == 0);
+    const SmoothBoundary sheet = boundary("<bsdf type='principledthin'>" + clear);
+    CHECK(sheet.behind == SmoothBoundary::Behind::slab);
+    CHECK(sheet.transmittance[0] == doctest::Approx(0.125));
+    CHECK(sheet.eta == 1.5);
+}
+
 TEST_CASE("glass that no method follows is refused") {
-    const std::string often = "<integrator type='path'/>\n";
-    const std::string rough = "\n<bsdf type='roughdielectric'/>";
-    const std::vector<std::string> parts = {"bsdf \"roughdielectric\"", "lets light through", "max_depth 2"};
-    refused(shape_with(rough) + often, ErrorCode::unsupported, 5, parts);
-    refused(often + shape_with(rough), ErrorCode::unsupported, 6, parts);
-    refused(shape_with(rough), ErrorCode::unsupported, 5, parts);
-    refused(once + "<bsdf type='principledthin'/>", ErrorCode::unsupported, 3, {"no light passes through"});
     refused("<bsdf type='thindielectric'><texture type='checkerboard' name='specular_transmittance'/></bsdf>",
             ErrorCode::unsupported, 2, {"specular_transmittance", "constant colours"});
 }

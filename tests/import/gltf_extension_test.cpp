@@ -3,6 +3,7 @@
 #include "image/color.hpp"
 #include "import/described_material.hpp"
 #include "import/textured_gltf_file.hpp"
+#include "material/dielectric.hpp"
 
 using namespace nicol;
 
@@ -65,6 +66,46 @@ TEST_CASE("unlit glTF is black and emits its base colour, flat, with one notice"
         CHECK(instance.emission->radiance == std::vector{0.5, 0.25, 0.125});
         CHECK(instance.emission->two_sided == c.two_sided);
     }
+}
+
+TEST_CASE("light passes glTF's transmission: a sheet, or a body with an index and Beer's absorption") {
+    const auto made = [](const std::string& pbr, const std::string& transmission, const std::string& volume) {
+        const std::string members = "\"doubleSided\":true,\"pbrMetallicRoughness\":{" + pbr +
+                                    "},\"extensions\":{\"KHR_materials_ior\":{\"ior\":1.4},"
+                                    "\"KHR_materials_transmission\":{" +
+                                    transmission + "},\"KHR_materials_volume\":{" + volume + "}}";
+        const GltfFile file(triangle_buffer(), with_material(members, ""));
+        CHECK(read_gltf_scene(file.scene()).notices.empty());
+        return load_scene(file.scene(), {}).scene.instances().at(0).material;
+    };
+    const std::string color = "\"baseColorFactor\":[0.25,1,0.16,1],\"metallicFactor\":0,\"roughnessFactor\":";
+    const std::string all = "\"transmissionFactor\":1";
+
+    const MaterialPtr sheet = made(color + "0", all, "");
+    REQUIRE(sheet->smooth_boundary() != nullptr);
+    CHECK(sheet->smooth_boundary()->behind == SmoothBoundary::Behind::slab);
+    CHECK(sheet->smooth_boundary()->alpha == 0);
+    CHECK(sheet->smooth_boundary()->eta == doctest::Approx(1.4));
+    CHECK(sheet->smooth_boundary()->transmittance[0] == doctest::Approx(0.25));
+
+    const MaterialPtr body = made(color + "0.5", "\"transmissionFactor\":0.5",
+                                  "\"thicknessFactor\":1,\"attenuationDistance\":2,"
+                                  "\"attenuationColor\":[0.5,1,0]");
+    REQUIRE(body->smooth_boundary() != nullptr);
+    const SmoothBoundary& boundary = *body->smooth_boundary();
+    CHECK(boundary.behind == SmoothBoundary::Behind::body);
+    CHECK(boundary.alpha == doctest::Approx(0.25));
+    CHECK(boundary.transmittance[2] == doctest::Approx(0.5 * 0.4));
+    CHECK(boundary.absorption[0] == doctest::Approx(std::log(2) / 2));
+    CHECK(boundary.absorption[1] == 0);
+    CHECK(boundary.absorption[2] > 2);
+    // Half of the base's light passes.
+    const MaterialPtr opaque = made(color + "0.5", "\"transmissionFactor\":0", "");
+    CHECK(opaque->smooth_boundary() == nullptr);
+    const glm::dvec3 whole = reflected(*opaque), half = reflected(*body);
+    CHECK(whole.y - half.y == doctest::Approx(4 * (whole.x - half.x)).epsilon(1e-3));
+    CHECK(whole.y - half.y > 0.3);
+    CHECK(made("\"metallicFactor\":1", all, "")->smooth_boundary() == nullptr);
 }
 
 TEST_CASE("unlit glTF emits its texture, without normals and colours of vertices") {

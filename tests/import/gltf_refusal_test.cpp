@@ -51,8 +51,12 @@ TEST_CASE("what is read of glTF and not followed is one notice for each kind") {
                   "textures are left out of primitives that lack the texture coordinates"},
              Case{with_material("\"occlusionTexture\":{\"index\":0}") + texture, "occlusion textures"},
              Case{with_material("\"emissiveFactor\":[1,0,0]"), "emit light"},
-             Case{with_material("\"extensions\":{\"KHR_materials_transmission\":{}}"),
-                  "KHR_materials_transmission is not followed"},
+             Case{with_material("\"extensions\":{\"KHR_materials_transmission\":{\"transmissionFactor\":1,"
+                                "\"transmissionTexture\":{\"index\":0}}}") +
+                      texture,
+                  "KHR_materials_transmission with a texture is not followed"},
+             Case{with_material("\"extensions\":{\"KHR_materials_sheen\":{}}"),
+                  "KHR_materials_sheen is not followed"},
              Case{one_mesh(",\"targets\":[{\"POSITION\":0}]") + a_node, "morph targets"},
              Case{one_mesh() + ",\"nodes\":[{\"mesh\":0,\"skin\":0}],\"skins\":[{\"joints\":[0]}]", "skins"},
              Case{one_mesh() + a_node + ",\"animations\":[{\"channels\":[],\"samplers\":[]}]", "animations"},

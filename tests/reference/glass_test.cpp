@@ -241,6 +241,39 @@ TEST_CASE("colours of glass multiply what it reflects and transmits") {
     CHECK(ours[2][0] == doctest::Approx(r).epsilon(0.05));
 }
 
+TEST_CASE("a body absorbs light by the length of its path inside, also of lights inside") {
+    const std::vector<double> absorption{0.5, 2, 0};
+    Camera camera;
+    camera.to_world = look_at({0, 0, 4}, {0, 0, 0}, {0, 1, 0});
+    camera.fov = 1e-3;
+    const auto through = [&](double lamp_at) {
+        Scene scene;
+        scene.add({.mesh = std::make_shared<const Mesh>(make_cube(1)),
+                   .material = dielectric({.int_ior = 1, .ext_ior = 1, .absorption = absorption})});
+        scene.add(shining(square(diffuse({0, 0, 0}), Frame(1.0), {0, 0, lamp_at}, 0.5)));
+        return render(scene, camera, 1, 1, {.samples = 16, .max_depth = kUnlimitedDepth});
+    };
+    // The cube extends from z = -1 to 1.
+    for (const auto& [lamp_at, length] : {std::pair{-1.5, 2.0}, {-0.25, 1.25}}) {
+        const StokesImage ours = through(lamp_at);
+        for (int c = 0; c < 3; ++c)
+            CHECK(ours.stokes(c, 0, 0)[0] ==
+                  doctest::Approx(std::exp(-absorption[static_cast<std::size_t>(c)] * length)).epsilon(1e-5));
+    }
+
+    // A floor inside the body reflects a lamp inside, so the light is absorbed twice.
+    Scene scene;
+    scene.add({.mesh = std::make_shared<const Mesh>(make_cube(1)),
+               .material = dielectric({.int_ior = 1, .ext_ior = 1, .absorption = absorption})});
+    scene.add(square(diffuse({1, 1, 1}), Frame(1.0), {0, 0, -0.5}, 0.5));
+    scene.add_light({.kind = LocalLight::Kind::point, .value = {1}, .to_world = glm::dmat4(1.0)});
+    const StokesImage ours = render(scene, camera, 1, 1, {.samples = 16, .max_depth = 4});
+    for (int c = 0; c < 3; ++c)
+        CHECK(ours.stokes(c, 0, 0)[0] ==
+              doctest::Approx(std::exp(-2 * absorption[static_cast<std::size_t>(c)]) / (pi * 0.25))
+                  .epsilon(1e-5));
+}
+
 TEST_CASE("light through glass counts once on a path, by every strategy") {
     Scene scene;
     scene.add(square(diffuse({0.7}), Frame(1.0), {0, 0, -1}, 3));
@@ -269,6 +302,12 @@ TEST_CASE("glass is refused where a texture varies it, and with parameters out o
     check_error(ErrorCode::invalid_argument, CALL(twosided(glass())), "twosided", "use it alone");
     check_error(ErrorCode::invalid_argument, CALL(glass(0)), "int_ior");
     check_error(ErrorCode::invalid_argument, CALL(dielectric({.specular_transmittance = {1.5}})),
+                "specular_transmittance");
+    check_error(ErrorCode::invalid_argument, CALL(dielectric({.absorption = {-1}})), "absorption");
+    check_error(ErrorCode::invalid_argument,
+                CALL(dielectric({.specular_transmittance = {1, 1}, .absorption = {1, 1, 1}})), "absorption",
+                "specular_transmittance");
+    check_error(ErrorCode::invalid_argument, CALL(thin_dielectric({.absorption = {1}})), "absorption",
                 "specular_transmittance");
     check_error(ErrorCode::unsupported, CALL(dielectric({.specular_reflectance = {half}})),
                 "specular_reflectance", "constant colour");

@@ -141,6 +141,91 @@ IMAGE_TEST_CASE("glass of the index of its surroundings changes nothing") {
     }
 }
 
+IMAGE_TEST_CASE("a body absorbs light by the length of its path inside, a surface inside included") {
+    test::Studio studio(context, 8, 8);
+    const std::vector<double> absorption{0.5, 2, 0};
+    // The cube extends from z = -1 to 1.
+    for (const auto& [wall_at, length] : {std::pair{-3.0, 2.0}, {-0.25, 1.25}}) {
+        Scene scene;
+        scene.add({.mesh = test::rectangle(1),
+                   .material = diffuse({0, 0, 0}),
+                   .to_world = test::at(0, 0, wall_at, 0.5),
+                   .emission = std::make_shared<const Emission>(Emission{.radiance = {1}})});
+        scene.add({.mesh = std::make_shared<const Mesh>(make_cube(1)),
+                   .material = dielectric({.int_ior = 1, .ext_ior = 1, .absorption = absorption})});
+        const StokesImage image = studio(scene, kPixels, narrow_camera({0, 0, 9}));
+        for (int c = 0; c < 3; ++c)
+            CHECK(static_cast<double>(image.stokes(c, 4, 4)[0]) ==
+                  doctest::Approx(std::exp(-absorption[static_cast<std::size_t>(c)] * length)).epsilon(1e-4));
+    }
+}
+
+IMAGE_TEST_CASE("max_depth says how often light passes glass, as by rays") {
+    test::Studio studio(context, 8, 8);
+    Scene scene;
+    add_wall(scene);
+    for (int i = 0; i < 3; ++i)
+        scene.add({.mesh = test::rectangle(1),
+                   .material = thin_dielectric(glass_of(1.5)),
+                   .to_world = test::at(0, 0, i, 2)});
+    const double reflected = 2 * 0.04 / 1.04;
+    // Light that is reflected to and fro has two events more.
+    const double once = std::pow(1 - reflected, 3);
+    for (const auto& [max_depth, wanted] : {std::pair{3, 0.0}, {4, once}, {5, once}}) {
+        CAPTURE(max_depth);
+        RenderOptions options = kPixels;
+        options.max_depth = max_depth;
+        const double found = mean_of(studio(scene, options, narrow_camera({0, 0, 9})))[0];
+        CHECK(found == doctest::Approx(wanted).epsilon(1e-3));
+        options = {.method = Method::reference, .samples = 1024, .max_depth = max_depth};
+        CHECK(mean_of(studio(scene, options, narrow_camera({0, 0, 9})))[0] ==
+              doctest::Approx(wanted).epsilon(5e-3));
+    }
+    RenderOptions direct = kPixels;
+    const double many = mean_of(studio(scene, direct, narrow_camera({0, 0, 9})))[0];
+    CHECK(many == doctest::Approx((1 - 0.04) / (1 + 5 * 0.04)).epsilon(2e-3));
+}
+
+IMAGE_TEST_CASE("rough glass shows its surroundings as by rays, and what facets of panes transmit") {
+    test::Studio studio(context, 32, 24);
+    const auto squares = test::texture_of(
+        [](const TexturePoint& at) { return glm::vec4((at.uv.x < 0.5F) == (at.uv.y < 0.5F) ? 0.8F : 0.2F); },
+        1);
+    Camera camera = test::camera_at({1, 1.5, 5});
+    camera.fov = 36;
+    for (const MaterialPtr& material :
+         {dielectric({.int_ior = 1.5, .ext_ior = 1, .absorption = {0.3}, .alpha = 0.2}),
+          thin_dielectric({.int_ior = 1.5, .ext_ior = 1, .alpha = 0.3, .distribution = Distribution::ggx})}) {
+        CAPTURE(material->content_key());
+        Scene scene;
+        scene.set_environment(rayleigh_sky({.sun_direction = {1, 1, 1}, .radiance = {1}}), glm::dmat3(1), 1);
+        scene.add({.mesh = test::fine_sphere(), .material = material});
+        scene.add({.mesh = test::with_texcoords(make_rectangle(12)),
+                   .material = diffuse({squares}),
+                   .to_world = test::plate_at(-1.2, 3)});
+        RenderOptions options = kPixels;
+        options.order_low = 6;
+        options.order_high = 16;
+        options.pixel_samples = 64;
+        const StokesImage ours = studio(scene, options, camera);
+        const StokesImage rays =
+            studio(scene, {.method = Method::reference, .samples = 1024, .max_depth = 8}, camera);
+        for (std::size_t p = 0; p < 3; ++p) {
+            CAPTURE(p);
+            double error = 0, power = 0, polarized = 0;
+            for (std::size_t i = 0; i < rays.data.size(); i += 4) {
+                error += std::pow(static_cast<double>(ours.data[i + p] - rays.data[i + p]), 2);
+                power += std::pow(static_cast<double>(rays.data[i]), 2);
+                polarized += std::pow(static_cast<double>(rays.data[i + p]), 2);
+            }
+            CAPTURE(std::sqrt(error / power));
+            CHECK(std::sqrt(polarized / power) > 0.05);
+            // The reference's floor is darker below the ball, which casts no shadow by the factored method.
+            CHECK(std::sqrt(error / power) < (p == 0 ? 0.08 : 0.03));
+        }
+    }
+}
+
 IMAGE_TEST_CASE("spheres of glass and mirrors show their surroundings as by rays") {
     test::Studio studio(context, 48, 36);
     const auto squares = test::texture_of(

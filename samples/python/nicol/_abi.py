@@ -356,8 +356,9 @@ class Plastic(Struct):
 
 
 class Principled(Struct):
-    """Disney's material as Mitsuba 3's principled, without the light that it transmits. The material depolarizes.
-    Only the front side reflects. Numbers are 0 to 1, default 0, unless stated otherwise."""
+    """Disney's material as Mitsuba 3's principled. What it reflects is unpolarized. Light that passes the surface
+    (spec_trans above 0) is followed as that of a rough nicol_dielectric. Only the front side reflects. Numbers
+    are 0 to 1, default 0, unless stated otherwise."""
     _fields_ = [
         ("struct_size", c_uint32),
         ("eta", c_float),
@@ -408,6 +409,28 @@ class Conductor(Struct):
         ("alpha_v", c_float),
         ("alpha_u_texture", c_void_p),
         ("alpha_v_texture", c_void_p),
+    ]
+
+
+class Dielectric(Struct):
+    """Glass as Mitsuba 3's dielectric, roughdielectric and thindielectric: a boundary that reflects and transmits
+    light, polarized as Fresnel's formulas say. The factored method follows light through it by rays at pixels,
+    the reference method by its paths; max_depth of nicol_render_options limits how often. By the factored
+    method the light of lamps passes glass straight on to other surfaces, dimmed in each channel as unpolarized
+    light is; the light of the environment is not dimmed, and nothing is focused. The dense method and shading
+    at vertices return NICOL_ERROR_UNSUPPORTED. The surface of a body must be closed, its normals pointing
+    outwards, and bodies must not overlap."""
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("thin", c_uint32),
+        ("int_ior", c_float),
+        ("ext_ior", c_float),
+        ("specular_reflectance", Spectrum),
+        ("specular_transmittance", Spectrum),
+        ("absorption", Spectrum),
+        ("alpha", c_float),
+        ("distribution", c_uint32),
+        ("alpha_texture", c_void_p),
     ]
 
 
@@ -1046,6 +1069,14 @@ class Material(Handle):
         is out of range or, for an unknown metal, the known metals."""
         material = cls()
         check(_material_create_conductor(context, byref(parameters) if parameters is not None else None, byref(material)))
+        return material
+
+    @classmethod
+    def create_dielectric(cls, context, parameters):
+        """Creates a material from nicol_dielectric. The message of NICOL_ERROR_INVALID_ARGUMENT names the field that
+        is out of range."""
+        material = cls()
+        check(_material_create_dielectric(context, byref(parameters) if parameters is not None else None, byref(material)))
         return material
 
     @classmethod
@@ -1919,6 +1950,8 @@ _material_create_principled = declare("nicol_material_create_principled", c_int3
 _material_create_diffuse = declare("nicol_material_create_diffuse", c_int32, Context, POINTER(Spectrum), POINTER(Material))
 Conductor._init = declare("nicol_conductor_init", c_int32, POINTER(Conductor), c_uint32)
 _material_create_conductor = declare("nicol_material_create_conductor", c_int32, Context, POINTER(Conductor), POINTER(Material))
+Dielectric._init = declare("nicol_dielectric_init", c_int32, POINTER(Dielectric), c_uint32)
+_material_create_dielectric = declare("nicol_material_create_dielectric", c_int32, Context, POINTER(Dielectric), POINTER(Material))
 Measured._init = declare("nicol_measured_init", c_int32, POINTER(Measured), c_uint32)
 _material_load_measured = declare("nicol_material_load_measured", c_int32, Context, c_char_p, POINTER(Measured), POINTER(Material))
 PshMatrix._init = declare("nicol_psh_matrix_init", c_int32, POINTER(PshMatrix), c_uint32)
@@ -2087,6 +2120,7 @@ __all__ = [
     "DISTRIBUTION_BECKMANN",
     "DISTRIBUTION_GGX",
     "DeviceInfo",
+    "Dielectric",
     "ENCODING_LINEAR",
     "ENCODING_SRGB",
     "ERROR_BUSY",

@@ -582,8 +582,9 @@ const _: () = {
     assert!(offset_of!(nicol_plastic, alpha_texture) == 176);
 };
 
-/// Disney's material as Mitsuba 3's principled, without the light that it transmits. The material depolarizes.
-/// Only the front side reflects. Numbers are 0 to 1, default 0, unless stated otherwise.
+/// Disney's material as Mitsuba 3's principled. What it reflects is unpolarized. Light that passes the surface
+/// (spec_trans above 0) is followed as that of a rough nicol_dielectric. Only the front side reflects. Numbers
+/// are 0 to 1, default 0, unless stated otherwise.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct nicol_principled {
@@ -684,6 +685,42 @@ const _: () = {
     assert!(offset_of!(nicol_conductor, alpha_v) == 316);
     assert!(offset_of!(nicol_conductor, alpha_u_texture) == 320);
     assert!(offset_of!(nicol_conductor, alpha_v_texture) == 328);
+};
+
+/// Glass as Mitsuba 3's dielectric, roughdielectric and thindielectric: a boundary that reflects and transmits
+/// light, polarized as Fresnel's formulas say. The factored method follows light through it by rays at pixels,
+/// the reference method by its paths; max_depth of nicol_render_options limits how often. By the factored
+/// method the light of lamps passes glass straight on to other surfaces, dimmed in each channel as unpolarized
+/// light is; the light of the environment is not dimmed, and nothing is focused. The dense method and shading
+/// at vertices return NICOL_ERROR_UNSUPPORTED. The surface of a body must be closed, its normals pointing
+/// outwards, and bodies must not overlap.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct nicol_dielectric {
+    pub struct_size: u32,
+    pub thin: u32,
+    pub int_ior: f32,
+    pub ext_ior: f32,
+    pub specular_reflectance: nicol_spectrum,
+    pub specular_transmittance: nicol_spectrum,
+    pub absorption: nicol_spectrum,
+    pub alpha: f32,
+    pub distribution: nicol_distribution,
+    pub alpha_texture: nicol_texture,
+}
+defaults!(nicol_dielectric, nicol_dielectric_init);
+const _: () = {
+    assert!(size_of::<nicol_dielectric>() == 240);
+    assert!(offset_of!(nicol_dielectric, struct_size) == 0);
+    assert!(offset_of!(nicol_dielectric, thin) == 4);
+    assert!(offset_of!(nicol_dielectric, int_ior) == 8);
+    assert!(offset_of!(nicol_dielectric, ext_ior) == 12);
+    assert!(offset_of!(nicol_dielectric, specular_reflectance) == 16);
+    assert!(offset_of!(nicol_dielectric, specular_transmittance) == 84);
+    assert!(offset_of!(nicol_dielectric, absorption) == 152);
+    assert!(offset_of!(nicol_dielectric, alpha) == 220);
+    assert!(offset_of!(nicol_dielectric, distribution) == 224);
+    assert!(offset_of!(nicol_dielectric, alpha_texture) == 232);
 };
 pub type nicol_wavelength_sampling = u32;
 
@@ -1614,6 +1651,10 @@ extern "C" {
     /// Creates a material from nicol_conductor. The message of NICOL_ERROR_INVALID_ARGUMENT names the field that
     /// is out of range or, for an unknown metal, the known metals.
     pub fn nicol_material_create_conductor(context: nicol_context, parameters: *const nicol_conductor, material: *mut nicol_material) -> nicol_result;
+    pub fn nicol_dielectric_init(descriptor: *mut nicol_dielectric, struct_size: u32) -> nicol_result;
+    /// Creates a material from nicol_dielectric. The message of NICOL_ERROR_INVALID_ARGUMENT names the field that
+    /// is out of range.
+    pub fn nicol_material_create_dielectric(context: nicol_context, parameters: *const nicol_dielectric, material: *mut nicol_material) -> nicol_result;
     pub fn nicol_measured_init(descriptor: *mut nicol_measured, struct_size: u32) -> nicol_result;
     /// Loads a material as Mitsuba 3's measured_polarized from a .pbsdf file, such as the KAIST data set has. The
     /// file is streamed: about 102 MB per channel stay in memory at the data set's resolution, or half as much if

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Rays at pixels that show smooth surfaces, on threads.
+// Rays at pixels that show smooth surfaces or glass, on threads.
 #pragma once
 
 #include <array>
@@ -12,21 +12,22 @@
 
 #include "devices/cpu/surface_shading.hpp"
 #include "geometry/ray_scene.hpp"
+#include "shading/boundary_split.hpp"
 #include "shading/ray_spread.hpp"
 
 namespace nicol {
 
 /// Chains of mirrored and refracted rays. A chain begins at each sample of a pixel that shows a smooth
-/// surface. It ends at surfaces that are not smooth, whose light SurfaceShading computes, and at the
-/// environment, which is looked up in its image. A Mueller matrix for each event takes the light to the
-/// camera. Calls for different pixels may run in parallel.
+/// surface or a rough boundary. It ends at surfaces that are not smooth, whose light SurfaceShading computes,
+/// and at the environment, which is looked up in its image. A Mueller matrix for each event takes the light
+/// to the camera. Calls for different pixels may run in parallel.
 class SmoothChains {
 public:
-    /// Largest number of reflections and refractions in a chain. Light of longer chains is left out.
-    static constexpr int kMostEvents = 8;
     /// A chain has both branches of an event if each carries at least this fraction of its sample's light;
     /// otherwise one of them, chosen at random by the light that it carries.
     static constexpr double kBothCarry = 0.01;
+    /// Number of facets that a chain follows at its first rough boundary. At later ones it follows one.
+    static constexpr int kFacetSamples = 4;
 
     /// Keeps a reference. The input must have smooth surfaces.
     explicit SmoothChains(const SurfaceShading& surfaces);
@@ -46,19 +47,34 @@ private:
         Way way;
         Ray ray;
         RaySpread spread;
+        double blur;     ///< variance of the directions that this chain stands for among those of facets
         Frame received;  ///< frame of the light that travels against the ray
         double carried;  ///< fraction of the sample's light
         int events;      ///< number of events so far
         bool lit;        ///< whether the surfaces before have reflected the lights on the ray already
+        bool scattered;  ///< whether a rough boundary has scattered the chain
+        const SmoothBoundary* body;  ///< body that the ray travels through; null: none
         std::uint32_t seed;
     };
     struct Place;
     struct Ends;
+    /// What a boundary makes of a chain.
+    struct Event {
+        const SmoothBoundary& boundary;
+        const BoundarySplit& split;
+        bool reflects;       ///< whether the chain goes on with the reflected part
+        double probability;  ///< of this choice, times the number of chains that the event starts
+    };
 
     [[nodiscard]] Chain first_chain(std::size_t pixel, std::size_t sample, Ends& ends) const;
+    /// Multiplies a chain by what the body around its ray transmits over a distance.
+    void absorb(Chain& chain, double distance, Ends& ends) const;
     /// Traces a chain's ray. Adds the chains that go on to `rest`.
-    void follow(const Chain& chain, std::vector<Chain>& rest, Ends& ends) const;
+    void follow(Chain chain, std::vector<Chain>& rest, Ends& ends) const;
     void pass(const Chain& chain, const Place& place, std::vector<Chain>& rest, Ends& ends) const;
+    void scatter(const Chain& chain, const Place& place, std::vector<Chain>& rest, Ends& ends) const;
+    void go_on(const Chain& chain, const Place& place, const Event& event, std::vector<Chain>& rest,
+               Ends& ends) const;
     void mirror(const Chain& chain, const Place& place, std::vector<Chain>& rest, Ends& ends) const;
     void add_surfaces(Ends& ends, std::span<const std::span<glm::vec4>> out, PointCounts& counts) const;
     void add_sky(const Ends& ends, std::span<const std::span<glm::vec4>> out) const;
@@ -72,6 +88,35 @@ private:
     const SurfaceShading& surfaces_;
     const PixelInput& input_;
     glm::vec4 wanted_;  // 1 for the image's components, else 0
+};
+
+// Point of a surface where an event happens.
+struct SmoothChains::Place {
+    SurfacePoint point;
+    glm::vec3 weights;  // barycentric
+    glm::dvec3 position;
+    glm::dvec3 facet;   // unit normal of the triangle, towards its front
+    glm::dvec3 normal;  // unit shading normal
+    double offset;      // distance between the surface and the start of rays that leave it
+    double distance;    // along the ray
+};
+
+// Ends of chains.
+struct SmoothChains::Ends {
+    struct Surface {
+        RayPoint point;
+        Way way;
+    };
+    struct Sky {
+        glm::vec3 direction, x;  // in the light's axes
+        float variance;          // of the direction within the sample
+        Way way;
+    };
+    std::vector<Surface> surfaces;
+    std::vector<Sky> sky;
+    std::vector<glm::mat4> matrices;  // into the camera's frames, by channels
+    std::uint64_t rays = 0;
+    std::size_t range = 0;  // of the previous point
 };
 
 }  // namespace nicol
