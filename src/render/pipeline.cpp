@@ -79,15 +79,17 @@ void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderO
     const glm::dmat3 light_to_geometry =
         glm::transpose(glm::dmat3(surfaces_.to_world())) * scene.light_rotation();
     light_.update(split_.rest(), scene.light_scale(), options, least, light_to_geometry, run.statistics);
-    // Where the bake found that nothing is occluded, local lights need no shadow rays either.
+    // Where the bake, which knows no glass, found that nothing is occluded, local lights need no shadow rays
+    // either.
     RenderOptions lighting = options;
-    if ((scene.distant_light() != nullptr || bouncing) && surfaces.visibility == nullptr)
+    if ((scene.distant_light() != nullptr || bouncing) && surfaces.visibility == nullptr &&
+        !scene.transmits())
         lighting.shadows = false;
     if (follows_rays) smooth_.update(visibility_.surfaces());
     local_lights_.update(
         scene, {split_.extracted_lights(), scene.distant_light(), split_.rest(), sampled, light_to_geometry},
-        visibility_.surfaces(), rays, follows_rays && options.shadows ? smooth_.before_mirrors() : nullptr,
-        lighting, run.statistics);
+        visibility_.surfaces(), rays, follows_rays && options.shadows ? &smooth_ : nullptr, lighting,
+        run.statistics);
     rays.release();
     pixels_ = shades_pixels(scene, projection, light_to_geometry, options, executor, run.statistics);
     const TransferInput input{

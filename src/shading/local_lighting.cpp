@@ -88,7 +88,7 @@ bool has_terms(const Material& material, bool smooth) {
 class LitBatch {
 public:
     LitBatch(const Views& views, const LitPoints& points, const LitMaterial& material, const RayScene* rays,
-             const RayScene* before_mirrors, std::span<std::array<Lanes, 4>> sums)
+             const LocalLighting::Lights& lights, std::span<std::array<Lanes, 4>> sums)
         : positions_(in_lanes(points.positions)),
           origins_(points.origins.empty() ? positions_ : in_lanes(points.origins)),
           facets_(points.facets.empty() ? LaneVectors() : in_lanes(points.facets)),
@@ -98,9 +98,11 @@ public:
           all_((1U << points.positions.size()) - 1) {
         reflected_.set(views, points.positions, points.normals, points.tangents);
         set_pixels(points.mirrored);
-        if (rays != nullptr && points.shadowed) shadows_.emplace(*rays, positions_, origins_);
-        if (before_mirrors != nullptr && any_layer_has(true))
-            before_mirrors_.emplace(*before_mirrors, positions_, origins_);
+        // The bake, which says what is shadowed, knows no glass.
+        if (rays != nullptr && (points.shadowed || lights.glass != nullptr))
+            shadows_.emplace(*rays, lights.glass.get(), positions_, origins_);
+        if (lights.before_mirrors != nullptr && any_layer_has(true))
+            before_mirrors_.emplace(*lights.before_mirrors, nullptr, positions_, origins_);
     }
 
     // Prepares add_source().
@@ -374,7 +376,7 @@ LightingTally LocalLighting::add(const Views& views, const LitPoints& points, co
     const SampledTerms sampled = environment != nullptr ? environment->sampled() : SampledTerms::none;
     thread_local std::vector<std::array<Lanes, 4>> sums;
     sums.assign(out.size(), {});
-    LitBatch batch(views, points, material, rays_, lights_.before_mirrors.get(), sums);
+    LitBatch batch(views, points, material, rays_, lights_, sums);
     if (lights_.any_source() && batch.any_layer_has(false)) {  // light samples have no effect otherwise
         batch.find_places();
         std::uint32_t index = 0;

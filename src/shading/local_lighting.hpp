@@ -16,6 +16,7 @@
 #include "material/layer_weights.hpp"
 #include "material/material.hpp"
 #include "polarization/views.hpp"
+#include "shading/glass_shadows.hpp"
 #include "shading/light_source.hpp"
 #include "shading/pixel_places.hpp"
 #include "shading/reflected_nodes.hpp"
@@ -74,6 +75,7 @@ public:
         std::optional<SampledEnvironment> environment;  ///< distant light of sampled terms
         /// Surfaces that hide light from mirrors; null: those that cast shadows.
         std::shared_ptr<const RayScene> before_mirrors;
+        std::shared_ptr<const GlassShadows> glass;  ///< glass that light passes; null: none
 
         [[nodiscard]] bool any_source() const noexcept { return !local.empty() || !extracted.empty(); }
     };

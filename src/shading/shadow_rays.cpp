@@ -6,8 +6,9 @@
 
 namespace nicol {
 
-ShadowRays::ShadowRays(const RayScene& scene, const LaneVectors& points, const LaneVectors& origins)
-    : scene_(scene) {
+ShadowRays::ShadowRays(const RayScene& scene, const GlassShadows* glass, const LaneVectors& points,
+                       const LaneVectors& origins)
+    : scene_(scene), glass_(glass) {
     for (std::size_t i = 0; i < kLanes; ++i) {
         lifts_.x[i] = origins.x[i] - points.x[i];
         lifts_.y[i] = origins.y[i] - points.y[i];
@@ -18,7 +19,7 @@ ShadowRays::ShadowRays(const RayScene& scene, const LaneVectors& points, const L
     packet_.origin_z = origins.z.value;
 }
 
-std::uint32_t ShadowRays::visible(const LaneLight& light, std::uint32_t points) {
+std::uint32_t ShadowRays::visible(LaneLight& light, std::uint32_t points) {
     for (std::size_t i = 0; i < kLanes; ++i) {
         const float nearness = 1 / light.distance[i];  // 0 for distant lights
         const float x = light.towards.x[i] - nearness * lifts_.x[i];
@@ -30,7 +31,9 @@ std::uint32_t ShadowRays::visible(const LaneLight& light, std::uint32_t points) 
         packet_.direction_z[i] = z / length;
         packet_.farthest[i] = light.distance[i] * length;
     }
-    return traced(points);
+    const std::uint32_t visible = traced(points);
+    if (glass_ != nullptr && visible != 0) glass_->dim(packet_, visible, light);
+    return visible;
 }
 
 std::uint32_t ShadowRays::visible_from_origins(const LaneLight& light, std::uint32_t points) {
@@ -46,9 +49,9 @@ std::uint32_t ShadowRays::traced(std::uint32_t points) {
     return points & ~std::uint32_t{scene_.occluded(packet_, static_cast<std::uint16_t>(points))};
 }
 
-std::uint32_t LightShadows::reached(const LaneLight& light, std::uint32_t points) {
+std::uint32_t LightShadows::reached(LaneLight& light, std::uint32_t points) {
     if (rays_ == nullptr || points == 0) return points;
-    if (traced_ >= probes_ && seen_ != hidden_) return seen_ ? points : 0;
+    if (traced_ >= probes_ && seen_ != hidden_ && !rays_->through_glass()) return seen_ ? points : 0;
     ++traced_;
     const std::uint32_t visible = rays_->visible(light, points);
     seen_ = seen_ || visible != 0;

@@ -6,6 +6,7 @@
 
 #include "geometry/ray_scene.hpp"
 #include "light/lane_light.hpp"
+#include "shading/glass_shadows.hpp"
 
 namespace nicol {
 
@@ -13,13 +14,18 @@ namespace nicol {
 /// occlude them.
 class ShadowRays {
 public:
-    /// Keeps a reference to the scene.
-    ShadowRays(const RayScene& scene, const LaneVectors& points, const LaneVectors& origins);
+    /// Keeps references. glass: glass that the scene does not contain, null for none.
+    ShadowRays(const RayScene& scene, const GlassShadows* glass, const LaneVectors& points,
+               const LaneVectors& origins);
 
-    /// Returns the bits of `points` whose light sample, as seen from the points, is not occluded. Rays end at
-    /// the samples: parallel to the light's direction they would pass through a light that is close.
-    [[nodiscard]] std::uint32_t visible(const LaneLight& light, std::uint32_t points);
-    /// Returns the same of light that was found from the origins.
+    /// Returns whether glass may dim light.
+    [[nodiscard]] bool through_glass() const noexcept { return glass_ != nullptr; }
+
+    /// Returns the bits of `points` whose light sample, as seen from the points, is not occluded, and dims
+    /// the light that passes glass. Rays end at the samples: parallel to the light's direction they would
+    /// pass through a light that is close.
+    [[nodiscard]] std::uint32_t visible(LaneLight& light, std::uint32_t points);
+    /// Returns the same bits of light that was found from the origins, and dims nothing.
     [[nodiscard]] std::uint32_t visible_from_origins(const LaneLight& light, std::uint32_t points);
 
     /// Returns the number of rays.
@@ -31,19 +37,20 @@ private:
     RayPacket packet_;
     LaneVectors lifts_;  // from the points to the rays' origins
     const RayScene& scene_;
+    const GlassShadows* glass_;
     std::uint64_t count_ = 0;
 };
 
 /// Shadows of one light or lobe with few rays: if the first few samples are visible from all points, or
-/// hidden from all points, the other samples are assumed to be so too.
+/// hidden from all points, the other samples are assumed to be so too, unless glass may dim them.
 class LightShadows {
 public:
     /// rays: null if nothing casts shadows. probes: number of those first samples; samples that light no
     /// point do not count.
     LightShadows(ShadowRays* rays, std::uint32_t probes) : rays_(rays), probes_(probes) {}
 
-    /// Returns the bits of `points` that the next light sample reaches.
-    [[nodiscard]] std::uint32_t reached(const LaneLight& light, std::uint32_t points);
+    /// Returns the bits of `points` that the next light sample reaches, and dims the light that passes glass.
+    [[nodiscard]] std::uint32_t reached(LaneLight& light, std::uint32_t points);
 
 private:
     ShadowRays* rays_;

@@ -32,8 +32,8 @@ EmissiveSurface emissive_surface(const Instance& instance, std::uint32_t id, con
 }  // namespace
 
 void LocalLights::update(const Scene& scene, const DistantLight& distant, const RefinedSurfaces& surfaces,
-                         SurfaceRays& rays, const std::shared_ptr<const RayScene>& before_mirrors,
-                         const RenderOptions& options, Statistics& statistics) {
+                         SurfaceRays& rays, const SmoothSurfaces* smooth, const RenderOptions& options,
+                         Statistics& statistics) {
     materials_.run(surfaces.version(), surfaces.material_version(), distant.sampled, [&] {
         vertex_tangents_ = nicol::vertex_tangents(surfaces.geometry());
         const auto any = [&](const auto& is) {
@@ -64,13 +64,15 @@ void LocalLights::update(const Scene& scene, const DistantLight& distant, const 
                 std::make_shared<const NodeGrids>(static_cast<std::size_t>(options.bsdf_samples));
         });
     }
+    const auto before_mirrors = smooth != nullptr ? smooth->before_mirrors() : nullptr;
+    const auto glass = smooth != nullptr ? smooth->glass() : nullptr;
     const bool lit = scene.has_local_lights() || !distant.extracted_lights.empty() || sampled;
     const bool shadows = options.shadows && lit;
     tracing_.run(surfaces.version(), shadows, [&] { rays_.change() = shadows ? rays.get() : nullptr; });
     making_.run(scene.local_light_version(), scene.emission_version(), scene.geometry_version(),
                 surfaces.to_world(), rays_.version(), mirrors_, options.light_samples, grids_.version(),
                 distant.sampled, filtered_.version(), distant.extracted_lights, distant.rotation,
-                scene.light_scale(), before_mirrors, [&] {
+                scene.light_scale(), before_mirrors, glass, [&] {
                     if (!lit && !any()) return;  // the lighting of vertices stays as it is
                     LocalLighting::Lights lights = make_lights(scene, distant, surfaces.to_world());
                     lights_ = lights.local.size() + lights.extracted.size();
@@ -82,6 +84,7 @@ void LocalLights::update(const Scene& scene, const DistantLight& distant, const 
                             filtered_->whole, filtered_->rest, glm::mat3(distant.rotation),
                             static_cast<float>(scene.light_scale()), distant.sampled, *grids_);
                     lights.before_mirrors = before_mirrors;
+                    lights.glass = glass;
                     lighting.emplace(std::move(lights), rays_->get(), options.light_samples);
                 });
     statistics.local_lights = lights_;

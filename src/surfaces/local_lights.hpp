@@ -16,6 +16,7 @@
 #include "stage/options.hpp"
 #include "stage/statistics.hpp"
 #include "surfaces/refined_surfaces.hpp"
+#include "surfaces/smooth_surfaces.hpp"
 #include "surfaces/surface_rays.hpp"
 #include "versioned.hpp"
 
@@ -34,10 +35,10 @@ public:
         const glm::dmat3& rotation;  ///< from the environment's axes to the surfaces' axes
     };
     /// Takes over changes of the scene and the surfaces. rays: of the surfaces before their refinement.
-    /// before_mirrors: see LocalLighting::Lights.
+    /// smooth: surfaces that rays follow; null: none.
     void update(const Scene& scene, const DistantLight& distant, const RefinedSurfaces& surfaces,
-                SurfaceRays& rays, const std::shared_ptr<const RayScene>& before_mirrors,
-                const RenderOptions& options, Statistics& statistics);
+                SurfaceRays& rays, const SmoothSurfaces* smooth, const RenderOptions& options,
+                Statistics& statistics);
 
     /// Finds the start points of shadow rays beside vertices, if they are to be lit. any() must be true.
     void find_vertex_origins(const RefinedSurfaces& surfaces);
@@ -78,10 +79,11 @@ private:
     Stage<int> placing_;  // samples of lobes
     Versioned<std::shared_ptr<const NodeGrids>> grids_;
     // Inputs: lights, emission, placements of instances, the axes, rays, mirrors, samples of lights, grids
-    // of lobes; sampled terms, their light; extracted lights, their axes and scale; rays before mirrors.
+    // of lobes; sampled terms, their light; extracted lights, their axes and scale; rays before mirrors,
+    // glass.
     Stage<Version, Version, Version, glm::dmat4, Version, bool, int, Version, SampledTerms, Version,
           std::vector<std::shared_ptr<const ExtractedLight>>, glm::dmat3, double,
-          std::shared_ptr<const RayScene>>
+          std::shared_ptr<const RayScene>, std::shared_ptr<const GlassShadows>>
         making_;
     Versioned<std::optional<LocalLighting>> lighting_;
     std::map<std::uint32_t, glm::dvec3> axes_;  // by id of the emissive instance

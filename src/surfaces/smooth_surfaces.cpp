@@ -2,6 +2,7 @@
 #include "surfaces/smooth_surfaces.hpp"
 
 #include <algorithm>
+#include <glm/geometric.hpp>
 #include <span>
 #include <utility>
 
@@ -40,6 +41,39 @@ Presence presence_from(const WorldGeometry& geometry, std::uint32_t first) {
     };
 }
 
+// Returns the first hit of a ray, with an index into all triangles.
+std::optional<RayHit> first_hit(const RayScene& rays, std::uint32_t one_sided, const Ray& ray) {
+    std::optional<RayHit> hit = rays.intersect(ray);
+    if (hit && hit->surface == 1) hit->triangle += one_sided;
+    return hit;
+}
+
+// Returns what GlassShadows needs to know. The geometry must outlive the result.
+GlassShadows::FirstCrossing first_crossing(const WorldGeometry& geometry,
+                                           std::shared_ptr<const RayScene> rays, std::uint32_t one_sided) {
+    std::vector<const SmoothBoundary*> boundaries(geometry.triangles.size());
+    for (const TriangleBatch& batch : triangle_batches(geometry))
+        std::fill(boundaries.begin() + static_cast<std::ptrdiff_t>(batch.first),
+                  boundaries.begin() + static_cast<std::ptrdiff_t>(batch.last),
+                  geometry.ranges[batch.range].material->smooth_boundary());
+    return [&geometry, rays = std::move(rays), one_sided,
+            boundaries = std::move(boundaries)](const Ray& ray) -> std::optional<GlassShadows::Crossing> {
+        const std::optional<RayHit> hit = first_hit(*rays, one_sided, ray);
+        if (!hit) return std::nullopt;
+        const glm::uvec3& corners = geometry.triangles[hit->triangle];
+        const glm::dvec3 normal = (1 - hit->b1 - hit->b2) * glm::dvec3(geometry.normals[corners.x]) +
+                                  hit->b1 * glm::dvec3(geometry.normals[corners.y]) +
+                                  hit->b2 * glm::dvec3(geometry.normals[corners.z]);
+        const double length = glm::length(normal);
+        return GlassShadows::Crossing{
+            .boundary = boundaries[hit->triangle],
+            .normal = length > 0 ? normal / length : -ray.direction,
+            .distance = hit->distance,
+            .offset = ray_offset({geometry.positions[corners.x], geometry.positions[corners.y],
+                                  geometry.positions[corners.z]})};
+    };
+}
+
 }  // namespace
 
 void SmoothSurfaces::update(const RefinedSurfaces& surfaces) {
@@ -66,6 +100,14 @@ void SmoothSurfaces::update(const RefinedSurfaces& surfaces) {
                                      .front_only = true}};
         rays_ = std::make_shared<const RayScene>(sides);
     });
+    shading_.run(surfaces.version(), surfaces.material_version(), [&] {
+        glass_.reset();
+        const auto transmits = [](Smoothness is) {
+            return is == Smoothness::boundary || is == Smoothness::rough_boundary;
+        };
+        if (std::ranges::any_of(of_triangles_, transmits))
+            glass_ = std::make_shared<const GlassShadows>(rays_, first_crossing(geometry, rays_, one_sided_));
+    });
 }
 
 std::shared_ptr<const RayScene> SmoothSurfaces::before_mirrors() const {
@@ -73,9 +115,7 @@ std::shared_ptr<const RayScene> SmoothSurfaces::before_mirrors() const {
 }
 
 std::optional<RayHit> SmoothSurfaces::intersect(const Ray& ray) const {
-    std::optional<RayHit> hit = rays_->intersect(ray);
-    if (hit && hit->surface == 1) hit->triangle += one_sided_;
-    return hit;
+    return first_hit(*rays_, one_sided_, ray);
 }
 
 }  // namespace nicol

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "geometry/ray_scene.hpp"
+#include "shading/glass_shadows.hpp"
 #include "surfaces/refined_surfaces.hpp"
 #include "versioned.hpp"
 
@@ -39,6 +40,10 @@ public:
     /// Returns the ray hierarchy if light passes some surfaces, which mirrors then show; else null.
     [[nodiscard]] std::shared_ptr<const RayScene> before_mirrors() const;
 
+    /// Returns the glass that light passes on its way to other surfaces; null: none. Holds until the surfaces
+    /// change.
+    [[nodiscard]] const std::shared_ptr<const GlassShadows>& glass() const noexcept { return glass_; }
+
     [[nodiscard]] std::uint64_t bytes() const noexcept { return of_triangles_.size(); }
 
 private:
@@ -47,7 +52,9 @@ private:
     bool mirrors_and_glass_ = false;  // whether there are triangles of both
     Stage<Version, bool> tracing_;    // vertices and triangles, whether there are smooth surfaces
     std::shared_ptr<const RayScene> rays_;
-    std::uint32_t one_sided_ = 0;  // number of one-sided triangles
+    std::uint32_t one_sided_ = 0;      // number of one-sided triangles
+    Stage<Version, Version> shading_;  // as finding_
+    std::shared_ptr<const GlassShadows> glass_;
 };
 
 }  // namespace nicol

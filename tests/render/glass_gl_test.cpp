@@ -160,6 +160,37 @@ IMAGE_TEST_CASE("a body absorbs light by the length of its path inside, a surfac
     }
 }
 
+IMAGE_TEST_CASE(
+    "glass dims the light of lamps behind it in each channel, by its boundaries and its absorption") {
+    test::Studio studio(context, 8, 8);
+    const auto lit = [&](const MaterialPtr& glass) {
+        Scene scene;
+        scene.add({.mesh = test::rectangle(1), .material = diffuse({0.5, 0.5, 0.5})});
+        if (glass)
+            scene.add({.mesh = std::make_shared<const Mesh>(make_cube(1)),
+                       .material = glass,
+                       .to_world = test::at(0, 0, 2, 0.5)});
+        LocalLight lamp;
+        lamp.value = {20};
+        lamp.to_world = test::at(0, 0, 6);
+        scene.add_light(lamp);
+        const StokesImage image = studio(scene, kPixels, narrow_camera({5, 0, 1}, 0.2));
+        return std::array{image.stokes(0, 4, 4)[0], image.stokes(1, 4, 4)[0], image.stokes(2, 4, 4)[0]};
+    };
+    const auto open = lit(nullptr);
+    REQUIRE(open[0] > 0.01);
+    // Each pane and each boundary of the body is met twice, along its normal.
+    const double pane = 1 - 2 * 0.04 / 1.04;
+    const std::vector<double> tint{0.5, 0.25, 1}, absorption{0.7, 0, 0.1};
+    const auto panes = lit(thin_dielectric({.specular_transmittance = tint, .int_ior = 1.5, .ext_ior = 1}));
+    const auto body = lit(dielectric({.int_ior = 1.5, .ext_ior = 1, .absorption = absorption}));
+    for (std::size_t c = 0; c < 3; ++c) {
+        CAPTURE(c);
+        CHECK(panes[c] / open[c] == doctest::Approx(std::pow(pane * tint[c], 2)).epsilon(5e-3));
+        CHECK(body[c] / open[c] == doctest::Approx(0.96 * 0.96 * std::exp(-absorption[c])).epsilon(5e-3));
+    }
+}
+
 IMAGE_TEST_CASE("max_depth says how often light passes glass, as by rays") {
     test::Studio studio(context, 8, 8);
     Scene scene;

@@ -15,14 +15,14 @@ TEST_CASE("a light's samples are assumed alike only after enough of them lit a p
     const RaySurface roof{.positions = positions, .triangles = triangles};
     const RayScene scene(std::span(&roof, 1));
     const LaneVectors origins{};
-    ShadowRays rays(scene, origins, origins);
+    ShadowRays rays(scene, nullptr, origins, origins);
     const auto light_from = [](const glm::vec3& towards) {
         LaneLight out;
         for (std::size_t i = 0; i < kLanes; ++i) put(out.towards, i, towards);
         out.distance.value.fill(std::numeric_limits<float>::infinity());
         return out;
     };
-    const LaneLight open = light_from({-0.6F, 0.8F, 0}), hidden = light_from({0.6F, 0.8F, 0});
+    LaneLight open = light_from({-0.6F, 0.8F, 0}), hidden = light_from({0.6F, 0.8F, 0});
     constexpr std::uint32_t all = 0xFFFF;
 
     LightShadows shadows(&rays, 2);
