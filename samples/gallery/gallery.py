@@ -16,6 +16,7 @@ sys.path.insert(0, os.path.join(SAMPLES, "python"))
 
 import nicol  # noqa: E402
 import numpy as np  # noqa: E402
+import table  # noqa: E402
 
 GAP = 4
 
@@ -73,6 +74,16 @@ def render_in_forest(context, make_mesh, make_material, fov, brightness, size, *
         nicol.render(scene, camera, nicol.RenderOptions(**options), framebuffer)
         stokes = np.stack([framebuffer.plane(nicol.PLANE_STOKES, channel=c) for c in range(3)], axis=2)
     return stokes.reshape(size, 2, size, 2, 3, 4).mean(axis=(1, 3))
+
+
+def render_table(context, width, height, **options):
+    """Returns Stokes vectors like render(), of the table in the forest."""
+    light = nicol.Environment.load(context, os.path.join(SAMPLES, "assets", "forest.exr"))
+    scene, camera = table.make_scene(context, light)
+    with nicol.Framebuffer.create(context, 2 * width, 2 * height, 3) as framebuffer:
+        nicol.render(scene, camera, nicol.RenderOptions(max_depth=12, **options), framebuffer)
+        stokes = np.stack([framebuffer.plane(nicol.PLANE_STOKES, channel=c) for c in range(3)], axis=2)
+    return stokes.reshape(height, 2, width, 2, 3, 4).mean(axis=(1, 3))
 
 
 def tone_mapped(radiance):
@@ -166,6 +177,11 @@ def main():
             for options in ({"pixel_samples": 8, "bsdf_samples": 0}, {"pixel_samples": 8}, rays)
         ]
         write_png(os.path.join(folder, "brushed.png"), sheet([list(map(s0, brushed)), list(map(dolp, brushed))]))
+
+        few_rays = {"method": nicol.METHOD_REFERENCE, "samples": 64}
+        laid = [render_table(context, 240, 200, **options) for options in ({"pixel_samples": 4}, few_rays)]
+        rows = [[s0(stokes), polarizer(stokes, 0), polarizer(stokes, 90)] for stokes in laid]
+        write_png(os.path.join(folder, "table.png"), sheet(rows))
 
         rows = []
         for scene_file in ("snail_hdr.xml", "snail_sky.xml"):
