@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "simd/zero_lanes.hpp"
+
 namespace nicol {
 
 FrameRotation::FrameRotation(const LightLayout& layout)
@@ -20,6 +22,11 @@ void FrameRotation::rotate(const LightFields& from, const LightFields& to, std::
     for (std::size_t p = 0; p < from.parts().size(); ++p) {
         for (std::size_t first = 0; first < channels; first += LaneRotation::kMostFields) {
             const std::size_t count = std::min(LaneRotation::kMostFields, channels - first);
+            const std::size_t begin = from.parts()[p].begin, size = from.parts()[p].to_light.size();
+            bool zero = true;
+            for (std::size_t f = 0; f < count && zero; ++f)
+                zero = all_zero(std::span(numbers(first + f) + begin, size));
+            if (zero) continue;
             for (std::size_t f = 0; f < count; ++f)
                 LightFields::from_light(from.parts()[p], numbers(first + f), count, f, work.fields());
             one_part(from.parts()[p].kind, count, work);

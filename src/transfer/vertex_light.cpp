@@ -91,7 +91,19 @@ void Relight::run_part(std::size_t p, LaneRotation::Work& work, std::size_t bloc
     for (std::size_t first = 0; first < channels; first += LaneRotation::kMostFields) {
         std::array<const std::complex<float>*, LaneRotation::kMostFields> in{};
         const std::size_t count = std::min(in.size(), channels - first);
-        for (std::size_t f = 0; f < count; ++f) in[f] = channels_[p][first + f].data();
+        bool zero = true;
+        for (std::size_t f = 0; f < count; ++f) {
+            const Field& field = channels_[p][first + f];
+            in[f] = field.data();
+            zero = zero && std::ranges::all_of(field, [](const auto& number) { return number == 0.0F; });
+        }
+        if (zero) {
+            for (std::size_t f = 0; f < count; ++f)
+                std::ranges::fill(
+                    out.block(block, static_cast<int>(first + f)).subspan(part.begin, part.to_light.size()),
+                    Lanes{});
+            continue;
+        }
         rotation_.rotate(part.kind, std::span(in).first(count), work);
         for (std::size_t f = 0; f < count; ++f)
             LightFields::to_light(part, work.fields(), count, f,

@@ -13,6 +13,7 @@
 #include "simd/dispatch.hpp"
 #include "simd/lane_vector.hpp"
 #include "simd/lanes.hpp"
+#include "simd/zero_lanes.hpp"
 
 namespace nicol {
 namespace {
@@ -300,6 +301,11 @@ void ShadowGrid::multiply(const std::int16_t* samples, const Lanes* in, Lanes* o
         for (const Component& part : pairs_out_[p]) std::fill_n(out + part.begin, part.harmonics, Lanes{});
     }
     for (std::size_t p = 0; p < pairs_in_.size(); ++p) {
+        // Unpolarized light has zeros where its bounces are polarized.
+        if (std::ranges::all_of(pairs_in_[p], [in](const Component& part) {
+                return all_zero(std::span(in + part.begin, part.harmonics));
+            }))
+            continue;
         multiply_pair(pairs_in_[p], pairs_out_[p], slots_, rows_.count(), quarter_, samples, in, out);
     }
 }

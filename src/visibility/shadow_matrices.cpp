@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "simd/zero_lanes.hpp"
 #include "visibility/shadow_matrix_lanes.hpp"
 
 namespace nicol {
@@ -38,14 +39,20 @@ void ShadowMatrices::multiply(const std::int16_t* numbers, std::span<const Lanes
     for (const Block& block : blocks_) {
         std::array<const Lanes*, 2 * kMostChannels> from{};
         std::array<Lanes*, 2 * kMostChannels> to{};
+        const std::size_t size = block.triples.size();
         std::size_t count = 0;
         for (std::size_t c = 0; c < in.size(); ++c) {
-            for (std::size_t part = 0; part < block.parts; ++part, ++count) {
+            for (std::size_t part = 0; part < block.parts; ++part) {
                 from[count] = in[c] + block.begin[part];
                 to[count] = out[c] + block.begin[part];
+                // Unpolarized light has zeros where its bounces are polarized.
+                if (all_zero(std::span(from[count], size)))
+                    std::fill_n(to[count], size, Lanes{});
+                else
+                    ++count;
             }
         }
-        multiply_shadows(numbers, block.triples.size(), from.data(), to.data(), count);
+        if (count > 0) multiply_shadows(numbers, size, from.data(), to.data(), count);
         numbers += block.triples.elements() * kLanes;
     }
 }
