@@ -2,20 +2,22 @@
 #include "methods/bounces.hpp"
 
 #include <tbb/combinable.h>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <utility>
 
+#include "simd/lane_transpose.hpp"
 #include "surfaces/local_lights.hpp"
-#include "surfaces/plain_materials.hpp"
 
 namespace nicol {
 namespace {
 
-// Share of the light that may be left out where the number of bounces is not limited.
-constexpr double kNegligible = 2e-3;
+// Vertices for one receiver, of which there are more only in small scenes, see find_receivers().
+constexpr std::uint64_t kVerticesOfReceiver = 4;
 
 TriangleSides sides_of(const WorldGeometry& geometry) {
     TriangleSides out;
@@ -27,199 +29,161 @@ TriangleSides sides_of(const WorldGeometry& geometry) {
     return out;
 }
 
-// Largest ratio of a bounce to the one before. A material that absorbs nothing has 1.
-constexpr double kLargestRatio = 0.99;
+// Returns the components that a light has, which may be fewer than those of its layout; none: it is dark.
+std::optional<LightKind> kind_of(const PshVector& light) {
+    std::array<double, 4> largest{};
+    for (std::size_t i = 0; i < light.data().size(); ++i)
+        largest[i % 4] = std::max(largest[i % 4], std::abs(light.data()[i]));
+    // A rotation leaves rounding errors in components that are zero.
+    const double threshold = 1e-9 * largest[0];
+    if (largest[3] > threshold) return LightKind::full;
+    if (std::max(largest[1], largest[2]) > threshold) return LightKind::linear;
+    if (largest[0] > 0) return LightKind::unpolarized;
+    return std::nullopt;
+}
 
-// Sums over vertices and channels of the squares of s0's mean over the sphere of directions.
-struct Powers {
-    double all = 0;
-    double bounced = 0;
-    double change = 0;  // change of the bounced light
-};
-Powers powers_of(const VertexLight& direct, const VertexLight& before, const VertexLight& after) {
-    Powers out;
-    for (std::size_t b = 0; b < after.blocks(); ++b)
-        for (int c = 0; c < after.channels(); ++c)
-            for (std::size_t i = 0; i < kLanes; ++i) {
-                const double bounced = double{after.block(b, c).front()[i]};
-                const double all = double{direct.block(b, c).front()[i]} + bounced;
-                const double change = bounced - double{before.block(b, c).front()[i]};
-                out.all += all * all;
-                out.bounced += bounced * bounced;
-                out.change += change * change;
-            }
-    return out;
+Receivers receivers_of(const TransferInput& input, RenderRun& run) {
+    const WorldGeometry& geometry = input.geometry;
+    const BakeGeometry baked{.positions = geometry.positions,
+                             .normals = geometry.normals,
+                             .triangles = geometry.triangles,
+                             .present = presence_of(geometry)};
+    const TriangleSides sides = sides_of(geometry);
+    const LinkSearch search(baked, sides, *input.directions, *input.visibility);
+    return find_receivers(baked, search, *input.visibility,
+                          [&run](double fraction) { run.progress.report("bake", fraction); });
 }
 
 }  // namespace
 
 void Bounces::set_cache(std::filesystem::path folder, CacheNotice notice) {
-    folder_ = std::move(folder);
-    notice_ = std::move(notice);
+    tables_.set_cache(std::move(folder), std::move(notice));
 }
 
 void Bounces::clear() {
-    if (light_->blocks() == 0 && links_->links().empty()) return;
+    if (light_->blocks() == 0 && links_->receivers() == 0) return;
     light_.change() = VertexLight();
     links_.change() = LinkedSurfaces();
+    columns_.change() = BounceColumns();
+    lit_.change().clear();
     linking_.reset();
     weighting_.reset();
-    relighting_.reset();
-    direct_ = rows_ = VertexLight();
-    stokes_ = {};
+    solving_.reset();
     lighting_.reset();
-    if (!lit_->empty()) lit_.change().clear();
-    rounds_ = 0;
+    relighting_.reset();
+    at_receivers_ = {};
     share_ = left_ = 0;
 }
 
 void Bounces::project(const TransferInput& input, RenderRun& run) {
-    const int order = std::min(kBounceOrder, input.layout.order());
-    const LightKind kind = input.layout.kind();
-    projecting_.run(input.materials, input.channels, order, kind, [&] {
-        const Stopwatch watch;
-        Tables& known = tables_.change();
-        sizing_.run(input.channels, order, kind, [&] {
-            known.clear();
-            layout_.emplace(order, kind);
-        });
-        Tables tables;
-        for (const MaterialPtr& material : plain_materials(input.geometry.ranges)) {
-            if (auto kept = known.extract(material)) {
-                tables.insert(std::move(kept));
-                continue;
-            }
-            run.progress.report("project", 0);
-            run.workers.run([&] {
-                tables.emplace(material, load_or_build(*in_harmonics(material, SampledTerms::none), *layout_,
-                                                       input.channels, folder_, notice_));
-            });
-        }
-        known = std::move(tables);
-        run.statistics.project_ms += watch.milliseconds();
-    });
+    layout_.emplace(std::min(kBounceOrder, input.layout.order()), input.layout.kind());
+    tables_.project(input, SampledTerms::none, *layout_, run);
     places_ = places_in(*layout_, input.layout);
 }
 
 void Bounces::bake(const TransferInput& input, RenderRun& run) {
     const Stopwatch watch;
-    const bool linked = linking_.run(input.versions, [&] {
-        const auto report = [&run](double fraction) { run.progress.report("bake", fraction); };
-        const WorldGeometry& geometry = input.geometry;
-        run.workers.run([&] {
-            links_.change() = LinkedSurfaces(
-                geometry, find_links({.positions = geometry.positions,
-                                      .normals = geometry.normals,
-                                      .triangles = geometry.triangles,
-                                      .present = presence_of(geometry)},
-                                     sides_of(geometry), *input.directions, *input.visibility, report));
+    bool changed = linking_.run(input.versions, [&] {
+        run.workers.run([&] { links_.change() = LinkedSurfaces(input.geometry, receivers_of(input, run)); });
+    });
+    changed |= weighting_.run(input.versions, input.materials,
+                              [&] { links_.change().find_weights(input.geometry); });
+    const std::optional<LightKind> kind = kind_of(input.light);
+    changed |= solving_.run(
+        links_.version(), tables_.tables().version(), kind, input.channels, input.bounces,
+        input.negligible_bounces, [&] {
+            columns_.change() = BounceColumns({input, *links_, *tables_.tables(), *layout_}, kind, run);
         });
-    });
-    const bool weighted = weighting_.run(input.versions, input.materials, [&] {
-        LinkedSurfaces& links = links_.change();
-        links.find_weights(input.geometry);
-    });
-    if (linked || weighted) run.statistics.bake_ms += watch.milliseconds();
+    if (changed) run.statistics.bake_ms += watch.milliseconds();
 }
 
-void Bounces::relight(const TransferInput& input, const VisibilityProduct& shadows, RenderRun& run) {
+void Bounces::relight(const TransferInput& input, RenderRun& run) {
     const Stopwatch watch;
     light_links(input, run);
-    relighting_.run(links_.version(), tables_.version(), input.light_version, lit_.version(), input.bounces,
-                    [&] {
-                        find_direct(input, shadows, run);
-                        iterate(input, run);
-                        run.statistics.bounce_ms += watch.milliseconds();
-                    });
+    const bool changed =
+        relighting_.run(columns_.version(), input.light_version, lit_.version(), input.at_pixels, [&] {
+            combine(input);
+            interpolate(input, run);
+        });
+    if (changed) run.statistics.bounce_ms += watch.milliseconds();
 }
 
 void Bounces::light_links(const TransferInput& input, RenderRun& run) {
-    const Version lights = input.local_lights != nullptr ? input.local_lights->version() : 0;
-    lighting_.run(links_.version(), lights, [&] {
-        if (input.local_lights == nullptr) {
-            if (!lit_->empty()) lit_.change().clear();
-            return;
-        }
-        LinkStokes& lit = lit_.change();
-        lit.assign(static_cast<std::size_t>(input.channels),
-                   std::vector<glm::vec4>(links_->links().size(), glm::vec4(0)));
-        const std::span batches = links_->batches();
+    const bool any = input.local_lights != nullptr && input.local_lights->lighting().any_source();
+    lighting_.run(columns_.version(), any ? input.local_lights->version() : 0, [&] {
+        LitSeries& lit = lit_.change();
+        lit.clear();
+        if (!any || links_->receivers() == 0) return;
+        LinkStokes stokes(static_cast<std::size_t>(input.channels),
+                          std::vector<glm::vec4>(links_->links().size(), glm::vec4(0)));
         tbb::combinable<std::uint64_t> rays;
         run.workers.for_blocks(
-            batches.size(), "relight", run.progress, [&](std::size_t first, std::size_t last) {
-                for (const LinkedSurfaces::Batch& batch : batches.subspan(first, last - first))
-                    rays.local() += reflect_lights(input.geometry, *input.directions, *links_, batch,
-                                                   input.local_lights->lighting(), lit)
-                                        .rays;
+            links_->blocks(), "relight", run.progress, [&](std::size_t first, std::size_t last) {
+                for (std::size_t block = first; block < last; ++block)
+                    for (const LinkedSurfaces::Batch& batch : links_->batches(block))
+                        rays.local() += reflect_lights(input.geometry, *input.directions, *links_, batch,
+                                                       input.local_lights->lighting(), stokes)
+                                            .rays;
             });
         run.statistics.light_rays += rays.combine(std::plus<>());
+        lit = columns_->sum({input, *links_, *tables_.tables(), *layout_}, stokes, run);
     });
 }
 
-void Bounces::find_direct(const TransferInput& input, const VisibilityProduct& shadows, RenderRun& run) {
-    const std::size_t vertices = input.geometry.positions.size();
-    const Relight rotation(input.layout, input.light);
-    VertexLight whole(input.layout, input.channels, vertices);
-    direct_.resize(*layout_, input.channels, vertices);
-    run.workers.for_blocks(direct_.blocks(), "relight", run.progress,
-                           [&](std::size_t first, std::size_t last) {
-                               rotation.run(input.geometry.normals, first, last, whole);
-                               shadows.run(whole, first, last);
-                               for (std::size_t b = first; b < last; ++b)
-                                   for (int c = 0; c < input.channels; ++c)
-                                       for (std::size_t j = 0; j < places_.size(); ++j)
-                                           direct_.block(b, c)[j] = whole.block(b, c)[places_[j]];
-                           });
-}
-
-void Bounces::sum_rows(const FrameRotation& rotation, std::span<const glm::vec3> normals, std::size_t block) {
-    for (int c = 0; c < rows_.channels(); ++c) {
-        const std::span<Lanes> sum = rows_.block(block, c);
-        const std::span<const Lanes> direct = direct_.block(block, c), bounced = light_->block(block, c);
-        for (std::size_t j = 0; j < sum.size(); ++j)
-            for (std::size_t i = 0; i < kLanes; ++i) sum[j][i] = direct[j][i] + bounced[j][i];
+void Bounces::combine(const TransferInput& input) {
+    const std::size_t numbers = layout_->size();
+    const auto channels = static_cast<std::size_t>(input.channels);
+    const std::vector<float> light = columns_->numbers_of(input.light, input.channels);
+    const std::size_t lights = light.size() / channels;
+    at_receivers_.assign(links_->receivers() * channels * numbers, 0.0F);
+    double all = 0, bounced = 0, left = columns_->left(light);
+    for (std::size_t r = 0; r < links_->receivers(); ++r) {
+        const std::span row = std::span(at_receivers_).subspan(r * channels * numbers, channels * numbers);
+        columns_->add(r, light, row);
+        for (std::size_t g = 0; g < lit_->size(); ++g)
+            for (std::size_t k = 0; k < columns_->groups()[g].size(); ++k)
+                for (std::size_t j = 0; j < numbers; ++j)
+                    row[columns_->groups()[g][k] * numbers + j] += (*lit_)[g].light.value(r, j, k);
+        for (std::size_t c = 0; c < channels; ++c) {
+            const double own = double{row[c * numbers]};
+            const double both = own + columns_->direct(r, light.data() + c * lights);
+            bounced += own * own;
+            all += both * both;
+        }
     }
-    const std::size_t v = block * kLanes;
-    rotation.into_world(normals.subspan(v, std::min(kLanes, normals.size() - v)), rows_, block);
-    rows_.to_rows(block);
+    for (const BounceSeries& series : *lit_)
+        for (const double error : series.left) left += error;
+    share_ = all > 0 ? std::sqrt(bounced / all) : 0;
+    left_ = all > 0 ? std::sqrt(left / all) : 0;
 }
 
-void Bounces::iterate(const TransferInput& input, RenderRun& run) {
+void Bounces::interpolate(const TransferInput& input, RenderRun& run) {
     const std::span normals(input.geometry.normals);
-    const Bounce bounce(input.geometry, *input.directions, *links_, *tables_, *layout_);
     const FrameRotation rotation(*layout_);
     VertexLight& light = light_.change();
-    VertexLight next(*layout_, input.channels, normals.size());
-    light = VertexLight(*layout_, input.channels, normals.size());
-    rows_.resize(*layout_, input.channels, normals.size());
-    stokes_.resize(static_cast<std::size_t>(input.channels));
-    for (std::vector<glm::vec4>& channel : stokes_) channel.resize(links_->links().size());
-    const std::span batches = links_->batches();
-    const auto for_each = [&](std::size_t count, const auto& body) {
-        run.workers.for_blocks(count, "relight", run.progress, [&](std::size_t first, std::size_t last) {
-            for (std::size_t k = first; k < last; ++k) body(k);
-        });
-    };
-
-    double before = 0;
-    left_ = 1;
-    for (rounds_ = 0; rounds_ < input.bounces && left_ > kNegligible; ++rounds_) {
-        for_each(rows_.blocks(), [&](std::size_t b) { sum_rows(rotation, normals, b); });
-        for_each(batches.size(), [&](std::size_t k) { bounce.leave(batches[k], rows_, *lit_, stokes_); });
-        for_each(next.blocks(), [&](std::size_t b) { bounce.arrive(b, stokes_, next); });
-        const Powers powers = powers_of(direct_, light, next);
-        std::swap(light, next);
-        if (!(powers.all > 0)) {
-            share_ = left_ = 0;
-            continue;
+    light.resize(*layout_, input.channels, normals.size());
+    const std::size_t size = light.row_size();
+    run.workers.for_blocks(light.blocks(), "relight", run.progress, [&](std::size_t begin, std::size_t end) {
+        std::vector<float> sums(kLanes * size);
+        for (std::size_t block = begin; block < end; ++block) {
+            const std::size_t first = block * kLanes, count = std::min(kLanes, normals.size() - first);
+            std::ranges::fill(sums, 0.0F);
+            std::array<const float*, kLanes> rows;
+            for (std::size_t i = 0; i < kLanes; ++i) {
+                float* const row = sums.data() + i * size;
+                rows[i] = row;
+                if (i >= count) continue;
+                const Receivers::Blend& blend = links_->blends()[first + i];
+                for (std::size_t k = 0; k < blend.weights.size(); ++k) {
+                    if (blend.weights[k] == 0) continue;
+                    const float* const from = at_receivers_.data() + blend.receivers[k] * size;
+                    for (std::size_t j = 0; j < size; ++j) row[j] += blend.weights[k] * from[j];
+                }
+            }
+            to_lanes(rows, size, light.block(block, 0).data());
+            if (!input.at_pixels) rotation.into_frames(normals.subspan(first, count), light, block);
         }
-        share_ = std::sqrt(powers.bounced / powers.all);
-        // In the end, the bounces to come are a geometric series.
-        const double change = std::sqrt(powers.change / powers.all);
-        const double ratio = rounds_ == 0 ? kLargestRatio : std::min(change / before, kLargestRatio);
-        left_ = change * ratio / (1 - ratio);
-        before = change;
-    }
+    });
 }
 
 void Bounces::add_to(VertexLight& light, std::size_t first, std::size_t last) const {
@@ -232,16 +196,29 @@ void Bounces::add_to(VertexLight& light, std::size_t first, std::size_t last) co
         }
 }
 
+std::uint64_t Bounces::bytes_of_vertex(std::optional<LightKind> light, LightKind bounced, int channels) {
+    const auto planes = static_cast<std::uint64_t>(channels);
+    const std::uint64_t numbers = LightLayout(kBounceOrder, bounced).size();
+    const std::uint64_t lights = light ? LightLayout(kBouncingOrder, *light).size() : 0;
+    const std::uint64_t light_of_one = planes * numbers * sizeof(float);
+    // Links to all strata, the map for materials that differ in all channels, the light of local lights and
+    // all light.
+    const std::uint64_t receiver = kLinkStrata * (sizeof(SurfaceLink) + sizeof(std::uint32_t)) +
+                                   (planes * numbers + 1) * lights * sizeof(float) + 2 * light_of_one;
+    return receiver / kVerticesOfReceiver + light_of_one + sizeof(Receivers::Blend);
+}
+
 void Bounces::count(Statistics& statistics) const {
+    int rounds = columns_->rounds();
+    for (const BounceSeries& series : *lit_) rounds = std::max(rounds, series.rounds);
     statistics.bounce_links = links_->links().size();
-    statistics.bounce_rounds = static_cast<std::uint64_t>(rounds_);
+    statistics.bounce_rounds = static_cast<std::uint64_t>(rounds);
     statistics.bounced_light = share_;
     statistics.bounced_left = left_;
-    for (const auto& [material, table] : *tables_) statistics.response_bytes += table.bytes();
-    statistics.transfer_bytes += links_->bytes() + direct_.bytes() + rows_.bytes() + light_->bytes();
-    for (const LinkStokes* const kept : {&stokes_, &*lit_})
-        for (const std::vector<glm::vec4>& channel : *kept)
-            statistics.transfer_bytes += channel.size() * sizeof(glm::vec4);
+    for (const auto& [material, table] : *tables_.tables()) statistics.response_bytes += table.bytes();
+    statistics.transfer_bytes +=
+        links_->bytes() + columns_->bytes() + light_->bytes() + at_receivers_.size() * sizeof(float);
+    for (const BounceSeries& series : *lit_) statistics.transfer_bytes += series.light.bytes();
 }
 
 }  // namespace nicol

@@ -3,24 +3,22 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
-#include <map>
 #include <optional>
 #include <vector>
 
-#include "material/response_cache.hpp"
-#include "methods/linked_light.hpp"
+#include "methods/bounce_columns.hpp"
+#include "methods/linked_surfaces.hpp"
+#include "methods/response_tables.hpp"
 #include "methods/transfer_input.hpp"
 #include "stage/statistics.hpp"
 #include "stage/workers.hpp"
-#include "transfer/visibility_product.hpp"
 
 namespace nicol {
 
-/// Highest order of bounced light at vertices.
-inline constexpr int kBounceOrder = 3;
-
-/// Bounced light: the sum over bounces of a Neumann series along links, see SurfaceLink.
+/// Bounced light. It is linear in the distant light, so the bake finds, for each receiver, the bounced light
+/// of each coefficient of the distant light's low orders. A relight multiplies and adds.
 class Bounces {
 public:
     /// Sets the cache folder of response tables, see load_or_build().
@@ -28,52 +26,51 @@ public:
 
     /// Projects the materials to response tables of the bounced light's order.
     void project(const TransferInput& input, RenderRun& run);
-    /// Finds the links.
+    /// Finds receivers, links and the bounced light of each coefficient.
     void bake(const TransferInput& input, RenderRun& run);
-    /// Computes the bounced light. shadows: the vertices' visibility.
-    void relight(const TransferInput& input, const VisibilityProduct& shadows, RenderRun& run);
+    /// Computes the bounced light.
+    void relight(const TransferInput& input, RenderRun& run);
     /// Drops everything.
     void clear();
 
     /// Returns a version that changes whenever the bounced light changes.
     [[nodiscard]] Version version() const noexcept { return light_.version(); }
-    /// Returns the bounced light in the vertices' frames; empty: there is none.
+    /// Returns the bounced light in the geometry's axes if pixels are shaded, otherwise in the vertices'
+    /// frames; empty: there is none.
     [[nodiscard]] const VertexLight& light() const noexcept { return *light_; }
     /// Returns, for each number of light(), its index in a light of the layout of relight().
     [[nodiscard]] std::span<const std::size_t> places() const noexcept { return places_; }
-    /// Adds the bounced light to blocks first <= b < last of light in the vertices' frames.
+    /// Adds the bounced light to blocks first <= b < last of light in the same axes.
     void add_to(VertexLight& light, std::size_t first, std::size_t last) const;
 
     void count(Statistics& statistics) const;
+    /// Returns an upper bound of the bytes that one vertex adds. light: components of the distant light,
+    /// none: it is dark. bounced: components of the bounced light.
+    [[nodiscard]] static std::uint64_t bytes_of_vertex(std::optional<LightKind> light, LightKind bounced,
+                                                       int channels);
 
 private:
-    using Tables = std::map<MaterialPtr, ResponseTable>;
-
-    void find_direct(const TransferInput& input, const VisibilityProduct& shadows, RenderRun& run);
     void light_links(const TransferInput& input, RenderRun& run);
-    /// Sets a block of rows_ to all light of its vertices.
-    void sum_rows(const FrameRotation& rotation, std::span<const glm::vec3> normals, std::size_t block);
-    void iterate(const TransferInput& input, RenderRun& run);
+    /// Sets at_receivers_ and the shares of bounced light.
+    void combine(const TransferInput& input);
+    /// Interpolates at_receivers_ at the vertices.
+    void interpolate(const TransferInput& input, RenderRun& run);
 
-    std::filesystem::path folder_;
-    CacheNotice notice_;
+    ResponseTables tables_;
     std::optional<LightLayout> layout_;
     std::vector<std::size_t> places_;
-    Stage<int, int, LightKind> sizing_;  // channels, order, kind
-    Stage<Version, int, int, LightKind> projecting_;
-    Versioned<Tables> tables_;
     Stage<SurfaceVersions> linking_;
     Stage<SurfaceVersions, Version> weighting_;  // surfaces, materials
     Versioned<LinkedSurfaces> links_;
-    Stage<Version, Version> lighting_;  // links, local lights
-    Versioned<LinkStokes> lit_;         // reflection of local lights; empty: there are none
-    // Inputs: links, tables, light, reflection of local lights, bounces.
-    Stage<Version, Version, Version, Version, int> relighting_;
-    VertexLight direct_;  // in the vertices' frames
-    VertexLight rows_;    // all light, as rows in the geometry's axes
-    LinkStokes stokes_;
+    // Inputs: links, tables, components of the distant light, channels, bounces, negligible light.
+    Stage<Version, Version, std::optional<LightKind>, int, int, double> solving_;
+    Versioned<BounceColumns> columns_;
+    Stage<Version, Version> lighting_;  // links and tables with the columns, local lights
+    Versioned<LitSeries> lit_;          // bounced light of local lights
+    // Inputs: columns, distant light, lit_, whether pixels are shaded.
+    Stage<Version, Version, Version, bool> relighting_;
+    std::vector<float> at_receivers_;  // [receiver][channel][number], in the world's axes
     Versioned<VertexLight> light_;
-    int rounds_ = 0;
     double share_ = 0;  // share of bounced light
     double left_ = 0;   // estimated share of the light of bounces that were left out
 };

@@ -3,41 +3,15 @@
 
 #include <utility>
 
-#include "surfaces/plain_materials.hpp"
-
 namespace nicol {
 
 void FactoredMethod::set_cache(std::filesystem::path folder, CacheNotice notice) {
     bounces_.set_cache(folder, notice);
-    folder_ = std::move(folder);
-    notice_ = std::move(notice);
+    tables_.set_cache(std::move(folder), std::move(notice));
 }
 
 void FactoredMethod::project(const TransferInput& input, RenderRun& run) {
-    const int order = input.layout.order();
-    const LightKind kind = input.layout.kind();
-    projecting_.run(input.materials, input.sampled, input.channels, order, kind, [&] {
-        const Stopwatch watch;
-        Tables& known = tables_.change();
-        sizing_.run(input.sampled, input.channels, order, kind, [&] { known.clear(); });
-        Tables tables;
-        const std::vector<MaterialPtr> materials = plain_materials(input.geometry.ranges);
-        for (const MaterialPtr& material : materials) {
-            if (auto kept = known.extract(material)) {
-                tables.insert(std::move(kept));
-                continue;
-            }
-            run.progress.report("project",
-                                static_cast<double>(tables.size()) / static_cast<double>(materials.size()));
-            ++run.statistics.materials_projected;
-            run.workers.run([&] {
-                tables.emplace(material, load_or_build(*in_harmonics(material, input.sampled), input.layout,
-                                                       input.channels, folder_, notice_));
-            });
-        }
-        known = std::move(tables);
-        run.statistics.project_ms += watch.milliseconds();
-    });
+    run.statistics.materials_projected += tables_.project(input, input.sampled, input.layout, run);
     if (input.bounces > 0) bounces_.project(input, run);
 }
 
@@ -71,7 +45,7 @@ void FactoredMethod::bake(const TransferInput& input, VisibilityRequest* request
 void FactoredMethod::relight(const TransferInput& input, RenderExecutor& executor, RenderRun& run) {
     if (input.at_pixels && !*shadows_) return;  // all points have the same light
     const Stopwatch watch;
-    if (input.bounces > 0) bounces_.relight(input, **shadows_, run);
+    if (input.bounces > 0) bounces_.relight(input, run);
     if (!relighting_.update(input, executor.version(), input.light_version, bounces_.version(),
                             input.at_pixels))
         return;
@@ -95,7 +69,7 @@ void FactoredMethod::shade_pixels(const PixelInput& input, RenderExecutor& execu
 }
 
 void FactoredMethod::count(const TransferInput& input, Statistics& statistics) const {
-    for (const auto& [material, table] : *tables_) {
+    for (const auto& [material, table] : *tables()) {
         statistics.response_bytes += table.bytes();
         for (std::size_t p = 0; p < 4; ++p) {
             // s1 and s2 are made together or not at all.

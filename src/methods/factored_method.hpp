@@ -3,11 +3,10 @@
 #pragma once
 
 #include <filesystem>
-#include <map>
 #include <optional>
 
-#include "material/response_cache.hpp"
 #include "methods/bounces.hpp"
+#include "methods/response_tables.hpp"
 #include "methods/transfer_method.hpp"
 #include "surfaces/vertex_stage.hpp"
 #include "transfer/visibility_product.hpp"
@@ -27,8 +26,8 @@ public:
     void count(const TransferInput& input, Statistics& statistics) const override;
 
     /// Response tables of plain_materials().
-    using Tables = std::map<MaterialPtr, ResponseTable>;
-    [[nodiscard]] const Versioned<Tables>& tables() const noexcept { return tables_; }
+    using Tables = ResponseTables::Map;
+    [[nodiscard]] const Versioned<Tables>& tables() const noexcept { return tables_.tables(); }
     /// Returns the visibility product; none if nothing casts shadows.
     [[nodiscard]] const Versioned<std::optional<VisibilityProduct>>& shadows() const noexcept {
         return shadows_;
@@ -38,12 +37,7 @@ public:
     [[nodiscard]] const Bounces& bounces() const noexcept { return bounces_; }
 
 private:
-    std::filesystem::path folder_;
-    CacheNotice notice_;
-    // Inputs: sampled terms, channels, order, kind of the light.
-    Stage<SampledTerms, int, int, LightKind> sizing_;
-    Stage<Version, SampledTerms, int, int, LightKind> projecting_;
-    Versioned<Tables> tables_;
+    ResponseTables tables_;
     // Inputs: order, kind of the light.
     VertexStage<int, LightKind> baking_{{.renumbers = true}};
     Versioned<std::optional<VisibilityProduct>> shadows_;

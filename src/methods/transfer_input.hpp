@@ -29,6 +29,8 @@ struct TransferInput : SurfaceState {
     /// Largest number of times that light is reflected before the reflection that is shaded; 0: direct light.
     /// Above 0, the surfaces have visibility and the light has the image's channels.
     int bounces = 0;
+    /// Error of the bounced light, relative to all light, that ends the bounces earlier.
+    double negligible_bounces = 0;
     const LocalLights* local_lights = nullptr;  ///< lights that bounce beside the distant light; null: none
     /// Number of leading components of reflected light that are shaded even if they are zero.
     std::size_t least_components = 1;

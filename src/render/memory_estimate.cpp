@@ -5,6 +5,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,7 @@
 #include "draw/visibility_buffer.hpp"
 #include "error.hpp"
 #include "harmonics/psh.hpp"
+#include "methods/bounces.hpp"
 #include "render/light_projection.hpp"
 #include "transfer/vertex_light.hpp"
 #include "transfer/visibility_product.hpp"
@@ -41,9 +43,14 @@ Size size_of(const Scene& scene) {
     return size;
 }
 
+bool bounces(const RenderOptions& options) {
+    return options.method == Method::factored && options.max_depth > kDirectLightDepth && options.shadows;
+}
+
 LightKind kind_of(const Scene& scene, const RenderOptions& options) {
     if ((options.disabled_optimisations & skip_light_components) != 0) return LightKind::full;
-    return light_kind(scene.distant_light().get());
+    const LightKind kind = light_kind(scene.distant_light().get());
+    return bounces(options) && options.components > 1 ? std::max(kind, LightKind::linear) : kind;
 }
 
 // Vertices per block. Vertices are stored in blocks, so the memory of all is a multiple of a block's.
@@ -131,6 +138,11 @@ MemoryEstimate estimate_memory(const Scene& scene, const RenderOptions& options)
             blocks(size.vertices) * VertexLight(layout, static_cast<int>(channels), kBlock).bytes();
         if (shadows) estimate.transfer += blocks(size.vertices) * shadows_of_block(layout);
     }
+    if (shadows && bounces(options)) {
+        std::optional<LightKind> light;
+        if (scene.distant_light() != nullptr) light = light_kind(scene.distant_light().get());
+        estimate.transfer += size.vertices * Bounces::bytes_of_vertex(light, layout.kind(), scene.channels());
+    }
     const bool high_orders =
         options.high_orders != HighOrders::none && options.order_high > options.order_low;
     if (high_orders && shadows && options.high_order_shadows) {
@@ -177,7 +189,7 @@ void MemoryLimit::check(const Scene& scene, const RenderOptions& options, int wi
     if (bytes_ == kNone) return;
     image_ = image_memory(scene, options, width, height);
     checking_.run(
-        scene.geometry_version(), scene.channels(), kind_of(scene, options), options.method,
+        scene.geometry_version(), scene.channels(), kind_of(scene, options), bounces(options), options.method,
         options.order_low, options.order_high, options.high_orders, options.shadows,
         options.high_order_shadows, options.bake_directions, options.disabled_optimisations, image_, [&] {
             estimate_ = estimate_memory(scene, options);

@@ -59,8 +59,9 @@ private:
     std::uint64_t vertices_ = 0;
     MemoryEstimate estimate_;
     std::uint64_t image_ = 0;
-    // Inputs: geometry, channels, components of the light, the options that matter, the image's bytes.
-    Stage<Version, int, LightKind, Method, int, int, HighOrders, bool, bool, int, std::uint32_t,
+    // Inputs: geometry, channels, components of the light, whether it bounces, the options that matter, the
+    // image's bytes.
+    Stage<Version, int, LightKind, bool, Method, int, int, HighOrders, bool, bool, int, std::uint32_t,
           std::uint64_t>
         checking_;
 };

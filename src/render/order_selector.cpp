@@ -90,8 +90,12 @@ int OrderSelector::highest_low(const Scene& scene, RenderOptions options, std::u
     for (int low = kHighestLow; low > least; --low) {
         options.order_low = low;
         options.order_high = kOrder;
-        const MemoryEstimate estimate = estimate_memory(scene, options);
-        if (estimate.transfer <= kMostBytes && estimate.total() <= memory_limit) return low;
+        // Bounced light takes memory of its own, whatever the orders.
+        RenderOptions direct = options;
+        direct.max_depth = kDirectLightDepth;
+        if (estimate_memory(scene, direct).transfer <= kMostBytes &&
+            estimate_memory(scene, options).total() <= memory_limit)
+            return low;
     }
     return least;
 }

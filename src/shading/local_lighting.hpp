@@ -83,6 +83,8 @@ public:
     /// samples for wide lights; narrower lights get fewer.
     LocalLighting(Lights lights, const RayScene* rays, int samples);
 
+    /// Returns whether there is a local or an extracted light.
+    [[nodiscard]] bool any_source() const noexcept { return lights_.any_source(); }
     /// Returns the terms that reflect samples of the environment.
     [[nodiscard]] SampledTerms sampled() const noexcept {
         return lights_.environment ? lights_.environment->sampled() : SampledTerms::none;

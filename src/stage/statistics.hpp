@@ -38,12 +38,13 @@ struct RenderWork {
 };
 
 struct Statistics : RenderWork {
-    int order_low = 0;           ///< order_low of the rendered light
-    int order = 0;               ///< highest order of the rendered light
-    double predicted_error = 0;  ///< predicted error of the chosen orders, of interpolation between vertices
-                                 ///< and of light samples
-    double order_error = 0;      ///< that of the chosen orders alone
+    int order_low = 0;               ///< order_low of the rendered light
+    int order = 0;                   ///< highest order of the rendered light
+    double predicted_error = 0;      ///< predicted error of the chosen orders, of interpolation between
+                                     ///< vertices, of light samples and of bounced light
+    double order_error = 0;          ///< that of the chosen orders alone
     double interpolation_error = 0;  ///< that of interpolation alone; 0 if pixels were shaded
+    double bounce_error = 0;         ///< that of bounced light alone
     bool compute = false;            ///< whether compute shaders made the image
     std::uint64_t vertices = 0;
     std::uint64_t triangles = 0;

@@ -6,6 +6,8 @@
 
 #include "harmonics/evaluate.hpp"
 #include "polarization/stokes.hpp"
+#include "simd/dispatch.hpp"
+#include "simd/lane_vector.hpp"
 
 namespace nicol {
 namespace {
@@ -19,6 +21,20 @@ void project(const LightLayout& layout, const glm::dvec3& propagation, const Sto
         const auto& [first, second] = layout.terms()[j];
         numbers[j] =
             first.factor * coefficients[first.coefficient] + second.factor * coefficients[second.coefficient];
+    }
+}
+
+// Adds light times the numbers of its direction.
+[[gnu::always_inline]] inline void add_part(const float* of_direction, std::size_t count, float solid_angle,
+                                            const Lanes* light, Lanes* numbers, std::size_t step) {
+    LaneVector power;
+    load(light, power);
+    power *= solid_angle;
+    for (std::size_t j = 0; j < count; ++j, numbers += step) {
+        LaneVector sum;
+        load(numbers, sum);
+        sum += of_direction[j] * power;
+        store(numbers, sum);
     }
 }
 
@@ -47,15 +63,21 @@ ArrivingLight::ArrivingLight(const LightLayout& layout, std::span<const glm::vec
     }
 }
 
-void ArrivingLight::add(std::size_t direction, float solid_angle, const glm::vec4& stokes,
-                        float* numbers) const {
-    const float* const scalar = data_.data() + direction * stride_;
-    const glm::vec4 light = solid_angle * stokes;
-    for (std::size_t j = 0; j < spin_; ++j) numbers[j] += light.x * scalar[j];
-    const float* const s1 = scalar + spin_;
+void ArrivingLight::add(std::size_t direction, float solid_angle, std::size_t components, std::size_t lanes,
+                        const Lanes* stokes, Lanes* numbers) const {
+    const float* const s0 = data_.data() + direction * stride_;
+    const float* const s1 = s0 + spin_;
     const float* const s2 = s1 + (s3_ - spin_);
-    for (std::size_t j = spin_; j < s3_; ++j) numbers[j] += light.y * s1[j - spin_] + light.z * s2[j - spin_];
-    for (std::size_t j = s3_; j < size_; ++j) numbers[j] += light.w * scalar[j - s3_];
+    for (std::size_t k = 0; k < lanes; ++k) {
+        const Lanes* const light = stokes + k;
+        dispatch<add_part>(s0, spin_, solid_angle, light, numbers + k, lanes);
+        if (components < 3 || s3_ == spin_) continue;
+        Lanes* const spin = numbers + spin_ * lanes + k;
+        dispatch<add_part>(s1, s3_ - spin_, solid_angle, light + lanes, spin, lanes);
+        dispatch<add_part>(s2, s3_ - spin_, solid_angle, light + 2 * lanes, spin, lanes);
+        if (components == 4 && size_ > s3_)
+            dispatch<add_part>(s0, spin_, solid_angle, light + 3 * lanes, numbers + s3_ * lanes + k, lanes);
+    }
 }
 
 void add_mirror_image(const LightLayout& layout, VertexLight& light, std::size_t block) {

@@ -4,7 +4,6 @@
 
 #include <cstddef>
 #include <glm/vec3.hpp>
-#include <glm/vec4.hpp>
 #include <span>
 #include <vector>
 
@@ -22,8 +21,13 @@ public:
     /// `frames`.
     ArrivingLight(const LightLayout& layout, std::span<const glm::vec3> directions, const Viewpoint& frames);
 
-    /// Adds light from a direction, in a solid angle, to the numbers of one channel.
-    void add(std::size_t direction, float solid_angle, const glm::vec4& stokes, float* numbers) const;
+    /// Adds lights from a direction, in a solid angle, to their numbers, [number][Lanes of lights]. stokes:
+    /// [component][Lanes of lights], as many components (1, 3 or 4) as `components`. With one component, only
+    /// the numbers of s0 are changed.
+    void add(std::size_t direction, float solid_angle, std::size_t components, std::size_t lanes,
+             const Lanes* stokes, Lanes* numbers) const;
+    /// Returns how many numbers s0 has.
+    [[nodiscard]] std::size_t scalars() const noexcept { return spin_; }
 
 private:
     std::size_t spin_;

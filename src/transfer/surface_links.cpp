@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "transfer/surface_links.hpp"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <optional>
@@ -12,10 +10,19 @@
 namespace nicol {
 namespace {
 
+// Returns a number of 0 to count - 1 that depends on the vertex and the stratum as if by chance.
+std::size_t choice(std::size_t vertex, std::size_t stratum, std::size_t count) {
+    std::uint64_t x = (vertex * kLinkStrata + stratum + 1) * 0x9e3779b97f4a7c15U;
+    x = (x ^ x >> 32U) * 0xd6e8feb86659fd93U;
+    return static_cast<std::size_t>((x >> 32U) * count >> 32U);
+}
+
+}  // namespace
+
 /// Triangles of a geometry that rays meet.
-class TracedTriangles {
+class LinkSearch::Triangles {
 public:
-    TracedTriangles(const BakeGeometry& geometry, std::span<const std::uint32_t> triangles)
+    Triangles(const BakeGeometry& geometry, std::span<const std::uint32_t> triangles)
         : numbers_(triangles), corners_(corners_of(geometry, triangles)), rays_(rays_of(geometry)) {}
 
     [[nodiscard]] std::optional<RayHit> intersect(const Ray& ray) const {
@@ -51,9 +58,9 @@ private:
 };
 
 /// Search for the points that rays from vertices meet.
-class LinkedPoints {
+class LinkSearch::Points {
 public:
-    LinkedPoints(const BakeGeometry& geometry, const TriangleSides& sides)
+    Points(const BakeGeometry& geometry, const TriangleSides& sides)
         : geometry_(geometry), fronts_(geometry, sides.fronts) {
         if (!sides.backs.empty()) backs_.emplace(geometry, sides.backs);
     }
@@ -83,72 +90,52 @@ private:
     }
 
     const BakeGeometry& geometry_;
-    TracedTriangles fronts_;
-    std::optional<TracedTriangles> backs_;
+    Triangles fronts_;
+    std::optional<Triangles> backs_;
 };
 
-// Returns a number of 0 to count - 1 that depends on the vertex and the stratum as if by chance.
-std::size_t choice(std::size_t vertex, std::size_t stratum, std::size_t count) {
-    std::uint64_t x = (vertex * kLinkStrata + stratum + 1) * 0x9e3779b97f4a7c15U;
-    x = (x ^ x >> 32U) * 0xd6e8feb86659fd93U;
-    return static_cast<std::size_t>((x >> 32U) * count >> 32U);
+LinkSearch::LinkSearch(const BakeGeometry& geometry, const TriangleSides& sides,
+                       const DirectionSet& directions, const Visibility& visibility)
+    : directions_(directions), visibility_(visibility) {
+    normals_.reserve(geometry.normals.size());
+    for (const glm::vec3& normal : geometry.normals) normals_.push_back(glm::normalize(normal));
+    origins_ = bake_origins(geometry, normals_);
+    points_ = std::make_unique<const Points>(geometry, sides);
 }
 
-}  // namespace
+LinkSearch::~LinkSearch() = default;
 
-std::vector<SurfaceLink> find_links(const BakeGeometry& geometry, const TriangleSides& sides,
-                                    const DirectionSet& directions, const Visibility& visibility,
-                                    const BakeProgress& progress) {
-    constexpr std::size_t step = 64;    // vertices of one task
-    constexpr std::size_t chunk = 128;  // tasks between two calls of the progress callback
-    const std::size_t vertices = geometry.positions.size();
-    const LinkedPoints points(geometry, sides);
-    std::vector<glm::vec3> normals;
-    normals.reserve(vertices);
-    for (const glm::vec3& normal : geometry.normals) normals.push_back(glm::normalize(normal));
-    const std::vector<glm::vec3> origins = bake_origins(geometry, normals);
-    const std::size_t stratum_size = (directions.size() + kLinkStrata - 1) / kLinkStrata;
-
-    std::vector<std::vector<SurfaceLink>> parts((vertices + step - 1) / step);
-    const auto add = [&](std::size_t vertex, std::size_t stratum, std::vector<std::uint32_t>& blocked,
-                         std::vector<SurfaceLink>& out) {
+float LinkSearch::find(std::size_t vertex, std::vector<SurfaceLink>& links) const {
+    links.clear();
+    if (visibility_.unoccluded(vertex)) return 0;
+    const std::size_t stratum_size = (directions_.size() + kLinkStrata - 1) / kLinkStrata;
+    std::vector<std::uint32_t> blocked;
+    blocked.reserve(stratum_size);
+    float nearness = 0, all = 0;  // sums of solid angles, over distances and alone
+    for (std::size_t stratum = 0; stratum < kLinkStrata; ++stratum) {
         blocked.clear();
         float solid_angle = 0;
-        const std::size_t end = std::min((stratum + 1) * stratum_size, directions.size());
+        const std::size_t end = std::min((stratum + 1) * stratum_size, directions_.size());
         for (std::size_t d = stratum * stratum_size; d < end; ++d) {
-            if (visibility.seen(vertex, d) || !(glm::dot(directions.directions()[d], normals[vertex]) > 0))
+            if (visibility_.seen(vertex, d) || !(glm::dot(directions_.directions()[d], normals_[vertex]) > 0))
                 continue;
             blocked.push_back(static_cast<std::uint32_t>(d));
-            solid_angle += directions.weights()[d];
+            solid_angle += directions_.weights()[d];
         }
-        if (blocked.empty()) return;
+        if (blocked.empty()) continue;
         const std::uint32_t chosen = blocked[choice(vertex, stratum, blocked.size())];
-        const std::optional<RayHit> hit = points.find(origins[vertex], directions.directions()[chosen]);
-        if (!hit) return;
-        out.push_back({.vertex = static_cast<std::uint32_t>(vertex),
-                       .direction = chosen,
-                       .triangle = hit->triangle,
-                       .b1 = static_cast<float>(hit->b1),
-                       .b2 = static_cast<float>(hit->b2),
-                       .solid_angle = solid_angle});
-    };
-    for (std::size_t first = 0; first < parts.size(); first += chunk) {
-        if (progress) progress(static_cast<double>(first) / static_cast<double>(parts.size()));
-        tbb::parallel_for(first, std::min(first + chunk, parts.size()), [&](std::size_t part) {
-            std::vector<std::uint32_t> blocked;
-            for (std::size_t v = part * step; v < std::min((part + 1) * step, vertices); ++v) {
-                if (visibility.unoccluded(v)) continue;
-                for (std::size_t stratum = 0; stratum < kLinkStrata; ++stratum)
-                    add(v, stratum, blocked, parts[part]);
-            }
-        });
+        const std::optional<RayHit> hit = points_->find(origins_[vertex], directions_.directions()[chosen]);
+        if (!hit) continue;
+        nearness += solid_angle / static_cast<float>(hit->distance);
+        all += solid_angle;
+        links.push_back({.receiver = 0,
+                         .direction = chosen,
+                         .triangle = hit->triangle,
+                         .b1 = static_cast<float>(hit->b1),
+                         .b2 = static_cast<float>(hit->b2),
+                         .solid_angle = solid_angle});
     }
-    std::vector<SurfaceLink> out;
-    for (std::vector<SurfaceLink>& part : parts) {
-        out.insert(out.end(), part.begin(), part.end());
-        std::vector<SurfaceLink>().swap(part);
-    }
-    return out;
+    return links.empty() ? 0 : all / nearness;
 }
 
 }  // namespace nicol

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Links from vertices to the surfaces that hide the environment from them.
+// Links from receivers of bounced light to the surfaces that hide the environment from them.
 #pragma once
 
 #include <cstdint>
+#include <glm/vec3.hpp>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -11,9 +13,9 @@
 
 namespace nicol {
 
-/// A blocked direction of a vertex, and the point of a surface's front that blocks it.
+/// A blocked direction of a receiver, and the point of a surface's front that blocks it.
 struct SurfaceLink {
-    std::uint32_t vertex;
+    std::uint32_t receiver;
     std::uint32_t direction;  ///< index in the DirectionSet
     std::uint32_t triangle;   ///< triangle of the point
     float b1, b2;             ///< barycentric weights of its corners 1 and 2; corner 0 has the rest
@@ -29,13 +31,34 @@ struct TriangleSides {
 /// Number of strata of directions over the sphere.
 inline constexpr std::size_t kLinkStrata = 128;
 
-/// Returns the links of all vertices, in the order of the vertices. The sphere of directions has kLinkStrata
-/// strata; a vertex has one link for each stratum with blocked directions, in one of them that is chosen as
-/// if by chance. A ray that meets the back of a one-sided surface meets nothing that leaves light, so it has
-/// no link. `geometry`: that of the visibility. Runs on the calling thread's TBB arena.
-[[nodiscard]] std::vector<SurfaceLink> find_links(const BakeGeometry& geometry, const TriangleSides& sides,
-                                                  const DirectionSet& directions,
-                                                  const Visibility& visibility,
-                                                  const BakeProgress& progress = {});
+/// Search for the links of vertices. Immutable; threads share it.
+class LinkSearch {
+public:
+    /// `geometry`: that of the visibility. The arguments must outlive the object.
+    LinkSearch(const BakeGeometry& geometry, const TriangleSides& sides, const DirectionSet& directions,
+               const Visibility& visibility);
+    ~LinkSearch();
+    LinkSearch(const LinkSearch&) = delete;
+    LinkSearch& operator=(const LinkSearch&) = delete;
+
+    /// Unit normals of all vertices.
+    [[nodiscard]] std::span<const glm::vec3> normals() const noexcept { return normals_; }
+
+    /// Sets links to those of a vertex; their `receiver` is 0. The sphere of directions has kLinkStrata
+    /// strata; a vertex has one link for each stratum with blocked directions, in one of them that is chosen
+    /// as if by chance. A ray that meets the back of a one-sided surface meets nothing that leaves light, so
+    /// it has no link. Returns the harmonic mean of the links' lengths; 0: there is no link.
+    float find(std::size_t vertex, std::vector<SurfaceLink>& links) const;
+
+private:
+    class Triangles;
+    class Points;
+
+    const DirectionSet& directions_;
+    const Visibility& visibility_;
+    std::vector<glm::vec3> normals_;
+    std::vector<glm::vec3> origins_;
+    std::unique_ptr<const Points> points_;
+};
 
 }  // namespace nicol

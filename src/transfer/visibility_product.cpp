@@ -230,7 +230,8 @@ void VisibilityProduct::store_block(std::size_t block, std::span<const Lanes> nu
     }
 }
 
-void VisibilityProduct::run(VertexLight& light, std::size_t first, std::size_t last) const {
+void VisibilityProduct::run(VertexLight& light, std::size_t first, std::size_t last,
+                            std::size_t skipped) const {
     constexpr std::size_t most = ShadowMatrices::kMostChannels;
     const std::size_t size = layout_.size();
     const auto channels = static_cast<std::size_t>(light.channels());
@@ -244,7 +245,7 @@ void VisibilityProduct::run(VertexLight& light, std::size_t first, std::size_t l
         for (std::size_t begin = 0; begin < channels; begin += most) {
             const std::size_t count = std::min(most, channels - begin);
             for (std::size_t c = 0; c < count; ++c) {
-                lights[c] = light.block(sixteen, static_cast<int>(begin + c)).data();
+                lights[c] = light.block(sixteen - skipped, static_cast<int>(begin + c)).data();
             }
             if (matrices_) {
                 matrices_->multiply(numbers, std::span(lights).first(count),
@@ -253,7 +254,7 @@ void VisibilityProduct::run(VertexLight& light, std::size_t first, std::size_t l
                 for (std::size_t c = 0; c < count; ++c) grid_->multiply(numbers, lights[c], products[c]);
             }
             for (std::size_t c = 0; c < count; ++c) {
-                const std::span<Lanes> to = light.block(sixteen, static_cast<int>(begin + c));
+                const std::span<Lanes> to = light.block(sixteen - skipped, static_cast<int>(begin + c));
                 for (std::size_t k = 0; k < size; ++k) {
                     for (std::size_t i = 0; i < kLanes; ++i) to[k][i] = unit_ * products[c][k][i];
                 }

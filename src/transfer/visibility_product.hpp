@@ -55,8 +55,9 @@ public:
     [[nodiscard]] std::size_t blocks() const noexcept { return (vertices_.size() + kLanes - 1) / kLanes; }
 
     /// Computes light = V light for the vertices of VertexLight's blocks `first` <= b < `last`; unoccluded
-    /// blocks are left unchanged. Calls for different blocks may run side by side.
-    void run(VertexLight& light, std::size_t first, std::size_t last) const;
+    /// blocks are left unchanged. Calls for different blocks may run side by side. skipped: number of blocks
+    /// that are missing in front of `light`.
+    void run(VertexLight& light, std::size_t first, std::size_t last, std::size_t skipped = 0) const;
 
     /// Views of the object for implementations on other processors.
     [[nodiscard]] std::span<const std::uint32_t> vertices() const noexcept {

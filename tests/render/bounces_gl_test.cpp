@@ -2,6 +2,7 @@
 // Tests of light that surfaces reflect to each other, by the factored method.
 #include "gl/contexts.hpp"
 #include "image_difference.hpp"
+#include "render/memory_estimate.hpp"
 #include "render/scenes.hpp"
 #include "scene/path_depth.hpp"
 
@@ -11,6 +12,7 @@ using test::rms_difference;
 
 namespace {
 
+const glm::dmat3 kTurned(glm::rotate(glm::dmat4(1), 0.7, glm::dvec3(0, 1, 0)));
 const glm::dmat4 kBack = glm::translate(glm::dmat4(1), {0, 1, -2});
 
 glm::dmat4 left_wall() {
@@ -174,10 +176,61 @@ IMAGE_TEST_CASE("after any change, bounced light is that of a fresh start") {
     check_fresh();
     scene.set_material(2, diffuse({0.1, 0.9, 0.3}));
     check_fresh();
+    scene.set_environment(test::falling_light(3, false), kTurned, 1);
+    check_fresh();
+    scene.set_environment(test::falling_light(3, true), glm::dmat3(1), 1);
+    check_fresh();
     const std::uint32_t lamp = scene.add_light({});
     check_fresh();
     scene.remove_light(lamp);
     check_fresh();
+}
+
+IMAGE_TEST_CASE("a light that turns has bounces that were baked, and not to be summed again") {
+    test::Studio render(context);
+    Scene scene = colored_corner();
+    static_cast<void>(render(scene, bouncing(5)));
+    const std::uint64_t links = render.statistics.bounce_links;
+    CHECK(render.statistics.bake_ms > 0);
+    scene.set_environment(test::falling_light(3, false), kTurned, 1);
+    static_cast<void>(render(scene, bouncing(5)));
+    CHECK(render.statistics.bake_ms == 0);
+    CHECK(render.statistics.bounce_ms > 0);
+    CHECK(render.statistics.bounce_links == links);
+}
+
+IMAGE_TEST_CASE("the series of bounces ends earlier for a larger tolerance, and its error is predicted") {
+    test::Studio render(context);
+    const MaterialPtr white = diffuse({0.95});
+    Scene scene = corner(white, white, white);
+    scene.set_environment(constant_environment({1}), glm::dmat3(1), 1);
+    RenderOptions options = bouncing(kUnlimitedDepth);
+    options.tolerance = 0.001;
+    const StokesImage exact = render(scene, options);
+    const std::uint64_t rounds = render.statistics.bounce_rounds;
+    CHECK(render.statistics.bounced_left < 0.001);
+    options.tolerance = 0.2;
+    const StokesImage rough = render(scene, options);
+    CHECK(render.statistics.bounce_rounds < rounds);
+    CHECK(render.statistics.bounced_left < 0.05);
+    CHECK(rms_difference(rough, exact) < 0.05 * rms(exact));
+    CHECK(render.statistics.bounce_error > render.statistics.bounced_left);
+    CHECK(render.statistics.predicted_error >= render.statistics.bounce_error);
+}
+
+IMAGE_TEST_CASE("the memory estimate covers bounced light") {
+    test::Studio render(context);
+    const Scene scene = colored_corner();
+    const auto measured = [&](int max_depth) {
+        RenderOptions options = bouncing(max_depth);
+        options.refine_tolerance = 0;
+        static_cast<void>(render(scene, options));
+        return std::pair(render.statistics.transfer_bytes, estimate_memory(scene, options).transfer);
+    };
+    const auto [direct, direct_estimate] = measured(2);
+    const auto [all, all_estimate] = measured(5);
+    CHECK(all > direct);
+    CHECK(all_estimate - direct_estimate >= all - direct);
 }
 
 IMAGE_TEST_CASE("compute shaders add the same bounced light") {

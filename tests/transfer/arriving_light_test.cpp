@@ -36,11 +36,18 @@ Viewpoint some_frames() {
     return {.eye = {0, 0, 0}, .forward = {1, 0, 0}, .up = {0, 0.6, 0.8}, .right = {0, 0.8, -0.6}};
 }
 
-// Returns the light from a direction, in the frame field of some_frames().
-glm::vec4 arriving(const Stokes& in_theta_phi, const glm::dvec3& direction) {
+// Lights that arrive, in the frame field of some_frames(): the third of sixteen has a Stokes vector.
+using Arriving = std::array<Lanes, 4>;
+constexpr std::size_t kColumn = 2;
+
+// Returns the light from a direction.
+Arriving arriving(const Stokes& in_theta_phi, const glm::dvec3& direction) {
     const glm::dvec3 propagation = -glm::normalize(direction);
-    return glm::vec4(
+    const glm::vec4 stokes(
         rotated(in_theta_phi, angle_between(theta_phi_frame(propagation), some_frames().frame(propagation))));
+    Arriving out{};
+    for (std::size_t p = 0; p < 4; ++p) out[p][kColumn] = stokes[static_cast<glm::length_t>(p)];
+    return out;
 }
 
 }  // namespace
@@ -51,15 +58,28 @@ TEST_CASE("light that arrives from all directions has its coefficients") {
     for (const LightKind kind : {LightKind::unpolarized, LightKind::linear, LightKind::full}) {
         const LightLayout layout(kOrder, kind);
         const ArrivingLight arrival(layout, directions.directions(), some_frames());
-        std::vector<float> numbers(layout.size(), 0.0F);
+        std::vector<Lanes> numbers(layout.size(), Lanes{});
         for (std::size_t d = 0; d < directions.size(); ++d) {
             const glm::dvec3 direction(directions.directions()[d]);
-            arrival.add(d, directions.weights()[d], arriving(evaluate(field, 0, -direction), direction),
-                        numbers.data());
+            arrival.add(d, directions.weights()[d], 4, 1,
+                        arriving(evaluate(field, 0, -direction), direction).data(), numbers.data());
         }
         for (std::size_t j = 0; j < numbers.size(); ++j)
-            CHECK(double{numbers[j]} == doctest::Approx(number(layout, field, j)).epsilon(1e-4));
+            CHECK(double{numbers[j][kColumn]} == doctest::Approx(number(layout, field, j)).epsilon(1e-4));
+        CHECK(numbers[0][0] == 0);
     }
+}
+
+TEST_CASE("s0 alone arrives as it does with the other components") {
+    const std::vector<glm::vec3> directions{glm::normalize(glm::vec3(0.3F, -0.5F, 0.7F))};
+    const LightLayout layout(kOrder, LightKind::linear);
+    const ArrivingLight arrival(layout, directions, some_frames());
+    const Arriving light = arriving({2, 0.7, -0.4, 0}, glm::dvec3(directions[0]));
+    std::vector<Lanes> all(layout.size(), Lanes{}), scalars(layout.size(), Lanes{});
+    arrival.add(0, 0.1F, 3, 1, light.data(), all.data());
+    arrival.add(0, 0.1F, 1, 1, light.data(), scalars.data());
+    for (std::size_t j = 0; j < layout.size(); ++j)
+        CHECK(scalars[j][kColumn] == (j < layout.spin_begin() ? all[j][kColumn] : 0.0F));
 }
 
 TEST_CASE("the mirror image is the light that a mirror in the surface's plane would send from below") {
@@ -69,15 +89,14 @@ TEST_CASE("the mirror image is the light that a mirror in the surface's plane wo
     const ArrivingLight arrival(layout, directions, some_frames());
     const Stokes light{2, 0.7, -0.4, 0.5};
     const Stokes image{light.x, light.y, -light.z, -light.w};
-    const glm::vec4 arrives = arriving(light, glm::dvec3(above));
-    std::vector<float> both(layout.size(), 0.0F);
-    arrival.add(0, 0.1F, arrives, both.data());
+    std::vector<Lanes> both(layout.size(), Lanes{});
+    arrival.add(0, 0.1F, 4, 1, arriving(light, glm::dvec3(above)).data(), both.data());
     VertexLight lanes(layout, 1, 1);
-    for (std::size_t j = 0; j < layout.size(); ++j) lanes.block(0, 0)[j].value.fill(both[j]);
+    for (std::size_t j = 0; j < layout.size(); ++j) lanes.block(0, 0)[j].value.fill(both[j][kColumn]);
     add_mirror_image(layout, lanes, 0);
-    arrival.add(1, 0.1F, arriving(image, glm::dvec3(directions[1])), both.data());
+    arrival.add(1, 0.1F, 4, 1, arriving(image, glm::dvec3(directions[1])).data(), both.data());
     for (std::size_t j = 0; j < layout.size(); ++j)
-        CHECK(lanes.block(0, 0)[j][5] == doctest::Approx(both[j]).epsilon(1e-4));
+        CHECK(lanes.block(0, 0)[j][5] == doctest::Approx(both[j][kColumn]).epsilon(1e-4));
 }
 
 TEST_CASE("the numbers of a small light have places in a larger one") {

@@ -30,11 +30,12 @@ struct Slot {
         return {.positions = positions, .normals = normals, .triangles = triangles};
     }
     [[nodiscard]] std::vector<SurfaceLink> links_of_middle(const DirectionSet& directions) const {
-        std::vector<SurfaceLink> links =
-            find_links(geometry(), sides, directions, bake(geometry(), directions));
-        std::erase_if(links, [](const SurfaceLink& link) { return link.vertex != 8; });
+        const Visibility visibility = bake(geometry(), directions);
+        std::vector<SurfaceLink> links;
+        mean_length = LinkSearch(geometry(), sides, directions, visibility).find(8, links);
         return links;
     }
+    mutable float mean_length = 0;  // harmonic mean, of the last call
 };
 
 double solid_angle(const std::vector<SurfaceLink>& links) {
@@ -53,6 +54,8 @@ TEST_CASE("links lead along their directions to the surface, and stand for all t
     CHECK(links.size() <= kLinkStrata);
     // The ceiling hides all but a low strip of about 1 / 50 radians.
     CHECK(solid_angle(links) == doctest::Approx(2 * std::numbers::pi).epsilon(0.03));
+    // The mean of the cosines, which are the inverse lengths, is a half.
+    CHECK(slot.mean_length == doctest::Approx(2).epsilon(0.05));
     for (const SurfaceLink& link : links) {
         REQUIRE(link.triangle >= 2);
         const glm::uvec3& corners = slot.triangles[link.triangle];

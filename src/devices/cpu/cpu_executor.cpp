@@ -35,12 +35,14 @@ void for_runs(std::size_t first, std::size_t last, const Stale& stale, const Bod
     }
 }
 
-// Rotates light from the vertices' frames into the geometry's axes, and stores it as rows.
-void leave_for_pixels(const FrameRotation& back, std::span<const glm::vec3> normals, std::size_t first,
-                      std::size_t last, VertexLight& light) {
+// Rotates light from the vertices' frames into the geometry's axes, adds bounced light (null: none), and
+// stores the sum as rows.
+void leave_for_pixels(const FrameRotation& back, const Bounces* bounces, std::span<const glm::vec3> normals,
+                      std::size_t first, std::size_t last, VertexLight& light) {
     for (std::size_t block = first; block < last; ++block) {
         const std::size_t v = block * kLanes;
         back.into_world(normals.subspan(v, std::min(kLanes, normals.size() - v)), light, block);
+        if (bounces != nullptr) bounces->add_to(light, block, block + 1);
         light.to_rows(block);
     }
 }
@@ -77,6 +79,7 @@ std::uint64_t CpuExecutor::relight(const FactoredMethod& method, const TransferI
     const std::span normals(input.geometry.normals);
     const Relight rotation(input.layout, input.light);
     const std::optional<VisibilityProduct>& shadows = *method.shadows();
+    const Bounces* const bounces = input.bounces > 0 ? &method.bounces() : nullptr;
     std::optional<FrameRotation> back;
     if (input.at_pixels) back.emplace(input.layout);
     const auto stale = [&](std::size_t block) {
@@ -90,8 +93,10 @@ std::uint64_t CpuExecutor::relight(const FactoredMethod& method, const TransferI
                                for_runs(first, last, stale, [&](std::size_t begin, std::size_t end) {
                                    rotation.run(normals, begin, end, light_);
                                    if (shadows) shadows->run(light_, begin, end);
-                                   if (input.bounces > 0) method.bounces().add_to(light_, begin, end);
-                                   if (back) leave_for_pixels(*back, normals, begin, end, light_);
+                                   if (back)
+                                       leave_for_pixels(*back, bounces, normals, begin, end, light_);
+                                   else if (bounces != nullptr)
+                                       bounces->add_to(light_, begin, end);
                                    relit += std::min(end * kLanes, vertices) - begin * kLanes;
                                });
                            });
@@ -128,7 +133,7 @@ std::uint64_t CpuExecutor::relight(const DenseMethod& method, const TransferInpu
             const std::span normals = std::span(input.geometry.normals).subspan(runs[i].first, count);
             run.workers.for_blocks(light.blocks(), "relight", run.progress,
                                    [&](std::size_t first, std::size_t last) {
-                                       leave_for_pixels(back, normals, first, last, light);
+                                       leave_for_pixels(back, nullptr, normals, first, last, light);
                                    });
         }
     }

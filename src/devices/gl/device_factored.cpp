@@ -86,8 +86,8 @@ void DeviceFactored::relight(const FactoredMethod& method, const TransferInput& 
         rotation_->run(normals, light);
         if (shadow_matrices_) shadow_matrices_->run(light);
         if (shadow_grid_) shadow_grid_->run(light);
-        if (input.bounces > 0) add_bounced(method.bounces(), light);
         if (input.at_pixels) rotation_->into_world(normals, light);
+        if (input.bounces > 0) add_bounced(method.bounces(), light);
     }
 }
 

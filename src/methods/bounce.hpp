@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// One bounce: light at vertices or receivers becomes light that arrives at receivers by links.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <span>
+
+#include "material/response_table.hpp"
+#include "methods/linked_surfaces.hpp"
+#include "shading/reflection_rows.hpp"
+#include "transfer/arriving_light.hpp"
+#include "transfer/frame_rotation.hpp"
+#include "transfer/light_columns.hpp"
+
+namespace nicol {
+
+using BounceTables = std::map<MaterialPtr, ResponseTable>;
+
+/// Bounces of one channel. Works on blocks of sixteen receivers; immutable, so that threads share it.
+class Bounce {
+public:
+    /// The arguments must outlive the object. tables: of plain_materials(), with the arrival's layout.
+    Bounce(const WorldGeometry& geometry, const DirectionSet& directions, const LinkedSurfaces& surfaces,
+           const BounceTables& tables, const ArrivingLight& arrival, const LightLayout& layout,
+           std::size_t channel);
+
+    /// Sets the lights that arrive at a block of receivers to what surfaces reflect of light at the
+    /// geometry's vertices, of these components. out: all numbers of the layout.
+    void reflect_vertices(std::size_t block, const ReflectionRows& rows, const LightColumns& light,
+                          LightColumns& out) const;
+    /// Does the same for bounced light, which the receivers have.
+    void reflect_receivers(std::size_t block, const ReflectionRows& rows, const LightColumns& light,
+                           LightColumns& out) const;
+    /// Sets the lights that arrive at a block of receivers to given Stokes vectors of links. channels: one
+    /// for each column.
+    void gather(std::size_t block, const LinkStokes& stokes, std::span<const std::size_t> channels,
+                LightColumns& out) const;
+
+private:
+    /// leave(batch, stokes): sets the Stokes vectors that leave along a batch's links,
+    /// [link][component][Lanes of columns].
+    template <class Leave>
+    void arrive(std::size_t block, std::size_t components, LightColumns& out, const Leave& leave) const;
+    void find_rows(const LinkedSurfaces::Batch& batch, const ReflectionRows& rows, VertexLight& out) const;
+
+    const WorldGeometry& geometry_;
+    const DirectionSet& directions_;
+    const LinkedSurfaces& surfaces_;
+    const BounceTables& tables_;
+    const ArrivingLight& arrival_;
+    LightLayout layout_;
+    LightLayout scalar_layout_;
+    FrameRotation rotation_;
+    FrameRotation scalar_rotation_;
+    Viewpoint frames_ = link_frames();
+    std::size_t channel_;
+};
+
+}  // namespace nicol

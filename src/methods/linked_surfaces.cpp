@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: MIT
+#include "methods/linked_surfaces.hpp"
+
+#include <algorithm>
+#include <array>
+#include <glm/geometric.hpp>
+#include <map>
+#include <utility>
+
+#include "material/sampled_terms.hpp"
+#include "material/spatial_variation.hpp"
+#include "shading/channel_spans.hpp"
+#include "shading/light_samples.hpp"
+#include "surfaces/plain_materials.hpp"
+#include "surfaces/tangents.hpp"
+
+namespace nicol {
+namespace {
+
+// Light samples for a wide light at the end of a link. A vertex has many links, which share the noise.
+constexpr std::uint32_t kLinkLightSamples = 1;
+
+// Sets lane i of the points to where a link ends. Textures have no footprint there.
+void put_point(const WorldGeometry& geometry, const SurfaceLink& link, std::size_t i, TexturePoints& points) {
+    const TexturePoint at = texture_point(
+        corner_weights(link), geometry.texcoords.empty() ? nullptr : &geometry.texcoords[link.triangle],
+        geometry.colors.empty() ? nullptr : &geometry.colors[link.triangle]);
+    for (glm::length_t k = 0; k < 2; ++k) points.uv[static_cast<std::size_t>(k)][i] = at.uv[k];
+    for (glm::length_t k = 0; k < 3; ++k) points.color[static_cast<std::size_t>(k)][i] = at.color[k];
+}
+
+// Sum of the values at a triangle's corners, each times its weight.
+glm::vec3 interpolated(std::span<const glm::vec3> values, const glm::uvec3& corners,
+                       const glm::vec3& weights) {
+    return weights.x * values[corners.x] + weights.y * values[corners.y] + weights.z * values[corners.z];
+}
+
+glm::vec3 normalized_or(const glm::vec3& v, const glm::vec3& otherwise) {
+    const float length = glm::length(v);
+    return length > 1e-6F ? v / length : otherwise;
+}
+
+// Returns a number from 0 to 1 that depends on the link and the purpose as if by chance.
+float chance(std::size_t link, std::uint64_t purpose) {
+    std::uint64_t x = (2 * std::uint64_t{link} + purpose + 1) * 0x9e3779b97f4a7c15U;
+    x = (x ^ x >> 32U) * 0xd6e8feb86659fd93U;
+    return static_cast<float>(x >> 40U) * 0x1p-24F;
+}
+
+// Chooses one of several shares, whose sum is at most 1, with their probabilities.
+template <class Shares>
+std::size_t chosen(const Shares& shares, std::size_t count, float at) {
+    std::size_t k = 0;
+    for (; k + 1 < count && at >= shares[static_cast<int>(k)]; ++k) at -= shares[static_cast<int>(k)];
+    return k;
+}
+
+// Returns, for each range, the first range of equal material.
+std::vector<std::uint32_t> first_ranges(const WorldGeometry& geometry) {
+    std::map<MaterialPtr, std::uint32_t> known;
+    std::vector<std::uint32_t> out;
+    for (std::uint32_t r = 0; r < geometry.ranges.size(); ++r)
+        out.push_back(known.emplace(geometry.ranges[r].material, r).first->second);
+    return out;
+}
+
+}  // namespace
+
+LinkedSurfaces::LinkedSurfaces(const WorldGeometry& geometry, Receivers receivers)
+    : receivers_(std::move(receivers)) {
+    const std::vector<std::uint32_t> first_range = first_ranges(geometry);
+    std::vector<SurfaceLink>& links = receivers_.links;
+    const auto range_at = [&](const SurfaceLink& link) {
+        return first_range[range_of(geometry, geometry.triangles[link.triangle].x)];
+    };
+    for (std::size_t begin = 0; begin < links.size();) {
+        const std::uint32_t block = links[begin].receiver / kLanes;
+        std::vector<std::pair<std::uint32_t, SurfaceLink>> sorted;
+        for (std::size_t k = begin; k < links.size() && links[k].receiver / kLanes == block; ++k)
+            sorted.emplace_back(range_at(links[k]), links[k]);
+        // Links in equal directions end close to each other, so that they use the same memory.
+        std::ranges::stable_sort(
+            sorted, {}, [](const auto& pair) { return std::pair(pair.first, pair.second.direction); });
+        firsts_.resize(block + 1, batches_.size());
+        for (std::size_t k = 0; k < sorted.size(); ++k) {
+            const std::uint32_t range = sorted[k].first;
+            links[begin + k] = sorted[k].second;
+            if (k == 0 || batches_.back().range != range || batches_.back().count == kLanes)
+                batches_.push_back({.range = range, .count = 0, .first = begin + k});
+            ++batches_.back().count;
+        }
+        begin += sorted.size();
+    }
+    firsts_.resize(blocks() + 1, batches_.size());
+    ends_.reserve(links.size());
+    for (std::size_t k = 0; k < links.size(); ++k) {
+        const std::size_t corner = chosen(corner_weights(links[k]), 3, chance(k, 0));
+        const Receivers::Blend& blend =
+            receivers_.blends[geometry.triangles[links[k].triangle][static_cast<glm::length_t>(corner)]];
+        const std::size_t one = chosen(blend.weights, blend.weights.size(), chance(k, 1));
+        ends_.push_back(blend.weights[one] > 0 ? blend.receivers[one] : kNoVertex);
+    }
+}
+
+void LinkedSurfaces::find_weights(const WorldGeometry& geometry) {
+    weights_.clear();
+    first_weights_.clear();
+    grey_ = true;
+    for (const Batch& batch : batches_) {
+        first_weights_.push_back(weights_.size());
+        const SpatialVariation* const variation = geometry.ranges[batch.range].material->variation();
+        if (variation == nullptr) continue;
+        TexturePoints points{};
+        for (std::size_t i = 0; i < kLanes; ++i) {
+            const std::size_t k = std::min(i, std::size_t{batch.count} - 1);
+            put_point(geometry, links()[batch.first + k], i, points);
+        }
+        weights_.resize(weights_.size() + variation->layers.size());
+        variation->weights(points, std::span(weights_).subspan(first_weights_.back()));
+    }
+    first_weights_.push_back(weights_.size());
+    for (const LayerWeights& weights : weights_)
+        if (weights.points != 0 && !weights.equal) grey_ = false;
+}
+
+std::span<const LayerWeights> LinkedSurfaces::weights(const Batch& batch) const {
+    const auto number = static_cast<std::size_t>(&batch - batches_.data());
+    return std::span(weights_).subspan(first_weights_[number],
+                                       first_weights_[number + 1] - first_weights_[number]);
+}
+
+std::size_t LinkedSurfaces::bytes() const noexcept {
+    return links().size() * (sizeof(SurfaceLink) + sizeof(std::uint32_t)) +
+           blends().size() * sizeof(Receivers::Blend) + receivers() * sizeof(std::uint32_t) +
+           batches_.size() * (sizeof(Batch) + sizeof(std::size_t)) + weights_.size() * sizeof(LayerWeights);
+}
+
+glm::vec3 normal_at_end(const WorldGeometry& geometry, const SurfaceLink& link, const glm::vec3& direction) {
+    return normalized_or(
+        interpolated(geometry.normals, geometry.triangles[link.triangle], corner_weights(link)), -direction);
+}
+
+Viewpoint link_frames() {
+    return {.eye = {0, 0, 0}, .forward = {0, 1, 0}, .up = {0, 0, 1}, .right = {1, 0, 0}};
+}
+
+LightingTally reflect_lights(const WorldGeometry& geometry, const DirectionSet& directions,
+                             const LinkedSurfaces& surfaces, const LinkedSurfaces::Batch& batch,
+                             const LocalLighting& lighting, LinkStokes& out) {
+    const MaterialPtr& material = geometry.ranges[batch.range].material;
+    // Mirrors and narrow lobes show a light in so few links that their vertices would be far too bright, and
+    // all others too dark.
+    std::vector<MaterialPtr> wide;
+    std::vector<const Material*> layers;
+    for (const MaterialPtr& layer : plain_materials(material)) {
+        wide.push_back(in_harmonics(layer, SampledTerms::anisotropic_narrow));
+        layers.push_back(wide.back().get());
+    }
+    const bool anisotropic = material->anisotropic() && !geometry.texcoords.empty();
+    constexpr std::size_t most = kLanes;
+    const std::size_t count = batch.count;
+    std::array<glm::vec3, most> positions, normals, tangents, origins;
+    std::array<std::uint32_t, most> seeds;
+    std::array<Viewpoint, most> views;
+    for (std::size_t i = 0; i < count; ++i) {
+        const SurfaceLink& link = surfaces.links()[batch.first + i];
+        const glm::uvec3& triangle = geometry.triangles[link.triangle];
+        const glm::vec3 weights = corner_weights(link);
+        const std::array corners{geometry.positions[triangle.x], geometry.positions[triangle.y],
+                                 geometry.positions[triangle.z]};
+        const glm::vec3 facet(glm::normalize(glm::cross(glm::dvec3(corners[1]) - glm::dvec3(corners[0]),
+                                                        glm::dvec3(corners[2]) - glm::dvec3(corners[0]))));
+        positions[i] = interpolated(geometry.positions, triangle, weights);
+        normals[i] = normalized_or(interpolated(geometry.normals, triangle, weights), facet);
+        origins[i] = positions[i] + static_cast<float>(ray_offset(corners)) * facet;
+        if (anisotropic) tangents[i] = tangent(geometry, link.triangle, weights);
+        seeds[i] = sample_seed(static_cast<std::uint32_t>(batch.first + i), 0);
+        views[i] = link_frames();
+        views[i].orthographic = true;
+        views[i].forward = directions.directions()[link.direction];
+    }
+    thread_local std::vector<glm::vec4> sums;
+    sums.clear();
+    const std::vector<std::span<glm::vec4>> channels = channel_spans(sums, out.size(), count);
+    const LightingTally tally = lighting.add_lights(
+        Views(std::span(views).first(count)),
+        {.positions = std::span(positions).first(count),
+         .normals = std::span(normals).first(count),
+         .tangents = std::span(tangents).first(anisotropic ? count : 0),
+         .facets = {},
+         .unperturbed = {},
+         .origins = std::span(origins).first(count),
+         .mirrored = {},
+         .parts = {},
+         .seeds = std::span(seeds).first(count),
+         .shadowed = true},
+        {.layers = layers, .weights = surfaces.weights(batch)}, kLinkLightSamples, channels);
+    for (std::size_t c = 0; c < out.size(); ++c) std::ranges::copy(channels[c], &out[c][batch.first]);
+    return tally;
+}
+
+}  // namespace nicol

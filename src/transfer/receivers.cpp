@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: MIT
+#include "transfer/receivers.hpp"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <unordered_map>
+
+namespace nicol {
+namespace {
+
+// Largest distance of a vertex from its receiver, relative to the distance of the surfaces that the receiver
+// sees, where their normals are equal; and largest sqrt(1 - cos(angle)) of the normals at one place.
+constexpr float kReach = 0.3F;
+constexpr float kBend = 0.4F;
+// Where more than one of so many vertices would be a receiver, the reach grows by a factor, a few times at
+// most.
+constexpr std::size_t kVerticesOfReceiver = 4;
+constexpr std::size_t kFewReceivers = 2048;  // that may be any share of the vertices
+constexpr float kGrowth = 1.5F;
+constexpr int kMostGrowths = 4;
+
+/// Receivers by the places that they reach.
+class ReceiverGrid {
+public:
+    /// scale: of both bounds.
+    explicit ReceiverGrid(float scale) : scale_(scale) {}
+
+    void add(std::uint32_t receiver, const glm::vec3& position, const glm::vec3& normal, float distance) {
+        entries_.push_back({receiver, position, normal, 1 / distance});
+        const float reach = scale_ * kReach * distance;
+        if (!(reach > 0)) return;
+        // A cell of twice the reach, so that the sphere around the position lies in eight cells.
+        const int level = std::ilogb(reach) + 2;
+        if (std::ranges::find(levels_, level) == levels_.end()) levels_.push_back(level);
+        const float size = std::ldexp(1.0F, level);
+        const Cell low = cell_of(position - reach, size, level),
+                   high = cell_of(position + reach, size, level);
+        const auto index = static_cast<std::uint32_t>(entries_.size() - 1);
+        for (std::int64_t x = low.x; x <= high.x; ++x)
+            for (std::int64_t y = low.y; y <= high.y; ++y)
+                for (std::int64_t z = low.z; z <= high.z; ++z) cells_[{x, y, z, level}].push_back(index);
+    }
+
+    /// Calls found(receiver, weight) for receivers that reach a point; weight: above 0, falls to 0 where the
+    /// reach ends. Receivers are denser and reach less far where other surfaces are near, and the weights
+    /// make up for both: near a corner, where density and reach go by the distance from it, the weighted mean
+    /// of the receivers' places is the point itself, so that light which changes evenly is interpolated
+    /// right.
+    template <class Found>
+    void near(const glm::vec3& position, const glm::vec3& normal, const Found& found) const {
+        for (const int level : levels_) {
+            const auto cell = cells_.find(cell_of(position, std::ldexp(1.0F, level), level));
+            if (cell == cells_.end()) continue;
+            for (const std::uint32_t index : cell->second) {
+                const Entry& entry = entries_[index];
+                const float away =
+                    glm::length(position - entry.position) * entry.nearness / (scale_ * kReach) +
+                    std::sqrt(std::max(0.0F, 1 - glm::dot(normal, entry.normal))) / (scale_ * kBend);
+                if (away < 1) found(entry.receiver, (1 - away) * entry.nearness * entry.nearness);
+            }
+        }
+    }
+
+    [[nodiscard]] bool reaches(const glm::vec3& position, const glm::vec3& normal) const {
+        bool any = false;
+        near(position, normal, [&](std::uint32_t /*receiver*/, float /*weight*/) { any = true; });
+        return any;
+    }
+
+private:
+    struct Entry {
+        std::uint32_t receiver;
+        glm::vec3 position, normal;
+        float nearness;  // inverse distance of the surfaces around
+    };
+    struct Cell {
+        std::int64_t x, y, z;
+        int level;
+        bool operator==(const Cell&) const = default;
+    };
+    struct Hash {
+        std::size_t operator()(const Cell& cell) const {
+            std::uint64_t hash = static_cast<std::uint64_t>(cell.level);
+            for (const std::int64_t number : {cell.x, cell.y, cell.z}) {
+                hash = (hash ^ static_cast<std::uint64_t>(number)) * 0x9e3779b97f4a7c15U;
+                hash ^= hash >> 32U;
+            }
+            return hash;
+        }
+    };
+    static Cell cell_of(const glm::vec3& position, float size, int level) {
+        const auto along = [size](float x) { return static_cast<std::int64_t>(std::floor(x / size)); };
+        return {along(position.x), along(position.y), along(position.z), level};
+    }
+
+    float scale_;
+    std::vector<Entry> entries_;
+    std::vector<int> levels_;
+    std::unordered_map<Cell, std::vector<std::uint32_t>, Hash> cells_;
+};
+
+// Returns the occluded vertices in an order as if by chance, so that early receivers lie far apart.
+std::vector<std::uint32_t> shuffled(const Visibility& visibility) {
+    std::vector<std::uint32_t> out;
+    for (std::uint32_t v = 0; v < visibility.vertices(); ++v)
+        if (!visibility.unoccluded(v)) out.push_back(v);
+    const auto key = [](std::uint32_t v) { return (std::uint64_t{v} + 1) * 0x9e3779b97f4a7c15U; };
+    std::ranges::sort(out, {}, key);
+    return out;
+}
+
+// Keeps the receivers of largest weight with smooth weights: each is the weight beyond the largest that is
+// left out, so that it is 0 where another receiver takes its place.
+Receivers::Blend blend_of(std::vector<std::pair<float, std::uint32_t>>& near) {
+    constexpr std::size_t most = Receivers::Blend::kMost;
+    Receivers::Blend out{};
+    std::ranges::sort(near, std::greater());
+    const std::size_t count = std::min(most, near.size());
+    const float left_out = near.size() > most ? near[most].first : 0;
+    float sum = 0;
+    for (std::size_t k = 0; k < count; ++k) sum += near[k].first - left_out;
+    for (std::size_t k = 0; k < count; ++k) {
+        out.receivers[k] = near[k].second;
+        // Receivers of equal weight share the light.
+        out.weights[k] = sum > 0 ? (near[k].first - left_out) / sum : 1 / static_cast<float>(count);
+    }
+    return out;
+}
+
+/// A choice of receivers, in the order of their vertices.
+struct Choice {
+    struct Receiver {
+        std::uint32_t vertex;
+        float distance;  // of the surfaces that it sees
+        std::vector<SurfaceLink> links;
+    };
+    std::vector<Receiver> receivers;
+    bool complete = true;  // false: there would be more than the limit
+};
+
+Choice choose(const BakeGeometry& geometry, const LinkSearch& search, std::span<const std::uint32_t> order,
+              float scale, std::size_t limit, const BakeProgress& progress) {
+    constexpr std::size_t least = 64, most = 4096;  // vertices that are examined together
+    const std::span normals = search.normals();
+    Choice out;
+    ReceiverGrid grid(scale);
+    std::vector<std::vector<SurfaceLink>> links(most);
+    std::vector<float> distances(most);
+    for (std::size_t first = 0; first < order.size();) {
+        if (progress) progress(static_cast<double>(first) / static_cast<double>(order.size()));
+        const std::size_t count = std::min({std::max(least, first), most, order.size() - first});
+        const auto reached = [&](std::uint32_t v) { return grid.reaches(geometry.positions[v], normals[v]); };
+        tbb::parallel_for(std::size_t{0}, count, [&](std::size_t k) {
+            const std::uint32_t v = order[first + k];
+            links[k].clear();
+            if (!reached(v)) distances[k] = search.find(v, links[k]);
+        });
+        for (std::size_t k = 0; k < count; ++k) {
+            const std::uint32_t v = order[first + k];
+            if (links[k].empty() || reached(v)) continue;
+            grid.add(0, geometry.positions[v], normals[v], distances[k]);
+            out.receivers.push_back({v, distances[k], links[k]});
+        }
+        out.complete = out.receivers.size() <= limit;
+        if (!out.complete) return out;
+        first += count;
+    }
+    // Neighbours in the list are neighbours in the mesh, and so use the same memory.
+    std::ranges::sort(out.receivers, {}, &Choice::Receiver::vertex);
+    return out;
+}
+
+}  // namespace
+
+Receivers find_receivers(const BakeGeometry& geometry, const LinkSearch& search, const Visibility& visibility,
+                         const BakeProgress& progress) {
+    const std::span normals = search.normals();
+    const std::vector<std::uint32_t> order = shuffled(visibility);
+    const std::size_t few = std::max(kFewReceivers, visibility.vertices() / kVerticesOfReceiver);
+    float scale = 1;
+    Choice choice = choose(geometry, search, order, scale, few, progress);
+    for (int k = 1; !choice.complete; ++k) {
+        scale *= kGrowth;
+        const std::size_t limit = k < kMostGrowths ? few : visibility.vertices();
+        choice = choose(geometry, search, order, scale, limit, progress);
+    }
+    Receivers out;
+    ReceiverGrid grid(scale);
+    std::vector<std::uint32_t> own(visibility.vertices(), kNoVertex);  // receiver of each vertex that is one
+    for (Choice::Receiver& chosen : choice.receivers) {
+        const auto receiver = static_cast<std::uint32_t>(out.vertices.size());
+        own[chosen.vertex] = receiver;
+        grid.add(receiver, geometry.positions[chosen.vertex], normals[chosen.vertex], chosen.distance);
+        out.vertices.push_back(chosen.vertex);
+        for (SurfaceLink& link : chosen.links) link.receiver = receiver;
+        out.links.insert(out.links.end(), chosen.links.begin(), chosen.links.end());
+    }
+    out.blends.resize(visibility.vertices());
+    tbb::parallel_for(std::size_t{0}, order.size(), [&](std::size_t k) {
+        const std::uint32_t v = order[k];
+        std::vector<std::pair<float, std::uint32_t>> near;
+        grid.near(geometry.positions[v], normals[v],
+                  [&](std::uint32_t receiver, float weight) { near.emplace_back(weight, receiver); });
+        // Where surfaces touch, a receiver reaches no place but its own.
+        if (near.empty() && own[v] != kNoVertex) near.emplace_back(1.0F, own[v]);
+        out.blends[v] = blend_of(near);
+    });
+    return out;
+}
+
+}  // namespace nicol
