@@ -12,7 +12,7 @@ namespace {
 constexpr double kLargestRatio = 0.99;
 // Bounces after which the geometric series is taken as it is. What is left is known; more bounces would take
 // more time than they are worth.
-constexpr int kMostRounds = 12;
+constexpr int kMostRounds = 24;
 
 /// What is known of a column after a bounce.
 struct Tail {

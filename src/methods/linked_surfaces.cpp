@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <glm/geometric.hpp>
-#include <map>
 #include <utility>
 
 #include "material/sampled_terms.hpp"
@@ -55,23 +54,13 @@ std::size_t chosen(const Shares& shares, std::size_t count, float at) {
     return k;
 }
 
-// Returns, for each range, the first range of equal material.
-std::vector<std::uint32_t> first_ranges(const WorldGeometry& geometry) {
-    std::map<MaterialPtr, std::uint32_t> known;
-    std::vector<std::uint32_t> out;
-    for (std::uint32_t r = 0; r < geometry.ranges.size(); ++r)
-        out.push_back(known.emplace(geometry.ranges[r].material, r).first->second);
-    return out;
-}
-
 }  // namespace
 
 LinkedSurfaces::LinkedSurfaces(const WorldGeometry& geometry, Receivers receivers)
     : receivers_(std::move(receivers)) {
-    const std::vector<std::uint32_t> first_range = first_ranges(geometry);
     std::vector<SurfaceLink>& links = receivers_.links;
     const auto range_at = [&](const SurfaceLink& link) {
-        return first_range[range_of(geometry, geometry.triangles[link.triangle].x)];
+        return static_cast<std::uint32_t>(range_of(geometry, geometry.triangles[link.triangle].x));
     };
     for (std::size_t begin = 0; begin < links.size();) {
         const std::uint32_t block = links[begin].receiver / kLanes;

@@ -141,7 +141,10 @@ MemoryEstimate estimate_memory(const Scene& scene, const RenderOptions& options)
     if (shadows && bounces(options)) {
         std::optional<LightKind> light;
         if (scene.distant_light() != nullptr) light = light_kind(scene.distant_light().get());
-        estimate.transfer += size.vertices * Bounces::bytes_of_vertex(light, layout.kind(), scene.channels());
+        // In small scenes each vertex may be a receiver, in others one of four.
+        const std::uint64_t counted =
+            std::max(size.vertices, std::min<std::uint64_t>(4 * size.vertices, 8192));
+        estimate.transfer += counted * Bounces::bytes_of_vertex(light, layout.kind(), scene.channels());
     }
     const bool high_orders =
         options.high_orders != HighOrders::none && options.order_high > options.order_low;
