@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Renders, directly and as jobs.
+#include <algorithm>
+#include <cmath>
 #include <functional>
 #include <iomanip>
 #include <memory>
@@ -190,8 +192,12 @@ void notice_darkness(const Scene& scene, SceneState& state, const Session& sessi
 // no wish for one.
 void notice_error(const Statistics& statistics, const RenderOptions& options, SceneState& state,
                   const Session& session) {
+    // No option reduces the error of bounced light.
+    const double bounced = std::min(statistics.bounce_error, statistics.predicted_error);
+    const double reducible =
+        std::sqrt(statistics.predicted_error * statistics.predicted_error - bounced * bounced);
     if (options.method == Method::reference || !options.choose_orders || !(options.tolerance > 0) ||
-        !(statistics.predicted_error > options.tolerance) || std::exchange(state.error_noticed, true))
+        !(reducible > options.tolerance) || std::exchange(state.error_noticed, true))
         return;
     std::ostringstream text;
     if (!state.files.empty()) text << state.files.front().path.string() << ": ";
