@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "commands.hpp"
 
+#include <cstdio>
+#include <ctime>
 #include <filesystem>
+#include <map>
 #include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "median.hpp"
 #include "scene_file.hpp"
 #include "temporary_folder.hpp"
 #include "truth.hpp"
@@ -93,11 +97,12 @@ std::vector<Row> rows() {
     std::vector<Row> out;
     for (const auto& [u, v] : {std::pair{"0.2", "0.2"}, {"0.1", "0.4"}, {"0.4", "0.1"}, {"0.05", "0.5"}})
         out.push_back({std::string("aluminium, alpha ") + u + " and " + v, ball(metal(u, v), kForestLight)});
-    out.push_back({"principled, anisotropic 0.8",
-                   ball(R"(<bsdf type="principled"><rgb name="base_color" value="0.9,0.6,0.3"/>)" +
-                            number("metallic", "1") + number("roughness", "0.4") +
-                            number("anisotropic", "0.8") + "</bsdf>",
-                        kForestLight)});
+    for (const char* anisotropic : {"0", "0.8"})
+        out.push_back({std::string("principled, anisotropic ") + anisotropic,
+                       ball(R"(<bsdf type="principled"><rgb name="base_color" value="0.9,0.6,0.3"/>)" +
+                                number("metallic", "1") + number("roughness", "0.4") +
+                                number("anisotropic", anisotropic) + "</bsdf>",
+                            kForestLight)});
     for (const char* alpha : {"0.005", "0.01", "0.02", "0.03"})
         out.push_back({std::string("aluminium, alpha ") + alpha, ball(metal(alpha, alpha), kForestLight)});
     for (const char* alpha : {"0.005", "0.02", "0.05"})
@@ -114,10 +119,34 @@ std::vector<Row> rows() {
     return out;
 }
 
+constexpr std::uint32_t kFrameSize = 512;
+
+// Returns the processor time, in milliseconds and of all threads, of a frame of kFrameSize x kFrameSize
+// pixels whose camera moved: the median of nine.
+double frame_ms(const SceneSource& source) {
+    Stage stage(source);
+    const Framebuffer framebuffer = stage.framebuffer(kFrameSize, kFrameSize);
+    const nicol_render_options options = default_recipe().options();
+    stage.render(options, framebuffer.get());
+    std::vector<double> times;
+    for (int frame = 0; frame < 9; ++frame) {
+        stage.orbit(1);
+        const std::clock_t before = std::clock();
+        stage.render(options, framebuffer.get());
+        times.push_back(1e3 * static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC);
+    }
+    return median(times);
+}
+
+struct Measured {
+    DefaultErrors errors;
+    double frame_ms;
+};
+
 // Measures one row, and names it in errors.
-DefaultErrors measured(const SceneSource& source, const Row& row, std::uint32_t size, std::uint32_t samples) {
+Measured measured(const SceneSource& source, const Row& row, std::uint32_t size, std::uint32_t samples) {
     try {
-        return default_errors(source, size, samples);
+        return {default_errors(source, size, samples), frame_ms(source)};
     } catch (const std::exception& error) {
         throw std::runtime_error(row.name + ": " + error.what());
     }
@@ -133,16 +162,31 @@ Report bench_extremes(const Options& given) {
     const std::filesystem::path file = folder.path() / "scene.xml";
     options.scene = file.string();
 
-    Report report({"relative RMSE", "s0", "s1", "s2", "predicted", "shade ms"});
+    Report report({"relative RMSE", "s0", "s1", "s2", "predicted", "frame ms"});
+    std::map<std::string, double> frames;
     for (const Row& row : rows()) {
         if (row.name.find(options.only) == std::string::npos) continue;
         write_scene(file, row.origin, row.target, row.content);
-        const DefaultErrors found = measured(SceneSource(options), row, size, samples);
+        const auto [found, frame] = measured(SceneSource(options), row, size, samples);
         report.add(row.name, {found.errors[0], found.errors[1], found.errors[2],
-                              found.statistics.predicted_error, found.statistics.shade_ms});
+                              found.statistics.predicted_error, frame});
+        frames[row.name] = frame;
+    }
+    for (const auto& [brushed, round] :
+         {std::pair{"aluminium, alpha 0.1 and 0.4", "aluminium, alpha 0.2 and 0.2"},
+          {"aluminium, alpha 0.4 and 0.1", "aluminium, alpha 0.2 and 0.2"},
+          {"aluminium, alpha 0.05 and 0.5", "aluminium, alpha 0.2 and 0.2"},
+          {"principled, anisotropic 0.8", "principled, anisotropic 0"}}) {
+        if (!frames.contains(brushed) || !frames.contains(round)) continue;
+        char text[200];
+        std::snprintf(text, sizeof text, "%s / %s, frame: %.3g times.", brushed, round,
+                      frames[brushed] / frames[round]);
+        report.note(text);
     }
     report.note("Relative RMSE by default with 8 samples a pixel, " + std::to_string(size) + " x " +
                 std::to_string(size) + " pixels, against rays of " + std::to_string(samples) +
-                " samples twice, without their noise. Balls are in the forest.");
+                " samples twice, without their noise. Balls are in the forest. Frames: processor time after "
+                "a move of the camera, " +
+                std::to_string(kFrameSize) + " x " + std::to_string(kFrameSize) + " pixels.");
     return report;
 }
