@@ -103,9 +103,9 @@ public:
     /// differ if only some parts of a mixture are two-sided: the others are black on the back.
     [[nodiscard]] virtual MaterialPtr behind() const { return nullptr; }
 
-    /// Returns the smooth boundary that transmits light, and reflects the rest of it like a mirror; null: no
-    /// light passes. A delta function describes such a boundary, so all terms of its material are 0. Rays
-    /// follow the light; tables of reflectance cannot hold it.
+    /// Returns the boundary that transmits light; null: no light passes. Rays follow the light. A delta
+    /// function describes what a smooth boundary reflects, so all terms of its material are 0; the terms of a
+    /// material with a rough boundary are what its front reflects.
     [[nodiscard]] virtual const SmoothBoundary* smooth_boundary() const noexcept { return nullptr; }
 
     /// Returns everything that the values depend on, as text: materials with equal keys have equal values.
