@@ -5,11 +5,15 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <optional>
 #include <vector>
 
 #include "devices/mirrored_parts.hpp"
 #include "draw/visibility_buffer.hpp"
 #include "geometry/ray_scene.hpp"
+#include "material/sampled_terms.hpp"
+#include "methods/bounces.hpp"
+#include "shading/bounced_light.hpp"
 #include "shading/emission.hpp"
 #include "shading/light_samples.hpp"
 #include "surfaces/tangents.hpp"
@@ -28,6 +32,11 @@ glm::vec3 facet_of(const std::array<glm::vec3, 3>& corners, const glm::vec3& oth
     const glm::dvec3 normal = glm::cross(glm::dvec3(corners[1]) - corner, glm::dvec3(corners[2]) - corner);
     const double length = glm::length(normal);
     return length > 0 ? glm::vec3(normal / length) : otherwise;
+}
+
+bool samples_terms(const Material& material, SampledTerms sampled) {
+    return any_term(material,
+                    [&](const Material& layer, int term) { return is_sampled(layer, term, sampled); });
 }
 
 std::vector<const Material*> layers_of(const Material& material) {
@@ -51,12 +60,18 @@ LightingTally PixelLights::add(const PixelBatch& batch, std::span<const std::spa
     const bool turned = variation != nullptr && variation->normal.kind != NormalVariation::Kind::none;
     const bool dimmed = turned && variation->normal.shadowed;
     const bool mirrors = !batch.in_pixels().empty() && lights_.lighting().needs_pixels(*range.material);
+    const bool spread = !batch.in_pixels().empty() && shadowed;
+    std::optional<BouncedLight> bounced;
+    if (input_.bounced != nullptr && shadowed && samples_terms(*range.material, lights_.lighting().sampled()))
+        bounced.emplace(input_.bounced->layout(), input_.bounced->rows());
     LightingTally tally;
     std::vector<std::span<glm::vec4>> channels(out.size());
     for (std::size_t first = 0; first < points.size(); first += kLanes) {
         const std::size_t count = std::min(kLanes, points.size() - first);
         const LaneSurface& surface = batch.surfaces()[first / kLanes];
         std::array<glm::vec3, kLanes> facets, origins, tangents;
+        std::array<PixelOrigins::Part, kLanes> in_pixels;
+        std::array<Corners, kLanes> triangles;
         std::array<MirroredPixel, kLanes> mirrored;
         std::array<MirroredParts, kLanes> parts;
         std::array<std::uint32_t, kLanes> seeds;
@@ -64,7 +79,10 @@ LightingTally PixelLights::add(const PixelBatch& batch, std::span<const std::spa
             const glm::uvec3& triangle = input_.geometry.triangles[points[first + i].triangle];
             const std::array corners = corners_of(input_.geometry.positions, triangle);
             facets[i] = facet_of(corners, surface.normals[i]);
-            origins[i] = surface.positions[i] + static_cast<float>(ray_offset(corners)) * facets[i];
+            triangles[i] = triangle;
+            const glm::vec3 lift = static_cast<float>(ray_offset(corners)) * facets[i];
+            origins[i] = surface.positions[i] + lift;
+            if (spread) in_pixels[i] = part_of(batch.in_pixels()[first + i], triangle, lift);
             seeds[i] = sample_seed(points[first + i].pixel, input_.seed);
             if (mirrors)
                 mirrored[i] = mirrored_at(batch.in_pixels()[first + i], surface, i,
@@ -85,6 +103,9 @@ LightingTally PixelLights::add(const PixelBatch& batch, std::span<const std::spa
             weights = batch.weights().subspan(first / kLanes * layers.size(), layers.size());
         for (std::size_t c = 0; c < out.size(); ++c) channels[c] = out[c].subspan(first, count);
         const std::span of_facets = std::span(facets).first(count);
+        if (bounced) bounced->take(std::span(triangles).first(count), surface.weights);
+        PixelOrigins places(input_.projection.view, input_.geometry.positions, input_.geometry.normals,
+                            std::span(in_pixels).first(count));
         tally +=
             lights_.lighting().add(batch.views().subspan(first, count),
                                    {.positions = std::span(surface.positions).first(count),
@@ -95,6 +116,8 @@ LightingTally PixelLights::add(const PixelBatch& batch, std::span<const std::spa
                                     .origins = std::span(origins).first(count),
                                     .mirrored = std::span(mirrored).first(mirrors ? count : 0),
                                     .parts = std::span(parts).first(mirrors && turned ? count : 0),
+                                    .places = spread ? &places : nullptr,
+                                    .bounced = bounced ? &*bounced : nullptr,
                                     .seeds = std::span(seeds).first(count),
                                     .shadowed = shadowed},
                                    {.layers = layers, .weights = weights}, channels);
@@ -113,6 +136,19 @@ MirroredPixel PixelLights::mirrored_at(const PixelPoint& point, const LaneSurfac
     out.steps[0] *= point.size.x;
     out.steps[1] *= point.size.y;
     return out;
+}
+
+PixelOrigins::Part PixelLights::part_of(const PixelPoint& point, const Corners& triangle,
+                                        const glm::vec3& lift) const {
+    const Projection& projection = input_.projection;
+    const int width = input_.hits.width(), height = input_.hits.height();
+    const glm::dvec2 sample = 2 * projection.sample_size *
+                              glm::dvec2(projection.half_width / width, projection.half_height / height);
+    return {.triangle = triangle,
+            .middle = glm::vec2(point.on_image_plane(projection, width, height)),
+            .size = point.size * glm::vec2(sample),
+            .lift = lift,
+            .pixel = point.pixel};
 }
 
 MirroredParts PixelLights::parts_at(const LaneSurface& surface, std::size_t lane,

@@ -10,6 +10,7 @@
 #include "devices/mirrored_pixel.hpp"
 #include "devices/pixel_batch.hpp"
 #include "methods/executor.hpp"
+#include "shading/pixel_origins.hpp"
 #include "surfaces/local_lights.hpp"
 
 namespace nicol {
@@ -26,6 +27,9 @@ private:
     // Returns what a point's pixel shows mirrored. lane: of the point in `surface`.
     [[nodiscard]] MirroredPixel mirrored_at(const PixelPoint& point, const LaneSurface& surface,
                                             std::size_t lane, const ShownTriangle& triangle) const;
+    // Returns what PixelOrigins needs of a point. lift: from the surface to its shadow rays' origins.
+    [[nodiscard]] PixelOrigins::Part part_of(const PixelPoint& point, const Corners& triangle,
+                                             const glm::vec3& lift) const;
     // Returns mirrored_parts() at a point.
     [[nodiscard]] MirroredParts parts_at(const LaneSurface& surface, std::size_t lane,
                                          MirroredPixel& pixel) const;

@@ -2,6 +2,7 @@
 #include "methods/bounce_columns.hpp"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 
 #include "surfaces/plain_materials.hpp"
@@ -118,6 +119,23 @@ private:
 };
 
 }  // namespace
+
+std::vector<float> coverage_at_receivers(const BounceInput& input, RenderRun& run) {
+    const LinkedSurfaces& surfaces = input.surfaces;
+    const std::size_t numbers = input.layout.size();
+    const ArrivingLight arrival(input.layout, input.scene.directions->directions(), link_frames());
+    const Bounce bounce(input.scene.geometry, *input.scene.directions, surfaces, input.tables, arrival,
+                        input.layout, 0);
+    const LinkStokes ones(1, std::vector<glm::vec4>(surfaces.links().size(), glm::vec4(1, 0, 0, 0)));
+    constexpr std::array<std::size_t, 1> channel{0};
+    LightColumns columns(surfaces.receivers(), numbers, 1);
+    run.workers.for_blocks(surfaces.blocks(), "bake", run.progress, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t b = begin; b < end; ++b) bounce.gather(b, ones, channel, columns);
+    });
+    std::vector<float> out(surfaces.receivers() * numbers);
+    for (std::size_t i = 0; i < out.size(); ++i) out[i] = columns.value(i / numbers, i % numbers, 0);
+    return out;
+}
 
 BounceColumns::BounceColumns(const BounceInput& input, std::optional<LightKind> light, RenderRun& run)
     : numbers_(input.layout.size()), groups_(groups_of(input)) {

@@ -33,6 +33,10 @@ struct BounceInput {
 /// Bounced light of local lights, by channel group, in the columns of the group's channels.
 using LitSeries = std::vector<BounceSeries>;
 
+/// Returns the coverage of directions by surfaces at receivers, [receiver][number]: the light that would
+/// arrive if each surface emitted 1.
+[[nodiscard]] std::vector<float> coverage_at_receivers(const BounceInput& input, RenderRun& run);
+
 /// Linear map from the distant light to the bounced light at receivers, and its parts that local lights use.
 class BounceColumns {
 public:

@@ -71,7 +71,9 @@ void Bounces::clear() {
     solving_.reset();
     lighting_.reset();
     relighting_.reset();
-    at_receivers_ = {};
+    covering_.reset();
+    coverage_ = at_receivers_ = {};
+    rows_ = VertexLight();
     share_ = left_ = 0;
 }
 
@@ -85,6 +87,9 @@ void Bounces::bake(const TransferInput& input, RenderRun& run) {
     const Stopwatch watch;
     bool changed = linking_.run(input.versions, [&] {
         run.workers.run([&] { links_.change() = LinkedSurfaces(input.geometry, receivers_of(input, run)); });
+    });
+    changed |= covering_.run(links_.version(), layout_->order(), layout_->kind(), [&] {
+        coverage_ = coverage_at_receivers({input, *links_, *tables_.tables(), *layout_}, run);
     });
     changed |= weighting_.run(input.versions, input.materials,
                               [&] { links_.change().find_weights(input.geometry); });
@@ -135,10 +140,13 @@ void Bounces::combine(const TransferInput& input) {
     const auto channels = static_cast<std::size_t>(input.channels);
     const std::vector<float> light = columns_->numbers_of(input.light, input.channels);
     const std::size_t lights = light.size() / channels;
-    at_receivers_.assign(links_->receivers() * channels * numbers, 0.0F);
+    // Coverage by surfaces is one channel more.
+    const std::size_t size = (channels + 1) * numbers;
+    at_receivers_.assign(links_->receivers() * size, 0.0F);
     double all = 0, bounced = 0, left = columns_->left(light);
     for (std::size_t r = 0; r < links_->receivers(); ++r) {
-        const std::span row = std::span(at_receivers_).subspan(r * channels * numbers, channels * numbers);
+        const std::span row = std::span(at_receivers_).subspan(r * size, channels * numbers);
+        std::copy_n(coverage_.data() + r * numbers, numbers, row.data() + channels * numbers);
         columns_->add(r, light, row);
         for (std::size_t g = 0; g < lit_->size(); ++g)
             for (std::size_t k = 0; k < columns_->groups()[g].size(); ++k)
@@ -162,7 +170,8 @@ void Bounces::interpolate(const TransferInput& input, RenderRun& run) {
     const FrameRotation rotation(*layout_);
     VertexLight& light = light_.change();
     light.resize(*layout_, input.channels, normals.size());
-    const std::size_t size = light.row_size();
+    rows_.resize(*layout_, input.channels + 1, input.at_pixels ? normals.size() : 0);
+    const std::size_t size = light.row_size() + layout_->size();
     run.workers.for_blocks(light.blocks(), "relight", run.progress, [&](std::size_t begin, std::size_t end) {
         std::vector<float> sums(kLanes * size);
         for (std::size_t block = begin; block < end; ++block) {
@@ -180,8 +189,13 @@ void Bounces::interpolate(const TransferInput& input, RenderRun& run) {
                     for (std::size_t j = 0; j < size; ++j) row[j] += blend.weights[k] * from[j];
                 }
             }
-            to_lanes(rows, size, light.block(block, 0).data());
-            if (!input.at_pixels) rotation.into_frames(normals.subspan(first, count), light, block);
+            to_lanes(rows, light.row_size(), light.block(block, 0).data());
+            if (input.at_pixels) {
+                to_lanes(rows, size, rows_.block(block, 0).data());
+                rows_.to_rows(block);
+                continue;
+            }
+            rotation.into_frames(normals.subspan(first, count), light, block);
         }
     });
 }
@@ -216,8 +230,8 @@ void Bounces::count(Statistics& statistics) const {
     statistics.bounced_light = share_;
     statistics.bounced_left = left_;
     for (const auto& [material, table] : *tables_.tables()) statistics.response_bytes += table.bytes();
-    statistics.transfer_bytes +=
-        links_->bytes() + columns_->bytes() + light_->bytes() + at_receivers_.size() * sizeof(float);
+    statistics.transfer_bytes += links_->bytes() + columns_->bytes() + light_->bytes() + rows_.bytes() +
+                                 (coverage_.size() + at_receivers_.size()) * sizeof(float);
     for (const BounceSeries& series : *lit_) statistics.transfer_bytes += series.light.bytes();
 }
 

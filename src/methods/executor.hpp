@@ -15,6 +15,7 @@
 namespace nicol {
 
 class Background;
+class Bounces;
 class DenseMethod;
 class FactoredMethod;
 class HighOrderTransfer;
@@ -48,6 +49,7 @@ struct PixelInput : ShadeInput {
     const SmoothSurfaces* smooth;
     int smooth_events;        ///< largest number of reflections and refractions of a ray
     const LightPyramid* sky;  ///< environment that rays meet; null: none
+    const Bounces* bounced;   ///< bounced light, for sampled terms; null: none
 };
 
 /// Executor, which computes and keeps the light and Stokes vectors of vertices. Callers decide what is

@@ -284,12 +284,12 @@ void Pipeline::shade_pixels(const Scene& scene, ShadeInput input, const Projecti
         if (met) sky_.emplace(*met);
     });
     method_for(options.method)
-        .shade_pixels(
-            {input, projection, hits, high_orders ? &high_orders_ : nullptr, options.physical,
-             local_lights_.any() ? &local_lights_ : nullptr, static_cast<std::uint32_t>(options.seed),
-             behind ? &*background_ : nullptr, scene.light_scale(), smooth ? &smooth_ : nullptr,
-             smooth_events(options.max_depth), met ? &*sky_ : nullptr},
-            executor, run);
+        .shade_pixels({input, projection, hits, high_orders ? &high_orders_ : nullptr, options.physical,
+                       local_lights_.any() ? &local_lights_ : nullptr,
+                       static_cast<std::uint32_t>(options.seed), behind ? &*background_ : nullptr,
+                       scene.light_scale(), smooth ? &smooth_ : nullptr, smooth_events(options.max_depth),
+                       met ? &*sky_ : nullptr, input.bounces > 0 ? &factored_.bounces() : nullptr},
+                      executor, run);
     executor.finish();
     run.statistics.shade_ms += watch.milliseconds();
 }

@@ -4,15 +4,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <optional>
 #include <utility>
 
 #include "material/sampled_terms.hpp"
 #include "material/spatial_variation.hpp"
+#include "shading/light_changes.hpp"
 #include "shading/light_samples.hpp"
-#include "shading/normal_variation.hpp"
 #include "shading/pixel_places.hpp"
 #include "shading/reflected_light.hpp"
 #include "shading/reflected_nodes.hpp"
@@ -25,29 +24,6 @@ LaneVectors in_lanes(std::span<const glm::vec3> from) {
     LaneVectors out;
     for (std::size_t i = 0; i < kLanes; ++i) put(out, i, from[std::min(i, from.size() - 1)]);
     return out;
-}
-
-std::uint32_t above(const LaneVectors& facets, const LaneLight& light) {
-    std::uint32_t out = 0;
-    for (std::size_t i = 0; i < kLanes; ++i) {
-        const float rise = facets.x[i] * light.towards.x[i] + facets.y[i] * light.towards.y[i] +
-                           facets.z[i] * light.towards.z[i];
-        out |= (rise > 0 ? 1U : 0U) << i;
-    }
-    return out;
-}
-
-// Dims light by the terminator shadowing of perturbed normals.
-void dim(const LitPoints& points, LaneLight& light) {
-    Lanes factor{};
-    for (std::size_t i = 0; i < points.unperturbed.size(); ++i) {
-        const glm::vec3& normal = points.unperturbed[i];
-        const glm::vec3 towards = vector_at(light.towards, i);
-        factor[i] = terminator_shadowing(glm::dot(normal, points.normals[i]), glm::dot(normal, towards));
-    }
-    for (std::array<Lanes, 4>& of_channel : light.irradiance)
-        for (std::size_t p = 0; p < light.components; ++p)
-            for (std::size_t i = 0; i < kLanes; ++i) of_channel[p][i] *= factor[i];
 }
 
 // Returns the number of light samples for a light of this angular radius: `most` from 0.2 radians on, fewer
@@ -120,7 +96,7 @@ public:
         const double lobe = narrowest_lobe(find_it);
         seed(index);
         constexpr std::uint32_t probes = 4;
-        LightShadows shadowing(shadows(), probes);
+        LightShadows shadowing(shadows(), points_.places, probes);
         Lanes weights, shares;
         const std::uint32_t half = samples / 2;
         weights.value.fill(static_cast<float>(half) * factor);
@@ -129,7 +105,8 @@ public:
             Lanes u{}, v{};
             if (radius > 0) light_samples(k, std::span(seeds_).first(points_.positions.size()), u, v);
             source.sample(positions_, u, v, light_);
-            const std::uint32_t lit = shadowing.reached(light_, lit_points());
+            const std::uint32_t lit = samples == 1 ? shadowing.reached_in_part(light_, lit_points())
+                                                   : shadowing.reached(light_, lit_points());
             if (lit == 0) return;
             for_places(lobe, k, samples, [&](float share) {
                 for_layers(lit, [&](const Material& layer, const LayerWeights* weights, std::uint32_t there) {
@@ -244,24 +221,44 @@ private:
                 const float square = nodes.excess()[i] * nodes.excess()[i];
                 shares[i] = std::min(1.0F, kNodesError * square * square);
             }
-            LightShadows shadowing(shadows(), even);
+            LightShadows shadowing(shadows(), points_.places, even);
+            seed(~sampled_parts_++);
             // Even nodes come first, because either half of the nodes is spread over the lobe.
             for_samples(count, even, nodes.even_shares(), shares, [&](std::uint32_t k) {
                 const ReflectedNode node = nodes.node(k < even ? 2 * k : 2 * (k - even) + 1);
                 environment.look_up(whole, frames, node, light_);
-                reflected_.add_sampled(terms, weights, light_, reached(shadowing, there), sums_);
+                const std::uint32_t lit = reached(shadowing, node, k, there);
+                if (lit != 0) reflected_.add_sampled(terms, weights, light_, lit, sums_);
             });
         }
     }
 
-    // Returns the points that the light of a node reaches, and dims the light as perturbed normals need.
-    std::uint32_t reached(LightShadows& shadowing, std::uint32_t there) {
+    // Returns the points that reflect the light of a node. Light that surfaces hide becomes that which they
+    // reflect, where it is known.
+    std::uint32_t reached(LightShadows& shadowing, const ReflectedNode& node, std::uint32_t sample,
+                          std::uint32_t there) {
         if (!shadows_ && points_.facets.empty() && points_.unperturbed.empty()) return there;
         const LaneVectors local = light_.towards;
         out_of_frames(reflected_.frames(), local, light_.towards);
-        const std::uint32_t out = shadowing.reached(light_, there & lit_points());
+        const std::uint32_t facing = there & facing_points();
+        std::uint32_t lit = facing;
+        if (shadows_ && facing != 0) {
+            // A shadow ray meets a single point of what the node's blob shows.
+            const LaneVectors middle = light_.towards;
+            Lanes u, v;
+            light_samples(sample, std::span(seeds_).first(points_.normals.size()), u, v);
+            scatter(points_.normals, node.variances, u, v, light_);
+            lit = shadowing.reached(light_, facing);
+            light_.towards = middle;
+        }
+        if (points_.bounced != nullptr && lit != facing) {
+            hide(facing & ~lit, light_);
+            points_.bounced->add_to(only(facing & ~lit, node.weights), light_);
+            lit = facing;
+        }
+        if (lit != 0) dim();
         light_.towards = local;
-        return out;
+        return lit;
     }
 
     // Sets the light to the mean over the pixels around the mirrored directions.
@@ -321,7 +318,13 @@ private:
 
     // Dims the light as perturbed normals need, and returns the points that it may reach.
     std::uint32_t lit_points() {
-        if (!points_.unperturbed.empty()) dim(points_, light_);
+        dim();
+        return facing_points();
+    }
+    void dim() {
+        if (!points_.unperturbed.empty()) dim_at_slant(points_.unperturbed, points_.normals, light_);
+    }
+    [[nodiscard]] std::uint32_t facing_points() const {
         const std::uint32_t lit = all_ & light_.points & reflected_.lit(light_);
         return points_.facets.empty() ? lit : lit & above(facets_, light_);
     }
@@ -360,6 +363,7 @@ private:
     PixelPlaces places_;
     std::optional<ShadowRays> shadows_, before_mirrors_;
     std::array<std::uint32_t, kLanes> seeds_{};
+    std::uint32_t sampled_parts_ = 0;  // number of parts of lobes so far
     const LitPoints& points_;
     const LitMaterial& material_;
     LaneLight& light_ = kept_light();

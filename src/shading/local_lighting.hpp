@@ -16,8 +16,10 @@
 #include "material/layer_weights.hpp"
 #include "material/material.hpp"
 #include "polarization/views.hpp"
+#include "shading/bounced_light.hpp"
 #include "shading/glass_shadows.hpp"
 #include "shading/light_source.hpp"
+#include "shading/pixel_origins.hpp"
 #include "shading/pixel_places.hpp"
 #include "shading/reflected_nodes.hpp"
 #include "shading/sampled_environment.hpp"
@@ -40,6 +42,10 @@ struct LitPoints {
     std::span<const MirroredPixel> mirrored;  ///< see needs_pixels(); empty: points cover nothing
     /// Parts of those pixels. Empty: what the pixels mirror changes evenly.
     std::span<const MirroredParts> parts;
+    /// Start points of shadow rays in the points' pixels. Null: points cover nothing.
+    PixelOrigins* places = nullptr;
+    /// Light that other surfaces reflect to the points, for sampled terms. Null: none.
+    const BouncedLight* bounced = nullptr;
     std::span<const std::uint32_t> seeds;
     bool shadowed;  ///< whether light may be occluded; false: no ray is traced
 };

@@ -137,6 +137,15 @@ IMAGE_TEST_CASE("bounced light is polarized as that of rays") {
     CHECK(rms_difference(polarization(render(scene, bouncing(6, 8))), truth) < 0.4 * direct);
 }
 
+IMAGE_TEST_CASE("brushed metal reflects what surfaces around it reflect") {
+    test::Studio render(context, 32, 24);
+    const MaterialPtr brushed = rough_conductor({.eta = {{0.2, -3.0}}, .alpha = 0.4, .alpha_v = 0.15});
+    Scene scene = corner(brushed, diffuse({0.6, 0.5, 0.4}), diffuse({0.8, 0.4, 0.2}));
+    scene.set_environment(constant_environment({1}), glm::dmat3(1), 1);
+    const StokesImage truth = render(scene, {.method = Method::reference, .samples = 256, .max_depth = 4});
+    CHECK(rms_difference(render(scene, bouncing(4, 8)), truth) < 0.06 * rms(truth));
+}
+
 IMAGE_TEST_CASE("an object that sees no other has no bounces") {
     test::Studio render(context);
     Scene scene;

@@ -80,3 +80,21 @@ IMAGE_TEST_CASE("samples that are shaded one by one do not blur textures beyond 
     CHECK(std::abs(image.at(0, 3, 7)[0] - image.at(0, 3, 3)[0]) < 0.01F * std::abs(contrast));
     CHECK(std::abs(image.at(0, 3, 8)[0] - image.at(0, 3, 12)[0]) < 0.01F * std::abs(contrast));
 }
+
+IMAGE_TEST_CASE("the edge of a hard shadow hides a fraction of a pixel") {
+    Studio render(context, 40, 40);
+    Scene scene;
+    scene.add({.mesh = test::rectangle(1), .material = diffuse({0.6}), .to_world = test::plate_at(-1, 3)});
+    scene.add({.mesh = test::rectangle(1),
+               .material = diffuse({0.1}),
+               .to_world = test::plate_at(0, 0.7) * glm::rotate(glm::dmat4(1), 0.3, glm::dvec3(0, 0, 1))});
+    scene.add_light({.value = {30}, .to_world = test::at(1, 3, 1)});
+    RenderOptions rays = with(1);
+    rays.method = Method::reference;
+    rays.shadows = true;
+    rays.samples = 1024;
+    const StokesImage expected = render(scene, rays);
+    RenderOptions options = with(8);
+    options.shadows = true;
+    CHECK(rms(minus(render(scene, options), expected)) < 0.02 * rms(expected));
+}

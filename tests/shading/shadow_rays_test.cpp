@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "shading/shadow_rays.hpp"
 
+#include <glm/common.hpp>
 #include <limits>
 #include <span>
 
@@ -25,7 +26,7 @@ TEST_CASE("a light's samples are assumed alike only after enough of them lit a p
     LaneLight open = light_from({-0.6F, 0.8F, 0}), hidden = light_from({0.6F, 0.8F, 0});
     constexpr std::uint32_t all = 0xFFFF;
 
-    LightShadows shadows(&rays, 2);
+    LightShadows shadows(&rays, nullptr, 2);
     CHECK(shadows.reached(open, 0) == 0);
     CHECK(shadows.reached(open, 0) == 0);
     CHECK(shadows.reached(open, all) == all);
@@ -33,11 +34,63 @@ TEST_CASE("a light's samples are assumed alike only after enough of them lit a p
     CHECK(shadows.reached(open, 0x00FF) == 0x00FF);
     CHECK(shadows.reached(hidden, all) == 0);
 
-    LightShadows alike(&rays, 2);
+    LightShadows alike(&rays, nullptr, 2);
     CHECK(alike.reached(open, all) == all);
     CHECK(alike.reached(open, all) == all);
     const std::uint64_t traced = rays.count();
     CHECK(alike.reached(hidden, all) == all);
     CHECK(rays.count() == traced);
-    CHECK(LightShadows(nullptr, 2).reached(hidden, 0x0F0F) == 0x0F0F);
+    CHECK(LightShadows(nullptr, nullptr, 2).reached(hidden, 0x0F0F) == 0x0F0F);
+}
+
+TEST_CASE("the edge of a shadow hides the fraction of a pixel's light that lies behind it") {
+    // A roof over the floor y = 0, which hides what has a positive x (or a negative z) from light above.
+    const glm::vec3 down = glm::vec3(0, -1, 0);
+    for (const bool across : {false, true}) {
+        const std::vector<glm::vec3> positions =
+            across ? std::vector<glm::vec3>{{-9, 1, 0}, {9, 1, 0}, {9, 1, -9}, {-9, 1, -9}}
+                   : std::vector<glm::vec3>{{0, 1, -9}, {0, 1, 9}, {9, 1, 9}, {9, 1, -9}};
+        const std::vector<glm::uvec3> triangles{{0, 1, 2}, {0, 2, 3}};
+        const RaySurface roof{.positions = positions, .triangles = triangles};
+        const RayScene scene(std::span(&roof, 1));
+
+        const std::vector<glm::vec3> floor{{-90, 0, -90}, {90, 0, -90}, {0, 0, 90}};
+        const std::vector<glm::vec3> normals(3, -down);
+        Viewpoint view{.orthographic = true, .eye = {0, 2, 0}};
+        view.forward = glm::dvec3(down);
+        view.right = {1, 0, 0};
+        view.up = {0, 0, -1};
+        constexpr float side = 0.5F;
+        std::vector<PixelOrigins::Part> parts;
+        std::vector<float> expected;
+        LaneVectors points;
+        LaneLight light;
+        for (std::uint32_t i = 0; i < kLanes; ++i) {
+            // A row of pixels that the edge passes through, or that lies along the edge.
+            const glm::vec2 middle(static_cast<float>(i) * 0.1F - 0.8F, 0.1F);
+            parts.push_back({.triangle = {0, 1, 2},
+                             .middle = middle,
+                             .size = glm::vec2(side),
+                             .lift = -1e-4F * down,
+                             .pixel = i});
+            put(points, i, {middle.x, 0, -middle.y});
+            put(light.towards, i, -down);
+            const float away = across ? middle.y : middle.x;
+            expected.push_back(glm::clamp(0.5F - away / side, 0.0F, 1.0F));
+        }
+        light.distance.value.fill(std::numeric_limits<float>::infinity());
+        light.irradiance.resize(1);
+        light.irradiance[0][0].value.fill(1);
+        PixelOrigins places(view, floor, normals, parts);
+        ShadowRays rays(scene, points, points);
+        LightShadows shadows(&rays, &places, 4);
+        const std::uint32_t lit = shadows.reached_in_part(light, 0xFFFF);
+        const Lanes& fractions = light.irradiance[0][0];
+        for (std::size_t i = 0; i < kLanes; ++i) {
+            CAPTURES(across, i);
+            CHECK(fractions[i] == doctest::Approx(expected[i]).epsilon(0.07));
+            CHECK((lit >> i & 1U) == (fractions[i] > 0 ? 1U : 0U));
+        }
+        CHECK(rays.count() == PixelOrigins::kPlaces * kLanes);
+    }
 }

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// Changes of the light that reaches sixteen points.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+
+#include "light/lane_light.hpp"
+
+namespace nicol {
+
+/// Returns the bits of the points whose light comes from above their facets.
+[[nodiscard]] std::uint32_t above(const LaneVectors& facets, const LaneLight& light);
+
+/// Multiplies the irradiance of each point by its factor.
+void scale(const Lanes& factors, LaneLight& light);
+
+/// Removes the light of these points.
+void hide(std::uint32_t points, LaneLight& light);
+
+/// Returns the numbers of these points, and 0 for others.
+[[nodiscard]] Lanes only(std::uint32_t points, Lanes numbers);
+
+/// Dims light by the terminator_shadowing() of perturbed normals. The spans have equal lengths.
+void dim_at_slant(std::span<const glm::vec3> unperturbed, std::span<const glm::vec3> normals,
+                  LaneLight& light);
+
+/// Moves the light's directions to places (u, v), 0 to 1, of blobs of these variances, in square radians
+/// along each axis. A place below the horizon of a normal counts as the middle.
+void scatter(std::span<const glm::vec3> normals, const Lanes& variances, const Lanes& u, const Lanes& v,
+             LaneLight& light);
+
+}  // namespace nicol
