@@ -17,6 +17,7 @@ import time
 import nicol
 import numpy
 import peer_mitsuba as peer
+import stokes_images
 
 os.environ["NICOL_CACHE"] = ""  # times are without what earlier runs kept
 
@@ -182,7 +183,7 @@ def contest(name, scene_file, options, arguments):
         show = Show(context, scene_file, options)
         inner = show.inner()
         show.render()
-        ours = peer.nicol_stokes(show.framebuffer)[inner]
+        ours = stokes_images.nicol_stokes(show.framebuffer)[inner]
         warm = timed(show.frames, 5)[1] / show.FRAMES
     cold = cold_times(scene_file, options)
 
@@ -191,7 +192,7 @@ def contest(name, scene_file, options, arguments):
     passes = arguments.truth
     truth = [sum(image(seed) for seed in range(first, first + passes)) / passes for first in (1, 1 + passes)]
     _, times = timed(lambda: image(0), 3)
-    error = peer.squared_error((ours, ours), truth)[0][:3]
+    error = stokes_images.squared_error((ours, ours), truth)[0][:3]
     noise = passes * ((truth[0] - truth[1]) ** 2 / 2).mean(0)[:3] / (truth[0][:, 0] * truth[1][:, 0]).mean()
     print(f"\n{name}: {inner.mean():.0%} of {arguments.size} x {arguments.size} pixels lie inside surfaces")
     said = ", ".join(f"{name} {value}" for name, value in options.items()) or "default options"
@@ -208,7 +209,7 @@ def contest(name, scene_file, options, arguments):
         passes = math.ceil(samples / n)
         seeds = range(1000, 1000 + passes)
         mean, taken = timed(lambda: sum(image(seed, samples // passes) for seed in seeds) / passes)
-        print(f"  rendered: {samples // passes * passes} samples take {taken[0]:.1f} s; errors {words(peer.squared_error((mean, mean), truth)[0][:3])}")
+        print(f"  rendered: {samples // passes * passes} samples take {taken[0]:.1f} s; errors {words(stokes_images.squared_error((mean, mean), truth)[0][:3])}")
 
 
 def main():

@@ -12,6 +12,7 @@ import unittest
 try:
     import numpy
     import peer_mitsuba as peer
+    import stokes_images
 except ModuleNotFoundError as absent:
     print(f"skipped: {sys.executable} has no module {absent.name}; NICOL_PEER_PYTHON names an interpreter that has mitsuba and numpy")
     sys.exit(77)
@@ -243,7 +244,7 @@ class MitsubaTest(unittest.TestCase):
 
     def check_close(self, ours, truth, limits):
         """Checks that ours differs from truth by no more than the limits and noise."""
-        error, deviation = peer.squared_error(ours, truth)
+        error, deviation = stokes_images.squared_error(ours, truth)
         allowed = limits**2 + 4 * deviation
         print(" ", *(f"s{i} {max(e, 0) ** 0.5:.4f} of {a**0.5:.4f}" for i, (e, a) in enumerate(zip(error, allowed))), flush=True)
         self.assertTrue((error <= allowed).all(), f"squared errors {error}; allowed {allowed}")
@@ -254,7 +255,7 @@ class MitsubaTest(unittest.TestCase):
         for name, mistake in MISTAKES.items():
             if "s3" in name and not truth[0][..., 3].any():
                 continue
-            error, deviation = peer.squared_error([mistake(image) for image in ours], truth)
+            error, deviation = stokes_images.squared_error([mistake(image) for image in ours], truth)
             self.assertTrue((error > limits**2 + 4 * deviation).any(), f"{name} does not show: {error}")
 
     def test_images(self):
@@ -265,14 +266,14 @@ class MitsubaTest(unittest.TestCase):
                 with self.subTest(case=case, method=method):
                     print(f"{case}, {method}", end=":")
                     seeds = (1, 2) if method == "reference" else (1, 1)
-                    self.check([peer.nicol_image(scene, seed=seed, **options) for seed in seeds], truth, numpy.array(limits))
+                    self.check([stokes_images.nicol_image(scene, seed=seed, **options) for seed in seeds], truth, numpy.array(limits))
 
     def test_paths(self):
         """The reference method follows light that surfaces reflect to each other."""
         options, *_ = METHODS["reference"]
 
         def ours(scene, depth):
-            return [blocks(peer.nicol_image(scene, seed=seed, max_depth=depth, **options)) for seed in (1, 2)]
+            return [blocks(stokes_images.nicol_image(scene, seed=seed, max_depth=depth, **options)) for seed in (1, 2)]
 
         for case in PATHS:
             direct = ours(write_paths(self.folder, case, 2), 2)
@@ -282,7 +283,7 @@ class MitsubaTest(unittest.TestCase):
                     scene = write_paths(self.folder, case, depth)
                     truth = [blocks(image) for image in mitsuba_images(scene)]
                     self.check_close(ours(scene, depth), truth, PATH_LIMITS)
-                    error, deviation = peer.squared_error(direct, truth)
+                    error, deviation = stokes_images.squared_error(direct, truth)
                     self.assertTrue((error > PATH_LIMITS**2 + 4 * deviation).any(), "direct light alone does")
 
     def test_glass(self):
@@ -293,10 +294,10 @@ class MitsubaTest(unittest.TestCase):
                 print(case, end=":")
                 scene = write_text(self.folder, SCENE.format(assets=ASSETS, depth=GLASS_DEPTH, integrator="path", lights=lights, sphere=sphere, floor=floor))
                 truth = [blocks(image) for image in mitsuba_images(scene)]
-                ours = [blocks(peer.nicol_image(scene, seed=seed, **options)) for seed in (1, 2)]
+                ours = [blocks(stokes_images.nicol_image(scene, seed=seed, **options)) for seed in (1, 2)]
                 self.check_close(ours, truth, limits)
                 with self.assertRaisesRegex(nicol.Error, r"glass that light passes.*set method to factored or reference"):
-                    peer.nicol_image(scene, method=nicol.METHOD_DENSE)
+                    stokes_images.nicol_image(scene, method=nicol.METHOD_DENSE)
 
     def test_angles(self):
         """The AoLP agrees modulo 180 degrees wherever light is polarized."""

@@ -1,17 +1,18 @@
 # SPDX-License-Identifier: MIT
 """Random scenes in Mitsuba's format. A seed determines the scene: shapes with mirrored and sheared transforms, materials with
 textures and maps, lights far and close, floors up to a million times as large as what stands on them, slits, boxes with a hole,
-sizes of 1e-4 to 1e6 and offsets of up to a million sizes. All colours are grey, because the peers compare luminances."""
+sizes of 1e-4 to 1e6 and offsets of up to a million sizes; mirrors and glass, and a quarter of the scenes with light that surfaces
+reflect to each other. All colours are grey, because the peers compare luminances."""
 
 import dataclasses
 
 import numpy
 
-SIZE = 48
+SIZE = 96
 
 SCENE = """<scene version="3.0.0">
   <path value="{assets}"/>
-  <integrator type="stokes"><integrator type="volpath"><integer name="max_depth" value="2"/></integrator></integrator>
+  <integrator type="stokes"><integrator type="volpath"><integer name="max_depth" value="{depth}"/></integrator></integrator>
   <sensor type="perspective">
     <float name="fov" value="40"/><float name="near_clip" value="{near!r}"/><float name="far_clip" value="{far!r}"/>
     <transform name="to_world"><lookat origin="{eye}" target="{target}" up="0.1,1,0.2"/></transform>
@@ -57,7 +58,8 @@ class Part:
 
 class RandomScene:
     """text: the scene; words: what it has. without: "brushed" leaves out metals whose roughness depends on the direction, "narrow"
-    the space between sheets and in boxes."""
+    the space between sheets and in boxes, "bounces" light that several surfaces reflect, and with
+    it mirrors and glass, "far" offsets of more than a hundred sizes, which 32-bit positions do not hold."""
 
     def __init__(self, seed, assets, without=()):
         self.without = without
@@ -65,13 +67,16 @@ class RandomScene:
         self.size = 10 ** self.random.uniform(-4, 6) if self.chance(0.3) else 1.0
         self.offset = numpy.zeros(3)
         if self.chance(0.3):
-            self.offset = self.direction() * self.size * 10 ** self.random.uniform(1, 6)
+            self.offset = self.direction() * self.size * 10 ** self.random.uniform(1, 2 if "far" in without else 6)
+        # Mirrors and glass need a depth that no path reaches, because the methods count it differently.
+        self.depth = 2 if "bounces" in without else int(self.choice(2, 2, 2, 2, 2, 2, 3, 3, 12, 12))
         parts = self.surfaces() + self.lights()
         eye = self.direction() * self.random.uniform(4, 6)
         eye[1] = abs(eye[1]) + 0.4
         target = self.random.uniform(-0.2, 0.2, 3)
         self.text = SCENE.format(
             assets=assets,
+            depth=self.depth,
             near=0.01 * self.size,
             far=1e5 * self.size,
             eye=self.coordinates(eye),
@@ -79,7 +84,7 @@ class RandomScene:
             size=SIZE,
             objects="\n".join("  " + part.text for part in parts),
         )
-        where = f"size {self.size:.0e}, offset {numpy.linalg.norm(self.offset) / self.size:.0e}: "
+        where = f"depth {self.depth}, size {self.size:.0e}, offset {numpy.linalg.norm(self.offset) / self.size:.0e}: "
         self.words = where + "; ".join(part.words for part in parts)
 
     def chance(self, probability):
@@ -142,7 +147,10 @@ class RandomScene:
             steps = [scale(1, 0.7, 1.2), rotate(self.direction(), 50)] + steps
             words += ", sheared"
         steps.insert(0, scale(radius))
-        material = self.material(textured=True, sides=kind in ("disk", "cylinder"))
+        if self.depth > 3 and self.chance(0.3):
+            material = self.smooth(closed=kind in ("sphere", "cube"))
+        else:
+            material = self.material(textured=True, sides=kind in ("disk", "cylinder"))
         return Part(f'<shape type="{kind}">{self.to_world(*steps)}{material.text}</shape>', f"{words} of {material.words}")
 
     # Materials
@@ -188,6 +196,14 @@ class RandomScene:
             f"brushed metal {alpha:.2f} {other:.2f}",
         )
 
+    def smooth(self, closed):
+        """Returns a mirror or glass. closed: whether the surface encloses a volume."""
+        index = number("eta", self.random.uniform(0.2, 2)) + number("k", self.random.uniform(2, 5))
+        mirror = Part(f'<bsdf type="twosided"><bsdf type="conductor">{index}</bsdf></bsdf>', "mirror")
+        glass = number("int_ior", self.random.uniform(1.3, 1.7))
+        kind = self.choice("dielectric", "thindielectric") if closed else "thindielectric"
+        return self.choice(mirror, Part(f'<bsdf type="{kind}">{glass}</bsdf>', kind))
+
     def texture(self, name, least, most):
         value = number(name, self.random.uniform(least, most))
         low, high = self.random.uniform(least, most, 2)
@@ -219,16 +235,16 @@ class RandomScene:
         place = self.direction()
         place[1] = abs(place[1]) + 0.2
         place *= self.random.uniform(1.8, 4)
-        aimed = self.to_world(f'<lookat origin="{place[0]:.9g},{place[1]:.9g},{place[2]:.9g}" target="0,0,0" up="0.1,1,0.3"/>')
+        look = f'<lookat origin="{place[0]:.9g},{place[1]:.9g},{place[2]:.9g}" target="0,0,0" up="0.1,1,0.3"/>'
         intensity = number("intensity", 20 * self.size**2)
         if kind == "point":
             return Part(f'<emitter type="point"><point name="position" value="{self.coordinates(place)}"/>{intensity}</emitter>', kind)
         if kind == "spot":
-            return Part(f'<emitter type="spot">{intensity}{number("cutoff_angle", 25)}{aimed}</emitter>', kind)
+            return Part(f'<emitter type="spot">{intensity}{number("cutoff_angle", 25)}{self.to_world(look)}</emitter>', kind)
         if kind == "directional":
-            return Part(f'<emitter type="directional">{number("irradiance", 2)}{aimed}</emitter>', kind)
+            # Mitsuba multiplies the irradiance by the scale of the transform.
+            return Part(f'<emitter type="directional">{number("irradiance", 2)}{transform(look)}</emitter>', kind)
         shape = "rectangle" if kind == "square" else "sphere"
         extent = self.random.uniform(0.1, 0.8)
         lamp = f'<emitter type="area">{number("radiance", 4 / extent**2)}</emitter>'
-        look = f'<lookat origin="{place[0]:.9g},{place[1]:.9g},{place[2]:.9g}" target="0,0,0" up="0.1,1,0.3"/>'
         return Part(f'<shape type="{shape}">{self.to_world(scale(extent), look)}{lamp}</shape>', f"{kind} light {extent:.1f}")

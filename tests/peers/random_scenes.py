@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Random scenes by default against rays, and rays against Mitsuba 3: errors of s0 and of s1, s2 relative to the root mean square
-of s0, without noise.
+of s0, without noise, and beyond two standard errors of the noise that is left.
 
 usage: random_scenes.py ASSETS [--count N] [--first SEED] [--without KIND ...] [--mitsuba] [--keep FOLDER]
 ASSETS: the folder samples/assets. --mitsuba compares rays with Mitsuba instead. --keep writes the ten worst scenes."""
@@ -12,36 +12,67 @@ import tempfile
 
 try:
     import numpy
-    import peer_mitsuba as peer
+    import stokes_images
 except ModuleNotFoundError as absent:
-    print(f"skipped: {sys.executable} has no module {absent.name}; NICOL_PEER_PYTHON names an interpreter that has mitsuba and numpy")
+    print(f"skipped: {sys.executable} has no module {absent.name}")
     sys.exit(77)
 
 import nicol
 import random_scene
 
-RAYS = {"method": nicol.METHOD_REFERENCE, "samples": 256}
+RAYS = {"method": nicol.METHOD_REFERENCE, "samples": 64}
 DEFAULT = {"pixel_samples": 8}
-# Largest errors of s0: the 90th percentile and the worst scene.
-BY_DEFAULT = (0.015, 0.05)
-MITSUBA = (0.01, 0.03)
+# Largest errors of s0, the 90th percentile and the worst scene: of scenes of direct light, and of those where light bounces.
+BY_DEFAULT = ((0.05, 0.12), (0.3, 0.6))
+MITSUBA = ((0.01, 0.03), (0.01, 0.03))
 
 
-def nicol_image(context, scene_file, seed, options):
-    """Renders in one context, which keeps the tables of materials from image to image."""
+def nicol_images(context, scene_file, seeds, options):
+    """Renders with each seed, to the depth of the scene's integrator. The context keeps the tables of materials."""
     with nicol.Scene.load(context, str(scene_file)) as scene:
         with nicol.Framebuffer.create(context, *scene.get_film_size(), scene.get_channels()) as framebuffer:
-            nicol.render(scene, scene.get_camera(), nicol.RenderOptions(seed=seed, **options), framebuffer)
-            return peer.nicol_stokes(framebuffer)
+            images = []
+            for seed in seeds:
+                chosen = nicol.RenderOptions(seed=seed, max_depth=scene.get_max_depth(), **options)
+                nicol.render(scene, scene.get_camera(), chosen, framebuffer)
+                images.append(stokes_images.nicol_stokes(framebuffer))
+            return images
 
 
 def errors(ours, truth):
-    """Returns the root mean squared errors of s0, and of s1 and s2, without noise."""
+    """Returns the root mean squared errors of s0, and of s1 and s2."""
     with numpy.errstate(invalid="ignore", divide="ignore"):
-        squares, _ = peer.squared_error(ours, truth)
+        squares, deviations = stokes_images.squared_error(ours, truth)
     # Of pictures without light, the quotient is undefined.
-    roots = numpy.sqrt(numpy.maximum(numpy.nan_to_num(squares), 0))
+    roots = numpy.sqrt(numpy.maximum(numpy.nan_to_num(squares - 2 * deviations), 0))
     return roots[0], max(roots[1], roots[2])
+
+
+class Nicol:
+    """Default options against rays."""
+
+    limits = BY_DEFAULT
+
+    def compare(self, context, file):
+        truth = nicol_images(context, file, (1, 2), RAYS)
+        return errors(nicol_images(context, file, (3, 4), DEFAULT), truth)
+
+
+class Mitsuba:
+    """Rays against Mitsuba."""
+
+    limits = MITSUBA
+
+    def __init__(self):
+        import peer_mitsuba
+
+        self.peer = peer_mitsuba
+        print(f"Mitsuba {self.peer.mitsuba.__version__}, {self.peer.choose_variant()}")
+
+    def compare(self, context, file):
+        loaded = self.peer.mitsuba_scene(file)
+        truth = [self.peer.mitsuba_image(loaded, RAYS["samples"], seed) for seed in (1, 2)]
+        return errors(nicol_images(context, file, (1, 2), RAYS), truth)
 
 
 def main():
@@ -49,12 +80,11 @@ def main():
     parser.add_argument("assets", type=pathlib.Path)
     parser.add_argument("--count", type=int, default=60)
     parser.add_argument("--first", type=int, default=1)
-    parser.add_argument("--without", nargs="*", default=(), choices=("brushed", "narrow"))
+    parser.add_argument("--without", nargs="*", default=(), choices=("brushed", "narrow", "bounces", "far"))
     parser.add_argument("--mitsuba", action="store_true")
     parser.add_argument("--keep", type=pathlib.Path)
     asked = parser.parse_args()
-    if asked.mitsuba:
-        print(f"Mitsuba {peer.mitsuba.__version__}, {peer.choose_variant()}")
+    peers = Mitsuba() if asked.mitsuba else Nicol()
     found = []
     with tempfile.TemporaryDirectory() as folder, nicol.Context.create() as context:
         file = pathlib.Path(folder) / "scene.xml"
@@ -62,12 +92,7 @@ def main():
             scene = random_scene.RandomScene(seed, asked.assets.resolve(), asked.without)
             file.write_text(scene.text)
             try:
-                truth = [nicol_image(context, file, n, RAYS) for n in (1, 2)]
-                if asked.mitsuba:
-                    loaded = peer.mitsuba_scene(file)
-                    error = errors(truth, [peer.mitsuba_image(loaded, RAYS["samples"], n) for n in (1, 2)])
-                else:
-                    error = errors([nicol_image(context, file, n, DEFAULT) for n in (3, 4)], truth)
+                error = peers.compare(context, file)
             except nicol.Error as refused:
                 print(f"{seed}: refused: {refused}", flush=True)
                 error = (numpy.inf, numpy.inf)
@@ -80,11 +105,15 @@ def main():
         if asked.keep:
             asked.keep.mkdir(parents=True, exist_ok=True)
             (asked.keep / f"{seed}.xml").write_text(scene.text)
-    s0 = numpy.array([of[0] for of in found])
-    p90, worst = numpy.quantile(s0, 0.9, method="lower"), s0.max()
-    print(f"{len(s0)} scenes: median {numpy.median(s0):.4f}, 90th percentile {p90:.4f}, worst {worst:.4f}")
-    limits = MITSUBA if asked.mitsuba else BY_DEFAULT
-    sys.exit(0 if p90 <= limits[0] and worst <= limits[1] else 1)
+    kept = True
+    for light, bounces, limits in (("direct", False, peers.limits[0]), ("bounced", True, peers.limits[1])):
+        s0 = numpy.array([s0 for s0, _, _, scene in found if (scene.depth > 2) == bounces])
+        if len(s0) == 0:
+            continue
+        p90, worst = numpy.quantile(s0, 0.9, method="lower"), s0.max()
+        print(f"{len(s0)} scenes of {light} light: median {numpy.median(s0):.4f}, 90th percentile {p90:.4f}, worst {worst:.4f}")
+        kept = kept and p90 <= limits[0] and worst <= limits[1]
+    sys.exit(0 if kept else 1)
 
 
 if __name__ == "__main__":
