@@ -55,6 +55,7 @@ Library::Library() {
         function = file.function<std::remove_reference_t<decltype(function)>>(name);
     };
     find(NewDevice, "rtcNewDevice");
+    find(RetainDevice, "rtcRetainDevice");
     find(ReleaseDevice, "rtcReleaseDevice");
     find(GetDeviceError, "rtcGetDeviceError");
     find(NewScene, "rtcNewScene");
@@ -67,6 +68,7 @@ Library::Library() {
     find(AttachGeometryByID, "rtcAttachGeometryByID");
     find(DetachGeometry, "rtcDetachGeometry");
     find(SetNewGeometryBuffer, "rtcSetNewGeometryBuffer");
+    find(SetGeometryInstancedScene, "rtcSetGeometryInstancedScene");
     find(SetGeometryUserData, "rtcSetGeometryUserData");
     find(SetGeometryIntersectFilterFunction, "rtcSetGeometryIntersectFilterFunction");
     find(SetGeometryOccludedFilterFunction, "rtcSetGeometryOccludedFilterFunction");

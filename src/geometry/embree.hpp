@@ -20,6 +20,7 @@ inline constexpr int kErrorUnknown = 1;
 inline constexpr int kErrorOutOfMemory = 4;
 inline constexpr int kSceneRobust = 1 << 2;
 inline constexpr int kTriangleGeometry = 0;
+inline constexpr int kInstanceGeometry = 121;
 inline constexpr int kIndexBuffer = 0;
 inline constexpr int kVertexBuffer = 1;
 inline constexpr int kFormatUint3 = 0x5003;
@@ -85,6 +86,7 @@ public:
     [[nodiscard]] int version() const noexcept { return version_; }
 
     Device* (*NewDevice)(const char* config) = nullptr;
+    void (*RetainDevice)(Device*) = nullptr;
     void (*ReleaseDevice)(Device*) = nullptr;
     int (*GetDeviceError)(Device*) = nullptr;
     Scene* (*NewScene)(Device*) = nullptr;
@@ -98,6 +100,7 @@ public:
     void (*DetachGeometry)(Scene*, unsigned) = nullptr;
     void* (*SetNewGeometryBuffer)(Geometry*, int buffer, unsigned slot, int format, std::size_t stride,
                                   std::size_t count) = nullptr;
+    void (*SetGeometryInstancedScene)(Geometry*, Scene*) = nullptr;
     void (*SetGeometryUserData)(Geometry*, void*) = nullptr;
     void (*SetGeometryIntersectFilterFunction)(Geometry*, Filter) = nullptr;
     void (*SetGeometryOccludedFilterFunction)(Geometry*, Filter) = nullptr;

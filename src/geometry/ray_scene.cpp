@@ -4,7 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <iterator>
+#include <mutex>
 #include <string>
+#include <utility>
 
 #include "error.hpp"
 #include "geometry/embree.hpp"
@@ -46,6 +49,32 @@ float check(std::size_t index, const RaySurface& surface) {
 // NewDevice() keeps a lock of the process, and the next device that is made or released waits forever.
 constexpr const char* kDeviceSettings = "tessellation_cache_size=0";
 
+// Returns the device of all scenes, because only scenes of one device can be parts of one scene. It lives as
+// long as any of them; null if Embree failed.
+std::shared_ptr<embree::Device> shared_device() {
+    static std::mutex mutex;
+    static std::weak_ptr<embree::Device> shared;
+    const std::scoped_lock lock(mutex);
+    std::shared_ptr<embree::Device> device = shared.lock();
+    if (device) return device;
+    const embree::Library& library = embree::library();
+    if (embree::Device* const made = library.NewDevice(kDeviceSettings))
+        device = {made, library.ReleaseDevice};
+    shared = device;
+    return device;
+}
+
+// Gives a hit the number of its triangle, and the corners of the side that the ray has met.
+void renumber(std::span<const TriangleNumbers> numbers, bool from_behind, RayHit& hit) {
+    if (numbers.empty()) return;
+    const auto after = std::ranges::upper_bound(numbers, hit.triangle, {}, &TriangleNumbers::first);
+    const TriangleNumbers& run = *std::prev(after);
+    hit.triangle = run.number + (hit.triangle - run.first);
+    if (run.back == 0 || !from_behind) return;
+    hit.triangle += run.back;
+    std::swap(hit.b1, hit.b2);
+}
+
 }  // namespace
 
 double ray_offset(const std::array<glm::vec3, 3>& corners) {
@@ -79,11 +108,13 @@ struct RayScene::Passage {
 
 struct RayScene::Embree {
     struct Release {
-        void operator()(embree::Device* device) const { embree::library().ReleaseDevice(device); }
-        void operator()(embree::Scene* scene) const { embree::library().ReleaseScene(scene); }
+        void operator()(embree::Scene* of) const { embree::library().ReleaseScene(of); }
+        void operator()(embree::Geometry* geometry) const { embree::library().ReleaseGeometry(geometry); }
     };
+    using GeometryPtr = std::unique_ptr<embree::Geometry, Release>;
+
     const embree::Library& library = embree::library();
-    std::unique_ptr<embree::Device, Release> device{library.NewDevice(kDeviceSettings)};
+    std::shared_ptr<embree::Device> device = shared_device();
     std::unique_ptr<embree::Scene, Release> scene;
 
     Embree() {
@@ -113,30 +144,40 @@ struct RayScene::Embree {
         return static_cast<std::uint16_t>(blocked & active);
     }
 
+    void attach(const GeometryPtr& geometry, unsigned id) const {
+        library.CommitGeometry(geometry.get());
+        library.AttachGeometryByID(scene.get(), geometry.get(), id);
+        check();
+    }
+
     /// Adds a surface. `passage` must outlive the scene; null: rays pass nowhere.
-    void add(const RaySurface& surface, const Passage* passage, unsigned id, float scale) {
-        embree::Geometry* geometry = library.NewGeometry(device.get(), embree::kTriangleGeometry);
+    void add(const RaySurface& surface, const Passage* passage, unsigned id, float scale) const {
+        const GeometryPtr geometry(library.NewGeometry(device.get(), embree::kTriangleGeometry));
         const std::size_t vertices = surface.positions.size();
         const std::size_t triangles = surface.triangles.size();
-        void* positions = library.SetNewGeometryBuffer(geometry, embree::kVertexBuffer, 0,
+        void* positions = library.SetNewGeometryBuffer(geometry.get(), embree::kVertexBuffer, 0,
                                                        embree::kFormatFloat3, sizeof(glm::vec3), vertices);
-        void* indices = library.SetNewGeometryBuffer(geometry, embree::kIndexBuffer, 0, embree::kFormatUint3,
-                                                     sizeof(glm::uvec3), triangles);
-        if (positions != nullptr && indices != nullptr) {
-            std::ranges::transform(surface.positions, static_cast<glm::vec3*>(positions),
-                                   [scale](const glm::vec3& p) { return scale * p; });
-            std::ranges::copy(surface.triangles, static_cast<glm::uvec3*>(indices));
-            if (passage != nullptr) {
-                // The const_cast is safe: Embree only passes the pointer on, and the filter only reads.
-                library.SetGeometryUserData(geometry, const_cast<Passage*>(passage));
-                library.SetGeometryIntersectFilterFunction(geometry, Passage::filter);
-                library.SetGeometryOccludedFilterFunction(geometry, Passage::filter);
-            }
-            library.CommitGeometry(geometry);
-            library.AttachGeometryByID(scene.get(), geometry, id);
+        void* indices = library.SetNewGeometryBuffer(geometry.get(), embree::kIndexBuffer, 0,
+                                                     embree::kFormatUint3, sizeof(glm::uvec3), triangles);
+        if (positions == nullptr || indices == nullptr) return check();
+        std::ranges::transform(surface.positions, static_cast<glm::vec3*>(positions),
+                               [scale](const glm::vec3& p) { return scale * p; });
+        std::ranges::copy(surface.triangles, static_cast<glm::uvec3*>(indices));
+        if (passage != nullptr) {
+            // The const_cast is safe: Embree only passes the pointer on, and the filter only reads.
+            library.SetGeometryUserData(geometry.get(), const_cast<Passage*>(passage));
+            library.SetGeometryIntersectFilterFunction(geometry.get(), Passage::filter);
+            library.SetGeometryOccludedFilterFunction(geometry.get(), Passage::filter);
         }
-        library.ReleaseGeometry(geometry);
+        attach(geometry, id);
+    }
+
+    /// Adds a part, which must outlive the scene.
+    void add(const Embree& part, unsigned id) const {
+        const GeometryPtr geometry(library.NewGeometry(device.get(), embree::kInstanceGeometry));
         check();
+        library.SetGeometryInstancedScene(geometry.get(), part.scene.get());
+        attach(geometry, id);
     }
 
     void commit(std::size_t surfaces) {
@@ -149,7 +190,7 @@ struct RayScene::Embree {
             // blocks. The large part, the geometry, is released.
             for (unsigned id = 0; id < surfaces; ++id) library.DetachGeometry(scene.get(), id);
             static_cast<void>(scene.release());
-            static_cast<void>(device.release());
+            library.RetainDevice(device.get());
             throw;
         }
     }
@@ -163,6 +204,7 @@ RayScene::RayScene(std::span<const RaySurface> surfaces) {
     if (largest > 0 && largest < kSmallestScene) scale_ = std::ldexp(1.0, -std::ilogb(largest));
     embree_ = std::make_unique<Embree>();
     for (std::size_t s = 0; s < surfaces.size(); ++s) {
+        numbers_.emplace_back(surfaces[s].numbers.begin(), surfaces[s].numbers.end());
         if (surfaces[s].triangles.empty()) continue;
         const Passage* passage = nullptr;
         if (surfaces[s].present || surfaces[s].front_only) {
@@ -174,6 +216,15 @@ RayScene::RayScene(std::span<const RaySurface> surfaces) {
         embree_->add(surfaces[s], passage, static_cast<unsigned>(s), static_cast<float>(scale_));
     }
     embree_->commit(surfaces.size());
+}
+
+RayScene::RayScene(std::vector<RayPart> parts)
+    : parts_(std::move(parts)), embree_(std::make_unique<Embree>()) {
+    for (std::size_t p = 0; p < parts_.size(); ++p) {
+        numbers_.push_back(std::move(parts_[p].numbers));
+        embree_->add(*parts_[p].scene->embree_, static_cast<unsigned>(p));
+    }
+    embree_->commit(parts_.size());
 }
 
 RayScene::~RayScene() = default;
@@ -192,14 +243,17 @@ std::optional<RayHit> RayScene::intersect(const Ray& ray) const {
     query.ray.tfar =
         static_cast<float>(std::min(scale_ * ray.farthest, double{std::numeric_limits<float>::max()}));
     query.ray.mask = ~0U;
-    query.hit.geometry = embree::kNoGeometry;
+    query.hit.geometry = query.hit.instance = embree::kNoGeometry;
     embree_->library.intersect(embree_->scene.get(), query);
     if (query.hit.geometry == embree::kNoGeometry) return std::nullopt;
-    return RayHit{.surface = query.hit.geometry,
-                  .triangle = query.hit.triangle,
-                  .distance = static_cast<double>(query.ray.tfar) / scale_,
-                  .b1 = static_cast<double>(query.hit.u),
-                  .b2 = static_cast<double>(query.hit.v)};
+    RayHit hit{.surface = parts_.empty() ? query.hit.geometry : query.hit.instance,
+               .triangle = query.hit.triangle,
+               .distance = static_cast<double>(query.ray.tfar) / scale_,
+               .b1 = static_cast<double>(query.hit.u),
+               .b2 = static_cast<double>(query.hit.v)};
+    const glm::vec3 normal(query.hit.ng_x, query.hit.ng_y, query.hit.ng_z);
+    renumber(numbers_[hit.surface], glm::dot(normal, direction) > 0, hit);
+    return hit;
 }
 
 bool RayScene::occluded(const Ray& ray) const {

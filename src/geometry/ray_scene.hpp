@@ -20,6 +20,15 @@ namespace nicol {
 /// must not throw.
 using Presence = std::function<bool(std::uint32_t triangle, float b1, float b2)>;
 
+/// Numbers of consecutive triangles in hits: triangle `first` has `number`, the next one number + 1.
+struct TriangleNumbers {
+    std::uint32_t first;
+    std::uint32_t number;
+    /// What the back of a triangle adds to the triangle's number. Corners 1 and 2 of the back are corners 2
+    /// and 1 of the front. 0: both sides are one triangle.
+    std::uint32_t back = 0;
+};
+
 /// Triangles of one surface in the world: indices into positions.
 struct RaySurface {
     std::span<const glm::vec3> positions;
@@ -27,6 +36,8 @@ struct RaySurface {
     Presence present = {};  ///< alpha mask (rays pass if it returns false); empty: present everywhere
     /// Whether rays pass from the back, the side on which corners follow one another clockwise.
     bool front_only = false;
+    /// Numbers of the triangles in hits, ascending by `first`, from 0; empty: their indices.
+    std::span<const TriangleNumbers> numbers = {};
 };
 
 struct Ray {
@@ -37,8 +48,8 @@ struct Ray {
 };
 
 struct RayHit {
-    std::uint32_t surface;   ///< index into the given surfaces
-    std::uint32_t triangle;  ///< index into the surface's triangles
+    std::uint32_t surface;   ///< index into the given surfaces or parts
+    std::uint32_t triangle;  ///< number of the surface's triangle
     double distance;
     double b1, b2;  ///< barycentric weights of the triangle's corners 1 and 2; corner 0 has the rest
 };
@@ -71,9 +82,20 @@ struct alignas(64) RayPacket {
     std::array<float, kRays> farthest;
 };
 
+class RayScene;
+
+/// A scene of one surface as part of another scene.
+struct RayPart {
+    std::shared_ptr<const RayScene> scene;
+    std::vector<TriangleNumbers> numbers;  ///< as RaySurface::numbers, not empty
+};
+
 /// A bounding volume hierarchy (Embree's, in its robust mode: a ray does not slip between two triangles that
-/// share an edge). Triangles block rays from both
-/// sides unless their surface says otherwise. Immutable; queries may be made from any thread.
+/// share an edge). Triangles block rays from both sides unless their surface says otherwise. Immutable;
+/// queries may be made from any thread.
+///
+/// A scene of parts has hits equal to those of a scene of the parts' surfaces. It is made within microseconds
+/// a part, and its rays take 10 to 20 % longer.
 class RayScene {
 public:
     /// Copies what it needs; surfaces may be empty. Throws Error(invalid_argument), naming the surface and
@@ -81,9 +103,14 @@ public:
     /// range. Throws Error(unsupported) without Embree, Error(out_of_memory), and Error(internal) if Embree
     /// fails.
     explicit RayScene(std::span<const RaySurface> surfaces);
+    /// Makes a scene of parts, none of which is scaled(). Throws Error(out_of_memory) and Error(internal).
+    explicit RayScene(std::vector<RayPart> parts);
     ~RayScene();
     RayScene(const RayScene&) = delete;
     RayScene& operator=(const RayScene&) = delete;
+
+    /// Returns whether Embree has another scale than the world, because the largest coordinate is tiny.
+    [[nodiscard]] bool scaled() const noexcept { return scale_ != 1; }
 
     [[nodiscard]] std::optional<RayHit> intersect(const Ray& ray) const;
 
@@ -110,6 +137,8 @@ private:
     struct Embree;
     struct Passage;
     std::vector<std::unique_ptr<const Passage>> passages_;
+    std::vector<std::vector<TriangleNumbers>> numbers_;  // by surface or part
+    std::vector<RayPart> parts_;
     std::unique_ptr<Embree> embree_;
     double scale_ = 1;  ///< scale from the world to Embree: a power of two, so that nothing is rounded
 };

@@ -63,8 +63,7 @@ void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderO
     // First half of bake, because the choice of orders may depend on it.
     surfaces_.update(scene);
     const Projection projection = in_axes(of_world, surfaces_.to_world());
-    SurfaceRays rays(surfaces_);
-    visibility_.update(surfaces_, rays, scene.distant_light() != nullptr || bouncing, projection, given,
+    visibility_.update(surfaces_, rays_, scene.distant_light() != nullptr || bouncing, projection, given,
                        run.workers, run.progress, run.statistics);
     const SurfaceState surfaces = visibility_.state();
 
@@ -95,9 +94,9 @@ void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderO
     if (follows_rays) smooth_.update(visibility_.surfaces());
     local_lights_.update(
         scene, {split_.extracted_lights(), scene.distant_light(), split_.rest(), sampled, light_to_geometry},
-        visibility_.surfaces(), rays, follows_rays && options.shadows ? &smooth_ : nullptr, lighting,
+        visibility_.surfaces(), rays_, follows_rays && options.shadows ? &smooth_ : nullptr, lighting,
         run.statistics);
-    rays.release();
+    rays_.release();
     pixels_ = shades_pixels(scene, projection, light_to_geometry, options, executor, run.statistics);
     const TransferInput input{
         surfaces,

@@ -28,6 +28,7 @@
 #include "surfaces/local_lights.hpp"
 #include "surfaces/scene_geometry.hpp"
 #include "surfaces/smooth_surfaces.hpp"
+#include "surfaces/surface_rays.hpp"
 #include "surfaces/vertex_stage.hpp"
 
 namespace nicol {
@@ -82,6 +83,7 @@ private:
     void count(const TransferInput& input, const DistantLight& distant, Statistics& statistics) const;
 
     SceneGeometry surfaces_;
+    SurfaceRays rays_{surfaces_};
     SceneVisibility visibility_;
     LightSplit split_;
     OrderSelector selector_;

@@ -7,8 +7,39 @@
 #include <algorithm>
 #include <atomic>
 #include <glm/geometric.hpp>
+#include <iterator>
+#include <optional>
+#include <utility>
 
 namespace nicol {
+namespace {
+
+/// Texture coordinates and colours of a triangle's corners, those that the geometry has.
+struct Corners {
+    std::optional<std::array<glm::vec2, 3>> texcoords;
+    std::optional<std::array<glm::vec3, 3>> colors;
+};
+
+Corners corners_of(const WorldGeometry& geometry, std::size_t triangle) {
+    Corners out;
+    if (!geometry.texcoords.empty()) out.texcoords = geometry.texcoords[triangle];
+    if (!geometry.colors.empty()) out.colors = geometry.colors[triangle];
+    return out;
+}
+
+// Returns whether the material of a range of vertices or triangles has an alpha mask.
+constexpr auto has_mask = [](const auto& range) { return opacity_of(*range.material) != nullptr; };
+
+bool present(const Material& material, std::uint32_t instance, const Corners& corners, float b1, float b2) {
+    const SpatialVariation* const variation = material.variation();
+    if (variation == nullptr || variation->opacity == nullptr) return true;
+    const TexturePoint point =
+        texture_point({1 - b1 - b2, b1, b2}, corners.texcoords ? &*corners.texcoords : nullptr,
+                      corners.colors ? &*corners.colors : nullptr);
+    return variation->present(point, threshold_at(instance, b1, b2));
+}
+
+}  // namespace
 
 std::size_t range_of(const WorldGeometry& geometry, std::size_t vertex) {
     const auto found = std::ranges::upper_bound(geometry.ranges, vertex, {}, &VertexRange::last);
@@ -31,17 +62,37 @@ std::vector<TriangleBatch> triangle_batches(const WorldGeometry& geometry) {
 }
 
 Presence presence_of(const WorldGeometry& geometry) {
-    const auto alpha_mask = [](const VertexRange& range) { return opacity_of(*range.material) != nullptr; };
-    if (std::ranges::none_of(geometry.ranges, alpha_mask)) return {};
+    if (std::ranges::none_of(geometry.ranges, has_mask)) return {};
     return [&geometry](std::uint32_t triangle, float b1, float b2) {
         const VertexRange& range = geometry.ranges[range_of(geometry, geometry.triangles[triangle].x)];
-        const SpatialVariation* const variation = range.material->variation();
-        if (variation == nullptr || variation->opacity == nullptr) return true;
-        const TexturePoint point = texture_point(
-            {1 - b1 - b2, b1, b2}, geometry.texcoords.empty() ? nullptr : &geometry.texcoords[triangle],
-            geometry.colors.empty() ? nullptr : &geometry.colors[triangle]);
-        return variation->present(point, threshold_at(range.instance, b1, b2));
+        return present(*range.material, range.instance, corners_of(geometry, triangle), b1, b2);
     };
+}
+
+Presence presence_of(const WorldGeometry& geometry, std::span<const TriangleNumbers> numbers,
+                     std::size_t triangles) {
+    struct Run {
+        std::uint32_t first;
+        MaterialPtr material;
+        std::uint32_t instance;
+    };
+    std::vector<Run> runs;
+    for (const TriangleNumbers& run : numbers) {
+        const VertexRange& range = geometry.ranges[range_of(geometry, geometry.triangles[run.number].x)];
+        runs.push_back({.first = run.first, .material = range.material, .instance = range.instance});
+    }
+    if (std::ranges::none_of(runs, has_mask)) return {};
+    std::vector<Corners> corners;
+    for (std::size_t r = 0; r < numbers.size(); ++r) {
+        const std::size_t end = r + 1 < numbers.size() ? numbers[r + 1].first : triangles;
+        for (std::size_t t = numbers[r].first; t < end; ++t)
+            corners.push_back(corners_of(geometry, numbers[r].number + (t - numbers[r].first)));
+    }
+    return
+        [runs = std::move(runs), corners = std::move(corners)](std::uint32_t triangle, float b1, float b2) {
+            const Run& run = *std::prev(std::ranges::upper_bound(runs, triangle, {}, &Run::first));
+            return present(*run.material, run.instance, corners[triangle], b1, b2);
+        };
 }
 
 std::size_t find_visible(const WorldGeometry& geometry, const Projection& projection,

@@ -7,6 +7,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+#include <span>
 #include <vector>
 
 #include "geometry/ray_scene.hpp"
@@ -80,6 +81,10 @@ struct TriangleBatch {
 /// Returns the alpha masks of the geometry's triangles, for rays; empty if no material has an alpha mask. The
 /// geometry must outlive the result.
 [[nodiscard]] Presence presence_of(const WorldGeometry& geometry);
+/// Returns the alpha masks of some triangles, which hits have the given numbers; empty if none of their
+/// materials has an alpha mask. triangles: how many there are. Keeps what it needs of the geometry.
+[[nodiscard]] Presence presence_of(const WorldGeometry& geometry, std::span<const TriangleNumbers> numbers,
+                                   std::size_t triangles);
 
 /// Sets visible[v] to 1 for each vertex of a triangle that faces the viewpoint and is not wholly outside one
 /// side of the view by more than half a pixel, the distance of samples from pixel centres. Sets visible[v] to

@@ -19,6 +19,9 @@
 namespace nicol {
 namespace {
 
+// Triangles of a batch of blockers that ends.
+constexpr std::size_t kBatch = 4096;
+
 // Returns whether two placements of one mesh differ by no more than rounding. The placements' shifts were
 // computed as differences of numbers as large as `shift`, which hosts may keep in single precision.
 bool near(const glm::dmat4& a, const glm::dmat4& b, const Ball& ball, double shift) {
@@ -220,6 +223,8 @@ void SceneGeometry::build(const Scene& scene, std::vector<Piece>& pieces) {
         if (piece.former != kNone) {
             const Piece& former = pieces_[piece.former];
             stays[piece.former] = 1;
+            piece.placed = former.placed;
+            piece.batch = former.batch;
             const auto copy = [&](const std::vector<glm::vec3>& from, std::vector<glm::vec3>& to) {
                 to.insert(to.end(), from.begin() + static_cast<std::ptrdiff_t>(former.first),
                           from.begin() + static_cast<std::ptrdiff_t>(former.last));
@@ -273,6 +278,33 @@ void SceneGeometry::build(const Scene& scene, std::vector<Piece>& pieces) {
     pieces_ = std::move(pieces);
     change_ = std::move(change);
     version_ = new_version();
+    find_blockers();
+}
+
+void SceneGeometry::find_blockers() {
+    blockers_.clear();
+    std::uint32_t batch = 0;
+    std::size_t triangles = 0;  // in this batch
+    for (Piece& piece : pieces_) {
+        const std::size_t count = piece.parts().triangles.size();
+        if (piece.placed == 0) {
+            if (triangles >= kBatch) {
+                ++batch;
+                triangles = 0;
+            }
+            piece.placed = version_;
+            piece.batch = batch;
+            triangles += count;
+        }
+        if (piece.transmits || count == 0) continue;
+        blockers_.push_back({.placed = piece.placed,
+                             .batch = piece.batch,
+                             .first = piece.first,
+                             .last = piece.first + piece.parts().positions.size(),
+                             .first_triangle = piece.first_triangle,
+                             .triangles = count,
+                             .two_sided = piece.twosided});
+    }
 }
 
 void SceneGeometry::follow_pieces(const std::vector<Piece>& pieces, Change& change) const {

@@ -48,6 +48,20 @@ public:
     /// its motions that geometry()'s axes follow.
     [[nodiscard]] const glm::dmat3& own_axes() const noexcept { return own_axes_; }
 
+    /// Triangles of an instance that block light, and their vertices; the front side of a two-sided instance.
+    struct Blocker {
+        /// Version of geometry() in which the instance was placed where it is.
+        Version placed;
+        /// Blockers of equal `placed` and `batch` have some thousand triangles together, unless one has more.
+        std::uint32_t batch;
+        std::size_t first, last;  ///< vertices first .. last - 1
+        std::size_t first_triangle, triangles;
+        bool two_sided;  ///< the back has as many triangles, which follow those of the front
+    };
+    /// Returns the blockers, in the order of their vertices. An instance that has not moved since an earlier
+    /// version has the same `placed` and `batch`, and the same triangles and positions, as then.
+    [[nodiscard]] const std::vector<Blocker>& blockers() const noexcept { return blockers_; }
+
     /// Vertices of an instance that has moved, and the rotation in its motion.
     struct MovedRun {
         VertexRun vertices;
@@ -85,6 +99,8 @@ private:
         std::size_t former;              // index among the former pieces if it has not moved, or kNone
         std::size_t elsewhere = kNone;   // index among the former pieces if it has moved, or kNone
         std::size_t first_triangle = 0;  // index of the first triangle
+        Version placed = 0;              // see Blocker
+        std::uint32_t batch = 0;
 
         // Returns the mesh whose vertices and triangles are drawn, and whether the placement mirrors it.
         [[nodiscard]] const Mesh& parts() const { return divided ? *in_place : *mesh; }
@@ -103,6 +119,7 @@ private:
     [[nodiscard]] static bool stays(const Piece& former, const glm::dmat4& placement,
                                     const glm::dmat4& to_world);
     void build(const Scene& scene, std::vector<Piece>& pieces);
+    void find_blockers();
     // Adds the moved instances to a change, and the triangles of kept and moved ones.
     void follow_pieces(const std::vector<Piece>& pieces, Change& change) const;
     void set_materials(const Scene& scene);
@@ -123,6 +140,7 @@ private:
     Stage<Version, Version> assigning_;  // versions of the scene's materials and emission
     Stage<Version, Version> completing_;
     Change change_;
+    std::vector<Blocker> blockers_;
 };
 
 }  // namespace nicol

@@ -21,7 +21,7 @@ constexpr std::string_view kMagic("NICOLVIS", 8);
 constexpr std::uint32_t kVersion = 1;
 // Magic and version of refinement files; raise the version whenever equal input gives a different refinement.
 constexpr std::string_view kRefinementMagic("NICOLREF", 8);
-constexpr std::uint32_t kRefinementVersion = 3;
+constexpr std::uint32_t kRefinementVersion = 4;
 
 template <class T>
 std::string hash_of(std::span<const T> numbers) {

@@ -296,8 +296,80 @@ TEST_CASE(
     CHECK(half.occluded({.origin = {0.2, 0.2, 1}, .direction = {0, 0, -1}}));
 }
 
+TEST_CASE("a scene of parts has the hits of one surface, to the last bit") {
+    const Mesh ball = make_sphere({0.2, 0.1, 0}, 0.7);
+    Mesh cube = make_cube(3);
+    for (glm::vec3& p : cube.positions) p = 0.4F * p + glm::vec3(0.5F, 0.3F, 0.1F);
+    const auto striped = [](std::uint32_t triangle, float, float) { return triangle % 3 != 0; };
+    Mesh both = ball;
+    const auto of_cube = static_cast<std::uint32_t>(ball.positions.size());
+    const auto balls = static_cast<std::uint32_t>(ball.triangles.size());
+    both.positions.insert(both.positions.end(), cube.positions.begin(), cube.positions.end());
+    for (const glm::uvec3& t : cube.triangles) both.triangles.push_back(t + of_cube);
+    const RaySurface one{both.positions, both.triangles, [&](std::uint32_t triangle, float b1, float b2) {
+                             return triangle < balls ? striped(triangle, b1, b2) : true;
+                         }};
+    const RaySurface masked{ball.positions, ball.triangles, striped}, whole = surface(cube);
+    const RayScene flat(std::span(&one, 1));
+    const RayScene parts({{std::make_shared<const RayScene>(std::span(&masked, 1)), {{0, 0}}},
+                          {std::make_shared<const RayScene>(std::span(&whole, 1)), {{0, balls}}}});
+    CHECK_FALSE(parts.scaled());
+    std::mt19937 random(3);
+    int hits[2] = {0, 0};
+    unsigned blocked = 0;
+    for (int i = 0; i < 400; ++i) {
+        const Ray ray{.origin = 3.0 * random_direction(random), .direction = random_direction(random)};
+        const Ray inwards{.origin = ray.origin,
+                          .direction = glm::normalize(0.8 * random_direction(random) - ray.origin)};
+        for (const Ray& each : {ray, inwards}) {
+            const auto expected = flat.intersect(each), hit = parts.intersect(each);
+            REQUIRE(hit.has_value() == expected.has_value());
+            CHECK(parts.occluded(each) == flat.occluded(each));
+            if (!hit) continue;
+            ++hits[hit->surface];
+            CHECK(hit->surface == (hit->triangle < balls ? 0 : 1));
+            CHECK(hit->triangle == expected->triangle);
+            CHECK(hit->distance == expected->distance);
+            CHECK(hit->b1 == expected->b1);
+            CHECK(hit->b2 == expected->b2);
+        }
+        RayBundle bundle{};
+        for (std::size_t r = 0; r < RayBundle::kRays; ++r) {
+            const glm::vec3 direction(glm::normalize(inwards.direction + 0.1 * random_direction(random)));
+            bundle.x[r] = direction.x;
+            bundle.y[r] = direction.y;
+            bundle.z[r] = direction.z;
+        }
+        const glm::vec3 origin(ray.origin);
+        CHECK(parts.occluded(origin, bundle, 0xfff7) == flat.occluded(origin, bundle, 0xfff7));
+        blocked += flat.occluded(origin, bundle, 0xfff7) != 0 ? 1 : 0;
+    }
+    CHECK(hits[0] > 50);
+    CHECK(hits[1] > 20);
+    CHECK(blocked > 50);
+}
+
+TEST_CASE("hits have the numbers of their triangles, and those of the back are the back's") {
+    const std::vector<glm::vec3> corners{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {2, 0, 0}, {3, 0, 0}, {2, 1, 0}};
+    const std::vector<glm::uvec3> triangles{{0, 1, 2}, {3, 4, 5}};
+    const std::vector<TriangleNumbers> numbers{{0, 7}, {.first = 1, .number = 20, .back = 5}};
+    const RaySurface surface{.positions = corners, .triangles = triangles, .numbers = numbers};
+    const RayScene scene(std::span(&surface, 1));
+    const auto from = [&](double x, double z) {
+        return scene.intersect({.origin = {x, 0.5, z}, .direction = {0, 0, z > 0 ? -1 : 1}}).value();
+    };
+    CHECK(from(0.2, 1).triangle == 7);
+    CHECK(from(0.2, -1).triangle == 7);
+    CHECK(from(0.2, -1).b1 == doctest::Approx(0.2));
+    CHECK(from(2.2, 1).triangle == 20);
+    CHECK(from(2.2, 1).b1 == doctest::Approx(0.2));
+    CHECK(from(2.2, -1).triangle == 25);
+    CHECK(from(2.2, -1).b1 == doctest::Approx(0.5));
+    CHECK(from(2.2, -1).b2 == doctest::Approx(0.2));
+}
+
 TEST_CASE("an empty scene has no hits") {
-    const RayScene scene({});
+    const RayScene scene(std::span<const RaySurface>{});
     CHECK(!scene.intersect({.origin = {0, 0, 0}, .direction = {0, 0, 1}}).has_value());
     CHECK(!scene.occluded({.origin = {0, 0, 0}, .direction = {0, 0, 1}}));
 }
