@@ -3,9 +3,7 @@
 
 #include <algorithm>
 #include <array>
-#include <functional>
 #include <glm/geometric.hpp>
-#include <map>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -28,6 +26,36 @@ public:
 
 private:
     std::vector<std::uint8_t> ends_;
+};
+
+/// Weights of a triangle's corners at the vertices of its parts. Each vertex is computed once a triangle.
+class CornerWeights {
+public:
+    /// given: number of vertices before the first that was added between two parents.
+    CornerWeights(std::size_t given, std::span<const glm::uvec2> parents)
+        : given_(given), parents_(parents), known_(parents.size()) {}
+
+    [[nodiscard]] glm::vec3 at(std::uint32_t vertex, std::uint32_t triangle, const glm::uvec3& corners) {
+        if (vertex < given_)
+            return {corners.x == vertex ? 1 : 0, corners.y == vertex ? 1 : 0, corners.z == vertex ? 1 : 0};
+        Known& known = known_[vertex - given_];
+        if (known.triangle != triangle) {
+            // Parents have smaller indices.
+            const glm::uvec2& pair = parents_[vertex - given_];
+            known.weights = 0.5F * at(pair.x, triangle, corners) + 0.5F * at(pair.y, triangle, corners);
+            known.triangle = triangle;
+        }
+        return known.weights;
+    }
+
+private:
+    struct Known {
+        std::uint32_t triangle = ~std::uint32_t{0};
+        glm::vec3 weights;
+    };
+    std::size_t given_;
+    std::span<const glm::uvec2> parents_;
+    std::vector<Known> known_;
 };
 
 }  // namespace
@@ -171,26 +199,17 @@ std::vector<TrianglePart> triangle_parts(std::span<const glm::uvec3> given, std:
                                          std::span<const std::uint32_t> sources) {
     std::vector<TrianglePart> parts;
     parts.reserve(triangles.size());
-    // Weights of vertices in the current source triangle. The parts of one source are consecutive, and
-    // parents have smaller indices.
-    std::map<std::uint32_t, glm::vec3> known;
-    const std::function<glm::vec3(std::uint32_t, const glm::uvec3&)> weights = [&](std::uint32_t vertex,
-                                                                                   const glm::uvec3& source) {
-        if (vertex < vertices) {
-            return glm::vec3(source.x == vertex ? 1 : 0, source.y == vertex ? 1 : 0,
-                             source.z == vertex ? 1 : 0);
-        }
-        if (const auto found = known.find(vertex); found != known.end()) return found->second;
-        const glm::uvec2 pair = parents[vertex - vertices];
-        return known[vertex] = 0.5F * weights(pair.x, source) + 0.5F * weights(pair.y, source);
-    };
+    CornerWeights weights(vertices, parents);
     for (std::size_t i = 0; i < triangles.size(); ++i) {
         const std::uint32_t source = sources[i];
-        if (i > 0 && source != sources[i - 1]) known.clear();
         const glm::uvec3& t = triangles[i];
         const glm::uvec3& of = given[source];
-        parts.push_back(
-            {.source = source, .corners = {weights(t.x, of), weights(t.y, of), weights(t.z, of)}});
+        if (t == of) {
+            parts.push_back({.source = source, .corners = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}});
+            continue;
+        }
+        const auto at = [&](std::uint32_t vertex) { return weights.at(vertex, source, of); };
+        parts.push_back({.source = source, .corners = {at(t.x), at(t.y), at(t.z)}});
     }
     return parts;
 }

@@ -13,7 +13,6 @@
 
 #include "geometry/position_hash.hpp"
 #include "surfaces/carried_refinement.hpp"
-#include "visibility/bake_origins.hpp"
 #include "visibility/turned_directions.hpp"
 #include "visibility/vertex_rays.hpp"
 
@@ -202,15 +201,13 @@ void ProgressiveBake::find_order(const Input& input) {
 
 void ProgressiveBake::find_origins(const Input& input) {
     const WorldGeometry& geometry = input.surfaces.geometry();
-    std::vector<glm::vec3> normals;
-    for (const glm::vec3& normal : geometry.normals) normals.emplace_back(glm::normalize(glm::dvec3(normal)));
-    std::vector<glm::vec3> origins = bake_origins(
-        {.positions = geometry.positions, .normals = normals, .triangles = geometry.triangles}, normals);
+    const std::vector<glm::vec3>& origins = given_origins_.of(input.surfaces);
     if (!refined_) {
-        origins_ = std::move(origins);
+        origins_ = origins;
         return;
     }
     std::vector<glm::vec3> shifts;
+    shifts.reserve(given_ + topology_.parents.size());
     for (std::size_t v = 0; v < given_; ++v) shifts.push_back(origins[v] - geometry.positions[v]);
     for (const glm::uvec2& pair : topology_.parents)
         shifts.push_back(0.5F * shifts[pair.x] + 0.5F * shifts[pair.y]);
@@ -226,12 +223,16 @@ void ProgressiveBake::trace(const Input& input, std::span<const std::uint32_t> v
     std::atomic<std::uint64_t> rays = 0, traced = 0, changed = 0;
     tbb::parallel_for(std::size_t{0}, vertices.size(), [&](std::size_t i) {
         const std::uint32_t v = vertices[i];
+        const std::uint32_t state = states_[v];
+        if (state == state_) return;  // an earlier call traced it, which ended with an exception
         const glm::vec3 normal(glm::normalize(glm::dvec3(geometry.normals[v])));
         DisturbedBundles bundles;
-        const std::uint32_t state = std::exchange(states_[v], state_);
         if (state != 0) {
             const DisturbedRays& disturbed = state + 1 == state_ ? since_last : since_all;
-            if (!disturbed.find(origins_[v], normal, bundles)) return;
+            if (!disturbed.find(origins_[v], normal, bundles)) {
+                states_[v] = state_;
+                return;
+            }
         }
         const std::span bits = visible_.at(v);
         const std::vector<std::uint64_t> before(bits.begin(), bits.end());
@@ -241,6 +242,7 @@ void ProgressiveBake::trace(const Input& input, std::span<const std::uint32_t> v
         std::ranges::fill(bits, 0U);
         const std::uint64_t count =
             trace_vertex(*rays_, input.directions, origins_[v], normal, v, known, visible_);
+        states_[v] = state_;
         unoccluded_[v] = visible_.unoccluded(v) ? 1 : 0;
         visible_.set_unoccluded(v, was_unoccluded && visible_.unoccluded(v));
         rays += count;
@@ -266,21 +268,23 @@ void ProgressiveBake::advance(const Input& input, SurfaceRays& rays, double mill
     if (!rays_) rays_ = rays.get();
     for (; next_ < order_.size() && (first || spent() < milliseconds); first = false) {
         progress.report("bake", static_cast<double>(next_) / static_cast<double>(order_.size()));
-        if (origins_.empty()) find_origins(input);
         vertices.clear();
-        for (; next_ < order_.size() && vertices.size() < kVerticesAtATime; ++next_) {
-            const std::uint32_t begin = order_[next_] * static_cast<std::uint32_t>(kLanes);
+        std::size_t end_of_step = next_;
+        for (; end_of_step < order_.size() && vertices.size() < kVerticesAtATime; ++end_of_step) {
+            const std::uint32_t begin = order_[end_of_step] * static_cast<std::uint32_t>(kLanes);
             const std::uint32_t end = std::min(begin + static_cast<std::uint32_t>(kLanes),
                                                static_cast<std::uint32_t>(states_.size()));
             for (std::uint32_t v = begin; v < end; ++v) vertices.push_back(v);
         }
         workers.run([&] {
+            if (origins_.empty()) find_origins(input);
             if (!since_last) {
                 since_last.emplace(input.directions, last_.disturbances());
                 since_all.emplace(input.directions, all_.disturbances());
             }
             trace(input, vertices, *since_last, *since_all, statistics);
         });
+        next_ = end_of_step;
         pending_ -= vertices.size();
     }
     if (next_ < order_.size() || finished_) return;
@@ -289,12 +293,14 @@ void ProgressiveBake::advance(const Input& input, SurfaceRays& rays, double mill
         progress.report("bake", 1);
         first = false;
         workers.run([&] {
-            if (refinement_) {
-                if (!refinement_->step(kPointsAtATime))
-                    end_refinement(input, refinement_->result(statistics));
-            } else {
+            // After an exception, the refinement begins anew.
+            std::unique_ptr<StepwiseRefinement> refinement = std::move(refinement_);
+            if (!refinement)
                 begin_refinement(input);
-            }
+            else if (refinement->step(kPointsAtATime))
+                refinement_ = std::move(refinement);
+            else
+                end_refinement(input, refinement->result(statistics));
         });
     }
 }

@@ -11,6 +11,7 @@
 #include "stage/options.hpp"
 #include "stage/statistics.hpp"
 #include "stage/workers.hpp"
+#include "surfaces/given_origins.hpp"
 #include "surfaces/refined_surfaces.hpp"
 #include "surfaces/scene_geometry.hpp"
 #include "surfaces/surface_rays.hpp"
@@ -110,6 +111,7 @@ private:
     DisturbanceRecord all_;         // disturbances since all vertices were traced
     DisturbanceRecord for_points_;  // disturbances since points_
     TracedPoints points_;
+    GivenOrigins given_origins_;
     std::vector<glm::vec3> origins_;    // empty: not yet found
     std::vector<std::uint32_t> order_;  // blocks of sixteen vertices, those to be traced first first
     std::size_t next_ = 0;              // place in order_

@@ -154,9 +154,10 @@ void SceneVisibility::update_progressively(const SceneGeometry& surfaces, Surfac
     BakeStatistics baked;
     if (progressive_->pending() > 0) {
         const bool limited = options.bake_budget_ms > 0;
-        progressive_->advance(input, rays,
-                              limited ? options.bake_budget_ms : std::numeric_limits<double>::infinity(),
-                              workers, progress, baked);
+        progressive_->advance(
+            input, rays,
+            limited ? options.bake_budget_ms - watch.milliseconds() : std::numeric_limits<double>::infinity(),
+            workers, progress, baked);
     }
     surfaces_.update(surfaces, progressive_->refined(), progressive_->parts(), progressive_->numbers());
     const Visibility& visible = progressive_->visibility();

@@ -42,15 +42,19 @@ CarriedRefinement carried(const Refinement& before, std::size_t given, const Sce
     for (const VertexRun& run : change.triangles)
         for (std::size_t t = run.first; t < run.last; ++t)
             sources[t] = static_cast<std::uint32_t>(run.before + (t - run.first));
+    auto part = before.sources.begin();  // first part of the triangle that follows the last one
+    std::uint64_t following = 0;
     for (std::uint32_t t = 0; t < sources.size(); ++t) {
         const std::size_t already = out.refinement.triangles.size();
-        const auto [first, last] = std::equal_range(before.sources.begin(), before.sources.end(), sources[t]);
-        for (auto part = first; part != last; ++part) {
+        if (sources[t] != following)
+            part = std::lower_bound(before.sources.begin(), before.sources.end(), sources[t]);
+        following = std::uint64_t{sources[t]} + 1;
+        for (; part != before.sources.end() && *part == sources[t]; ++part) {
             const glm::uvec3& corners =
                 before.triangles[static_cast<std::size_t>(part - before.sources.begin())];
             out.refinement.triangles.emplace_back(next[corners.x], next[corners.y], next[corners.z]);
         }
-        if (first == last) out.refinement.triangles.push_back(now.triangles[t]);
+        if (out.refinement.triangles.size() == already) out.refinement.triangles.push_back(now.triangles[t]);
         out.refinement.sources.insert(out.refinement.sources.end(), out.refinement.triangles.size() - already,
                                       t);
     }

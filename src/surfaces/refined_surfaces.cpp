@@ -47,29 +47,32 @@ RefinedGeometry refined(const WorldGeometry& geometry, const Refinement& refinem
     for (std::size_t v = geometry.normals.size(); v < normals.size(); ++v)
         normals[v] = glm::normalize(normals[v]);
 
-    std::vector<std::uint32_t> order(positions.size());
-    std::iota(order.begin(), order.end(), 0U);
-    std::ranges::stable_sort(order, {}, [&](std::uint32_t v) { return range_of[v]; });
-    std::vector<std::uint32_t> number(order.size());
-    for (std::uint32_t i = 0; i < order.size(); ++i) number[order[i]] = i;
-
+    // Vertices are sorted by range.
+    std::vector<std::uint32_t> next(geometry.ranges.size() + 1, 0);  // number of a range's next vertex
+    for (const std::uint32_t r : range_of) ++next[r + 1];
+    std::partial_sum(next.begin(), next.end(), next.begin());
     WorldGeometry out;
-    for (const std::uint32_t v : order) {
-        out.positions.push_back(positions[v]);
-        out.normals.push_back(normals[v]);
+    for (std::size_t r = 0; r < geometry.ranges.size(); ++r) {
+        VertexRange range = geometry.ranges[r];
+        range.first = next[r];
+        range.last = next[r + 1];
+        out.ranges.push_back(std::move(range));
     }
+    std::vector<std::uint32_t> number(positions.size());
+    std::vector<std::uint32_t> order(positions.size());
+    out.positions.resize(positions.size());
+    out.normals.resize(positions.size());
+    for (std::uint32_t v = 0; v < positions.size(); ++v) {
+        const std::uint32_t i = number[v] = next[range_of[v]]++;
+        order[i] = v;
+        out.positions[i] = positions[v];
+        out.normals[i] = normals[v];
+    }
+    out.triangles.reserve(refinement.triangles.size());
     for (const glm::uvec3& t : refinement.triangles)
         out.triangles.emplace_back(number[t.x], number[t.y], number[t.z]);
     const auto two_sided = std::ranges::lower_bound(refinement.sources, geometry.one_sided);
     out.one_sided = static_cast<std::size_t>(two_sided - refinement.sources.begin());
-    std::size_t first = 0;
-    for (std::uint32_t r = 0; r < geometry.ranges.size(); ++r) {
-        VertexRange range = geometry.ranges[r];
-        range.first = first;
-        while (first < order.size() && range_of[order[first]] == r) ++first;
-        range.last = first;
-        out.ranges.push_back(std::move(range));
-    }
     return {.geometry = std::move(out),
             .visibility =
                 refinement.visibility.vertices() > 0 ? refinement.visibility.selected(order) : Visibility(),
