@@ -97,15 +97,16 @@ void Library::occluded(Scene* scene, Ray& ray) const {
     }
 }
 
-void Library::occluded(Scene* scene, const std::array<int, Ray16::kRays>& valid, Ray16& rays) const {
+void Library::occluded(Scene* scene, const std::array<int, Ray16::kRays>& valid, Ray16& rays,
+                       bool coherent) const {
     // Version 3 requires a mask that is aligned to 64 bytes.
     alignas(64) const std::array<int, Ray16::kRays> mask = valid;
     if (version_ == 4) {
-        Arguments4 arguments{.flags = kCoherent4};
+        Arguments4 arguments{.flags = coherent ? kCoherent4 : 0};
         reinterpret_cast<void (*)(const int*, Scene*, Ray16*, Arguments4*)>(occluded16_)(mask.data(), scene,
                                                                                          &rays, &arguments);
     } else {
-        Context3 context{.flags = kCoherent3};
+        Context3 context{.flags = coherent ? kCoherent3 : 0};
         reinterpret_cast<void (*)(const int*, Scene*, Context3*, Ray16*)>(occluded16_)(mask.data(), scene,
                                                                                        &context, &rays);
     }

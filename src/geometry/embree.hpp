@@ -107,8 +107,9 @@ public:
 
     void intersect(Scene* scene, RayHit& query) const;
     void occluded(Scene* scene, Ray& ray) const;
-    /// Traces the rays whose `valid` is -1 (0: not traced). Rays close to each other are traced faster.
-    void occluded(Scene* scene, const std::array<int, Ray16::kRays>& valid, Ray16& rays) const;
+    /// Traces the rays whose `valid` is -1 (0: not traced). coherent: whether Embree traces them as one beam,
+    /// which is faster for rays close to each other.
+    void occluded(Scene* scene, const std::array<int, Ray16::kRays>& valid, Ray16& rays, bool coherent) const;
 
 private:
     using Function = void (*)();

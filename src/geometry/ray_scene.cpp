@@ -133,12 +133,13 @@ struct RayScene::Embree {
         throw Error(ErrorCode::internal, "Embree failed with error " + std::to_string(error));
     }
 
-    /// Returns the bits of `active` whose rays are occluded. Rays close to each other are traced faster.
-    std::uint16_t occluded(embree::Ray16& rays, unsigned active) const {
+    /// Returns the bits of `active` whose rays are occluded. coherent: false for a scene of parts, because
+    /// Embree 3.13 never returns from some packets of rays in different directions that meet instances.
+    std::uint16_t occluded(embree::Ray16& rays, unsigned active, bool coherent) const {
         constexpr std::size_t count = RayPacket::kRays;
         std::array<int, count> valid{};
         for (std::size_t i = 0; i < count; ++i) valid[i] = (active >> i & 1) != 0 ? -1 : 0;
-        library.occluded(scene.get(), valid, rays);
+        library.occluded(scene.get(), valid, rays, coherent);
         unsigned blocked = 0;
         for (std::size_t i = 0; i < count; ++i) blocked |= (rays.tfar[i] < 0 ? 1U : 0U) << i;
         return static_cast<std::uint16_t>(blocked & active);
@@ -290,7 +291,7 @@ std::uint16_t RayScene::occluded(const glm::vec3& origin, const RayBundle& bundl
         rays.tfar[i] = std::numeric_limits<float>::infinity();
         rays.mask[i] = ~0U;
     }
-    return embree_->occluded(rays, active);
+    return embree_->occluded(rays, active, parts_.empty());
 }
 
 std::uint16_t RayScene::occluded(const RayPacket& packet, std::uint16_t active) const {
@@ -311,7 +312,7 @@ std::uint16_t RayScene::occluded(const RayPacket& packet, std::uint16_t active) 
         if (rays.tfar[i] > 0) traced |= active & 1U << i;
     }
     if (traced == 0) return 0;
-    return embree_->occluded(rays, traced);
+    return embree_->occluded(rays, traced, parts_.empty());
 }
 
 double RayScene::end(const glm::vec3& origin, double farthest) const noexcept {

@@ -333,16 +333,19 @@ TEST_CASE("a scene of parts has the hits of one surface, to the last bit") {
             CHECK(hit->b1 == expected->b1);
             CHECK(hit->b2 == expected->b2);
         }
-        RayBundle bundle{};
-        for (std::size_t r = 0; r < RayBundle::kRays; ++r) {
-            const glm::vec3 direction(glm::normalize(inwards.direction + 0.1 * random_direction(random)));
-            bundle.x[r] = direction.x;
-            bundle.y[r] = direction.y;
-            bundle.z[r] = direction.z;
+        for (const double spread : {0.1, 3.0}) {
+            RayBundle bundle{};
+            for (std::size_t r = 0; r < RayBundle::kRays; ++r) {
+                const glm::vec3 direction(
+                    glm::normalize(inwards.direction + spread * random_direction(random)));
+                bundle.x[r] = direction.x;
+                bundle.y[r] = direction.y;
+                bundle.z[r] = direction.z;
+            }
+            const glm::vec3 origin(ray.origin);
+            CHECK(parts.occluded(origin, bundle, 0xfff7) == flat.occluded(origin, bundle, 0xfff7));
+            blocked += flat.occluded(origin, bundle, 0xfff7) != 0 ? 1 : 0;
         }
-        const glm::vec3 origin(ray.origin);
-        CHECK(parts.occluded(origin, bundle, 0xfff7) == flat.occluded(origin, bundle, 0xfff7));
-        blocked += flat.occluded(origin, bundle, 0xfff7) != 0 ? 1 : 0;
     }
     CHECK(hits[0] > 50);
     CHECK(hits[1] > 20);
