@@ -95,7 +95,7 @@ struct RayPart {
 /// queries may be made from any thread.
 ///
 /// A scene of parts has hits equal to those of a scene of the parts' surfaces. It is made within microseconds
-/// a part, and its rays take 10 to 20 % longer.
+/// a part.
 class RayScene {
 public:
     /// Copies what it needs; surfaces may be empty. Throws Error(invalid_argument), naming the surface and

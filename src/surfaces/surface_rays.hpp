@@ -16,9 +16,9 @@ namespace nicol {
 /// moves none, so the hierarchy of the surfaces as given serves it too. Users keep the hierarchy as long as
 /// they need it.
 ///
-/// The hierarchy is flat as long as all instances were placed together, because a flat one is traced faster.
-/// After a change it consists of parts, and a further change builds only the parts that it touches. Hits are
-/// the same in both forms, with one exception: if two triangles lie in one place, either may be hit.
+/// The hierarchy is flat as long as all instances were placed together. After a change it consists of parts,
+/// and a further change builds only the parts that it touches. Hits are the same in both forms, with one
+/// exception: if two triangles lie in one place, either may be hit.
 class SurfaceRays {
 public:
     /// The surfaces must outlive the object.
