@@ -82,7 +82,7 @@ TEST_CASE("the edge of a shadow hides the fraction of a pixel's light that lies 
         light.irradiance.resize(1);
         light.irradiance[0][0].value.fill(1);
         PixelOrigins places(view, floor, normals, parts);
-        ShadowRays rays(scene, points, points);
+        ShadowRays rays(scene, nullptr, points, points);
         LightShadows shadows(&rays, &places, 4);
         const std::uint32_t lit = shadows.reached_in_part(light, 0xFFFF);
         const Lanes& fractions = light.irradiance[0][0];
