@@ -88,7 +88,8 @@ struct Film {
     std::uint32_t height;
     bool luminance;              ///< one channel is requested
     std::uint32_t sample_count;  ///< 0: the file does not say
-    int max_depth;               ///< as in IntegratorDescription
+    ReconstructionFilter filter;
+    int max_depth;  ///< as in IntegratorDescription
     std::uint32_t aovs;
 };
 

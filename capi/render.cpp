@@ -57,8 +57,19 @@ static_assert(are(Executor::automatic, NICOL_EXECUTOR_AUTOMATIC, Executor::cpu, 
                   Executor::compute, NICOL_EXECUTOR_COMPUTE));
 static_assert(are(HighOrders::split, NICOL_HIGH_ORDERS_SPLIT, HighOrders::convolution,
                   NICOL_HIGH_ORDERS_CONVOLUTION, HighOrders::none, NICOL_HIGH_ORDERS_NONE));
+static_assert(are(ReconstructionFilter::Kind::box, NICOL_FILTER_BOX, ReconstructionFilter::Kind::mitchell,
+                  NICOL_FILTER_MITCHELL, ReconstructionFilter::Kind::lanczos, NICOL_FILTER_LANCZOS));
 static_assert(are(ShadeAt::automatic, NICOL_SHADE_AT_AUTOMATIC, ShadeAt::vertices, NICOL_SHADE_AT_VERTICES,
                   ShadeAt::pixels, NICOL_SHADE_AT_PIXELS));
+
+ReconstructionFilter filter_from(const nicol_filter& given) {
+    if (given.reserved != 0) refuse("filter.reserved must be 0");
+    return {.kind = value_from(given.kind, ReconstructionFilter::Kind::lanczos, "filter.kind",
+                               "NICOL_FILTER_..."),
+            .size = given.size,
+            .b = given.b,
+            .c = given.c};
+}
 
 int components_from(nicol_components given) {
     switch (given) {
@@ -141,6 +152,7 @@ RenderOptions options_from(const nicol_render_options& given) {
     options.tolerance = given.tolerance;
     options.components = components_from(given.components);
     options.pixel_samples = given.pixel_samples == 0 ? 1 : int_from(given.pixel_samples, "pixel_samples");
+    options.filter = filter_from(given.filter);
     options.aovs = aovs_from(given.aovs);
     options.disabled_optimisations = given.disabled_optimisations;
     options.split_lights = given.split_lights;

@@ -67,6 +67,7 @@ nicol_result nicol_scene_load(nicol_context context, const char* path, const cha
                        .height = static_cast<uint32_t>(loaded.height),
                        .luminance = loaded.luminance,
                        .sample_count = loaded.sample_count,
+                       .filter = loaded.filter,
                        .max_depth = loaded.max_depth,
                        .aovs = loaded.aovs};
         state->files = std::move(loaded.files);
@@ -233,6 +234,19 @@ nicol_result nicol_scene_get_sample_count(nicol_scene scene, uint32_t* samples) 
         const nicol_scene_impl& self = resolve(scene);
         require(samples, "samples");
         *samples = film_of(*self.content).sample_count;
+    });
+}
+
+nicol_result nicol_scene_get_filter(nicol_scene scene, nicol_filter* filter) {
+    return guarded([&] {
+        const nicol_scene_impl& self = resolve(scene);
+        require(filter, "filter");
+        const ReconstructionFilter& of_film = film_of(*self.content).filter;
+        *filter = {.kind = static_cast<nicol_filter_kind>(of_film.kind),
+                   .reserved = 0,
+                   .size = of_film.size,
+                   .b = of_film.b,
+                   .c = of_film.c};
     });
 }
 

@@ -1317,6 +1317,40 @@ typedef uint32_t nicol_components;
 #define NICOL_COMPONENTS_S0 1u     /* s0 */
 #define NICOL_COMPONENTS_LINEAR 3u /* s0, s1, s2 */
 
+/* clang-format off */
+/* Weight of a sample by its distance x along each axis from a pixel's centre, in pixels; the product of both axes' weights.
+ * Shapes and defaults are those of Mitsuba 3. */
+typedef uint32_t nicol_filter_kind;
+#define NICOL_FILTER_BOX 0u        /* 1 within the pixel, 0 elsewhere */
+#define NICOL_FILTER_GAUSSIAN 1u   /* Gaussian, 0 beyond four standard deviations */
+#define NICOL_FILTER_TENT 2u       /* linear descent to 0 */
+#define NICOL_FILTER_MITCHELL 3u   /* cubic of Mitchell and Netravali, radius 2, negative in places */
+#define NICOL_FILTER_CATMULLROM 4u /* Mitchell with b = 0, c = 0.5 */
+#define NICOL_FILTER_LANCZOS 5u    /* sinc times sinc, negative in places */
+/* clang-format on */
+
+/* Reconstruction filter of an image. A pixel is the weighted mean of the samples of all pixels within the
+ * filter's radius; no samples lie beyond the border of the image. The filter applies to each Stokes component
+ * and not to AOVs, except that the reference method's alpha and variance are those of the weighted samples.
+ */
+typedef struct nicol_filter {
+    nicol_filter_kind kind; /* kind of filter, default box */
+    uint32_t reserved;      /* 0 */
+    /* Gaussian: standard deviation, 0.125 to 4 pixels. Tent: radius, 0.5 to 16 pixels. Lanczos: number of
+     * lobes on each side, 1 to 16. 0, the default: 0.5, 1 and 3. No effect on other kinds. */
+    double size;
+    double b; /* Mitchell: blur, 0 to 1, default 1/3 */
+    double c; /* Mitchell: ringing, 0 to 1, default 1/3 */
+} nicol_filter;
+/* clang-format off */
+#define NICOL_FILTER_INIT { NICOL_FILTER_BOX, 0, 0, 0.3333333333333333, 0.3333333333333333 }
+/* clang-format on */
+NICOL_API nicol_result nicol_filter_init(nicol_filter* descriptor, uint32_t struct_size);
+/* Gets the filter that the film of a loaded file asks for, for nicol_render_options: Gaussian, which is
+ * Mitsuba's default, if a Mitsuba file names none; box for glTF. Returns NICOL_ERROR_UNSUPPORTED for a scene
+ * that was not loaded. */
+NICOL_API nicol_result nicol_scene_get_filter(nicol_scene scene, nicol_filter* filter);
+
 #define NICOL_DIRECTIONS_AUTOMATIC 0u
 
 /* No limit of the path's length; Russian roulette ends paths without a bias. */
@@ -1325,7 +1359,7 @@ typedef uint32_t nicol_components;
 #define NICOL_SPLIT_AUTOMATIC (-1)
 #define NICOL_MAX_SPLIT_LIGHTS 64
 
-/* Options of a render. The reference method uses only samples, seed, max_depth, shadows, aovs,
+/* Options of a render. The reference method uses only samples, seed, max_depth, shadows, aovs, filter,
  * progress and NICOL_OPTIMISATION_UNCHANGED; the other options are those of the factored and the dense
  * method. */
 typedef struct nicol_render_options {
@@ -1430,11 +1464,15 @@ typedef struct nicol_render_options {
      * receives none, and orders stay as chosen before. The cache folder is not used for these shadows. A
      * scene that was rendered with a budget stays divided into steps; 0 then completes all of them. */
     double bake_budget_ms;
+    /* Reconstruction filter, default box: a pixel is the mean of its own samples. With any other filter, the
+     * real-time methods draw and shade all numbers of pixel_samples one by one, and the reference method
+     * places its samples by the filter. */
+    nicol_filter filter;
 } nicol_render_options;
 /* clang-format off */
 #define NICOL_RENDER_OPTIONS_INIT \
     { sizeof(nicol_render_options), 0, NICOL_ORDER_AUTOMATIC, NICOL_ORDER_AUTOMATIC, 0, 1, NICOL_DIRECTIONS_AUTOMATIC, 1, 0, 0, 0, 256, 0, 0, \
-      0.03, 0, 0, 1, 0, 0, 0, 0.02, 0, NICOL_SPLIT_AUTOMATIC, 16, 32, 0, 0, 0, 0 }
+      0.03, 0, 0, 1, 0, 0, 0, 0.02, 0, NICOL_SPLIT_AUTOMATIC, 16, 32, 0, 0, 0, 0, NICOL_FILTER_INIT }
 /* clang-format on */
 NICOL_API nicol_result nicol_render_options_init(nicol_render_options* descriptor, uint32_t struct_size);
 

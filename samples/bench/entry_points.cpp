@@ -221,11 +221,13 @@ void edit_elements(const EntryPoints::Watch& watch, nicol_scene scene) {
 void ask_scene(const EntryPoints::Watch& watch, nicol_scene loaded) {
     std::uint32_t number = 0, other = 0;
     std::int32_t depth = 0;
+    nicol_filter filter = NICOL_FILTER_INIT;
     auto camera = defaults(nicol_camera_init);
     auto file = defaults(nicol_scene_file_init);
     call(watch, NAMED(nicol_scene_get_camera), loaded, &camera);
     call(watch, NAMED(nicol_scene_get_film_size), loaded, &number, &other);
     call(watch, NAMED(nicol_scene_get_sample_count), loaded, &number);
+    call(watch, NAMED(nicol_scene_get_filter), loaded, &filter);
     call(watch, NAMED(nicol_scene_get_max_depth), loaded, &depth);
     call(watch, NAMED(nicol_scene_get_aovs), loaded, &number);
     call(watch, NAMED(nicol_scene_get_file_count), loaded, &number);

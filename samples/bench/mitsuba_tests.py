@@ -27,7 +27,8 @@ def default_picture(context, file):
     with nicol.Scene.load(context, str(file)) as scene:
         samples = min(64, scene.get_sample_count() or 8)
         with nicol.Framebuffer.create(context, *scene.get_film_size(), scene.get_channels()) as framebuffer:
-            nicol.render(scene, scene.get_camera(), nicol.RenderOptions(pixel_samples=samples), framebuffer)
+            options = nicol.RenderOptions(pixel_samples=samples, filter=scene.get_filter())
+            nicol.render(scene, scene.get_camera(), options, framebuffer)
             return framebuffer.plane(nicol.PLANE_STOKES, nicol.ALL_CHANNELS)[..., 0].astype(float), samples, time.perf_counter() - begin
 
 

@@ -315,6 +315,14 @@ typedef uint32_t nicol_high_orders;
 typedef uint32_t nicol_shade_at;
 typedef uint32_t nicol_executor;
 typedef uint32_t nicol_components;
+typedef uint32_t nicol_filter_kind;
+typedef struct nicol_filter {
+    nicol_filter_kind kind;
+    uint32_t reserved;
+    double size;
+    double b;
+    double c;
+} nicol_filter;
 typedef struct nicol_render_options {
     uint32_t struct_size;
     nicol_method method;
@@ -346,6 +354,7 @@ typedef struct nicol_render_options {
     uint32_t fail_if_busy;
     uint32_t reserved;
     double bake_budget_ms;
+    nicol_filter filter;
 } nicol_render_options;
 typedef uint32_t nicol_quality;
 typedef struct nicol_job_impl* nicol_job;
@@ -654,6 +663,8 @@ nicol_result nicol_scene_get_file(nicol_scene scene, uint32_t index, nicol_scene
 nicol_result nicol_scene_get_channels(nicol_scene scene, uint32_t* channels);
 nicol_result nicol_scene_retain(nicol_scene scene);
 nicol_result nicol_scene_release(nicol_scene scene);
+nicol_result nicol_filter_init(nicol_filter* descriptor, uint32_t struct_size);
+nicol_result nicol_scene_get_filter(nicol_scene scene, nicol_filter* filter);
 nicol_result nicol_render_options_init(nicol_render_options* descriptor, uint32_t struct_size);
 nicol_result nicol_render_options_set_quality(nicol_render_options* options, nicol_quality quality);
 nicol_result nicol_framebuffer_create(nicol_context context, uint32_t width, uint32_t height, uint32_t channels, nicol_framebuffer* framebuffer);
@@ -811,6 +822,12 @@ return {
         COMPONENTS_ALL = 0,
         COMPONENTS_S0 = 1,
         COMPONENTS_LINEAR = 3,
+        FILTER_BOX = 0,
+        FILTER_GAUSSIAN = 1,
+        FILTER_TENT = 2,
+        FILTER_MITCHELL = 3,
+        FILTER_CATMULLROM = 4,
+        FILTER_LANCZOS = 5,
         DIRECTIONS_AUTOMATIC = 0,
         DEPTH_UNLIMITED = -1,
         SPLIT_AUTOMATIC = -1,
@@ -954,6 +971,7 @@ return {
         scene_get_file_count = true,
         scene_get_file = true,
         scene_get_channels = true,
+        scene_get_filter = true,
         render_options_set_quality = true,
         framebuffer_create = "nicol_framebuffer",
         framebuffer_resize = true,
@@ -1031,6 +1049,7 @@ return {
         polarization_element = true,
         instance = true,
         scene_file = true,
+        filter = true,
         render_options = true,
         job_status = true,
         statistics = true,

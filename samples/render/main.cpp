@@ -104,6 +104,10 @@ void render(nicol_scene scene, nicol_framebuffer framebuffer, const Options& opt
     wanted.high_orders = options.high_orders;
     wanted.shade_at = options.shade_at;
     wanted.pixel_samples = options.pixel_samples.value_or(wanted.pixel_samples);
+    if (options.filter)
+        wanted.filter.kind = *options.filter;
+    else
+        check(nicol_scene_get_filter(scene, &wanted.filter));
     wanted.tolerance = options.tolerance.value_or(wanted.tolerance);
     wanted.components = options.components;
     check(nicol_scene_get_aovs(scene, &wanted.aovs));

@@ -40,6 +40,9 @@ const char* const usage =
     "      --pixel-samples N    samples of a pixel by the methods in real time, 1 to 1024, against jagged\n"
     "                           outlines and for soft shadows; default: by --quality, without it the\n"
     "                           sample_count of the scene's sampler, at most 64; 8 without a sampler\n"
+    "      --filter NAME        how samples around a pixel are weighed: box, gaussian, tent, mitchell, "
+    "catmullrom or\n"
+    "                           lanczos; default: the rfilter of the scene's film, of glTF box\n"
     "      --tolerance E        where no order is given, orders are chosen for which the predicted relative\n"
     "                           RMSE of s0, s1 and s2 is at most E; default 0.03\n"
     "      --components NAME    what the image holds: s0, linear (s0, s1, s2) or all; default all\n"
@@ -192,6 +195,17 @@ nicol_quality parse_quality(std::string_view text) {
     throw Failure("--quality: '" + std::string(text) + "' is none of: realtime, preview, final");
 }
 
+nicol_filter_kind parse_filter(std::string_view text) {
+    if (text == "box") return NICOL_FILTER_BOX;
+    if (text == "gaussian") return NICOL_FILTER_GAUSSIAN;
+    if (text == "tent") return NICOL_FILTER_TENT;
+    if (text == "mitchell") return NICOL_FILTER_MITCHELL;
+    if (text == "catmullrom") return NICOL_FILTER_CATMULLROM;
+    if (text == "lanczos") return NICOL_FILTER_LANCZOS;
+    throw Failure("--filter: '" + std::string(text) +
+                  "' is none of: box, gaussian, tent, mitchell, catmullrom, lanczos");
+}
+
 nicol_components parse_components(std::string_view text) {
     if (text == "all") return NICOL_COMPONENTS_ALL;
     if (text == "s0") return NICOL_COMPONENTS_S0;
@@ -266,6 +280,8 @@ Options parse_options(int argc, const char* const* argv) {
             options.quality = parse_quality(value());
         else if (name == "--pixel-samples")
             options.pixel_samples = parse_count(name, value(), 1, 1024);
+        else if (name == "--filter")
+            options.filter = parse_filter(value());
         else if (name == "--tolerance")
             options.tolerance = parse_strength(name, value());
         else if (name == "--components")

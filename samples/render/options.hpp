@@ -33,6 +33,7 @@ struct Options {
     nicol_high_orders high_orders = NICOL_HIGH_ORDERS_SPLIT;
     nicol_shade_at shade_at = NICOL_SHADE_AT_AUTOMATIC;
     std::optional<std::uint32_t> pixel_samples;  ///< none: by quality, or as the scene asks
+    std::optional<nicol_filter_kind> filter;     ///< none: as the scene asks
     std::optional<double> tolerance;
     nicol_components components = NICOL_COMPONENTS_ALL;
     bool frame_all = false;

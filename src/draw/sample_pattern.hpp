@@ -11,6 +11,8 @@
 #include <numeric>
 #include <span>
 
+#include "image/reconstruction_filter.hpp"
+
 namespace nicol {
 
 /// Largest number of samples that are drawn and shaded together, which are 1, 4 or 8. Any other number of
@@ -50,6 +52,11 @@ inline constexpr int kMostDrawnSamples = 1024;
 [[nodiscard]] inline std::size_t samples_at_once(int samples) {
     const std::size_t together = sample_pattern(samples).size();
     return together != 0 ? together : kMostPixelSamples;
+}
+
+/// Returns whether each sample is an image of its own, which the filter weighs.
+[[nodiscard]] inline bool drawn_one_by_one(int samples, const ReconstructionFilter& filter) {
+    return filter.kind != ReconstructionFilter::Kind::box || sample_pattern(samples).empty();
 }
 
 /// Returns the offset of one of `samples` samples that are drawn one by one. The samples form a lattice,

@@ -269,6 +269,7 @@ LoadedScene load_scene(const std::filesystem::path& file, const SceneParameters&
     out.files = files.records();
     out.luminance = sensor.luminance;
     out.sample_count = sensor.sample_count;
+    out.filter = sensor.filter;
     out.max_depth = description.integrator.max_depth;
     out.aovs = description.integrator.aovs;
     return out;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "files/load_budget.hpp"
+#include "image/reconstruction_filter.hpp"
 #include "import/scene_description.hpp"
 #include "scene/camera.hpp"
 #include "scene/scene.hpp"
@@ -20,6 +21,7 @@ struct LoadedScene {
     int height = 0;
     bool luminance = false;            ///< the film has one channel
     std::uint32_t sample_count = 0;    ///< samples of a pixel that the file asks for; 0: it does not say
+    ReconstructionFilter filter;       ///< of the film
     int max_depth = 0;                 ///< as in IntegratorDescription
     std::uint32_t aovs = 0;            ///< bits of AovBit that the file asks for
     std::vector<FileRecord> files;     ///< all that were read, as they were then; the scene file first

@@ -18,6 +18,7 @@
 #include "files/file_record.hpp"
 #include "files/load_budget.hpp"
 #include "geometry/mesh.hpp"
+#include "image/reconstruction_filter.hpp"
 #include "import/color_description.hpp"
 #include "import/material_description.hpp"
 #include "import/texture_specification.hpp"
@@ -49,6 +50,7 @@ struct SensorDescription {
     glm::dvec2 principal_point_offset{0.0};
     bool luminance = false;          ///< the film has one channel, the luminance
     std::uint32_t sample_count = 0;  ///< samples of a pixel that the sampler asks for; 0: there is no sampler
+    ReconstructionFilter filter;     ///< of the film
 };
 
 /// The horizontal field of view of an image, in degrees, from that along an axis and width over height.
@@ -164,8 +166,8 @@ using SceneParameters = std::map<std::string, std::string>;
 /// state of the area lights that they stand directly before, see PolarizationElements, as at normal
 /// incidence; others are elements of the scene, and for load_scene() to put before its lights. An emissive
 /// shape and has no bsdf is black, another without one is grey. An instance becomes a shape for each member
-/// of its group. Integrators but for their AOVs and hide_emitters, samplers but for their sample_count, and
-/// reconstruction filters are not followed, which one notice says; a roughness that differs by direction
+/// of its group. Integrators but for their AOVs and hide_emitters, and samplers but for their sample_count,
+/// are not followed, which one notice says; a roughness that differs by direction
 /// becomes, with a notice, its geometric mean where a material is isotropic. <rgb> takes one
 /// value, three, or #rrggbb, which is linear n / 255; <spectrum> a file, too, of lines with a wavelength in
 /// nm and a value, behind # a comment, which is read. Other filenames are not opened, but looked for: in the

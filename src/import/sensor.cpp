@@ -54,6 +54,34 @@ void read_format(Plugin& film, pugi::xml_node node, SensorDescription& sensor, N
         film.fail("file_format", "is not openexr, the only one that is written", ErrorCode::unsupported);
 }
 
+ReconstructionFilter read_filter(const XmlDocument& document, pugi::xml_node node) {
+    using Kind = ReconstructionFilter::Kind;
+    Plugin plugin(document, node);
+    ReconstructionFilter filter;
+    constexpr double most = ReconstructionFilter::kMostRadius;
+    if (plugin.type() == "box") {
+        filter.kind = Kind::box;
+    } else if (plugin.type() == "gaussian") {
+        filter = {.kind = Kind::gaussian, .size = plugin.number("stddev", 0.5, 0.125, most / 4)};
+    } else if (plugin.type() == "tent") {
+        filter = {.kind = Kind::tent,
+                  .size = plugin.number("radius", 1, ReconstructionFilter::kLeastRadius, most)};
+    } else if (plugin.type() == "mitchell") {
+        filter.kind = Kind::mitchell;
+        filter.b = plugin.number("B", filter.b, 0, 1);
+        filter.c = plugin.number("C", filter.c, 0, 1);
+    } else if (plugin.type() == "catmullrom") {
+        filter.kind = Kind::catmullrom;
+    } else if (plugin.type() == "lanczos") {
+        filter = {.kind = Kind::lanczos,
+                  .size = static_cast<double>(plugin.integer("lobes", 3, 1, static_cast<int>(most)))};
+    } else {
+        plugin.fail_type("box, gaussian, tent, mitchell, catmullrom, lanczos");
+    }
+    plugin.finish();
+    return filter;
+}
+
 void read_film(const XmlDocument& document, pugi::xml_node node, SensorDescription& sensor,
                Notices& notices) {
     Plugin film(document, node);
@@ -67,7 +95,7 @@ void read_film(const XmlDocument& document, pugi::xml_node node, SensorDescripti
     film.pass_over({"compensate", "banner"});
     film.finish();
     for (const NestedObject& filter : film.single_objects({"rfilter"}))
-        notices.add_unfollowed(filter.node, "rfilter " + in_quotes(filter.node.attribute("type").value()));
+        sensor.filter = read_filter(document, filter.node);
 }
 
 bool is_rigid(const glm::dmat4& m) {
@@ -118,6 +146,7 @@ void read_field_of_view(Plugin& plugin, double& fov, SensorDescription::FovAxis&
 SensorDescription read_sensor(const XmlDocument& document, pugi::xml_node node, Notices& notices) {
     Plugin plugin(document, node);
     SensorDescription sensor;
+    sensor.filter = {.kind = ReconstructionFilter::Kind::gaussian, .size = 0.5};  // as in Mitsuba
     sensor.to_world = plugin.transform("to_world");
     const bool thin_lens = plugin.type() == "thinlens";
     if (plugin.type() == "perspective" || thin_lens) {

@@ -18,6 +18,7 @@
 #include "image/color.hpp"
 #include "progress.hpp"
 #include "reference/camera_rays.hpp"
+#include "reference/filter_sampler.hpp"
 #include "reference/low_discrepancy.hpp"
 #include "reference/pixel_estimate.hpp"
 #include "worker_count.hpp"
@@ -92,16 +93,18 @@ public:
           group_(group),
           view_(view),
           image_(image),
-          aovs_(aovs) {}
+          aovs_(aovs),
+          filter_(options.filter) {}
 
     void trace(const tbb::blocked_range2d<int>& tile) {
         PathWorkspace workspace;
         PixelEstimate estimate(options_.samples, image_.channels);
         std::vector<Stokes> sum(static_cast<std::size_t>(scene_.channels()));
+        std::vector<Stokes> unweighted(sum.size());
         for (int y = tile.rows().begin(); y < tile.rows().end(); ++y) {
             for (int x = tile.cols().begin(); x < tile.cols().end(); ++x) {
                 std::uint64_t hits = 0;
-                if (!sample_pixel(x, y, sum, estimate, hits, workspace)) return;
+                if (!sample_pixel(x, y, sum, unweighted, estimate, hits, workspace)) return;
                 for (int c = 0; c < image_.channels; ++c) {
                     const Stokes mean = estimate.mean(c);
                     const auto pixel = image_.at(c, y, x);
@@ -124,8 +127,8 @@ public:
 
 private:
     /// Samples a pixel, and counts the samples with a surface. Returns false if the render has been stopped.
-    bool sample_pixel(int x, int y, std::span<Stokes> sum, PixelEstimate& estimate, std::uint64_t& hits,
-                      PathWorkspace& workspace) {
+    bool sample_pixel(int x, int y, std::span<Stokes> sum, std::span<Stokes> unweighted,
+                      PixelEstimate& estimate, std::uint64_t& hits, PathWorkspace& workspace) {
         // Every pixel has its own points, so the image does not depend on tiles or threads.
         const std::uint64_t pixel = static_cast<std::uint64_t>(y) << 32 | static_cast<std::uint64_t>(x);
         const LowDiscrepancy points(mixed(mixed(options_.seed, 0), pixel));
@@ -135,7 +138,7 @@ private:
             for (int first = estimate.first(group); first < end; first += kSamplesPerReport) {
                 const int last = std::min(first + kSamplesPerReport, end);
                 for (int i = first; i < last; ++i)
-                    hits += add_sample(x, y, points, i, sum, workspace) ? 1 : 0;
+                    hits += add_sample(x, y, points, i, sum, unweighted, workspace) ? 1 : 0;
                 if (group_.is_group_execution_cancelled()) return false;
                 progress_.add(static_cast<std::uint64_t>(last - first));
             }
@@ -151,11 +154,21 @@ private:
 
     // Adds a sample. Returns whether its ray meets a surface.
     bool add_sample(int x, int y, const LowDiscrepancy& points, int i, std::span<Stokes> sum,
-                    PathWorkspace& workspace) const {
+                    std::span<Stokes> unweighted, PathWorkspace& workspace) const {
         const auto index = static_cast<std::uint32_t>(i);
         const glm::dvec2 position = points.point(index, 0);
-        const Ray ray = rays_.through(x + position.x, y + position.y);
-        return paths_.add(ray, rays_.frame(ray), points, index, sum, workspace);
+        if (options_.filter.kind == ReconstructionFilter::Kind::box) {
+            const Ray ray = rays_.through(x + position.x, y + position.y);
+            return paths_.add(ray, rays_.frame(ray), points, index, sum, workspace);
+        }
+        const glm::dvec2 centre(x + 0.5, y + 0.5);
+        const auto [across, weight_x] = filter_.at(position.x, -centre.x, image_.width - centre.x);
+        const auto [down, weight_y] = filter_.at(position.y, -centre.y, image_.height - centre.y);
+        const Ray ray = rays_.through(centre.x + across, centre.y + down);
+        std::ranges::fill(unweighted, Stokes(0.0));
+        const bool hit = paths_.add(ray, rays_.frame(ray), points, index, unweighted, workspace);
+        for (std::size_t c = 0; c < sum.size(); ++c) sum[c] += weight_x * weight_y * unweighted[c];
+        return hit;
     }
 
     [[nodiscard]] std::size_t pixel_at(int x, int y) const {
@@ -203,6 +216,7 @@ private:
     const Viewpoint& view_;
     StokesImage& image_;
     Aovs& aovs_;
+    FilterSampler filter_;
     std::atomic<std::uint64_t> shadow_rays_ = 0;
 };
 

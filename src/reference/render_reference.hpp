@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "image/aovs.hpp"
+#include "image/reconstruction_filter.hpp"
 #include "image/stokes_image.hpp"
 #include "reference/path_tracer.hpp"
 #include "scene/path_depth.hpp"
@@ -35,8 +36,9 @@ struct ReferenceOptions {
     /// Seed of the noise. Equal seeds give equal images for any number of threads; other seeds give other
     /// noise.
     std::uint64_t seed = 0;
-    int threads = 0;         ///< number of threads; 0: one per core, which is also the maximum
-    std::uint32_t aovs = 0;  ///< AOVs to make, bits of AovBit (image/aovs.hpp)
+    ReconstructionFilter filter{};  ///< weights of samples around a pixel
+    int threads = 0;                ///< number of threads; 0: one per core, which is also the maximum
+    std::uint32_t aovs = 0;         ///< AOVs to make, bits of AovBit (image/aovs.hpp)
     /// Callback, called about ten times a second on the calling thread with "trace" and the fraction done. If
     /// it returns false, the render stops with Error(cancelled).
     std::function<bool(const char* verb, double fraction)> progress;
@@ -50,7 +52,7 @@ struct ReferenceStatistics {
     double trace_ms = 0;
 };
 
-/// Returns, for each pixel, the mean over the pixel's square of the light towards the camera, in the frame
+/// Returns, for each pixel, the mean, weighted by the filter, of the light towards the camera, in the frame
 /// field of the viewpoint. If a ray meets no surface, the light is that of the environment. If a ray meets a
 /// surface, the light is the surface's own emission plus the integral over the hemisphere about the
 /// interpolated normal of M(towards light, towards viewer) L(towards light) cos. L is the light of the

@@ -182,7 +182,8 @@ std::uint64_t image_memory(const Scene& scene, const RenderOptions& options, int
             static_cast<std::uint64_t>(AovLayout(options.aovs | aov_depth).attachments());
         bytes += (several ? 2 : 1) * (attachments * texel + depth);
     }
-    if (sample_pattern(options.pixel_samples).empty()) bytes += planes * texel;  // image of one sample
+    if (drawn_one_by_one(options.pixel_samples, options.filter))
+        bytes += planes * texel;  // image of one sample
     return bytes * static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height) +
            scene.elements().size() * ElementPainter::kBytesPerElement;
 }

@@ -11,6 +11,7 @@
 #include "image/observer.hpp"
 #include "progress.hpp"
 #include "reference/render_reference.hpp"
+#include "render/filtered_image.hpp"
 #include "scene/path_depth.hpp"
 #include "surfaces/rigid_motion.hpp"
 
@@ -22,6 +23,7 @@ std::string depth_text(int max_depth) {
 }
 
 void check(const RenderOptions& options) {
+    check(options.filter, "filter.");
     if (options.method == Method::reference) return;  // the reference method checks its own options
     if (options.order_low < 0 || options.order_low > kMaxRenderOrder) {
         refuse("order_low is " + std::to_string(options.order_low) + "; it must lie in 0 to " +
@@ -140,6 +142,7 @@ RenderOptions used(const RenderOptions& options) {
         out.method = options.method;
         out.shadows = options.shadows;
         out.aovs = options.aovs;
+        out.filter = options.filter;
         out.samples = options.samples;
         out.max_depth = options.max_depth;
         out.seed = options.seed;
@@ -225,7 +228,7 @@ Statistics Renderer::render_into(const Scene& scene, const Camera& camera, const
         scene.local_light_version(), scene.element_version(), camera, used(options), [&] {
             if (options.method == Method::reference) return trace(scene, camera, options, target);
             const Projection projection = project(camera, target.width(), target.height());
-            if (sample_pattern(options.pixel_samples).empty()) {
+            if (drawn_one_by_one(options.pixel_samples, options.filter)) {
                 draw_one_by_one(scene, projection, options, target);
             } else {
                 draw(scene, projection, options, target);
@@ -262,6 +265,7 @@ void Renderer::trace(const Scene& scene, const Camera& camera, const RenderOptio
                                           .shadows = options.shadows,
                                           .luminance = target.channels() < scene.channels(),
                                           .seed = options.seed,
+                                          .filter = options.filter,
                                           .threads = threads_,
                                           .aovs = options.aovs,
                                           .progress = options.progress},
@@ -281,14 +285,13 @@ void Renderer::trace(const Scene& scene, const Camera& camera, const RenderOptio
 void Renderer::draw_one_by_one(const Scene& scene, const Projection& projection, const RenderOptions& options,
                                Framebuffer& target) {
     Framebuffer sample(context_, target.width(), target.height(), target.channels());
-    StokesImage mean(target.width(), target.height(), target.channels());
+    FilteredImage filtered(options.filter, target.width(), target.height(), target.channels());
     Statistics statistics;
     Aovs aovs;
     RenderOptions one = options;
     one.progress = nullptr;
     if (options.aovs != 0) {
-        // AOVs are averaged over the largest number of samples that are drawn together.
-        one.pixel_samples = kMostPixelSamples;
+        one.pixel_samples = static_cast<int>(samples_at_once(options.pixel_samples));
         draw(scene, projection, one, sample);
         aovs = sample.aovs();
         statistics = sample.statistics();
@@ -299,16 +302,16 @@ void Renderer::draw_one_by_one(const Scene& scene, const Projection& projection,
     sharp.sample_size = 1 / std::sqrt(options.pixel_samples);
     sharp.texture_size = kTextureShare * sharp.sample_size;
     Progress progress(options.progress);
-    const float weight = 1.0F / static_cast<float>(options.pixel_samples);
     for (int s = 0; s < options.pixel_samples; ++s) {
         progress.report("draw", static_cast<double>(s) / options.pixel_samples);
         one.seed = options.seed + static_cast<std::uint64_t>(s);
-        draw(scene, jittered(sharp, sample_place(s, options.pixel_samples)), one, sample);
+        const glm::dvec2 place = sample_place(s, options.pixel_samples);
+        draw(scene, jittered(sharp, place), one, sample);
         const StokesImage& image = sample.image();
-        for (std::size_t i = 0; i < mean.data.size(); ++i) mean.data[i] += weight * image.data[i];
+        workers_.run([&] { filtered.add(image, place); });
         statistics.add(sample.statistics());
     }
-    put(target, std::move(mean), statistics, std::move(aovs));
+    put(target, std::move(filtered).mean(), statistics, std::move(aovs));
 }
 
 void Renderer::update_buffers(const RefinedSurfaces& surfaces, int channels) {

@@ -6,6 +6,7 @@
 #include <functional>
 #include <utility>
 
+#include "image/reconstruction_filter.hpp"
 #include "scene/path_depth.hpp"
 
 namespace nicol {
@@ -83,8 +84,8 @@ private:
     Function function_;
 };
 
-/// Options of a render. The reference method uses only shadows, aovs, samples, max_depth, seed and progress,
-/// and only this method makes aov_variance.
+/// Options of a render. The reference method uses only shadows, filter, aovs, samples, max_depth, seed and
+/// progress, and only this method makes aov_variance.
 struct RenderOptions {
     Method method = Method::factored;
     Executor executor = Executor::automatic;
@@ -137,6 +138,9 @@ struct RenderOptions {
     /// as ShadeAt says. Other numbers are shaded one by one: the image is the mean of that many images with a
     /// jittered camera.
     int pixel_samples = 1;
+    /// Weights of the samples in the pixels around them, of all methods; AOVs of surfaces are not filtered.
+    /// With any filter but the box, the real-time methods shade all numbers of samples one by one.
+    ReconstructionFilter filter;
     /// AOVs to make beside the image, bits of AovBit (image/aovs.hpp).
     std::uint32_t aovs = 0;
     /// Optimisations to disable (bits of Skip), in order to measure what they save.

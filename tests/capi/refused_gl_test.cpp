@@ -427,6 +427,14 @@ STAGE_TEST_CASE("cameras and options out of range are refused, and the image sta
          {"physical", [](auto& o) { o.physical = 2; }},
          {"bake_budget_ms is -1", [](auto& o) { o.bake_budget_ms = -1; }},
          {"bake_budget_ms", [](auto& o) { o.bake_budget_ms = not_a_number; }},
+         {"filter.kind is 6; it must be one of NICOL_FILTER_", [](auto& o) { o.filter.kind = 6; }},
+         {"filter.reserved must be 0", [](auto& o) { o.filter.reserved = 1; }},
+         {"filter.size is 5",
+          [](auto& o) {
+              o.filter = {NICOL_FILTER_GAUSSIAN, 0, 5, 0, 0};
+          }},
+         {"filter.b is 2", [](auto& o) { o.filter.b = 2; }},
+         {"filter.c", [](auto& o) { o.filter.c = not_a_number; }},
          {"dering", [](auto& o) { o.dering = -1e-9; }},
          {"dering", [](auto& o) { o.dering = not_a_number; }},
          {"components", [](auto& o) { o.components = 2; }},

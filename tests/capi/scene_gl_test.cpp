@@ -138,6 +138,8 @@ CONTEXT_TEST_CASE("a scene has the channels of its parts, which must fit, and no
     std::int32_t max_depth = 7;
     FAILS(nicol_scene_get_max_depth(scene, &max_depth), NICOL_ERROR_UNSUPPORTED, "film");
     CHECK(max_depth == 7);
+    nicol_filter filter = NICOL_FILTER_INIT;
+    FAILS(nicol_scene_get_filter(scene, &filter), NICOL_ERROR_UNSUPPORTED, "film");
     FAILS(nicol_scene_get_aovs(scene, &width), NICOL_ERROR_UNSUPPORTED, "film");
     CHECK((camera.fov == 12 && width == 5 && height == 6));
 

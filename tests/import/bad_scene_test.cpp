@@ -196,6 +196,9 @@ TEST_CASE("cameras and films that cannot be") {
     unsupported(film_with("<string name='file_format' value='rgbe'/>"), {"\"file_format\"", "openexr"});
     unsupported(film_with("<string name='file_format' value='pfm'/>"), {"\"file_format\""});
     bad_film("<rfilter type='box'/><rfilter type='box'/>", {"second <rfilter>"});
+    unsupported(film_with("<rfilter type='sinc'/>"), {"box, gaussian, tent, mitchell, catmullrom, lanczos"});
+    bad_film("<rfilter type='gaussian'><float name='stddev' value='5'/></rfilter>", {"\"stddev\"", "0.125"});
+    bad_film("<rfilter type='tent'><float name='width' value='2'/></rfilter>", {"\"width\""});
     for (const char* fov : {"0", "180", "-10", "nan"})
         bad_sensor(std::string("<float name='fov' value='") + fov + "'/>", {"\"fov\" is"});
     bad_sensor("<float name='fov' value='40'/><string name='fov_axis' value='z'/>", {"smaller, larger"});

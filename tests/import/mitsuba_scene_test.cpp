@@ -122,10 +122,37 @@ TEST_CASE("everything that a scene can hold is read") {
     CHECK(number(plastic, &P::alpha).value == doctest::Approx(0.3));
     CHECK(plastic.parameters.distribution == Distribution::ggx);
     REQUIRE(s.notices.size() == 2);
-    CHECK(s.notices[0] == file.scene().string() +
-                              ":4: not followed: integrator \"stokes\", integrator \"direct\", "
-                              "rfilter \"box\".");
+    CHECK(s.notices[0] ==
+          file.scene().string() + ":4: not followed: integrator \"stokes\", integrator \"direct\".");
     CHECK(s.notices[1].find("scene.xml:12: only the first") != std::string::npos);
+}
+
+TEST_CASE("the reconstruction filter is the film's, with Mitsuba's defaults") {
+    using Kind = ReconstructionFilter::Kind;
+    const std::initializer_list<std::pair<std::string, ReconstructionFilter>> cases = {
+        {"", {.kind = Kind::gaussian, .size = 0.5}},
+        {"<rfilter type='box'/>", {.kind = Kind::box}},
+        {"<rfilter type='gaussian'/>", {.kind = Kind::gaussian, .size = 0.5}},
+        {"<rfilter type='gaussian'><float name='stddev' value='0.8'/></rfilter>",
+         {.kind = Kind::gaussian, .size = 0.8}},
+        {"<rfilter type='tent'/>", {.kind = Kind::tent, .size = 1}},
+        {"<rfilter type='tent'><float name='radius' value='2'/></rfilter>", {.kind = Kind::tent, .size = 2}},
+        {"<rfilter type='mitchell'/>", {.kind = Kind::mitchell}},
+        {"<rfilter type='mitchell'><float name='B' value='0.2'/><float name='C' value='0.4'/></rfilter>",
+         {.kind = Kind::mitchell, .b = 0.2, .c = 0.4}},
+        {"<rfilter type='catmullrom'/>", {.kind = Kind::catmullrom}},
+        {"<rfilter type='lanczos'/>", {.kind = Kind::lanczos, .size = 3}},
+        {"<rfilter type='lanczos'><integer name='lobes' value='2'/></rfilter>",
+         {.kind = Kind::lanczos, .size = 2}}};
+    for (const auto& [filter, expected] : cases) {
+        CAPTURE(filter);
+        const SceneDescription s = read(
+            "<sensor type='perspective'><float name='fov' value='40'/><film "
+            "type='hdrfilm'>" +
+            filter + "</film></sensor>" + an_emitter + a_shape);
+        CHECK(s.sensor.filter == expected);
+        CHECK(s.notices.empty());
+    }
 }
 
 TEST_CASE("the number of samples of a pixel is the sampler's") {

@@ -93,6 +93,12 @@ AOV_VARIANCE = 16
 COMPONENTS_ALL = 0
 COMPONENTS_S0 = 1
 COMPONENTS_LINEAR = 3
+FILTER_BOX = 0
+FILTER_GAUSSIAN = 1
+FILTER_TENT = 2
+FILTER_MITCHELL = 3
+FILTER_CATMULLROM = 4
+FILTER_LANCZOS = 5
 DIRECTIONS_AUTOMATIC = 0
 DEPTH_UNLIMITED = -1
 SPLIT_AUTOMATIC = -1
@@ -625,8 +631,21 @@ class SceneFile(Struct):
     ]
 
 
+class Filter(Struct):
+    """Reconstruction filter of an image. A pixel is the weighted mean of the samples of all pixels within the
+    filter's radius; no samples lie beyond the border of the image. The filter applies to each Stokes component
+    and not to AOVs, except that the reference method's alpha and variance are those of the weighted samples."""
+    _fields_ = [
+        ("kind", c_uint32),
+        ("reserved", c_uint32),
+        ("size", c_double),
+        ("b", c_double),
+        ("c", c_double),
+    ]
+
+
 class RenderOptions(Struct):
-    """Options of a render. The reference method uses only samples, seed, max_depth, shadows, aovs,
+    """Options of a render. The reference method uses only samples, seed, max_depth, shadows, aovs, filter,
     progress and NICOL_OPTIMISATION_UNCHANGED; the other options are those of the factored and the dense
     method."""
     _callbacks_ = {"progress": ProgressCallback}
@@ -661,6 +680,7 @@ class RenderOptions(Struct):
         ("fail_if_busy", c_uint32),
         ("reserved", c_uint32),
         ("bake_budget_ms", c_double),
+        ("filter", Filter),
     ]
 
     def set_quality(self, quality):
@@ -1488,6 +1508,14 @@ class Scene(Handle):
         check(_scene_get_channels(self, byref(channels)))
         return channels.value
 
+    def get_filter(self):
+        """Gets the filter that the film of a loaded file asks for, for nicol_render_options: Gaussian, which is
+        Mitsuba's default, if a Mitsuba file names none; box for glTF. Returns NICOL_ERROR_UNSUPPORTED for a scene
+        that was not loaded."""
+        filter = Filter()
+        check(_scene_get_filter(self, byref(filter)))
+        return filter
+
 
 class Framebuffer(Handle):
     """Stokes image of the last render into it"""
@@ -2024,6 +2052,8 @@ _scene_get_file_count = declare("nicol_scene_get_file_count", c_int32, Scene, PO
 _scene_get_file = declare("nicol_scene_get_file", c_int32, Scene, c_uint32, POINTER(SceneFile))
 _scene_get_channels = declare("nicol_scene_get_channels", c_int32, Scene, POINTER(c_uint32))
 Scene._release = declare("nicol_scene_release", c_int32, c_void_p)
+Filter._init = declare("nicol_filter_init", c_int32, POINTER(Filter), c_uint32)
+_scene_get_filter = declare("nicol_scene_get_filter", c_int32, Scene, POINTER(Filter))
 RenderOptions._init = declare("nicol_render_options_init", c_int32, POINTER(RenderOptions), c_uint32)
 _render_options_set_quality = declare("nicol_render_options_set_quality", c_int32, POINTER(RenderOptions), c_uint32)
 _framebuffer_create = declare("nicol_framebuffer_create", c_int32, Context, c_uint32, c_uint32, c_uint32, POINTER(Framebuffer))
@@ -2153,11 +2183,18 @@ __all__ = [
     "FILE_MATERIAL_TABLE",
     "FILE_ORDER_AUTOMATIC",
     "FILE_PHYSICAL",
+    "FILTER_BOX",
+    "FILTER_CATMULLROM",
+    "FILTER_GAUSSIAN",
+    "FILTER_LANCZOS",
+    "FILTER_MITCHELL",
+    "FILTER_TENT",
     "FORMAT_AUTOMATIC",
     "FORMAT_FLOAT16",
     "FORMAT_FLOAT32",
     "FORMAT_UINT32",
     "FileOptions",
+    "Filter",
     "Framebuffer",
     "GlTexture",
     "HIGH_ORDERS_CONVOLUTION",

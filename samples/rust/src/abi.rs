@@ -105,6 +105,12 @@ pub const NICOL_AOV_VARIANCE: u32 = 16;
 pub const NICOL_COMPONENTS_ALL: u32 = 0;
 pub const NICOL_COMPONENTS_S0: u32 = 1;
 pub const NICOL_COMPONENTS_LINEAR: u32 = 3;
+pub const NICOL_FILTER_BOX: u32 = 0;
+pub const NICOL_FILTER_GAUSSIAN: u32 = 1;
+pub const NICOL_FILTER_TENT: u32 = 2;
+pub const NICOL_FILTER_MITCHELL: u32 = 3;
+pub const NICOL_FILTER_CATMULLROM: u32 = 4;
+pub const NICOL_FILTER_LANCZOS: u32 = 5;
 pub const NICOL_DIRECTIONS_AUTOMATIC: u32 = 0;
 pub const NICOL_DEPTH_UNLIMITED: i32 = -1;
 pub const NICOL_SPLIT_AUTOMATIC: i32 = -1;
@@ -1021,8 +1027,31 @@ pub type nicol_high_orders = u32;
 pub type nicol_shade_at = u32;
 pub type nicol_executor = u32;
 pub type nicol_components = u32;
+pub type nicol_filter_kind = u32;
 
-/// Options of a render. The reference method uses only samples, seed, max_depth, shadows, aovs,
+/// Reconstruction filter of an image. A pixel is the weighted mean of the samples of all pixels within the
+/// filter's radius; no samples lie beyond the border of the image. The filter applies to each Stokes component
+/// and not to AOVs, except that the reference method's alpha and variance are those of the weighted samples.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct nicol_filter {
+    pub kind: nicol_filter_kind,
+    pub reserved: u32,
+    pub size: f64,
+    pub b: f64,
+    pub c: f64,
+}
+defaults!(nicol_filter, nicol_filter_init);
+const _: () = {
+    assert!(size_of::<nicol_filter>() == 32);
+    assert!(offset_of!(nicol_filter, kind) == 0);
+    assert!(offset_of!(nicol_filter, reserved) == 4);
+    assert!(offset_of!(nicol_filter, size) == 8);
+    assert!(offset_of!(nicol_filter, b) == 16);
+    assert!(offset_of!(nicol_filter, c) == 24);
+};
+
+/// Options of a render. The reference method uses only samples, seed, max_depth, shadows, aovs, filter,
 /// progress and NICOL_OPTIMISATION_UNCHANGED; the other options are those of the factored and the dense
 /// method.
 #[repr(C)]
@@ -1058,10 +1087,11 @@ pub struct nicol_render_options {
     pub fail_if_busy: u32,
     pub reserved: u32,
     pub bake_budget_ms: f64,
+    pub filter: nicol_filter,
 }
 defaults!(nicol_render_options, nicol_render_options_init);
 const _: () = {
-    assert!(size_of::<nicol_render_options>() == 152);
+    assert!(size_of::<nicol_render_options>() == 184);
     assert!(offset_of!(nicol_render_options, struct_size) == 0);
     assert!(offset_of!(nicol_render_options, method) == 4);
     assert!(offset_of!(nicol_render_options, order_low) == 8);
@@ -1092,6 +1122,7 @@ const _: () = {
     assert!(offset_of!(nicol_render_options, fail_if_busy) == 136);
     assert!(offset_of!(nicol_render_options, reserved) == 140);
     assert!(offset_of!(nicol_render_options, bake_budget_ms) == 144);
+    assert!(offset_of!(nicol_render_options, filter) == 152);
 };
 pub type nicol_quality = u32;
 
@@ -1859,6 +1890,11 @@ extern "C" {
     pub fn nicol_scene_get_channels(scene: nicol_scene, channels: *mut u32) -> nicol_result;
     pub fn nicol_scene_retain(scene: nicol_scene) -> nicol_result;
     pub fn nicol_scene_release(scene: nicol_scene) -> nicol_result;
+    pub fn nicol_filter_init(descriptor: *mut nicol_filter, struct_size: u32) -> nicol_result;
+    /// Gets the filter that the film of a loaded file asks for, for nicol_render_options: Gaussian, which is
+    /// Mitsuba's default, if a Mitsuba file names none; box for glTF. Returns NICOL_ERROR_UNSUPPORTED for a scene
+    /// that was not loaded.
+    pub fn nicol_scene_get_filter(scene: nicol_scene, filter: *mut nicol_filter) -> nicol_result;
     pub fn nicol_render_options_init(descriptor: *mut nicol_render_options, struct_size: u32) -> nicol_result;
     /// Sets the options of the real-time methods that trade time for accuracy: tolerance, pixel_samples,
     /// bake_directions, refine_tolerance, light_samples and bsdf_samples. All other options stay. Options that are
