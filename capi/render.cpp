@@ -395,6 +395,7 @@ nicol_result nicol_framebuffer_get_statistics(nicol_framebuffer framebuffer, nic
         out.bounce_rounds = s.bounce_rounds;
         out.bounced_light = s.bounced_light;
         out.bounced_left = s.bounced_left;
+        out.bake_rays_skipped = s.bake_rays_skipped;
         write_struct(statistics, out, "statistics");
     });
 }

@@ -1295,7 +1295,8 @@ typedef uint32_t nicol_executor;
 #define NICOL_OPTIMISATION_RESPONSE_ROWS 16u   /* Stokes components that a material never reflects */
 #define NICOL_OPTIMISATION_HIDDEN 32u          /* vertices that face away or lie outside the view */
 #define NICOL_OPTIMISATION_UNOCCLUDED 64u      /* shadows of vertices with nothing above their horizon */
-#define NICOL_OPTIMISATION_ALL 127u
+#define NICOL_OPTIMISATION_RAYS 128u           /* rays of the bake that no surface can block */
+#define NICOL_OPTIMISATION_ALL 255u
 
 /* AOVs that a render makes beside the image, with any method; see NICOL_PLANE_DEPTH, _NORMAL, _POSITION,
  * _INSTANCE and _ALPHA. AOVs of surfaces describe the first surface on the ray through a pixel's centre. With
@@ -1613,7 +1614,7 @@ typedef struct nicol_statistics {
     /* Counts of recomputed work, up to pixels_shaded; 0 if all was kept from the render before. */
     uint64_t lights_projected;      /* environments projected to coefficients */
     uint64_t materials_projected;   /* tables, matrices and sets of lobes of materials, also from the cache folder */
-    uint64_t vertices_traced;       /* vertices from which the bake traced rays */
+    uint64_t vertices_traced;       /* vertices whose shadows the bake found, by rays or because nothing can block them */
     uint64_t matrices_baked;        /* dense: matrices of vertices */
     uint64_t vertices_relit;        /* vertices into whose frames light was brought */
     uint64_t vertices_shaded;       /* vertices whose Stokes vectors were computed */
@@ -1631,12 +1632,13 @@ typedef struct nicol_statistics {
     uint64_t bounce_rounds;         /* bounces that were computed; 0: direct light alone */
     double bounced_light;           /* RMS over vertices of bounced light, relative to that of all light */
     double bounced_left;            /* estimate of the bounces that were left out, in the same unit */
+    uint64_t bake_rays_skipped;     /* rays above the horizon of baked points that nothing can block, beside bake_rays */
 } nicol_statistics;
 /* clang-format on */
 #define NICOL_STATISTICS_INIT                                                                                \
     {                                                                                                        \
         sizeof(nicol_statistics), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, \
-            0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0                                 \
+            0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0                              \
     }
 NICOL_API nicol_result nicol_statistics_init(nicol_statistics* descriptor, uint32_t struct_size);
 

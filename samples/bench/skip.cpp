@@ -11,6 +11,7 @@
 
 #include "common/handles.hpp"
 #include "median.hpp"
+#include "skip_rays.hpp"
 #include "sphere.hpp"
 #include "stage.hpp"
 
@@ -136,22 +137,15 @@ public:
         frames_.push_back(std::chrono::duration<double, std::milli>(Clock::now() - start).count());
         nicol_statistics statistics = NICOL_STATISTICS_INIT;
         check(nicol_framebuffer_get_statistics(framebuffer_.get(), &statistics));
+        if (frames_.size() == 1) rays_ = static_cast<double>(statistics.bake_rays);
         transfers_.push_back(statistics.relight_ms + statistics.shade_ms);
     }
     // Returns the median of all frames except the first, which also bakes.
     [[nodiscard]] double frame() const { return median({frames_.begin() + 1, frames_.end()}); }
     [[nodiscard]] double transfer() const { return median({transfers_.begin() + 1, transfers_.end()}); }
-    [[nodiscard]] std::vector<float> image() const {
-        std::uint32_t width = 0, height = 0, channels = 0;
-        check(nicol_framebuffer_get_size(framebuffer_.get(), &width, &height, &channels));
-        const std::size_t plane = std::size_t{4} * width * height;
-        std::vector<float> all(channels * plane);
-        for (std::uint32_t c = 0; c < channels; ++c) {
-            check(nicol_framebuffer_read(framebuffer_.get(), NICOL_PLANE_STOKES, c, all.data() + c * plane, 0,
-                                         plane * sizeof(float)));
-        }
-        return all;
-    }
+    [[nodiscard]] std::vector<float> image() const { return stokes_of(framebuffer_.get()); }
+    // Returns the rays of the first frame.
+    [[nodiscard]] double rays() const { return rays_; }
 
 private:
     void rotate_light() {
@@ -175,18 +169,10 @@ private:
     nicol_render_options options_ = NICOL_RENDER_OPTIONS_INIT;
     double light_angle_ = 0;
     double camera_angle_ = 0;
-    std::vector<double> frames_;     // milliseconds
+    std::vector<double> frames_;  // milliseconds
+    double rays_ = 0;
     std::vector<double> transfers_;  // relight and shade in milliseconds
 };
-
-double largest_difference(const std::vector<float>& a, const std::vector<float>& b) {
-    float largest = 0, scale = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        largest = std::max(largest, std::abs(a[i] - b[i]));
-        scale = std::max(scale, std::abs(b[i]));
-    }
-    return static_cast<double>(largest / scale);
-}
 
 }  // namespace
 
@@ -196,7 +182,8 @@ Report bench_skip(const Options& options) {
     const Mesh bumpy = make_sphere(context.get(), 20000, 0.1);
     const Mesh convex = make_sphere(context.get(), 20000, 0);
     Report report({"what the scene does not need", "relight + shade, disabled / enabled", "ms disabled",
-                   "ms enabled", "frame, disabled / enabled", "largest difference"});
+                   "ms enabled", "frame, disabled / enabled", "largest difference", "rays disabled",
+                   "rays enabled"});
     for (const Case& use : kCases) {
         const nicol_mesh mesh = use.convex ? convex.get() : bumpy.get();
         std::array<Runner, 2> runners{Runner(context.get(), use, mesh, size, false),
@@ -213,11 +200,12 @@ Report bench_skip(const Options& options) {
         report.add(use.name,
                    {runs ? disabled.transfer() / enabled.transfer() : none, runs ? disabled.transfer() : none,
                     runs ? enabled.transfer() : none, disabled.frame() / enabled.frame(),
-                    largest_difference(enabled.image(), disabled.image())});
+                    largest_difference(enabled.image(), disabled.image()), disabled.rays(), enabled.rays()});
     }
+    add_ray_rows(context.get(), size, report);
     report.note("Frames of a sphere of 20,000 vertices, bumpy but for the convex object, " +
                 std::to_string(size) + " x " + std::to_string(size) +
                 ", after the light rotates, the camera moves or nothing changes; differences over the "
-                "largest value.");
+                "largest value. Rows of rays: first pictures of new scenes.");
     return report;
 }

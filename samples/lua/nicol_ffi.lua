@@ -416,6 +416,7 @@ typedef struct nicol_statistics {
     uint64_t bounce_rounds;
     double bounced_light;
     double bounced_left;
+    uint64_t bake_rays_skipped;
 } nicol_statistics;
 typedef uint32_t nicol_plane;
 typedef uint32_t nicol_format;
@@ -811,7 +812,8 @@ return {
         OPTIMISATION_RESPONSE_ROWS = 16,
         OPTIMISATION_HIDDEN = 32,
         OPTIMISATION_UNOCCLUDED = 64,
-        OPTIMISATION_ALL = 127,
+        OPTIMISATION_RAYS = 128,
+        OPTIMISATION_ALL = 255,
         AOV_DEPTH = 1,
         AOV_NORMAL = 2,
         AOV_POSITION = 4,

@@ -87,6 +87,7 @@ std::string stats_json(const nicol_context_info& context, std::uint32_t width, s
          << "  },\n"
          << "  \"rays\": {\n"
          << "    \"bake\": " << s.bake_rays << ",\n"
+         << "    \"bake_skipped\": " << s.bake_rays_skipped << ",\n"
          << "    \"camera\": " << s.camera_rays << ",\n"
          << "    \"shadow\": " << s.shadow_rays << ",\n"
          << "    \"light\": " << s.light_rays << ",\n"

@@ -11,18 +11,20 @@
 namespace nicol {
 namespace {
 
-BakeGeometry bake_geometry(const SceneGeometry& surfaces, SurfaceRays& rays) {
+BakeGeometry bake_geometry(const SceneGeometry& surfaces, SurfaceRays& rays, const RenderOptions& options) {
     const WorldGeometry& world = surfaces.geometry();
     return {.positions = world.positions,
             .normals = world.normals,
             .triangles = world.triangles,
             .present = presence_of(world),
             .blocking = world.blocking,
-            .rays = [&rays] { return rays.get(); }};
+            .rays = [&rays] { return rays.get(); },
+            .every_ray = (options.disabled_optimisations & skip_rays) != 0};
 }
 
 void count_bake(const BakeStatistics& baked, const Stopwatch& watch, Statistics& statistics) {
     statistics.bake_rays += baked.rays;
+    statistics.bake_rays_skipped += baked.rays_skipped;
     statistics.bake_trace_ms += baked.milliseconds;
     statistics.vertices_traced += baked.vertices;
     statistics.bake_ms += watch.milliseconds();
@@ -201,7 +203,7 @@ bool SceneVisibility::bake(const SceneGeometry& surfaces, SurfaceRays& rays, con
         const auto report = [&progress](double fraction) { progress.report("bake", fraction); };
         BakeStatistics baked;
         workers.run([&] {
-            const BakeGeometry geometry = bake_geometry(surfaces, rays);
+            const BakeGeometry geometry = bake_geometry(surfaces, rays, options);
             Visibility visibility;
             if (carry) {
                 const FormerBake former{.visibility = **baked_,
@@ -231,8 +233,8 @@ void SceneVisibility::refine(const SceneGeometry& surfaces, SurfaceRays& rays, c
         std::shared_ptr<const Visibility> visible = *baked_;
         workers.run([&] {
             if (!(options.refine_tolerance > 0)) return;
-            Refinement refinement =
-                refinement_of(surfaces, bake_geometry(surfaces, rays), *visible, options, report, baked);
+            Refinement refinement = refinement_of(surfaces, bake_geometry(surfaces, rays, options), *visible,
+                                                  options, report, baked);
             points_ = std::move(refinement.points);
             points_bake_ = baked_.version();
             // A point takes less memory than a vertex, for which the limit leaves room.

@@ -63,7 +63,8 @@ enum Skip : std::uint32_t {
     skip_response_rows = 16,    ///< Stokes components that a material cannot make
     skip_hidden = 32,           ///< shading vertices that face away or lie outside the view
     skip_unoccluded = 64,       ///< shadows of vertices with nothing above their horizon
-    skip_all = 127,
+    skip_rays = 128,            ///< rays of the bake that nothing can block
+    skip_all = 255,
 };
 
 /// Callback for the progress of a render. Options that differ only in the callback make the same image and

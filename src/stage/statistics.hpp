@@ -18,16 +18,17 @@ struct RenderWork {
     double bounce_ms = 0;  ///< part of relight_ms: light that surfaces reflect to each other
     double draw_ms = 0;
     double observe_ms = 0;
-    double trace_ms = 0;                 ///< time of the reference method
-    std::uint64_t camera_rays = 0;       ///< camera rays of the reference method
-    std::uint64_t shadow_rays = 0;       ///< shadow rays of the reference method
-    std::uint64_t bake_rays = 0;         ///< rays from vertices, for the visibility of the environment
-    std::uint64_t light_rays = 0;        ///< rays from shading points to local lights
-    std::uint64_t smooth_rays = 0;       ///< rays of pixels that show smooth surfaces
-    std::uint64_t lights_projected = 0;  ///< environments projected to coefficients
+    double trace_ms = 0;                  ///< time of the reference method
+    std::uint64_t camera_rays = 0;        ///< camera rays of the reference method
+    std::uint64_t shadow_rays = 0;        ///< shadow rays of the reference method
+    std::uint64_t bake_rays = 0;          ///< rays from vertices, for the visibility of the environment
+    std::uint64_t bake_rays_skipped = 0;  ///< rays of baked points that nothing can block
+    std::uint64_t light_rays = 0;         ///< rays from shading points to local lights
+    std::uint64_t smooth_rays = 0;        ///< rays of pixels that show smooth surfaces
+    std::uint64_t lights_projected = 0;   ///< environments projected to coefficients
     /// Materials whose tables, matrices and sets of lobes were computed or read from a cache.
     std::uint64_t materials_projected = 0;
-    std::uint64_t vertices_traced = 0;  ///< vertices from which the bake traced rays
+    std::uint64_t vertices_traced = 0;  ///< vertices whose visibility the bake found
     std::uint64_t matrices_baked = 0;   ///< matrices of vertices, by the dense method
     std::uint64_t vertices_relit = 0;   ///< vertices into whose frames light was rotated
     std::uint64_t vertices_shaded = 0;  ///< vertices whose Stokes vectors were computed
@@ -87,10 +88,11 @@ inline RenderWork& RenderWork::operator+=(const RenderWork& other) {
                                &RenderWork::bounce_ms,  &RenderWork::draw_ms,  &RenderWork::observe_ms,
                                &RenderWork::trace_ms};
     constexpr std::array counts{
-        &RenderWork::camera_rays,         &RenderWork::shadow_rays,     &RenderWork::bake_rays,
-        &RenderWork::light_rays,          &RenderWork::smooth_rays,     &RenderWork::lights_projected,
-        &RenderWork::materials_projected, &RenderWork::vertices_traced, &RenderWork::matrices_baked,
-        &RenderWork::vertices_relit,      &RenderWork::vertices_shaded, &RenderWork::pixels_shaded};
+        &RenderWork::camera_rays,       &RenderWork::shadow_rays,         &RenderWork::bake_rays,
+        &RenderWork::bake_rays_skipped, &RenderWork::light_rays,          &RenderWork::smooth_rays,
+        &RenderWork::lights_projected,  &RenderWork::materials_projected, &RenderWork::vertices_traced,
+        &RenderWork::matrices_baked,    &RenderWork::vertices_relit,      &RenderWork::vertices_shaded,
+        &RenderWork::pixels_shaded};
     static_assert(sizeof(RenderWork) == 8 * (times.size() + counts.size()), "every member is added");
     for (const auto time : times) this->*time += other.*time;
     for (const auto count : counts) this->*count += other.*count;

@@ -19,6 +19,7 @@
 #include "geometry/ray_scene.hpp"
 #include "progress.hpp"
 #include "visibility/bake_origins.hpp"
+#include "visibility/possible_blockers.hpp"
 #include "visibility/vertex_rays.hpp"
 
 namespace nicol {
@@ -42,6 +43,10 @@ std::vector<glm::vec3> unit_normals(std::span<const glm::vec3> normals) {
         out.emplace_back(normal / length);
     }
     return out;
+}
+
+bool needed(const BakeGeometry& geometry, std::size_t vertex) {
+    return geometry.needed.empty() || geometry.needed[vertex] != 0;
 }
 
 // Place in the list of a former bake for vertices that were not in it.
@@ -93,6 +98,7 @@ Visibility bake(const BakeGeometry& geometry, const DirectionSet& directions, co
     const std::vector<glm::vec3> origins = bake_origins(geometry, normals);
     std::vector<std::size_t> before;
     std::optional<DisturbedRays> disturbed;
+    const PossibleBlockers blockers(geometry, directions, former == nullptr && !geometry.every_ray);
     if (former != nullptr) {
         before = places_before(*former, vertices);
         disturbed.emplace(directions, former->disturbances);
@@ -102,6 +108,7 @@ Visibility bake(const BakeGeometry& geometry, const DirectionSet& directions, co
     const Stopwatch tracing;
     Visibility visibility(directions.size(), vertices);
     std::atomic<std::uint64_t> rays = 0;
+    std::atomic<std::uint64_t> skipped = 0;
     std::atomic<std::uint64_t> from = 0;
     const std::size_t chunk = 2 * kRaysAtATime / directions.size();
     for (std::size_t first = 0; first < vertices; first += chunk) {
@@ -109,25 +116,33 @@ Visibility bake(const BakeGeometry& geometry, const DirectionSet& directions, co
         tbb::parallel_for(tbb::blocked_range<std::size_t>(first, last, 4), [&](const auto& range) {
             std::uint64_t traced = 0;
             std::uint64_t tracing_vertices = 0;
+            std::uint64_t without = 0;
             DisturbedBundles bundles;
             for (std::size_t v = range.begin(); v < range.end(); ++v) {
+                if (!needed(geometry, v)) {
+                    set_open(directions, normals[v], v, visibility);
+                    continue;
+                }
                 std::optional<FormerBits> known;
                 if (former != nullptr && before[v] != kNone) {
                     disturbed->find(origins[v], normals[v], bundles);
                     known = {.bits = former->visibility.at(before[v]), .disturbed = &bundles};
                 }
-                const std::uint64_t count =
-                    trace_vertex(*scene, directions, origins[v], normals[v], v, known, visibility);
-                traced += count;
-                tracing_vertices += count > 0 ? 1 : 0;
+                const PossibleBlockers::Rays of_vertex =
+                    blockers.trace(*scene, origins[v], normals[v], v, known, visibility);
+                traced += of_vertex.traced;
+                without += of_vertex.skipped;
+                tracing_vertices += of_vertex.traced + of_vertex.skipped > 0 ? 1 : 0;
             }
             rays += traced;
+            skipped += without;
             from += tracing_vertices;
         });
         report(last);
     }
     if (statistics != nullptr) {
         *statistics = {.rays = rays,
+                       .rays_skipped = skipped,
                        .vertices = from,
                        .milliseconds = tracing.milliseconds(),
                        .build_milliseconds = build_milliseconds,

@@ -26,6 +26,10 @@ struct BakeGeometry {
     /// The triangles' ray hierarchy, asked for where rays are traced; empty: bake() and refine() build their
     /// own.
     std::function<std::shared_ptr<const RayScene>()> rays = {};
+    /// 1 for each vertex whose visibility is needed. Other vertices are not traced and count as unoccluded,
+    /// and triangles at them are not refined. Empty: all vertices.
+    std::span<const std::uint8_t> needed = {};
+    bool every_ray = false;  ///< whether rays that nothing can block are traced as well
 };
 
 /// Returns geometry.rays(), or a new hierarchy where that is empty.
@@ -33,11 +37,12 @@ struct BakeGeometry {
 
 struct BakeStatistics {
     std::uint64_t rays = 0;
-    std::uint64_t vertices = 0;     ///< number of vertices that any ray was traced from
-    double milliseconds = 0;        ///< time of tracing
-    double build_milliseconds = 0;  ///< time of building the bounding volume hierarchy
-    std::uint64_t unoccluded = 0;   ///< number of unoccluded vertices
-    bool from_cache = false;        ///< whether the result was read from a file and nothing was traced
+    std::uint64_t rays_skipped = 0;  ///< number of rays that were not traced because nothing can block them
+    std::uint64_t vertices = 0;      ///< number of vertices with rays, traced or skipped
+    double milliseconds = 0;         ///< time of tracing
+    double build_milliseconds = 0;   ///< time of building the bounding volume hierarchy
+    std::uint64_t unoccluded = 0;    ///< number of unoccluded vertices
+    bool from_cache = false;         ///< whether the result was read from a file and nothing was traced
 };
 
 /// Vertices first .. last - 1 of a list; `before` is the place of `first` in an earlier list.

@@ -10,13 +10,12 @@
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 
-#include "simd/dispatch.hpp"
-#include "visibility/bundle_bits.hpp"
+#include "visibility/ray_cones.hpp"
 
 namespace nicol {
 namespace {
 
-// Margin against rounding: of radii relative to the distance, and of cosines.
+// Margin of radii against rounding, relative to the distance.
 constexpr float kSlack = 1e-4F;
 // Nodes of a tree are not divided if the sine of the angle of their radius is smaller.
 constexpr float kSmall = 0.1F;
@@ -26,24 +25,6 @@ constexpr std::array kMaskSines{0.03F, kSmall};
 constexpr std::size_t kManyBalls = 32;
 // Cells of the masks along an edge of the octahedral map; even, so that no cell crosses an axis.
 constexpr std::size_t kCells = 64;
-
-struct Cones {
-    const float* x;
-    const float* y;
-    const float* z;
-    const float* cosine;
-    const float* sine;
-};
-
-// Sets near[b] to 1 if the angle between axis b and the unit vector `to` is at most the sum of two angles, or
-// else to 0: the cone's half opening angle and the ball's angle, which is below a right angle.
-[[gnu::always_inline]] inline void find_near(std::size_t count, const Cones& cones, const glm::vec3& to,
-                                             float ball_cosine, float ball_sine, std::uint8_t* near) {
-    for (std::size_t b = 0; b < count; ++b) {
-        const float along = cones.x[b] * to.x + cones.y[b] * to.y + cones.z[b] * to.z;
-        near[b] = along >= cones.cosine[b] * ball_cosine - cones.sine[b] * ball_sine - kSlack ? 1 : 0;
-    }
-}
 
 Ball ball_around(const Ball& a, const Ball& b) {
     const glm::vec3 between = b.centre - a.centre;
@@ -126,8 +107,7 @@ std::vector<Node> tree_of(std::span<const Ball> balls) {
 
 class DisturbedRays::Finder {
 public:
-    Finder(const DirectionSet& directions, bool many) : directions_(directions) {
-        for (const RayBundle& bundle : directions.bundles()) add_cone(bundle);
+    Finder(const DirectionSet& directions, bool many) : cones_(directions) {
         if (many) make_masks();
     }
 
@@ -153,50 +133,18 @@ public:
             if (!masks_.empty() && sine <= kSmall)
                 add_mask(to, sine, bits);
             else
-                add_ball(to / distance, sine, bits);
+                cones_.add(to / distance, sine, bits);
         }
     }
 
-    // Adds the rays at most the angle with this sine away from a unit direction.
-    void add_ball(const glm::vec3& to, float sine, std::span<std::uint16_t> bits) const {
-        const float cosine = std::sqrt(1 - sine * sine);
-        std::array<std::uint8_t, DirectionSet::kMost / RayBundle::kRays> near;  // set by find_near()
-        const Cones cones{x_.data(), y_.data(), z_.data(), cosine_.data(), sine_.data()};
-        dispatch<find_near>(bits.size(), cones, to, cosine, sine, near.data());
-        for (std::size_t b = 0; b < bits.size(); ++b) {
-            if (near[b] == 0) continue;
-            const std::uint16_t rays = dispatch<rays_above>(directions_.bundles()[b], to, cosine - kSlack);
-            bits[b] = static_cast<std::uint16_t>(bits[b] | rays);
-        }
-    }
-
-    [[nodiscard]] std::size_t bundles() const noexcept { return x_.size(); }
+    [[nodiscard]] std::size_t bundles() const noexcept { return cones_.bundles(); }
 
 private:
-    void add_cone(const RayBundle& bundle) {
-        const auto ray = [&bundle](std::size_t i) {
-            return glm::dvec3(bundle.x[i], bundle.y[i], bundle.z[i]);
-        };
-        glm::dvec3 sum(0.0);
-        for (std::size_t i = 0; i < RayBundle::kRays; ++i) sum += ray(i);
-        const double length = glm::length(sum);
-        const glm::dvec3 axis = length > 1e-6 ? sum / length : ray(0);
-        double cosine = 1;
-        for (std::size_t i = 0; i < RayBundle::kRays; ++i) cosine = std::min(cosine, glm::dot(axis, ray(i)));
-        // A cone wider than a half sphere is replaced by the whole sphere.
-        const bool wide = cosine <= 0;
-        x_.push_back(static_cast<float>(axis.x));
-        y_.push_back(static_cast<float>(axis.y));
-        z_.push_back(static_cast<float>(axis.z));
-        cosine_.push_back(wide ? -2.0F : static_cast<float>(cosine));
-        sine_.push_back(wide ? 2.0F : static_cast<float>(std::sqrt(1 - cosine * cosine)));
-    }
-
     // Computes, for each cell of the octahedral map and each of kMaskSines, the rays that a ball of this
     // angle in a direction inside the cell may meet. A cell consists of spherical triangles between its
     // corners, so a corner is farthest from its centre.
     void make_masks() {
-        const std::size_t bundles = directions_.bundles().size();
+        const std::size_t bundles = cones_.bundles();
         masks_.resize(kCells * kCells * kMaskSines.size() * bundles);
         tbb::parallel_for(std::size_t{0}, kCells * kCells, [&](std::size_t cell) {
             const auto at = [cell](float x, float y) {
@@ -211,8 +159,8 @@ private:
             const float cell_angle = std::acos(std::min(least, 1.0F)) + kSlack;
             for (std::size_t s = 0; s < kMaskSines.size(); ++s) {
                 const float angle = cell_angle + std::asin(kMaskSines[s]);
-                add_ball(centre, std::sin(angle),
-                         std::span(masks_).subspan((cell * kMaskSines.size() + s) * bundles, bundles));
+                cones_.add(centre, std::sin(angle),
+                           std::span(masks_).subspan((cell * kMaskSines.size() + s) * bundles, bundles));
             }
         });
     }
@@ -223,9 +171,7 @@ private:
         for (std::size_t b = 0; b < bits.size(); ++b) bits[b] = static_cast<std::uint16_t>(bits[b] | mask[b]);
     }
 
-    const DirectionSet& directions_;
-    // Cones around the bundles: unit axes, and cosines and sines of half their opening angles.
-    std::vector<float> x_, y_, z_, cosine_, sine_;
+    RayCones cones_;
     std::vector<std::uint16_t> masks_;  // [cell][sine][bundle]; empty: there are few balls
 };
 

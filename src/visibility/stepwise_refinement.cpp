@@ -19,6 +19,7 @@
 #include "visibility/blocked_lengths.hpp"
 #include "visibility/extent_of_triangles.hpp"
 #include "visibility/hidden_light.hpp"
+#include "visibility/possible_blockers.hpp"
 #include "visibility/vertex_rays.hpp"
 
 namespace nicol {
@@ -52,6 +53,7 @@ public:
           options_(options),
           former_(former),
           scene_(rays_of(geometry)),
+          blockers_(geometry, directions, former == nullptr && !geometry.every_ray),
           light_(directions),
           mesh_(geometry.positions, geometry.triangles),
           normals_(geometry.normals.begin(), geometry.normals.end()) {
@@ -105,6 +107,7 @@ public:
 
     [[nodiscard]] Refinement result(BakeStatistics& statistics) {
         statistics.rays += rays_;
+        statistics.rays_skipped += skipped_;
         statistics.vertices += traced_;
         if (mesh_.parents().empty()) {
             Refinement none;
@@ -166,6 +169,9 @@ private:
     }
 
     [[nodiscard]] bool occluded(std::uint32_t v) const { return hidden_[rows_[v]].x > 0; }
+    [[nodiscard]] bool needed(std::uint32_t v) const {
+        return v >= geometry_.needed.size() || geometry_.needed[v] != 0;
+    }
 
     // Returns whether the interpolation error of an edge is too large.
     [[nodiscard]] bool wrong(double error, std::uint32_t a, std::uint32_t b) const {
@@ -210,26 +216,23 @@ private:
         std::vector<glm::vec4> hides(count);
         std::vector<glm::vec3> origins(count);
         std::vector<glm::vec3> normals(count);
-        std::atomic<std::uint64_t> rays = 0;
-        std::atomic<std::uint64_t> traced = 0;
         tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
             const auto [a, b] = std::pair(some[i].x, some[i].y);
             normals[i] = unit(middle_normal(a, b));
             origins[i] = 0.5F * mesh_.positions()[a] + 0.5F * mesh_.positions()[b] + middle_shift(a, b);
-            const std::uint64_t of_point = trace_point(origins[i], normals[i], i, seen, hides[i]);
-            rays += of_point;
-            traced += of_point > 0 ? 1 : 0;
+            const PossibleBlockers::Rays of_point = trace_point(origins[i], normals[i], i, seen, hides[i]);
+            rays_ += of_point.traced;
+            skipped_ += of_point.skipped;
+            traced_ += of_point.traced + of_point.skipped > 0 ? 1 : 0;
         });
-        rays_ += rays;
-        traced_ += traced;
         next_ += count;
         hidden_.insert(hidden_.end(), hides.begin(), hides.end());
         points_.add(origins, normals, seen, hides);
     }
 
-    // Finds what a point sees, as far as possible from the former refinement. Returns the number of rays.
-    std::uint64_t trace_point(const glm::vec3& origin, const glm::vec3& normal, std::size_t i,
-                              Visibility& seen, glm::vec4& hides) const {
+    // Finds what a point sees, as far as possible from the former refinement.
+    PossibleBlockers::Rays trace_point(const glm::vec3& origin, const glm::vec3& normal, std::size_t i,
+                                       Visibility& seen, glm::vec4& hides) const {
         DisturbedBundles bundles;
         std::optional<FormerBits> known;
         std::optional<std::size_t> point;
@@ -239,11 +242,11 @@ private:
                 std::ranges::copy(former_->points.bits(*point), seen.at(i).begin());
                 seen.set_unoccluded(i, former_->points.unoccluded(*point));
                 hides = former_->points.hidden(*point);
-                return 0;
+                return {};
             }
             known = {.bits = former_->points.bits(*point), .disturbed = &bundles};
         }
-        const std::uint64_t rays = trace_vertex(*scene_, directions_, origin, normal, i, known, seen);
+        const PossibleBlockers::Rays rays = blockers_.trace(*scene_, origin, normal, i, known, seen);
         hides = light_.at(seen, i, normal);
         return rays;
     }
@@ -261,7 +264,7 @@ private:
             for (glm::length_t k = 0; k < 3; ++k) {
                 const std::uint32_t a = t[k];
                 const std::uint32_t b = t[(k + 1) % 3];
-                if (!occluded(a) && !occluded(b)) continue;
+                if ((!occluded(a) && !occluded(b)) || !needed(a) || !needed(b)) continue;
                 const double change = size(hidden_[rows_[a]] - hidden_[rows_[b]]);
                 if (wrong(change / 2, a, b)) suspects_.emplace_back(a, b);
             }
@@ -328,6 +331,7 @@ private:
         std::unordered_map<EdgeBisection::Edge, double> longest;
         for (const WantedLength& wanted : wanted_) {
             const glm::uvec3& t = mesh_.triangles()[wanted.triangle];
+            if (!needed(t.x) || !needed(t.y) || !needed(t.z)) continue;
             const double here = std::max({length(t.x, t.y), length(t.y, t.z), length(t.z, t.x)});
             const double least = std::max({static_cast<double>(wanted.length), shortest(t.x, t.y),
                                            shortest(t.y, t.z), shortest(t.z, t.x)});
@@ -342,7 +346,9 @@ private:
     }
 
     void find_extent() {
-        const double extent = extent_of_triangles(mesh_, [this](std::uint32_t v) { return occluded(v); });
+        const IsVertex known = [this](std::uint32_t v) { return needed(v); };
+        const IsVertex counts = [this](std::uint32_t v) { return occluded(v); };
+        const double extent = extent_of_triangles(mesh_, counts, geometry_.needed.empty() ? nullptr : known);
         shortest_ = kShortest * extent;
         short_ = kShort * extent;
     }
@@ -354,6 +360,7 @@ private:
     const FormerRefinement* const former_;
     std::optional<DisturbedRays> disturbed_;  // set if there is a former refinement
     const std::shared_ptr<const RayScene> scene_;
+    PossibleBlockers blockers_;
     HiddenLight light_;
     EdgeBisection mesh_;
     std::vector<WantedLength> wanted_;
@@ -364,8 +371,9 @@ private:
     std::vector<glm::vec4> hidden_;
     TracedPoints points_;  // middles of edges, whether these are split or not
     std::unordered_map<std::uint64_t, std::size_t> middles_;  // row of a pair's middle
-    std::uint64_t rays_ = 0;
-    std::uint64_t traced_ = 0;  // points that any ray was traced from
+    std::atomic<std::uint64_t> rays_ = 0;
+    std::atomic<std::uint64_t> skipped_ = 0;
+    std::atomic<std::uint64_t> traced_ = 0;  // points that any ray was traced from
     double shortest_ = 0;
     double short_ = 0;
     Phase phase_ = Phase::start;

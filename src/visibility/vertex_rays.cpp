@@ -19,6 +19,12 @@ std::uint16_t bits_of(std::span<const std::uint64_t> words, std::size_t bundle) 
     return static_cast<std::uint16_t>(words[bundle / 4] >> (16 * (bundle % 4)));
 }
 
+// Returns the bits of a bundle's directions, without those that fill up the last one.
+unsigned real_rays(const DirectionSet& directions, std::size_t bundle) {
+    const std::size_t rest = directions.size() - bundle * RayBundle::kRays;
+    return rest >= RayBundle::kRays ? 0xFFFFU : (1U << rest) - 1;
+}
+
 /// Rays from one point in directions of several bundles, traced sixteen at a time.
 class GatheredRays {
 public:
@@ -63,19 +69,31 @@ private:
 
 }  // namespace
 
+std::uint64_t set_open(const DirectionSet& directions, const glm::vec3& normal, std::size_t vertex,
+                       Visibility& visibility) {
+    const std::span<std::uint64_t> words = visibility.at(vertex);
+    std::uint64_t count = 0;
+    for (std::size_t b = 0; b < directions.bundles().size(); ++b) {
+        const std::uint64_t up =
+            dispatch<rays_above>(directions.bundles()[b], normal, 0.0F) & real_rays(directions, b);
+        words[b / 4] |= up << (16 * (b % 4));
+        count += static_cast<std::uint64_t>(std::popcount(up));
+    }
+    visibility.set_unoccluded(vertex, true);
+    return count;
+}
+
 std::uint64_t trace_vertex(const RayScene& scene, const DirectionSet& directions, const glm::vec3& origin,
                            const glm::vec3& normal, std::size_t vertex,
                            const std::optional<FormerBits>& former, Visibility& visibility) {
     const std::span<std::uint64_t> words = visibility.at(vertex);
-    const std::size_t last = directions.bundles().size() - 1;
-    const std::size_t rest = directions.size() - last * RayBundle::kRays;
     std::uint64_t rays = 0;
     bool unoccluded = true;
     GatheredRays gathered(scene, origin, words);
-    for (std::size_t b = 0; b <= last; ++b) {
+    for (std::size_t b = 0; b < directions.bundles().size(); ++b) {
         const RayBundle& bundle = directions.bundles()[b];
-        const unsigned real = b < last || rest == RayBundle::kRays ? 0xFFFFU : (1U << rest) - 1;
-        const auto up = static_cast<std::uint16_t>(dispatch<rays_above>(bundle, normal, 0.0F) & real);
+        const auto up =
+            static_cast<std::uint16_t>(dispatch<rays_above>(bundle, normal, 0.0F) & real_rays(directions, b));
         if (up == 0) continue;
         std::uint16_t blocked = 0;
         std::uint16_t traced = up;

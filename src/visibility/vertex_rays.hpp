@@ -19,6 +19,11 @@ struct FormerBits {
     const DisturbedBundles* disturbed;
 };
 
+/// Sets the bits of a vertex, which must be 0, as if nothing were above its horizon. Returns the number of
+/// directions there.
+std::uint64_t set_open(const DirectionSet& directions, const glm::vec3& normal, std::size_t vertex,
+                       Visibility& visibility);
+
 /// Sets the bits of a vertex, which must be 0, by rays from `origin` in the directions above the plane of the
 /// unit normal. Returns the number of rays.
 std::uint64_t trace_vertex(const RayScene& scene, const DirectionSet& directions, const glm::vec3& origin,

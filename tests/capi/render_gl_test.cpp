@@ -123,7 +123,8 @@ STAGE_TEST_CASE("shadows are traced in as many directions as the tolerance needs
         OK(stage.try_render(options));
         options.bake_directions = directions;
         OK(stage.try_render(options));
-        return statistics_of(stage.framebuffer).bake_rays;
+        const nicol_statistics statistics = statistics_of(stage.framebuffer);
+        return statistics.bake_rays + statistics.bake_rays_skipped;
     };
     for (const auto& [tolerance, order, directions] :
          std::vector<std::tuple<double, std::uint32_t, std::uint32_t>>{{1, NICOL_ORDER_AUTOMATIC, 1024},

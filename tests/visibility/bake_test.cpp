@@ -107,8 +107,9 @@ TEST_CASE("directions above the horizon are seen, the others not") {
             above += height > 0 ? 1 : 0;
         }
     }
-    CHECK(statistics.rays >= above);
-    CHECK(statistics.rays <= above + cube.positions.size());
+    CHECK(statistics.rays == 0);
+    CHECK(statistics.rays_skipped >= above);
+    CHECK(statistics.rays_skipped <= above + cube.positions.size());
     CHECK(statistics.milliseconds > 0);
 }
 

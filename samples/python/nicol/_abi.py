@@ -82,7 +82,8 @@ OPTIMISATION_ORDERS = 8
 OPTIMISATION_RESPONSE_ROWS = 16
 OPTIMISATION_HIDDEN = 32
 OPTIMISATION_UNOCCLUDED = 64
-OPTIMISATION_ALL = 127
+OPTIMISATION_RAYS = 128
+OPTIMISATION_ALL = 255
 AOV_DEPTH = 1
 AOV_NORMAL = 2
 AOV_POSITION = 4
@@ -753,6 +754,7 @@ class Statistics(Struct):
         ("bounce_rounds", c_uint64),
         ("bounced_light", c_double),
         ("bounced_left", c_double),
+        ("bake_rays_skipped", c_uint64),
     ]
 
 
@@ -2247,6 +2249,7 @@ __all__ = [
     "OPTIMISATION_HIDDEN",
     "OPTIMISATION_LIGHT_COMPONENTS",
     "OPTIMISATION_ORDERS",
+    "OPTIMISATION_RAYS",
     "OPTIMISATION_RESPONSE_ROWS",
     "OPTIMISATION_UNCHANGED",
     "OPTIMISATION_UNOCCLUDED",

@@ -94,7 +94,8 @@ pub const NICOL_OPTIMISATION_ORDERS: u32 = 8;
 pub const NICOL_OPTIMISATION_RESPONSE_ROWS: u32 = 16;
 pub const NICOL_OPTIMISATION_HIDDEN: u32 = 32;
 pub const NICOL_OPTIMISATION_UNOCCLUDED: u32 = 64;
-pub const NICOL_OPTIMISATION_ALL: u32 = 127;
+pub const NICOL_OPTIMISATION_RAYS: u32 = 128;
+pub const NICOL_OPTIMISATION_ALL: u32 = 255;
 pub const NICOL_AOV_DEPTH: u32 = 1;
 pub const NICOL_AOV_NORMAL: u32 = 2;
 pub const NICOL_AOV_POSITION: u32 = 4;
@@ -1212,10 +1213,11 @@ pub struct nicol_statistics {
     pub bounce_rounds: u64,
     pub bounced_light: f64,
     pub bounced_left: f64,
+    pub bake_rays_skipped: u64,
 }
 defaults!(nicol_statistics, nicol_statistics_init);
 const _: () = {
-    assert!(size_of::<nicol_statistics>() == 368);
+    assert!(size_of::<nicol_statistics>() == 376);
     assert!(offset_of!(nicol_statistics, struct_size) == 0);
     assert!(offset_of!(nicol_statistics, order) == 4);
     assert!(offset_of!(nicol_statistics, vertices) == 8);
@@ -1264,6 +1266,7 @@ const _: () = {
     assert!(offset_of!(nicol_statistics, bounce_rounds) == 344);
     assert!(offset_of!(nicol_statistics, bounced_light) == 352);
     assert!(offset_of!(nicol_statistics, bounced_left) == 360);
+    assert!(offset_of!(nicol_statistics, bake_rays_skipped) == 368);
 };
 pub type nicol_plane = u32;
 pub type nicol_format = u32;

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// Rays of a bake that some triangle may block.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "geometry/ray_scene.hpp"
+#include "visibility/bake.hpp"
+#include "visibility/ray_cones.hpp"
+#include "visibility/vertex_rays.hpp"
+#include "visibility/visibility.hpp"
+
+namespace nicol {
+
+/// Tree of a geometry's triangles that finds the rays from a point which no triangle can block: those of
+/// points with nothing above their horizon, and those that pass beside everything above it.
+class PossibleBlockers {
+public:
+    /// directions: must outlive the object. find: whether to find such rays at all.
+    PossibleBlockers(const BakeGeometry& geometry, const DirectionSet& directions, bool find);
+
+    struct Rays {
+        std::uint64_t traced = 0;
+        std::uint64_t skipped = 0;  ///< rays that nothing can block
+    };
+    /// Has the result of trace_vertex() in the scene of the same triangles. Calls may run side by side.
+    Rays trace(const RayScene& scene, const glm::vec3& origin, const glm::vec3& normal, std::size_t vertex,
+               const std::optional<FormerBits>& former, Visibility& visibility) const;
+
+private:
+    // Triangles in a ball, and between two planes across their mean normal. The first node is the root.
+    struct Node {
+        glm::dvec3 centre;
+        double radius = 0;
+        glm::dvec3 axis;  // unit
+        // Lowest and highest corner along the axis, from the centre.
+        double lowest = 0;
+        double highest = 0;
+        // Distance to the node of the second half of the triangles; the nodes of the first half lie between.
+        // 0: a leaf.
+        std::uint32_t right = 0;
+        std::uint32_t first = 0, last = 0;  // corners of a leaf
+    };
+
+    // Returns the subtree of some triangles, whose order it changes. first: place of their corners.
+    std::vector<Node> built(std::span<glm::uvec3> triangles, std::size_t first, int depth);
+    // Moves the triangles of a node's first half to the front, and returns their number.
+    std::size_t divide(std::span<glm::uvec3> triangles, int depth) const;
+    [[nodiscard]] Node bound(std::span<const glm::uvec3> triangles) const;
+    // Returns whether a point of the node may lie above the horizon of rays.
+    [[nodiscard]] bool above(const Node& node, const glm::dvec3& origin, const glm::dvec3& normal) const;
+    // Sets the bits of the rays that may be blocked. Returns false if most of them may be.
+    bool find(const glm::vec3& origin, const glm::vec3& normal, std::vector<std::uint16_t>& bits) const;
+
+    const DirectionSet& directions_;
+    const bool finds_;
+    RayCones cones_;
+    std::vector<glm::dvec3> positions_;
+    std::vector<Node> nodes_;
+    std::vector<std::uint32_t> corners_;  // of leaves: numbers of positions
+};
+
+}  // namespace nicol
