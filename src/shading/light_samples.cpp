@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstring>
 
 #include "simd/dispatch.hpp"
@@ -74,6 +75,17 @@ void light_samples(std::uint32_t index, std::span<const std::uint32_t> seeds, La
     std::array<std::uint32_t, kLanes> all;
     for (std::size_t i = 0; i < kLanes; ++i) all[i] = seeds[std::min(i, seeds.size() - 1)];
     dispatch<scramble_all>(index, sobol(index), all, u, v);
+}
+
+std::uint32_t light_sample_count(float angular_radius, std::uint32_t most) {
+    constexpr float wide = 0.2F, widest = 0.8F;
+    constexpr std::uint32_t fewest = 4;  // a number at which the first samples are stratified
+    if (angular_radius <= 0) return 1;
+    const float small = std::min(1.0F, angular_radius / wide);
+    const float large = std::clamp((angular_radius - widest / 2) / (widest / 2), 0.0F, 1.0F);
+    const float wanted = (small + large) * static_cast<float>(most);
+    const auto strata = static_cast<std::uint32_t>(std::ceil(wanted / fewest));
+    return std::min(fewest * strata, std::max(most, static_cast<std::uint32_t>(wanted)));
 }
 
 }  // namespace nicol

@@ -14,6 +14,11 @@ namespace nicol {
 /// contains one of the first 2^k points of a seed.
 void light_samples(std::uint32_t index, std::span<const std::uint32_t> seeds, Lanes& u, Lanes& v);
 
+/// Returns the number of light samples for a light of this angular radius: `most` from 0.2 radians on, fewer
+/// for smaller lights, because their soft shadows are narrower, and twice as many from 0.8 radians on,
+/// because such lights are much wider than the lobes that see them.
+[[nodiscard]] std::uint32_t light_sample_count(float angular_radius, std::uint32_t most);
+
 /// Returns the seed of a point for a light; equal arguments give equal seeds.
 [[nodiscard]] std::uint32_t sample_seed(std::uint32_t point, std::uint32_t light);
 

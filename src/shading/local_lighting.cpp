@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <glm/geometric.hpp>
 #include <optional>
 #include <utility>
@@ -24,20 +23,6 @@ LaneVectors in_lanes(std::span<const glm::vec3> from) {
     LaneVectors out;
     for (std::size_t i = 0; i < kLanes; ++i) put(out, i, from[std::min(i, from.size() - 1)]);
     return out;
-}
-
-// Returns the number of light samples for a light of this angular radius: `most` from 0.2 radians on, fewer
-// for smaller lights, because their soft shadows are narrower, and twice as many from 0.8 radians on, because
-// such lights are much wider than the lobes that see them.
-std::uint32_t places_of(float angular_radius, std::uint32_t most) {
-    constexpr float wide = 0.2F, widest = 0.8F;
-    constexpr std::uint32_t fewest = 4;  // a number at which the first samples are stratified
-    if (angular_radius <= 0) return 1;
-    const float small = std::min(1.0F, angular_radius / wide);
-    const float large = std::clamp((angular_radius - widest / 2) / (widest / 2), 0.0F, 1.0F);
-    const float wanted = (small + large) * static_cast<float>(most);
-    const auto strata = static_cast<std::uint32_t>(std::ceil(wanted / fewest));
-    return std::min(fewest * strata, std::max(most, static_cast<std::uint32_t>(wanted)));
 }
 
 }  // namespace
@@ -91,7 +76,7 @@ public:
     void add_source(const LightSource& source, SampledTerms find_it, std::uint32_t index,
                     std::uint32_t most_samples) {
         const float radius = source.angular_radius(points_.positions.front());
-        const std::uint32_t samples = places_of(radius, most_samples);
+        const std::uint32_t samples = light_sample_count(radius, most_samples);
         const float factor = 1 / static_cast<float>(samples);
         const double lobe = narrowest_lobe(find_it);
         seed(index);

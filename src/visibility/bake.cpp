@@ -45,10 +45,6 @@ std::vector<glm::vec3> unit_normals(std::span<const glm::vec3> normals) {
     return out;
 }
 
-bool needed(const BakeGeometry& geometry, std::size_t vertex) {
-    return geometry.needed.empty() || geometry.needed[vertex] != 0;
-}
-
 // Place in the list of a former bake for vertices that were not in it.
 constexpr std::size_t kNone = ~std::size_t{0};
 
@@ -119,10 +115,6 @@ Visibility bake(const BakeGeometry& geometry, const DirectionSet& directions, co
             std::uint64_t without = 0;
             DisturbedBundles bundles;
             for (std::size_t v = range.begin(); v < range.end(); ++v) {
-                if (!needed(geometry, v)) {
-                    set_open(directions, normals[v], v, visibility);
-                    continue;
-                }
                 std::optional<FormerBits> known;
                 if (former != nullptr && before[v] != kNone) {
                     disturbed->find(origins[v], normals[v], bundles);

@@ -26,9 +26,6 @@ struct BakeGeometry {
     /// The triangles' ray hierarchy, asked for where rays are traced; empty: bake() and refine() build their
     /// own.
     std::function<std::shared_ptr<const RayScene>()> rays = {};
-    /// 1 for each vertex whose visibility is needed. Other vertices are not traced and count as unoccluded,
-    /// and triangles at them are not refined. Empty: all vertices.
-    std::span<const std::uint8_t> needed = {};
     bool every_ray = false;  ///< whether rays that nothing can block are traced as well
 };
 
