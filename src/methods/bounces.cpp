@@ -88,11 +88,11 @@ void Bounces::bake(const TransferInput& input, RenderRun& run) {
     bool changed = linking_.run(input.versions, [&] {
         run.workers.run([&] { links_.change() = LinkedSurfaces(input.geometry, receivers_of(input, run)); });
     });
+    changed |= weighting_.run(input.versions, input.materials,
+                              [&] { links_.change().find_weights(input.geometry); });
     changed |= covering_.run(links_.version(), layout_->order(), layout_->kind(), [&] {
         coverage_ = coverage_at_receivers({input, *links_, *tables_.tables(), *layout_}, run);
     });
-    changed |= weighting_.run(input.versions, input.materials,
-                              [&] { links_.change().find_weights(input.geometry); });
     const std::optional<LightKind> kind = kind_of(input.light);
     changed |= solving_.run(
         links_.version(), tables_.tables().version(), kind, input.channels, input.bounces,

@@ -287,6 +287,7 @@ void Renderer::draw_one_by_one(const Scene& scene, const Projection& projection,
     Framebuffer sample(context_, target.width(), target.height(), target.channels());
     FilteredImage filtered(options.filter, target.width(), target.height(), target.channels());
     Statistics statistics;
+    std::uint64_t unphysical = 0;
     Aovs aovs;
     RenderOptions one = options;
     one.progress = nullptr;
@@ -309,8 +310,11 @@ void Renderer::draw_one_by_one(const Scene& scene, const Projection& projection,
         draw(scene, jittered(sharp, place), one, sample);
         const StokesImage& image = sample.image();
         workers_.run([&] { filtered.add(image, place); });
+        // Vertices may be shaded for the first sample alone.
+        unphysical += sample.statistics().vertices_unphysical;
         statistics.add(sample.statistics());
     }
+    statistics.vertices_unphysical = unphysical;
     put(target, std::move(filtered).mean(), statistics, std::move(aovs));
 }
 

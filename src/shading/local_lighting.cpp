@@ -197,6 +197,9 @@ private:
         const LaneFrames frames = environment.in_environment(reflected_.frames());
         const WeightedTerms terms =
             ReflectedLight::sampled_terms(layer, environment.sampled(), lobe, sums_.size());
+        // A shadow ray meets a single point of what a node's blob shows. The blobs of brushed lobes overlap,
+        // so that their middles sample the lobe well.
+        const bool scattered = lobe.alpha.x == lobe.alpha.y;
         for (const SlopePart& part : slope_parts(lobe.distribution)) {
             const ReflectedNodes nodes(environment.grids(), lobe, part, reflected_.towards_viewer(), pixels_);
             const auto count = static_cast<std::uint32_t>(nodes.count());
@@ -212,27 +215,30 @@ private:
             for_samples(count, even, nodes.even_shares(), shares, [&](std::uint32_t k) {
                 const ReflectedNode node = nodes.node(k < even ? 2 * k : 2 * (k - even) + 1);
                 environment.look_up(whole, frames, node, light_);
-                const std::uint32_t lit = reached(shadowing, node, k, there);
+                const std::uint32_t lit =
+                    reached(shadowing, node, scattered ? std::optional(k) : std::nullopt, there);
                 if (lit != 0) reflected_.add_sampled(terms, weights, light_, lit, sums_);
             });
         }
     }
 
     // Returns the points that reflect the light of a node. Light that surfaces hide becomes that which they
-    // reflect, where it is known.
-    std::uint32_t reached(LightShadows& shadowing, const ReflectedNode& node, std::uint32_t sample,
-                          std::uint32_t there) {
+    // reflect, where it is known. scattered: number of the sample, if its shadow ray meets any point of what
+    // the node's blob shows; none: the blob's middle.
+    std::uint32_t reached(LightShadows& shadowing, const ReflectedNode& node,
+                          std::optional<std::uint32_t> scattered, std::uint32_t there) {
         if (!shadows_ && points_.facets.empty() && points_.unperturbed.empty()) return there;
         const LaneVectors local = light_.towards;
         out_of_frames(reflected_.frames(), local, light_.towards);
         const std::uint32_t facing = there & facing_points();
         std::uint32_t lit = facing;
         if (shadows_ && facing != 0) {
-            // A shadow ray meets a single point of what the node's blob shows.
             const LaneVectors middle = light_.towards;
-            Lanes u, v;
-            light_samples(sample, std::span(seeds_).first(points_.normals.size()), u, v);
-            scatter(points_.normals, node.variances, u, v, light_);
+            if (scattered) {
+                Lanes u, v;
+                light_samples(*scattered, std::span(seeds_).first(points_.normals.size()), u, v);
+                scatter(points_.normals, node.variances, u, v, light_);
+            }
             lit = shadowing.reached(light_, facing);
             light_.towards = middle;
         }

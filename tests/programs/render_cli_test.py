@@ -535,7 +535,7 @@ class BadFiles(RenderTest):
         self.assert_fails(["nowhere.xml"], "nowhere.xml", "-o", "out/a.exr")
         for words, text in (
             (["bad.xml"], scene()[:-20]),
-            (["bad.xml", "principledthin", "supported"], scene(shape=SHAPE.replace("pplastic", "principledthin"))),
+            (["bad.xml", "sunny", "supported"], scene(shape=SHAPE.replace("pplastic", "sunny"))),
             (["bad.xml", "unset"], scene(width="$unset")),
             (["light.exr"], self.ENVIRONMENT),
             (["mesh.obj"], self.MESH),

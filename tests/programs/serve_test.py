@@ -238,7 +238,7 @@ class Images(ServeTest):
     def rendered(self, *arguments):
         """Runs nicol-render on the scene, with the samples that the service takes, and returns a reader of its files: stokes.exr and the images."""
         out = os.path.join(self.folder, "rendered")
-        subprocess.run([RENDER, os.path.join(self.folder, "square.xml"), "-o", os.path.join(out, "stokes.exr"), "--images", out,
+        subprocess.run([RENDER, os.path.join(self.folder, "square.xml"), "-o", os.path.join(out, "stokes.exr"), "--images", out, "--filter", "box",
                         "--pixel-samples", "1", *arguments], check=True, capture_output=True)  # fmt: skip
         return lambda name: read(os.path.join(out, name))
 

@@ -121,7 +121,8 @@ IMAGE_TEST_CASE("samples are those of a jittered camera; AOVs are not filtered")
             }
             const StokesImage expected = std::move(filtered).mean();
             CHECK(rms(minus(image, expected)) < 1e-6 * rms(expected));
-            CHECK(rms(minus(image, by_box)) > 1e-2 * rms(expected));
+            // The filter is 0 at the middles of other pixels, where single samples are.
+            if (samples > 1) CHECK(rms(minus(image, by_box)) > 1e-2 * rms(expected));
         }
     }
 }
