@@ -23,6 +23,9 @@ struct FloatAov {
     std::size_t count;  // floats of a pixel
     Values* values;
 };
+// Clang 14 deduces no aggregates.
+template <class Values>
+FloatAov(int, std::size_t, Values*) -> FloatAov<Values>;
 
 // Calls visit(component, aov, i) for each float i of an AOV that an attachment holds, where `component` is
 // the float's place in the attachment's texels. `aovs` is Aovs, constant or not.

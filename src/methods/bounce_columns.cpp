@@ -219,7 +219,7 @@ double BounceColumns::left(std::span<const float> light) const {
     for (std::size_t g = 0; g < groups_.size(); ++g)
         for (const std::size_t c : groups_[g])
             for (std::size_t k = 0; k < lights; ++k) {
-                const double factor = double{light[c * lights + k]};
+                const auto factor = double{light[c * lights + k]};
                 sum += factor * factor * left_[g][k];
             }
     return sum;

@@ -38,7 +38,7 @@ double geometric(double ratio, int count) {
 Tail tail_of(const LightColumns& before, const LightColumns& after, std::size_t column, double apart_before) {
     double old = 0, both = 0, now = 0;
     for (std::size_t r = 0; r < after.points(); ++r) {
-        const double x = double{before.value(r, 0, column)}, y = double{after.value(r, 0, column)};
+        const auto x = double{before.value(r, 0, column)}, y = double{after.value(r, 0, column)};
         old += x * x;
         both += x * y;
         now += y * y;
@@ -87,7 +87,7 @@ BounceSeries sum_bounces(const Bounce& bounce, const LinkedSurfaces& surfaces, c
             most = std::max(most, tails[c].error);
             double own = 0;
             for (std::size_t r = 0; r < surfaces.receivers(); ++r) {
-                const double value = double{sum.value(r, 0, c)};
+                const auto value = double{sum.value(r, 0, c)};
                 own += value * value;
             }
             power = std::max(power, own);

@@ -153,7 +153,7 @@ void Bounces::combine(const TransferInput& input) {
                 for (std::size_t j = 0; j < numbers; ++j)
                     row[columns_->groups()[g][k] * numbers + j] += (*lit_)[g].light.value(r, j, k);
         for (std::size_t c = 0; c < channels; ++c) {
-            const double own = double{row[c * numbers]};
+            const auto own = double{row[c * numbers]};
             const double both = own + columns_->direct(r, light.data() + c * lights);
             bounced += own * own;
             all += both * both;

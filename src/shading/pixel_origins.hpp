@@ -39,10 +39,10 @@ public:
     [[nodiscard]] const LaneVectors& at(std::size_t place);
 
 private:
+    std::array<LaneVectors, kPlaces> origins_;
     const Viewpoint& view_;
     std::span<const glm::vec3> positions_, normals_;
     std::span<const Part> parts_;
-    std::array<LaneVectors, kPlaces> origins_;
     std::uint32_t found_ = 0;  // bits of places
 };
 

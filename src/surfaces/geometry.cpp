@@ -15,13 +15,13 @@ namespace nicol {
 namespace {
 
 /// Texture coordinates and colours of a triangle's corners, those that the geometry has.
-struct Corners {
+struct CornerValues {
     std::optional<std::array<glm::vec2, 3>> texcoords;
     std::optional<std::array<glm::vec3, 3>> colors;
 };
 
-Corners corners_of(const WorldGeometry& geometry, std::size_t triangle) {
-    Corners out;
+CornerValues corners_of(const WorldGeometry& geometry, std::size_t triangle) {
+    CornerValues out;
     if (!geometry.texcoords.empty()) out.texcoords = geometry.texcoords[triangle];
     if (!geometry.colors.empty()) out.colors = geometry.colors[triangle];
     return out;
@@ -30,7 +30,8 @@ Corners corners_of(const WorldGeometry& geometry, std::size_t triangle) {
 // Returns whether the material of a range of vertices or triangles has an alpha mask.
 constexpr auto has_mask = [](const auto& range) { return opacity_of(*range.material) != nullptr; };
 
-bool present(const Material& material, std::uint32_t instance, const Corners& corners, float b1, float b2) {
+bool present(const Material& material, std::uint32_t instance, const CornerValues& corners, float b1,
+             float b2) {
     const SpatialVariation* const variation = material.variation();
     if (variation == nullptr || variation->opacity == nullptr) return true;
     const TexturePoint point =
@@ -82,7 +83,7 @@ Presence presence_of(const WorldGeometry& geometry, std::span<const TriangleNumb
         runs.push_back({.first = run.first, .material = range.material, .instance = range.instance});
     }
     if (std::ranges::none_of(runs, has_mask)) return {};
-    std::vector<Corners> corners;
+    std::vector<CornerValues> corners;
     for (std::size_t r = 0; r < numbers.size(); ++r) {
         const std::size_t end = r + 1 < numbers.size() ? numbers[r + 1].first : triangles;
         for (std::size_t t = numbers[r].first; t < end; ++t)

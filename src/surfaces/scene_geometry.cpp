@@ -143,15 +143,15 @@ std::vector<SceneGeometry::Piece> SceneGeometry::place(const Scene& scene) {
         const Instance& instance = instances[i];
         Piece& piece =
             pieces.emplace_back(Piece{.id = scene.ids()[i],
-                                      .mesh = instance.mesh,
                                       .twosided = instance.material->twosided(),
-                                      .mask = alpha_mask_of(*instance.material),
                                       .transmits = instance.material->smooth_boundary() != nullptr,
+                                      .divided = false,
+                                      .mesh = instance.mesh,
+                                      .mask = alpha_mask_of(*instance.material),
                                       .placement = moved ? from_world * instance.to_world : instance.to_world,
                                       .extent = {},
                                       .details = {},
                                       .in_place = nullptr,
-                                      .divided = false,
                                       .first = 0,
                                       .last = 0,
                                       .former = kNone});

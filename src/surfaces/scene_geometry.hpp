@@ -85,15 +85,15 @@ private:
     // Instance in geometry_.
     struct Piece {
         std::uint32_t id;
-        std::shared_ptr<const Mesh> mesh;
         bool twosided;
+        bool transmits;  // whether light passes the material, and shadow rays do
+        bool divided;    // whether triangles of in_place are parts of those of `mesh`
+        std::shared_ptr<const Mesh> mesh;
         AlphaMask mask;        // shadows depend on it
-        bool transmits;        // whether light passes the material, and shadow rays do
         glm::dmat4 placement;  // in geometry()'s axes
         MeshExtent extent;
         std::vector<Ball> details;             // objects for which large triangles are divided
         std::shared_ptr<const Mesh> in_place;  // mesh in these axes; build() keeps it if it is divided
-        bool divided;                          // whether triangles of in_place are parts of those of `mesh`
         std::size_t first;                     // index of the first vertex
         std::size_t last;
         std::size_t former;              // index among the former pieces if it has not moved, or kNone

@@ -84,7 +84,7 @@ private:
     };
     struct Hash {
         std::size_t operator()(const Cell& cell) const {
-            std::uint64_t hash = static_cast<std::uint64_t>(cell.level);
+            auto hash = static_cast<std::uint64_t>(cell.level);
             for (const std::int64_t number : {cell.x, cell.y, cell.z}) {
                 hash = (hash ^ static_cast<std::uint64_t>(number)) * 0x9e3779b97f4a7c15U;
                 hash ^= hash >> 32U;
