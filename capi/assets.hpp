@@ -4,6 +4,7 @@
 
 #include <cstddef>
 
+#include "geometry/box.hpp"
 #include "handles.hpp"
 
 namespace nicol::capi {
@@ -45,6 +46,23 @@ std::shared_ptr<void> owned_user(const T* given, void (*T::*release)(void*), voi
     if (given == nullptr || given->struct_size < end || given->struct_size > kMaxStructSize) return nullptr;
     if (given->*release == nullptr) return nullptr;
     return {given->*user, given->*release};
+}
+
+/// Writes the corners of a box.
+inline void write_box(const Box& box, double* lower, double* upper) {
+    for (int i = 0; i < 3; ++i) {
+        lower[i] = box.lower[i];
+        upper[i] = box.upper[i];
+    }
+}
+
+/// Throws Error(invalid_argument) unless each side of an image lies in 1 to NICOL_MAX_SIZE. what: such as "an
+/// image".
+inline void require_size(const char* what, std::uint32_t width, std::uint32_t height) {
+    if (width < 1 || width > NICOL_MAX_SIZE || height < 1 || height > NICOL_MAX_SIZE) {
+        refuse(std::string(what) + " of " + std::to_string(width) + " x " + std::to_string(height) +
+               " pixels; each side must lie in 1 to " + std::to_string(NICOL_MAX_SIZE));
+    }
 }
 
 /// Throws Error(invalid_argument) "name is 7; it must be one of NICOL_..." unless value <= last.

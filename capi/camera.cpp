@@ -5,8 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "boundary.hpp"
-#include "handles.hpp"
+#include "assets.hpp"
 #include "scene/pinhole.hpp"
 
 using namespace nicol;
@@ -20,10 +19,7 @@ nicol_camera read_camera(const nicol_camera* camera) {
 
 /// Returns the sides of an image.
 std::pair<int, int> sides(std::uint32_t width, std::uint32_t height) {
-    if (width < 1 || width > NICOL_MAX_SIZE || height < 1 || height > NICOL_MAX_SIZE) {
-        refuse("an image of " + std::to_string(width) + " x " + std::to_string(height) +
-               " pixels; each side must lie in 1 to " + std::to_string(NICOL_MAX_SIZE));
-    }
+    require_size("an image", width, height);
     return {static_cast<int>(width), static_cast<int>(height)};
 }
 

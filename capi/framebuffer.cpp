@@ -49,10 +49,7 @@ void require_suffix(const char* path, std::string_view own) {
 
 std::shared_ptr<Framebuffer> make_framebuffer(const Session& session, std::uint32_t width,
                                               std::uint32_t height, std::uint32_t channels) {
-    if (width < 1 || width > NICOL_MAX_SIZE || height < 1 || height > NICOL_MAX_SIZE) {
-        refuse("a framebuffer of " + std::to_string(width) + " x " + std::to_string(height) +
-               " pixels; each side must lie in 1 to " + std::to_string(NICOL_MAX_SIZE));
-    }
+    require_size("a framebuffer", width, height);
     require_channels(channels);
     refuse_in_callback(session);
     return std::make_shared<Framebuffer>(session.gl, static_cast<int>(width), static_cast<int>(height),

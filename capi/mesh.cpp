@@ -3,7 +3,6 @@
 #include <cstring>
 
 #include "assets.hpp"
-#include "box.hpp"
 
 using namespace nicol;
 using namespace nicol::capi;

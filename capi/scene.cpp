@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "box.hpp"
+#include "assets.hpp"
 #include "camera.hpp"
 #include "handles.hpp"
 #include "import/load_scene.hpp"

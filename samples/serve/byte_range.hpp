@@ -12,7 +12,8 @@ struct ByteRange {
     std::size_t first = 0, count = 0;
 };
 
-/// What a Range header asks for: everything, a part, or only bytes beyond the end.
+/// Answer to a Range header: the whole content, a part of it, or no byte because all wanted ones lie beyond
+/// the end.
 struct Everything {};
 struct NothingThere {};
 using WantedBytes = std::variant<Everything, ByteRange, NothingThere>;

@@ -34,11 +34,6 @@ glm::vec3 facet_of(const std::array<glm::vec3, 3>& corners, const glm::vec3& oth
     return length > 0 ? glm::vec3(normal / length) : otherwise;
 }
 
-bool samples_terms(const Material& material, SampledTerms sampled) {
-    return any_term(material,
-                    [&](const Material& layer, int term) { return is_sampled(layer, term, sampled); });
-}
-
 std::vector<const Material*> layers_of(const Material& material) {
     const SpatialVariation* const variation = material.variation();
     if (variation == nullptr) return {&material};
@@ -62,7 +57,7 @@ LightingTally PixelLights::add(const PixelBatch& batch, std::span<const std::spa
     const bool mirrors = !batch.in_pixels().empty() && lights_.lighting().needs_pixels(*range.material);
     const bool spread = !batch.in_pixels().empty() && shadowed;
     std::optional<BouncedLight> bounced;
-    if (input_.bounced != nullptr && shadowed && samples_terms(*range.material, lights_.lighting().sampled()))
+    if (input_.bounced != nullptr && shadowed && any_sampled(*range.material, lights_.lighting().sampled()))
         bounced.emplace(input_.bounced->layout(), input_.bounced->rows());
     LightingTally tally;
     std::vector<std::span<glm::vec4>> channels(out.size());

@@ -24,8 +24,8 @@ using Presence = std::function<bool(std::uint32_t triangle, float b1, float b2)>
 struct TriangleNumbers {
     std::uint32_t first;
     std::uint32_t number;
-    /// What the back of a triangle adds to the triangle's number. Corners 1 and 2 of the back are corners 2
-    /// and 1 of the front. 0: both sides are one triangle.
+    /// Difference between the numbers of the back and the front of a triangle. Corners 1 and 2 of the back
+    /// are corners 2 and 1 of the front. 0: both sides are one triangle.
     std::uint32_t back = 0;
 };
 

@@ -10,7 +10,7 @@
 namespace nicol::scene {
 namespace {
 
-// What is left, after the attenuation's distance, of a colour that the file gives as 0.
+// Transmittance over the attenuation's distance that replaces a colour of 0.
 constexpr double kDarkest = 1e-3;
 
 }  // namespace

@@ -205,19 +205,19 @@ private:
 };
 
 // Least roughness of facets, and an index that stands for 1, as in Mitsuba.
-constexpr double kLeastAlpha = 0.001;
+constexpr double kLeastFacetAlpha = 0.001;
 constexpr double kNearlyOne = 1.001;
 
 /// Returns the diffuse base and the sheen of a sheet.
 MaterialPtr principled_base(const PrincipledThinParameters& p) {
-    const MaterialPtr base = Composer({.base_color = p.base_color,
-                                       .roughness = p.roughness,
-                                       .spec_trans = mean_of(p.spec_trans, 0),
-                                       .eta = 1,
-                                       .sheen = p.sheen,
-                                       .sheen_tint = p.sheen_tint,
-                                       .flatness = p.flatness})
-                                 .run();
+    MaterialPtr base = Composer({.base_color = p.base_color,
+                                 .roughness = p.roughness,
+                                 .spec_trans = mean_of(p.spec_trans, 0),
+                                 .eta = 1,
+                                 .sheen = p.sheen,
+                                 .sheen_tint = p.sheen_tint,
+                                 .flatness = p.flatness})
+                           .run();
     if (p.diff_trans == 0) return base;
     return scaled(base, constant_texture(glm::vec4(static_cast<float>(1 - p.diff_trans / 2)), 1));
 }
@@ -230,7 +230,7 @@ SmoothBoundary boundary_of(double eta, const NumberParameter& roughness, double 
     return {.eta = eta == 1 ? kNearlyOne : eta,
             .reflectance = {share},
             .transmittance = std::move(color),
-            .alpha = std::max(mean * mean, kLeastAlpha),
+            .alpha = std::max(mean * mean, kLeastFacetAlpha),
             .distribution = Distribution::ggx};
 }
 
@@ -248,7 +248,7 @@ MaterialPtr principled(const PrincipledParameters& parameters) {
 
 MaterialPtr principled_thin(const PrincipledThinParameters& p) {
     check_range(p.diff_trans, 0, 2, "diff_trans");
-    const MaterialPtr base = principled_base(p);
+    MaterialPtr base = principled_base(p);
     const double share = mean_of(p.spec_trans, 0);
     if (share == 0) return base;
     SmoothBoundary sheet = boundary_of(p.eta, p.roughness, share, mean_of(p.base_color));
@@ -256,7 +256,7 @@ MaterialPtr principled_thin(const PrincipledThinParameters& p) {
     const MaterialPtr reflection = sum(base, rough_reflection(sheet, sheet.alpha));
     // Two refractions bend light less than a reflection does. Burley's roughness of what is transmitted.
     const double narrowing = std::clamp(0.65 * p.eta - 0.35, 0.0, 1.0);
-    sheet.alpha = std::max(sheet.alpha * narrowing * narrowing, kLeastAlpha);
+    sheet.alpha = std::max(sheet.alpha * narrowing * narrowing, kLeastFacetAlpha);
     return transmitting(reflection, sheet);
 }
 

@@ -84,6 +84,11 @@ bool is_sampled(const Material& material, int term, SampledTerms sampled) {
     return widths.x != widths.y || (sampled == SampledTerms::anisotropic_narrow && widths.x < kNarrowestLobe);
 }
 
+bool any_sampled(const Material& material, SampledTerms sampled) {
+    return any_term(material,
+                    [&](const Material& layer, int term) { return is_sampled(layer, term, sampled); });
+}
+
 bool finds_lights(const Lobe& lobe, SampledTerms sampled) {
     return sampled == SampledTerms::anisotropic_narrow &&
            std::max(lobe.alpha.x, lobe.alpha.y) < kNarrowestLobe;

@@ -21,6 +21,8 @@ inline constexpr double kNarrowestLobe = 0.1;
 
 /// Returns whether a term of a material without variation() is sampled.
 [[nodiscard]] bool is_sampled(const Material& material, int term, SampledTerms sampled);
+/// Returns whether any term of a material, or of the materials that it varies between, is sampled.
+[[nodiscard]] bool any_sampled(const Material& material, SampledTerms sampled);
 /// Returns whether a sampled lobe is so narrow in all directions that its samples find extracted lights, too.
 [[nodiscard]] bool finds_lights(const Lobe& lobe, SampledTerms sampled);
 /// Returns whether a term is sampled and its lobe finds extracted lights; all other terms are lit by samples

@@ -102,35 +102,35 @@ void Bounce::find_rows(const LinkedSurfaces::Batch& batch, const ReflectionRows&
              std::span(normals).first(batch.count), out);
 }
 
-void Bounce::reflect_vertices(std::size_t block, const ReflectionRows& rows, const LightColumns& light,
-                              LightColumns& out) const {
+template <class Visit>
+void Bounce::reflect(std::size_t block, const ReflectionRows& rows, const LightColumns& light,
+                     LightColumns& out, const Visit& visit) const {
     thread_local VertexLight factors;
     const std::size_t lanes = light.lanes(), size = rows.components() * lanes;
     arrive(block, rows.components(), out, [&](const LinkedSurfaces::Batch& batch, Lanes* stokes) {
         find_rows(batch, rows, factors);
-        for (std::size_t i = 0; i < batch.count; ++i) {
-            const SurfaceLink& link = surfaces_.links()[batch.first + i];
-            const glm::vec3 shares = corner_weights(link);
-            for (glm::length_t k = 0; k < 3; ++k)
-                dispatch<add_product>(factors.row(i), rows.components(), light.numbers(), shares[k],
-                                      light.at(geometry_.triangles[link.triangle][k]), lanes,
-                                      stokes + i * size);
-        }
+        for (std::size_t i = 0; i < batch.count; ++i)
+            visit(batch.first + i, [&](std::size_t point, float share) {
+                dispatch<add_product>(factors.row(i), rows.components(), light.numbers(), share,
+                                      light.at(point), lanes, stokes + i * size);
+            });
+    });
+}
+
+void Bounce::reflect_vertices(std::size_t block, const ReflectionRows& rows, const LightColumns& light,
+                              LightColumns& out) const {
+    reflect(block, rows, light, out, [&](std::size_t index, const auto& add) {
+        const SurfaceLink& link = surfaces_.links()[index];
+        const glm::vec3 shares = corner_weights(link);
+        for (glm::length_t k = 0; k < 3; ++k) add(geometry_.triangles[link.triangle][k], shares[k]);
     });
 }
 
 void Bounce::reflect_receivers(std::size_t block, const ReflectionRows& rows, const LightColumns& light,
                                LightColumns& out) const {
-    thread_local VertexLight factors;
-    const std::size_t lanes = light.lanes(), size = rows.components() * lanes;
-    arrive(block, rows.components(), out, [&](const LinkedSurfaces::Batch& batch, Lanes* stokes) {
-        find_rows(batch, rows, factors);
-        for (std::size_t i = 0; i < batch.count; ++i) {
-            const std::uint32_t receiver = surfaces_.receiver_at(batch.first + i);
-            if (receiver == kNoVertex) continue;
-            dispatch<add_product>(factors.row(i), rows.components(), light.numbers(), 1.0F,
-                                  light.at(receiver), lanes, stokes + i * size);
-        }
+    reflect(block, rows, light, out, [&](std::size_t index, const auto& add) {
+        const std::uint32_t receiver = surfaces_.receiver_at(index);
+        if (receiver != kNoVertex) add(receiver, 1.0F);
     });
 }
 

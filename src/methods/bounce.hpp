@@ -42,6 +42,10 @@ private:
     /// [link][component][Lanes of columns].
     template <class Leave>
     void arrive(std::size_t block, std::size_t components, LightColumns& out, const Leave& leave) const;
+    /// visit(link, add): calls add(point, share) for the points whose light leaves where a link ends.
+    template <class Visit>
+    void reflect(std::size_t block, const ReflectionRows& rows, const LightColumns& light, LightColumns& out,
+                 const Visit& visit) const;
     void find_rows(const LinkedSurfaces::Batch& batch, const ReflectionRows& rows, VertexLight& out) const;
 
     const WorldGeometry& geometry_;

@@ -14,7 +14,7 @@ constexpr double kLargestRatio = 0.99;
 // more time than they are worth.
 constexpr int kMostRounds = 24;
 
-/// What is known of a column after a bounce.
+/// Estimates for a column after a bounce.
 struct Tail {
     double ratio = 0;  // of a bounce to the one before, as far as they are alike
     double apart = 0;  // squared norm of the rest of the bounce, which is not like the one before

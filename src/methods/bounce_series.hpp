@@ -11,7 +11,7 @@
 
 namespace nicol {
 
-/// Where a series ends, and the step that it belongs to.
+/// Conditions that end a series, and the step that it belongs to.
 struct SeriesEnd {
     const char* verb;   ///< name of the step in reports of progress
     int bounces;        ///< largest number of bounces, at least 1

@@ -90,9 +90,14 @@ void Bounces::bake(const TransferInput& input, RenderRun& run) {
     });
     changed |= weighting_.run(input.versions, input.materials,
                               [&] { links_.change().find_weights(input.geometry); });
-    changed |= covering_.run(links_.version(), layout_->order(), layout_->kind(), [&] {
-        coverage_ = coverage_at_receivers({input, *links_, *tables_.tables(), *layout_}, run);
-    });
+    makes_rows_ =
+        input.at_pixels && std::ranges::any_of(input.geometry.ranges, [&](const VertexRange& range) {
+            return any_sampled(*range.material, input.sampled);
+        });
+    if (makes_rows_)
+        changed |= covering_.run(links_.version(), layout_->order(), layout_->kind(), [&] {
+            coverage_ = coverage_at_receivers({input, *links_, *tables_.tables(), *layout_}, run);
+        });
     const std::optional<LightKind> kind = kind_of(input.light);
     changed |= solving_.run(
         links_.version(), tables_.tables().version(), kind, input.channels, input.bounces,
@@ -105,11 +110,11 @@ void Bounces::bake(const TransferInput& input, RenderRun& run) {
 void Bounces::relight(const TransferInput& input, RenderRun& run) {
     const Stopwatch watch;
     light_links(input, run);
-    const bool changed =
-        relighting_.run(columns_.version(), input.light_version, lit_.version(), input.at_pixels, [&] {
-            combine(input);
-            interpolate(input, run);
-        });
+    const bool changed = relighting_.run(columns_.version(), input.light_version, lit_.version(),
+                                         input.at_pixels, makes_rows_, [&] {
+                                             combine(input);
+                                             interpolate(input, run);
+                                         });
     if (changed) run.statistics.bounce_ms += watch.milliseconds();
 }
 
@@ -141,12 +146,13 @@ void Bounces::combine(const TransferInput& input) {
     const std::vector<float> light = columns_->numbers_of(input.light, input.channels);
     const std::size_t lights = light.size() / channels;
     // Coverage by surfaces is one channel more.
-    const std::size_t size = (channels + 1) * numbers;
+    const std::size_t size = (channels + (makes_rows_ ? 1 : 0)) * numbers;
     at_receivers_.assign(links_->receivers() * size, 0.0F);
     double all = 0, bounced = 0, left = columns_->left(light);
     for (std::size_t r = 0; r < links_->receivers(); ++r) {
         const std::span row = std::span(at_receivers_).subspan(r * size, channels * numbers);
-        std::copy_n(coverage_.data() + r * numbers, numbers, row.data() + channels * numbers);
+        if (makes_rows_)
+            std::copy_n(coverage_.data() + r * numbers, numbers, row.data() + channels * numbers);
         columns_->add(r, light, row);
         for (std::size_t g = 0; g < lit_->size(); ++g)
             for (std::size_t k = 0; k < columns_->groups()[g].size(); ++k)
@@ -170,8 +176,8 @@ void Bounces::interpolate(const TransferInput& input, RenderRun& run) {
     const FrameRotation rotation(*layout_);
     VertexLight& light = light_.change();
     light.resize(*layout_, input.channels, normals.size());
-    rows_.resize(*layout_, input.channels + 1, input.at_pixels ? normals.size() : 0);
-    const std::size_t size = light.row_size() + layout_->size();
+    rows_.resize(*layout_, input.channels + 1, makes_rows_ ? normals.size() : 0);
+    const std::size_t size = makes_rows_ ? rows_.row_size() : light.row_size();
     run.workers.for_blocks(light.blocks(), "relight", run.progress, [&](std::size_t begin, std::size_t end) {
         std::vector<float> sums(kLanes * size);
         for (std::size_t block = begin; block < end; ++block) {
@@ -190,12 +196,11 @@ void Bounces::interpolate(const TransferInput& input, RenderRun& run) {
                 }
             }
             to_lanes(rows, light.row_size(), light.block(block, 0).data());
-            if (input.at_pixels) {
+            if (makes_rows_) {
                 to_lanes(rows, size, rows_.block(block, 0).data());
                 rows_.to_rows(block);
-                continue;
             }
-            rotation.into_frames(normals.subspan(first, count), light, block);
+            if (!input.at_pixels) rotation.into_frames(normals.subspan(first, count), light, block);
         }
     });
 }
@@ -215,11 +220,14 @@ std::uint64_t Bounces::bytes_of_vertex(std::optional<LightKind> light, LightKind
     const std::uint64_t numbers = LightLayout(kBounceOrder, bounced).size();
     const std::uint64_t lights = light ? LightLayout(kBouncingOrder, *light).size() : 0;
     const std::uint64_t light_of_one = planes * numbers * sizeof(float);
+    const std::uint64_t coverage = numbers * sizeof(float);
     // Links to all strata, the map for materials that differ in all channels, the light of local lights and
-    // all light.
+    // all light, both with coverage.
     const std::uint64_t receiver = kLinkStrata * (sizeof(SurfaceLink) + sizeof(std::uint32_t)) +
-                                   (planes * numbers + 1) * lights * sizeof(float) + 2 * light_of_one;
-    return receiver / kVerticesOfReceiver + light_of_one + sizeof(Receivers::Blend);
+                                   (planes * numbers + 1) * lights * sizeof(float) +
+                                   2 * (light_of_one + coverage);
+    // The light, and the rows for sampled terms.
+    return receiver / kVerticesOfReceiver + 2 * light_of_one + coverage + sizeof(Receivers::Blend);
 }
 
 void Bounces::count(Statistics& statistics) const {

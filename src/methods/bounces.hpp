@@ -38,7 +38,8 @@ public:
     /// Returns the bounced light in the geometry's axes if pixels are shaded, otherwise in the vertices'
     /// frames; empty: there is none.
     [[nodiscard]] const VertexLight& light() const noexcept { return *light_; }
-    /// Returns what BouncedLight takes, in the geometry's axes, as rows of layout(); empty: there is none.
+    /// Returns the input of BouncedLight, in the geometry's axes, as rows of layout(). Empty unless pixels
+    /// are shaded whose materials have sampled terms.
     [[nodiscard]] const VertexLight& rows() const noexcept { return rows_; }
     [[nodiscard]] const LightLayout& layout() const noexcept { return *layout_; }
     /// Returns, for each number of light(), its index in a light of the layout of relight().
@@ -70,12 +71,13 @@ private:
     Versioned<BounceColumns> columns_;
     Stage<Version, Version> lighting_;  // links and tables with the columns, local lights
     Versioned<LitSeries> lit_;          // bounced light of local lights
-    // Inputs: columns, distant light, lit_, whether pixels are shaded.
-    Stage<Version, Version, Version, bool> relighting_;
+    bool makes_rows_ = false;           // whether pixels are shaded whose materials have sampled terms
+    // Inputs: columns, distant light, lit_, whether pixels are shaded, makes_rows_.
+    Stage<Version, Version, Version, bool, bool> relighting_;
     Stage<Version, int, LightKind> covering_;  // links, layout
     std::vector<float> coverage_;              // [receiver][number], see coverage_at_receivers()
     std::vector<float> at_receivers_;  // [receiver][channel and coverage][number], in the world's axes
-    VertexLight rows_;                 // see rows(); only where pixels are shaded
+    VertexLight rows_;                 // see rows()
     Versioned<VertexLight> light_;
     double share_ = 0;  // share of bounced light
     double left_ = 0;   // estimated share of the light of bounces that were left out

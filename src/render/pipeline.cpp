@@ -85,8 +85,7 @@ void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderO
     const glm::dmat3 light_to_geometry =
         glm::transpose(glm::dmat3(surfaces_.to_world())) * scene.light_rotation();
     light_.update(split_.rest(), scene.light_scale(), options, least, light_to_geometry, run.statistics);
-    // Where the bake, which knows no glass, found that nothing is occluded, local lights need no shadow rays
-    // either.
+    // Local lights need no shadow rays if the bake found that nothing is occluded. The bake knows no glass.
     RenderOptions lighting = options;
     if ((scene.distant_light() != nullptr || bouncing) && surfaces.visibility == nullptr &&
         !scene.transmits())

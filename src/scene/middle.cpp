@@ -5,8 +5,8 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <limits>
 
+#include "geometry/box.hpp"
 #include "geometry/largest_coordinate.hpp"
 
 namespace nicol {
@@ -23,13 +23,9 @@ std::size_t largest_instance(const Scene& scene) {
 }
 
 glm::dvec3 middle_of(const Instance& instance) {
-    glm::dvec3 low(std::numeric_limits<double>::infinity());
-    glm::dvec3 high(-low);
-    for (const glm::vec3& position : instance.mesh->positions) {
-        const glm::dvec3 placed(instance.to_world * glm::dvec4(position, 1));
-        low = glm::min(low, placed);
-        high = glm::max(high, placed);
-    }
+    Box box;
+    box.add(*instance.mesh, instance.to_world);
+    const auto& [low, high] = box;
     const double size = glm::distance(low, high) / 2;
     const double farthest = std::max(glm::length(low), glm::length(high));
     if (!(size > 0 && farthest < static_cast<double>(kLargestCoordinate))) return glm::dvec3(0.0);

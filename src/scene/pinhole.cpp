@@ -50,8 +50,8 @@ std::array<glm::dvec3, 8> corners_of(const glm::dvec3& lower, const glm::dvec3& 
     return corners;
 }
 
-/// Where a camera may stand so that the image encloses the corners along one axis: its place along the axis
-/// lies between first + slope.x * depth and last - slope.y * depth, where depth is its place along the view.
+/// Positions of a camera whose image encloses the corners along one axis: its place along the axis lies
+/// between first + slope.x * depth and last - slope.y * depth, where depth is its place along the view.
 struct Places {
     double first, last;
     glm::dvec2 slope;

@@ -45,18 +45,19 @@ bool consistent(const BoundaryRays& rays, const glm::dvec3& side) {
 
 }  // namespace
 
+ViewedSide viewed_side(const glm::dvec3& geometric, const glm::dvec3& normal,
+                       const glm::dvec3& towards_viewer) {
+    // The interpolated normal says which side of the triangle is its front.
+    const glm::dvec3 front = glm::dot(geometric, normal) < 0 ? -geometric : geometric;
+    const bool inside = glm::dot(front, towards_viewer) < 0;
+    return inside ? ViewedSide{-front, -normal, true} : ViewedSide{front, normal, false};
+}
+
 BoundarySplit split_at(const SmoothBoundary& boundary, const glm::dvec3& geometric, const glm::dvec3& normal,
                        const Frame& received) {
     const bool slab = boundary.behind == SmoothBoundary::Behind::slab;
     const glm::dvec3 towards_viewer = received[2];
-    // The interpolated normal says which side of the triangle is its front.
-    glm::dvec3 side = glm::dot(geometric, normal) < 0 ? -geometric : geometric;
-    glm::dvec3 facing = normal;
-    const bool inside = glm::dot(side, towards_viewer) < 0;
-    if (inside) {
-        side = -side;
-        facing = -facing;
-    }
+    auto [side, facing, inside] = viewed_side(geometric, normal, towards_viewer);
     const double eta = inside && !slab ? 1 / boundary.eta : boundary.eta;
     BoundaryRays rays = rays_at(eta, boundary.behind, facing, towards_viewer);
     if (!consistent(rays, side)) {

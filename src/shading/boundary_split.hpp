@@ -29,6 +29,16 @@ struct BoundarySplit {
     bool inside;        ///< whether the viewer is on the inside
 };
 
+/// A surface as seen from one side. The vectors are unit normals on the viewer's side.
+struct ViewedSide {
+    glm::dvec3 side;    ///< the surface's own normal
+    glm::dvec3 facing;  ///< the shading normal, unless it deviates by more than a right angle
+    bool inside;        ///< whether the viewer is on the inside
+};
+/// geometric: unit normal of the surface itself, either sign. normal: unit shading normal of the front.
+[[nodiscard]] ViewedSide viewed_side(const glm::dvec3& geometric, const glm::dvec3& normal,
+                                     const glm::dvec3& towards_viewer);
+
 /// Returns what a boundary sends to a viewer in the frame `received`. geometric: unit normal of the surface
 /// itself, either sign. normal: unit shading normal of the front; where it would reflect light into the
 /// surface, the geometric normal takes its place.

@@ -15,7 +15,7 @@
 
 namespace nicol {
 
-/// What Shade computes from a light, as a linear function of the light: one row per Stokes component. A row
+/// The linear function by which Shade reflects a light: one row per Stokes component. A row
 /// serves any number of lights at its point. Immutable; threads share it.
 class ReflectionRows {
 public:

@@ -91,21 +91,17 @@ Mueller rough_scattering(const SmoothBoundary& boundary, const glm::dvec3& towar
 BoundarySplit split_at_facet(const SmoothBoundary& boundary, const glm::dvec3& geometric,
                              const glm::dvec3& normal, const Frame& received, const glm::dvec2& point) {
     const glm::dvec3 towards_viewer = received[2];
-    glm::dvec3 side = glm::dot(geometric, normal) < 0 ? -geometric : geometric;
-    glm::dvec3 facing = normal;
-    const bool inside = glm::dot(side, towards_viewer) < 0;
-    if (inside) {
-        side = -side;
-        facing = -facing;
-    }
-    if (!(glm::dot(facing, towards_viewer) > 0)) facing = side;
+    const ViewedSide viewed = viewed_side(geometric, normal, towards_viewer);
+    const glm::dvec3& side = viewed.side;
+    const glm::dvec3& facing = glm::dot(viewed.facing, towards_viewer) > 0 ? viewed.facing : side;
     const Frame frame = theta_phi_frame(facing);
     const glm::dvec3 viewer = glm::normalize(towards_viewer * frame);
     const glm::dvec3 facet = visible_facet(glm::dvec2(boundary.alpha), viewer, point);
     const glm::dvec3 facet_normal = glm::normalize(frame * facet);
 
-    BoundarySplit out = split_at(boundary, facet_normal, inside ? -facet_normal : facet_normal, received);
-    out.inside = inside;
+    BoundarySplit out =
+        split_at(boundary, facet_normal, viewed.inside ? -facet_normal : facet_normal, received);
+    out.inside = viewed.inside;
     out.normal = facing;
     if (is_slab(boundary)) {
         const glm::dvec3 beyond =

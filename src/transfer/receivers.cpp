@@ -16,8 +16,8 @@ namespace {
 // sees, where their normals are equal; and largest sqrt(1 - cos(angle)) of the normals at one place.
 constexpr float kReach = 0.3F;
 constexpr float kBend = 0.4F;
-// Where more than one of so many vertices would be a receiver, the reach grows by a factor, a few times at
-// most.
+// Vertices per receiver at least. The reach of receivers grows by a factor, a few times at most, while there
+// are fewer.
 constexpr std::size_t kVerticesOfReceiver = 4;
 constexpr std::size_t kFewReceivers = 2048;  // that may be any share of the vertices
 constexpr float kGrowth = 1.5F;
@@ -205,7 +205,7 @@ Receivers find_receivers(const BakeGeometry& geometry, const LinkSearch& search,
         std::vector<std::pair<float, std::uint32_t>> near;
         grid.near(geometry.positions[v], normals[v],
                   [&](std::uint32_t receiver, float weight) { near.emplace_back(weight, receiver); });
-        // Where surfaces touch, a receiver reaches no place but its own.
+        // A receiver beside a touching surface reaches no place but its own.
         if (near.empty() && own[v] != kNoVertex) near.emplace_back(1.0F, own[v]);
         out.blends[v] = blend_of(near);
     });

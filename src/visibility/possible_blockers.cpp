@@ -124,7 +124,7 @@ PossibleBlockers::Node PossibleBlockers::bound(std::span<const glm::uvec3> trian
 
 bool PossibleBlockers::above(const Node& node, const glm::dvec3& origin, const glm::dvec3& normal) const {
     const glm::dvec3 to = node.centre - origin;
-    // What is no farther above the horizon than this has too little elevation, or is below.
+    // Directions up to this height above the horizon have too little elevation, or lie below it.
     const double most = kBlockerGrazing * std::max(0.0, glm::length(to) - node.radius);
     const double cosine = glm::dot(normal, node.axis);
     const double sine = std::sqrt(std::max(0.0, 1 - cosine * cosine));

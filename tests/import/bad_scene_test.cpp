@@ -322,7 +322,7 @@ TEST_CASE("files of another kind are named as what they are") {
         CHECK(message.starts_with(file.string() + ": "));
         CHECK_MESSAGE(message.find(c.kind) != std::string::npos, message);
     }
-    // What only looks wrong is read as a scene.
+    // A text that only resembles the first bytes of an STL file is read as a scene.
     const std::filesystem::path text = folder.path() / "scene.txt";
     std::ofstream(text) << "solidarity";
     CHECK(error_of(CALL(load_scene(text, {})), ErrorCode::invalid_file).find(":1:") != std::string::npos);

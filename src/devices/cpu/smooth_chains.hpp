@@ -58,7 +58,7 @@ private:
     };
     struct Place;
     struct Ends;
-    /// What a boundary makes of a chain.
+    /// Continuation of a chain at a boundary.
     struct Event {
         const SmoothBoundary& boundary;
         const BoundarySplit& split;

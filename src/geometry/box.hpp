@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Boxes about meshes.
+// Boxes around meshes.
 #pragma once
 
 #include <glm/common.hpp>
@@ -9,7 +9,7 @@
 
 #include "geometry/mesh.hpp"
 
-namespace nicol::capi {
+namespace nicol {
 
 /// Box along the axes.
 struct Box {
@@ -27,11 +27,4 @@ struct Box {
     }
 };
 
-inline void write_box(const Box& box, double* lower, double* upper) {
-    for (int i = 0; i < 3; ++i) {
-        lower[i] = box.lower[i];
-        upper[i] = box.upper[i];
-    }
-}
-
-}  // namespace nicol::capi
+}  // namespace nicol
