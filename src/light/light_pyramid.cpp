@@ -79,7 +79,7 @@ template <class Number>
         relative *= 1 / first_variance;
         const Bits bits = reinterpret_cast<Bits>(relative);
         const Number octave = __builtin_convertvector((bits >> 23) - 127, Number);
-        const Number part = reinterpret_cast<Number>((bits & 0x7FFFFF) | 0x3F800000);  // 1 to 2
+        const auto part = reinterpret_cast<Number>((bits & 0x7FFFFF) | 0x3F800000);  // 1 to 2
         store_part(Number(relative < 1.0F ? relative : octave + part), first, out.level);
     }
 }
