@@ -59,6 +59,7 @@ nicol_result nicol_framebuffer_get_statistics(nicol_framebuffer framebuffer, nic
         out.bounced_light = s.bounced_light;
         out.bounced_left = s.bounced_left;
         out.bake_rays_skipped = s.bake_rays_skipped;
+        out.vertices_unbaked = s.vertices_unbaked;
         write_struct(statistics, out, "statistics");
     });
 }

@@ -18,13 +18,18 @@ struct Case {
     double waves = 0;
     std::uint32_t balls = 1;  // in a square
     double apart = 3;
+    float reflectance = 0.5F;
     double light = 1;
+    double target = 0;  // x of the point that the camera looks at
 };
 
 const Case kCases[] = {{.name = "rays of a convex object alone"},
                        {.name = "rays of two convex objects, 1,000 apart", .balls = 2, .apart = 1000},
                        {.name = "rays of sixteen convex objects", .vertices = 2000, .balls = 16},
-                       {.name = "rays in darkness", .waves = 0.1, .light = 0}};
+                       {.name = "rays of a black object", .waves = 0.1, .reflectance = 0},
+                       {.name = "rays in darkness", .waves = 0.1, .light = 0},
+                       {.name = "rays of an object outside of the view", .waves = 0.1, .target = 100},
+                       {.name = "rays of the far side of an object", .waves = 0.1}};
 
 struct First {
     double milliseconds;
@@ -40,7 +45,7 @@ First first_picture(nicol_context context, const Case& use, nicol_mesh mesh, std
     const Scene scene(made);
     nicol_spectrum grey = NICOL_SPECTRUM_INIT;
     grey.count = 1;
-    grey.values[0] = 0.5F;
+    grey.values[0] = use.reflectance;
     nicol_material handle = nullptr;
     check(nicol_material_create_diffuse(context, &grey, &handle));
     const Material material(handle);
@@ -60,7 +65,7 @@ First first_picture(nicol_context context, const Case& use, nicol_mesh mesh, std
     check(nicol_scene_set_environment(scene.get(), environment.get(), nullptr, use.light));
 
     nicol_camera camera = NICOL_CAMERA_INIT;
-    const double origin[3] = {0, 0.5, 3.5}, target[3] = {0, 0, 0}, up[3] = {0, 1, 0};
+    const double origin[3] = {0, 0.5, 3.5}, target[3] = {use.target, 0, 0}, up[3] = {0, 1, 0};
     check(nicol_camera_look_at(&camera, origin, target, up));
     nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
     options.disabled_optimisations = enabled ? 0 : NICOL_OPTIMISATION_RAYS;

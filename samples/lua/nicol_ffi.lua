@@ -417,6 +417,7 @@ typedef struct nicol_statistics {
     double bounced_light;
     double bounced_left;
     uint64_t bake_rays_skipped;
+    uint64_t vertices_unbaked;
 } nicol_statistics;
 typedef uint32_t nicol_plane;
 typedef uint32_t nicol_format;

@@ -723,6 +723,7 @@ export const types = [
       ["bounced_light", "double", 0],
       ["bounced_left", "double", 0],
       ["bake_rays_skipped", "uint64_t", 0],
+      ["vertices_unbaked", "uint64_t", 0],
     ],
   },
   { kind: "alias", name: "nicol_plane", of: "uint32_t" },

@@ -97,6 +97,7 @@ std::string stats_json(const nicol_context_info& context, std::uint32_t width, s
          << "  \"skipped\": {\n"
          << "    \"vertices\": " << s.vertices_skipped << ",\n"
          << "    \"unoccluded\": " << s.vertices_unoccluded << ",\n"
+         << "    \"unbaked\": " << s.vertices_unbaked << ",\n"
          << "    \"light_columns\": " << s.light_columns_skipped << ",\n"
          << "    \"response_rows\": " << s.response_rows_skipped << ",\n"
          << "    \"channels_shared\": " << s.channels_shared << "\n"

@@ -141,7 +141,7 @@ void OrderSelector::measure(const Scene& scene, const Projected& projected, cons
         if (couplings_.empty()) couplings_ = {OrderCoupling(kOrder, 0), OrderCoupling(kOrder, 2)};
     }
 
-    const VertexWeights vertices(geometry);
+    const VertexWeights vertices(geometry, surfaces.baked);
     std::erase_if(responses_, [&](const auto& known) { return !vertices.groups().contains(known.first); });
     for (const auto& [material, group] : vertices.groups()) {
         if (harmonics) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "polarization/viewpoint.hpp"
+#include "render/needed_vertices.hpp"
 #include "surfaces/geometry.hpp"
 #include "surfaces/rigid_motion.hpp"
 
@@ -31,6 +32,13 @@ int smooth_events(int max_depth) {
     constexpr int of_direct_light = 8;
     constexpr int most = 64;
     return max_depth == kDirectLightDepth ? of_direct_light : std::min(max_depth - 1, most);
+}
+
+// Returns whether an image shows vertices by their own light alone, so that it needs those that it shows.
+bool shades_seen_alone(const WorldGeometry& geometry, const RenderOptions& options) {
+    constexpr std::uint32_t skips = skip_rays | skip_hidden;
+    return options.method == Method::factored && options.max_depth == kDirectLightDepth &&
+           (options.disabled_optimisations & skips) == 0 && !shows_others(geometry);
 }
 
 // Returns the terms that do not reflect harmonics. Light that is given as harmonics has no detail that narrow
@@ -63,8 +71,9 @@ void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderO
     // First half of bake, because the choice of orders may depend on it.
     surfaces_.update(scene);
     const Projection projection = in_axes(of_world, surfaces_.to_world());
-    visibility_.update(surfaces_, rays_, scene.distant_light() != nullptr || bouncing, projection, given,
-                       run.workers, run.progress, run.statistics);
+    visibility_.update(surfaces_, rays_, scene.distant_light() != nullptr || bouncing,
+                       shades_seen_alone(surfaces_.geometry(), given), projection, given, run.workers,
+                       run.progress, run.statistics);
     const SurfaceState surfaces = visibility_.state();
 
     // project: a rotation of the whole scene is the opposite rotation of light and camera.

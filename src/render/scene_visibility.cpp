@@ -6,12 +6,14 @@
 #include <limits>
 #include <utility>
 
+#include "render/needed_vertices.hpp"
 #include "visibility/bake_cache.hpp"
 
 namespace nicol {
 namespace {
 
-BakeGeometry bake_geometry(const SceneGeometry& surfaces, SurfaceRays& rays, const RenderOptions& options) {
+BakeGeometry bake_geometry(const SceneGeometry& surfaces, SurfaceRays& rays,
+                           std::span<const std::uint8_t> needed, const RenderOptions& options) {
     const WorldGeometry& world = surfaces.geometry();
     return {.positions = world.positions,
             .normals = world.normals,
@@ -19,7 +21,12 @@ BakeGeometry bake_geometry(const SceneGeometry& surfaces, SurfaceRays& rays, con
             .present = presence_of(world),
             .blocking = world.blocking,
             .rays = [&rays] { return rays.get(); },
+            .needed = needed,
             .every_ray = (options.disabled_optimisations & skip_rays) != 0};
+}
+
+bool any(std::span<const std::uint8_t> flags) {
+    return std::ranges::find(flags, 1) != flags.end();
 }
 
 void count_bake(const BakeStatistics& baked, const Stopwatch& watch, Statistics& statistics) {
@@ -37,7 +44,7 @@ void SceneVisibility::set_cache(std::filesystem::path folder, CacheNotice notice
     notice_ = std::move(notice);
 }
 
-void SceneVisibility::update(const SceneGeometry& surfaces, SurfaceRays& rays, bool lit,
+void SceneVisibility::update(const SceneGeometry& surfaces, SurfaceRays& rays, bool lit, bool part,
                              const Projection& projection, const RenderOptions& options, Workers& workers,
                              Progress& progress, Statistics& statistics) {
     if (!options.shadows || !lit) progressive_.reset();
@@ -46,17 +53,19 @@ void SceneVisibility::update(const SceneGeometry& surfaces, SurfaceRays& rays, b
     const SurfaceVersions former = versions_;
     const std::shared_ptr<const Visibility> visible_before = *visible_;
     const bool had_bake = former.visibility == visible_.version();
-    const bool carried =
-        options.shadows && lit && bake(surfaces, rays, options, workers, progress, statistics);
+    const bool carried = options.shadows && lit &&
+                         bake(surfaces, rays, part, projection, options, workers, progress, statistics);
     const bool baked = options.shadows && baked_geometry_ == surfaces.version();
     if (baked) refine(surfaces, rays, options, workers, progress, statistics);
     surfaces_.update(surfaces, baked ? refined_ : nullptr, parts_, numbers_);
 
     const std::size_t vertices = surfaces_.geometry().positions.size();
     const std::size_t unoccluded = baked ? (*visible_)->unoccluded_count() : vertices;
+    const std::size_t unbaked = baked ? static_cast<std::size_t>(std::ranges::count(needed_, 0)) : 0;
     const bool shadowed = unoccluded < vertices;
     versions_ = {.geometry = surfaces_.version(), .visibility = shadowed ? visible_.version() : 0};
-    statistics.vertices_unoccluded = unoccluded;
+    statistics.vertices_unoccluded = unoccluded - unbaked;
+    statistics.vertices_unbaked = unbaked;
     statistics.vertices_added = vertices - surfaces.geometry().positions.size();
     if (baked) {
         statistics.visibility_bytes = (*visible_)->bytes();
@@ -85,14 +94,16 @@ SurfaceState SceneVisibility::state() const {
     if (before_) {
         change = {.before = *before_, .former = former_, .same_places = same_places_};
     }
-    return {.geometry = surfaces_.geometry(),
-            .visibility = !shadowed      ? nullptr
-                          : progressive_ ? &progressive_->visibility()
-                                         : visible_->get(),
-            .directions = shadowed ? &*directions_ : nullptr,
-            .versions = versions_,
-            .materials = surfaces_.material_version(),
-            .change = change};
+    return {
+        .geometry = surfaces_.geometry(),
+        .visibility = !shadowed      ? nullptr
+                      : progressive_ ? &progressive_->visibility()
+                                     : visible_->get(),
+        .directions = shadowed ? &*directions_ : nullptr,
+        .versions = versions_,
+        .materials = surfaces_.material_version(),
+        .change = change,
+        .baked = shadowed ? std::span<const std::uint8_t>(baked_vertices_) : std::span<const std::uint8_t>()};
 }
 
 void SceneVisibility::find_directions(const SceneGeometry& surfaces, const RenderOptions& options) {
@@ -109,7 +120,7 @@ void SceneVisibility::begin_progressively(const SceneGeometry& surfaces, const R
     progressive_ = std::make_unique<ProgressiveBake>();
     // Bake of the last update(), if it belongs to the surfaces before or after their last change.
     const bool current =
-        baked_geometry_ != 0 &&
+        baked_geometry_ != 0 && needed_.empty() &&
         refining_.is_current(baked_.version(), options.refine_tolerance, options.max_vertices, false);
     const bool follows = baked_geometry_ == surfaces.version() || baked_geometry_ == surfaces.change().before;
     if (current && follows) {
@@ -136,6 +147,8 @@ void SceneVisibility::begin_progressively(const SceneGeometry& surfaces, const R
     baked_.change().reset();
     visible_.change().reset();
     baked_geometry_ = 0;
+    needed_.clear();
+    baked_vertices_.clear();
     baking_.reset();
     refining_.reset();
 }
@@ -189,36 +202,69 @@ void SceneVisibility::count_later_steps(double milliseconds) {
     if (progressive_) progressive_->count_later_steps(milliseconds);
 }
 
-bool SceneVisibility::bake(const SceneGeometry& surfaces, SurfaceRays& rays, const RenderOptions& options,
-                           Workers& workers, Progress& progress, Statistics& statistics) {
+bool SceneVisibility::bake(const SceneGeometry& surfaces, SurfaceRays& rays, bool part,
+                           const Projection& projection, const RenderOptions& options, Workers& workers,
+                           Progress& progress, Statistics& statistics) {
     const int count = options.bake_directions;
     const glm::dmat3& axes = surfaces.own_axes();
     const SceneGeometry::Change& change = surfaces.change();
-    const bool carry = !change.kept.empty() && baking_.is_current(change.before, count, axes);
+    const bool is_part = any(needed_);
+    const bool same = baking_.is_current(surfaces.version(), count, axes);
+    const bool follows = baking_.is_current(change.before, count, axes);
+    const bool carry = !change.kept.empty() && needed_.empty() && follows;
+    std::vector<std::uint8_t> needed;
+    // A scene that changes is baked as a whole from its first change on, so that bakes can be carried over.
+    if (part && !carry && !(is_part && follows) && !(same && needed_.empty()))
+        workers.run([&] { needed = needed_vertices(surfaces.geometry(), projection); });
+    bool rest = false;
+    if (same && !needed_.empty()) {
+        bool enough = !needed.empty();
+        for (std::size_t v = 0; v < needed.size(); ++v) enough = enough && needed[v] <= needed_[v];
+        rest = !enough && is_part;
+        if (!enough) baking_.reset();
+    }
     const bool ran = baking_.run(surfaces.version(), count, axes, [&] {
         const Stopwatch watch;
-        carried_ = carry ? baked_.version() : 0;
+        carried_ = carry || rest ? baked_.version() : 0;
         baked_geometry_ = 0;
         find_directions(surfaces, options);
         const auto report = [&progress](double fraction) { progress.report("bake", fraction); };
         BakeStatistics baked;
         workers.run([&] {
-            const BakeGeometry geometry = bake_geometry(surfaces, rays, options);
+            const BakeGeometry geometry = bake_geometry(surfaces, rays, needed, options);
             Visibility visibility;
             if (carry) {
                 const FormerBake former{.visibility = **baked_,
                                         .kept = change.kept,
                                         .disturbances = {change.added, change.removed}};
                 visibility = nicol::bake(geometry, *directions_, report, &baked, &former);
+            } else if (rest) {
+                visibility = bake_rest(geometry, report, baked);
+                needed.clear();
             } else {
                 visibility = load_or_bake(geometry, *directions_, folder_, notice_, report, &baked);
             }
             baked_.change() = std::make_shared<const Visibility>(std::move(visibility));
         });
+        needed_ = std::move(needed);
         baked_geometry_ = surfaces.version();
         count_bake(baked, watch, statistics);
     });
-    return ran && carry;
+    return ran && (carry || rest);
+}
+
+Visibility SceneVisibility::bake_rest(BakeGeometry geometry, const BakeProgress& report,
+                                      BakeStatistics& baked) const {
+    std::vector<std::uint8_t> rest;
+    for (const std::uint8_t done : needed_) rest.push_back(done != 0 ? 0 : 1);
+    geometry.needed = rest;
+    Visibility visibility = nicol::bake(geometry, *directions_, report, &baked);
+    for (std::size_t v = 0; v < rest.size(); ++v) {
+        if (rest[v] != 0) continue;
+        std::ranges::copy(std::as_const(**baked_).at(v), visibility.at(v).begin());
+        visibility.set_unoccluded(v, (*baked_)->unoccluded(v));
+    }
+    return visibility;
 }
 
 void SceneVisibility::refine(const SceneGeometry& surfaces, SurfaceRays& rays, const RenderOptions& options,
@@ -233,8 +279,8 @@ void SceneVisibility::refine(const SceneGeometry& surfaces, SurfaceRays& rays, c
         std::shared_ptr<const Visibility> visible = *baked_;
         workers.run([&] {
             if (!(options.refine_tolerance > 0)) return;
-            Refinement refinement = refinement_of(surfaces, bake_geometry(surfaces, rays, options), *visible,
-                                                  options, report, baked);
+            Refinement refinement = refinement_of(surfaces, bake_geometry(surfaces, rays, needed_, options),
+                                                  *visible, options, report, baked);
             points_ = std::move(refinement.points);
             points_bake_ = baked_.version();
             // A point takes less memory than a vertex, for which the limit leaves room.
@@ -249,6 +295,12 @@ void SceneVisibility::refine(const SceneGeometry& surfaces, SurfaceRays& rays, c
             topology_ = std::move(refinement);
             topology_.visibility = {};
         });
+        baked_vertices_.clear();
+        if (!needed_.empty()) {
+            baked_vertices_.assign(visible->vertices(), 1);
+            for (std::size_t v = 0; v < needed_.size(); ++v)
+                baked_vertices_[topology_.parents.empty() ? v : numbers_[v]] = needed_[v];
+        }
         if (shadow_all) {
             Visibility all = *visible;
             for (std::size_t v = 0; v < all.vertices(); ++v) all.set_unoccluded(v, false);

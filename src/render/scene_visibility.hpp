@@ -31,10 +31,12 @@ public:
     void set_cache(std::filesystem::path folder, CacheNotice notice);
 
     /// Bakes and refines the surfaces, unless nothing casts shadows or `lit` is false; repeats only what
-    /// changes require, within the options' budget. rays: of the surfaces; projection: of their axes. Adds
-    /// times and counts to `statistics`.
-    void update(const SceneGeometry& surfaces, SurfaceRays& rays, bool lit, const Projection& projection,
-                const RenderOptions& options, Workers& workers, Progress& progress, Statistics& statistics);
+    /// changes require, within the options' budget. rays: of the surfaces; projection: of their axes. part:
+    /// whether the vertices that the image needs are enough (needed_vertices()); all are baked once an image
+    /// needs more. Adds times and counts to `statistics`.
+    void update(const SceneGeometry& surfaces, SurfaceRays& rays, bool lit, bool part,
+                const Projection& projection, const RenderOptions& options, Workers& workers,
+                Progress& progress, Statistics& statistics);
     /// Tells how long later steps took for the vertices that update() changed.
     void count_later_steps(double milliseconds);
     /// Returns the number of vertices whose visibility is not final.
@@ -53,8 +55,11 @@ private:
     /// Hands the current bake to progressive_.
     void begin_progressively(const SceneGeometry& surfaces, const RenderOptions& options);
     /// Bakes the surfaces before refinement. Returns whether the former bake was carried over.
-    bool bake(const SceneGeometry& surfaces, SurfaceRays& rays, const RenderOptions& options,
-              Workers& workers, Progress& progress, Statistics& statistics);
+    bool bake(const SceneGeometry& surfaces, SurfaceRays& rays, bool part, const Projection& projection,
+              const RenderOptions& options, Workers& workers, Progress& progress, Statistics& statistics);
+    /// Bakes the vertices that the bake of a part has left out.
+    [[nodiscard]] Visibility bake_rest(BakeGeometry geometry, const BakeProgress& report,
+                                       BakeStatistics& baked) const;
     void refine(const SceneGeometry& surfaces, SurfaceRays& rays, const RenderOptions& options,
                 Workers& workers, Progress& progress, Statistics& statistics);
     /// Refines the surfaces, whose bake is `visible`; from the points of the former refinement if they
@@ -77,6 +82,8 @@ private:
     Versioned<std::shared_ptr<const Visibility>> baked_;
     Version baked_geometry_ = 0;  // version of the geometry that baked_ belongs to
     Version carried_ = 0;         // version of the bake that baked_ was made from; 0: none
+    // 1 for each vertex of baked_ that was baked; empty: all were. And the same of the vertices of surfaces_.
+    std::vector<std::uint8_t> needed_, baked_vertices_;
     // Inputs: bake, tolerance, largest number of vertices, whether unoccluded vertices count as occluded.
     Stage<Version, double, std::uint64_t, bool> refining_;
     TracedPoints points_;                                   // of the last refinement

@@ -29,21 +29,28 @@ std::vector<double> weights_of(const WorldGeometry& geometry) {
 
 }  // namespace
 
-VertexWeights::VertexWeights(const WorldGeometry& geometry) {
+VertexWeights::VertexWeights(const WorldGeometry& geometry, std::span<const std::uint8_t> baked) {
     const std::vector<double> weights = weights_of(geometry);
+    std::map<MaterialPtr, double> baked_weights;
     std::map<MaterialPtr, std::vector<const VertexRange*>> ranges;
     for (const VertexRange& range : geometry.ranges) {
         ranges[range.material].push_back(&range);
         double& weight = groups_[range.material].weight;
-        for (std::size_t v = range.first; v < range.last; ++v) weight += weights[v];
+        double& baked_weight = baked_weights[range.material];
+        for (std::size_t v = range.first; v < range.last; ++v) {
+            weight += weights[v];
+            if (baked.empty() || baked[v] != 0) baked_weight += weights[v];
+        }
     }
     for (auto& [material, group] : groups_) {
         const double wanted = kSamples * group.weight / static_cast<double>(weights.size());
-        const double step = group.weight / std::ceil(std::max(wanted, kFewest));
+        const double from = baked_weights[material];
+        const double step = (from > 0 ? from : group.weight) / std::ceil(std::max(wanted, kFewest));
         // The vertices in which the sum of weights passes the middle of each step.
         double passed = 0;
         for (const VertexRange* const range : ranges[material])
             for (std::size_t v = range->first; v < range->last; ++v) {
+                if (from > 0 && !baked.empty() && baked[v] == 0) continue;
                 passed += weights[v];
                 const auto reached = static_cast<std::size_t>(std::max(0.0, std::ceil(passed / step - 0.5)));
                 if (group.sample.size() < reached)

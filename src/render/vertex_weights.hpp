@@ -16,7 +16,8 @@ namespace nicol {
 /// equal for all vertices: a large floor covers fewer pixels than its area says, and the ball on it more.
 class VertexWeights {
 public:
-    explicit VertexWeights(const WorldGeometry& geometry);
+    /// baked: as in SurfaceState; samples consist of baked vertices where a material has any.
+    explicit VertexWeights(const WorldGeometry& geometry, std::span<const std::uint8_t> baked = {});
 
     /// Weight of the vertices of one material, and a sample of these vertices in which all count the same.
     struct Group {

@@ -63,7 +63,7 @@ enum Skip : std::uint32_t {
     skip_response_rows = 16,    ///< Stokes components that a material cannot make
     skip_hidden = 32,           ///< shading vertices that face away or lie outside the view
     skip_unoccluded = 64,       ///< shadows of vertices with nothing above their horizon
-    skip_rays = 128,            ///< rays of the bake that nothing can block
+    skip_rays = 128,            ///< rays of the bake whose result is known without or not needed
     skip_all = 255,
 };
 

@@ -22,7 +22,7 @@ struct RenderWork {
     std::uint64_t camera_rays = 0;        ///< camera rays of the reference method
     std::uint64_t shadow_rays = 0;        ///< shadow rays of the reference method
     std::uint64_t bake_rays = 0;          ///< rays from vertices, for the visibility of the environment
-    std::uint64_t bake_rays_skipped = 0;  ///< rays of baked points that nothing can block
+    std::uint64_t bake_rays_skipped = 0;  ///< rays of baked points whose result was known without
     std::uint64_t light_rays = 0;         ///< rays from shading points to local lights
     std::uint64_t smooth_rays = 0;        ///< rays of pixels that show smooth surfaces
     std::uint64_t lights_projected = 0;   ///< environments projected to coefficients
@@ -51,6 +51,7 @@ struct Statistics : RenderWork {
     std::uint64_t triangles = 0;
     std::uint64_t vertices_added = 0;       ///< part of `vertices`: added by refinement
     std::uint64_t vertices_skipped = 0;     ///< vertices of no triangle that faces the camera inside the view
+    std::uint64_t vertices_unbaked = 0;     ///< vertices whose visibility no image has needed
     std::uint64_t vertices_pending = 0;     ///< vertices whose visibility is not final (bake_budget_ms)
     std::uint64_t vertices_unoccluded = 0;  ///< vertices from which nothing hides the environment
     /// Vertices moved into the physically realizable range, times channels; pixels are not counted.

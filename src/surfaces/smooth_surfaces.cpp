@@ -10,7 +10,6 @@
 #include "material/sampled_terms.hpp"
 
 namespace nicol {
-namespace {
 
 Smoothness smoothness_of(const Material& material) {
     if (const SmoothBoundary* const boundary = material.smooth_boundary())
@@ -19,6 +18,8 @@ Smoothness smoothness_of(const Material& material) {
         any_term(material, [](const Material& layer, int term) { return layer.smooth(term); });
     return mirrors ? Smoothness::mirror : Smoothness::none;
 }
+
+namespace {
 
 std::vector<Smoothness> of_triangles(const WorldGeometry& geometry) {
     std::vector<Smoothness> of_ranges;

@@ -22,6 +22,8 @@ enum class Smoothness : std::uint8_t {
     rough_boundary,  ///< light is transmitted by facets; the material's terms are what the front reflects
 };
 
+[[nodiscard]] Smoothness smoothness_of(const Material& material);
+
 class SmoothSurfaces {
 public:
     /// Takes over changes of the surfaces as drawn, which must outlive this object. Builds the ray hierarchy

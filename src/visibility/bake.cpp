@@ -18,6 +18,7 @@
 #include "arguments.hpp"
 #include "geometry/ray_scene.hpp"
 #include "progress.hpp"
+#include "visibility/agreeing_neighbours.hpp"
 #include "visibility/bake_origins.hpp"
 #include "visibility/possible_blockers.hpp"
 #include "visibility/vertex_rays.hpp"
@@ -43,6 +44,10 @@ std::vector<glm::vec3> unit_normals(std::span<const glm::vec3> normals) {
         out.emplace_back(normal / length);
     }
     return out;
+}
+
+bool needed(const BakeGeometry& geometry, std::size_t vertex) {
+    return geometry.needed.empty() || geometry.needed[vertex] != 0;
 }
 
 // Place in the list of a former bake for vertices that were not in it.
@@ -83,9 +88,9 @@ Visibility bake(const BakeGeometry& geometry, const DirectionSet& directions, co
                " directions and this one " + std::to_string(directions.size()) + "; they must be the same");
     }
     const std::vector<glm::vec3> normals = unit_normals(geometry.normals);
-    const auto report = [&](std::size_t done) {
+    const auto report = [&](std::size_t traced) {
         if (progress)
-            progress(static_cast<double>(done) / static_cast<double>(std::max<std::size_t>(vertices, 1)));
+            progress(static_cast<double>(traced) / static_cast<double>(std::max<std::size_t>(vertices, 1)));
     };
 
     report(0);
@@ -94,7 +99,9 @@ Visibility bake(const BakeGeometry& geometry, const DirectionSet& directions, co
     const std::vector<glm::vec3> origins = bake_origins(geometry, normals);
     std::vector<std::size_t> before;
     std::optional<DisturbedRays> disturbed;
-    const PossibleBlockers blockers(geometry, directions, former == nullptr && !geometry.every_ray);
+    const bool spare = former == nullptr && !geometry.every_ray;
+    const PossibleBlockers blockers(geometry, directions, spare);
+    const AgreeingNeighbours agreeing(geometry, normals, spare);
     if (former != nullptr) {
         before = places_before(*former, vertices);
         disturbed.emplace(directions, former->disturbances);
@@ -106,32 +113,50 @@ Visibility bake(const BakeGeometry& geometry, const DirectionSet& directions, co
     std::atomic<std::uint64_t> rays = 0;
     std::atomic<std::uint64_t> skipped = 0;
     std::atomic<std::uint64_t> from = 0;
+    struct Scratch {
+        DisturbedBundles bundles;
+        AgreeingNeighbours::Agreement agreement;
+    };
+    const auto trace = [&](std::uint32_t v, Scratch& scratch) -> PossibleBlockers::Rays {
+        if (former != nullptr && before[v] != kNone) {
+            disturbed->find(origins[v], normals[v], scratch.bundles);
+            const FormerBits known{.bits = former->visibility.at(before[v]), .disturbed = &scratch.bundles};
+            return {.traced = trace_vertex(*scene, directions, origins[v], normals[v], v, known, visibility)};
+        }
+        AgreeingNeighbours::Agreement& agreement = scratch.agreement;
+        if (!agreeing.find(v, directions, visibility, agreement))
+            return blockers.trace(*scene, origins[v], normals[v], v, {}, visibility);
+        const FormerBits known{.bits = agreement.bits, .disturbed = &agreement.traced};
+        const std::uint64_t some =
+            trace_vertex(*scene, directions, origins[v], normals[v], v, known, visibility);
+        if (agreement.confirmed(visibility.at(v))) return {.traced = some, .skipped = agreement.spared};
+        std::ranges::fill(visibility.at(v), 0U);
+        return {.traced = some + trace_vertex(*scene, directions, origins[v], normals[v], v, {}, visibility)};
+    };
+    for (std::size_t v = 0; v < vertices; ++v)
+        if (!needed(geometry, v)) set_open(directions, normals[v], v, visibility);
+    std::size_t done = 0;
     const std::size_t chunk = 2 * kRaysAtATime / directions.size();
-    for (std::size_t first = 0; first < vertices; first += chunk) {
-        const std::size_t last = std::min(first + chunk, vertices);
-        tbb::parallel_for(tbb::blocked_range<std::size_t>(first, last, 4), [&](const auto& range) {
-            std::uint64_t traced = 0;
-            std::uint64_t tracing_vertices = 0;
-            std::uint64_t without = 0;
-            DisturbedBundles bundles;
-            for (std::size_t v = range.begin(); v < range.end(); ++v) {
-                std::optional<FormerBits> known;
-                if (former != nullptr && before[v] != kNone) {
-                    disturbed->find(origins[v], normals[v], bundles);
-                    known = {.bits = former->visibility.at(before[v]), .disturbed = &bundles};
+    for (const std::vector<std::uint32_t>& turn : agreeing.turns())
+        for (std::size_t first = 0; first < turn.size(); first += chunk) {
+            const std::size_t last = std::min(first + chunk, turn.size());
+            tbb::parallel_for(tbb::blocked_range<std::size_t>(first, last, 4), [&](const auto& range) {
+                PossibleBlockers::Rays sum;
+                std::uint64_t tracing = 0;
+                Scratch scratch;
+                for (std::size_t i = range.begin(); i < range.end(); ++i) {
+                    const PossibleBlockers::Rays of_vertex = trace(turn[i], scratch);
+                    sum.traced += of_vertex.traced;
+                    sum.skipped += of_vertex.skipped;
+                    tracing += of_vertex.traced + of_vertex.skipped > 0 ? 1 : 0;
                 }
-                const PossibleBlockers::Rays of_vertex =
-                    blockers.trace(*scene, origins[v], normals[v], v, known, visibility);
-                traced += of_vertex.traced;
-                without += of_vertex.skipped;
-                tracing_vertices += of_vertex.traced + of_vertex.skipped > 0 ? 1 : 0;
-            }
-            rays += traced;
-            skipped += without;
-            from += tracing_vertices;
-        });
-        report(last);
-    }
+                rays += sum.traced;
+                skipped += sum.skipped;
+                from += tracing;
+            });
+            done += last - first;
+            report(done);
+        }
     if (statistics != nullptr) {
         *statistics = {.rays = rays,
                        .rays_skipped = skipped,

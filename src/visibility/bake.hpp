@@ -26,7 +26,10 @@ struct BakeGeometry {
     /// The triangles' ray hierarchy, asked for where rays are traced; empty: bake() and refine() build their
     /// own.
     std::function<std::shared_ptr<const RayScene>()> rays = {};
-    bool every_ray = false;  ///< whether rays that nothing can block are traced as well
+    /// 1 for each vertex whose visibility is needed. Other vertices are not traced and count as unoccluded,
+    /// and triangles at them are not refined. Empty: all vertices.
+    std::span<const std::uint8_t> needed = {};
+    bool every_ray = false;  ///< whether rays whose result is known without are traced as well
 };
 
 /// Returns geometry.rays(), or a new hierarchy where that is empty.
@@ -34,7 +37,7 @@ struct BakeGeometry {
 
 struct BakeStatistics {
     std::uint64_t rays = 0;
-    std::uint64_t rays_skipped = 0;  ///< number of rays that were not traced because nothing can block them
+    std::uint64_t rays_skipped = 0;  ///< number of rays whose result was known without
     std::uint64_t vertices = 0;      ///< number of vertices with rays, traced or skipped
     double milliseconds = 0;         ///< time of tracing
     double build_milliseconds = 0;   ///< time of building the bounding volume hierarchy
@@ -67,8 +70,8 @@ using BakeProgress = std::function<void(double fraction)>;
 /// size, if normals lie between those of the faces around their vertex; and no light comes through the walls
 /// of a corner.
 ///
-/// If a former bake is given, only rays whose result may differ are traced; the result equals that of a full
-/// bake.
+/// If a former bake is given, only rays whose result may differ are traced. Otherwise rays are spared that
+/// nothing can block, and those on which vertices around agree, see AgreeingNeighbours.
 ///
 /// Runs on all threads of the calling thread's TBB arena; the result does not depend on their number. Throws
 /// Error(invalid_argument) if a normal is zero or not finite, counts differ, a position is not finite or

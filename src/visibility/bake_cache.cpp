@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::string_view kMagic("NICOLVIS", 8);
 // Version of visibility files; raise it whenever equal geometry and directions give different bits.
-constexpr std::uint32_t kVersion = 1;
+constexpr std::uint32_t kVersion = 2;
 // Magic and version of refinement files; raise the version whenever equal input gives a different refinement.
 constexpr std::string_view kRefinementMagic("NICOLREF", 8);
 constexpr std::uint32_t kRefinementVersion = 4;
@@ -31,6 +31,7 @@ std::string hash_of(std::span<const T> numbers) {
 Key key_of(const char* what, const BakeGeometry& geometry, const DirectionSet& directions) {
     Key key(what);
     if (!geometry.blocking.empty()) key.add("blocking", hash_of(geometry.blocking));
+    if (!geometry.needed.empty()) key.add("needed", hash_of(geometry.needed));
     return key.add("vertices", static_cast<double>(geometry.positions.size()))
         .add("triangles", static_cast<double>(geometry.triangles.size()))
         .add("positions", hash_of(geometry.positions))

@@ -2,14 +2,12 @@
 #include "visibility/bake_origins.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cstdint>
 #include <glm/geometric.hpp>
 
 #include "geometry/largest_coordinate.hpp"
-#include "geometry/position_hash.hpp"
 #include "geometry/ray_scene.hpp"
-#include "visibility/visibility.hpp"
+#include "geometry/welded_positions.hpp"
 
 namespace nicol {
 namespace {
@@ -25,18 +23,10 @@ std::vector<float> reaches(const BakeGeometry& baked) {
                       largest_coordinate(positions[t.z])});
         for (const std::uint32_t v : {t.x, t.y, t.z}) reach[v] = std::max(reach[v], largest);
     }
-    // Vertices at one position get the largest. The table holds the first vertex at each position; places
-    // that are taken are passed over.
-    std::vector<std::uint32_t> first_at(std::bit_ceil(2 * positions.size() + 1), kNoVertex);
-    std::vector<std::uint32_t> first_of(positions.size());
-    for (std::uint32_t v = 0; v < positions.size(); ++v) {
-        std::size_t place = geometry::hash_of(positions[v]) & (first_at.size() - 1);
-        while (first_at[place] != kNoVertex && positions[first_at[place]] != positions[v])
-            place = (place + 1) & (first_at.size() - 1);
-        if (first_at[place] == kNoVertex) first_at[place] = v;
-        first_of[v] = first_at[place];
+    // Vertices at one position get the largest.
+    const std::vector<std::uint32_t> first_of = welded_positions(positions);
+    for (std::size_t v = 0; v < reach.size(); ++v)
         reach[first_of[v]] = std::max(reach[first_of[v]], reach[v]);
-    }
     for (std::size_t v = 0; v < reach.size(); ++v) reach[v] = reach[first_of[v]];
     return reach;
 }

@@ -10,7 +10,10 @@
 
 namespace nicol {
 
-double extent_of_triangles(const EdgeBisection& mesh, const std::function<bool(std::uint32_t)>& counts) {
+namespace {
+
+// Returns the area of the triangles with a vertex for which `counts` is true.
+double area_of(const EdgeBisection& mesh, const IsVertex& counts) {
     using Corners = std::array<std::uint32_t, 3>;
     std::vector<std::pair<Corners, std::size_t>> counted;
     for (std::size_t i = 0; i < mesh.triangles().size(); ++i) {
@@ -30,6 +33,14 @@ double extent_of_triangles(const EdgeBisection& mesh, const std::function<bool(s
                                        glm::dvec3(mesh.positions()[t.z]) - a)) /
                 2;
     }
+    return area;
+}
+
+}  // namespace
+
+double extent_of_triangles(const EdgeBisection& mesh, const IsVertex& counts, const IsVertex& known) {
+    double area = area_of(mesh, counts);
+    if (known && area > 0) area *= area_of(mesh, [](std::uint32_t) { return true; }) / area_of(mesh, known);
     return std::sqrt(area);
 }
 

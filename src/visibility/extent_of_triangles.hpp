@@ -9,9 +9,12 @@
 
 namespace nicol {
 
+using IsVertex = std::function<bool(std::uint32_t vertex)>;
+
 /// Returns the square root of the area of the triangles with a vertex for which `counts` is true. Triangles
-/// that are there twice count once.
-[[nodiscard]] double extent_of_triangles(const EdgeBisection& mesh,
-                                         const std::function<bool(std::uint32_t vertex)>& counts);
+/// that are there twice count once. known: vertices for which `counts` is known; as large a part of the
+/// triangles without such a vertex is taken to count. Empty: all.
+[[nodiscard]] double extent_of_triangles(const EdgeBisection& mesh, const IsVertex& counts,
+                                         const IsVertex& known = {});
 
 }  // namespace nicol

@@ -48,11 +48,12 @@ Mesh two_spheres(float apart) {
     return mesh;
 }
 
+// Fewer vertices than those from which on neighbours spare rays.
 Mesh floor_and_balls() {
     Mesh mesh;
-    append(mesh, make_rectangle(40), {0, 0, 0}, 8);
-    append(mesh, make_sphere({}, 1, 0.3), {0, 0, 1});
-    append(mesh, make_sphere({}, 1, 0.3), {3, 1, 1.5}, 0.5);
+    append(mesh, make_rectangle(36), {0, 0, 0}, 8);
+    append(mesh, make_sphere({}, 1, 0.25), {0, 0, 1});
+    append(mesh, make_sphere({}, 1, 0.25), {3, 1, 1.5}, 0.5);
     append(mesh, make_cube(6), {-4, 2, 0.5}, 0.4F);
     return mesh;
 }
@@ -150,4 +151,34 @@ TEST_CASE("refinement is that of all rays") {
     CHECK(equal(skipping.visibility, tracing.visibility));
     CHECK(some.rays < all.rays);
     CHECK(some.rays_skipped > 0);
+}
+
+TEST_CASE("vertices that are not needed count as unoccluded, and triangles at them stay whole") {
+    const Mesh mesh = floor_and_balls();
+    BakeGeometry geometry = geometry_of(mesh);
+    const Visibility all = bake(geometry, directions());
+    // All objects, and the floor but for the part under the cube.
+    std::vector<std::uint8_t> needed;
+    for (const glm::vec3& p : mesh.positions) needed.push_back(p.z > 0.01F || p.x > -2.5F ? 1 : 0);
+    geometry.needed = needed;
+    BakeStatistics baked;
+    const Visibility part = bake(geometry, directions(), {}, &baked);
+    for (std::size_t v = 0; v < needed.size(); ++v) {
+        if (needed[v] != 0) {
+            CHECK(std::ranges::equal(part.at(v), all.at(v)));
+            CHECK(part.unoccluded(v) == all.unoccluded(v));
+            continue;
+        }
+        CHECK(part.unoccluded(v));
+        for (std::size_t d = 0; d < directions().size(); ++d)
+            CHECK(part.seen(v, d) == (glm::dot(mesh.normals[v], directions().directions()[d]) > 0));
+    }
+    const RefineOptions options{.tolerance = 0.02, .max_vertices = 20000};
+    const Refinement refined = refine(geometry, directions(), part, options, {}, baked);
+    REQUIRE(!refined.parents.empty());
+    std::size_t beyond = 0;
+    for (const glm::uvec2& pair : refined.parents)
+        for (const std::uint32_t v : {pair.x, pair.y}) beyond += v < needed.size() && needed[v] == 0 ? 1 : 0;
+    // Neighbours of divided triangles are divided as well.
+    CHECK(beyond < refined.parents.size() / 20);
 }

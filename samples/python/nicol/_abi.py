@@ -755,6 +755,7 @@ class Statistics(Struct):
         ("bounced_light", c_double),
         ("bounced_left", c_double),
         ("bake_rays_skipped", c_uint64),
+        ("vertices_unbaked", c_uint64),
     ]
 
 

@@ -1214,10 +1214,11 @@ pub struct nicol_statistics {
     pub bounced_light: f64,
     pub bounced_left: f64,
     pub bake_rays_skipped: u64,
+    pub vertices_unbaked: u64,
 }
 defaults!(nicol_statistics, nicol_statistics_init);
 const _: () = {
-    assert!(size_of::<nicol_statistics>() == 376);
+    assert!(size_of::<nicol_statistics>() == 384);
     assert!(offset_of!(nicol_statistics, struct_size) == 0);
     assert!(offset_of!(nicol_statistics, order) == 4);
     assert!(offset_of!(nicol_statistics, vertices) == 8);
@@ -1267,6 +1268,7 @@ const _: () = {
     assert!(offset_of!(nicol_statistics, bounced_light) == 352);
     assert!(offset_of!(nicol_statistics, bounced_left) == 360);
     assert!(offset_of!(nicol_statistics, bake_rays_skipped) == 368);
+    assert!(offset_of!(nicol_statistics, vertices_unbaked) == 376);
 };
 pub type nicol_plane = u32;
 pub type nicol_format = u32;

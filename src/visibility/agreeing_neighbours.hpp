@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+// Rays of a bake whose result is known from vertices around.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "visibility/bake.hpp"
+#include "visibility/disturbed_rays.hpp"
+#include "visibility/visibility.hpp"
+
+namespace nicol {
+
+/// Vertices of fine surfaces in the order in which a bake traces them: first a few far apart, then by turns
+/// those between, whose rays are traced only in directions in which the vertices around see different things,
+/// and a sample of the others. If one of these differs from what the vertices around see, all are traced:
+/// the surface has details between its vertices, or something touches it.
+class AgreeingNeighbours {
+public:
+    /// geometry and normals, which are of unit length, must outlive the object. find: whether to find such
+    /// vertices at all.
+    AgreeingNeighbours(const BakeGeometry& geometry, std::span<const glm::vec3> normals, bool find);
+
+    /// Returns the vertices by turn: those of a turn need the results of earlier turns only. Together they
+    /// are all that the geometry needs.
+    [[nodiscard]] std::span<const std::vector<std::uint32_t>> turns() const noexcept { return turns_; }
+
+    struct Agreement {
+        std::vector<std::uint64_t> bits;        ///< of the vertex, where its neighbours agree
+        std::vector<std::uint64_t> checked;     ///< 1 for the sample of the bits that rays are to confirm
+        DisturbedBundles traced;                ///< those, and the rays on which the neighbours disagree
+        std::uint64_t spared = 0;               ///< number of other rays above the horizon
+        std::vector<std::uint32_t> neighbours;  ///< empty: there are not enough
+        /// Returns whether the sample of a vertex's bits, once traced, is as its neighbours see.
+        [[nodiscard]] bool confirmed(std::span<const std::uint64_t> traced_bits) const;
+    };
+    /// Finds what the neighbours of a vertex, which are of earlier turns, agree on. Returns whether there are
+    /// enough of them, and one is occluded: where none is, the search for possible blockers is faster still.
+    /// Calls may run side by side.
+    bool find(std::uint32_t vertex, const DirectionSet& directions, const Visibility& visibility,
+              Agreement& out) const;
+
+private:
+    void order();
+    [[nodiscard]] bool needed(std::uint32_t vertex) const {
+        return geometry_.needed.empty() || geometry_.needed[vertex] != 0;
+    }
+    // Finds the vertices of earlier turns around a vertex that face as it does.
+    void find_around(std::uint32_t vertex, std::vector<std::uint32_t>& out) const;
+
+    const BakeGeometry& geometry_;
+    std::span<const glm::vec3> normals_;
+    std::vector<std::vector<std::uint32_t>> turns_;
+    // A point is the first of the vertices at one position; the others there follow as a chain.
+    std::vector<std::uint32_t> point_of_, next_;
+    // Points of earlier turns around a point p: number first_[p] to first_[p] + count_[p] - 1.
+    std::vector<std::size_t> first_;
+    std::vector<std::uint8_t> count_;
+    std::vector<std::uint32_t> around_;
+};
+
+}  // namespace nicol

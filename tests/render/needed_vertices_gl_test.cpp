@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+// Tests of bakes of the vertices that an image needs: pictures agree with those of all rays.
+#include "render/needed_vertices.hpp"
+
+#include <string_view>
+
+#include "gl/contexts.hpp"
+#include "image_difference.hpp"
+#include "render/scenes.hpp"
+
+using namespace nicol;
+using test::camera_at;
+using test::rms;
+using test::rms_difference;
+using test::Studio;
+
+namespace {
+
+RenderOptions options_with(std::uint32_t disabled) {
+    return {.executor = Executor::cpu,
+            .bake_directions = 256,
+            .order_high = 4,
+            .shade_at = ShadeAt::pixels,
+            .disabled_optimisations = disabled};
+}
+
+/// Returns a fine sphere with bumps that shadow each other.
+std::shared_ptr<const Mesh> bumpy_sphere() {
+    Mesh mesh = make_sphere();
+    for (glm::vec3& p : mesh.positions)
+        p *= 1 + 0.1F * std::sin(9 * p.x) * std::sin(11 * p.y) * std::sin(10 * p.z);
+    mesh.normals.clear();
+    smooth_normals(mesh);
+    return std::make_shared<const Mesh>(std::move(mesh));
+}
+
+Scene scene_of(const std::shared_ptr<const Mesh>& mesh, double reflectance, double light) {
+    Scene scene;
+    scene.add({.mesh = mesh, .material = diffuse({reflectance})});
+    scene.set_environment(test::falling_light(4, false, 3), glm::dmat3(1), light);
+    return scene;
+}
+
+}  // namespace
+
+IMAGE_TEST_CASE("pictures agree with those of all rays, also if none are traced") {
+    const auto bumpy = bumpy_sphere();
+    const auto convex = test::fine_sphere();
+    Scene apart = scene_of(convex, 0.5, 1);
+    apart.add({.mesh = convex, .material = diffuse({0.5}), .to_world = test::at(1000, 0, 0)});
+    Scene lit = scene_of(bumpy, 0.5, 0);
+    lit.add_light({.value = {20}, .to_world = look_at({1, 3, 1.5}, {0, 0, 0}, {0, 1, 0.1})});
+    const struct {
+        const char* name;
+        Scene scene;
+        double most;  // of all rays, the part that may be traced
+        bool whole;   // all vertices are baked, so that pictures are equal to the last bit
+        glm::dvec3 target{0};
+    } cases[] = {{"convex object", scene_of(convex, 0.5, 1), 0, true},
+                 {"objects far apart", apart, 1e-3, false},
+                 {"black object", scene_of(bumpy, 0, 1), 0, true},
+                 {"darkness", lit, 0, true},
+                 {"camera that looks away", scene_of(bumpy, 0.5, 1), 0, true, {100, 3, 4}},
+                 {"far side", scene_of(bumpy, 0.5, 1), 0.75, false}};
+    for (const auto& each : cases) {
+        CAPTURE(each.name);
+        const Camera camera = camera_at({0, 1, 4}, each.target);
+        Studio skipping(context), tracing(context);
+        const StokesImage some = skipping(each.scene, options_with(0), camera);
+        const StokesImage all = tracing(each.scene, options_with(skip_rays), camera);
+        const Statistics& statistics = skipping.statistics;
+        CHECK(tracing.statistics.vertices_unbaked == 0);
+        CHECK(tracing.statistics.bake_rays_skipped == 0);
+        CHECK(static_cast<double>(statistics.bake_rays) <=
+              each.most * static_cast<double>(tracing.statistics.bake_rays));
+        if (each.whole)
+            CHECK(some.data == all.data);
+        else
+            CHECK(rms_difference(some, all) <= 2e-3 * rms(all));
+        if (std::string_view(each.name) == "far side") {
+            CHECK(statistics.vertices_unbaked > statistics.vertices / 4);
+            CHECK(rms(all) > 0);
+        }
+    }
+}
+
+IMAGE_TEST_CASE("what a camera first sees is baked then, and all the rest with it") {
+    const Scene scene = scene_of(bumpy_sphere(), 0.5, 1);
+    const Camera front = camera_at({0, 1, 4}), back = camera_at({0, 1, -4}),
+                 away = camera_at({0, 1, 4}, {0, 1, 9});
+    Studio studio(context), tracing(context);
+    const StokesImage all = tracing(scene, options_with(skip_rays), back);
+    static_cast<void>(studio(scene, options_with(0), away));
+    CHECK(studio.statistics.vertices_traced == 0);
+    static_cast<void>(studio(scene, options_with(0), front));
+    CHECK(studio.statistics.vertices_unbaked > 0);
+    const std::uint64_t first = studio.statistics.bake_rays;
+    const StokesImage image = studio(scene, options_with(0), back);
+    CHECK(studio.statistics.vertices_unbaked == 0);
+    CHECK(studio.statistics.bake_rays > 0);
+    // The refinement traces its rays again.
+    CHECK(static_cast<double>(first + studio.statistics.bake_rays) <=
+          1.1 * static_cast<double>(tracing.statistics.bake_rays));
+    CHECK(rms_difference(image, all) <= 2e-3 * rms(all));
+    static_cast<void>(studio(scene, options_with(0), front));
+    CHECK(studio.statistics.vertices_traced == 0);
+}
+
+IMAGE_TEST_CASE("bounced light, mirrors and a scene that changes need all vertices") {
+    Scene scene = scene_of(bumpy_sphere(), 0.5, 1);
+    const Camera camera = camera_at({0, 1, 4});
+    Studio studio(context);
+    RenderOptions bouncing = options_with(0);
+    bouncing.max_depth = 3;
+    static_cast<void>(studio(scene, bouncing, camera));
+    CHECK(studio.statistics.vertices_unbaked == 0);
+
+    Studio changing(context);
+    static_cast<void>(changing(scene, options_with(0), camera));
+    CHECK(changing.statistics.vertices_unbaked > 0);
+    const auto added = scene.add(
+        {.mesh = test::coarse_sphere(4), .material = diffuse({0.5}), .to_world = test::at(0, 1.5, 0, 0.3)});
+    static_cast<void>(changing(scene, options_with(0), camera));
+    CHECK(changing.statistics.vertices_unbaked == 0);
+    scene.set_transform(added, test::at(0, 1.6, 0, 0.3));
+    const StokesImage moved = changing(scene, options_with(0), camera);
+    Studio fresh(context);
+    const StokesImage truth = fresh(scene, options_with(skip_rays), camera);
+    CHECK(rms_difference(moved, truth) <= 2e-3 * rms(truth));
+
+    scene.add({.mesh = test::rectangle(1),
+               .material = conductor({{0.2, -3.0}}),
+               .to_world = test::plate_at(-1.2, 3)});
+    Studio mirrored(context);
+    static_cast<void>(mirrored(scene, options_with(0), camera));
+    CHECK(mirrored.statistics.vertices_unbaked == 0);
+}

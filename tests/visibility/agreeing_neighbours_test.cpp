@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+// Tests of bakes of fine surfaces, whose vertices spare rays that their neighbours agree on.
+#include "visibility/agreeing_neighbours.hpp"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <random>
+#include <string>
+#include <utility>
+
+#include "geometry/mesh.hpp"
+#include "test.hpp"
+#include "visibility/bake.hpp"
+
+using namespace nicol;
+
+namespace {
+
+const DirectionSet& directions() {
+    static const DirectionSet set(500);  // the last bundle is not full
+    return set;
+}
+
+Mesh with_smooth_normals(Mesh mesh) {
+    mesh.normals.assign(mesh.positions.size(), glm::vec3(0));
+    for (const glm::uvec3& t : mesh.triangles) {
+        const glm::vec3 normal =
+            glm::cross(mesh.positions[t.y] - mesh.positions[t.x], mesh.positions[t.z] - mesh.positions[t.x]);
+        for (glm::length_t k = 0; k < 3; ++k) mesh.normals[t[k]] += normal;
+    }
+    return mesh;
+}
+
+Mesh cloth() {
+    Mesh mesh = make_rectangle(90);
+    for (glm::vec3& p : mesh.positions)
+        p = 3.0F * p + glm::vec3(0, 0, 0.3F * std::sin(15 * p.x + 2 * std::sin(9 * p.y)));
+    return with_smooth_normals(std::move(mesh));
+}
+
+/// Returns a floor whose vertices lie higher or lower by chance.
+Mesh rough_floor() {
+    std::mt19937 random(5);
+    std::uniform_real_distribution<float> height(0, 0.05F);
+    Mesh mesh = make_rectangle(70);
+    for (glm::vec3& p : mesh.positions) p.z += height(random);
+    return with_smooth_normals(std::move(mesh));
+}
+
+/// Returns a floor that a small ball touches.
+Mesh touched_floor() {
+    Mesh mesh = make_rectangle(90);
+    const Mesh ball = make_sphere({0, 0, 0.05}, 0.05, 0.2);
+    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+    mesh.positions.insert(mesh.positions.end(), ball.positions.begin(), ball.positions.end());
+    mesh.normals.insert(mesh.normals.end(), ball.normals.begin(), ball.normals.end());
+    for (const glm::uvec3& t : ball.triangles) mesh.triangles.push_back(t + first);
+    return mesh;
+}
+
+/// Returns the triangles each with vertices of their own.
+Mesh taken_apart(const Mesh& mesh) {
+    Mesh out;
+    for (const glm::uvec3& t : mesh.triangles) {
+        const auto first = static_cast<std::uint32_t>(out.positions.size());
+        out.triangles.emplace_back(first, first + 1, first + 2);
+        for (glm::length_t k = 0; k < 3; ++k) {
+            out.positions.push_back(mesh.positions[t[k]]);
+            out.normals.push_back(mesh.normals[t[k]]);
+        }
+    }
+    return out;
+}
+
+/// Returns many triangles around one vertex, in the plane z = 0 but for the first vertices.
+Mesh fan() {
+    Mesh mesh;
+    mesh.positions.emplace_back(0, 0, 0);
+    constexpr std::uint32_t count = 20000;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const double angle = 2 * 3.14159265358979 * i / count;
+        mesh.positions.emplace_back(std::cos(angle), std::sin(angle), i < 100 ? 0.5 : 0);
+        mesh.triangles.emplace_back(0, 1 + i, 1 + (i + 1) % count);
+    }
+    mesh.normals.assign(mesh.positions.size(), glm::vec3(0, 0, 1));
+    return mesh;
+}
+
+/// Returns the part of an even sky's light that reaches a vertex.
+double light_at(const Mesh& mesh, const Visibility& visibility, std::size_t vertex) {
+    double seen = 0, all = 0;
+    for (std::size_t i = 0; i < directions().size(); ++i) {
+        const double cosine = glm::dot(glm::normalize(mesh.normals[vertex]), directions().directions()[i]);
+        if (!(cosine > 0)) continue;
+        all += cosine;
+        if (visibility.seen(vertex, i)) seen += cosine;
+    }
+    return seen / all;
+}
+
+}  // namespace
+
+TEST_CASE("rays that neighbours agree on are spared, and the light at vertices stays") {
+    struct Case {
+        std::string name;
+        Mesh mesh;
+        double most;  // of all rays, the part that may be traced
+    };
+    const Case cases[] = {{"cloth", cloth(), 0.55},
+                          {"cloth whose triangles share no vertices", taken_apart(cloth()), 0.55},
+                          {"floor with details between vertices", rough_floor(), 1.2},
+                          {"floor that a ball touches", touched_floor(), 0.4},
+                          {"very many triangles at a vertex", fan(), 1.1}};
+    for (const Case& each : cases) {
+        CAPTURE(each.name);
+        BakeGeometry geometry{each.mesh.positions, each.mesh.normals, each.mesh.triangles};
+        BakeStatistics some, all;
+        const Visibility spared = bake(geometry, directions(), {}, &some);
+        geometry.every_ray = true;
+        const Visibility traced = bake(geometry, directions(), {}, &all);
+        CHECK(static_cast<double>(some.rays) <= each.most * static_cast<double>(all.rays));
+        double sum = 0, worst = 0;
+        for (std::size_t v = 0; v < each.mesh.positions.size(); ++v) {
+            const double off = light_at(each.mesh, spared, v) - light_at(each.mesh, traced, v);
+            sum += off * off;
+            worst = std::max(worst, std::abs(off));
+        }
+        CHECK(std::sqrt(sum / static_cast<double>(each.mesh.positions.size())) <= 0.01);
+        CHECK(worst <= 0.15);
+    }
+}
+
+TEST_CASE("each needed vertex has one turn") {
+    const Mesh mesh = cloth();
+    std::vector<std::uint8_t> needed;
+    for (const glm::vec3& p : mesh.positions) needed.push_back(p.x > 0 ? 1 : 0);
+    std::vector<glm::vec3> normals;
+    for (const glm::vec3& n : mesh.normals) normals.push_back(glm::normalize(n));
+    for (const bool find : {true, false}) {
+        const BakeGeometry geometry{
+            .positions = mesh.positions, .normals = normals, .triangles = mesh.triangles, .needed = needed};
+        const AgreeingNeighbours agreeing(geometry, normals, find);
+        std::vector<std::uint8_t> found(needed.size(), 0);
+        for (const std::vector<std::uint32_t>& turn : agreeing.turns())
+            for (const std::uint32_t v : turn) ++found[v];
+        CHECK(found == needed);
+        CHECK(agreeing.turns().size() == (find ? 3 : 1));
+    }
+}
