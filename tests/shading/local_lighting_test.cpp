@@ -2,6 +2,8 @@
 #include "shading/local_lighting.hpp"
 
 #include <cmath>
+#include <glm/geometric.hpp>
+#include <utility>
 
 #include "material/material.hpp"
 #include "test.hpp"
@@ -104,6 +106,27 @@ TEST_CASE("A light casts no shadow of itself, however close and slanted it is") 
             CHECK(alone[i] > 0);
             CHECK(shadowed[i] == alone[i]);
         }
+    }
+}
+
+TEST_CASE("A light does not light itself, whatever its slant") {
+    for (const bool two_sided : {false, true}) {
+        CAPTURE(two_sided);
+        const glm::vec3 corner(-0.7F, 1.3F, 4.1F), first(1.9F, 0.4F, -0.3F), second(-0.2F, 1.1F, 1.7F);
+        const glm::vec3 b = corner + first, d = corner + second, c = b + second;
+        const Triangles triangles{std::array{corner, b, c}, std::array{corner, c, d}};
+        LocalLighting::Lights own;
+        own.local.push_back(light_source({.emission = {.radiance = {1}, .two_sided = two_sided},
+                                          .axis = {1, 0, 0},
+                                          .triangles = triangles}));
+        std::vector<glm::vec3> places;
+        for (int i = 0; i < 16; ++i)
+            places.push_back(corner + 0.061F * static_cast<float>(i + 1) * first + 0.37F * second);
+        Floor floor(places);
+        floor.normals.assign(places.size(), glm::normalize(glm::cross(first, second)));
+        const LocalLighting lighting(std::move(own), nullptr, 64);
+        LightingTally tally;
+        for (const double s0 : floor.lit(lighting, diffuse({0.5}), 0, tally)) CHECK(s0 == 0);
     }
 }
 
