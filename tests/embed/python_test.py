@@ -6,6 +6,7 @@ import ctypes
 import gc
 import math
 import os
+import pickle
 import subprocess
 import sys
 import tempfile
@@ -147,6 +148,16 @@ class CallTest(unittest.TestCase):
         self.assertEqual(caught.exception.code, nicol.ERROR_FILE_NOT_FOUND)
         with self.assertRaisesRegex(ctypes.ArgumentError, "nicol.Context is wanted"):
             nicol.Scene.create(nicol.Mesh.create_cube(self.context))
+
+    def test_errors_and_values_are_pickled(self):
+        with self.assertRaises(nicol.Error) as caught:
+            nicol.Environment.load(self.context, "nowhere.exr")
+        copy = pickle.loads(pickle.dumps(caught.exception))
+        self.assertEqual((copy.code, str(copy)), (caught.exception.code, str(caught.exception)))
+        for value in (camera(), nicol.RenderOptions(samples=7)):
+            self.assertEqual(repr(pickle.loads(pickle.dumps(value))), repr(value))
+        with self.assertRaisesRegex(TypeError, "mesh of a nicol.Instance"):
+            pickle.dumps(nicol.Instance(mesh=nicol.Mesh.create_cube(self.context)))
 
     def test_released_handles(self):
         with nicol.Mesh.create_cube(self.context) as mesh:

@@ -37,6 +37,10 @@ class Error(Exception):
         super().__init__(message)
         self.code = code
 
+    def __reduce__(self):
+        # By default the text alone is handed to __init__() where an error of a pool's worker is unpickled.
+        return type(self), (self.code, str(self))
+
 
 _raised = []  # exceptions of callbacks, whose calls then end with ERROR_CANCELLED
 _cancelled = 9
@@ -285,12 +289,27 @@ class Struct(ctypes.Structure):
             raise ValueError(f"a spectrum of {len(values)} values; at most {most} are possible")
         return cls(count=len(values), values=values + [0] * (most - len(values)))
 
+    def __reduce__(self):
+        fields = {}
+        for name, type_ in self._types_.items():
+            value = getattr(self, name)
+            if type_ in (ctypes.c_char_p, ctypes.c_void_p) or issubclass(type_, (ctypes._Pointer, ctypes._CFuncPtr)):
+                if value:
+                    raise TypeError(f"{name} of a nicol.{type(self).__name__} belongs to this process and cannot be pickled")
+            elif name != "struct_size":
+                fields[name] = list(value) if isinstance(value, ctypes.Array) else value
+        return _restored, (type(self), fields)
+
     def __repr__(self):
         fields = []
         for name in self._types_:
             value = getattr(self, name)
             fields.append(f"{name}={list(value) if isinstance(value, ctypes.Array) else value!r}")
         return f"nicol.{type(self).__name__}({', '.join(fields)})"
+
+
+def _restored(type_, fields):
+    return type_(**fields)
 
 
 _lent = {}  # objects that the library still uses, by number
