@@ -5,6 +5,7 @@
 #include <pthread.h>
 
 #include <atomic>
+#include <mutex>
 
 namespace nicol {
 
@@ -14,6 +15,17 @@ namespace nicol {
     static const int watched = pthread_atfork(nullptr, nullptr, [] { child = true; });
     static_cast<void>(watched);
     return child;
+}
+
+/// Mutex for making and destroying contexts of OpenGL, which use lists and locks that the process has once.
+/// fork() waits for it: a child in which such a lock stayed taken could not end by exit(), which runs the
+/// driver's handlers.
+[[nodiscard]] inline std::recursive_mutex& driver_mutex() {
+    static auto& mutex = *new std::recursive_mutex;  // never destroyed: contexts may be made until the end
+    static const int watched =
+        pthread_atfork([] { mutex.lock(); }, [] { mutex.unlock(); }, nullptr);  // the child makes none
+    static_cast<void>(watched);
+    return mutex;
 }
 
 /// Static object that calls a function at the end of the process that constructed the object. A forked child

@@ -13,6 +13,7 @@
 
 #include "error.hpp"
 #include "files/shared_library.hpp"
+#include "forked.hpp"
 #include "gl/egl_extensions.hpp"
 #include "gl/platform.hpp"
 
@@ -33,7 +34,6 @@ struct Egl {
     NICOL_EGL(release_thread, eglReleaseThread);
     NICOL_EGL(get_error, eglGetError);
 #undef NICOL_EGL
-    std::mutex mutex;  // guards making and destroying contexts on one display from several threads
 
     template <class Function>
     Function extension(const char* name) const {
@@ -110,7 +110,7 @@ EGLDisplay get_display(const EglChoice& choice) {
 class EglPlatform final : public Platform {
 public:
     explicit EglPlatform(const EglChoice& choice) {
-        const std::lock_guard lock(egl().mutex);
+        const std::lock_guard lock(driver_mutex());
         display_ = get_display(choice);
         // The display may also be the host's. Initialising it again does no harm; it is never terminated.
         EGLint major = 0, minor = 0;
@@ -142,7 +142,7 @@ public:
     }
 
     ~EglPlatform() override {
-        const std::lock_guard lock(egl().mutex);
+        const std::lock_guard lock(driver_mutex());
         egl().make_current(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
         egl().destroy_context(display_, context_);
     }
@@ -162,6 +162,7 @@ private:
 
 EglChoices find_egl_choices() {
     const ThreadGuard thread;
+    const std::lock_guard lock(driver_mutex());
     EglChoices found;
     std::vector<EglChoice> software;
     const std::vector<EGLDeviceEXT> devices = query_devices();

@@ -8,6 +8,7 @@
 
 #include "error.hpp"
 #include "files/shared_library.hpp"
+#include "forked.hpp"
 #include "gl/platform.hpp"
 
 namespace nicol::gl {
@@ -23,7 +24,6 @@ struct OsMesa {
         library.function<decltype(&OSMesaDestroyContext)>("OSMesaDestroyContext");
     decltype(&OSMesaGetProcAddress) proc_address =
         library.function<decltype(&OSMesaGetProcAddress)>("OSMesaGetProcAddress");
-    std::mutex mutex;  // needed because OSMesa keeps process-wide lists without a lock
 };
 
 OsMesa& osmesa() {
@@ -34,7 +34,7 @@ OsMesa& osmesa() {
 class OsMesaPlatform final : public Platform {
 public:
     OsMesaPlatform() {
-        const std::lock_guard lock(osmesa().mutex);
+        const std::lock_guard lock(driver_mutex());
         constexpr int attributes[] = {OSMESA_FORMAT,
                                       OSMESA_RGBA,
                                       OSMESA_PROFILE,
@@ -54,7 +54,7 @@ public:
     }
 
     ~OsMesaPlatform() override {
-        const std::lock_guard lock(osmesa().mutex);
+        const std::lock_guard lock(driver_mutex());
         osmesa().make_current(nullptr, nullptr, GL_UNSIGNED_BYTE, 0, 0);
         osmesa().destroy(context_);
     }
