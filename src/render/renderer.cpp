@@ -32,6 +32,9 @@ RenderOptions used(const RenderOptions& options) {
         out.seed = options.seed;
     } else {
         out.samples = RenderOptions{}.samples;
+        // Compared apart, because not all pictures take samples.
+        out.seed = 0;
+        out.light_samples = RenderOptions{}.light_samples;
     }
     return out;
 }
@@ -100,14 +103,17 @@ Statistics Renderer::render_into(const Scene& scene, const Camera& camera, const
         const std::lock_guard lock(target.mutex());
         return target.content();
     };
+    const bool realtime = options.method != Method::reference;
+    const std::pair sampling{options.seed, options.light_samples};
     if ((options.disabled_optimisations & skip_unchanged) != 0 || content_ != content() ||
-        (options.method != Method::reference && pipeline_.pending() > 0)) {
+        (realtime && (pipeline_.pending() > 0 || (pipeline_.sampled() && sampling != sampling_)))) {
         rendering_.reset();
     }
     const bool rendered = rendering_.run(
         scene.geometry_version(), scene.material_version(), scene.light_version(), scene.emission_version(),
         scene.local_light_version(), scene.element_version(), camera, used(options), [&] {
-            if (options.method == Method::reference) return trace(scene, camera, options, target);
+            if (!realtime) return trace(scene, camera, options, target);
+            sampling_ = sampling;
             draw_within_budget(scene, project(camera, target.width(), target.height()), options, target);
         });
     const std::lock_guard lock(target.mutex());

@@ -7,6 +7,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "devices/device.hpp"
 #include "draw/element_painter.hpp"
@@ -80,7 +81,8 @@ private:
 
     // Inputs of the last image: versions of the scene, camera, options.
     Stage<Version, Version, Version, Version, Version, Version, Camera, RenderOptions> rendering_;
-    Version content_ = 0;  // content() of the framebuffer with the last image
+    std::pair<std::uint64_t, int> sampling_;  // seed and light_samples of the last real-time image
+    Version content_ = 0;                     // content() of the framebuffer with the last image
 };
 
 }  // namespace nicol
