@@ -147,6 +147,7 @@ RenderOptions options_from(const nicol_render_options& given) {
     options.refine_tolerance = given.refine_tolerance;
     options.max_vertices = given.max_vertices;
     options.bake_budget_ms = given.bake_budget_ms;
+    options.time_budget_ms = given.time_budget_ms;
     options.dering = given.dering;
     options.physical = switch_from(given.physical, "physical");
     options.tolerance = given.tolerance;

@@ -60,6 +60,11 @@ nicol_result nicol_framebuffer_get_statistics(nicol_framebuffer framebuffer, nic
         out.bounced_left = s.bounced_left;
         out.bake_rays_skipped = s.bake_rays_skipped;
         out.vertices_unbaked = s.vertices_unbaked;
+        out.given_up = static_cast<uint32_t>(s.given_up);
+        out.pixel_samples = static_cast<uint32_t>(s.pixel_samples);
+        out.light_samples = static_cast<uint32_t>(s.light_samples);
+        out.bsdf_samples = static_cast<uint32_t>(s.bsdf_samples);
+        out.order_tolerance = s.order_tolerance;
         write_struct(statistics, out, "statistics");
     });
 }

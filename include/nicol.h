@@ -1384,10 +1384,11 @@ typedef struct nicol_render_options {
      * chosen, the automatic number is 1024 for a tolerance of 0.03 or more, which leaves noise of about a
      * tenth of 0.03, 2048 down to 0.015, 4096 down to 0.0075, else 8192. */
     uint32_t bake_directions;
-    /* Whether Stokes vectors are made physically realizable (Eq. 70), 1, the default, or 0: s0 >= 0, and no
-     * more polarization than s0, which truncated light may violate. The correction is made at vertices, or at
-     * pixels if pixels are shaded. If orders are chosen, light that is as weak as the predicted error becomes
-     * less polarized, so that there is no false DoLP in the dark. */
+    /* Whether Stokes vectors are made physically realizable (Eq. 70), 1, the default, or 0: s0 below 0
+     * becomes 0, and polarization beyond s0 is shortened to s0, which stays. Truncated light may violate
+     * both. The correction is made at vertices, or at pixels if pixels are shaded. If orders are chosen,
+     * light that is as weak as the predicted error becomes less polarized, so that there is no false DoLP in
+     * the dark. */
     uint32_t physical;
     /* Strength of the window against ringing, finite and not negative, default 0 (no window); 0.0001 to 0.01
      * are of use. The light's order l is multiplied by 1 / (1 + dering (l (l + 1))^2). */
@@ -1472,11 +1473,20 @@ typedef struct nicol_render_options {
      * real-time methods draw and shade all numbers of pixel_samples one by one, and the reference method
      * places its samples by the filter. */
     nicol_filter filter;
+    /* Time that a frame of a real-time method may take on this machine, in milliseconds, without project and
+     * bake, which do not repeat; finite and not negative. 0, the default: as long as it takes, and the
+     * picture does not depend on time. Above 0, the options are the best picture that is wanted, and the
+     * scene's renders measure how much of it they can keep. They give up pixel_samples, light_samples and
+     * bsdf_samples (down to a quarter) and, if automatic, shading at pixels and orders (down to those of
+     * eight times the tolerance): what loses least and saves enough. Two frames in succession that exceed the
+     * budget by a tenth lower the effort; eight in succession below 0.7 of it may raise it. The statistics
+     * say what was given up (given_up). A scene that does not change keeps its picture. */
+    double time_budget_ms;
 } nicol_render_options;
 /* clang-format off */
 #define NICOL_RENDER_OPTIONS_INIT \
     { sizeof(nicol_render_options), 0, NICOL_ORDER_AUTOMATIC, NICOL_ORDER_AUTOMATIC, 0, 1, NICOL_DIRECTIONS_AUTOMATIC, 1, 0, 0, 0, 256, 0, 0, \
-      0.03, 0, 0, 1, 0, 0, 0, 0.02, 0, NICOL_SPLIT_AUTOMATIC, 16, 32, 0, 0, 0, 0, NICOL_FILTER_INIT }
+      0.03, 0, 0, 1, 0, 0, 0, 0.02, 0, NICOL_SPLIT_AUTOMATIC, 16, 32, 0, 0, 0, 0, NICOL_FILTER_INIT, 0 }
 /* clang-format on */
 NICOL_API nicol_result nicol_render_options_init(nicol_render_options* descriptor, uint32_t struct_size);
 
@@ -1637,12 +1647,18 @@ typedef struct nicol_statistics {
     double bounced_left;            /* estimate of the bounces that were left out, in the same unit */
     uint64_t bake_rays_skipped;     /* rays above the horizon of baked points whose result was known without, beside bake_rays */
     uint64_t vertices_unbaked;      /* vertices that were not baked, because no image has needed their shadows yet */
+    uint32_t given_up;              /* number of better pictures that time_budget_ms does not allow; 0: nothing is given up */
+    uint32_t pixel_samples;         /* real-time methods: samples per pixel of the image */
+    uint32_t light_samples;         /* real-time methods: light_samples of the image */
+    uint32_t bsdf_samples;          /* real-time methods: bsdf_samples of the image */
+    double order_tolerance;         /* tolerance for which the orders were chosen: the option's, or more by time_budget_ms;
+                                       0 if they were not chosen */
 } nicol_statistics;
 /* clang-format on */
 #define NICOL_STATISTICS_INIT                                                                                \
     {                                                                                                        \
         sizeof(nicol_statistics), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, \
-            0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0                           \
+            0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0            \
     }
 NICOL_API nicol_result nicol_statistics_init(nicol_statistics* descriptor, uint32_t struct_size);
 

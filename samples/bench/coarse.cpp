@@ -157,7 +157,7 @@ Report bench_coarse(const Options& given) {
                     comparison.measure({.low = low, .high = High::split, .top = high, .shade_at = at});
                 report.add(light + ", " + std::to_string(mesh.positions.size()) + " vertices, shaded at " +
                                (pixels ? "pixels" : "vertices"),
-                           {m.errors[0], m.errors[1], m.errors[2], m.dolp.mean});
+                           {m.errors[0], m.errors[1], m.errors[2], m.polarization.dolp});
                 if (pixels) at_pixels[is_fine ? 1 : 0] = m.errors;
             }
         }

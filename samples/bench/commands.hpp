@@ -13,6 +13,9 @@ Report bench_bake(const Options& options);
 Report bench_bounces(const Options& given);
 Report bench_glass(const Options& given);
 
+/// Measures how frames keep a time_budget_ms.
+Report bench_budget(const Options& given);
+
 /// Counts the OpenGL calls of a frame inside a host's context.
 Report bench_calls(const Options& options);
 
@@ -43,6 +46,9 @@ Report bench_materials(const Options& given);
 
 /// Measures run time against error. Writes the plot too if requested.
 Report bench_pareto(const Options& options);
+
+/// Measures what polarization costs beside s0 alone, by order.
+Report bench_price(const Options& options);
 
 /// Measures cost against the number of vertices and against the order.
 Report bench_scale(const Options& options);

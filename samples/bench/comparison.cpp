@@ -19,7 +19,8 @@ Comparison::Measured Comparison::measure(Recipe recipe) const {
     recipe.shadows = shadows_;
     const Image made = reduced_image(stage_, recipe, framebuffer_.get());
     Measured measured{.errors = truth_.errors(made),
-                      .dolp = truth_.dolp_error(made),
+                      .tails = truth_.tails(made),
+                      .polarization = truth_.polarization_error(made),
                       .cut = {},
                       .statistics = NICOL_STATISTICS_INIT};
     if (converged_) measured.cut = converged_->errors(made);
@@ -31,7 +32,11 @@ void Comparison::add(Report& report, Recipe recipe) const {
     recipe.shadows = shadows_;
     const Measured measured = measure(recipe);
     std::vector<double> values(measured.errors.begin(), measured.errors.end());
-    values.insert(values.end(), {measured.dolp.mean, measured.dolp.streaks, measured.dolp.negative});
+    for (const Truth::Tail& tail : {measured.tails.s0, measured.tails.linear})
+        values.insert(values.end(), {tail.percentile_95, tail.percentile_99, tail.largest});
+    const Truth::PolarizationError& polarization = measured.polarization;
+    values.insert(values.end(), {polarization.dolp, polarization.dolp_by_light, polarization.aolp,
+                                 polarization.streaks, polarization.negative});
     if (converged_) values.insert(values.end(), measured.cut.begin(), measured.cut.end() - 1);
     report.add(recipe.name(), values);
 }

@@ -20,15 +20,16 @@ public:
     [[nodiscard]] const Truth& truth() const { return truth_; }
     struct Measured {
         StokesErrors errors;
-        Truth::DolpError dolp;
+        Truth::Tails tails;
+        Truth::PolarizationError polarization;
         StokesErrors cut;  ///< truncation errors; zero without a converged image
         nicol_statistics statistics;
     };
     /// Measures a recipe, with this comparison's `shadows`.
     [[nodiscard]] Measured measure(Recipe recipe) const;
     [[nodiscard]] StokesErrors errors(const Recipe& recipe) const { return measure(recipe).errors; }
-    /// Adds a row named after the recipe: errors of s0 to s3, errors of the DoLP, and truncation errors of s0
-    /// to s2 if there is a converged image.
+    /// Adds a row named after the recipe: errors of s0 to s3, their tails, errors of DoLP and AoLP, and
+    /// truncation errors of s0 to s2 if there is a converged image.
     void add(Report& report, Recipe recipe) const;
     [[nodiscard]] std::ptrdiff_t pixels() const;
 

@@ -21,8 +21,22 @@ void add_high_orders(Report& report, const Comparison& comparison, int low) {
 }
 
 std::vector<std::string> columns(const Options& options) {
-    std::vector<std::string> names{"relative RMSE", "s0",      "s1",    "s2", "s3",
-                                   "DoLP, mean",    "streaks", "s0 < 0"};
+    std::vector<std::string> names{"relative RMSE",
+                                   "s0",
+                                   "s1",
+                                   "s2",
+                                   "s3",
+                                   "s0, 95 %",
+                                   "s0, 99 %",
+                                   "s0, largest",
+                                   "s1 s2, 95 %",
+                                   "s1 s2, 99 %",
+                                   "s1 s2, largest",
+                                   "DoLP, mean",
+                                   "DoLP, by light",
+                                   "AoLP, degrees",
+                                   "streaks",
+                                   "s0 < 0"};
     if (options.converged > 0) names.insert(names.end(), {"cut s0", "cut s1", "cut s2"});
     return names;
 }
@@ -60,7 +74,10 @@ Report bench_error(const Options& options) {
                         "; relative to the RMS of s0; the noise of the reference, of " +
                         std::to_string(samples) + " samples twice, is taken out of the errors.");
             report.note(
-                "DoLP: the mean absolute error; streaks: the part of the pixels with a DoLP 0.1 above the "
+                "95 %, 99 %, largest: percentiles of the error of a pixel's channel, which include the "
+                "reference's "
+                "noise. DoLP: the mean absolute error, and weighted by s0; AoLP: the mean error weighted by "
+                "polarized light; streaks: the part of the pixels with a DoLP 0.1 above the "
                 "largest "
                 "true one. By default orders are chosen and Stokes vectors are physical.");
         }

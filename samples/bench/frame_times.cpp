@@ -54,9 +54,8 @@ void apply_variant(Stage& stage, SceneVariant variant) {
     if (variant == SceneVariant::original) return;
     std::uint32_t channels = 0;
     check(nicol_scene_get_channels(stage.scene(), &channels));
-    const bool polarized = variant == SceneVariant::polarized;
-    stage.set_light(sky(stage.context(), channels, polarized));
-    stage.set_material(surface(stage.context(), channels, polarized).get());
+    stage.set_light(sky(stage.context(), channels, variant == SceneVariant::polarized));
+    stage.set_material(surface(stage.context(), channels, variant != SceneVariant::unpolarized).get());
 }
 
 }  // namespace

@@ -18,9 +18,10 @@ struct FrameTimes {
 
 /// Replacement of a scene's light and material.
 enum class SceneVariant {
-    original,     ///< the unchanged scene
-    polarized,    ///< rough plastic under a polarized sky, which needs all Stokes components
-    unpolarized,  ///< diffuse surfaces of the same colour under the same sky, unpolarized
+    original,         ///< the unchanged scene
+    polarized,        ///< rough plastic under a polarized sky, which needs all Stokes components
+    unpolarized_sky,  ///< rough plastic under the same sky, unpolarized
+    unpolarized,      ///< diffuse surfaces of the same colour under the same sky, unpolarized
 };
 
 /// One way to render, with a separate scene.

@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
+#include <numbers>
 #include <stdexcept>
+#include <vector>
 
 #include "common/handles.hpp"
 
@@ -87,25 +90,55 @@ StokesErrors Truth::estimated_noise() const {
     return relative_roots(*this, [&](std::size_t i) { return double{variance.stokes[i]}; });
 }
 
-Truth::DolpError Truth::dolp_error(const Image& image) const {
+Truth::Tails Truth::tails(const Image& image) const {
+    std::vector<double> s0, linear;
+    double power = 0;
+    for (std::size_t i = 0; i < image.stokes.size(); i += 4) {
+        if (!mask[i / 4 % mask.size()]) continue;
+        const auto error = [&](std::size_t p) { return double{image.stokes[i + p]} - mean_at(i + p); };
+        s0.push_back(std::abs(error(0)));
+        linear.push_back(std::hypot(error(1), error(2)));
+        power += mean_at(i) * mean_at(i);
+    }
+    if (!(power > 0)) throw std::runtime_error("no light reaches the camera from an object");
+    const double unit = std::sqrt(power / static_cast<double>(s0.size()));
+    const auto tail = [&](std::vector<double>& errors) {
+        std::ranges::sort(errors);
+        const auto at = [&](double part) {
+            return errors[static_cast<std::size_t>(part * static_cast<double>(errors.size() - 1))] / unit;
+        };
+        return Tail{.percentile_95 = at(0.95), .percentile_99 = at(0.99), .largest = at(1)};
+    };
+    return {.s0 = tail(s0), .linear = tail(linear)};
+}
+
+Truth::PolarizationError Truth::polarization_error(const Image& image) const {
     const auto dolp = [](double s0, double s1, double s2) { return s0 > 0 ? std::hypot(s1, s2) / s0 : 0; };
-    DolpError error;
+    PolarizationError error;
     double largest = 0;
-    double count = 0;
+    double count = 0, light = 0, polarized_light = 0;
     std::vector<double> made;
     for (std::size_t i = 0; i < image.stokes.size(); i += 4) {
         if (!mask[i / 4 % mask.size()]) continue;
-        const auto mean = [&](std::size_t p) {
-            return (double{first.stokes[i + p]} + double{second.stokes[i + p]}) / 2;
-        };
-        const double expected = dolp(mean(0), mean(1), mean(2));
-        made.push_back(dolp(image.stokes[i], image.stokes[i + 1], image.stokes[i + 2]));
+        const std::complex<double> true_linear(mean_at(i + 1), mean_at(i + 2));
+        const std::complex<double> made_linear(image.stokes[i + 1], image.stokes[i + 2]);
+        const double expected = dolp(mean_at(i), true_linear.real(), true_linear.imag());
+        made.push_back(dolp(image.stokes[i], made_linear.real(), made_linear.imag()));
         largest = std::max(largest, expected);
-        error.mean += std::abs(made.back() - expected);
+        const double difference = std::abs(made.back() - expected);
+        const double weight = std::max(mean_at(i), 0.0);
+        error.dolp += difference;
+        error.dolp_by_light += weight * difference;
+        // The phase of s1 + i s2 is twice the angle.
+        error.aolp += std::abs(true_linear) * std::abs(std::arg(made_linear * std::conj(true_linear))) / 2;
         if (image.stokes[i] < 0) error.negative += 1;
         count += 1;
+        light += weight;
+        polarized_light += std::abs(true_linear);
     }
-    error.mean /= count;
+    error.dolp /= count;
+    error.dolp_by_light = light > 0 ? error.dolp_by_light / light : 0;
+    error.aolp = polarized_light > 0 ? error.aolp / polarized_light * 180 / std::numbers::pi : 0;
     error.negative /= count;
     error.streaks =
         static_cast<double>(std::ranges::count_if(made, [&](double d) { return d > largest + 0.1; })) / count;

@@ -46,12 +46,32 @@ struct Truth {
     /// Returns the standard deviation of the noise by the variance of `first` alone, an upper bound.
     [[nodiscard]] StokesErrors estimated_noise() const;
 
-    /// Error of the degree of linear polarization over the masked pixels and all channels. The truth is the
-    /// mean of both images.
-    struct DolpError {
-        double mean = 0;      ///< absolute mean
+    /// Largest errors of single values, relative to the root mean square of s0. The truth is the mean of both
+    /// images, so its noise is part of the errors.
+    struct Tail {
+        double percentile_95 = 0;
+        double percentile_99 = 0;
+        double largest = 0;
+    };
+    struct Tails {
+        Tail s0;
+        Tail linear;  ///< of the vector (s1, s2)
+    };
+    [[nodiscard]] Tails tails(const Image& image) const;
+
+    /// Errors of linear polarization over the masked pixels and all channels. The truth is the mean of both
+    /// images.
+    struct PolarizationError {
+        double dolp = 0;           ///< absolute mean of the degree's error
+        double dolp_by_light = 0;  ///< mean weighted by the true s0, so that dark pixels count little
+        double aolp = 0;      ///< mean of the angle's error weighted by polarized light, degrees, 0 to 90
         double streaks = 0;   ///< fraction with a degree more than 0.1 above the largest true one
         double negative = 0;  ///< fraction with s0 < 0
     };
-    [[nodiscard]] DolpError dolp_error(const Image& image) const;
+    [[nodiscard]] PolarizationError polarization_error(const Image& image) const;
+
+private:
+    [[nodiscard]] double mean_at(std::size_t value) const {
+        return (double{first.stokes[value]} + double{second.stokes[value]}) / 2;
+    }
 };

@@ -82,7 +82,7 @@ void add_errors(Report& report, const Options& given, const TemporaryFolder& fol
     options.scene = (folder.path() / "scene.xml").string();
     const auto add = [&](const std::string& name, const Comparison& comparison, const Recipe& recipe) {
         const Comparison::Measured m = comparison.measure(recipe);
-        report.add(name, {m.errors[0], m.errors[1], m.errors[2], m.dolp.mean,
+        report.add(name, {m.errors[0], m.errors[1], m.errors[2], m.polarization.dolp,
                           static_cast<double>(m.statistics.local_lights), none});
     };
     const auto add_noise = [&](const Comparison& comparison) {

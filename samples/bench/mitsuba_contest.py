@@ -174,6 +174,16 @@ def cold_times(scene_file, options):
     return numpy.min([[float(word) for word in run.split()] for run in runs], axis=0)
 
 
+def write_scene(folder, name, size):
+    """Writes one of SCENES, lit by luminance, into the folder and returns its path."""
+    camera, contents, _ = SCENES[name]
+    for environment in filter(pathlib.Path.exists, ENVIRONMENTS):
+        peer.write_luminance(environment, pathlib.Path(folder, environment.name))
+    scene_file = pathlib.Path(folder, "scene.xml")
+    scene_file.write_text(SCENE.format(folder=folder, assets=ASSETS, data=DATA, camera=camera, size=size, contents=contents))
+    return scene_file
+
+
 def words(errors):
     return " ".join(f"{max(e, 0) ** 0.5:.5f}" for e in errors)
 
@@ -228,17 +238,13 @@ def main():
     print(f"Mitsuba {peer.mitsuba.__version__}, {peer.choose_variant()}; Nicol {nicol.version_string()}; {len(os.sched_getaffinity(0))} cores. "
           "Direct light of one channel; errors are RMSE of s0, s1, s2 inside surfaces over the RMS of s0.")  # fmt: skip
     with tempfile.TemporaryDirectory() as folder:
-        for environment in filter(pathlib.Path.exists, ENVIRONMENTS):
-            peer.write_luminance(environment, pathlib.Path(folder, environment.name))
-        scene_file = pathlib.Path(folder, "scene.xml")
-        for name, (camera, contents, options) in SCENES.items():
+        for name, (_, _, options) in SCENES.items():
             if name.split()[0] not in arguments.scenes:
                 continue
             if "statue" in name and not (DATA / "polarsh").is_dir():
                 print(f"\n{name}: left out, NICOL_TEST_DATA has no folder polarsh")
                 continue
-            scene_file.write_text(SCENE.format(folder=folder, assets=ASSETS, data=DATA, camera=camera, size=arguments.size, contents=contents))
-            contest(name, scene_file, options, arguments)
+            contest(name, write_scene(folder, name, arguments.size), options, arguments)
 
 
 if __name__ == "__main__":

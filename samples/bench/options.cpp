@@ -60,6 +60,8 @@ void assign(const std::string& name, const std::string& value, Options& options)
         options.cache = value;
     } else if (name == "--plot") {
         options.plot = value;
+    } else if (name == "--peer") {
+        options.peer = value;
     } else if (name == "--csv") {
         options.csv = value;
     } else if (name == "--json") {

@@ -26,6 +26,7 @@ struct Options {
     std::string only;  ///< part of a row's name
     std::string cache;
     std::string plot;
+    std::string peer;
     std::string csv;
     std::string json;
 };

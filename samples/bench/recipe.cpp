@@ -19,6 +19,7 @@ nicol_render_options Recipe::options() const {
     wanted.shade_at = shade_at;
     wanted.pixel_samples = samples;
     wanted.shadows = shadows ? 1 : 0;
+    wanted.components = components;
     if (defaults) return wanted;
     wanted.method = method;
     wanted.split_lights = split;

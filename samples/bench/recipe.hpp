@@ -20,7 +20,8 @@ struct Recipe {
     double tolerance = 0;             ///< above 0: chooses the orders
     nicol_shade_at shade_at = NICOL_SHADE_AT_VERTICES;
     std::uint32_t samples = 1;  ///< number per pixel
-    int split = 0;              ///< most lamps that become local lights; no effect with `defaults`
+    nicol_components components = NICOL_COMPONENTS_ALL;
+    int split = 0;  ///< most lamps that become local lights; no effect with `defaults`
 
     /// Returns a name like "dense 4 + convolution to 9, at pixels, no shadows".
     [[nodiscard]] std::string name() const;

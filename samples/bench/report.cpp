@@ -43,7 +43,7 @@ void Report::print(std::ostream& out) const {
 }
 
 void Report::write_csv(std::ostream& out) const {
-    for (std::size_t i = 0; i < columns_.size(); ++i) out << (i == 0 ? "" : ",") << columns_[i];
+    for (std::size_t i = 0; i < columns_.size(); ++i) out << (i == 0 ? "\"" : ",\"") << columns_[i] << '"';
     out << '\n';
     for (const Row& row : rows_) {
         out << '"' << row.what << '"';

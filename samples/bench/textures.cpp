@@ -170,7 +170,8 @@ Report bench_textures(const Options& given) {
                  {Recipe{.low = low, .high = High::split, .top = high, .shade_at = NICOL_SHADE_AT_PIXELS},
                   Recipe{.defaults = true, .shade_at = NICOL_SHADE_AT_PIXELS}}) {
                 const Comparison::Measured m = comparison.measure(recipe);
-                report.add(name + recipe.name(), {m.errors[0], m.errors[1], m.errors[2], m.dolp.mean});
+                report.add(name + recipe.name(),
+                           {m.errors[0], m.errors[1], m.errors[2], m.polarization.dolp});
             }
         }
     }

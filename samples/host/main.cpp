@@ -91,7 +91,7 @@ void run(const Options& options) {
     const Gl gl;
     const Stage stage(gl);
     std::optional<Polarized> polarized;
-    if (options.nicol) untouched(gl, [&] { polarized.emplace(); });
+    if (options.nicol) untouched(gl, [&] { polarized.emplace(options.time_budget); });
     std::optional<Rings> rings;
     if (options.rings) rings.emplace(gl, stage.image(), Stage::kQuadSize);
     double polarizer = options.polarizer;

@@ -15,6 +15,7 @@ const char* const usage =
     "  --screenshot FILE   write the last frame as a PPM image; needs --frames\n"
     "  --planes FILE       write what the image on the quad is made of: 256 x 256 x 3 Stokes vectors as "
     "floats\n"
+    "  --time-budget MS    time that Nicol may take for a frame, in milliseconds (time_budget_ms)\n"
     "  --rings             draw two rings about the ball, by the application, which share its depth\n"
     "  --without-nicol     leave the quad out\n";
 
@@ -50,6 +51,8 @@ Options parse(int count, char** arguments) {
             options.planes = value();
         } else if (option == "--polarizer") {
             options.polarizer = number(option, value());
+        } else if (option == "--time-budget") {
+            options.time_budget = number(option, value());
         } else if (option == "--frames") {
             const double frames = number(option, value());
             if (frames < 1 || frames > 1e6 || frames != std::floor(frames))

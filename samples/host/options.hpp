@@ -9,6 +9,7 @@ struct Options {
     std::string planes;      ///< file of raw floats of the Stokes planes; empty: none
     int frames = 0;          ///< number of frames; 0: until the window is closed
     double polarizer = 0;    ///< in degrees
+    double time_budget = 0;  ///< time_budget_ms of the render options
     bool nicol = true;
     bool rings = false;  ///< whether the application draws rings about the ball
     bool help = false;

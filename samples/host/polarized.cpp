@@ -18,7 +18,7 @@ std::int32_t is_current(void* context) {
 
 }  // namespace
 
-Polarized::Polarized() {
+Polarized::Polarized(double time_budget) : time_budget_(time_budget) {
     nicol_host host = NICOL_HOST_INIT;
     host.get_proc_address = find_function;
     host.is_current = is_current;
@@ -49,6 +49,7 @@ void Polarized::draw(double sun, double polarizer, unsigned texture, unsigned de
     const double to_world[] = {c, 0, s, 0, 0, 1, 0, 0, -s, 0, c, 0, 0, 0, 0, 1};
     check(nicol_scene_set_environment(scene_.get(), sky_.get(), to_world, 1));
     nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
+    options.time_budget_ms = time_budget_;
     options.aovs = depth != 0 ? NICOL_AOV_DEPTH : 0;
     check(nicol_render(scene_.get(), &camera_, &options, framebuffer_.get()));
 

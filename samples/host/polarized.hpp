@@ -11,8 +11,9 @@ class Polarized {
 public:
     static constexpr int kSize = 256;
 
-    /// Requires the application's context to be current, as every call does.
-    Polarized();
+    /// Requires the application's context to be current, as every call does. time_budget: of a frame, in
+    /// milliseconds, as time_budget_ms of the render options.
+    explicit Polarized(double time_budget);
 
     /// Renders with the sun at this azimuth in degrees, and draws the light behind a polarizer at this angle
     /// in degrees into the texture: RGBA8, row 0 at the bottom, as in OpenGL. If `depth` is not 0, the ball
@@ -26,5 +27,6 @@ private:
     Environment sky_;
     Scene scene_;
     Framebuffer framebuffer_;
+    double time_budget_;
     nicol_camera camera_ = NICOL_CAMERA_INIT;
 };

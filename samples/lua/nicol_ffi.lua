@@ -355,6 +355,7 @@ typedef struct nicol_render_options {
     uint32_t reserved;
     double bake_budget_ms;
     nicol_filter filter;
+    double time_budget_ms;
 } nicol_render_options;
 typedef uint32_t nicol_quality;
 typedef struct nicol_job_impl* nicol_job;
@@ -418,6 +419,11 @@ typedef struct nicol_statistics {
     double bounced_left;
     uint64_t bake_rays_skipped;
     uint64_t vertices_unbaked;
+    uint32_t given_up;
+    uint32_t pixel_samples;
+    uint32_t light_samples;
+    uint32_t bsdf_samples;
+    double order_tolerance;
 } nicol_statistics;
 typedef uint32_t nicol_plane;
 typedef uint32_t nicol_format;

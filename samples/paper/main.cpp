@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "common/failure.hpp"
+#include "harmonics.hpp"
 #include "report.hpp"
 #include "sheet.hpp"
 
@@ -34,6 +35,10 @@ public:
 
     void run() {
         std::printf("%s\n", stage_.machine().c_str());
+        say("spherical harmonics");
+        const std::size_t panel = std::min<std::size_t>(options_.size, 256);
+        write_spin_harmonics(panel, path("fig8_harmonics.png"));
+        write_decomposition(light_file(options_.data), panel, path("fig9_decomposition.png"));
         find_objects();
         if (options_.reference > 0) trace_truth();
         for (const Step& step : steps()) run_step(step);

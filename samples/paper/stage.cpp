@@ -49,6 +49,10 @@ void require_data(const std::filesystem::path& folder) {
     }
 }
 
+std::filesystem::path light_file(const std::filesystem::path& folder) {
+    return folder / kLightFile;
+}
+
 Stage::Stage(const Options& options)
     : data_(options.data), size_(options.size), bake_directions_(options.bake_directions) {
     const auto file = [&](const char* name) { return (options.data / name).string(); };

@@ -10,6 +10,9 @@
 /// Throws Failure if a file of the data is absent from the folder.
 void require_data(const std::filesystem::path& folder);
 
+/// Returns the path of the light's coefficients in a folder of the data.
+[[nodiscard]] std::filesystem::path light_file(const std::filesystem::path& folder);
+
 /// The two views of figure 22.
 enum class View { front, side };
 

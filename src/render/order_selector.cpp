@@ -79,8 +79,8 @@ OrderSelector::Orders OrderSelector::choose(const Scene& scene, const Projected&
                   options.high_order_shadows, options.bake_directions, options.high_orders, memory_limit,
                   [&] { highest_low_ = highest_low(scene, options, memory_limit); });
     const bool split = options.high_orders == HighOrders::split;
-    choosing_.run(options.tolerance, split, highest_low_,
-                  [&] { chosen_ = cheapest(options.tolerance, split); });
+    const double tolerance = options.tolerance * options.order_slack;
+    choosing_.run(tolerance, split, highest_low_, [&] { chosen_ = cheapest(tolerance, split); });
     chosen_.rms = values_ > 0 ? std::sqrt(mean_square_ / values_) : 0;
     return chosen_;
 }

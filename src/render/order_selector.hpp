@@ -45,12 +45,11 @@ public:
     };
 
     /// Returns the fastest orders for the factored method with a predicted error of at most the options'
-    /// tolerance or, if there are none, the orders of least error. High orders are chosen if their form is
-    /// split. A low order above the options' needs no more than memory_limit bytes in all, and no more than
-    /// kMostBytes of transfer. The error is relative to the reflection of the whole environment by whole
-    /// materials.
-    /// settled: whether the visibility is final. Otherwise a change of vertices or visibility alone changes
-    /// no orders, so that pictures do not change between two choices.
+    /// tolerance times order_slack or, if there are none, the orders of least error. High orders are chosen
+    /// if their form is split. A low order above the options' needs no more than memory_limit bytes in all,
+    /// and no more than kMostBytes of transfer. The error is relative to the reflection of the whole
+    /// environment by whole materials. settled: whether the visibility is final. Otherwise a change of
+    /// vertices or visibility alone changes no orders, so that pictures do not change between two choices.
     Orders choose(const Scene& scene, const Projected& projected, const SurfaceState& surfaces, bool settled,
                   const RenderOptions& options, std::uint64_t memory_limit);
 

@@ -105,6 +105,7 @@ void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderO
         visibility_.surfaces(), rays_, follows_rays && options.shadows ? &smooth_ : nullptr, lighting,
         run.statistics);
     rays_.release();
+    sampled_ = local_lights_.any() || follows_smooth(options, executor);
     pixels_ = shades_pixels(scene, projection, light_to_geometry, options, executor, run.statistics);
     const TransferInput input{
         surfaces,

@@ -54,6 +54,8 @@ public:
     [[nodiscard]] std::size_t pending() const noexcept { return visibility_.pending(); }
     /// Returns whether the last run() shaded pixels.
     [[nodiscard]] bool shaded_pixels() const noexcept { return pixels_; }
+    /// Returns whether the last run() took samples of lights, of lobes or at smooth surfaces.
+    [[nodiscard]] bool sampled() const noexcept { return sampled_; }
 
 private:
     [[nodiscard]] TransferMethod& method_for(Method method);
@@ -94,6 +96,7 @@ private:
     LocalLights local_lights_;
     SmoothSurfaces smooth_;
     bool pixels_ = false;
+    bool sampled_ = false;
     float noise_ = 0;  // noise for make_physical()
     InterpolationError interpolation_error_;
     PredictedError predicted_;  // of the chosen orders and of shading at vertices

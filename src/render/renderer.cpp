@@ -7,131 +7,15 @@
 
 #include "arguments.hpp"
 #include "draw/sample_pattern.hpp"
-#include "error.hpp"
 #include "image/observer.hpp"
 #include "progress.hpp"
 #include "reference/render_reference.hpp"
+#include "render/check_options.hpp"
 #include "render/filtered_image.hpp"
-#include "scene/path_depth.hpp"
 #include "surfaces/rigid_motion.hpp"
 
 namespace nicol {
 namespace {
-
-std::string depth_text(int max_depth) {
-    return max_depth == kUnlimitedDepth ? "unlimited" : std::to_string(max_depth);
-}
-
-void check(const RenderOptions& options) {
-    check(options.filter, "filter.");
-    if (options.method == Method::reference) return;  // the reference method checks its own options
-    if (options.order_low < 0 || options.order_low > kMaxRenderOrder) {
-        refuse("order_low is " + std::to_string(options.order_low) + "; it must lie in 0 to " +
-               std::to_string(kMaxRenderOrder));
-    }
-    if (options.order_high < options.order_low || options.order_high > 64) {
-        refuse("order_high is " + std::to_string(options.order_high) + "; it must lie in order_low (" +
-               std::to_string(options.order_low) + ") to 64");
-    }
-    if (options.bake_directions < DirectionSet::kFewest || options.bake_directions > DirectionSet::kMost) {
-        refuse("bake_directions is " + std::to_string(options.bake_directions) + "; it must lie in " +
-               std::to_string(DirectionSet::kFewest) + " to " + std::to_string(DirectionSet::kMost));
-    }
-    if (!(options.refine_tolerance >= 0 && options.refine_tolerance <= 1)) {
-        refuse("refine_tolerance is " + std::to_string(options.refine_tolerance) + "; it must lie in 0 to 1");
-    }
-    if (!(options.bake_budget_ms >= 0 && std::isfinite(options.bake_budget_ms))) {
-        refuse("bake_budget_ms is " + std::to_string(options.bake_budget_ms) +
-               "; it must be finite and not negative");
-    }
-    if (!(options.dering >= 0 && std::isfinite(options.dering))) {
-        refuse("dering is " + std::to_string(options.dering) + "; it must be finite and not negative");
-    }
-    if (!(options.tolerance >= 0 && std::isfinite(options.tolerance))) {
-        refuse("tolerance is " + std::to_string(options.tolerance) + "; it must be finite and not negative");
-    }
-    if (options.split_lights < kSplitAutomatic || options.split_lights > kMaxSplitLights) {
-        refuse("split_lights is " + std::to_string(options.split_lights) + "; it must lie in 0 to " +
-               std::to_string(kMaxSplitLights) + ", or be " + std::to_string(kSplitAutomatic) +
-               ", automatic");
-    }
-    if (options.light_samples < 1 || options.light_samples > kMaxLightSamples) {
-        refuse("light_samples is " + std::to_string(options.light_samples) + "; it must lie in 1 to " +
-               std::to_string(kMaxLightSamples));
-    }
-    if (options.bsdf_samples < 0 || options.bsdf_samples > kMaxBsdfSamples) {
-        refuse("bsdf_samples is " + std::to_string(options.bsdf_samples) + "; it must lie in 0 to " +
-               std::to_string(kMaxBsdfSamples));
-    }
-    if (options.max_depth < kDirectLightDepth ||
-        (options.max_depth > kDirectLightDepth && options.method == Method::dense)) {
-        throw Error(ErrorCode::unsupported, "max_depth is " + depth_text(options.max_depth) +
-                                                (options.method == Method::dense
-                                                     ? ", but the dense method computes direct light alone"
-                                                     : ", which only the reference method follows") +
-                                                "; set method to reference, or max_depth to 2, direct light");
-    }
-    if (options.max_depth > kDirectLightDepth && !options.shadows) {
-        refuse(
-            "shadows is off, but max_depth is more than 2: surfaces that light passes do not reflect it to "
-            "each other; turn shadows on or set max_depth to 2");
-    }
-    if ((options.aovs & aov_variance) != 0) {
-        refuse("aovs asks for the variance, which the reference method alone makes: others have no noise");
-    }
-    if (options.components != 1 && options.components != 3 && options.components != 4) {
-        refuse("components is " + std::to_string(options.components) + "; it must be 1, 3 or 4");
-    }
-    if (options.pixel_samples < 1 || options.pixel_samples > kMostDrawnSamples) {
-        refuse("pixel_samples is " + std::to_string(options.pixel_samples) + "; it must lie in 1 to " +
-               std::to_string(kMostDrawnSamples));
-    }
-    if ((options.disabled_optimisations & ~std::uint32_t{skip_all}) != 0) {
-        refuse("disabled_optimisations is " + std::to_string(options.disabled_optimisations) +
-               "; it must be a sum of skips");
-    }
-}
-
-// Throws Error(unsupported) if the options do not allow a textured material.
-void check_varying(const RenderOptions& options) {
-    const auto refuse_unsupported = [](const std::string& message) {
-        throw Error(ErrorCode::unsupported, "a material of the scene varies by a texture: " + message);
-    };
-    if (options.method == Method::reference) return;
-    if (options.shade_at == ShadeAt::vertices)
-        refuse_unsupported("textures are shaded at pixels; set shade_at to automatic or pixels");
-    if (options.method == Method::dense)
-        refuse_unsupported("the dense method has no textures; set method to factored or reference");
-}
-
-// Throws Error(unsupported) if the options do not allow a material that light passes.
-void check_transmitting(const RenderOptions& options) {
-    const auto refuse_unsupported = [](const std::string& message) {
-        throw Error(
-            ErrorCode::unsupported,
-            "a material of the scene is glass that light passes (dielectric or thindielectric): " + message);
-    };
-    if (options.method == Method::dense)
-        refuse_unsupported("the dense method follows no rays; set method to factored or reference");
-    if (options.method == Method::factored && options.shade_at == ShadeAt::vertices)
-        refuse_unsupported("rays begin at pixels; set shade_at to automatic or pixels");
-}
-
-// Throws if the image has too many samples for the visibility buffer, which shading at pixels and elements
-// need.
-void check_size(const Scene& scene, const RenderOptions& options, const Framebuffer& target) {
-    constexpr std::uint64_t most = std::uint64_t{1} << 27;
-    if (options.method == Method::reference) return;
-    if (options.shade_at == ShadeAt::vertices && scene.elements().empty()) return;
-    const std::uint64_t samples = std::uint64_t{samples_at_once(options.pixel_samples)} *
-                                  static_cast<std::uint64_t>(target.width()) *
-                                  static_cast<std::uint64_t>(target.height());
-    if (samples <= most) return;
-    refuse("pixel_samples is " + std::to_string(options.pixel_samples) + ": " + std::to_string(samples) +
-           " samples of " + std::to_string(target.width()) + " x " + std::to_string(target.height()) +
-           " pixels are more than the " + std::to_string(most) +
-           " that shading at pixels and polarization elements can keep");
-}
 
 // Returns the options that the method uses, and defaults of the others, whose change makes no other image.
 RenderOptions used(const RenderOptions& options) {
@@ -148,6 +32,9 @@ RenderOptions used(const RenderOptions& options) {
         out.seed = options.seed;
     } else {
         out.samples = RenderOptions{}.samples;
+        // Compared apart, because not all pictures take samples.
+        out.seed = 0;
+        out.light_samples = RenderOptions{}.light_samples;
     }
     return out;
 }
@@ -188,10 +75,7 @@ Statistics Renderer::render(const Scene& scene, const Camera& camera, const Rend
                " colour channels and the scene " + std::to_string(scene.channels()) +
                "; they must agree, or be 1 and 3 for the luminance");
     }
-    check(options);
-    if (scene.varies()) check_varying(options);
-    if (scene.transmits()) check_transmitting(options);
-    check_size(scene, options, target);
+    check(options, scene, target.width(), target.height());
     memory_limit_.check(scene, options, target.width(), target.height());
     if (!grey || options.method == Method::reference) return render_into(scene, camera, options, target);
 
@@ -219,24 +103,48 @@ Statistics Renderer::render_into(const Scene& scene, const Camera& camera, const
         const std::lock_guard lock(target.mutex());
         return target.content();
     };
+    const bool realtime = options.method != Method::reference;
+    const std::pair sampling{options.seed, options.light_samples};
     if ((options.disabled_optimisations & skip_unchanged) != 0 || content_ != content() ||
-        (options.method != Method::reference && pipeline_.pending() > 0)) {
+        (realtime && (pipeline_.pending() > 0 || (pipeline_.sampled() && sampling != sampling_)))) {
         rendering_.reset();
     }
     const bool rendered = rendering_.run(
         scene.geometry_version(), scene.material_version(), scene.light_version(), scene.emission_version(),
         scene.local_light_version(), scene.element_version(), camera, used(options), [&] {
-            if (options.method == Method::reference) return trace(scene, camera, options, target);
-            const Projection projection = project(camera, target.width(), target.height());
-            if (drawn_one_by_one(options.pixel_samples, options.filter)) {
-                draw_one_by_one(scene, projection, options, target);
-            } else {
-                draw(scene, projection, options, target);
-            }
+            if (!realtime) return trace(scene, camera, options, target);
+            sampling_ = sampling;
+            draw_within_budget(scene, project(camera, target.width(), target.height()), options, target);
         });
     const std::lock_guard lock(target.mutex());
     if (!rendered) target.statistics().nothing_ran();
     return target.statistics();
+}
+
+void Renderer::draw_within_budget(const Scene& scene, const Projection& projection,
+                                  const RenderOptions& options, Framebuffer& target) {
+    const bool can_shade_vertices = !scene.varies() && !scene.transmits();
+    const RenderOptions afforded = budget_.afford(options, can_shade_vertices);
+    const int given_up = budget_.steps();
+    const Stopwatch watch;
+    if (drawn_one_by_one(afforded.pixel_samples, afforded.filter)) {
+        draw_one_by_one(scene, projection, afforded, target);
+    } else {
+        draw(scene, projection, afforded, target);
+    }
+    const double whole = watch.milliseconds();
+    const std::lock_guard lock(target.mutex());
+    Statistics& statistics = target.statistics();
+    statistics.given_up = given_up;
+    statistics.pixel_samples = afforded.pixel_samples;
+    statistics.light_samples = afforded.light_samples;
+    statistics.bsdf_samples = afforded.bsdf_samples;
+    statistics.order_tolerance = afforded.choose_orders ? afforded.tolerance * afforded.order_slack : 0;
+    budget_.spend({.whole = whole - statistics.project_ms - statistics.bake_ms,
+                   .relight = statistics.relight_ms,
+                   .shade = statistics.shade_ms,
+                   .lights = statistics.light_ms,
+                   .at_pixels = pipeline_.shaded_pixels()});
 }
 
 void Renderer::put(Framebuffer& target, const std::function<void()>& draw) {

@@ -7,12 +7,14 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "devices/device.hpp"
 #include "draw/element_painter.hpp"
 #include "draw/painter.hpp"
 #include "render/memory_estimate.hpp"
 #include "render/pipeline.hpp"
+#include "render/time_budget.hpp"
 #include "stage/options.hpp"
 
 namespace nicol {
@@ -45,6 +47,9 @@ private:
     // Renders into a framebuffer of the scene's channels or, with the reference method, of their luminance.
     Statistics render_into(const Scene& scene, const Camera& camera, const RenderOptions& options,
                            Framebuffer& target);
+    // Draws with what the options' time budget affords.
+    void draw_within_budget(const Scene& scene, const Projection& projection, const RenderOptions& options,
+                            Framebuffer& target);
     // Locks the framebuffer, calls `draw`, which replaces the content, and remembers what the content is.
     void put(Framebuffer& target, const std::function<void()>& draw);
     void put(Framebuffer& target, StokesImage image, const Statistics& statistics, Aovs aovs);
@@ -65,6 +70,7 @@ private:
     std::unique_ptr<Framebuffer> colours_;  // framebuffer of three channels, for a target of luminance
     Workers workers_;
     Pipeline pipeline_;
+    TimeBudget budget_;
     VertexBuffers buffers_;
     AlphaMasks alpha_masks_;
     VisibilityBuffer hits_;
@@ -75,7 +81,8 @@ private:
 
     // Inputs of the last image: versions of the scene, camera, options.
     Stage<Version, Version, Version, Version, Version, Version, Camera, RenderOptions> rendering_;
-    Version content_ = 0;  // content() of the framebuffer with the last image
+    std::pair<std::uint64_t, int> sampling_;  // seed and light_samples of the last real-time image
+    Version content_ = 0;                     // content() of the framebuffer with the last image
 };
 
 }  // namespace nicol

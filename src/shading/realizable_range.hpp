@@ -8,9 +8,9 @@
 namespace nicol {
 
 /// Moves each vector into the physically realizable range (Eq. 70), sqrt(s1^2 + s2^2 + s3^2) <= s0: a
-/// negative s0 becomes 0, and a polarized part that is too long keeps its direction. Truncated light can
-/// leave the range; true light never does. The range is convex; therefore the distance to the truth grows at
-/// most by the shortening of s1..s3. Returns the number of moved vectors.
+/// negative s0 becomes 0, and a polarized part that is too long is shortened to s0 and keeps its direction.
+/// This is a clamp and not the projection of Section 8.2, which raises s0 as well. Truncated light can leave
+/// the range; true light never does. Returns the number of moved vectors.
 ///
 /// noise: error of s0, at least 0. The polarization of light that is as weak as its error is mostly error.
 /// Therefore s1..s3 are multiplied by s0^2 / (s0^2 + noise^2), the factor of least squared error for light of

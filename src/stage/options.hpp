@@ -113,6 +113,9 @@ struct RenderOptions {
     /// Largest predicted relative RMSE of s0, s1 and s2 (over the RMS of s0) that the omitted orders may
     /// cause.
     double tolerance = 0.03;
+    /// Factor of the tolerance for the choice of orders, 1 or more. A time budget raises the factor in order
+    /// to lower the orders; other uses of the tolerance stay.
+    double order_slack = 1;
     /// Strength of a window against ringing, the factor 1 / (1 + dering (l (l + 1))^2) of all components of
     /// the light's order l. The window trades the least smoothing for the least curvature (Sloan 2017). 0 and
     /// up; 0: off; 1e-4 to 1e-2 are useful.
@@ -132,6 +135,9 @@ struct RenderOptions {
     /// by narrow lobes, 0..kMaxBsdfSamples; lobes of GGX take up to half as many again. 0: all lobes reflect
     /// harmonics, anisotropic ones as round ones. Applies to Method::factored with HighOrders::split or none.
     int bsdf_samples = 32;
+    /// Time of a frame of a real-time method, in milliseconds; 0: as long as it takes. Above 0, frames give
+    /// up what TimeBudget says.
+    double time_budget_ms = 0;
     /// Stokes components of the image: 1 (s0), 3 (s0, s1, s2) or 4; the others are 0.
     int components = 4;
     /// Samples per pixel of the real-time methods, 1 to kMostDrawnSamples. Surfaces and the environment

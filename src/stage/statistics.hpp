@@ -47,6 +47,11 @@ struct Statistics : RenderWork {
     double interpolation_error = 0;  ///< that of interpolation alone; 0 if pixels were shaded
     double bounce_error = 0;         ///< that of bounced light alone
     bool compute = false;            ///< whether compute shaders made the image
+    int given_up = 0;                ///< TimeBudget::steps() of the image
+    int pixel_samples = 0;           ///< samples per pixel of the real-time methods
+    int light_samples = 0;           ///< RenderOptions::light_samples of the image
+    int bsdf_samples = 0;            ///< RenderOptions::bsdf_samples of the image
+    double order_tolerance = 0;      ///< tolerance for which orders were chosen; 0 if they were not
     std::uint64_t vertices = 0;
     std::uint64_t triangles = 0;
     std::uint64_t vertices_added = 0;       ///< part of `vertices`: added by refinement

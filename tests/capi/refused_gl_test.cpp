@@ -427,6 +427,8 @@ STAGE_TEST_CASE("cameras and options out of range are refused, and the image sta
          {"physical", [](auto& o) { o.physical = 2; }},
          {"bake_budget_ms is -1", [](auto& o) { o.bake_budget_ms = -1; }},
          {"bake_budget_ms", [](auto& o) { o.bake_budget_ms = not_a_number; }},
+         {"time_budget_ms is -1", [](auto& o) { o.time_budget_ms = -1; }},
+         {"time_budget_ms", [](auto& o) { o.time_budget_ms = not_a_number; }},
          {"filter.kind is 6; it must be one of NICOL_FILTER_", [](auto& o) { o.filter.kind = 6; }},
          {"filter.reserved must be 0", [](auto& o) { o.filter.reserved = 1; }},
          {"filter.size is 5",

@@ -78,6 +78,11 @@ def check_error(folder, scene):
             assert high < low, (suffix, component, low, high)
             assert high < 0.1, (suffix, component, high)
     assert rows["factored 2 + split to 32"]["s0"] < rows["factored 2"]["s0"]
+    for name, row in rows.items():
+        if name.startswith(("factored", "dense")):
+            assert row["s0, 95 %"] <= row["s0, 99 %"] <= row["s0, largest"], (name, row)
+            assert row["s0, largest"] > row["s0"], (name, row)
+            assert 0 < row["AoLP, degrees"] < 45 and 0 < row["DoLP, by light"] < 1, (name, row)
     for suffix in ("", ", no shadows"):
         noise, estimate = (rows[name + suffix]["s0"] for name in ("reference, its noise", "reference, its noise by its variance"))
         assert 0 < 0.8 * noise < estimate < 2 * noise, (suffix, noise, estimate)
@@ -121,7 +126,32 @@ def check_pareto(folder, scene):
         assert row["light rotating ms"] > 0 and row["camera only ms"] > 0, row
     drawing = xml.etree.ElementTree.parse(plot).getroot()
     points = [e for e in drawing.iter() if e.tag.endswith("circle")]
-    assert len(points) == 4 * len(rows), len(points)
+    assert len(points) == 6 * len(rows), len(points)
+    for order in (2, 3):
+        assert rows[f"dense {order}"]["MB"] > rows[f"factored {order}"]["MB"] > 0, rows
+        assert rows[f"dense {order}"]["before the first ms"] > 0, rows
+    peer = folder / "peer.csv"
+    peer.write_text("another program\n4,100,0.1,0.02,0.02\n16,400,0.05,0.01,0.01\n")
+    run("pareto", scene, "--size", 16, "--samples", 4, "--orders", "2-2", "--seconds", 0.001, "--plot", plot, "--peer", peer,
+        "--cache", folder / "cache")
+    drawing = xml.etree.ElementTree.parse(plot).getroot()
+    assert sum(e.tag.endswith("circle") for e in drawing.iter()) == 4 + 2
+    assert "another program" in plot.read_text()
+    peer.write_text("another program\n4,100\n")
+    assert "label,ms,s0,s1,s2" in run("pareto", scene, "--size", 16, "--samples", 4, "--orders", "1-1", "--seconds", 0.001,
+                                      "--plot", plot, "--peer", peer, "--cache", folder / "cache", code=2)
+
+
+def check_price(folder, scene):
+    rows = table(folder, "price", scene, "--size", 32, "--seconds", 0.001, "--orders", "3-3", "--cache", folder / "cache")
+    alone, surfaces, light = (rows[f"order 3, {name}"] for name in ("s0 alone", "polarized by surfaces", "polarized light"))
+    assert alone["over s0"] == 1 and light["MB over s0"] > surfaces["MB over s0"] >= 1, rows
+
+
+def check_budget(folder, scene):
+    rows = table(folder, "budget", "--size", 16, "--only", "sun", "--cache", folder / "cache")
+    assert list(rows) == ["snail_sun, 16", "snail_sun, 33", "snail_sun, 100"] and all(0 <= row["frames within 1.2 times, %"] <= 100 for row in rows.values()), rows
+    assert all(row["pixel samples"] >= 1 and row["order_low"] > 0 for row in rows.values()), rows
 
 
 def check_times(folder, scene):
@@ -170,5 +200,5 @@ with tempfile.TemporaryDirectory() as name:
     small.write_text(SCENE)
     (home / "ball.obj").write_text(grid_obj(20, 30, ball))
     (home / "floor.obj").write_text(grid_obj(14, 14, floor))
-    for check in (check_arguments, check_error, check_converged, check_materials, check_coarse, check_pareto, check_times):
+    for check in (check_arguments, check_error, check_converged, check_materials, check_coarse, check_pareto, check_price, check_budget, check_times):
         check(home, small)

@@ -377,3 +377,22 @@ TEST_CASE("any series of changes ends where a fresh start does") {
         }
     }
 }
+
+IMAGE_TEST_CASE("a seed and a number of light samples change only pictures that take samples") {
+    Studio studio(context, Method::factored);
+    Scene scene = balls_on_plate();
+    const auto runs = [&](std::uint64_t seed, int light_samples) {
+        studio.options.seed = seed;
+        studio.options.light_samples = light_samples;
+        return studio(scene).draw_ms > 0;
+    };
+    CHECK(runs(0, 16));
+    CHECK_FALSE(runs(1, 16));
+    CHECK_FALSE(runs(1, 8));
+    scene.add_light({.value = std::vector<double>(3, 1.0), .to_world = at(1, 3, 2)});
+    CHECK(runs(1, 8));
+    CHECK_FALSE(runs(1, 8));
+    CHECK(runs(2, 8));
+    CHECK(runs(2, 16));
+    CHECK_FALSE(runs(2, 16));
+}

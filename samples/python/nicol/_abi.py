@@ -682,6 +682,7 @@ class RenderOptions(Struct):
         ("reserved", c_uint32),
         ("bake_budget_ms", c_double),
         ("filter", Filter),
+        ("time_budget_ms", c_double),
     ]
 
     def set_quality(self, quality):
@@ -756,6 +757,11 @@ class Statistics(Struct):
         ("bounced_left", c_double),
         ("bake_rays_skipped", c_uint64),
         ("vertices_unbaked", c_uint64),
+        ("given_up", c_uint32),
+        ("pixel_samples", c_uint32),
+        ("light_samples", c_uint32),
+        ("bsdf_samples", c_uint32),
+        ("order_tolerance", c_double),
     ]
 
 

@@ -1089,10 +1089,11 @@ pub struct nicol_render_options {
     pub reserved: u32,
     pub bake_budget_ms: f64,
     pub filter: nicol_filter,
+    pub time_budget_ms: f64,
 }
 defaults!(nicol_render_options, nicol_render_options_init);
 const _: () = {
-    assert!(size_of::<nicol_render_options>() == 184);
+    assert!(size_of::<nicol_render_options>() == 192);
     assert!(offset_of!(nicol_render_options, struct_size) == 0);
     assert!(offset_of!(nicol_render_options, method) == 4);
     assert!(offset_of!(nicol_render_options, order_low) == 8);
@@ -1124,6 +1125,7 @@ const _: () = {
     assert!(offset_of!(nicol_render_options, reserved) == 140);
     assert!(offset_of!(nicol_render_options, bake_budget_ms) == 144);
     assert!(offset_of!(nicol_render_options, filter) == 152);
+    assert!(offset_of!(nicol_render_options, time_budget_ms) == 184);
 };
 pub type nicol_quality = u32;
 
@@ -1215,10 +1217,15 @@ pub struct nicol_statistics {
     pub bounced_left: f64,
     pub bake_rays_skipped: u64,
     pub vertices_unbaked: u64,
+    pub given_up: u32,
+    pub pixel_samples: u32,
+    pub light_samples: u32,
+    pub bsdf_samples: u32,
+    pub order_tolerance: f64,
 }
 defaults!(nicol_statistics, nicol_statistics_init);
 const _: () = {
-    assert!(size_of::<nicol_statistics>() == 384);
+    assert!(size_of::<nicol_statistics>() == 408);
     assert!(offset_of!(nicol_statistics, struct_size) == 0);
     assert!(offset_of!(nicol_statistics, order) == 4);
     assert!(offset_of!(nicol_statistics, vertices) == 8);
@@ -1269,6 +1276,11 @@ const _: () = {
     assert!(offset_of!(nicol_statistics, bounced_left) == 360);
     assert!(offset_of!(nicol_statistics, bake_rays_skipped) == 368);
     assert!(offset_of!(nicol_statistics, vertices_unbaked) == 376);
+    assert!(offset_of!(nicol_statistics, given_up) == 384);
+    assert!(offset_of!(nicol_statistics, pixel_samples) == 388);
+    assert!(offset_of!(nicol_statistics, light_samples) == 392);
+    assert!(offset_of!(nicol_statistics, bsdf_samples) == 396);
+    assert!(offset_of!(nicol_statistics, order_tolerance) == 400);
 };
 pub type nicol_plane = u32;
 pub type nicol_format = u32;
