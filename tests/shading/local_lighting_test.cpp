@@ -44,7 +44,7 @@ struct Floor {
                                .facets = {},
                                .unperturbed = {},
                                .origins = origins,
-                               .mirrored = {},
+                               .mirrored = nullptr,
                                .parts = {},
                                .seeds = own,
                                .shadowed = true},
