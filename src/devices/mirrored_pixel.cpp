@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "devices/mirrored_pixel.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <glm/geometric.hpp>
+#include "simd/dispatch.hpp"
 
 namespace nicol {
 namespace {
@@ -11,56 +9,156 @@ namespace {
 // Largest distance between a sample's place and the point that is shaded for it, in samples. Points that are
 // farther away are not of the sample's surface.
 constexpr double kFarthest = 1;
+// Longest change of direction that is not an overflow.
+constexpr double kLongest = 1e30;
+
+// Returns bend_of_normal(). changes: of the normals, from the first corner to the others.
+template <class Number>
+[[gnu::always_inline]] inline Vector3<Number> bend(const Edges<Number>& edges, const Edges<Number>& changes,
+                                                   const Vector3<Number>& way,
+                                                   const Vector3<Number>& normal) {
+    const Vector3<Number> across = cross(edges.second, edges.third);
+    Number area2, along_second, along_third, rise;
+    dot(across, across, area2);
+    const Number inverse = area2 > 0.0 ? 1.0 / area2 : Number{};
+    dot(cross(way, edges.third), across, along_second);
+    dot(cross(edges.second, way), across, along_third);
+    along_second *= inverse;
+    along_third *= inverse;
+    const Vector3<Number> here{along_second * changes.second.x + along_third * changes.third.x,
+                               along_second * changes.second.y + along_third * changes.third.y,
+                               along_second * changes.second.z + along_third * changes.third.z};
+    dot(here, normal, rise);
+    return minus_scaled(here, rise, normal);
+}
+
+// Camera whose samples are even.
+struct Film {
+    CameraAxes camera;
+    Vector3<double> forward;
+    std::array<Vector3<double>, 2> across;  // a sample's sides on the image plane: to the right and down
+    double width, height;                   // of a sample on the image plane; the height is below 0
+};
+
+// Computes a - factor b.
+template <class Number>
+[[gnu::always_inline]] inline Vector3<Number> minus_some(const Vector3<double>& a, const Number& factor,
+                                                         const Vector3<Number>& b) {
+    return {a.x - factor * b.x, a.y - factor * b.y, a.z - factor * b.z};
+}
+
+// Stores a vector times a number.
+template <class Number>
+[[gnu::always_inline]] inline void store_scaled(const Vector3<Number>& v, const Number& scale,
+                                                std::size_t first, LaneVectors& out) {
+    store_doubles(Vector3<Number>{v.x * scale, v.y * scale, v.z * scale}, first, out);
+}
+
+template <class Number>
+[[gnu::always_inline]] inline void find_pixels(const Film& film, const ShownPoints& points,
+                                               const LanePoints& positions, const LaneSamples& samples,
+                                               MirroredPixels& out) {
+    const CameraAxes& camera = film.camera;
+    const Number one = Number{} + 1.0;
+    for (std::size_t first = 0; first < kLanes; first += kDoublePart<Number>) {
+        Vector3<Number> position, n, facet;
+        load_vector(positions.x.value.data() + first, position.x);
+        load_vector(positions.y.value.data() + first, position.y);
+        load_vector(positions.z.value.data() + first, position.z);
+        load_doubles(points.normals, first, n);
+        load_doubles(points.facets, first, facet);
+        const Edges<Number> edges = edges_of<Number>(points.triangles.corners, first);
+        const Edges<Number> changes = edges_of<Number>(points.triangles.normals, first);
+
+        const Vector3<Number> back = towards_camera(camera, position);
+        const Vector3<Number> sight{-back.x, -back.y, -back.z};
+        const Vector3<Number> away{position.x - camera.eye.x, position.y - camera.eye.y,
+                                   position.z - camera.eye.z};
+        Number depth, distance, seen, facing;
+        dot(away, film.forward, depth);
+        depth = camera.perspective > 0 ? depth : one;
+        dot(away, away, distance);
+        square_root(distance);
+        dot(sight, facet, seen);
+        dot(sight, n, facing);
+        const Number turning = distance > 0.0 ? camera.perspective * depth / distance : Number{};
+        const Number size = seen < 0.0 ? -seen : seen;
+        const Number slanted = size > 1e-3 ? 1.0 / seen : Number{};
+
+        std::array<Vector3<Number>, 2> steps;
+        for (std::size_t i = 0; i < 2; ++i) {
+            Number along, rise, towards, rise_of_turn, length;
+            dot(film.across[i], sight, along);
+            const Vector3<Number> upright = minus_some(film.across[i], along, sight);
+            const Vector3<Number> turn{turning * upright.x, turning * upright.y, turning * upright.z};
+            const Vector3<Number> flat{depth * upright.x, depth * upright.y, depth * upright.z};
+            dot(flat, facet, rise);
+            const Number back_by = rise * slanted;
+            const Vector3<Number> bent = bend(edges, changes, minus_scaled(flat, back_by, sight), n);
+            dot(turn, n, rise_of_turn);
+            dot(sight, bent, towards);
+            const Number by_normal = 2.0 * (rise_of_turn + towards), by_bend = 2.0 * facing;
+            const Vector3<Number> step = minus_scaled(minus_scaled(turn, by_normal, n), by_bend, bent);
+            dot(step, step, length);
+            square_root(length);
+            const Number limited = 1.0 / (length > 1.0 ? length : one);
+            const Number scale = length < kLongest ? limited : Number{};
+            steps[i] = {length < kLongest ? step.x * scale : Number{},
+                        length < kLongest ? step.y * scale : Number{},
+                        length < kLongest ? step.z * scale : Number{}};
+        }
+
+        Number right, up, shown_right, shown_up;
+        load_doubles(samples.right, first, right);
+        load_doubles(samples.up, first, up);
+        dot(away, camera.right, shown_right);
+        dot(away, camera.up, shown_up);
+        right = (right - shown_right / depth) / film.width;
+        up = (up - shown_up / depth) / film.height;
+        const Number beside = right * right + up * up;
+        const Number near = beside < kFarthest * kFarthest ? one : Number{};
+        right = near > 0.0 ? right : Number{};
+        up = near > 0.0 ? up : Number{};
+        store_doubles(
+            Vector3<Number>{right * steps[0].x + up * steps[1].x, right * steps[0].y + up * steps[1].y,
+                            right * steps[0].z + up * steps[1].z},
+            first, out.shift);
+        Number width, height;
+        load_doubles(samples.width, first, width);
+        load_doubles(samples.height, first, height);
+        store_scaled(steps[0], width, first, out.steps[0]);
+        store_scaled(steps[1], height, first, out.steps[1]);
+    }
+}
+
+glm::dvec3 vector(const Vector3<double>& v) {
+    return {v.x, v.y, v.z};
+}
 
 }  // namespace
 
 glm::dvec3 bend_of_normal(const ShownTriangle& triangle, const glm::dvec3& way, const glm::dvec3& normal) {
-    const glm::dvec3 corner(triangle.corners[0]);
-    const glm::dvec3 second = glm::dvec3(triangle.corners[1]) - corner;
-    const glm::dvec3 third = glm::dvec3(triangle.corners[2]) - corner;
-    const glm::dvec3 across = glm::cross(second, third);
-    const double area2 = glm::dot(across, across);
-    if (!(area2 > 0)) return glm::dvec3(0.0);
-    const double along_second = glm::dot(glm::cross(way, third), across) / area2;
-    const double along_third = glm::dot(glm::cross(second, way), across) / area2;
-    const glm::dvec3 first(triangle.normals[0]);
-    const glm::dvec3 here = along_second * (glm::dvec3(triangle.normals[1]) - first) +
-                            along_third * (glm::dvec3(triangle.normals[2]) - first);
-    return here - glm::dot(here, normal) * normal;
+    const auto edges = [](const std::array<glm::vec3, 3>& corners) {
+        const glm::dvec3 first(corners[0]);
+        return Edges<double>{components(glm::dvec3(corners[1]) - first),
+                             components(glm::dvec3(corners[2]) - first)};
+    };
+    return vector(
+        bend(edges(triangle.corners), edges(triangle.normals), components(way), components(normal)));
 }
 
-MirroredPixel mirrored_pixel(const Projection& projection, int width, int height,
-                             const ShownTriangle& triangle, const glm::vec3& position,
-                             const glm::vec3& normal, const glm::dvec2& middle) {
+void mirrored_pixels(const Projection& projection, int width, int height, const ShownPoints& points,
+                     const LaneSamples& samples, MirroredPixels& out) {
     const Viewpoint& view = projection.view;
-    const glm::dvec3 away = glm::dvec3(position) - view.eye;
-    const glm::dvec3 sight = -view.towards(glm::dvec3(position));
-    const glm::dvec3 n(normal);
-    const glm::dvec3 facet(triangle.facet);
-    const double seen = glm::dot(sight, facet);
-    const double depth = view.orthographic ? 1 : glm::dot(away, view.forward);
-    // On the image plane, which is at unit distance in a perspective view.
-    const glm::dvec2 sample(2 * projection.sample_size * projection.half_width / width,
-                            -2 * projection.sample_size * projection.half_height / height);
-    const std::array<glm::dvec3, 2> across{view.right * sample.x, view.up * sample.y};
-    MirroredPixel out;
-    for (std::size_t i = 0; i < 2; ++i) {
-        const glm::dvec3 upright = across[i] - glm::dot(across[i], sight) * sight;
-        const glm::dvec3 turn = view.orthographic ? glm::dvec3(0.0) : upright * (depth / glm::length(away));
-        glm::dvec3 way = upright * depth;
-        if (std::abs(seen) > 1e-3) way -= glm::dot(way, facet) / seen * sight;
-        const glm::dvec3 bent = bend_of_normal(triangle, way, n);
-        const glm::dvec3 step =
-            turn - 2 * (glm::dot(turn, n) + glm::dot(sight, bent)) * n - 2 * glm::dot(sight, n) * bent;
-        const double length = glm::length(step);
-        if (!std::isfinite(length)) continue;
-        out.steps[i] = glm::vec3(step / std::max(1.0, length));
-    }
-    const glm::dvec2 shown = glm::dvec2(glm::dot(away, view.right), glm::dot(away, view.up)) / depth;
-    const glm::dvec2 beside = (middle - shown) / sample;
-    if (!(glm::length(beside) < kFarthest)) return out;
-    out.shift = static_cast<float>(beside.x) * out.steps[0] + static_cast<float>(beside.y) * out.steps[1];
-    return out;
+    const double right = 2 * projection.sample_size * projection.half_width / width;
+    const double up = -2 * projection.sample_size * projection.half_height / height;
+    const Film film{.camera = view.axes(),
+                    .forward = components(view.forward),
+                    .across = {components(view.right * right), components(view.up * up)},
+                    .width = right,
+                    .height = up};
+    dispatch<find_pixels<TwoDoubles>, find_pixels<FourDoubles>, find_pixels<EightDoubles>>(
+        film, points, lane_points(points.positions), samples, out);
 }
 
 }  // namespace nicol

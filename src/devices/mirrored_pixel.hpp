@@ -1,21 +1,22 @@
 // SPDX-License-Identifier: MIT
-// What a pixel that shows a surface sees in it as in a mirror.
+// What pixels that show surfaces see in them as in mirrors.
 #pragma once
 
 #include <array>
-#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <span>
 
+#include "polarization/lane_points.hpp"
 #include "scene/projection.hpp"
 #include "shading/reflected_nodes.hpp"
+#include "surfaces/lane_triangles.hpp"
 
 namespace nicol {
 
-/// Triangle that a pixel shows, in the axes of the projection.
+/// Triangle with normals at its corners.
 struct ShownTriangle {
     std::array<glm::vec3, 3> corners;
     std::array<glm::vec3, 3> normals;  ///< of the corners
-    glm::vec3 facet;                   ///< unit geometric normal, either sign
 };
 
 /// Returns the change of a triangle's interpolated normal along a way in its plane, orthogonal to the unit
@@ -23,11 +24,23 @@ struct ShownTriangle {
 [[nodiscard]] glm::dvec3 bend_of_normal(const ShownTriangle& triangle, const glm::dvec3& way,
                                         const glm::dvec3& normal);
 
-/// Returns what a sample of an image of width x height pixels shows mirrored. position: that of the shown
-/// point, on the triangle. normal: the unit shading normal there. middle: the sample's place on the image
-/// plane, see on_image_plane(), which may be beside the point. Each change of direction is at most 1 long.
-[[nodiscard]] MirroredPixel mirrored_pixel(const Projection& projection, int width, int height,
-                                           const ShownTriangle& triangle, const glm::vec3& position,
-                                           const glm::vec3& normal, const glm::dvec2& middle);
+/// Samples of an image, sixteen side by side.
+struct LaneSamples {
+    Lanes right, up;      ///< places on the image plane, see on_image_plane()
+    Lanes width, height;  ///< sides of the samples, relative to an even sample's
+};
+
+/// Points that samples show, sixteen side by side.
+struct ShownPoints {
+    const LaneTriangles& triangles;
+    const LaneVectors& facets;             ///< unit geometric normals, either sign
+    std::span<const glm::vec3> positions;  ///< on the triangles; at most kLanes
+    const LaneVectors& normals;            ///< unit shading normals
+};
+
+/// Computes what samples of an image of width x height pixels show mirrored. A sample may be beside its
+/// point. Each change of direction across an even sample is at most 1 long.
+void mirrored_pixels(const Projection& projection, int width, int height, const ShownPoints& points,
+                     const LaneSamples& samples, MirroredPixels& out);
 
 }  // namespace nicol

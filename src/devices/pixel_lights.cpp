@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <glm/geometric.hpp>
 #include <optional>
 #include <vector>
@@ -16,22 +15,21 @@
 #include "shading/bounced_light.hpp"
 #include "shading/emission.hpp"
 #include "shading/light_samples.hpp"
+#include "surfaces/lane_triangles.hpp"
 #include "surfaces/tangents.hpp"
 
 namespace nicol {
 namespace {
 
-// Returns the vectors of vertices at the corners of a triangle.
-std::array<glm::vec3, 3> corners_of(std::span<const glm::vec3> vectors, const glm::uvec3& triangle) {
-    return {vectors[triangle.x], vectors[triangle.y], vectors[triangle.z]};
+std::array<glm::vec3, 3> corners_at(const LaneTriangles& triangles, std::size_t i) {
+    return {vector_at(triangles.corners[0], i), vector_at(triangles.corners[1], i),
+            vector_at(triangles.corners[2], i)};
 }
 
-glm::vec3 facet_of(const std::array<glm::vec3, 3>& corners, const glm::vec3& otherwise) {
-    // Double precision, because squares of very small or large edges exceed the range of floats.
-    const glm::dvec3 corner(corners[0]);
-    const glm::dvec3 normal = glm::cross(glm::dvec3(corners[1]) - corner, glm::dvec3(corners[2]) - corner);
-    const double length = glm::length(normal);
-    return length > 0 ? glm::vec3(normal / length) : otherwise;
+LaneVectors in_lanes(const std::array<glm::vec3, kLanes>& from) {
+    LaneVectors out;
+    for (std::size_t i = 0; i < kLanes; ++i) put(out, i, from[i]);
+    return out;
 }
 
 std::vector<const Material*> layers_of(const Material& material) {
@@ -61,44 +59,56 @@ LightingTally PixelLights::add(const PixelBatch& batch, std::span<const std::spa
         bounced.emplace(input_.bounced->layout(), input_.bounced->rows());
     LightingTally tally;
     std::vector<std::span<glm::vec4>> channels(out.size());
+    const bool rotated = variation != nullptr && variation->rotation.any();
+    const bool own_tangents = !input_.geometry.tangents.empty();
     for (std::size_t first = 0; first < points.size(); first += kLanes) {
         const std::size_t count = std::min(kLanes, points.size() - first);
         const LaneSurface& surface = batch.surfaces()[first / kLanes];
-        std::array<glm::vec3, kLanes> facets, origins, tangents;
+        std::array<std::uint32_t, kLanes> shown;
+        for (std::size_t i = 0; i < count; ++i) shown[i] = points[first + i].triangle;
+        const std::span triangles = std::span(shown).first(count);
+        const LaneTriangles corners = LaneTriangles::of(input_.geometry, triangles);
+        const LaneVectors normals = in_lanes(surface.normals);
+        const LaneVectors facets = corners.facets(normals);
+        std::array<glm::vec3, kLanes> of_facets, origins, tangents;
         std::array<PixelOrigins::Part, kLanes> in_pixels;
-        std::array<Corners, kLanes> triangles;
-        std::array<MirroredPixel, kLanes> mirrored;
-        std::array<MirroredParts, kLanes> parts;
+        std::array<Corners, kLanes> of_triangles;
         std::array<std::uint32_t, kLanes> seeds;
         for (std::size_t i = 0; i < count; ++i) {
-            const glm::uvec3& triangle = input_.geometry.triangles[points[first + i].triangle];
-            const std::array corners = corners_of(input_.geometry.positions, triangle);
-            facets[i] = facet_of(corners, surface.normals[i]);
-            triangles[i] = triangle;
-            const glm::vec3 lift = static_cast<float>(ray_offset(corners)) * facets[i];
+            of_facets[i] = vector_at(facets, i);
+            of_triangles[i] = input_.geometry.triangles[shown[i]];
+            const glm::vec3 lift = static_cast<float>(ray_offset(corners_at(corners, i))) * of_facets[i];
             origins[i] = surface.positions[i] + lift;
-            if (spread) in_pixels[i] = part_of(batch.in_pixels()[first + i], triangle, lift);
+            if (spread) in_pixels[i] = part_of(batch.in_pixels()[first + i], of_triangles[i], lift);
             seeds[i] = sample_seed(points[first + i].pixel, input_.seed);
-            if (mirrors)
-                mirrored[i] = mirrored_at(batch.in_pixels()[first + i], surface, i,
-                                          {.corners = corners,
-                                           .normals = corners_of(input_.geometry.normals, triangle),
-                                           .facet = facets[i]});
-            if (mirrors && turned) parts[i] = parts_at(surface, i, mirrored[i]);
-            if (!anisotropic) continue;
-            if (variation != nullptr && variation->rotation.any()) {
-                tangents[i] = surface.tangents[i];
-                continue;
-            }
-            const glm::vec3 weights(surface.weights[0][i], surface.weights[1][i], surface.weights[2][i]);
-            tangents[i] = tangent(input_.geometry, points[first + i].triangle, weights);
+        }
+        MirroredPixels mirrored;
+        std::array<MirroredParts, kLanes> parts;
+        if (mirrors) {
+            find_mirrored(batch.in_pixels().subspan(first, count),
+                          {.triangles = corners,
+                           .facets = facets,
+                           .positions = std::span(surface.positions).first(count),
+                           .normals = normals},
+                          mirrored);
+            for (std::size_t i = 0; i < count && turned; ++i) parts[i] = parts_at(surface, i, mirrored);
+        }
+        if (anisotropic && rotated) {
+            tangents = surface.tangents;
+        } else if (anisotropic && own_tangents) {
+            for (std::size_t i = 0; i < count; ++i)
+                tangents[i] = tangent(input_.geometry, shown[i],
+                                      {surface.weights[0][i], surface.weights[1][i], surface.weights[2][i]});
+        } else if (anisotropic) {
+            const LaneVectors along = texture_tangents(input_.geometry, triangles, corners,
+                                                       turned ? in_lanes(surface.unperturbed) : normals);
+            for (std::size_t i = 0; i < count; ++i) tangents[i] = vector_at(along, i);
         }
         std::span<const LayerWeights> weights;
         if (!batch.weights().empty())
             weights = batch.weights().subspan(first / kLanes * layers.size(), layers.size());
         for (std::size_t c = 0; c < out.size(); ++c) channels[c] = out[c].subspan(first, count);
-        const std::span of_facets = std::span(facets).first(count);
-        if (bounced) bounced->take(std::span(triangles).first(count), surface.weights);
+        if (bounced) bounced->take(std::span(of_triangles).first(count), surface.weights);
         PixelOrigins places(input_.projection.view, input_.geometry.positions, input_.geometry.normals,
                             std::span(in_pixels).first(count));
         tally +=
@@ -106,10 +116,10 @@ LightingTally PixelLights::add(const PixelBatch& batch, std::span<const std::spa
                                    {.positions = std::span(surface.positions).first(count),
                                     .normals = std::span(surface.normals).first(count),
                                     .tangents = std::span(tangents).first(anisotropic ? count : 0),
-                                    .facets = turned ? of_facets : std::span<glm::vec3>(),
+                                    .facets = std::span(of_facets).first(turned ? count : 0),
                                     .unperturbed = std::span(surface.unperturbed).first(dimmed ? count : 0),
                                     .origins = std::span(origins).first(count),
-                                    .mirrored = std::span(mirrored).first(mirrors ? count : 0),
+                                    .mirrored = mirrors ? &mirrored : nullptr,
                                     .parts = std::span(parts).first(mirrors && turned ? count : 0),
                                     .places = spread ? &places : nullptr,
                                     .bounced = bounced ? &*bounced : nullptr,
@@ -121,16 +131,20 @@ LightingTally PixelLights::add(const PixelBatch& batch, std::span<const std::spa
     return tally;
 }
 
-MirroredPixel PixelLights::mirrored_at(const PixelPoint& point, const LaneSurface& surface, std::size_t lane,
-                                       const ShownTriangle& triangle) const {
+void PixelLights::find_mirrored(std::span<const PixelPoint> points, const ShownPoints& shown,
+                                MirroredPixels& out) const {
     const int width = input_.hits.width(), height = input_.hits.height();
-    MirroredPixel out =
-        mirrored_pixel(input_.projection, width, height, triangle, surface.positions[lane],
-                       surface.normals[lane], point.on_image_plane(input_.projection, width, height));
-    // The point stands for its part of the pixel.
-    out.steps[0] *= point.size.x;
-    out.steps[1] *= point.size.y;
-    return out;
+    LaneSamples samples;
+    for (std::size_t i = 0; i < kLanes; ++i) {
+        // The point stands for its part of the pixel.
+        const PixelPoint& point = points[i < points.size() ? i : 0];
+        const glm::vec2 place(point.on_image_plane(input_.projection, width, height));
+        samples.right[i] = place.x;
+        samples.up[i] = place.y;
+        samples.width[i] = point.size.x;
+        samples.height[i] = point.size.y;
+    }
+    mirrored_pixels(input_.projection, width, height, shown, samples, out);
 }
 
 PixelOrigins::Part PixelLights::part_of(const PixelPoint& point, const Corners& triangle,
@@ -147,12 +161,15 @@ PixelOrigins::Part PixelLights::part_of(const PixelPoint& point, const Corners& 
 }
 
 MirroredParts PixelLights::parts_at(const LaneSurface& surface, std::size_t lane,
-                                    MirroredPixel& pixel) const {
+                                    MirroredPixels& pixels) const {
     std::array<glm::vec3, MirroredParts::kCount> normals;
     for (std::size_t part = 0; part < normals.size(); ++part)
         normals[part] = vector_at(surface.parts[part], lane);
     const glm::dvec3 sight = -input_.projection.view.towards(glm::dvec3(surface.positions[lane]));
-    return mirrored_parts(glm::vec3(sight), surface.normals[lane], normals, pixel);
+    MirroredPixel pixel = pixels.at(lane);
+    const MirroredParts out = mirrored_parts(glm::vec3(sight), surface.normals[lane], normals, pixel);
+    put(pixels, lane, pixel);
+    return out;
 }
 
 void PixelLights::add_emission(const VertexRange& range, const PixelBatch& batch, std::size_t first,

@@ -24,15 +24,15 @@ public:
     LightingTally add(const PixelBatch& batch, std::span<const std::span<glm::vec4>> out) const;
 
 private:
-    // Returns what a point's pixel shows mirrored. lane: of the point in `surface`.
-    [[nodiscard]] MirroredPixel mirrored_at(const PixelPoint& point, const LaneSurface& surface,
-                                            std::size_t lane, const ShownTriangle& triangle) const;
+    // Computes what the pixels of points show mirrored.
+    void find_mirrored(std::span<const PixelPoint> points, const ShownPoints& shown,
+                       MirroredPixels& out) const;
     // Returns what PixelOrigins needs of a point. lift: from the surface to its shadow rays' origins.
     [[nodiscard]] PixelOrigins::Part part_of(const PixelPoint& point, const Corners& triangle,
                                              const glm::vec3& lift) const;
-    // Returns mirrored_parts() at a point.
+    // Returns mirrored_parts() at a point. lane: of the point.
     [[nodiscard]] MirroredParts parts_at(const LaneSurface& surface, std::size_t lane,
-                                         MirroredPixel& pixel) const;
+                                         MirroredPixels& pixels) const;
     void add_emission(const VertexRange& range, const PixelBatch& batch, std::size_t first,
                       std::span<const std::span<glm::vec4>> out) const;
 

@@ -65,7 +65,7 @@ LightingTally VertexLights::add(const VertexRange& range, std::span<const std::u
                                 .facets = {},
                                 .unperturbed = {},
                                 .origins = std::span(origins).first(count),
-                                .mirrored = {},
+                                .mirrored = nullptr,
                                 .parts = {},
                                 .seeds = vertices,
                                 .shadowed = shadowed},

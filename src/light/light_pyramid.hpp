@@ -23,6 +23,7 @@ public:
     /// axis, in square radians. Blobs are close to normal distributions.
     void look_up(const Lanes& variances, LaneLight& out) const;
 
+    [[nodiscard]] bool polarized() const noexcept { return components_ > 1; }
     [[nodiscard]] std::size_t bytes() const noexcept { return levels_.bytes(); }
 
 private:

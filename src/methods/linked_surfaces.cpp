@@ -179,7 +179,7 @@ LightingTally reflect_lights(const WorldGeometry& geometry, const DirectionSet& 
          .facets = {},
          .unperturbed = {},
          .origins = std::span(origins).first(count),
-         .mirrored = {},
+         .mirrored = nullptr,
          .parts = {},
          .seeds = std::span(seeds).first(count),
          .shadowed = true},

@@ -32,6 +32,17 @@ void hide(std::uint32_t points, LaneLight& light) {
     scale(factors, light);
 }
 
+void add_unpolarized(std::span<const std::array<Lanes, 4>> irradiance, LaneLight& light) {
+    if (light.irradiance.size() < irradiance.size()) {
+        const std::array<Lanes, 4> grey = light.irradiance.front();
+        light.irradiance.resize(irradiance.size(), grey);
+    }
+    for (std::size_t c = 0; c < light.irradiance.size(); ++c) {
+        const Lanes& other = irradiance[irradiance.size() == 1 ? 0 : c][0];
+        for (std::size_t i = 0; i < kLanes; ++i) light.irradiance[c][0][i] += other[i];
+    }
+}
+
 Lanes only(std::uint32_t points, Lanes numbers) {
     for (std::size_t i = 0; i < kLanes; ++i) numbers[i] *= static_cast<float>(points >> i & 1U);
     return numbers;

@@ -2,6 +2,7 @@
 // Changes of the light that reaches sixteen points.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <span>
@@ -18,6 +19,9 @@ void scale(const Lanes& factors, LaneLight& light);
 
 /// Removes the light of these points.
 void hide(std::uint32_t points, LaneLight& light);
+
+/// Adds s0 of another irradiance to unpolarized light. A single channel counts for all channels.
+void add_unpolarized(std::span<const std::array<Lanes, 4>> irradiance, LaneLight& light);
 
 /// Returns the numbers of these points, and 0 for others.
 [[nodiscard]] Lanes only(std::uint32_t points, Lanes numbers);

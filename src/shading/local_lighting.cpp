@@ -58,7 +58,7 @@ public:
           sums_(sums),
           all_((1U << points.positions.size()) - 1) {
         reflected_.set(views, points.positions, points.normals, points.tangents);
-        set_pixels(points.mirrored);
+        if (points.mirrored != nullptr) set_pixels(*points.mirrored);
         // The bake, which says what is shadowed, knows no glass.
         if (rays != nullptr && (points.shadowed || lights.glass != nullptr))
             shadows_.emplace(*rays, lights.glass.get(), positions_, origins_);
@@ -68,8 +68,9 @@ public:
 
     // Prepares add_source().
     void find_places() {
-        if (!points_.mirrored.empty())
-            places_ = PixelPlaces(points_.mirrored, points_.parts, reflected_.mirrored_directions());
+        if (points_.mirrored != nullptr)
+            places_ = PixelPlaces(*points_.mirrored, points_.positions.size(), points_.parts,
+                                  reflected_.mirrored_directions());
     }
 
     // Adds the rough terms' reflection of one light, but for terms that find it.
@@ -110,8 +111,8 @@ public:
     // Adds the sampled terms' reflection of the environment.
     void add_environment(const SampledEnvironment& environment) {
         for_layers(all_, [&](const Material& layer, const LayerWeights* weights, std::uint32_t there) {
-            std::vector<Lobe>& lobes = lobes_of(layer, environment.sampled());
-            for (const Lobe& lobe : lobes) add_lobe(environment, layer, lobe, weights, there);
+            for (const Lobe& lobe : ReflectedLight::sampled_lobes(layer, environment.sampled()))
+                add_lobe(environment, layer, lobe, weights, there);
         });
         if (environment.sampled() != SampledTerms::anisotropic_narrow || !any_layer_has(true)) return;
         look_up_mirrored(environment);
@@ -173,23 +174,12 @@ private:
     }
 
     static constexpr float kLeastWeight = 1e-3F;
-    // Share of for_samples() for nodes that are close enough; measured.
+    // Share of for_samples() for nodes that are close enough; measured. Brushed lobes have rows of nodes.
     static constexpr float kNodesError = 0.1F;
+    static constexpr float kBrushedNodesError = 0.05F;
 
     static constexpr std::array<glm::vec2, 4> kQuarters{glm::vec2(0.25F), glm::vec2(0.75F),
                                                         glm::vec2(0.25F, 0.75F), glm::vec2(0.75F, 0.25F)};
-
-    // Returns the different lobes of a layer's sampled rough terms.
-    static std::vector<Lobe>& lobes_of(const Material& layer, SampledTerms sampled) {
-        thread_local std::vector<Lobe> lobes;
-        lobes.clear();
-        for (int t = 0; t < layer.terms(); ++t) {
-            if (layer.smooth(t) || !is_sampled(layer, t, sampled)) continue;
-            const Lobe lobe = layer.lobe(t);
-            if (std::ranges::find(lobes, lobe) == lobes.end()) lobes.push_back(lobe);
-        }
-        return lobes;
-    }
 
     void add_lobe(const SampledEnvironment& environment, const Material& layer, const Lobe& lobe,
                   const LayerWeights* weights, std::uint32_t there) {
@@ -200,24 +190,44 @@ private:
         // A shadow ray meets a single point of what a node's blob shows. The blobs of brushed lobes overlap,
         // so that their middles sample the lobe well.
         const bool scattered = lobe.alpha.x == lobe.alpha.y;
+        const float error = scattered ? kNodesError : kBrushedNodesError;
         for (const SlopePart& part : slope_parts(lobe.distribution)) {
             const ReflectedNodes nodes(environment.grids(), lobe, part, reflected_.towards_viewer(), pixels_);
-            const auto count = static_cast<std::uint32_t>(nodes.count());
-            const std::uint32_t even = (count + 1) / 2;
+            const auto pairs = static_cast<std::uint32_t>((nodes.count() + 1) / 2);
+            const std::uint32_t even = (pairs + 1) / 2;
             Lanes shares;
             for (std::size_t i = 0; i < kLanes; ++i) {
                 const float square = nodes.excess()[i] * nodes.excess()[i];
-                shares[i] = std::min(1.0F, kNodesError * square * square);
+                shares[i] = std::min(1.0F, error * square * square);
             }
-            LightShadows shadowing(shadows(), points_.places, even);
+            LightShadows shadowing(shadows(), points_.places, 2 * even);
             seed(~sampled_parts_++);
-            // Even nodes come first, because either half of the nodes is spread over the lobe.
-            for_samples(count, even, nodes.even_shares(), shares, [&](std::uint32_t k) {
-                const ReflectedNode node = nodes.node(k < even ? 2 * k : 2 * (k - even) + 1);
+            // Sets light_ to the light of a node, and returns the points that it reaches.
+            const auto light_of = [&](const ReflectedNode& node, std::uint32_t k) {
                 environment.look_up(whole, frames, node, light_);
-                const std::uint32_t lit =
-                    reached(shadowing, node, scattered ? std::optional(k) : std::nullopt, there);
+                return reached(shadowing, node, scattered ? std::optional(k) : std::nullopt, there);
+            };
+            const auto reflect = [&](std::uint32_t lit) {
                 if (lit != 0) reflected_.add_sampled(terms, weights, light_, lit, sums_);
+            };
+            // Even pairs come first, because either half of the pairs is spread over the lobe.
+            for_samples(pairs, even, nodes.even_shares(), shares, [&](std::uint32_t k) {
+                const std::uint32_t own = k < even ? 2 * k : 2 * (k - even) + 1;
+                if (environment.polarized()) {
+                    for (std::uint32_t n = 0; n < 2; ++n)
+                        reflect(light_of(nodes.node(2 * own + n), 2 * k + n));
+                    return;
+                }
+                const ReflectedPair pair = nodes.pair(own);
+                thread_local std::vector<std::array<Lanes, 4>> first;
+                const std::uint32_t first_lit = light_of(pair.nodes[0], 2 * k);
+                hide(there & ~first_lit, light_);
+                std::swap(first, light_.irradiance);
+                const std::uint32_t lit = light_of(pair.nodes[1], 2 * k + 1);
+                hide(there & ~lit, light_);
+                add_unpolarized(first, light_);
+                light_.towards = pair.towards;
+                reflect(first_lit | lit);
             });
         }
     }
@@ -330,15 +340,10 @@ private:
         return out;
     }
 
-    void set_pixels(std::span<const MirroredPixel> pixels) {
-        if (pixels.empty()) return;
-        for (std::size_t i = 0; i < kLanes; ++i) {
-            const MirroredPixel& pixel = pixels[std::min(i, pixels.size() - 1)];
-            put(pixels_.shift, i, pixel.shift);
-            for (std::size_t k = 0; k < 2; ++k) put(pixels_.steps[k], i, pixel.steps[k]);
-        }
-        into_frames(reflected_.frames(), pixels_.shift, pixels_.shift);
-        for (LaneVectors& steps : pixels_.steps) into_frames(reflected_.frames(), steps, steps);
+    void set_pixels(const MirroredPixels& pixels) {
+        into_frames(reflected_.frames(), pixels.shift, pixels_.shift);
+        for (std::size_t k = 0; k < 2; ++k)
+            into_frames(reflected_.frames(), pixels.steps[k], pixels_.steps[k]);
     }
 
     void seed(std::uint32_t index) {

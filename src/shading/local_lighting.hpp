@@ -38,8 +38,9 @@ struct LitPoints {
     std::span<const glm::vec3> facets;
     /// Unit normals without perturbation, for terminator_shadowing(). Empty: nothing is dimmed by it.
     std::span<const glm::vec3> unperturbed;
-    std::span<const glm::vec3> origins;       ///< start points of shadow rays
-    std::span<const MirroredPixel> mirrored;  ///< see needs_pixels(); empty: points cover nothing
+    std::span<const glm::vec3> origins;  ///< start points of shadow rays
+    /// What the points' pixels see mirrored, see needs_pixels(). Null: points cover nothing.
+    const MirroredPixels* mirrored = nullptr;
     /// Parts of those pixels. Empty: what the pixels mirror changes evenly.
     std::span<const MirroredParts> parts;
     /// Start points of shadow rays in the points' pixels. Null: points cover nothing.

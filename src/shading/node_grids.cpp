@@ -80,10 +80,24 @@ Row row_of(std::size_t count, bool normal) {
 
 // Returns the numbers below `count` in an order whose beginnings are spread evenly.
 std::vector<std::size_t> spread(std::size_t count) {
+    if (count == 0) return {};
     auto step = static_cast<std::size_t>(std::lround(static_cast<double>(count) / std::numbers::phi));
     while (std::gcd(step, count) != 1) ++step;
     std::vector<std::size_t> out(count);
     for (std::size_t k = 0; k < count; ++k) out[k] = k * step % count;
+    return out;
+}
+
+// Returns nodes j across + i of a grid, in pairs of neighbours, row by row. Every other row begins at its
+// end, so that neighbours of even pairs are odd. A node without a neighbour is the last one.
+std::vector<std::size_t> paired(std::size_t across, std::size_t down) {
+    std::vector<std::size_t> out;
+    for (std::size_t j = 0; j < down; ++j)
+        for (std::size_t k = 0; k < across / 2; ++k) {
+            const std::size_t pair = j % 2 == 0 ? k : across / 2 - 1 - k;
+            out.insert(out.end(), {j * across + 2 * pair, j * across + 2 * pair + 1});
+        }
+    for (std::size_t j = 0; j < down && across % 2 == 1; ++j) out.push_back(j * across + across - 1);
     return out;
 }
 
@@ -99,17 +113,21 @@ NodeGrid grid_of(std::size_t across, std::size_t down, bool normal) {
                  .width_x = static_cast<float>(std::sqrt(mean_square(row, row.widths))),
                  .width_y = static_cast<float>(std::sqrt(mean_square(column, column.widths))),
                  .even_share = 0};
-    const std::size_t count = across * down;
-    const std::vector<std::size_t> even = spread((count + 1) / 2), odd = spread(count / 2);
-    for (std::size_t k = 0; k < count; ++k) {
-        const std::size_t node = k % 2 == 0 ? 2 * even[k / 2] : 2 * odd[k / 2] + 1;
+    const std::vector<std::size_t> nodes = paired(across, down);
+    const std::size_t pairs = nodes.size() / 2;
+    const std::vector<std::size_t> even = spread((pairs + 1) / 2), odd = spread(pairs / 2);
+    for (std::size_t k = 0; k < nodes.size(); ++k) {
+        const std::size_t own = k / 2;
+        std::size_t pair = own;
+        if (own < pairs) pair = own % 2 == 0 ? 2 * even[own / 2] : 2 * odd[own / 2] + 1;
+        const std::size_t node = nodes[2 * pair + k % 2];
         const std::size_t i = node % across, j = node / across;
         out.x.push_back(static_cast<float>(row.x[i]));
         out.y.push_back(static_cast<float>(column.x[j]));
         out.weights.push_back(static_cast<float>(row.weights[i] * column.weights[j]));
         out.widths_x.push_back(static_cast<float>(row.widths[i]));
         out.widths_y.push_back(static_cast<float>(column.widths[j]));
-        if (k % 2 == 0) out.even_share += out.weights.back();
+        if (own % 2 == 0) out.even_share += out.weights.back();
     }
     return out;
 }

@@ -9,8 +9,9 @@
 namespace nicol {
 
 /// Nodes on a grid, as many along x as along y or more. Along each axis, nodes and weights have the mean 0
-/// and the variance 1 (0 if there is one node), and the weights add up to 1. The even nodes are spread over
-/// the grid, and so are the odd ones and the first ones of both.
+/// and the variance 1 (0 if there is one node), and the weights add up to 1. Nodes 2k and 2k + 1 are a pair
+/// of neighbours; the last node may have none. The even pairs are spread over the grid, and so are the odd
+/// ones and the first ones of both.
 struct NodeGrid {
     std::vector<float> x, y, weights;
     /// Along x and along y: standard deviation of round blobs that fill the gaps between the nodes in the
@@ -20,7 +21,7 @@ struct NodeGrid {
     /// mean square over all nodes.
     std::vector<float> widths_x, widths_y;
     float width_x, width_y;
-    float even_share;  ///< sum of the weights of even nodes
+    float even_share;  ///< sum of the weights of even pairs
 
     [[nodiscard]] std::size_t size() const noexcept { return x.size(); }
 };

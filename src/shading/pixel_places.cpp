@@ -27,12 +27,13 @@ std::size_t MirroredParts::at(const glm::vec2& place) {
     return static_cast<std::size_t>(part.y) * kAcross + static_cast<std::size_t>(part.x);
 }
 
-PixelPlaces::PixelPlaces(std::span<const MirroredPixel> pixels, std::span<const MirroredParts> parts,
-                         const LaneVectors& mirrored)
-    : pixels_(pixels), parts_(parts) {
-    for (std::size_t i = 0; i < pixels.size(); ++i) {
-        put(middles_, i, vector_at(mirrored, i) + pixels[i].shift);
-        sides_[i] = std::max(glm::length(pixels[i].steps[0]), glm::length(pixels[i].steps[1]));
+PixelPlaces::PixelPlaces(const MirroredPixels& pixels, std::size_t count,
+                         std::span<const MirroredParts> parts, const LaneVectors& mirrored)
+    : pixels_(pixels), count_(count), parts_(parts) {
+    for (std::size_t i = 0; i < count; ++i) {
+        const MirroredPixel pixel = pixels.at(i);
+        put(middles_, i, vector_at(mirrored, i) + pixel.shift);
+        sides_[i] = std::max(glm::length(pixel.steps[0]), glm::length(pixel.steps[1]));
     }
 }
 
@@ -41,7 +42,7 @@ std::uint32_t PixelPlaces::across(const LaneLight& light, double lobe_width, std
     const auto width = static_cast<float>(2 * lobe_width);  // a facet's turn counts twice
     float most = 0;
     bool near = false;
-    for (std::size_t i = 0; i < pixels_.size(); ++i) {
+    for (std::size_t i = 0; i < count_; ++i) {
         const float away = glm::length(vector_at(middles_, i) - vector_at(light.towards, i));
         if (!(away < sides_[i] + kHighlight * width)) continue;
         near = true;
@@ -59,7 +60,7 @@ std::uint32_t PixelPlaces::across(const LaneLight& light, double lobe_width, std
 
 void PixelPlaces::move(const LaneVectors& towards, const LaneVectors& x, const glm::vec2& place,
                        LaneLight& out) const {
-    for (std::size_t i = 0; i < pixels_.size(); ++i) {
+    for (std::size_t i = 0; i < count_; ++i) {
         const glm::vec3 seen = seen_at(i, place);
         const glm::vec3 moved = glm::normalize(vector_at(towards, i) - seen);
         const glm::vec3 axis = vector_at(x, i);
@@ -70,7 +71,7 @@ void PixelPlaces::move(const LaneVectors& towards, const LaneVectors& x, const g
 
 glm::vec3 PixelPlaces::seen_at(std::size_t i, const glm::vec2& place) const {
     if (!parts_.empty()) return parts_[i].from[MirroredParts::at(place)];
-    const MirroredPixel& pixel = pixels_[i];
+    const MirroredPixel pixel = pixels_.at(i);
     return pixel.shift + place.x * pixel.steps[0] + place.y * pixel.steps[1];
 }
 

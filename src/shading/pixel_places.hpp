@@ -34,9 +34,9 @@ class PixelPlaces {
 public:
     /// No places: points cover nothing.
     PixelPlaces() = default;
-    /// pixels: not empty; must outlive this object, as must parts: empty or one for each pixel. mirrored: the
+    /// count: number of points. parts: empty or one for each point; must outlive this object. mirrored: the
     /// directions that the points mirror to the viewer.
-    PixelPlaces(std::span<const MirroredPixel> pixels, std::span<const MirroredParts> parts,
+    PixelPlaces(const MirroredPixels& pixels, std::size_t count, std::span<const MirroredParts> parts,
                 const LaneVectors& mirrored);
 
     /// Lobe width from which on lobes hardly change within a pixel.
@@ -59,7 +59,8 @@ private:
 
     LaneVectors middles_{};  // directions that the middles of the pixels mirror
     Lanes sides_{};          // longest change of the direction across each pixel
-    std::span<const MirroredPixel> pixels_;
+    MirroredPixels pixels_;
+    std::size_t count_ = 0;
     std::span<const MirroredParts> parts_;
 };
 

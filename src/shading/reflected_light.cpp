@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "shading/reflected_light.hpp"
 
+#include <algorithm>
 #include <numbers>
+#include <vector>
 
 #include "material/conductor.hpp"
 #include "polarization/lane_points.hpp"
@@ -169,6 +171,31 @@ template <class Number>
     }
 }
 
+// Computes the factors of the reflected light: 0 at points that reflect none. towards_light, towards_viewer:
+// heights of unit directions over the surfaces. any: whether a factor is not 0.
+template <class Number>
+[[gnu::always_inline]] inline void find_scales(std::uint32_t points, const ScaleByCosine& by,
+                                               const Lanes& towards_light, const Lanes& towards_viewer,
+                                               Lanes& out, bool& any) {
+    Lanes wanted;
+    for (std::size_t i = 0; i < kLanes; ++i) wanted[i] = static_cast<float>(points >> i & 1);
+    Number most{};
+    for (std::size_t first = 0; first < kLanes; first += kPart<Number>) {
+        Number some, cosine, viewer;
+        load_part(wanted, first, some);
+        load_part(towards_light, first, cosine);
+        load_part(towards_viewer, first, viewer);
+        some = viewer > 0.0F ? some : Number{};
+        const Number lit = cosine > 0.0F ? cosine : Number{};
+        const Number scale = some * lit * (by.by_cosine + by.by_square * lit);
+        store_part(scale, first, out);
+        most += scale;
+    }
+    float sum = 0;
+    for (std::size_t i = 0; i < kPart<Number>; ++i) sum += most[i];
+    any = sum > 0;
+}
+
 }  // namespace
 
 void ReflectedLight::set(const Views& views, std::span<const glm::vec3> positions,
@@ -219,9 +246,19 @@ void ReflectedLight::add(const Material& material, const LayerWeights* weights, 
     const auto has = [&](int term) {
         return !material.smooth(term) && !finds_lights(material, term, find_it);
     };
-    add_terms(
-        {material, weights_of(material, out.size(), has)}, weights, light, directions_of(light), points,
-        [&](float cosine) { return factor * cosine; }, out);
+    add_terms({material, weights_of(material, out.size(), has)}, weights, light, directions_of(light), points,
+              {.by_cosine = factor, .by_square = 0}, out);
+}
+
+std::span<const Lobe> ReflectedLight::sampled_lobes(const Material& material, SampledTerms sampled) {
+    thread_local std::vector<Lobe> lobes;
+    lobes.clear();
+    for (int term = 0; term < material.terms(); ++term) {
+        if (material.smooth(term) || !is_sampled(material, term, sampled)) continue;
+        const Lobe lobe = material.lobe(term);
+        if (std::ranges::find(lobes, lobe) == lobes.end()) lobes.push_back(lobe);
+    }
+    return lobes;
 }
 
 WeightedTerms ReflectedLight::sampled_terms(const Material& material, SampledTerms sampled, const Lobe& lobe,
@@ -235,8 +272,7 @@ WeightedTerms ReflectedLight::sampled_terms(const Material& material, SampledTer
 void ReflectedLight::add_sampled(const WeightedTerms& terms, const LayerWeights* weights,
                                  const LaneLight& light, std::uint32_t points,
                                  std::span<std::array<Lanes, 4>> out) const {
-    add_terms(
-        terms, weights, light, {light.towards, light.x}, points, [](float cosine) { return cosine; }, out);
+    add_terms(terms, weights, light, {light.towards, light.x}, points, {.by_cosine = 1, .by_square = 0}, out);
 }
 
 LaneVectors ReflectedLight::mirrored_directions() const {
@@ -256,9 +292,8 @@ void ReflectedLight::add_mirrored(const Material& material, const LayerWeights* 
     // alpha^2), without shadowing or masking.
     constexpr auto scale = static_cast<float>(4 * std::numbers::pi * kSmoothAlpha * kSmoothAlpha);
     const auto has = [&](int term) { return material.smooth(term); };
-    add_terms(
-        {material, weights_of(material, out.size(), has)}, weights, light, directions_of(light), points,
-        [](float cosine) { return scale * cosine * cosine; }, out);
+    add_terms({material, weights_of(material, out.size(), has)}, weights, light, directions_of(light), points,
+              {.by_cosine = 0, .by_square = scale}, out);
 }
 
 ReflectedLight::Directions ReflectedLight::directions_of(const LaneLight& light) const {
@@ -268,20 +303,15 @@ ReflectedLight::Directions ReflectedLight::directions_of(const LaneLight& light)
     return out;
 }
 
-template <class Scale>
 void ReflectedLight::add_terms(const WeightedTerms& terms, const LayerWeights* weights,
                                const LaneLight& light, const Directions& directions, std::uint32_t points,
-                               const Scale& scale_at, std::span<std::array<Lanes, 4>> out) const {
+                               const ScaleByCosine& scale_at, std::span<std::array<Lanes, 4>> out) const {
     points &= light.points;
     if (weights != nullptr) points &= weights->points;
     Lanes scale;
     bool any = false;
-    for (std::size_t i = 0; i < kLanes; ++i) {
-        const float cosine = directions.towards.z[i];
-        const bool lit = (points >> i & 1) != 0 && cosine > 0 && towards_viewer_.z[i] > 0;
-        scale[i] = lit ? scale_at(cosine) : 0;
-        any = any || lit;
-    }
+    dispatch<find_scales<FourLanes>, find_scales<EightLanes>, find_scales<AllLanes>>(
+        points, scale_at, directions.towards.z, towards_viewer_.z, scale, any);
     if (!any) return;
 
     Rotations rotations;

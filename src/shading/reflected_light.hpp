@@ -23,6 +23,11 @@ struct WeightedTerms {
     std::span<const float> weights;  ///< [channel][term]; 0 for the other terms
 };
 
+/// Factor of a pBRDF times light: a polynomial in the cosine of the light to the surface.
+struct ScaleByCosine {
+    float by_cosine, by_square;
+};
+
 /// Sixteen points of a surface, seen from viewpoints. Holds results, so each thread needs its own object.
 class ReflectedLight {
 public:
@@ -51,6 +56,9 @@ public:
     /// Returns the surfaces' frames, in the positions' axes.
     [[nodiscard]] const LaneFrames& frames() const { return frames_; }
 
+    /// Returns the different lobes of the rough terms that `sampled` names. They are valid until the thread's
+    /// next call.
+    [[nodiscard]] static std::span<const Lobe> sampled_lobes(const Material& material, SampledTerms sampled);
     /// Returns the terms with this lobe that `sampled` names. The weights are valid until the thread's next
     /// call of a function of this class but add_sampled().
     [[nodiscard]] static WeightedTerms sampled_terms(const Material& material, SampledTerms sampled,
@@ -76,10 +84,9 @@ private:
         LaneVectors x;  // unset if the light is unpolarized
     };
     [[nodiscard]] Directions directions_of(const LaneLight& light) const;
-    // scale(cosine): factor of the pBRDF times the light.
-    template <class Scale>
+    // scale: factor of the pBRDF times the light.
     void add_terms(const WeightedTerms& terms, const LayerWeights* weights, const LaneLight& light,
-                   const Directions& directions, std::uint32_t points, const Scale& scale,
+                   const Directions& directions, std::uint32_t points, const ScaleByCosine& scale,
                    std::span<std::array<Lanes, 4>> out) const;
 
     LaneFrames frames_;

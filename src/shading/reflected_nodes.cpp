@@ -13,11 +13,9 @@
 namespace nicol {
 namespace {
 
-constexpr float kLeastCosine = 1e-6F;
 // Cosine to the viewer over the deviation of slopes in his direction, beyond which nearly all facets are seen
 // alike.
 constexpr float kFewHidden = 30;
-constexpr float kMostMoved = 8;  // largest exponent of the ratio of two distributions of nodes
 
 // SlopePart::blob where the pixel counts beside the lobe, because its edges are sharp, and how
 // many times as wide, squared, the lobe is where it does not.
@@ -136,7 +134,7 @@ std::span<const SlopePart> slope_parts(Distribution distribution) {
 
 ReflectedNodes::ReflectedNodes(const NodeGrids& grids, const Lobe& lobe, const SlopePart& part,
                                const LaneVectors& towards_viewer, const MirroredPixels& pixels)
-    : lobe_(lobe),
+    : facets_{lobe.distribution, static_cast<float>(lobe.alpha.x), static_cast<float>(lobe.alpha.y)},
       deviations_(part.deviation * glm::vec2(lobe.alpha)),
       share_(part.share),
       towards_viewer_(towards_viewer),
@@ -147,7 +145,7 @@ ReflectedNodes::ReflectedNodes(const NodeGrids& grids, const Lobe& lobe, const S
 
 ReflectedNodes::ReflectedNodes(const NodeGrids& grids, const LaneVectors& towards_viewer,
                                const MirroredPixels& pixels)
-    : lobe_{glm::dvec2(1.0), Distribution::beckmann},
+    : facets_{Distribution::beckmann, 1.0F},
       deviations_(0.0F),
       share_(1),
       towards_viewer_(towards_viewer),
@@ -272,118 +270,10 @@ void ReflectedNodes::set_all(const NodeGrids& grids, float largest_blob, std::si
     for (std::size_t i = 0; i < kLanes; ++i) {
         const std::span<const NodeGrid> of_shape = chosen.normal[i] > 0 ? grids.normal() : grids.uniform();
         grids_[i] = &of_shape[static_cast<std::size_t>(chosen.index[i])];
+        one_grid_ = one_grid_ && grids_[i] == grids_[0];
         even_shares_[i] = grids_[i]->even_share;
         count_ = std::max(count_, grids_[i]->size());
     }
-}
-
-template <class Number>
-[[gnu::always_inline]] inline void ReflectedNodes::reflect(const ReflectedNodes& r,
-                                                           const Facets<float>& facets,
-                                                           const GridNodes& nodes, ReflectedNode& out) {
-    for (std::size_t first = 0; first < kLanes; first += kPart<Number>) {
-        Number a, b, axis_x, axis_y, other_x, other_y, weight, lobe, blob_x, blob_y;
-        load_part(nodes.x, first, a);
-        load_part(nodes.y, first, b);
-        load_part(r.slopes_[0][0], first, axis_x);
-        load_part(r.slopes_[0][1], first, axis_y);
-        load_part(r.slopes_[1][0], first, other_x);
-        load_part(r.slopes_[1][1], first, other_y);
-        Vector3<Number> viewer;
-        load_part(r.towards_viewer_, first, viewer);
-
-        // A facet of these slopes, and what it mirrors to the viewer.
-        Number middle_x, middle_y;
-        load_part(r.middle_[0], first, middle_x);
-        load_part(r.middle_[1], first, middle_y);
-        const Number x = middle_x + axis_x * a + other_x * b;
-        const Number y = middle_y + axis_y * a + other_y * b;
-        const Vector3<Number> steep{r.deviations_.x * x, r.deviations_.y * y, Number{} + 1.0F};
-        const Number length2 = steep.x * steep.x + steep.y * steep.y + 1.0F;
-        Number length = length2;
-        square_root(length);
-        const Number cosine = 1.0F / length;
-        const Vector3<Number> half{steep.x * cosine, steep.y * cosine, cosine};
-        Number along;
-        dot(viewer, half, along);
-        const Vector3<Number> towards{2.0F * along * half.x - viewer.x, 2.0F * along * half.y - viewer.y,
-                                      2.0F * along * half.z - viewer.z};
-        store_part(towards, first, out.towards);
-
-        Number of_facets;
-        density(facets, steep, length2, of_facets);
-        load_part(nodes.weights, first, weight);
-        // The nodes are those of the slopes that the viewer sees.
-        Number rest_x, rest_y, narrowing;
-        load_part(r.rests_[0], first, rest_x);
-        load_part(r.rests_[1], first, rest_y);
-        load_part(r.narrowing_, first, narrowing);
-        rest_x *= a;
-        rest_y *= b;
-        Number moved = 0.5F * (rest_x * rest_x + rest_y * rest_y - x * x - y * y) - kMostMoved;
-        moved = moved < 0.0F ? moved : Number{};
-        moved = moved > -80.0F ? moved : Number{} - 80.0F;
-        exponential(moved);
-        const Number inverse = of_facets > 0.0F ? 1.0F / (of_facets * cosine) : Number{};
-        weight *= 4.0F * std::exp(kMostMoved) * narrowing * moved * inverse *
-                  (along > kLeastCosine ? along : Number{});
-        store_part(weight, first, out.weights);
-
-        // How a change of the slopes along the grid's x, and of both slopes, changes the direction, relative
-        // to the same changes in the middle of the grid.
-        const Number slope_x = r.deviations_.x * axis_x, slope_y = r.deviations_.y * axis_y;
-        const Number rise = slope_x * half.x + slope_y * half.y;
-        const Number turn = slope_x * viewer.x + slope_y * viewer.y - along * rise;
-        Number way = turn * turn + along * along * (slope_x * slope_x + slope_y * slope_y - rise * rise);
-        Number middle_way, middle_area;
-        load_part(r.middle_way_, first, middle_way);
-        load_part(r.middle_area_, first, middle_area);
-        const Number least = Number{} + 1e-20F;
-        way = cosine * cosine * (way > least ? way : least) / (middle_way > least ? middle_way : least);
-        square_root(way);
-        Number area = along * cosine * cosine * cosine / (middle_area > least ? middle_area : least);
-        area = area > 0.0F ? area : Number{};
-        load_part(r.lobes_, first, lobe);
-        load_part(r.blob_x_, first, blob_x);
-        load_part(r.blob_y_, first, blob_y);
-        Number width_x, width_y;
-        load_part(nodes.widths_x, first, width_x);
-        load_part(nodes.widths_y, first, width_y);
-        blob_x *= width_x * (1.0F + lobe * (way - 1.0F));
-        blob_y *= width_y * (1.0F + lobe * (area / way - 1.0F));
-        const Number blob = blob_x > blob_y ? blob_x : blob_y;
-        store_part(Number(blob * blob), first, out.variances);
-
-        Vector3<Number> move, other_move, shift;
-        load_part(r.moves_[0], first, move);
-        load_part(r.moves_[1], first, other_move);
-        load_part(r.pixels_.shift, first, shift);
-        store_part(normalized_or(Vector3<Number>{towards.x + shift.x + a * move.x + b * other_move.x,
-                                                 towards.y + shift.y + a * move.y + b * other_move.y,
-                                                 towards.z + shift.z + a * move.z + b * other_move.z},
-                                 0.0F, Vector3<float>{0, 0, 1}),
-                   first, out.seen);
-    }
-}
-
-ReflectedNode ReflectedNodes::node(std::size_t k) const {
-    GridNodes nodes;
-    for (std::size_t i = 0; i < kLanes; ++i) {
-        const NodeGrid& grid = *grids_[i];
-        const bool has = k < grid.size();
-        const std::size_t own = has ? k : 0;
-        nodes.x[i] = grid.x[own];
-        nodes.y[i] = grid.y[own];
-        nodes.weights[i] = has ? share_ * grid.weights[own] : 0.0F;
-        nodes.widths_x[i] = grid.widths_x[own];
-        nodes.widths_y[i] = grid.widths_y[own];
-    }
-    ReflectedNode out;
-    const Facets<float> facets{lobe_.distribution, static_cast<float>(lobe_.alpha.x),
-                               static_cast<float>(lobe_.alpha.y)};
-    dispatch<reflect<FourLanes>, reflect<EightLanes>, reflect<AllLanes>>(*this, facets, nodes, out);
-    if (deviations_ == glm::vec2(0.0F)) out.weights = nodes.weights;  // a mirror's density is infinite
-    return out;
 }
 
 }  // namespace nicol

@@ -26,7 +26,15 @@ struct MirroredPixel {
 struct MirroredPixels {
     LaneVectors shift{};
     std::array<LaneVectors, 2> steps{};
+
+    [[nodiscard]] MirroredPixel at(std::size_t i) const {
+        return {.shift = vector_at(shift, i), .steps = {vector_at(steps[0], i), vector_at(steps[1], i)}};
+    }
 };
+inline void put(MirroredPixels& lanes, std::size_t i, const MirroredPixel& pixel) {
+    put(lanes.shift, i, pixel.shift);
+    for (std::size_t k = 0; k < 2; ++k) put(lanes.steps[k], i, pixel.steps[k]);
+}
 
 /// Normal distribution of slopes, part of the distribution of facets' slopes.
 struct SlopePart {
@@ -49,6 +57,12 @@ struct ReflectedNode {
     Lanes weights;        ///< solid angles: factors of the pBRDF times the cosine times the light
 };
 
+/// Two neighbouring nodes for which the pBRDF is evaluated once.
+struct ReflectedPair {
+    std::array<ReflectedNode, 2> nodes;  ///< the weights are factors of the pBRDF in the pair's direction
+    LaneVectors towards;                 ///< direction between those of the nodes
+};
+
 /// The nodes of sixteen points. Sums over them have the second moments of the integral over all directions
 /// and over the pixels.
 class ReflectedNodes {
@@ -63,7 +77,9 @@ public:
     /// Returns the largest number of nodes of a point. The nodes of others end with weights of 0.
     [[nodiscard]] std::size_t count() const noexcept { return count_; }
     [[nodiscard]] ReflectedNode node(std::size_t k) const;
-    /// Returns the shares of even nodes in the weights of a lobe's part.
+    /// Returns nodes 2k and 2k + 1 of a part of a lobe.
+    [[nodiscard]] ReflectedPair pair(std::size_t k) const;
+    /// Returns the shares of even pairs in the weights of a lobe's part.
     [[nodiscard]] const Lanes& even_shares() const noexcept { return even_shares_; }
     /// Returns how much wider the blobs are than the wanted ones: 1 or more.
     [[nodiscard]] const Lanes& excess() const noexcept { return excess_; }
@@ -73,10 +89,23 @@ private:
     struct GridNodes {
         Lanes x, y, weights, widths_x, widths_y;
     };
-    // Computes what the facets at these nodes reflect.
+    // Facets that nodes stand for.
     template <class Number>
-    static void reflect(const ReflectedNodes& r, const Facets<float>& facets, const GridNodes& nodes,
-                        ReflectedNode& out);
+    struct NodeFacets {
+        Number x, y;    // slopes, in standard deviations
+        Number weight;  // of the grid
+        Number factor;  // ReflectedNode::weights times the density of such facets
+    };
+    // Computes the part of a node that begins at lane `first`, but for the weights.
+    template <class Number>
+    static NodeFacets<Number> reflect_part(const ReflectedNodes& r, const GridNodes& nodes, std::size_t first,
+                                           ReflectedNode& out);
+    template <class Number>
+    static void reflect(const ReflectedNodes& r, const GridNodes& nodes, ReflectedNode& out);
+    template <class Number>
+    static void reflect_pair(const ReflectedNodes& r, const std::array<GridNodes, 2>& nodes,
+                             ReflectedPair& out);
+    [[nodiscard]] GridNodes grid_nodes(std::size_t k) const;
     void set_all(const NodeGrids& grids, float largest_blob, std::size_t most);
     // Grids by their index among grids of normal distributions, or of uniform ones if `normal` is 0.
     struct Chosen {
@@ -87,12 +116,13 @@ private:
     static void set(ReflectedNodes& r, const NodeGrids& grids, float largest_blob, std::size_t most,
                     Chosen& chosen);
 
-    Lobe lobe_;
+    Facets<float> facets_;
     glm::vec2 deviations_;  // of the slopes along x and along y
     float share_;
     const LaneVectors& towards_viewer_;
     const MirroredPixels& pixels_;
     std::array<const NodeGrid*, kLanes> grids_{};
+    bool one_grid_ = true;  // whether all points have the same grid
     std::size_t count_ = 0;
     // From a node's x and y to slopes beside the middle, and to changes of direction beyond those of the
     // slopes.

@@ -31,6 +31,10 @@ public:
           grids_(std::move(grids)) {}
 
     [[nodiscard]] SampledTerms sampled() const noexcept { return sampled_; }
+    /// Returns whether the light may be polarized.
+    [[nodiscard]] bool polarized() const noexcept {
+        return (whole_ && whole_->polarized()) || (rest_ && rest_->polarized());
+    }
     /// Returns grids for the nodes of lobes.
     [[nodiscard]] const NodeGrids& grids() const noexcept { return *grids_; }
 

@@ -46,7 +46,7 @@ struct Floor {
                                .facets = {},
                                .unperturbed = {},
                                .origins = origins,
-                               .mirrored = {},
+                               .mirrored = nullptr,
                                .parts = {},
                                .seeds = own,
                                .shadowed = true},

@@ -77,8 +77,7 @@ std::array<glm::dvec3, 2> SmoothChains::bends_at(const Place& place, const glm::
     const ShownTriangle triangle{
         .corners = {geometry.positions[corners.x], geometry.positions[corners.y],
                     geometry.positions[corners.z]},
-        .normals = {geometry.normals[corners.x], geometry.normals[corners.y], geometry.normals[corners.z]},
-        .facet = glm::vec3(place.facet)};
+        .normals = {geometry.normals[corners.x], geometry.normals[corners.y], geometry.normals[corners.z]}};
     spread.meet(ray.direction, place.distance, place.facet);
     const double side = glm::dot(normal, place.normal) < 0 ? -1 : 1;
     return {side * bend_of_normal(triangle, spread.places[0], place.normal),

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: MIT
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include "material/microfacet.hpp"
+#include "shading/reflected_nodes.hpp"
+#include "simd/dispatch.hpp"
+#include "simd/lane_exponential.hpp"
+
+namespace nicol {
+namespace {
+
+constexpr float kLeastCosine = 1e-6F;
+constexpr float kMostMoved = 8;  // largest exponent of the ratio of two distributions of nodes
+
+// Returns 1 over the density of facets of these slopes, in standard deviations; 0 if it is 0.
+template <class Number>
+[[gnu::always_inline]] inline void sparsity(const Facets<float>& facets, const glm::vec2& deviations,
+                                            const Number& x, const Number& y, Vector3<Number>& steep,
+                                            Number& length2, Number& out) {
+    steep = {deviations.x * x, deviations.y * y, Number{} + 1.0F};
+    length2 = steep.x * steep.x + steep.y * steep.y + 1.0F;
+    density(facets, steep, length2, out);
+    out = out > 0.0F ? 1.0F / out : Number{};
+}
+
+}  // namespace
+
+template <class Number>
+[[gnu::always_inline]] inline ReflectedNodes::NodeFacets<Number> ReflectedNodes::reflect_part(
+    const ReflectedNodes& r, const GridNodes& nodes, std::size_t first, ReflectedNode& out) {
+    NodeFacets<Number> node;
+    Number a, b, axis_x, axis_y, other_x, other_y, lobe, blob_x, blob_y;
+    load_part(nodes.x, first, a);
+    load_part(nodes.y, first, b);
+    load_part(r.slopes_[0][0], first, axis_x);
+    load_part(r.slopes_[0][1], first, axis_y);
+    load_part(r.slopes_[1][0], first, other_x);
+    load_part(r.slopes_[1][1], first, other_y);
+    Vector3<Number> viewer;
+    load_part(r.towards_viewer_, first, viewer);
+
+    // A facet of these slopes, and what it mirrors to the viewer.
+    Number middle_x, middle_y;
+    load_part(r.middle_[0], first, middle_x);
+    load_part(r.middle_[1], first, middle_y);
+    const Number x = middle_x + axis_x * a + other_x * b;
+    const Number y = middle_y + axis_y * a + other_y * b;
+    const Vector3<Number> steep{r.deviations_.x * x, r.deviations_.y * y, Number{} + 1.0F};
+    Number length = steep.x * steep.x + steep.y * steep.y + 1.0F;
+    square_root(length);
+    const Number cosine = 1.0F / length;
+    const Vector3<Number> half{steep.x * cosine, steep.y * cosine, cosine};
+    Number along;
+    dot(viewer, half, along);
+    const Vector3<Number> towards{2.0F * along * half.x - viewer.x, 2.0F * along * half.y - viewer.y,
+                                  2.0F * along * half.z - viewer.z};
+    store_part(towards, first, out.towards);
+
+    // The nodes are those of the slopes that the viewer sees.
+    Number rest_x, rest_y, narrowing;
+    load_part(r.rests_[0], first, rest_x);
+    load_part(r.rests_[1], first, rest_y);
+    load_part(r.narrowing_, first, narrowing);
+    rest_x *= a;
+    rest_y *= b;
+    Number moved = 0.5F * (rest_x * rest_x + rest_y * rest_y - x * x - y * y) - kMostMoved;
+    moved = moved < 0.0F ? moved : Number{};
+    moved = moved > -80.0F ? moved : Number{} - 80.0F;
+    exponential(moved);
+    load_part(nodes.weights, first, node.weight);
+    node.x = x;
+    node.y = y;
+    node.factor = 4.0F * std::exp(kMostMoved) * narrowing * moved * length * node.weight *
+                  (along > kLeastCosine ? along : Number{});
+
+    // How a change of the slopes along the grid's x, and of both slopes, changes the direction, relative
+    // to the same changes in the middle of the grid.
+    const Number slope_x = r.deviations_.x * axis_x, slope_y = r.deviations_.y * axis_y;
+    const Number rise = slope_x * half.x + slope_y * half.y;
+    const Number turn = slope_x * viewer.x + slope_y * viewer.y - along * rise;
+    Number way = turn * turn + along * along * (slope_x * slope_x + slope_y * slope_y - rise * rise);
+    Number middle_way, middle_area;
+    load_part(r.middle_way_, first, middle_way);
+    load_part(r.middle_area_, first, middle_area);
+    const Number least = Number{} + 1e-20F;
+    way = cosine * cosine * (way > least ? way : least) / (middle_way > least ? middle_way : least);
+    square_root(way);
+    Number area = along * cosine * cosine * cosine / (middle_area > least ? middle_area : least);
+    area = area > 0.0F ? area : Number{};
+    load_part(r.lobes_, first, lobe);
+    load_part(r.blob_x_, first, blob_x);
+    load_part(r.blob_y_, first, blob_y);
+    Number width_x, width_y;
+    load_part(nodes.widths_x, first, width_x);
+    load_part(nodes.widths_y, first, width_y);
+    blob_x *= width_x * (1.0F + lobe * (way - 1.0F));
+    blob_y *= width_y * (1.0F + lobe * (area / way - 1.0F));
+    const Number blob = blob_x > blob_y ? blob_x : blob_y;
+    store_part(Number(blob * blob), first, out.variances);
+
+    Vector3<Number> move, other_move, shift;
+    load_part(r.moves_[0], first, move);
+    load_part(r.moves_[1], first, other_move);
+    load_part(r.pixels_.shift, first, shift);
+    store_part(normalized_or(Vector3<Number>{towards.x + shift.x + a * move.x + b * other_move.x,
+                                             towards.y + shift.y + a * move.y + b * other_move.y,
+                                             towards.z + shift.z + a * move.z + b * other_move.z},
+                             0.0F, Vector3<float>{0, 0, 1}),
+               first, out.seen);
+    return node;
+}
+
+template <class Number>
+[[gnu::always_inline]] inline void ReflectedNodes::reflect(const ReflectedNodes& r, const GridNodes& nodes,
+                                                           ReflectedNode& out) {
+    for (std::size_t first = 0; first < kLanes; first += kPart<Number>) {
+        const NodeFacets<Number> node = reflect_part<Number>(r, nodes, first, out);
+        Vector3<Number> steep;
+        Number length2, inverse;
+        sparsity(r.facets_, r.deviations_, node.x, node.y, steep, length2, inverse);
+        store_part(Number(node.factor * inverse), first, out.weights);
+    }
+}
+
+template <class Number>
+[[gnu::always_inline]] inline void ReflectedNodes::reflect_pair(const ReflectedNodes& r,
+                                                                const std::array<GridNodes, 2>& nodes,
+                                                                ReflectedPair& out) {
+    for (std::size_t first = 0; first < kLanes; first += kPart<Number>) {
+        const NodeFacets<Number> one = reflect_part<Number>(r, nodes[0], first, out.nodes[0]);
+        const NodeFacets<Number> two = reflect_part<Number>(r, nodes[1], first, out.nodes[1]);
+        // The facet between both, and what it mirrors to the viewer.
+        const Number both = one.weight + two.weight;
+        const Number part = two.weight / (both > 0.0F ? both : Number{} + 1.0F);
+        Vector3<Number> steep, viewer;
+        Number length2, inverse, along;
+        sparsity(r.facets_, r.deviations_, Number(one.x + part * (two.x - one.x)),
+                 Number(one.y + part * (two.y - one.y)), steep, length2, inverse);
+        load_part(r.towards_viewer_, first, viewer);
+        dot(viewer, steep, along);
+        along *= 2.0F / length2;
+        store_part(Vector3<Number>{along * steep.x - viewer.x, along * steep.y - viewer.y, along - viewer.z},
+                   first, out.towards);
+        // Surfaces reflect no light from below.
+        Number height;
+        load_part(out.nodes[0].towards.z, first, height);
+        store_part(Number(height > 0.0F ? one.factor * inverse : Number{}), first, out.nodes[0].weights);
+        load_part(out.nodes[1].towards.z, first, height);
+        store_part(Number(height > 0.0F ? two.factor * inverse : Number{}), first, out.nodes[1].weights);
+    }
+}
+
+ReflectedNodes::GridNodes ReflectedNodes::grid_nodes(std::size_t k) const {
+    GridNodes nodes;
+    if (one_grid_ && k < grids_[0]->size()) {
+        const NodeGrid& grid = *grids_[0];
+        nodes.x.value.fill(grid.x[k]);
+        nodes.y.value.fill(grid.y[k]);
+        nodes.weights.value.fill(share_ * grid.weights[k]);
+        nodes.widths_x.value.fill(grid.widths_x[k]);
+        nodes.widths_y.value.fill(grid.widths_y[k]);
+        return nodes;
+    }
+    for (std::size_t i = 0; i < kLanes; ++i) {
+        const NodeGrid& grid = *grids_[i];
+        const bool has = k < grid.size();
+        const std::size_t own = has ? k : 0;
+        nodes.x[i] = grid.x[own];
+        nodes.y[i] = grid.y[own];
+        nodes.weights[i] = has ? share_ * grid.weights[own] : 0.0F;
+        nodes.widths_x[i] = grid.widths_x[own];
+        nodes.widths_y[i] = grid.widths_y[own];
+    }
+    return nodes;
+}
+
+ReflectedNode ReflectedNodes::node(std::size_t k) const {
+    const GridNodes nodes = grid_nodes(k);
+    ReflectedNode out;
+    dispatch<reflect<FourLanes>, reflect<EightLanes>, reflect<AllLanes>>(*this, nodes, out);
+    if (deviations_ == glm::vec2(0.0F)) out.weights = nodes.weights;  // a mirror's density is infinite
+    return out;
+}
+
+ReflectedPair ReflectedNodes::pair(std::size_t k) const {
+    const std::array nodes{grid_nodes(2 * k), grid_nodes(2 * k + 1)};
+    ReflectedPair out;
+    dispatch<reflect_pair<FourLanes>, reflect_pair<EightLanes>, reflect_pair<AllLanes>>(*this, nodes, out);
+    return out;
+}
+
+}  // namespace nicol
