@@ -65,7 +65,8 @@ std::size_t parts_of(LightKind kind) {
 
 OrderSelector::Orders OrderSelector::choose(const Scene& scene, const Projected& projected,
                                             const SurfaceState& surfaces, bool settled,
-                                            const RenderOptions& options, std::uint64_t memory_limit) {
+                                            const RenderOptions& options, std::uint64_t memory_limit,
+                                            KeptProjection& projection) {
     const SurfaceVersions versions =
         settled || measured_ == SurfaceVersions{} ? surfaces.versions : measured_;
     measuring_.run(scene.distant_light(), projected, surfaces.materials, versions, [&] {
@@ -73,7 +74,7 @@ OrderSelector::Orders OrderSelector::choose(const Scene& scene, const Projected&
         choosing_.reset();
         shares_.clear();
         mean_square_ = values_ = 0;
-        if (projected.light) measure(scene, projected, surfaces);
+        if (projected.light) measure(scene, projected, surfaces, projection);
     });
     limiting_.run(scene.geometry_version(), scene.distant_light(), options.shadows,
                   options.high_order_shadows, options.bake_directions, options.high_orders, memory_limit,
@@ -118,9 +119,10 @@ OrderSelector::Orders OrderSelector::cheapest(double tolerance, bool split) {
     return best;
 }
 
-void OrderSelector::measure(const Scene& scene, const Projected& projected, const SurfaceState& surfaces) {
+void OrderSelector::measure(const Scene& scene, const Projected& projected, const SurfaceState& surfaces,
+                            KeptProjection& projection) {
     projecting_.run(scene.distant_light(), projected.light, [&] {
-        light_ = energies(projected.light->project(kOrder));
+        light_ = energies(projection.project(projected.light, kOrder));
         all_light_ = projected.light == scene.distant_light()
                          ? light_
                          : energies(scene.distant_light()->project(kOrder));
