@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 #include "harmonics/energy.hpp"
@@ -110,13 +109,14 @@ OrderSelector::Orders OrderSelector::cheapest(double tolerance, bool split) {
     }
     std::ranges::stable_sort(candidates, {},
                              [](const Orders& orders) { return cost(orders.low, orders.high > orders.low); });
-    Orders best{.error = std::numeric_limits<double>::infinity()};
+    // Fits take most of the time, so only candidates that could be within the tolerance are fitted.
     for (Orders& orders : candidates) {
-        orders.error = error(orders.low, orders.high);
-        if (orders.error < best.error) best = orders;
-        if (orders.error <= tolerance) break;
+        if (error(orders.low, orders.high, Fit::perfect) > tolerance) continue;
+        orders.error = error(orders.low, orders.high, Fit::made);
+        if (orders.error <= tolerance) return orders;
     }
-    return best;
+    for (Orders& orders : candidates) orders.error = error(orders.low, orders.high, Fit::made);
+    return *std::ranges::min_element(candidates, {}, &Orders::error);
 }
 
 void OrderSelector::measure(const Scene& scene, const Projected& projected, const SurfaceState& surfaces,
@@ -201,7 +201,7 @@ void OrderSelector::add_part(const Spectrum& light, const Spectrum& power, std::
     }
 }
 
-double OrderSelector::error(int low, int high) {
+double OrderSelector::error(int low, int high, Fit fit) {
     if (!(mean_square_ > 0)) return 0;
     std::array<double, kOutputs> sum{};
     for (const Share& share : shares_) {
@@ -211,7 +211,12 @@ double OrderSelector::error(int low, int high) {
                 const auto k = static_cast<std::size_t>(l);
                 const double all = share.all[output][k];
                 const double seen = std::min(all, share.seen[output][k]);
-                sum[output] += l <= high ? all - seen + missed(share, low, high)[output] * seen : all;
+                if (l > high)
+                    sum[output] += all;
+                else if (fit == Fit::perfect)
+                    sum[output] += all - seen;
+                else
+                    sum[output] += all - seen + missed(share, low, high)[output] * seen;
             }
         }
     }

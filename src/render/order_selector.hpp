@@ -88,7 +88,9 @@ private:
     // order. coupling: of VisibilityPower.
     static void add_part(const Spectrum& light, const Spectrum& power, std::span<const double> coupling,
                          double fraction, std::size_t output, Share& share);
-    double error(int low, int high);
+    // Fits of high orders: a perfect fit misses no energy, so that its error is a lower bound.
+    enum class Fit { perfect, made };
+    double error(int low, int high, Fit fit);
     const std::array<double, kOutputs>& missed(const Share& share, int low, int high);
 
     Stage<EnvironmentPtr, Projected, Version, SurfaceVersions> measuring_;
