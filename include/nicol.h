@@ -1632,7 +1632,7 @@ typedef struct nicol_statistics {
     uint64_t vertices_relit;        /* vertices into whose frames light was brought */
     uint64_t vertices_shaded;       /* vertices whose Stokes vectors were computed */
     uint64_t pixels_shaded;         /* pixels whose Stokes vectors were computed */
-    uint64_t vertices_added;        /* vertices that the bake added by splitting triangles, whether recomputed or kept */
+    uint64_t vertices_added;        /* vertices that the bake added by splitting triangles, and their small reserve, recomputed or kept */
     uint64_t local_lights;          /* local lights: the scene's, each instance that emits light, and lights_split */
     uint64_t lights_split;          /* extracted lights that were taken out of the environment */
     uint64_t light_rays;            /* real-time methods: rays from vertices and pixels to local lights */

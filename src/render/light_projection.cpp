@@ -64,7 +64,8 @@ LightKind light_kind(const Environment* light) {
 }
 
 void LightProjection::update(const EnvironmentPtr& environment, double scale, const RenderOptions& options,
-                             const LeastLight& least, const glm::dmat3& rotation, Statistics& statistics) {
+                             const LeastLight& least, const glm::dmat3& rotation, KeptProjection& projection,
+                             Statistics& statistics) {
     const int low = options.order_low;
     const int high = options.high_orders == HighOrders::none ? low : options.order_high;
     const LightKind kind = (options.disabled_optimisations & skip_light_components) != 0
@@ -73,7 +74,7 @@ void LightProjection::update(const EnvironmentPtr& environment, double scale, co
     projecting_.run(environment, low, high, kind, least.channels, options.dering,
                     options.disabled_optimisations, [&] {
                         const Stopwatch watch;
-                        project(environment.get(), low, high, kind, least.channels, options);
+                        project(environment, low, high, kind, least.channels, options, projection);
                         ++statistics.lights_projected;
                         statistics.project_ms += watch.milliseconds();
                     });
@@ -85,15 +86,19 @@ void LightProjection::update(const EnvironmentPtr& environment, double scale, co
         for (double& coefficient : distant.data()) coefficient *= scale;
     });
     changed |= rotating_.run(distant_.version(), rotation, [&] {
-        rotated_.change() = nicol::rotated(with_order(*distant_, low), rotation);
+        PshVector next = nicol::rotated(with_order(*distant_, low), rotation);
+        const bool same = rotated_kind_ == layout_->kind() && next.order() == rotated_->order() &&
+                          std::ranges::equal(next.data(), rotated_->data());
+        rotated_kind_ = layout_->kind();
+        if (!same) rotated_.change() = std::move(next);
     });
     if (changed) statistics.relight_ms += watch.milliseconds();
 }
 
-void LightProjection::project(const Environment* environment, int low, int high, LightKind kind, int channels,
-                              const RenderOptions& options) {
+void LightProjection::project(const EnvironmentPtr& environment, int low, int high, LightKind kind,
+                              int channels, const RenderOptions& options, KeptProjection& projection) {
     PshVector& light = light_.change();
-    light = environment != nullptr ? environment->project(high) : PshVector(high, 1);
+    light = projection.project(environment, high);
     if ((options.disabled_optimisations & skip_channels) == 0) light = without_repeats(std::move(light));
     light = with_channels(std::move(light), channels);
     suppress_ringing(light, options.dering);

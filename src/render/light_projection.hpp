@@ -8,6 +8,7 @@
 
 #include "harmonics/light_layout.hpp"
 #include "light/environment.hpp"
+#include "render/kept_projection.hpp"
 #include "stage/options.hpp"
 #include "stage/statistics.hpp"
 #include "versioned.hpp"
@@ -32,19 +33,21 @@ public:
     /// Projects the light; repeats only what changes require. environment: the scene's environment, or a part
     /// of it. rotation: from the light's axes to the geometry's. Adds times and counts to `statistics`.
     void update(const EnvironmentPtr& environment, double scale, const RenderOptions& options,
-                const LeastLight& least, const glm::dmat3& rotation, Statistics& statistics);
+                const LeastLight& least, const glm::dmat3& rotation, KeptProjection& projection,
+                Statistics& statistics);
 
     /// Returns the layout of the low orders.
     [[nodiscard]] const LightLayout& layout() const { return *layout_; }
-    /// Returns the low orders in the geometry's axes. Another layout means another version, too.
+    /// Returns the low orders in the geometry's axes. Another layout means another version, too; a change of
+    /// the high orders alone does not.
     [[nodiscard]] const Versioned<PshVector>& rotated() const noexcept { return rotated_; }
     [[nodiscard]] const Versioned<PshVector>& distant() const noexcept { return distant_; }
     /// Returns the last order of distant() that is not zero, but at least order_low.
     [[nodiscard]] int last_order() const noexcept { return last_order_; }
 
 private:
-    void project(const Environment* environment, int low, int high, LightKind kind, int channels,
-                 const RenderOptions& options);
+    void project(const EnvironmentPtr& environment, int low, int high, LightKind kind, int channels,
+                 const RenderOptions& options, KeptProjection& projection);
 
     // Inputs: environment, low and high order, kind, least channels, dering, disabled optimisations.
     Stage<EnvironmentPtr, int, int, LightKind, int, double, std::uint32_t> projecting_;
@@ -54,6 +57,7 @@ private:
     Stage<Version, double> scaling_;
     Versioned<PshVector> distant_;
     Stage<Version, glm::dmat3> rotating_;
+    std::optional<LightKind> rotated_kind_;  // kind of the layout that rotated_ belongs to
     Versioned<PshVector> rotated_;
 };
 

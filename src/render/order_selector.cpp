@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 #include "harmonics/energy.hpp"
@@ -65,7 +64,8 @@ std::size_t parts_of(LightKind kind) {
 
 OrderSelector::Orders OrderSelector::choose(const Scene& scene, const Projected& projected,
                                             const SurfaceState& surfaces, bool settled,
-                                            const RenderOptions& options, std::uint64_t memory_limit) {
+                                            const RenderOptions& options, std::uint64_t memory_limit,
+                                            KeptProjection& projection) {
     const SurfaceVersions versions =
         settled || measured_ == SurfaceVersions{} ? surfaces.versions : measured_;
     measuring_.run(scene.distant_light(), projected, surfaces.materials, versions, [&] {
@@ -73,7 +73,7 @@ OrderSelector::Orders OrderSelector::choose(const Scene& scene, const Projected&
         choosing_.reset();
         shares_.clear();
         mean_square_ = values_ = 0;
-        if (projected.light) measure(scene, projected, surfaces);
+        if (projected.light) measure(scene, projected, surfaces, projection);
     });
     limiting_.run(scene.geometry_version(), scene.distant_light(), options.shadows,
                   options.high_order_shadows, options.bake_directions, options.high_orders, memory_limit,
@@ -109,18 +109,20 @@ OrderSelector::Orders OrderSelector::cheapest(double tolerance, bool split) {
     }
     std::ranges::stable_sort(candidates, {},
                              [](const Orders& orders) { return cost(orders.low, orders.high > orders.low); });
-    Orders best{.error = std::numeric_limits<double>::infinity()};
+    // Fits take most of the time, so only candidates that could be within the tolerance are fitted.
     for (Orders& orders : candidates) {
-        orders.error = error(orders.low, orders.high);
-        if (orders.error < best.error) best = orders;
-        if (orders.error <= tolerance) break;
+        if (error(orders.low, orders.high, Fit::perfect) > tolerance) continue;
+        orders.error = error(orders.low, orders.high, Fit::made);
+        if (orders.error <= tolerance) return orders;
     }
-    return best;
+    for (Orders& orders : candidates) orders.error = error(orders.low, orders.high, Fit::made);
+    return *std::ranges::min_element(candidates, {}, &Orders::error);
 }
 
-void OrderSelector::measure(const Scene& scene, const Projected& projected, const SurfaceState& surfaces) {
+void OrderSelector::measure(const Scene& scene, const Projected& projected, const SurfaceState& surfaces,
+                            KeptProjection& projection) {
     projecting_.run(scene.distant_light(), projected.light, [&] {
-        light_ = energies(projected.light->project(kOrder));
+        light_ = energies(projection.project(projected.light, kOrder));
         all_light_ = projected.light == scene.distant_light()
                          ? light_
                          : energies(scene.distant_light()->project(kOrder));
@@ -199,7 +201,7 @@ void OrderSelector::add_part(const Spectrum& light, const Spectrum& power, std::
     }
 }
 
-double OrderSelector::error(int low, int high) {
+double OrderSelector::error(int low, int high, Fit fit) {
     if (!(mean_square_ > 0)) return 0;
     std::array<double, kOutputs> sum{};
     for (const Share& share : shares_) {
@@ -209,7 +211,12 @@ double OrderSelector::error(int low, int high) {
                 const auto k = static_cast<std::size_t>(l);
                 const double all = share.all[output][k];
                 const double seen = std::min(all, share.seen[output][k]);
-                sum[output] += l <= high ? all - seen + missed(share, low, high)[output] * seen : all;
+                if (l > high)
+                    sum[output] += all;
+                else if (fit == Fit::perfect)
+                    sum[output] += all - seen;
+                else
+                    sum[output] += all - seen + missed(share, low, high)[output] * seen;
             }
         }
     }

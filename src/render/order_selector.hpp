@@ -10,6 +10,7 @@
 
 #include "material/response_power.hpp"
 #include "material/sampled_terms.hpp"
+#include "render/kept_projection.hpp"
 #include "scene/scene.hpp"
 #include "stage/options.hpp"
 #include "surfaces/surface_state.hpp"
@@ -51,7 +52,7 @@ public:
     /// environment by whole materials. settled: whether the visibility is final. Otherwise a change of
     /// vertices or visibility alone changes no orders, so that pictures do not change between two choices.
     Orders choose(const Scene& scene, const Projected& projected, const SurfaceState& surfaces, bool settled,
-                  const RenderOptions& options, std::uint64_t memory_limit);
+                  const RenderOptions& options, std::uint64_t memory_limit, KeptProjection& projection);
 
     static constexpr std::uint64_t kMostBytes = std::uint64_t{1} << 30;
 
@@ -80,12 +81,15 @@ private:
     [[nodiscard]] Orders cheapest(double tolerance, bool split);
     [[nodiscard]] static int highest_low(const Scene& scene, RenderOptions options,
                                          std::uint64_t memory_limit);
-    void measure(const Scene& scene, const Projected& projected, const SurfaceState& surfaces);
+    void measure(const Scene& scene, const Projected& projected, const SurfaceState& surfaces,
+                 KeptProjection& projection);
     // Adds a part of the light to a share. light: its energies by order. power: energies of its reflection by
     // order. coupling: of VisibilityPower.
     static void add_part(const Spectrum& light, const Spectrum& power, std::span<const double> coupling,
                          double fraction, std::size_t output, Share& share);
-    double error(int low, int high);
+    // Fits of high orders: a perfect fit misses no energy, so that its error is a lower bound.
+    enum class Fit { perfect, made };
+    double error(int low, int high, Fit fit);
     const std::array<double, kOutputs>& missed(const Share& share, int low, int high);
 
     Stage<EnvironmentPtr, Projected, Version, SurfaceVersions> measuring_;

@@ -93,7 +93,8 @@ void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderO
     }
     const glm::dmat3 light_to_geometry =
         glm::transpose(glm::dmat3(surfaces_.to_world())) * scene.light_rotation();
-    light_.update(split_.rest(), scene.light_scale(), options, least, light_to_geometry, run.statistics);
+    light_.update(split_.rest(), scene.light_scale(), options, least, light_to_geometry, projection_,
+                  run.statistics);
     // Local lights need no shadow rays if the bake found that nothing is occluded. The bake knows no glass.
     RenderOptions lighting = options;
     if ((scene.distant_light() != nullptr || bouncing) && surfaces.visibility == nullptr &&
@@ -221,7 +222,7 @@ RenderOptions Pipeline::choose_orders(const Scene& scene, const RenderOptions& o
     run.workers.run([&] {
         const OrderSelector::Orders orders =
             selector_.choose(scene, {split_.rest(), sampled}, visibility_.state(), visibility_.pending() == 0,
-                             options, run.memory_limit);
+                             options, run.memory_limit, projection_);
         chosen.order_low = orders.low;
         chosen.order_high = orders.high;
         run.statistics.order_error = orders.error;

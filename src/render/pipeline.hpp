@@ -88,6 +88,7 @@ private:
     SurfaceRays rays_{surfaces_};
     SceneVisibility visibility_;
     LightSplit split_;
+    KeptProjection projection_;  // of the light that remains after the split
     OrderSelector selector_;
     LightProjection light_;
     FactoredMethod factored_;

@@ -96,24 +96,25 @@ void ProgressiveBake::follow_geometry(const Input& input) {
     given_ = geometry.positions.size();
     ++state_;
 
-    const std::vector<std::uint32_t> numbers_before = std::move(numbers_);
-    numbers_.clear();
+    const VertexNumbers numbers_before = std::exchange(numbers_, {});
     parts_.clear();
     refined_.reset();
     topology_ = std::move(next.refinement);
-    if (!topology_.parents.empty()) {
-        RefinedGeometry split = nicol::refined(geometry, topology_);
-        refined_ = std::make_shared<WorldGeometry>(std::move(split.geometry));
-        parts_ = std::move(split.parts);
-        numbers_ = std::move(split.numbers);
-    }
+    if (!topology_.parents.empty()) split(geometry, topology_);
     take_over(input, next.former, next.moved, numbers_before);
 }
 
+Visibility ProgressiveBake::split(const WorldGeometry& geometry, const Refinement& refinement) {
+    RefinedGeometry split = nicol::refined(geometry, refinement, most_vertices_);
+    refined_ = std::make_shared<WorldGeometry>(std::move(split.geometry));
+    parts_ = std::move(split.parts);
+    numbers_ = std::move(split.numbers);
+    return std::move(split.visibility);
+}
+
 void ProgressiveBake::take_over(const Input& input, std::span<const std::uint32_t> former,
-                                std::span<const std::uint32_t> moved,
-                                std::span<const std::uint32_t> numbers_before) {
-    const std::size_t vertices = former.size();
+                                std::span<const std::uint32_t> moved, const VertexNumbers& numbers_before) {
+    const std::size_t vertices = refined_ ? refined_->positions.size() : former.size();
     const std::size_t directions = input.directions.size();
     std::vector<TurnedDirections> turned;
     std::vector<std::uint32_t> turned_of;
@@ -124,14 +125,15 @@ void ProgressiveBake::take_over(const Input& input, std::span<const std::uint32_
     }
     former_.assign(vertices, kNoVertex);
     bool in_place = visible_.vertices() == vertices && visible_.directions() == directions;
-    for (std::size_t i = 0; i < vertices; ++i) {
+    for (std::uint32_t v = 0; v < vertices; ++v) {
+        const std::uint32_t i = numbers_.source(v);
         if (former[i] == kNoVertex) {
             in_place = false;
             continue;
         }
-        const std::uint32_t before = numbers_before.empty() ? former[i] : numbers_before[former[i]];
-        former_[number(i)] = before;
-        in_place = in_place && before == number(i);
+        former_[v] =
+            numbers_.is_copy(v) ? numbers_before.next_copy(former_[v - 1]) : numbers_before.number(former[i]);
+        in_place = in_place && former_[v] == v;
     }
     Visibility last;
     std::vector<std::uint32_t> last_states;
@@ -141,8 +143,8 @@ void ProgressiveBake::take_over(const Input& input, std::span<const std::uint32_
         last_states = std::exchange(states_, std::vector<std::uint32_t>(vertices, 0));
         last_unoccluded = std::exchange(unoccluded_, std::vector<std::uint8_t>(vertices, 1));
     }
-    tbb::parallel_for(std::size_t{0}, vertices, [&](std::size_t i) {
-        const std::uint32_t v = number(i);
+    tbb::parallel_for(std::size_t{0}, vertices, [&](std::size_t v) {
+        const std::uint32_t i = numbers_.source(v);
         const std::uint32_t before = former_[v];
         const std::span bits = visible_.at(v);
         if (before == kNoVertex) {
@@ -211,9 +213,11 @@ void ProgressiveBake::find_origins(const Input& input) {
     for (std::size_t v = 0; v < given_; ++v) shifts.push_back(origins[v] - geometry.positions[v]);
     for (const glm::uvec2& pair : topology_.parents)
         shifts.push_back(0.5F * shifts[pair.x] + 0.5F * shifts[pair.y]);
-    origins_.resize(shifts.size());
-    for (std::size_t i = 0; i < shifts.size(); ++i)
-        origins_[number(i)] = i < given_ ? origins[i] : refined_->positions[number(i)] + shifts[i];
+    origins_.resize(refined_->positions.size());
+    for (std::size_t v = 0; v < origins_.size(); ++v) {
+        const std::uint32_t i = numbers_.source(v);
+        origins_[v] = i < given_ ? origins[i] : refined_->positions[v] + shifts[i];
+    }
 }
 
 void ProgressiveBake::trace(const Input& input, std::span<const std::uint32_t> vertices,
@@ -307,7 +311,7 @@ void ProgressiveBake::advance(const Input& input, SurfaceRays& rays, double mill
 
 void ProgressiveBake::begin_refinement(const Input& input) {
     std::vector<std::uint32_t> given(given_);
-    for (std::size_t i = 0; i < given_; ++i) given[i] = number(i);
+    for (std::size_t i = 0; i < given_; ++i) given[i] = numbers_.number(i);
     refining_visibility_ = visible_.selected(given);
     for (std::size_t i = 0; i < given_; ++i)
         refining_visibility_.set_unoccluded(i, unoccluded_[given[i]] != 0);
@@ -331,41 +335,40 @@ void ProgressiveBake::end_refinement(const Input& input, Refinement next) {
     for_points_ = {};
     // A point takes less memory than a vertex, for which the limit leaves room.
     if (given_ + next.parents.size() + points_.size() > most_vertices_) points_ = {};
-    const std::vector<std::uint32_t> numbers_before = std::move(numbers_);
+    const VertexNumbers numbers_before = std::exchange(numbers_, {});
     const std::shared_ptr<WorldGeometry> refined_before = std::exchange(refined_, nullptr);
     const Visibility last = std::exchange(visible_, std::move(refining_visibility_));
     const std::vector<std::uint32_t> former = std::move(former_);
     const std::size_t added_before = topology_.parents.size();
-    numbers_.clear();
     parts_.clear();
-    if (!next.parents.empty()) {
-        RefinedGeometry split = nicol::refined(*refining_, next);
-        refined_ = std::make_shared<WorldGeometry>(std::move(split.geometry));
-        parts_ = std::move(split.parts);
-        numbers_ = std::move(split.numbers);
-        visible_ = std::move(split.visibility);
-    }
+    if (!next.parents.empty()) visible_ = split(*refining_, next);
     next.visibility = {};
     next.points = {};
     topology_ = std::move(next);
-    former_.assign(visible_.vertices(), kNoVertex);
-    for (std::size_t i = 0; i < given_; ++i)
-        former_[number(i)] = former[numbers_before.empty() ? i : numbers_before[i]];
-    // Added vertices are paired with former ones of equal position, normal and visibility.
+    // Each vertex's former index. Added vertices are paired by position, normal and visibility.
+    std::vector<std::uint32_t> before(visible_.vertices(), kNoVertex);
+    for (std::size_t i = 0; i < given_; ++i) before[numbers_.number(i)] = numbers_before.number(i);
     std::unordered_map<std::size_t, std::uint32_t> added;
     const auto hash = [](const WorldGeometry& geometry, std::uint32_t v) {
         return geometry::hash_of(geometry.positions[v], geometry.normals[v]);
     };
     for (std::size_t i = given_; i < given_ + added_before; ++i)
-        added.try_emplace(hash(*refined_before, numbers_before[i]), numbers_before[i]);
+        added.try_emplace(hash(*refined_before, numbers_before.number(i)), numbers_before.number(i));
     for (std::size_t i = given_; i < given_ + topology_.parents.size(); ++i) {
-        const auto found = added.find(hash(*refined_, numbers_[i]));
+        const std::uint32_t v = numbers_.number(i);
+        const auto found = added.find(hash(*refined_, v));
         if (found == added.end()) continue;
-        const std::uint32_t before = found->second;
-        if (refined_before->positions[before] == refined_->positions[numbers_[i]] &&
-            refined_before->normals[before] == refined_->normals[numbers_[i]] &&
-            std::ranges::equal(last.at(before), std::as_const(visible_).at(numbers_[i])))
-            former_[numbers_[i]] = former[before];
+        const std::uint32_t w = found->second;
+        if (refined_before->positions[w] == refined_->positions[v] &&
+            refined_before->normals[w] == refined_->normals[v] &&
+            std::ranges::equal(last.at(w), std::as_const(visible_).at(v)))
+            before[v] = w;
+    }
+    former_.assign(visible_.vertices(), kNoVertex);
+    for (std::uint32_t v = 0; v < former_.size(); ++v) {
+        if (numbers_.is_copy(v) && before[v - 1] != kNoVertex)
+            before[v] = numbers_before.next_copy(before[v - 1]);
+        if (before[v] != kNoVertex) former_[v] = former[before[v]];
     }
     any_changed_ = true;
     unoccluded_.assign(visible_.unoccluded().begin(), visible_.unoccluded().end());

@@ -42,7 +42,7 @@ public:
         Visibility visibility;
         std::shared_ptr<WorldGeometry> refined;
         std::vector<TrianglePart> parts;
-        std::vector<std::uint32_t> numbers;
+        VertexNumbers numbers;
         TracedPoints points;
         double tolerance;  ///< RenderOptions::refine_tolerance
         std::uint64_t most_vertices;
@@ -64,7 +64,7 @@ public:
     [[nodiscard]] const Visibility& visibility() const noexcept { return visible_; }
     [[nodiscard]] const std::shared_ptr<WorldGeometry>& refined() const noexcept { return refined_; }
     [[nodiscard]] std::span<const TrianglePart> parts() const noexcept { return parts_; }
-    [[nodiscard]] std::span<const std::uint32_t> numbers() const noexcept { return numbers_; }
+    [[nodiscard]] std::span<const std::uint32_t> numbers() const noexcept { return numbers_.numbers; }
     [[nodiscard]] std::size_t bytes() const noexcept { return visible_.bytes() + points_.bytes(); }
 
     /// Returns, for each vertex, the index before follow() and advance() of a vertex with equal visibility,
@@ -76,12 +76,11 @@ public:
     void published() noexcept { unpublished_ = false; }
 
 private:
-    [[nodiscard]] std::uint32_t number(std::size_t i) const {
-        return numbers_.empty() ? static_cast<std::uint32_t>(i) : numbers_[i];
-    }
     void follow_geometry(const Input& input);
     void take_over(const Input& input, std::span<const std::uint32_t> former,
-                   std::span<const std::uint32_t> moved, std::span<const std::uint32_t> numbers_before);
+                   std::span<const std::uint32_t> moved, const VertexNumbers& numbers_before);
+    // Splits triangles as a refinement says. Returns the visibility of the vertices.
+    Visibility split(const WorldGeometry& geometry, const Refinement& refinement);
     void find_order(const Input& input);
     void find_origins(const Input& input);
     void trace(const Input& input, std::span<const std::uint32_t> vertices, const DisturbedRays& since_last,
@@ -98,7 +97,7 @@ private:
     Refinement topology_;  // without visibility and points
     std::shared_ptr<WorldGeometry> refined_;
     std::vector<TrianglePart> parts_;
-    std::vector<std::uint32_t> numbers_;
+    VertexNumbers numbers_;
 
     Visibility visible_;
     // By vertex: the state of the scene that its visibility belongs to; 0: none. state_ is the current one.

@@ -57,7 +57,7 @@ void SceneVisibility::update(const SceneGeometry& surfaces, SurfaceRays& rays, b
                          bake(surfaces, rays, part, projection, options, workers, progress, statistics);
     const bool baked = options.shadows && baked_geometry_ == surfaces.version();
     if (baked) refine(surfaces, rays, options, workers, progress, statistics);
-    surfaces_.update(surfaces, baked ? refined_ : nullptr, parts_, numbers_);
+    surfaces_.update(surfaces, baked ? refined_ : nullptr, parts_, numbers_.numbers);
 
     const std::size_t vertices = surfaces_.geometry().positions.size();
     const std::size_t unoccluded = baked ? (*visible_)->unoccluded_count() : vertices;
@@ -141,7 +141,7 @@ void SceneVisibility::begin_progressively(const SceneGeometry& surfaces, const R
     topology_ = {};
     refined_.reset();
     parts_.clear();
-    numbers_.clear();
+    numbers_ = {};
     points_ = {};
     points_bake_ = 0;
     baked_.change().reset();
@@ -287,7 +287,7 @@ void SceneVisibility::refine(const SceneGeometry& surfaces, SurfaceRays& rays, c
             const std::size_t vertices = visible->vertices() + refinement.parents.size();
             if (vertices + points_.size() > options.max_vertices) points_ = {};
             if (refinement.parents.empty()) return;
-            RefinedGeometry split = refined(surfaces.geometry(), refinement);
+            RefinedGeometry split = refined(surfaces.geometry(), refinement, options.max_vertices);
             refined_ = std::make_shared<WorldGeometry>(std::move(split.geometry));
             parts_ = std::move(split.parts);
             numbers_ = std::move(split.numbers);

@@ -91,7 +91,7 @@ private:
     Refinement topology_;                                   // the refinement without visibility and points
     std::shared_ptr<WorldGeometry> refined_;                // null: no triangle was split
     std::vector<TrianglePart> parts_;                       // triangles of refined_
-    std::vector<std::uint32_t> numbers_;                    // numbers of its vertices
+    VertexNumbers numbers_;                                 // numbers of its vertices
     Versioned<std::shared_ptr<const Visibility>> visible_;  // visibility of the vertices of surfaces_
     RefinedSurfaces surfaces_;
 

@@ -2,6 +2,7 @@
 #include "surfaces/refined_surfaces.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <glm/geometric.hpp>
 #include <numeric>
 #include <unordered_map>
@@ -26,9 +27,17 @@ std::vector<std::array<Value, 3>> of_parts(const std::vector<std::array<Value, 3
     return out;
 }
 
+// Returns the number of vertices in reserve for a range with this many added vertices: at most fifteen, or a
+// part in 32.
+std::uint32_t reserve(std::uint32_t added) {
+    const std::uint32_t step = std::max(16U, std::bit_floor(added) / 32);
+    return (step - added % step) % step;
+}
+
 }  // namespace
 
-RefinedGeometry refined(const WorldGeometry& geometry, const Refinement& refinement) {
+RefinedGeometry refined(const WorldGeometry& geometry, const Refinement& refinement,
+                        std::uint64_t most_vertices) {
     // Vertices in the refinement's order: the given vertices, then the added vertices.
     std::vector<glm::vec3> positions = geometry.positions;
     std::vector<glm::vec3> normals = geometry.normals;
@@ -48,9 +57,19 @@ RefinedGeometry refined(const WorldGeometry& geometry, const Refinement& refinem
         normals[v] = glm::normalize(normals[v]);
 
     // Vertices are sorted by range.
-    std::vector<std::uint32_t> next(geometry.ranges.size() + 1, 0);  // number of a range's next vertex
-    for (const std::uint32_t r : range_of) ++next[r + 1];
-    std::partial_sum(next.begin(), next.end(), next.begin());
+    std::vector<std::uint32_t> counts(geometry.ranges.size(), 0);
+    for (const std::uint32_t r : range_of) ++counts[r];
+    std::vector<std::uint32_t> reserves;
+    for (std::size_t r = 0; r < counts.size(); ++r) {
+        const VertexRange& range = geometry.ranges[r];
+        reserves.push_back(reserve(counts[r] - static_cast<std::uint32_t>(range.last - range.first)));
+    }
+    const std::uint64_t wanted =
+        std::accumulate(reserves.begin(), reserves.end(), std::uint64_t{positions.size()});
+    if (wanted > most_vertices) std::ranges::fill(reserves, 0U);
+    std::vector<std::uint32_t> next{0};  // number of a range's next vertex
+    for (std::size_t r = 0; r < counts.size(); ++r) next.push_back(next[r] + counts[r] + reserves[r]);
+    const std::size_t vertices = next.back();
     WorldGeometry out;
     for (std::size_t r = 0; r < geometry.ranges.size(); ++r) {
         VertexRange range = geometry.ranges[r];
@@ -59,14 +78,17 @@ RefinedGeometry refined(const WorldGeometry& geometry, const Refinement& refinem
         out.ranges.push_back(std::move(range));
     }
     std::vector<std::uint32_t> number(positions.size());
-    std::vector<std::uint32_t> order(positions.size());
-    out.positions.resize(positions.size());
-    out.normals.resize(positions.size());
+    std::vector<std::uint32_t> sources(vertices);
     for (std::uint32_t v = 0; v < positions.size(); ++v) {
-        const std::uint32_t i = number[v] = next[range_of[v]]++;
-        order[i] = v;
-        out.positions[i] = positions[v];
-        out.normals[i] = normals[v];
+        number[v] = next[range_of[v]]++;
+        sources[number[v]] = v;
+    }
+    for (std::size_t r = 0; r < counts.size(); ++r) {
+        for (std::uint32_t i = 0; i < reserves[r]; ++i) sources[next[r] + i] = sources[next[r] - 1];
+    }
+    for (const std::uint32_t source : sources) {
+        out.positions.push_back(positions[source]);
+        out.normals.push_back(normals[source]);
     }
     out.triangles.reserve(refinement.triangles.size());
     for (const glm::uvec3& t : refinement.triangles)
@@ -75,10 +97,10 @@ RefinedGeometry refined(const WorldGeometry& geometry, const Refinement& refinem
     out.one_sided = static_cast<std::size_t>(two_sided - refinement.sources.begin());
     return {.geometry = std::move(out),
             .visibility =
-                refinement.visibility.vertices() > 0 ? refinement.visibility.selected(order) : Visibility(),
+                refinement.visibility.vertices() > 0 ? refinement.visibility.selected(sources) : Visibility(),
             .parts = triangle_parts(geometry.triangles, geometry.positions.size(), refinement.parents,
                                     refinement.triangles, refinement.sources),
-            .numbers = std::move(number)};
+            .numbers = {.numbers = std::move(number), .sources = std::move(sources)}};
 }
 
 RefinedSurfaces::Change RefinedSurfaces::change_to(const SceneGeometry& surfaces, const WorldGeometry& next,
@@ -118,6 +140,16 @@ RefinedSurfaces::Change RefinedSurfaces::change_to(const SceneGeometry& surfaces
         const auto former = added.find(hash(next, numbers[i]));
         if (former != added.end() && last.positions[former->second] == next.positions[numbers[i]])
             pair(numbers[i], former->second);
+    }
+    // A vertex in reserve equals the vertex before it.
+    const auto equal = [&next](const WorldGeometry& geometry, std::size_t v, std::size_t other) {
+        return geometry.positions[v] == next.positions[other] && geometry.normals[v] == next.normals[other];
+    };
+    for (std::size_t v = 1; v < vertices; ++v) {
+        const std::uint32_t former = out.former[v - 1];
+        if (former == kNoVertex || !equal(next, v, v - 1)) continue;
+        const std::uint32_t following = former + 1;
+        pair(v, following < last.positions.size() && equal(last, following, v) ? following : former);
     }
     for (std::size_t v = 0; v < vertices; ++v) pair(v, v);
     return out;

@@ -18,17 +18,43 @@
 
 namespace nicol {
 
+/// Numbers of a refinement's vertices in RefinedGeometry. Empty: nothing is refined, and vertices keep their
+/// numbers.
+struct VertexNumbers {
+    std::vector<std::uint32_t> numbers;  ///< index of each vertex of the refinement, given ones first
+    std::vector<std::uint32_t> sources;  ///< vertex of the refinement that each vertex is or copies
+
+    [[nodiscard]] std::uint32_t number(std::size_t i) const {
+        return numbers.empty() ? static_cast<std::uint32_t>(i) : numbers[i];
+    }
+    [[nodiscard]] std::uint32_t source(std::size_t v) const {
+        return sources.empty() ? static_cast<std::uint32_t>(v) : sources[v];
+    }
+    /// Returns whether a vertex copies the vertex before it.
+    [[nodiscard]] bool is_copy(std::size_t v) const {
+        return v > 0 && !sources.empty() && sources[v] == sources[v - 1];
+    }
+    /// Returns the copy of the same vertex that follows v, or v if there is none.
+    [[nodiscard]] std::uint32_t next_copy(std::uint32_t v) const {
+        return v + 1 < sources.size() && is_copy(v + 1) ? v + 1 : v;
+    }
+};
+
 /// Geometry after refinement, and the visibility of its vertices (none if the refinement has none). Added
 /// vertices follow the other vertices of their range. Their positions and normals are interpolated, and the
 /// normals are then made unit length. Corners have neither texture coordinates nor colours, because
-/// RefinedSurfaces interpolates these.
+/// RefinedSurfaces interpolates these. Vertices in reserve, which no triangle uses, end a range with added
+/// vertices: copies of its last vertex. Because of them, a refinement that adds a few vertices more or fewer
+/// leaves the numbers of other ranges as they are.
 struct RefinedGeometry {
     WorldGeometry geometry;
     Visibility visibility;
-    std::vector<TrianglePart> parts;     ///< one per triangle
-    std::vector<std::uint32_t> numbers;  ///< index of each vertex of the refinement, given ones first
+    std::vector<TrianglePart> parts;  ///< one per triangle
+    VertexNumbers numbers;
 };
-[[nodiscard]] RefinedGeometry refined(const WorldGeometry& geometry, const Refinement& refinement);
+/// Returns the geometry. most_vertices: there is no reserve if there would be more vertices than this.
+[[nodiscard]] RefinedGeometry refined(const WorldGeometry& geometry, const Refinement& refinement,
+                                      std::uint64_t most_vertices);
 
 class RefinedSurfaces {
 public:

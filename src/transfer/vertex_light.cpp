@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "transfer/vertex_light.hpp"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <array>
 #include <numbers>
@@ -30,35 +28,36 @@ std::vector<std::complex<float>> complex_half(std::span<const double> channel, i
 }  // namespace
 
 void VertexLight::resize(const LightLayout& layout, int channels, std::size_t vertices) {
+    const std::size_t former = row_size();
     size_ = layout.size();
     channels_ = channels;
-    blocks_ = (vertices + kLanes - 1) / kLanes;
-    data_.resize(blocks_ * static_cast<std::size_t>(channels) * size_);
+    if (row_size() != former) data_.resize(0);
+    data_.resize((vertices + kLanes - 1) / kLanes);
+    allocate();
+}
+
+void VertexLight::allocate() {
+    for (std::size_t block = 0; block < blocks(); ++block) {
+        if (data_.at(block) == nullptr) data_.allocate(block, row_size());
+    }
 }
 
 void VertexLight::renumber(std::span<const std::uint32_t> former, bool rows) {
-    const std::size_t blocks = (former.size() + kLanes - 1) / kLanes;
     const std::size_t size = row_size();
-    std::vector<Lanes> next(blocks * size);
-    tbb::parallel_for(std::size_t{0}, blocks, [&](std::size_t block) {
-        Lanes* const to = next.data() + block * size;
-        for (std::size_t i = 0; i < kLanes && block * kLanes + i < former.size(); ++i) {
-            const std::size_t before = former[block * kLanes + i];
-            if (before >= blocks_ * kLanes) continue;
-            if (rows) {
-                std::copy_n(row(before), size, to->value.data() + i * size);
-                continue;
-            }
-            const Lanes* const from = data_.data() + before / kLanes * size;
-            for (std::size_t k = 0; k < size; ++k) to[k][i] = from[k][before % kLanes];
+    const auto copy = [size, rows](Lanes* to, std::size_t lane, const Lanes* from, std::size_t lane_before) {
+        if (rows) {
+            std::copy_n(from->value.data() + lane_before * size, size, to->value.data() + lane * size);
+            return;
         }
-    });
-    data_ = std::move(next);
-    blocks_ = blocks;
+        for (std::size_t k = 0; k < size; ++k) to[k][lane] = from[k][lane_before];
+    };
+    data_.renumber(
+        former, size, [](std::size_t /*block*/) { return true; }, copy);
+    allocate();
 }
 
 void VertexLight::to_rows(std::size_t block) {
-    const std::span<Lanes> lanes = std::span(data_).subspan(offset(block, 0), row_size());
+    const std::span<Lanes> lanes(data_.at(block), row_size());
     const std::span<Lanes> copy = work_space<VertexLight, Lanes>(lanes.size());
     std::ranges::copy(lanes, copy.begin());
     float* to = lanes.front().value.data();

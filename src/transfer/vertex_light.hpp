@@ -12,6 +12,7 @@
 #include "harmonics/light_layout.hpp"
 #include "simd/lanes.hpp"
 #include "transfer/light_fields.hpp"
+#include "visibility/block_memory.hpp"
 
 namespace nicol {
 
@@ -29,41 +30,39 @@ public:
     void resize(const LightLayout& layout, int channels, std::size_t vertices);
 
     [[nodiscard]] int channels() const noexcept { return channels_; }
-    [[nodiscard]] std::size_t blocks() const noexcept { return blocks_; }
+    [[nodiscard]] std::size_t blocks() const noexcept { return data_.blocks(); }
     /// Returns the coefficients of LightLayout of vertices 16 block to 16 block + 15.
     [[nodiscard]] std::span<const Lanes> block(std::size_t block, int channel) const {
-        return {data_.data() + offset(block, channel), size_};
+        return {data_.at(block) + static_cast<std::size_t>(channel) * size_, size_};
     }
     [[nodiscard]] std::span<Lanes> block(std::size_t block, int channel) {
-        return {data_.data() + offset(block, channel), size_};
+        return {data_.at(block) + static_cast<std::size_t>(channel) * size_, size_};
     }
 
-    /// Moves light to other vertices: that of vertex former[v] to v, unless former[v] is no vertex of the
-    /// light; the light of v is then unspecified. The size becomes that of `former`. rows: whether all blocks
-    /// have been reordered by to_rows(). Runs on the calling thread's TBB arena.
+    /// Moves light to other vertices: that of vertex former[v] to v. The light of a block is unspecified if
+    /// former[v] is kNoVertex for one of its vertices. The size becomes that of `former`. rows: whether all
+    /// blocks have been reordered by to_rows(). Runs on the calling thread's TBB arena.
     void renumber(std::span<const std::uint32_t> former, bool rows);
 
     /// Reorders a block in place: the coefficients of each vertex follow one another.
     void to_rows(std::size_t block);
     /// Returns the coefficients of one vertex, [channel][number], after to_rows() of its block.
     [[nodiscard]] const float* row(std::size_t vertex) const {
-        return data_[offset(vertex / kLanes, 0)].value.data() + vertex % kLanes * row_size();
+        return data_.at(vertex / kLanes)->value.data() + vertex % kLanes * row_size();
     }
     [[nodiscard]] std::size_t row_size() const noexcept {
         return static_cast<std::size_t>(channels_) * size_;
     }
 
-    [[nodiscard]] std::size_t bytes() const noexcept { return data_.size() * sizeof(Lanes); }
+    [[nodiscard]] std::size_t bytes() const noexcept { return blocks() * row_size() * sizeof(Lanes); }
 
 private:
-    [[nodiscard]] std::size_t offset(std::size_t block, int channel) const {
-        return (block * static_cast<std::size_t>(channels_) + static_cast<std::size_t>(channel)) * size_;
-    }
+    // Gives memory to blocks that have none.
+    void allocate();
 
     std::size_t size_ = 0;
     int channels_ = 0;
-    std::size_t blocks_ = 0;
-    std::vector<Lanes> data_;
+    BlockMemory<Lanes> data_;  // of a block: [channel][number], or [lane][channel][number] after to_rows()
 };
 
 /// Distant light, prepared for rotation into many vertices' frames.

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
+#include <iterator>
 #include <string>
 #include <utility>
 
@@ -19,7 +19,6 @@
 namespace nicol {
 namespace {
 
-constexpr std::uint32_t kUnoccluded = ~std::uint32_t{0};
 constexpr float kLargestFixed = 32767.0F / kFixedOne;
 
 std::int16_t to_fixed(float number) {
@@ -66,12 +65,12 @@ VisibilityProduct::VisibilityProduct(const Visibility& visibility, const Directi
     } else {
         size_ = grid_.emplace(layout).samples();
     }
-    find_vertices(visibility);
-    numbers_.resize(blocks() * size_ / 2);
+    find_occluded(visibility);
+    numbers_.resize((visibility.vertices() + kLanes - 1) / kLanes);
     if (psh_count(harmonics.order()) > directions.size()) {
         find_unit({visibility, directions, harmonics, normals, {}});
     }
-    compute(all_blocks(), {visibility, directions, harmonics, normals, keep},
+    compute(occluded_, {visibility, directions, harmonics, normals, keep},
             [&](std::size_t block, std::span<const Lanes> numbers) { store_block(block, numbers); });
 }
 
@@ -84,84 +83,36 @@ VisibilityProduct::VisibilityProduct(VisibilityProduct&& before, std::span<const
     if (former.size() != visibility.vertices()) {
         throw Error(ErrorCode::invalid_argument, "`former` must have one number for each vertex");
     }
-    const std::vector<std::uint32_t> blocks_before = std::move(block_of_);
-    const std::size_t vertices_before = vertices_.size();
-    find_vertices(visibility);
-    bool moved = block_of_ != blocks_before || vertices_.size() != vertices_before;
-    for (std::size_t v = 0; v < former.size() && !moved; ++v)
-        moved = former[v] != v && former[v] != kNoVertex;
-    std::vector<NumberPair> numbers_before;
-    if (moved) {
-        numbers_before = std::move(numbers_);
-        numbers_ = std::vector<NumberPair>(blocks() * size_ / 2);
-    }
-    // Places of the numbers of sixteen vertices; none if one of them is not known.
-    const auto places_of = [&](std::size_t sixteen) -> std::optional<std::array<std::uint32_t, kLanes>> {
-        std::array<std::uint32_t, kLanes> places{};
-        for (std::size_t i = 0; i < kLanes; ++i) {
-            const std::size_t v = std::min(sixteen * kLanes + i, former.size() - 1);
-            const std::size_t block = former[v] / kLanes;
-            if (former[v] == kNoVertex || block >= blocks_before.size()) return std::nullopt;
-            if (blocks_before[block] == kUnoccluded) return std::nullopt;
-            places[i] = static_cast<std::uint32_t>(blocks_before[block] * kLanes + former[v] % kLanes);
+    find_occluded(visibility);
+    std::vector<std::uint8_t> wanted((former.size() + kLanes - 1) / kLanes, 0);
+    for (const std::uint32_t block : occluded_) wanted[block] = 1;
+    const auto copy = [this](NumberPair* to, std::size_t lane, const NumberPair* from,
+                             std::size_t lane_before) {
+        const std::size_t step = matrices_ ? 2 : 1;
+        const std::size_t second = matrices_ ? 1 : kLanes;
+        for (std::size_t k = 0; k < size_ / 2; ++k) {
+            to[k].value[lane * step] = from[k].value[lane_before * step];
+            to[k].value[lane * step + second] = from[k].value[lane_before * step + second];
         }
-        return places;
     };
-    std::vector<std::uint8_t> known(block_of_.size(), 1);
-    tbb::parallel_for(std::size_t{0}, block_of_.size(), [&](std::size_t sixteen) {
-        if (block_of_[sixteen] == kUnoccluded) return;
-        const auto places = places_of(sixteen);
-        known[sixteen] = places ? 1 : 0;
-        if (places && moved) take_over(block_of_[sixteen], numbers_before, *places);
-    });
+    numbers_.renumber(
+        former, size_ / 2, [&](std::size_t block) { return wanted[block] != 0; }, copy);
     std::vector<std::uint32_t> changed;
-    for (std::size_t sixteen = 0; sixteen < block_of_.size(); ++sixteen) {
-        if (known[sixteen] == 0) changed.push_back(block_of_[sixteen]);
-    }
+    std::ranges::copy_if(occluded_, std::back_inserter(changed),
+                         [this](std::uint32_t block) { return numbers_.at(block) == nullptr; });
     if (changed.empty()) return;
     const VisibilityHarmonics harmonics(directions, 2 * layout_.order());
     compute(changed, {visibility, directions, harmonics, normals, keep},
             [&](std::size_t block, std::span<const Lanes> numbers) { store_block(block, numbers); });
 }
 
-void VisibilityProduct::take_over(std::size_t block, const std::vector<NumberPair>& before,
-                                  const std::array<std::uint32_t, kLanes>& places) {
-    const std::size_t step = matrices_ ? 2 : 1;
-    const std::size_t second = matrices_ ? 1 : kLanes;
-    NumberPair* const to = &numbers_[block * size_ / 2];
-    bool aligned = places[0] % kLanes == 0;
-    for (std::size_t i = 0; i < kLanes; ++i) aligned = aligned && places[i] == places[0] + i;
-    if (aligned) {
-        std::copy_n(&before[places[0] / kLanes * size_ / 2], size_ / 2, to);
-        return;
-    }
-    for (std::size_t i = 0; i < kLanes; ++i) {
-        const NumberPair* const from = &before[places[i] / kLanes * size_ / 2];
-        const std::size_t lane = places[i] % kLanes * step;
-        for (std::size_t k = 0; k < size_ / 2; ++k) {
-            to[k].value[i * step] = from[k].value[lane];
-            to[k].value[i * step + second] = from[k].value[lane + second];
-        }
-    }
-}
-
-std::vector<std::uint32_t> VisibilityProduct::all_blocks() const {
-    std::vector<std::uint32_t> out(blocks());
-    std::iota(out.begin(), out.end(), 0U);
-    return out;
-}
-
-void VisibilityProduct::find_vertices(const Visibility& visibility) {
+void VisibilityProduct::find_occluded(const Visibility& visibility) {
+    occluded_.clear();
     vertices_.clear();
-    block_of_.clear();
-    std::uint32_t count = 0;
     for (std::size_t begin = 0; begin < visibility.vertices(); begin += kLanes) {
         const std::size_t end = std::min(begin + kLanes, visibility.vertices());
-        if (all_ones(visibility.unoccluded().subspan(begin, end - begin))) {
-            block_of_.push_back(kUnoccluded);
-            continue;
-        }
-        block_of_.push_back(count++);
+        if (all_ones(visibility.unoccluded().subspan(begin, end - begin))) continue;
+        occluded_.push_back(static_cast<std::uint32_t>(begin / kLanes));
         for (std::size_t v = begin; v < end; ++v) vertices_.push_back(static_cast<std::uint32_t>(v));
     }
 }
@@ -169,8 +120,8 @@ void VisibilityProduct::find_vertices(const Visibility& visibility) {
 // Finds the unit of the stored numbers. With fewer directions than coefficients, the numbers may leave the
 // range of visibility.
 void VisibilityProduct::find_unit(const Input& input) {
-    std::vector<float> largest(blocks(), 0.0F);
-    compute(all_blocks(), input, [&](std::size_t block, std::span<const Lanes> numbers) {
+    std::vector<float> largest(numbers_.blocks(), 0.0F);
+    compute(occluded_, input, [&](std::size_t block, std::span<const Lanes> numbers) {
         for (const Lanes& lanes : numbers)
             for (const float number : lanes.value)
                 largest[block] = std::max(largest[block], std::abs(number));
@@ -188,19 +139,17 @@ void VisibilityProduct::compute(std::span<const std::uint32_t> blocks, const Inp
         const std::span some = blocks.subspan(batch * most, std::min(most, blocks.size() - batch * most));
         std::vector<std::uint32_t> vertices;
         for (const std::uint32_t block : some) {
-            const auto of_block = std::span(vertices_).subspan(block * kLanes);
-            vertices.insert(
-                vertices.end(), of_block.begin(),
-                of_block.begin() + static_cast<std::ptrdiff_t>(std::min(kLanes, of_block.size())));
+            const std::size_t end = std::min((block + 1) * kLanes, input.normals.size());
+            for (std::size_t v = block * kLanes; v < end; ++v)
+                vertices.push_back(static_cast<std::uint32_t>(v));
         }
         std::vector<Lanes> all(some.size() * size), numbers(size_);
         input.harmonics.project(input.visibility, input.normals, vertices, all);
         for (std::size_t k = 0; k < some.size(); ++k) {
             const std::span coefficients = std::span(all).subspan(k * size, size);
             if (input.keep.blocks != nullptr) {
-                const std::size_t sixteen = vertices[k * kLanes] / kLanes;
-                input.keep.blocks->set(sixteen, coefficients.data());
-                if (!input.keep.missing.empty()) input.keep.missing[sixteen] = 0;
+                input.keep.blocks->set(some[k], coefficients.data());
+                if (!input.keep.missing.empty()) input.keep.missing[some[k]] = 0;
             }
             const std::span numbers_of_lanes(coefficients.front().value.data(), size * kLanes);
             for (std::size_t i = 0; i < kLanes && k * kLanes + i < vertices.size(); ++i) {
@@ -221,7 +170,8 @@ void VisibilityProduct::compute(std::span<const std::uint32_t> blocks, const Inp
 void VisibilityProduct::store_block(std::size_t block, std::span<const Lanes> numbers) {
     const std::size_t step = matrices_ ? 2 : 1;         // step from lane to lane
     const std::size_t second = matrices_ ? 1 : kLanes;  // step from the first number of a pair to the second
-    NumberPair* pair = &numbers_[block * size_ / 2];
+    numbers_.allocate(block, size_ / 2);
+    NumberPair* pair = numbers_.at(block);
     for (std::size_t k = 0; k < size_; k += 2, ++pair) {
         for (std::size_t i = 0; i < kLanes; ++i) {
             pair->value[i * step] = to_fixed(numbers[k][i] / unit_);
@@ -240,8 +190,8 @@ void VisibilityProduct::run(VertexLight& light, std::size_t first, std::size_t l
     std::array<Lanes*, most> products{};
     for (std::size_t c = 0; c < most; ++c) products[c] = &work[c * size];
     for (std::size_t sixteen = first; sixteen < last; ++sixteen) {
-        if (block_of_[sixteen] == kUnoccluded) continue;
-        const std::int16_t* numbers = numbers_[block_of_[sixteen] * size_ / 2].value.data();
+        if (numbers_.at(sixteen) == nullptr) continue;
+        const std::int16_t* numbers = numbers_.at(sixteen)->value.data();
         for (std::size_t begin = 0; begin < channels; begin += most) {
             const std::size_t count = std::min(most, channels - begin);
             for (std::size_t c = 0; c < count; ++c) {
@@ -264,8 +214,8 @@ void VisibilityProduct::run(VertexLight& light, std::size_t first, std::size_t l
 }
 
 std::size_t VisibilityProduct::bytes() const noexcept {
-    return numbers_.size() * sizeof(NumberPair) +
-           (vertices_.size() + block_of_.size()) * sizeof(std::uint32_t);
+    return blocks() * size_ / 2 * sizeof(NumberPair) +
+           (vertices_.size() + occluded_.size()) * sizeof(std::uint32_t);
 }
 
 }  // namespace nicol

@@ -11,6 +11,7 @@
 
 #include "harmonics/light_layout.hpp"
 #include "transfer/vertex_light.hpp"
+#include "visibility/block_memory.hpp"
 #include "visibility/shadow_grid.hpp"
 #include "visibility/shadow_matrices.hpp"
 #include "visibility/visibility_blocks.hpp"
@@ -52,7 +53,7 @@ public:
 
     /// Returns the number of blocks of sixteen consecutive vertices, as in VertexLight, with an occluded
     /// vertex.
-    [[nodiscard]] std::size_t blocks() const noexcept { return (vertices_.size() + kLanes - 1) / kLanes; }
+    [[nodiscard]] std::size_t blocks() const noexcept { return occluded_.size(); }
 
     /// Computes light = V light for the vertices of VertexLight's blocks `first` <= b < `last`; unoccluded
     /// blocks are left unchanged. Calls for different blocks may run side by side. skipped: number of blocks
@@ -66,10 +67,10 @@ public:
     /// Returns the unit of the numbers: a number is stored as a multiple of unit() / kFixedOne.
     [[nodiscard]] float unit() const noexcept { return unit_; }
     [[nodiscard]] std::size_t numbers_of_vertex() const noexcept { return size_; }
-    /// Returns the numbers: up to kHighestMatrixOrder [block][pair of matrix elements][lane][element of the
-    /// pair], above it [block][sample of the grid][lane].
-    [[nodiscard]] std::span<const std::int16_t> numbers() const noexcept {
-        return {numbers_.empty() ? nullptr : numbers_.front().value.data(), numbers_.size() * 2 * kLanes};
+    /// Returns the numbers of block 0 <= i < blocks(): up to kHighestMatrixOrder [pair of matrix
+    /// elements][lane][element of the pair], above it [sample of the grid][lane].
+    [[nodiscard]] std::span<const std::int16_t> numbers(std::size_t i) const {
+        return {numbers_.at(occluded_[i])->value.data(), size_ * kLanes};
     }
     /// Returns the matrices or null. Exactly one of matrices() and grid() is null.
     [[nodiscard]] const ShadowMatrices* matrices() const noexcept {
@@ -94,25 +95,22 @@ private:
         KeptCoefficients keep;
     };
 
-    void find_vertices(const Visibility& visibility);
+    void find_occluded(const Visibility& visibility);
     void find_unit(const Input& input);
-    [[nodiscard]] std::vector<std::uint32_t> all_blocks() const;
-    // Computes the numbers of each block, on threads, in any order, and calls use(block, numbers).
+    // Computes the numbers of some of VertexLight's blocks, on threads, in any order, and calls
+    // use(block, numbers).
     template <class Use>
     void compute(std::span<const std::uint32_t> blocks, const Input& input, const Use& use) const;
     void store_block(std::size_t block, std::span<const Lanes> numbers);
-    // Takes over the numbers of a block from places in `before`: 16 block + lane of each vertex.
-    void take_over(std::size_t block, const std::vector<NumberPair>& before,
-                   const std::array<std::uint32_t, kLanes>& places);
 
     LightLayout layout_;
     std::optional<ShadowMatrices> matrices_;  // set up to kHighestMatrixOrder; otherwise grid_ is set
     std::optional<ShadowGrid> grid_;
-    std::vector<std::uint32_t> vertices_;  // vertices of all blocks, ascending
-    std::vector<std::uint32_t> block_of_;  // by sixteen vertices, their block of numbers or kUnoccluded
+    std::vector<std::uint32_t> occluded_;  // VertexLight's blocks with an occluded vertex, ascending
+    std::vector<std::uint32_t> vertices_;  // vertices of these blocks
     std::size_t size_ = 0;                 // numbers per vertex, even
     float unit_ = 1;
-    std::vector<NumberPair> numbers_;  // [block][pair]
+    BlockMemory<NumberPair> numbers_;  // of a block of VertexLight: [pair]; none if it is unoccluded
 };
 
 }  // namespace nicol

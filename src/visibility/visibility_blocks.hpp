@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "simd/lanes.hpp"
+#include "visibility/block_memory.hpp"
 #include "visibility/visibility.hpp"
 #include "visibility/visibility_harmonics.hpp"
 
@@ -33,7 +34,7 @@ public:
                      const Visibility& visibility, int order, std::vector<std::uint8_t>& missing);
 
     [[nodiscard]] int order() const noexcept { return order_; }
-    [[nodiscard]] bool empty() const noexcept { return place_.empty(); }
+    [[nodiscard]] bool empty() const noexcept { return numbers_.blocks() == 0; }
     [[nodiscard]] std::size_t vertices() const noexcept { return vertices_; }
 
     /// Sets the coefficients of vertices 16 block to 16 block + 15, by psh_index; has no effect on an
@@ -42,23 +43,18 @@ public:
     /// Returns the numbers of a block: for each m from 0 on and each l = m, m + 2, ..., the number of m in
     /// each lane, then the number of -m unless m = 0. Returns null if the vertices are unoccluded.
     [[nodiscard]] const std::int16_t* block(std::size_t block) const {
-        return place_[block] == kUnoccluded ? nullptr : numbers_[place_[block] * kept_.size()].value.data();
+        const FixedLanes* const numbers = numbers_.at(block);
+        return numbers == nullptr ? nullptr : numbers->value.data();
     }
 
     /// Computes the psh_count(order()) coefficients of one vertex.
     void expand(std::size_t vertex, std::span<float> out) const;
 
     [[nodiscard]] std::size_t bytes() const noexcept {
-        return numbers_.size() * sizeof(FixedLanes) + place_.size() * sizeof(std::uint32_t);
+        return numbers_.count() * kept_.size() * sizeof(FixedLanes);
     }
 
 private:
-    static constexpr std::uint32_t kUnoccluded = ~std::uint32_t{0};
-    void find_places(const Visibility& visibility);
-    // Returns the vertices of the earlier state that a block takes over; none if one of them is not known.
-    [[nodiscard]] std::optional<std::array<std::uint32_t, kLanes>> known(
-        std::size_t block, std::span<const std::uint32_t> former) const;
-
     // Sixteen numbers, aligned for vector instructions.
     struct alignas(32) FixedLanes {
         std::array<std::int16_t, kLanes> value;
@@ -66,10 +62,8 @@ private:
 
     int order_ = 0;
     std::size_t vertices_ = 0;
-    std::vector<std::size_t> kept_;     // psh_index of each number of a block
-    std::vector<std::uint32_t> place_;  // place of each block in numbers_, or kUnoccluded
-    std::uint32_t stored_ = 0;          // number of blocks in numbers_
-    std::vector<FixedLanes> numbers_;   // [place][kept]
+    std::vector<std::size_t> kept_;    // psh_index of each number of a block
+    BlockMemory<FixedLanes> numbers_;  // of a block: [kept]; none if it is unoccluded
 };
 
 }  // namespace nicol

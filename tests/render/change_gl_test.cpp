@@ -324,6 +324,20 @@ TEST_CASE("options that change and change back leave no trace") {
     }
 }
 
+TEST_CASE("a change of the high orders alone relights no vertex") {
+    const auto context = gl::make_context(gl::Backend::osmesa);
+    const Scene scene = balls_on_plate();
+    Studio studio(context, Method::factored);
+    studio(scene);
+    const StokesImage before = studio.target.image();
+    studio.options.order_high = 3;
+    const Statistics fewer = studio(scene);
+    CHECK(fewer.lights_projected == 1);
+    CHECK(fewer.vertices_relit == 0);
+    CHECK(difference(studio.target.image(), before) > 1e-4);
+    CHECK(difference(studio.target.image(), studio.fresh(scene)) < 1e-6);
+}
+
 TEST_CASE("any series of changes ends where a fresh start does") {
     const auto context = gl::make_context(gl::Backend::osmesa);
     for (const Method method : methods) {

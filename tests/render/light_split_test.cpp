@@ -65,10 +65,11 @@ TEST_CASE("without lamps a tolerance is reached with fewer orders, relative to a
     LightSplit split;
     Statistics statistics;
     split.update(scene.environment(), options, statistics);
+    KeptProjection projection;
     OrderSelector selector;
     const auto choose = [&](const EnvironmentPtr& projected) {
         return selector.choose(scene, {projected, SampledTerms::none}, unshadowed, true, options,
-                               MemoryLimit::kNone);
+                               MemoryLimit::kNone, projection);
     };
     const auto whole = choose(scene.environment());
     const auto rest = choose(split.rest());

@@ -142,6 +142,7 @@ TEST_CASE("diffuse surfaces need few orders, darkness none") {
 
 TEST_CASE("a tolerance that cannot be reached is reported, and the least error taken") {
     const Scene scene = spheres(pplastic({.alpha = 0.1}), pplastic({.alpha = 0.1}), natural_light(false, 24));
+    KeptProjection projection;
     OrderSelector selector;
     SceneGeometry surfaces;
     surfaces.update(scene);
@@ -154,24 +155,27 @@ TEST_CASE("a tolerance that cannot be reached is reported, and the least error t
     RenderOptions options{.high_orders = HighOrders::none, .tolerance = 1e-9};
     constexpr std::uint64_t all_memory = MemoryLimit::kNone;
     const auto orders = selector.choose(scene, {scene.environment(), SampledTerms::none}, unshadowed, true,
-                                        options, all_memory);
+                                        options, all_memory, projection);
     CHECK(orders.error > 1e-9);
     CHECK(orders.low == OrderSelector::kHighestLow);
     options.high_orders = HighOrders::split;
     CHECK(selector
-              .choose(scene, {scene.environment(), SampledTerms::none}, unshadowed, true, options, all_memory)
+              .choose(scene, {scene.environment(), SampledTerms::none}, unshadowed, true, options, all_memory,
+                      projection)
               .error < orders.error);
     // The memory limits the order, but never below that of the options.
     RenderOptions fitting = options;
     fitting.order_low = 8;
     const std::uint64_t bytes = estimate_memory(scene, fitting).total();
-    fitting.order_low =
-        selector.choose(scene, {scene.environment(), SampledTerms::none}, unshadowed, true, options, bytes)
-            .low;
+    fitting.order_low = selector
+                            .choose(scene, {scene.environment(), SampledTerms::none}, unshadowed, true,
+                                    options, bytes, projection)
+                            .low;
     CHECK(fitting.order_low > 4);
     CHECK(fitting.order_low < OrderSelector::kHighestLow);
     CHECK(estimate_memory(scene, fitting).total() <= bytes);
-    CHECK(
-        selector.choose(scene, {scene.environment(), SampledTerms::none}, unshadowed, true, options, 1).low ==
-        4);
+    CHECK(selector
+              .choose(scene, {scene.environment(), SampledTerms::none}, unshadowed, true, options, 1,
+                      projection)
+              .low == 4);
 }

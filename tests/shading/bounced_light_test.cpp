@@ -2,6 +2,7 @@
 // Tests of bounced light in single directions.
 #include "shading/bounced_light.hpp"
 
+#include <algorithm>
 #include <complex>
 
 #include "harmonics/evaluate.hpp"
@@ -21,7 +22,8 @@ TEST_CASE("the light of surfaces in a direction is the quotient of interpolated 
     // Enough even light that the sums are positive in every direction.
     for (int c = 0; c < channels; ++c)
         for (float& value : rows.block(0, c).front().value) value = 9;
-    const VertexLight numbers = rows;
+    VertexLight numbers(layout, channels, 3);
+    for (int c = 0; c < channels; ++c) std::ranges::copy(rows.block(0, c), numbers.block(0, c).begin());
     rows.to_rows(0);
 
     std::array<Lanes, 3> weights;

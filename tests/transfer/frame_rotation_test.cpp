@@ -22,6 +22,7 @@ TEST_CASE("each lane's light goes into its own frame as one light alone would, a
                 const LightLayout layout(order, kind);
                 const FrameRotation rotation(layout);
                 VertexLight lights(layout, channels, kLanes);
+                VertexLight before(layout, channels, kLanes);
                 VertexLight expected(layout, channels, kLanes);
                 for (std::size_t i = 0; i < kLanes; ++i) {
                     const PshVector light = test::random_light(order, channels, static_cast<int>(kind),
@@ -32,12 +33,12 @@ TEST_CASE("each lane's light goes into its own frame as one light alone would, a
                         const std::vector<double> numbers =
                             test::light_coefficients(layout, light.channel(c));
                         for (std::size_t k = 0; k < numbers.size(); ++k) {
-                            lights.block(0, c)[k][i] = static_cast<float>(numbers[k]);
+                            before.block(0, c)[k][i] = static_cast<float>(numbers[k]);
+                            lights.block(0, c)[k][i] = before.block(0, c)[k][i];
                             expected.block(0, c)[k][i] = alone.block(0, c)[k][0];
                         }
                     }
                 }
-                const VertexLight before = lights;
                 const auto difference = [&](const VertexLight& other) {
                     float largest = 0;
                     for (int c = 0; c < channels; ++c)

@@ -28,10 +28,15 @@ public:
         const std::size_t most = context->limits().storage_bytes / (of_block * sizeof(std::int16_t));
         for (std::size_t first = 0; first < blocks; first += most) {
             const std::size_t last = std::min(blocks, first + most);
-            pieces_.push_back({first, last,
-                               gl::Buffer(context, gl::BufferUse::storage,
-                                          std::as_bytes(shadows.numbers().subspan(
-                                              first * of_block, (last - first) * of_block)))});
+            std::vector<std::int16_t> numbers;
+            numbers.reserve((last - first) * of_block);
+            for (std::size_t block = first; block < last; ++block) {
+                const std::span of = shadows.numbers(block);
+                numbers.insert(numbers.end(), of.begin(), of.end());
+            }
+            pieces_.push_back(
+                {first, last,
+                 gl::Buffer(context, gl::BufferUse::storage, std::as_bytes(std::span(numbers)))});
         }
     }
 
