@@ -298,8 +298,7 @@ void SceneVisibility::refine(const SceneGeometry& surfaces, SurfaceRays& rays, c
         baked_vertices_.clear();
         if (!needed_.empty()) {
             baked_vertices_.assign(visible->vertices(), 1);
-            for (std::size_t v = 0; v < needed_.size(); ++v)
-                baked_vertices_[topology_.parents.empty() ? v : numbers_[v]] = needed_[v];
+            for (std::size_t v = 0; v < needed_.size(); ++v) baked_vertices_[numbers_.number(v)] = needed_[v];
         }
         if (shadow_all) {
             Visibility all = *visible;

@@ -116,7 +116,9 @@ TEST_CASE("coefficients are kept small, where they are not known beforehand") {
     std::vector<std::uint32_t> all(vertices);
     std::iota(all.begin(), all.end(), 0U);
     harmonics.project(visibility, normals, all, lanes);
-    for (std::size_t block = 0; block < 3; ++block) blocks.set(block, &lanes[block * psh_count(order)]);
+    VisibilityBlocks before(visibility, order);
+    for (VisibilityBlocks* const each : {&blocks, &before})
+        for (std::size_t block = 0; block < 3; ++block) each->set(block, &lanes[block * psh_count(order)]);
     CHECK(blocks.block(0) != nullptr);
     CHECK(blocks.block(1) == nullptr);
     CHECK(blocks.block(2) != nullptr);
@@ -131,7 +133,6 @@ TEST_CASE("coefficients are kept small, where they are not known beforehand") {
     std::vector<std::uint32_t> former(vertices, kNoVertex);
     for (std::uint32_t i = 0; i < kLanes && 32 + i < vertices; ++i)
         former[32 + i] = (i % 2 == 0 ? 0 : 32) + (3 * i + 5) % (i % 2 == 0 ? 16 : 8);
-    VisibilityBlocks before = blocks;
     std::vector<std::uint8_t> missing;
     const VisibilityBlocks after(std::move(before), former, visibility, order, missing);
     CHECK(missing == std::vector<std::uint8_t>{1, 0, 0});
