@@ -4,7 +4,7 @@
 namespace nicol {
 
 PshVector KeptProjection::project(const EnvironmentPtr& environment, int order) {
-    if (!environment) return PshVector(order, 1);
+    if (!environment) return {order, 1};
     if (environment != environment_ || order > light_.order()) {
         environment_.reset();
         light_ = environment->project(order);

@@ -11,7 +11,7 @@ namespace nicol {
 namespace {
 
 // Vertices of an instance that are needed at least, if it has as many.
-constexpr std::size_t kSample = 1024;
+constexpr std::size_t kSampledVertices = 1024;
 // Fewest vertices that are worth a bake of a part.
 constexpr std::size_t kLeastSpared = 4096;
 // Samples of pixels, and cameras that are jittered within a pixel, reach no farther beyond an image than so
@@ -38,7 +38,7 @@ std::vector<std::uint8_t> needed_vertices(const WorldGeometry& geometry, const P
         if (!reflects(*range.material)) std::fill(at(range.first), at(range.last), std::uint8_t{0});
     if (std::ranges::find(needed, 1) == needed.end()) return needed;
     for (const VertexRange& range : geometry.ranges) {
-        const std::size_t step = std::max<std::size_t>(1, (range.last - range.first) / kSample);
+        const std::size_t step = std::max<std::size_t>(1, (range.last - range.first) / kSampledVertices);
         for (std::size_t v = range.first; v < range.last; v += step) needed[v] = 1;
     }
     if (static_cast<std::size_t>(std::ranges::count(needed, 0)) < kLeastSpared) return {};

@@ -252,9 +252,10 @@ void SurfaceSource::sample_near(std::size_t patch, const glm::dvec3& point, doub
     const glm::dvec3 first(of.first), second(of.second), corner = glm::dvec3(of.corner) - point;
     const glm::dvec3 far = corner + first + second;
     const double height = -glm::dot(glm::dvec3(of.normal), corner);  // of the point above the patch
-    // A point of the light itself lies beside its plane only by rounding.
-    constexpr double rounding = 2e-6;
-    const double size = glm::length(point) + glm::length(corner) + glm::length(first) + glm::length(second);
+    // A point of the light itself lies beside its plane only by rounding. Points of other surfaces at the
+    // light's border do by their offset, which is larger, see bake().
+    constexpr double rounding = 5e-7;
+    const double size = std::max({glm::length(point), glm::length(first), glm::length(second)});
     if (!((two_sided_ ? std::abs(height) : height) > rounding * size)) {
         out.points &= ~(1U << lane);
         return;

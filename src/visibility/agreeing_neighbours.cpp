@@ -25,7 +25,7 @@ constexpr std::size_t kMostNeighbours = 8;
 // err in a part f of the directions, about exp(-32 f) of such vertices pass.
 constexpr std::size_t kFewestChecks = 64;
 // Sine of elevation of the lowest rays that are traced, with a margin.
-constexpr float kGrazing = 0x1p-16F;
+constexpr float kLowestRay = 0x1p-16F;
 constexpr float kFacingAlike = 0.5F;  // cosine between normals
 constexpr float kSurrounded = 0.6F;   // largest length of the mean unit vector to neighbours
 // Most nodes that a walk reaches; only where very many triangles meet there are more.
@@ -215,7 +215,7 @@ bool AgreeingNeighbours::find(std::uint32_t vertex, const DirectionSet& directio
             one |= above;
         }
         const unsigned agreed =
-            three & ~(open & blocked) & dispatch<rays_above>(bundle, normals_[vertex], kGrazing);
+            three & ~(open & blocked) & dispatch<rays_above>(bundle, normals_[vertex], kLowestRay);
         // The rays are at other places in neighbouring bundles and vertices.
         unsigned checked = 0;
         for (std::size_t i = 0; i < checks; ++i)

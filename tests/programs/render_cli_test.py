@@ -154,7 +154,7 @@ class Success(RenderTest):
         self.assertGreater(stats["bytes"]["visibility"], 0)
         self.assertEqual(stats["unphysical"], 0)
         self.assertGreater(stats["milliseconds"]["observe"], 0)
-        self.assertEqual(set(stats["skipped"]), {"vertices", "unoccluded", "light_columns", "response_rows", "channels_shared"})
+        self.assertEqual(set(stats["skipped"]), {"vertices", "unoccluded", "unbaked", "light_columns", "response_rows", "channels_shared"})
         self.assertGreater(stats["bytes"]["texture"], 24 * 16 * 16)
         self.assertEqual(sorted(os.listdir(self.path("out"))), ["a.exr", "deep", "s.json"])
 

@@ -123,7 +123,7 @@ TEST_CASE("coefficients are kept small, where they are not known beforehand") {
     CHECK(blocks.block(1) == nullptr);
     CHECK(blocks.block(2) != nullptr);
     constexpr std::size_t numbers = 45;
-    CHECK(blocks.bytes() == 2 * numbers * kLanes * 2 + 3 * 4);
+    CHECK(blocks.bytes() == 2 * numbers * kLanes * 2);
     std::vector<float> found(psh_count(order));
     for (std::size_t v = 0; v < vertices; ++v) {
         blocks.expand(v, found);
