@@ -35,7 +35,8 @@ def main():
     parser.add_argument("--samples", type=int, default=256, help="a pixel, of each of the reference's two images")
     parser.add_argument("--orders", default="1-9")
     arguments = parser.parse_args()
-    version = f"Mitsuba {peer.mitsuba.__version__}, {peer.choose_variant()}, by samples a pixel"
+    peer.choose_variant()
+    version = f"Mitsuba {peer.mitsuba.__version__} by samples a pixel"
     with tempfile.TemporaryDirectory() as folder:
         scene_file = contest.write_scene(folder, SCENE, arguments.size)
         with nicol.Context.create() as context:
