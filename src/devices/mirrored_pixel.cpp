@@ -51,7 +51,7 @@ template <class Number>
 template <class Number>
 [[gnu::always_inline]] inline void store_scaled(const Vector3<Number>& v, const Number& scale,
                                                 std::size_t first, LaneVectors& out) {
-    store_doubles(Vector3<Number>{v.x * scale, v.y * scale, v.z * scale}, first, out);
+    store_part(Vector3<Number>{v.x * scale, v.y * scale, v.z * scale}, first, out);
 }
 
 template <class Number>
@@ -60,13 +60,13 @@ template <class Number>
                                                MirroredPixels& out) {
     const CameraAxes& camera = film.camera;
     const Number one = Number{} + 1.0;
-    for (std::size_t first = 0; first < kLanes; first += kDoublePart<Number>) {
+    for (std::size_t first = 0; first < kLanes; first += kPart<Number>) {
         Vector3<Number> position, n, facet;
         load_vector(positions.x.value.data() + first, position.x);
         load_vector(positions.y.value.data() + first, position.y);
         load_vector(positions.z.value.data() + first, position.z);
-        load_doubles(points.normals, first, n);
-        load_doubles(points.facets, first, facet);
+        load_part(points.normals, first, n);
+        load_part(points.facets, first, facet);
         const Edges<Number> edges = edges_of<Number>(points.triangles.corners, first);
         const Edges<Number> changes = edges_of<Number>(points.triangles.normals, first);
 
@@ -109,8 +109,8 @@ template <class Number>
         }
 
         Number right, up, shown_right, shown_up;
-        load_doubles(samples.right, first, right);
-        load_doubles(samples.up, first, up);
+        load_part(samples.right, first, right);
+        load_part(samples.up, first, up);
         dot(away, camera.right, shown_right);
         dot(away, camera.up, shown_up);
         right = (right - shown_right / depth) / film.width;
@@ -119,13 +119,12 @@ template <class Number>
         const Number near = beside < kFarthest * kFarthest ? one : Number{};
         right = near > 0.0 ? right : Number{};
         up = near > 0.0 ? up : Number{};
-        store_doubles(
-            Vector3<Number>{right * steps[0].x + up * steps[1].x, right * steps[0].y + up * steps[1].y,
-                            right * steps[0].z + up * steps[1].z},
-            first, out.shift);
+        store_part(Vector3<Number>{right * steps[0].x + up * steps[1].x, right * steps[0].y + up * steps[1].y,
+                                   right * steps[0].z + up * steps[1].z},
+                   first, out.shift);
         Number width, height;
-        load_doubles(samples.width, first, width);
-        load_doubles(samples.height, first, height);
+        load_part(samples.width, first, width);
+        load_part(samples.height, first, height);
         store_scaled(steps[0], width, first, out.steps[0]);
         store_scaled(steps[1], height, first, out.steps[1]);
     }

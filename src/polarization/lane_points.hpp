@@ -6,7 +6,6 @@
 #include <span>
 
 #include "polarization/view_geometry.hpp"
-#include "simd/double_parts.hpp"
 #include "simd/lane_parts.hpp"
 #include "simd/lane_phases.hpp"
 #include "simd/lanes.hpp"
@@ -50,21 +49,6 @@ template <class Number>
     store_part(from.x, first, to.x);
     store_part(from.y, first, to.y);
     store_part(from.z, first, to.z);
-}
-
-template <class Number>
-[[gnu::always_inline]] inline void load_doubles(const LaneVectors& from, std::size_t first,
-                                                Vector3<Number>& to) {
-    load_doubles(from.x, first, to.x);
-    load_doubles(from.y, first, to.y);
-    load_doubles(from.z, first, to.z);
-}
-template <class Number>
-[[gnu::always_inline]] inline void store_doubles(const Vector3<Number>& from, std::size_t first,
-                                                 LaneVectors& to) {
-    store_doubles(from.x, first, to.x);
-    store_doubles(from.y, first, to.y);
-    store_doubles(from.z, first, to.z);
 }
 
 /// Double-precision vectors of sixteen vertices, for steps in which single precision loses too many digits.

@@ -9,10 +9,10 @@ namespace {
 template <class Number>
 [[gnu::always_inline]] inline void find_facets(const LaneTriangles& triangles, const LaneVectors& otherwise,
                                                LaneVectors& out) {
-    for (std::size_t first = 0; first < kLanes; first += kDoublePart<Number>) {
+    for (std::size_t first = 0; first < kLanes; first += kPart<Number>) {
         const Edges<Number> edges = edges_of<Number>(triangles.corners, first);
         Vector3<Number> other;
-        load_doubles(otherwise, first, other);
+        load_part(otherwise, first, other);
         const Vector3<Number> normal = cross(edges.second, edges.third);
         Number length;
         dot(normal, normal, length);
@@ -20,7 +20,7 @@ template <class Number>
         length = defined ? length : Number{} + 1.0;
         square_root(length);
         const Number inverse = 1.0 / length;
-        store_doubles(
+        store_part(
             Vector3<Number>{defined ? normal.x * inverse : other.x, defined ? normal.y * inverse : other.y,
                             defined ? normal.z * inverse : other.z},
             first, out);
@@ -34,11 +34,11 @@ template <class Number>
 [[gnu::always_inline]] inline void find_tangents(const LaneTriangles& triangles,
                                                  const LaneTexcoords& texcoords, const LaneVectors& normals,
                                                  LaneVectors& out) {
-    for (std::size_t first = 0; first < kLanes; first += kDoublePart<Number>) {
+    for (std::size_t first = 0; first < kLanes; first += kPart<Number>) {
         const Edges<Number> edges = edges_of<Number>(triangles.corners, first);
         std::array<std::array<Number, 2>, 3> at;
         for (std::size_t k = 0; k < 3; ++k)
-            for (std::size_t i = 0; i < 2; ++i) load_doubles(texcoords[k][i], first, at[k][i]);
+            for (std::size_t i = 0; i < 2; ++i) load_part(texcoords[k][i], first, at[k][i]);
         const Number second_u = at[1][0] - at[0][0], second_v = at[1][1] - at[0][1];
         const Number third_u = at[2][0] - at[0][0], third_v = at[2][1] - at[0][1];
         const Number area = second_u * third_v - second_v * third_u;
@@ -47,7 +47,7 @@ template <class Number>
                                    sign * (third_v * edges.second.y - second_v * edges.third.y),
                                    sign * (third_v * edges.second.z - second_v * edges.third.z)};
         Vector3<Number> normal;
-        load_doubles(normals, first, normal);
+        load_part(normals, first, normal);
         Number rise, length;
         dot(by_u, normal, rise);
         const Vector3<Number> along = minus_scaled(by_u, rise, normal);
@@ -55,7 +55,7 @@ template <class Number>
         square_root(length);
         const Number some = area == 0.0 ? Number{} : length;
         const Number inverse = some > 0.0 ? 1.0 / some : Number{};
-        store_doubles(Vector3<Number>{along.x * inverse, along.y * inverse, along.z * inverse}, first, out);
+        store_part(Vector3<Number>{along.x * inverse, along.y * inverse, along.z * inverse}, first, out);
     }
 }
 

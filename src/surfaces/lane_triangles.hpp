@@ -37,9 +37,9 @@ template <class Number>
 [[gnu::always_inline]] inline Edges<Number> edges_of(const std::array<LaneVectors, 3>& corners,
                                                      std::size_t first) {
     Vector3<Number> from, second, third;
-    load_doubles(corners[0], first, from);
-    load_doubles(corners[1], first, second);
-    load_doubles(corners[2], first, third);
+    load_part(corners[0], first, from);
+    load_part(corners[1], first, second);
+    load_part(corners[2], first, third);
     const Number one = Number{} + 1.0;
     return {minus_scaled(second, one, from), minus_scaled(third, one, from)};
 }
