@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "harmonics/psh.hpp"
+#include "shading/light_changes.hpp"
 #include "simd/lane_transpose.hpp"
 
 namespace nicol {
@@ -75,10 +76,7 @@ void BouncedLight::add_to(const Lanes& factors, LaneLight& light) const {
     // Coverage below which the harmonics show more of other directions than of these.
     constexpr float least = 0.5F;
     const std::size_t channels = light_.size() / harmonics_.size() - 1;
-    if (light.irradiance.size() < channels) {
-        const std::array<Lanes, 4> grey = light.irradiance.front();
-        light.irradiance.resize(channels, grey);
-    }
+    give_channels(channels, light);
     thread_local std::vector<Lanes> harmonics;
     harmonics.resize(harmonics_.size());
     // Light is a function of the direction in which it travels.

@@ -6,8 +6,28 @@
 #include <numbers>
 
 #include "shading/normal_variation.hpp"
+#include "simd/dispatch.hpp"
+#include "simd/lane_parts.hpp"
 
 namespace nicol {
+namespace {
+
+template <class Number>
+[[gnu::always_inline]] inline void scale_all(const Lanes& factors, float by, LaneLight& light) {
+    for (std::size_t first = 0; first < kLanes; first += kPart<Number>) {
+        Number factor;
+        load_part(factors, first, factor);
+        factor *= by;
+        for (std::array<Lanes, 4>& of_channel : light.irradiance)
+            for (std::size_t p = 0; p < light.components; ++p) {
+                Number value;
+                load_part(of_channel[p], first, value);
+                store_part(Number(value * factor), first, of_channel[p]);
+            }
+    }
+}
+
+}  // namespace
 
 std::uint32_t above(const LaneVectors& facets, const LaneLight& light) {
     std::uint32_t out = 0;
@@ -19,10 +39,8 @@ std::uint32_t above(const LaneVectors& facets, const LaneLight& light) {
     return out;
 }
 
-void scale(const Lanes& factors, LaneLight& light) {
-    for (std::array<Lanes, 4>& of_channel : light.irradiance)
-        for (std::size_t p = 0; p < light.components; ++p)
-            for (std::size_t i = 0; i < kLanes; ++i) of_channel[p][i] *= factors[i];
+void scale(const Lanes& factors, LaneLight& light, float by) {
+    dispatch<scale_all<FourLanes>, scale_all<EightLanes>, scale_all<AllLanes>>(factors, by, light);
 }
 
 void hide(std::uint32_t points, LaneLight& light) {
@@ -32,11 +50,14 @@ void hide(std::uint32_t points, LaneLight& light) {
     scale(factors, light);
 }
 
+void give_channels(std::size_t channels, LaneLight& light) {
+    if (light.irradiance.size() >= channels) return;
+    const std::array<Lanes, 4> grey = light.irradiance.front();
+    light.irradiance.resize(channels, grey);
+}
+
 void add_unpolarized(std::span<const std::array<Lanes, 4>> irradiance, LaneLight& light) {
-    if (light.irradiance.size() < irradiance.size()) {
-        const std::array<Lanes, 4> grey = light.irradiance.front();
-        light.irradiance.resize(irradiance.size(), grey);
-    }
+    give_channels(irradiance.size(), light);
     for (std::size_t c = 0; c < light.irradiance.size(); ++c) {
         const Lanes& other = irradiance[irradiance.size() == 1 ? 0 : c][0];
         for (std::size_t i = 0; i < kLanes; ++i) light.irradiance[c][0][i] += other[i];

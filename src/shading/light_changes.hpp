@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <span>
@@ -14,11 +15,14 @@ namespace nicol {
 /// Returns the bits of the points whose light comes from above their facets.
 [[nodiscard]] std::uint32_t above(const LaneVectors& facets, const LaneLight& light);
 
-/// Multiplies the irradiance of each point by its factor.
-void scale(const Lanes& factors, LaneLight& light);
+/// Multiplies the irradiance of each point by its factor and by another one.
+void scale(const Lanes& factors, LaneLight& light, float by = 1);
 
 /// Removes the light of these points.
 void hide(std::uint32_t points, LaneLight& light);
+
+/// Gives light at least so many channels; those that are added are as the first.
+void give_channels(std::size_t channels, LaneLight& light);
 
 /// Adds s0 of another irradiance to unpolarized light. A single channel counts for all channels.
 void add_unpolarized(std::span<const std::array<Lanes, 4>> irradiance, LaneLight& light);

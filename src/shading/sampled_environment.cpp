@@ -3,28 +3,9 @@
 
 #include <limits>
 
-#include "simd/dispatch.hpp"
-#include "simd/lane_parts.hpp"
+#include "shading/light_changes.hpp"
 
 namespace nicol {
-namespace {
-
-template <class Number>
-[[gnu::always_inline]] inline void scale_all(const Lanes& weights, float scale, LaneLight& out) {
-    for (std::size_t first = 0; first < kLanes; first += kPart<Number>) {
-        Number weight;
-        load_part(weights, first, weight);
-        weight *= scale;
-        for (std::array<Lanes, 4>& stokes : out.irradiance)
-            for (std::size_t p = 0; p < out.components; ++p) {
-                Number value;
-                load_part(stokes[p], first, value);
-                store_part(Number(value * weight), first, stokes[p]);
-            }
-    }
-}
-
-}  // namespace
 
 LaneFrames SampledEnvironment::in_environment(const LaneFrames& of_points) const {
     LaneFrames out;
@@ -40,7 +21,7 @@ void SampledEnvironment::look_up(bool whole, const LaneFrames& frames, const Ref
                                  LaneLight& out) const {
     out_of_frames(frames, node.seen, out.towards);
     (whole ? whole_ : rest_)->look_up(node.variances, out);
-    dispatch<scale_all<FourLanes>, scale_all<EightLanes>, scale_all<AllLanes>>(node.weights, scale_, out);
+    scale(node.weights, out, scale_);
     if (out.components > 1) into_frames(frames, out.x, out.x);
     out.towards = node.towards;
     out.points = (std::uint32_t{1} << kLanes) - 1;
