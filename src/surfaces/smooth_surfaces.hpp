@@ -22,6 +22,7 @@ enum class Smoothness : std::uint8_t {
     rough_boundary,  ///< light is transmitted by facets; the material's terms are what the front reflects
 };
 
+/// Returns how light goes on from surfaces of a material.
 [[nodiscard]] Smoothness smoothness_of(const Material& material);
 
 class SmoothSurfaces {

@@ -126,7 +126,7 @@ AgreeingNeighbours::AgreeingNeighbours(const BakeGeometry& geometry, std::span<c
     }
     turns_.resize(1);
     for (std::uint32_t v = 0; v < vertices; ++v)
-        if (needed(v)) turns_[0].push_back(v);
+        if (geometry_.needs(v)) turns_[0].push_back(v);
 }
 
 void AgreeingNeighbours::order() {
@@ -138,7 +138,7 @@ void AgreeingNeighbours::order() {
     std::vector<std::uint8_t> wanted(vertices, 0);
     for (std::uint32_t v = 0; v < vertices; ++v) {
         const std::uint32_t point = point_of_[v];
-        if (needed(v)) wanted[point] = 1;
+        if (geometry_.needs(v)) wanted[point] = 1;
         if (v != point) next_[v] = std::exchange(next_[point], v);
     }
     std::vector<std::uint32_t> points;
@@ -165,7 +165,7 @@ void AgreeingNeighbours::order() {
     }
     turns_.resize(kLevels + 1);
     for (std::uint32_t v = 0; v < vertices; ++v)
-        if (needed(v)) turns_[turn[point_of_[v]]].push_back(v);
+        if (geometry_.needs(v)) turns_[turn[point_of_[v]]].push_back(v);
 }
 
 void AgreeingNeighbours::find_around(std::uint32_t vertex, std::vector<std::uint32_t>& out) const {
@@ -178,7 +178,7 @@ void AgreeingNeighbours::find_around(std::uint32_t vertex, std::vector<std::uint
         std::uint32_t best = kNoVertex;
         float most = kFacingAlike;
         for (std::uint32_t v = around_[i]; v != kNoVertex; v = next_[v]) {
-            const float facing = needed(v) ? glm::dot(normals_[v], normals_[vertex]) : 0;
+            const float facing = geometry_.needs(v) ? glm::dot(normals_[v], normals_[vertex]) : 0;
             if (!(facing > most)) continue;
             most = facing;
             best = v;
@@ -206,7 +206,7 @@ bool AgreeingNeighbours::find(std::uint32_t vertex, const DirectionSet& directio
         const RayBundle& bundle = directions.bundles()[b];
         unsigned open = 0, blocked = 0, one = 0, two = 0, three = 0;
         for (const std::uint32_t n : out.neighbours) {
-            const unsigned seen = (visibility.at(n)[b / 4] >> (16 * (b % 4))) & 0xFFFFU;
+            const unsigned seen = bundle_bits(visibility.at(n).data(), b);
             const unsigned above = dispatch<rays_above>(bundle, normals_[n], 0.0F);
             open |= seen;
             blocked |= above & ~seen;
@@ -223,8 +223,8 @@ bool AgreeingNeighbours::find(std::uint32_t vertex, const DirectionSet& directio
         checked &= agreed;
         out.spared += static_cast<std::uint64_t>(std::popcount(agreed & ~checked));
         out.traced.may_close[b] = static_cast<std::uint16_t>(~agreed | checked);
-        out.bits[b / 4] |= static_cast<std::uint64_t>(open & agreed) << (16 * (b % 4));
-        out.checked[b / 4] |= static_cast<std::uint64_t>(checked) << (16 * (b % 4));
+        add_bundle_bits(out.bits, b, open & agreed);
+        add_bundle_bits(out.checked, b, checked);
     }
     out.traced.may_open = out.traced.may_close;
     return true;

@@ -45,9 +45,6 @@ public:
 
 private:
     void order();
-    [[nodiscard]] bool needed(std::uint32_t vertex) const {
-        return geometry_.needed.empty() || geometry_.needed[vertex] != 0;
-    }
     // Finds the vertices of earlier turns around a vertex that face as it does.
     void find_around(std::uint32_t vertex, std::vector<std::uint32_t>& out) const;
 

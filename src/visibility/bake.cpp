@@ -46,10 +46,6 @@ std::vector<glm::vec3> unit_normals(std::span<const glm::vec3> normals) {
     return out;
 }
 
-bool needed(const BakeGeometry& geometry, std::size_t vertex) {
-    return geometry.needed.empty() || geometry.needed[vertex] != 0;
-}
-
 // Place in the list of a former bake for vertices that were not in it.
 constexpr std::size_t kNone = ~std::size_t{0};
 
@@ -134,7 +130,7 @@ Visibility bake(const BakeGeometry& geometry, const DirectionSet& directions, co
         return {.traced = some + trace_vertex(*scene, directions, origins[v], normals[v], v, {}, visibility)};
     };
     for (std::size_t v = 0; v < vertices; ++v)
-        if (!needed(geometry, v)) set_open(directions, normals[v], v, visibility);
+        if (!geometry.needs(v)) set_open(directions, normals[v], v, visibility);
     std::size_t done = 0;
     const std::size_t chunk = 2 * kRaysAtATime / directions.size();
     for (const std::vector<std::uint32_t>& turn : agreeing.turns())

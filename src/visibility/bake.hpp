@@ -30,6 +30,11 @@ struct BakeGeometry {
     /// and triangles at them are not refined. Empty: all vertices.
     std::span<const std::uint8_t> needed = {};
     bool every_ray = false;  ///< whether rays whose result is known without are traced as well
+
+    /// Vertices beyond the geometry's, which refinement adds, are needed.
+    [[nodiscard]] bool needs(std::size_t vertex) const {
+        return vertex >= needed.size() || needed[vertex] != 0;
+    }
 };
 
 /// Returns geometry.rays(), or a new hierarchy where that is empty.

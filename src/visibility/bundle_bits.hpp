@@ -6,10 +6,21 @@
 #include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <span>
 
 #include "geometry/ray_scene.hpp"
 
 namespace nicol {
+
+/// Returns the bits of a bundle's directions in words as of Visibility.
+[[nodiscard, gnu::always_inline]] inline std::uint16_t bundle_bits(const std::uint64_t* words,
+                                                                   std::size_t bundle) {
+    return static_cast<std::uint16_t>(words[bundle / 4] >> (16 * (bundle % 4)));
+}
+/// Sets the bits of a bundle's directions that are set in `bits`.
+inline void add_bundle_bits(std::span<std::uint64_t> words, std::size_t bundle, unsigned bits) {
+    words[bundle / 4] |= static_cast<std::uint64_t>(bits & 0xFFFFU) << (16 * (bundle % 4));
+}
 
 /// Returns bits: bit i is set if the cosine between direction i and a unit vector exceeds `least`. For
 /// dispatch().

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "simd/dispatch.hpp"
+#include "visibility/bundle_bits.hpp"
 
 namespace nicol {
 namespace {
@@ -14,7 +15,7 @@ namespace {
                                               const glm::vec3& normal, glm::vec4& sum) {
     std::array<Lanes, 4> sums{};
     for (std::size_t b = 0; b < bundles; ++b) {
-        const auto seen = static_cast<std::uint32_t>(words[b / 4] >> (16 * (b % 4)));
+        const std::uint32_t seen = bundle_bits(words, b);
         for (std::size_t i = 0; i < kLanes; ++i) {
             const float x = bundle[b].x[i];
             const float y = bundle[b].y[i];

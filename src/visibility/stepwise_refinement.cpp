@@ -169,9 +169,6 @@ private:
     }
 
     [[nodiscard]] bool occluded(std::uint32_t v) const { return hidden_[rows_[v]].x > 0; }
-    [[nodiscard]] bool needed(std::uint32_t v) const {
-        return v >= geometry_.needed.size() || geometry_.needed[v] != 0;
-    }
 
     // Returns whether the interpolation error of an edge is too large.
     [[nodiscard]] bool wrong(double error, std::uint32_t a, std::uint32_t b) const {
@@ -264,7 +261,7 @@ private:
             for (glm::length_t k = 0; k < 3; ++k) {
                 const std::uint32_t a = t[k];
                 const std::uint32_t b = t[(k + 1) % 3];
-                if ((!occluded(a) && !occluded(b)) || !needed(a) || !needed(b)) continue;
+                if ((!occluded(a) && !occluded(b)) || !geometry_.needs(a) || !geometry_.needs(b)) continue;
                 const double change = size(hidden_[rows_[a]] - hidden_[rows_[b]]);
                 if (wrong(change / 2, a, b)) suspects_.emplace_back(a, b);
             }
@@ -331,7 +328,7 @@ private:
         std::unordered_map<EdgeBisection::Edge, double> longest;
         for (const WantedLength& wanted : wanted_) {
             const glm::uvec3& t = mesh_.triangles()[wanted.triangle];
-            if (!needed(t.x) || !needed(t.y) || !needed(t.z)) continue;
+            if (!geometry_.needs(t.x) || !geometry_.needs(t.y) || !geometry_.needs(t.z)) continue;
             const double here = std::max({length(t.x, t.y), length(t.y, t.z), length(t.z, t.x)});
             const double least = std::max({static_cast<double>(wanted.length), shortest(t.x, t.y),
                                            shortest(t.y, t.z), shortest(t.z, t.x)});
@@ -346,7 +343,7 @@ private:
     }
 
     void find_extent() {
-        const IsVertex known = [this](std::uint32_t v) { return needed(v); };
+        const IsVertex known = [this](std::uint32_t v) { return geometry_.needs(v); };
         const IsVertex counts = [this](std::uint32_t v) { return occluded(v); };
         const double extent = extent_of_triangles(mesh_, counts, geometry_.needed.empty() ? nullptr : known);
         shortest_ = kShortest * extent;

@@ -15,10 +15,6 @@ namespace {
 // as visible.
 constexpr float kGrazing = 0x1p-17F;
 
-std::uint16_t bits_of(std::span<const std::uint64_t> words, std::size_t bundle) {
-    return static_cast<std::uint16_t>(words[bundle / 4] >> (16 * (bundle % 4)));
-}
-
 // Returns the bits of a bundle's directions, without those that fill up the last one.
 unsigned real_rays(const DirectionSet& directions, std::size_t bundle) {
     const std::size_t rest = directions.size() - bundle * RayBundle::kRays;
@@ -74,9 +70,9 @@ std::uint64_t set_open(const DirectionSet& directions, const glm::vec3& normal, 
     const std::span<std::uint64_t> words = visibility.at(vertex);
     std::uint64_t count = 0;
     for (std::size_t b = 0; b < directions.bundles().size(); ++b) {
-        const std::uint64_t up =
+        const unsigned up =
             dispatch<rays_above>(directions.bundles()[b], normal, 0.0F) & real_rays(directions, b);
-        words[b / 4] |= up << (16 * (b % 4));
+        add_bundle_bits(words, b, up);
         count += static_cast<std::uint64_t>(std::popcount(up));
     }
     visibility.set_unoccluded(vertex, true);
@@ -98,7 +94,7 @@ std::uint64_t trace_vertex(const RayScene& scene, const DirectionSet& directions
         std::uint16_t blocked = 0;
         std::uint16_t traced = up;
         if (former) {
-            const std::uint16_t seen = bits_of(former->bits, b);
+            const std::uint16_t seen = bundle_bits(former->bits.data(), b);
             const DisturbedBundles& disturbed = *former->disturbed;
             traced = static_cast<std::uint16_t>(
                 up & ((disturbed.may_close[b] & seen) | (disturbed.may_open[b] & ~seen)));
@@ -109,7 +105,7 @@ std::uint64_t trace_vertex(const RayScene& scene, const DirectionSet& directions
         rays += static_cast<std::uint64_t>(std::popcount(traced));
         if (!former && traced != 0) blocked = scene.occluded(origin, bundle, traced);
         unoccluded = unoccluded && blocked == 0;
-        words[b / 4] |= static_cast<std::uint64_t>(up & ~blocked) << (16 * (b % 4));
+        add_bundle_bits(words, b, static_cast<unsigned>(up & ~blocked));
         if (former) gathered.add(bundle, b, traced);
     }
     gathered.trace();

@@ -17,6 +17,7 @@
 #include "simd/lane_parts.hpp"
 #include "simd/lane_vector.hpp"
 #include "simd/work_space.hpp"
+#include "visibility/bundle_bits.hpp"
 
 namespace nicol {
 namespace {
@@ -193,7 +194,7 @@ template <class Number>
     for (std::size_t i = 0; i < width; ++i) bit[i] = 1 << i;
     Number all{}, part{};
     for (std::size_t b = 0; b < bundles.size(); ++b) {
-        const auto bits = static_cast<std::uint16_t>(seen[b / 4] >> (16 * (b % 4)));
+        const std::uint16_t bits = bundle_bits(seen, b);
         unsigned above = 0;
         for (std::size_t first = 0; first < kLanes; first += width) {
             Number x, y, z, weight;
