@@ -18,6 +18,11 @@ std::string depth_text(int max_depth) {
     return max_depth == kUnlimitedDepth ? "unlimited" : std::to_string(max_depth);
 }
 
+void check_not_negative(const char* name, double value) {
+    if (!(value >= 0 && std::isfinite(value)))
+        refuse(name + (" is " + std::to_string(value)) + "; it must be finite and not negative");
+}
+
 void check_ranges(const RenderOptions& options) {
     check(options.filter, "filter.");
     if (options.method == Method::reference) return;  // the reference method checks its own options
@@ -36,20 +41,10 @@ void check_ranges(const RenderOptions& options) {
     if (!(options.refine_tolerance >= 0 && options.refine_tolerance <= 1)) {
         refuse("refine_tolerance is " + std::to_string(options.refine_tolerance) + "; it must lie in 0 to 1");
     }
-    if (!(options.bake_budget_ms >= 0 && std::isfinite(options.bake_budget_ms))) {
-        refuse("bake_budget_ms is " + std::to_string(options.bake_budget_ms) +
-               "; it must be finite and not negative");
-    }
-    if (!(options.time_budget_ms >= 0 && std::isfinite(options.time_budget_ms))) {
-        refuse("time_budget_ms is " + std::to_string(options.time_budget_ms) +
-               "; it must be finite and not negative");
-    }
-    if (!(options.dering >= 0 && std::isfinite(options.dering))) {
-        refuse("dering is " + std::to_string(options.dering) + "; it must be finite and not negative");
-    }
-    if (!(options.tolerance >= 0 && std::isfinite(options.tolerance))) {
-        refuse("tolerance is " + std::to_string(options.tolerance) + "; it must be finite and not negative");
-    }
+    check_not_negative("bake_budget_ms", options.bake_budget_ms);
+    check_not_negative("time_budget_ms", options.time_budget_ms);
+    check_not_negative("dering", options.dering);
+    check_not_negative("tolerance", options.tolerance);
     if (options.split_lights < kSplitAutomatic || options.split_lights > kMaxSplitLights) {
         refuse("split_lights is " + std::to_string(options.split_lights) + "; it must lie in 0 to " +
                std::to_string(kMaxSplitLights) + ", or be " + std::to_string(kSplitAutomatic) +

@@ -214,8 +214,12 @@ bool SceneVisibility::bake(const SceneGeometry& surfaces, SurfaceRays& rays, boo
     const bool carry = !change.kept.empty() && needed_.empty() && follows;
     std::vector<std::uint8_t> needed;
     // A scene that changes is baked as a whole from its first change on, so that bakes can be carried over.
-    if (part && !carry && !(is_part && follows) && !(same && needed_.empty()))
-        workers.run([&] { needed = needed_vertices(surfaces.geometry(), projection); });
+    if (part && !carry && !(is_part && follows) && !(same && needed_.empty())) {
+        seeing_.run(surfaces.version(), surfaces.material_version(), projection.world_to_clip,
+                    projection.pixel,
+                    [&] { workers.run([&] { seen_ = needed_vertices(surfaces.geometry(), projection); }); });
+        needed = seen_;
+    }
     bool rest = false;
     if (same && !needed_.empty()) {
         bool enough = !needed.empty();

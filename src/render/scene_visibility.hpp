@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <filesystem>
 #include <glm/mat3x3.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -82,6 +84,9 @@ private:
     Versioned<std::shared_ptr<const Visibility>> baked_;
     Version baked_geometry_ = 0;  // version of the geometry that baked_ belongs to
     Version carried_ = 0;         // version of the bake that baked_ was made from; 0: none
+    // Inputs: geometry, materials, projection to clip space, size of a pixel there.
+    Stage<Version, Version, glm::dmat4, glm::dvec2> seeing_;
+    std::vector<std::uint8_t> seen_;  // needed_vertices() of the last image
     // 1 for each vertex of baked_ that was baked; empty: all were. And the same of the vertices of surfaces_.
     std::vector<std::uint8_t> needed_, baked_vertices_;
     // Inputs: bake, tolerance, largest number of vertices, whether unoccluded vertices count as occluded.

@@ -32,6 +32,7 @@ std::vector<double> weights_of(const WorldGeometry& geometry) {
 VertexWeights::VertexWeights(const WorldGeometry& geometry, std::span<const std::uint8_t> baked) {
     const std::vector<double> weights = weights_of(geometry);
     std::map<MaterialPtr, double> baked_weights;
+    const auto is_baked = [baked](std::size_t v) { return baked.empty() || baked[v] != 0; };
     std::map<MaterialPtr, std::vector<const VertexRange*>> ranges;
     for (const VertexRange& range : geometry.ranges) {
         ranges[range.material].push_back(&range);
@@ -39,7 +40,7 @@ VertexWeights::VertexWeights(const WorldGeometry& geometry, std::span<const std:
         double& baked_weight = baked_weights[range.material];
         for (std::size_t v = range.first; v < range.last; ++v) {
             weight += weights[v];
-            if (baked.empty() || baked[v] != 0) baked_weight += weights[v];
+            if (is_baked(v)) baked_weight += weights[v];
         }
     }
     for (auto& [material, group] : groups_) {
@@ -50,7 +51,7 @@ VertexWeights::VertexWeights(const WorldGeometry& geometry, std::span<const std:
         double passed = 0;
         for (const VertexRange* const range : ranges[material])
             for (std::size_t v = range->first; v < range->last; ++v) {
-                if (from > 0 && !baked.empty() && baked[v] == 0) continue;
+                if (from > 0 && !is_baked(v)) continue;
                 passed += weights[v];
                 const auto reached = static_cast<std::size_t>(std::max(0.0, std::ceil(passed / step - 0.5)));
                 if (group.sample.size() < reached)
