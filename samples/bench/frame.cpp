@@ -32,9 +32,8 @@ void compare(Report& report, const FrameTimes& dense, const FrameTimes& factored
     report.note(times("dense / factored, " + what + ", shade, camera only",
                       dense.camera_shade / factored.camera_shade));
     if (!std::isnan(dense.light)) {
-        report.note(times(
-            "dense / factored, " + what + ", relight + shade, light rotating",
-            (dense.light_relight + dense.light_shade) / (factored.light_relight + factored.light_shade)));
+        report.note(times("dense / factored, " + what + ", relight + shade, light rotating",
+                          dense.light_transfer() / factored.light_transfer()));
     }
     report.note(
         times("dense / factored, " + what + ", bytes of vertices", dense.transfer_mb / factored.transfer_mb));
@@ -149,7 +148,7 @@ Report bench_frame(const Options& options) {
     add_rows(report, low.name() + ", unpolarized sky on diffuse surfaces", plain, floor);
     report.note(
         times("unpolarized light on diffuse material against full Stokes, relight + shade, light rotating",
-              (full.light_relight + full.light_shade) / (plain.light_relight + plain.light_shade)));
+              full.light_transfer() / plain.light_transfer()));
     report.note(source.machine() + "; " + std::to_string(size) + " x " + std::to_string(size) + ".");
     return report;
 }

@@ -14,6 +14,9 @@ struct FrameTimes {
     double camera_shade = 0, camera_draw = 0;
     double light_relight = 0, light_shade = 0, light_draw = 0;
     double transfer_mb = 0;  ///< memory of vertices, with shadows, and of shaded pixels
+
+    /// Returns the milliseconds of relight and shade after a rotation of the light.
+    [[nodiscard]] double light_transfer() const { return light_relight + light_shade; }
 };
 
 /// Replacement of a scene's light and material.

@@ -75,10 +75,6 @@ double together(const Entry& entry) {
     return std::hypot(s0(entry), linear(entry));
 }
 
-double transfer_ms(const FrameTimes& times) {
-    return times.light_relight + times.light_shade;
-}
-
 bool no_worse(const StokesErrors& a, const StokesErrors& b) {
     return a[0] <= b[0] && a[1] <= b[1] && a[2] <= b[2];
 }
@@ -90,7 +86,7 @@ void compare_at_equal_error(Report& report, const std::vector<Entry>& list) {
         const Entry* best = nullptr;
         for (const Entry& e : list) {
             if (e.recipe.method == NICOL_METHOD_FACTORED && no_worse(e.errors, dense.errors) &&
-                (best == nullptr || transfer_ms(e.times) < transfer_ms(best->times)))
+                (best == nullptr || e.times.light_transfer() < best->times.light_transfer()))
                 best = &e;
         }
         if (best == nullptr) continue;
@@ -99,7 +95,7 @@ void compare_at_equal_error(Report& report, const std::vector<Entry>& list) {
                       "%s errs no more than %s, which takes, in relight + shade as the light rotates, %.3g "
                       "times as long.",
                       best->recipe.name().c_str(), dense.recipe.name().c_str(),
-                      transfer_ms(dense.times) / transfer_ms(best->times));
+                      dense.times.light_transfer() / best->times.light_transfer());
         report.note(text);
     }
 }

@@ -26,10 +26,6 @@ std::vector<int> orders(const Options& options) {
     return list;
 }
 
-double transfer_ms(const FrameTimes& times) {
-    return times.light_relight + times.light_shade;
-}
-
 }  // namespace
 
 Report bench_price(const Options& options) {
@@ -53,8 +49,8 @@ Report bench_price(const Options& options) {
         report.add("order " + std::to_string(list[i / std::size(kKinds)]) + ", " +
                        kKinds[i % std::size(kKinds)].name,
                    {t.light, t.light / scalar.light, t.light_relight, t.light_relight / scalar.light_relight,
-                    transfer_ms(t), transfer_ms(t) / transfer_ms(scalar), t.camera, t.camera / scalar.camera,
-                    t.transfer_mb, t.transfer_mb / scalar.transfer_mb});
+                    t.light_transfer(), t.light_transfer() / scalar.light_transfer(), t.camera,
+                    t.camera / scalar.camera, t.transfer_mb, t.transfer_mb / scalar.transfer_mb});
     }
     report.note(
         "Rough plastic under a clear sky, shaded at vertices. s0 alone: scalar spherical harmonics of "

@@ -5,10 +5,10 @@
 #include <stdexcept>
 
 void write_scene(const std::filesystem::path& path, const std::string& origin, const std::string& target,
-                 const std::string& content) {
+                 const std::string& content, const std::string& up) {
     std::ofstream out(path);
     out << R"(<scene version="3.0.0"><sensor type="perspective"><float name="fov" value="40"/>)"
         << R"(<transform name="to_world"><lookat origin=")" << origin << R"(" target=")" << target
-        << R"(" up="0,1,0"/></transform></sensor>)" << content << "</scene>";
+        << R"(" up=")" << up << R"("/></transform></sensor>)" << content << "</scene>";
     if (!out.flush()) throw std::runtime_error(path.string() + ": cannot be written");
 }

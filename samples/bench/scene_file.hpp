@@ -10,7 +10,7 @@ inline constexpr const char* kForestLight =
     R"(<emitter type="envmap"><string name="filename" value=")" NICOL_BENCH_ASSETS
     R"(/forest.exr"/></emitter>)";
 
-/// Writes a scene seen by a perspective camera of 40 degrees. origin, target: of its lookat, as in the file.
-/// content: lights and shapes. Throws std::runtime_error.
+/// Writes a scene seen by a perspective camera of 40 degrees. origin, target, up: of its lookat, as in the
+/// file. content: lights and shapes. Throws std::runtime_error.
 void write_scene(const std::filesystem::path& path, const std::string& origin, const std::string& target,
-                 const std::string& content);
+                 const std::string& content, const std::string& up = "0,1,0");

@@ -6,7 +6,9 @@
 #include <fstream>
 #include <numbers>
 #include <stdexcept>
-#include <string_view>
+#include <utility>
+
+#include "scene_file.hpp"
 
 namespace {
 
@@ -41,17 +43,7 @@ std::string grid(const path& file, std::uint32_t cells, const Height& height) {
     return R"(<shape type="ply"><string name="filename" value=")" + file.filename().string() + R"("/>)";
 }
 
-std::string scene(const path& file, std::string_view eye, std::string_view shapes) {
-    std::ofstream out(file);
-    out << R"(<scene version="3.0.0"><sensor type="perspective"><float name="fov" value="40"/>)"
-           R"(<transform name="to_world"><lookat origin=")"
-        << eye
-        << R"(" target="0,0,0" up="0,0,1"/></transform></sensor><emitter type="sky">)"
-           R"(<vector name="sun_direction" value="1,1,1"/></emitter>)"
-        << shapes << "</scene>";
-    if (!out.flush()) throw std::runtime_error(file.string() + ": cannot be written");
-    return file.string();
-}
+constexpr const char* kSky = R"(<emitter type="sky"><vector name="sun_direction" value="1,1,1"/></emitter>)";
 
 std::string colored(std::uint32_t i) {
     return R"(<bsdf type="diffuse"><rgb name="reflectance" value="0.)" + std::to_string(2 + i % 6) + ",0." +
@@ -75,14 +67,14 @@ std::string thirty_on_a_floor() {
     return shapes;
 }
 
-constexpr std::string_view kImage =
+constexpr const char* kImage =
     R"( type="checkerboard"><float name="color0" value="0.2"/><float name="color1" value="0.6"/></texture>)";
 
 }  // namespace
 
 std::vector<StartScene> write_start_scenes(const path& folder) {
     constexpr double turn = 2 * std::numbers::pi;
-    constexpr std::string_view near = "0,-4,1.5", far = "0,-9,5";
+    const std::string near = "0,-4,1.5", far = "0,-9,5";
     const std::string image(kImage);
     const std::array<std::array<std::string, 2>, 4> materials{
         {{"pplastic", R"(<bsdf type="pplastic"><float name="alpha" value="0.2"/></bsdf>)"},
@@ -98,10 +90,11 @@ std::vector<StartScene> write_start_scenes(const path& folder) {
         .low = 16, .high = High::split, .top = 64, .directions = 1024, .shade_at = NICOL_SHADE_AT_AUTOMATIC};
     const Recipe plain{.defaults = true, .shade_at = NICOL_SHADE_AT_AUTOMATIC};
     std::vector<StartScene> out;
-    const auto add = [&](std::string name, std::string_view eye, const std::string& shapes,
+    const auto add = [&](std::string name, const std::string& eye, const std::string& shapes,
                          std::uint32_t size, const Recipe& recipe) {
         const path file = folder / (std::to_string(out.size()) + ".xml");
-        out.push_back({std::move(name), scene(file, eye, shapes), size, recipe});
+        write_scene(file, eye, "0,0,0", kSky + shapes, "0,0,1");
+        out.push_back({std::move(name), file.string(), size, recipe});
     };
     for (const auto& [name, material] : materials)
         add(name, near, R"(<shape type="sphere">)" + material + "</shape>", 192, split);

@@ -2,27 +2,23 @@
 #include "textured_frame.hpp"
 
 #include <cmath>
-#include <fstream>
 #include <numbers>
-#include <stdexcept>
 
 #include "frame_times.hpp"
+#include "scene_file.hpp"
 
 namespace {
 
 constexpr float kAlpha = 0.3F;
 
-void write_scene(const std::filesystem::path& path) {
-    std::ofstream out(path);
-    out << R"(<scene version="3.0.0"><sensor type="perspective"><float name="fov" value="40"/>)"
-           R"(<transform name="to_world"><lookat origin="2,3,4" target="0,0,0" up="0,1,0"/></transform></sensor>)"
-           R"(<emitter type="constant"/><bsdf type="pplastic" id="plastic">)"
-           R"(<rgb name="diffuse_reflectance" value="0.6,0.3,0.1"/><float name="alpha" value=")"
-        << kAlpha
-        << R"("/></bsdf><shape type="sphere"><ref id="plastic"/></shape><shape type="rectangle">)"
+// Returns the light and the shapes: a ball on a floor.
+std::string ball_on_floor() {
+    return R"(<emitter type="constant"/><bsdf type="pplastic" id="plastic">)"
+           R"(<rgb name="diffuse_reflectance" value="0.6,0.3,0.1"/><float name="alpha" value=")" +
+           std::to_string(kAlpha) +
+           R"("/></bsdf><shape type="sphere"><ref id="plastic"/></shape><shape type="rectangle">)"
            R"(<transform name="to_world"><rotate x="1" angle="-90"/><scale value="2.5"/>)"
-           R"(<translate y="-1"/></transform><ref id="plastic"/></shape></scene>)";
-    if (!out.flush()) throw std::runtime_error(path.string() + ": cannot be written");
+           R"(<translate y="-1"/></transform><ref id="plastic"/></shape>)";
 }
 
 // Returns a texture of value(u, v, channel), 0 to 1.
@@ -82,7 +78,7 @@ TextureCost texture_cost(const Options& given, const Recipe& recipe, std::uint32
     options.scene = (folder.path() / "scene.xml").string();
     options.definitions.clear();
     if (options.light.empty()) options.light = NICOL_BENCH_ASSETS "/forest.exr";
-    write_scene(options.scene);
+    write_scene(options.scene, "2,3,4", "0,0,0", ball_on_floor());
     const SceneSource source(options);
     std::vector<Contestant> contestants;
     for (int i = 0; i < 3; ++i) contestants.emplace_back(source, recipe, size);
