@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "material/material_projection.hpp"
-#include "visibility/narrow_opening.hpp"
+#include "visibility/even_irradiance.hpp"
 
 namespace nicol {
 
@@ -85,8 +85,10 @@ void DenseMethod::build(const TransferInput& input, const VertexRange& range, bo
     const auto& material = materials_.at(range.material).material;
     const auto shadows = std::make_shared<const ShadowMatrix>(2 * order, order, order);
     std::optional<VisibilityHarmonics> harmonics;
+    std::optional<EvenIrradiance> even;
     if (input.visibility != nullptr) {
         run.workers.run([&] { harmonics.emplace(*input.directions, 2 * order); });
+        even.emplace(*input.directions, order);
     }
     const std::span current = baking_.current();
     std::atomic<std::size_t> baked = 0;
@@ -114,7 +116,7 @@ void DenseMethod::build(const TransferInput& input, const VertexRange& range, bo
                             std::span(vertices).subspan(k, std::min(batch, vertices.size() - k)), seen);
                     const std::size_t block = k % batch / kLanes;
                     for (std::size_t i = 0; i < size; ++i) one[i] = seen[block * size + i][k % kLanes];
-                    scale_narrow_opening(*input.directions, *input.visibility, v, normals[v], order, one);
+                    even->restore(*input.visibility, v, normals[v], one);
                     visibility.assign(one.begin(), one.end());
                 }
                 builder->build(normals[v], visibility, out.at(v - range.first));

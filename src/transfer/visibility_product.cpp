@@ -14,7 +14,7 @@
 #include "harmonics/psh.hpp"
 #include "simd/lane_vector.hpp"
 #include "simd/work_space.hpp"
-#include "visibility/narrow_opening.hpp"
+#include "visibility/even_irradiance.hpp"
 
 namespace nicol {
 namespace {
@@ -135,6 +135,7 @@ void VisibilityProduct::compute(std::span<const std::uint32_t> blocks, const Inp
                                 const Use& use) const {
     constexpr std::size_t most = VisibilityHarmonics::kBatch / kLanes;
     const std::size_t size = psh_count(input.harmonics.order());
+    const EvenIrradiance even(input.directions, layout_.order());
     tbb::parallel_for(std::size_t{0}, (blocks.size() + most - 1) / most, [&](std::size_t batch) {
         const std::span some = blocks.subspan(batch * most, std::min(most, blocks.size() - batch * most));
         std::vector<std::uint32_t> vertices;
@@ -154,8 +155,8 @@ void VisibilityProduct::compute(std::span<const std::uint32_t> blocks, const Inp
             const std::span numbers_of_lanes(coefficients.front().value.data(), size * kLanes);
             for (std::size_t i = 0; i < kLanes && k * kLanes + i < vertices.size(); ++i) {
                 const std::size_t vertex = vertices[k * kLanes + i];
-                scale_narrow_opening(input.directions, input.visibility, vertex, input.normals[vertex],
-                                     layout_.order(), numbers_of_lanes.subspan(i), kLanes);
+                even.restore(input.visibility, vertex, input.normals[vertex], numbers_of_lanes.subspan(i),
+                             kLanes);
             }
             if (matrices_) {
                 matrices_->make(coefficients.data(), numbers.data());

@@ -16,7 +16,7 @@
 #include "harmonics/light_coefficients.hpp"
 #include "harmonics/product.hpp"
 #include "harmonics/rotation.hpp"
-#include "visibility/narrow_opening.hpp"
+#include "visibility/even_irradiance.hpp"
 #include "visibility/visibility_in_double.hpp"
 
 namespace nicol::test {
@@ -169,6 +169,7 @@ std::vector<Image> shaded_in_double(const Vertices& vertices, const DirectionSet
     const int order = layout.order();
     const int channels = lights.front().channels();
     Product product(order);
+    const EvenIrradiance even(directions, order);
     std::vector<Image> out(
         lights.size() * responses.size(),
         Image(static_cast<std::size_t>(channels), std::vector<Stokes>(vertices.normals.size())));
@@ -178,11 +179,10 @@ std::vector<Image> shaded_in_double(const Vertices& vertices, const DirectionSet
         std::vector<double> seen =
             visibility_in_double(vertices.visibility, v, vertices.normals[v], directions, 2 * order);
         if (!vertices.visibility.unoccluded(v)) {
-            std::vector<float> zonal;
-            for (int l = 0; l <= order; l += 2) zonal.push_back(static_cast<float>(seen[psh_index(l, 0)]));
-            const float factor =
-                narrow_opening_factor(directions, vertices.visibility, v, vertices.normals[v], zonal);
-            for (double& coefficient : seen) coefficient *= static_cast<double>(factor);
+            std::vector<float> scaled(seen.begin(), seen.end());
+            even.restore(vertices.visibility, v, vertices.normals[v], scaled);
+            const double factor = seen[0] > 0 ? static_cast<double>(scaled[0]) / seen[0] : 1;
+            for (double& coefficient : seen) coefficient *= factor;
         }
         product.set(seen);
         for (std::size_t i = 0; i < lights.size(); ++i) {

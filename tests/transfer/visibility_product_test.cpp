@@ -10,7 +10,7 @@
 #include "material/brute_force.hpp"
 #include "test.hpp"
 #include "transfer/visibility_product.hpp"
-#include "visibility/narrow_opening.hpp"
+#include "visibility/even_irradiance.hpp"
 #include "visibility/projected.hpp"
 
 using namespace nicol;
@@ -83,12 +83,13 @@ double error_of(const Scene& scene, const LightLayout& layout, int channels, con
     const VisibilityHarmonics harmonics(directions(), 2 * order);
     PshProduct reference(2 * order, order, order);
     PshVector want(order, 1);
+    const EvenIrradiance even(directions(), order);
     double error = 0;
     double largest = 0;
     for (std::size_t vertex = 0; vertex < scene.normals.size(); ++vertex) {
         std::vector<float> v =
             test::projected(harmonics, scene.visibility, scene.normals, static_cast<std::uint32_t>(vertex));
-        scale_narrow_opening(directions(), scene.visibility, vertex, scene.normals[vertex], order, v);
+        even.restore(scene.visibility, vertex, scene.normals[vertex], v);
         const PshVector light = light_at(vertex, order, channels, layout.kind());
         for (int c = 0; c < channels; ++c) {
             reference.multiply(std::vector<double>(v.begin(), v.end()), light.channel(c), want.channel(0));
