@@ -1622,8 +1622,9 @@ typedef struct nicol_statistics {
     double trace_ms;                /* reference: time of tracing rays */
     uint32_t compute;               /* 1 if compute shaders relit and shaded, 0 if threads did */
     uint32_t order_low;             /* order_low of the rendered light, as the option says or as it was chosen */
-    double predicted_error;         /* predicted error of the orders left out, if a tolerance was given, of interpolation
-                                       between shaded vertices, and of the samples of lights and lobes */
+    double predicted_error;         /* predicted error of the orders left out, if a tolerance was given, of shadows
+                                       between baked vertices, of interpolation between shaded vertices, and of the
+                                       samples of lights and lobes; without outlines, which are pixel_samples' */
     /* Counts of recomputed work, up to pixels_shaded; 0 if all was kept from the render before. */
     uint64_t lights_projected;      /* environments projected to coefficients */
     uint64_t materials_projected;   /* tables, matrices and sets of lobes of materials, also from the cache folder */

@@ -43,6 +43,16 @@ Image read_image(nicol_framebuffer framebuffer, nicol_plane plane) {
     return image;
 }
 
+std::vector<std::uint32_t> read_instances(nicol_framebuffer framebuffer, std::size_t pixels) {
+    std::vector<std::uint32_t> ids(pixels);
+    nicol_plane_buffer buffer = NICOL_PLANE_BUFFER_INIT;
+    buffer.plane = NICOL_PLANE_INSTANCE;
+    buffer.pixels = ids.data();
+    buffer.byte_size = ids.size() * sizeof(std::uint32_t);
+    check(nicol_framebuffer_read_plane(framebuffer, &buffer));
+    return ids;
+}
+
 Image reduced(const Image& image, std::uint32_t side) {
     Image small{
         .width = image.width / side, .height = image.height / side, .channels = image.channels, .stokes = {}};

@@ -18,6 +18,9 @@ struct Image {
 /// Reads `plane`, which must have four floats per pixel.
 Image read_image(nicol_framebuffer framebuffer, nicol_plane plane = NICOL_PLANE_STOKES);
 
+/// Reads the instance of each pixel; the last render must have made NICOL_AOV_INSTANCE.
+std::vector<std::uint32_t> read_instances(nicol_framebuffer framebuffer, std::size_t pixels);
+
 /// Returns means over squares of `side` pixels.
 Image reduced(const Image& image, std::uint32_t side);
 

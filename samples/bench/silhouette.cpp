@@ -15,16 +15,6 @@ struct Outlines {
     Mask edges;
 };
 
-std::vector<std::uint32_t> read_instances(nicol_framebuffer framebuffer, std::size_t pixels) {
-    std::vector<std::uint32_t> ids(pixels);
-    nicol_plane_buffer buffer = NICOL_PLANE_BUFFER_INIT;
-    buffer.plane = NICOL_PLANE_INSTANCE;
-    buffer.pixels = ids.data();
-    buffer.byte_size = ids.size() * sizeof(std::uint32_t);
-    check(nicol_framebuffer_read_plane(framebuffer, &buffer));
-    return ids;
-}
-
 Outlines trace_outlines(Stage& stage, const Recipe& recipe, nicol_framebuffer framebuffer,
                         std::size_t pixels) {
     nicol_render_options options = recipe.options();

@@ -34,6 +34,23 @@ Mask wholly_covered(const SceneSource& source, std::uint32_t size) {
     return covered;
 }
 
+// Returns pixels in which all samples show the same instance.
+Mask without_outlines(const Stage& stage, std::uint32_t size) {
+    const std::uint32_t side = kReduction * size;
+    const Framebuffer framebuffer = stage.framebuffer(side, side);
+    nicol_render_options options = Recipe{.low = 0, .shadows = false}.options();
+    options.aovs = NICOL_AOV_INSTANCE;
+    stage.render(options, framebuffer.get());
+    const std::vector<std::uint32_t> ids = read_instances(framebuffer.get(), std::size_t{side} * side);
+    Mask inside(std::size_t{size} * size, 1);
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+        const std::size_t x = i % side / kReduction;
+        const std::size_t y = i / side / kReduction;
+        if (ids[i] != ids[kReduction * (y * side + x)]) inside[y * size + x] = 0;
+    }
+    return inside;
+}
+
 }  // namespace
 
 Truth make_truth(const SceneSource& source, std::uint32_t size, std::uint32_t samples, bool shadows) {
@@ -57,12 +74,16 @@ Image reduced_image(const Stage& stage, const Recipe& recipe, nicol_framebuffer 
 }
 
 DefaultErrors default_errors(const SceneSource& source, std::uint32_t size, std::uint32_t samples) {
-    const Truth truth = make_truth(source, size, samples, true);
+    Truth truth = make_truth(source, size, samples, true);
     const Stage stage(source);
     const Framebuffer framebuffer = stage.framebuffer(size, size);
     stage.render(default_recipe().options(), framebuffer.get());
-    DefaultErrors found{.errors = truth.errors(read_image(framebuffer.get())),
-                        .statistics = NICOL_STATISTICS_INIT};
+    DefaultErrors found{.errors = {}, .inside = 0, .statistics = NICOL_STATISTICS_INIT};
     check(nicol_framebuffer_get_statistics(framebuffer.get(), &found.statistics));
+    const Image image = read_image(framebuffer.get());
+    found.errors = truth.errors(image);
+    const Mask inside = eroded(without_outlines(stage, size), size, size);
+    for (std::size_t i = 0; i < inside.size(); ++i) truth.mask[i] &= inside[i];
+    found.inside = truth.errors(image)[0];
     return found;
 }

@@ -19,6 +19,7 @@ Image reduced_image(const Stage& stage, const Recipe& recipe, nicol_framebuffer 
 /// Errors of default_recipe() against the reference method.
 struct DefaultErrors {
     StokesErrors errors;
+    double inside;  ///< error of s0 in pixels that are away from the outlines of all instances
     nicol_statistics statistics;
 };
 DefaultErrors default_errors(const SceneSource& source, std::uint32_t size, std::uint32_t samples);

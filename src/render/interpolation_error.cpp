@@ -7,13 +7,12 @@
 #include <numbers>
 
 #include "material/lobe_quadrature.hpp"
+#include "render/seen_triangles.hpp"
 
 namespace nicol {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-
-constexpr std::size_t kMostTriangles = 1024;
 
 // Columns of the light's image, enough for the narrowest lobes that are not sampled.
 constexpr int kColumns = 128;
@@ -62,11 +61,6 @@ std::vector<Around> directions_around(const glm::dvec3& middle, double lobe) {
 // high a peak.
 double variance_of(double width, Distribution distribution) {
     return (distribution == Distribution::beckmann ? 2 : 1.5) * width * width;
-}
-
-bool in_view(const Projection& projection, const glm::vec3& place) {
-    const glm::dvec4 p = projection.world_to_clip * glm::dvec4(place, 1);
-    return std::max({std::abs(p.x), std::abs(p.y), p.z}) <= p.w && p.z >= 0;
 }
 
 double mean_weight(const Material& material, int term) {
@@ -172,18 +166,8 @@ double InterpolationError::of(const WorldGeometry& geometry, const Projection& p
         batch.size = 0;
     };
 
-    const std::size_t step = (geometry.triangles.size() + kMostTriangles - 1) / kMostTriangles;
-    for (std::size_t i = 0; i < geometry.triangles.size(); i += step) {
+    for_seen_triangles(geometry, view, [&](std::size_t i, double solid_angle) {
         const glm::uvec3& triangle = geometry.triangles[i];
-        const glm::vec3& a = geometry.positions[triangle.x];
-        const glm::vec3 area =
-            glm::cross(geometry.positions[triangle.y] - a, geometry.positions[triangle.z] - a) * 0.5F;
-        double solid_angle = glm::dot(glm::dvec3(area), view.towards(glm::dvec3(a)));
-        if (!(solid_angle > 0)) continue;
-        if (!view.orthographic) {
-            const glm::dvec3 away = glm::dvec3(a) - view.eye;
-            solid_angle = std::min(solid_angle / glm::dot(away, away), 4.0);
-        }
         const MaterialPtr& material = geometry.ranges[range_of(geometry, triangle.x)].material;
         const auto [known, fresh] = reflections_.try_emplace(material);
         if (fresh) known->second = reflections(*material);
@@ -204,7 +188,7 @@ double InterpolationError::of(const WorldGeometry& geometry, const Projection& p
             batch.weights[batch.size][k] = in_view(projection, place) ? solid_angle * kWeights[k] : 0;
         }
         if (++batch.size == batch.weights.size()) finish();
-    }
+    });
     finish();
     return power > 0 ? std::sqrt(missed / power) : 0;
 }

@@ -80,7 +80,7 @@ void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderO
     split_.update(scene.distant_light(), given, run.statistics);
     const bool follows_rays = nicol::follows_rays(given.method, executor);
     const SampledTerms sampled = sampled_terms(scene, given, follows_rays);
-    RenderOptions options = choose_orders(scene, given, sampled, run);
+    RenderOptions options = choose_orders(scene, projection, given, sampled, run);
     const int bounces = bouncing && surfaces.visibility != nullptr ? given.max_depth - kDirectLightDepth : 0;
     LeastLight least;
     if (bounces > 0) {
@@ -203,8 +203,8 @@ bool Pipeline::shades_pixels(const Scene& scene, const Projection& projection,
     return false;
 }
 
-RenderOptions Pipeline::choose_orders(const Scene& scene, const RenderOptions& options, SampledTerms sampled,
-                                      RenderRun& run) {
+RenderOptions Pipeline::choose_orders(const Scene& scene, const Projection& projection,
+                                      const RenderOptions& options, SampledTerms sampled, RenderRun& run) {
     // Error of dark places, where polarization must be distinguished from noise, relative to the error of the
     // image.
     constexpr double of_dark = 1.0 / 3;
@@ -215,6 +215,10 @@ RenderOptions Pipeline::choose_orders(const Scene& scene, const RenderOptions& o
         chosen.order_low = chosen.order_high = 0;
         return chosen;
     }
+    ShadowError::Seen seen;
+    run.workers.run([&] { seen = shadow_error_.of(visibility_.state(), projection); });
+    run.statistics.shadow_error = seen.error;
+    predicted_.add_relative(seen.error);
     const bool predicted =
         options.method == Method::factored && options.high_orders != HighOrders::convolution;
     if (!options.choose_orders || !predicted || !(options.tolerance > 0)) return chosen;
@@ -228,7 +232,7 @@ RenderOptions Pipeline::choose_orders(const Scene& scene, const RenderOptions& o
         run.statistics.order_error = orders.error;
         const double rms = orders.rms * scene.light_scale();
         const double error = orders.error * rms;
-        predicted_.add(error * error, rms * rms);
+        predicted_.add(error * error, rms * rms * seen.brightness);
         const double noise = of_dark * error;
         // Rounded to steps, so that the noise stays the same when an object moves.
         if (noise > 0) noise_ = static_cast<float>(std::exp2(std::round(2 * std::log2(noise)) / 2));

@@ -21,6 +21,7 @@
 #include "render/order_selector.hpp"
 #include "render/predicted_error.hpp"
 #include "render/scene_visibility.hpp"
+#include "render/shadow_error.hpp"
 #include "scene/projection.hpp"
 #include "scene/scene.hpp"
 #include "shading/background.hpp"
@@ -60,8 +61,8 @@ public:
 private:
     [[nodiscard]] TransferMethod& method_for(Method method);
     /// Returns the options with the orders that their tolerance allows.
-    RenderOptions choose_orders(const Scene& scene, const RenderOptions& options, SampledTerms sampled,
-                                RenderRun& run);
+    RenderOptions choose_orders(const Scene& scene, const Projection& projection,
+                                const RenderOptions& options, SampledTerms sampled, RenderRun& run);
     /// Returns whether rays follow smooth surfaces.
     [[nodiscard]] bool follows_smooth(const RenderOptions& options, const RenderExecutor& executor) const;
     /// Returns whether light becomes Stokes vectors at pixels. Otherwise, adds the error of shading at
@@ -100,7 +101,8 @@ private:
     bool sampled_ = false;
     float noise_ = 0;  // noise for make_physical()
     InterpolationError interpolation_error_;
-    PredictedError predicted_;  // of the chosen orders and of shading at vertices
+    ShadowError shadow_error_;
+    PredictedError predicted_;  // of the chosen orders, of shadows and of shading at vertices
     LightingTally lighting_{};  // of the samples that the image holds
 
     // Inputs: executor, method, view, light of low and high orders, bounced light, local lights, form of the

@@ -45,6 +45,7 @@ struct Statistics : RenderWork {
                                      ///< vertices, of light samples and of bounced light
     double order_error = 0;          ///< that of the chosen orders alone
     double interpolation_error = 0;  ///< that of interpolation alone; 0 if pixels were shaded
+    double shadow_error = 0;         ///< that of shadows between baked vertices alone
     double bounce_error = 0;         ///< that of bounced light alone
     bool compute = false;            ///< whether compute shaders made the image
     int given_up = 0;                ///< TimeBudget::steps() of the image

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// Predicted error of shadows between baked vertices.
+#pragma once
+
+#include <vector>
+
+#include "scene/projection.hpp"
+#include "surfaces/surface_state.hpp"
+#include "versioned.hpp"
+
+namespace nicol {
+
+/// Predicts what linear interpolation of shadows between baked vertices misses, for even light. The error
+/// along an edge follows from the change of the irradiance's gradient, whose value at a vertex is the mean
+/// over the triangles around it, as in the error estimate of Zienkiewicz and Zhu for finite elements.
+class ShadowError {
+public:
+    /// An image, as far as its surfaces are baked.
+    struct Seen {
+        double error = 0;  ///< error of the irradiance, relative to its RMS
+        /// Mean square of the irradiance in the image, over that of all surfaces.
+        double brightness = 1;
+    };
+
+    /// Returns what the triangles that face the viewer say, weighted by the solid angles under which they are
+    /// seen. Runs on the threads of the calling thread's TBB arena after a change of the surfaces; later
+    /// calls examine some thousands of triangles.
+    [[nodiscard]] Seen of(const SurfaceState& surfaces, const Projection& projection);
+
+private:
+    // Mean squares over a triangle.
+    struct Squares {
+        float error, irradiance;
+    };
+
+    void measure(const SurfaceState& surfaces);
+
+    Stage<SurfaceVersions> measuring_;
+    std::vector<Squares> squares_;  // by triangle; irradiance < 0: not baked
+    double all_ = 1;                // mean square of the irradiance, of all surfaces
+};
+
+}  // namespace nicol
