@@ -54,9 +54,10 @@ TEST_CASE("pixels have the order 90 45 / 135 0 with angles counter-clockwise fro
         return expose(sensor, even_light(2, 2, 1, stokes), 0).values;
     };
     using Numbers = std::vector<std::uint16_t>;
-    CHECK(cell({1, 1, 0, 0}) == Numbers{0, 20000, 20000, 40000});   // horizontal
-    CHECK(cell({1, 0, 1, 0}) == Numbers{20000, 40000, 0, 20000});   // +45 degrees
-    CHECK(cell({1, -1, 0, 0}) == Numbers{40000, 20000, 20000, 0});  // vertical
+    CHECK(cell({1, 1, 0, 0}) == Numbers{0, 20000, 20000, 40000});                   // horizontal
+    CHECK(cell({1, 0, 1, 0}) == Numbers{20000, 40000, 0, 20000});                   // +45 degrees
+    CHECK(cell({1, -1, 0, 0}) == Numbers{40000, 20000, 20000, 0});                  // vertical
+    CHECK(cell({1, 0.25F, 0.4330127F, 0}) == Numbers{15000, 28660, 11340, 25000});  // +30 degrees, DoLP 0.5
     CHECK(cell({1, 0, 0, 1}) == Numbers{20000, 20000, 20000, 20000});
 }
 
