@@ -80,9 +80,6 @@ void write_sensor(nicol_sensor* to, const Sensor& sensor) {
     out.seed = sensor.seed;
     for (std::size_t i = 0; i < 16; ++i) out.optics[i] = sensor.optics(i / 4, i % 4);
     for (const auto& [field, member] : kNumbers) out.*field = sensor.*member;
-    if (sensor.quantum_efficiency.size() > NICOL_MAX_CHANNELS)
-        refuse("quantum_efficiency of the sensor has more than " + std::to_string(NICOL_MAX_CHANNELS) +
-               " values");
     out.quantum_efficiency.count = static_cast<std::uint32_t>(sensor.quantum_efficiency.size());
     std::ranges::transform(sensor.quantum_efficiency, out.quantum_efficiency.values,
                            [](double value) { return static_cast<float>(value); });

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "arguments.hpp"
+#include "image/stokes_image.hpp"
 
 namespace nicol {
 namespace {
@@ -60,7 +61,10 @@ void check(const Sensor& sensor) {
         Range{"crosstalk", sensor.crosstalk, 0, 0.8, "fraction of a pixel's electrons"}};
     for (const Range& range : ranges) check(range);
     check_extinction(sensor.extinction_ratio, "extinction_ratio of the sensor");
-    if (sensor.quantum_efficiency.empty()) refuse("quantum_efficiency of the sensor has no value");
+    const std::size_t efficiencies = sensor.quantum_efficiency.size();
+    if (efficiencies < 1 || efficiencies > kMaxFileChannels)
+        refuse("quantum_efficiency of the sensor has " + std::to_string(efficiencies) +
+               " values; it must have 1, or one per channel, at most " + std::to_string(kMaxFileChannels));
     for (const double efficiency : sensor.quantum_efficiency)
         if (!(efficiency > 0 && efficiency <= 1))
             refuse("quantum_efficiency of the sensor is " + text_of(efficiency) +

@@ -32,9 +32,9 @@ struct Sensor {
     Mueller optics = unchanged();  ///< matrix of what stands in front of the sensor, in the image's frame
     /// Photons that reach a pixel with s0 = 1; 0: as many as fill the well with unpolarized light of s0 = 1.
     double exposure = 0;
-    double exposure_time = 0.01;                    ///< seconds
-    std::vector<double> quantum_efficiency{{0.6}};  ///< one value, or one per channel; above 0, at most 1
-    double full_well = 10000;                       ///< electrons
+    double exposure_time = 0.01;                  ///< seconds
+    std::vector<double> quantum_efficiency{0.6};  ///< one value, or one per channel; above 0, at most 1
+    double full_well = 10000;                     ///< electrons
     double gain = 0;               ///< numbers per electron; 0: the full well gives the largest number
     double black_level = 0;        ///< number without electrons
     bool shot_noise = true;        ///< whether electrons are Poisson distributed, or else their mean

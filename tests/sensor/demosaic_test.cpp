@@ -80,6 +80,28 @@ TEST_CASE(
     }
 }
 
+TEST_CASE("at borders the nearest pixels count, none beyond") {
+    for (const Mosaic mosaic : {Mosaic::polarized, Mosaic::polarized_bayer}) {
+        const int cell = cell_side(mosaic);
+        const int channels = mosaic == Mosaic::polarized ? 1 : 3;
+        StokesImage light(4 * cell, 4 * cell, channels);
+        for (int c = 0; c < channels; ++c)
+            for (int y = 0; y < 4 * cell; ++y)
+                for (int x = 0; x < 4 * cell; ++x)
+                    light.at(c, y, x)[0] = std::min(x, y) < cell       ? 0.5F
+                                           : std::max(x, y) < 3 * cell ? 0.25F
+                                                                       : 1;
+        const Sensor sensor = quiet_sensor(mosaic);
+        const StokesImage back = demosaic(sensor, expose(sensor, light, 0), Demosaic::bilinear);
+        const int last = 4 * cell - 1;
+        for (int c = 0; c < channels; ++c) {
+            CHECK(back.at(c, 0, 0)[0] == 0.5F);
+            CHECK(back.at(c, last, 0)[0] == 0.5F);
+            CHECK(back.at(c, last, last)[0] == 1);
+        }
+    }
+}
+
 TEST_CASE("mosaics that are no whole cells, and polarizers that polarize nothing, are refused") {
     Sensor sensor;
     const RawImage odd{3, 2, std::vector<std::uint16_t>(6)};

@@ -62,7 +62,9 @@ TEST_CASE("wrong JSON is refused with the file, the key and what would be right"
     refused(R"({"elements": [{"transmittance": 2}]})", "transmittance of an element is 2");
     refused(R"({"elements": [3]})", "\"elements\" must be a list of objects");
     refused(R"({"optics": [1, 2]})", "\"optics\" must be 16 numbers");
-    refused(R"({"quantum_efficiency": []})", "quantum_efficiency of the sensor has no value");
+    refused(R"({"quantum_efficiency": []})", "quantum_efficiency of the sensor has 0 values");
+    refused(R"({"quantum_efficiency": [1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1]})",
+            "has 17 values; it must have 1");
 }
 
 TEST_CASE("a mosaic's file gives back its numbers and its sensor, in 8 and 16 bits") {
