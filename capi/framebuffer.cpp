@@ -38,15 +38,6 @@ Observation observe(const StokesImage& image, const nicol_observation& given) {
     }
 }
 
-/// Throws Error(invalid_argument) for a name that ends as those of another kind of file do.
-void require_suffix(const char* path, std::string_view own) {
-    constexpr std::array others{".exr",  ".png",  ".jpg", ".jpeg", ".hdr", ".bmp", ".tga", ".tif",
-                                ".tiff", ".webp", ".gif", ".pfm",  ".ppm", ".npy", ".npz"};
-    const std::string suffix = suffix_of(path);
-    if (suffix != own && std::ranges::find(others, suffix) != others.end())
-        refuse(std::string(path) + " ends in " + suffix + "; what is written is " + std::string(own));
-}
-
 std::shared_ptr<Framebuffer> make_framebuffer(const Session& session, std::uint32_t width,
                                               std::uint32_t height, std::uint32_t channels) {
     require_size("a framebuffer", width, height);
@@ -57,6 +48,18 @@ std::shared_ptr<Framebuffer> make_framebuffer(const Session& session, std::uint3
 }
 
 }  // namespace
+
+namespace nicol::capi {
+
+void require_suffix(const char* path, std::string_view own) {
+    constexpr std::array others{".exr",  ".png",  ".jpg", ".jpeg", ".hdr", ".bmp", ".tga", ".tif",
+                                ".tiff", ".webp", ".gif", ".pfm",  ".ppm", ".npy", ".npz"};
+    const std::string suffix = suffix_of(path);
+    if (suffix != own && std::ranges::find(others, suffix) != others.end())
+        refuse(std::string(path) + " ends in " + suffix + "; what is written is " + std::string(own));
+}
+
+}  // namespace nicol::capi
 
 nicol_result nicol_framebuffer_create(nicol_context context, uint32_t width, uint32_t height,
                                       uint32_t channels, nicol_framebuffer* framebuffer) {

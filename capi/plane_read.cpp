@@ -8,6 +8,7 @@
 #include "image/observer.hpp"
 #include "planes.hpp"
 #include "progress.hpp"
+#include "rows.hpp"
 
 using namespace nicol;
 using namespace nicol::capi;
@@ -40,34 +41,6 @@ Request understand(const nicol_plane_buffer& given, int channels) {
     require_channel(kind, given.channel, channels);
     return {given.plane, format, static_cast<int>(given.channel), 1};
 }
-
-// Rows in the caller's memory.
-class Rows {
-public:
-    Rows(const nicol_plane_buffer& given, std::size_t element, std::size_t elements, int height)
-        : pixels_(static_cast<std::byte*>(given.pixels)) {
-        require(given.pixels, "pixels");
-        const std::uint64_t row_bytes = elements * element;
-        stride_ = given.row_stride == 0 ? row_bytes : given.row_stride;
-        if (stride_ < row_bytes || stride_ % element != 0 || stride_ > (std::uint64_t{1} << 40)) {
-            refuse("row_stride is " + std::to_string(stride_) + "; a row takes " + std::to_string(row_bytes) +
-                   " bytes, and strides are multiples of " + std::to_string(element));
-        }
-        const std::uint64_t needed = stride_ * static_cast<std::uint64_t>(height - 1) + row_bytes;
-        if (given.byte_size < needed) {
-            refuse("byte_size is " + std::to_string(given.byte_size) + "; the plane takes " +
-                   std::to_string(needed) + " bytes");
-        }
-        if (reinterpret_cast<std::uintptr_t>(given.pixels) % element != 0) {
-            refuse("pixels must be aligned to " + std::to_string(element) + " bytes");
-        }
-    }
-    [[nodiscard]] std::byte* row(int y) const { return pixels_ + static_cast<std::size_t>(y) * stride_; }
-
-private:
-    std::byte* pixels_;
-    std::uint64_t stride_ = 0;
-};
 
 // Numbers of a plane, row by row.
 class Source {
@@ -144,7 +117,8 @@ void read(Framebuffer& from, const nicol_plane_buffer& to) {
     require_made(kind, from);
     const std::size_t elements =
         static_cast<std::size_t>(from.width()) * static_cast<std::size_t>(request.channels) * kind.components;
-    const Rows rows(to, bytes_of(request.format), elements, from.height());
+    const Rows rows(to.pixels, to.row_stride, to.byte_size, bytes_of(request.format), elements,
+                    from.height());
     const Source source(from, request);
     const Stopwatch watch;
     std::vector<float> single(request.format == NICOL_FORMAT_FLOAT16 ? elements : 0);

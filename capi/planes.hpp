@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 #include "assets.hpp"
 
@@ -36,6 +37,9 @@ inline const PlaneKind& plane_kind(nicol_plane plane) {
     require_constant(plane, NICOL_PLANE_ALPHA, "plane", "NICOL_PLANE_...");
     return kinds[plane];
 }
+
+/// Throws Error(invalid_argument) for a name that ends as those of another kind of file than `own` do.
+void require_suffix(const char* path, std::string_view own);
 
 /// Throws Error(invalid_argument) unless a framebuffer may have so many channels.
 inline void require_channels(std::uint32_t channels) {

@@ -3,6 +3,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "assets.hpp"
+#include "element.hpp"
 
 using namespace nicol;
 using namespace nicol::capi;
@@ -17,6 +18,21 @@ static_assert(static_cast<int>(Kind::polarizer) == NICOL_POLARIZATION_ELEMENT_PO
               static_cast<int>(Kind::left_circular) == NICOL_POLARIZATION_ELEMENT_LEFT_CIRCULAR);
 static_assert(static_cast<int>(Outline::rectangle) == NICOL_POLARIZATION_ELEMENT_RECTANGLE &&
               static_cast<int>(Outline::disk) == NICOL_POLARIZATION_ELEMENT_DISK);
+
+nicol_polarization_element element_to(const PolarizationElement& element) {
+    nicol_polarization_element out = NICOL_POLARIZATION_ELEMENT_INIT;
+    out.kind = static_cast<nicol_polarization_element_kind>(element.kind);
+    out.outline = static_cast<nicol_polarization_element_outline>(element.outline);
+    write_matrix(element.to_world, out.to_world);
+    out.angle = glm::degrees(element.angle);
+    out.retardance = glm::degrees(element.retardance);
+    out.transmittance = element.transmittance;
+    return out;
+}
+
+}  // namespace
+
+namespace nicol::capi {
 
 PolarizationElement element_from(const nicol_polarization_element* element) {
     const nicol_polarization_element given =
@@ -34,18 +50,7 @@ PolarizationElement element_from(const nicol_polarization_element* element) {
             .transmittance = given.transmittance};
 }
 
-nicol_polarization_element element_to(const PolarizationElement& element) {
-    nicol_polarization_element out = NICOL_POLARIZATION_ELEMENT_INIT;
-    out.kind = static_cast<nicol_polarization_element_kind>(element.kind);
-    out.outline = static_cast<nicol_polarization_element_outline>(element.outline);
-    write_matrix(element.to_world, out.to_world);
-    out.angle = glm::degrees(element.angle);
-    out.retardance = glm::degrees(element.retardance);
-    out.transmittance = element.transmittance;
-    return out;
-}
-
-}  // namespace
+}  // namespace nicol::capi
 
 nicol_result nicol_scene_add_polarization_element(nicol_scene scene,
                                                   const nicol_polarization_element* element, uint32_t* id) {

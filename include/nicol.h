@@ -1778,6 +1778,137 @@ NICOL_API nicol_result nicol_observation_init(nicol_observation* descriptor, uin
 NICOL_API nicol_result nicol_framebuffer_write_png(nicol_framebuffer framebuffer,
                                                    const nicol_observation* observation, const char* path);
 
+/* ---------------------------------------------------------------- sensor */
+
+/* Arrangement of polarizers and colour filters on the pixels of an image sensor, from the image's top left.
+ */
+typedef uint32_t nicol_mosaic;
+#define NICOL_MOSAIC_PLAIN 0u /* neither: each pixel measures the mean of all channels */
+/* Polarizers at 90 45 / 135 0 degrees counter-clockwise from image right, as on Sony's IMX250MZR. Each pixel
+ * measures the mean of all channels. Both sides of images are multiples of 2. */
+#define NICOL_MOSAIC_POLARIZED 1u
+/* The same polarizers, each 2 x 2 under one of the colour filters R G / G B, as on Sony's IMX250MYR. Images
+ * have 3 channels, and sides that are multiples of 4. */
+#define NICOL_MOSAIC_POLARIZED_BAYER 2u
+
+/* clang-format off */
+/* Linear image sensor, by the figures of the standard EMVA 1288. A pixel collects
+ *     n = Poisson(quantum_efficiency * exposure * I + dark_current * exposure_time)
+ * electrons, at most full_well, where I is s0 behind the optics and the pixel's polarizer, and gives the number
+ *     floor(gain * (n + read noise + offset) + black_level + 1/2), cut to 0 .. 2^bits - 1.
+ * Noise belongs to the seed, the frame and the pixel. The polarizers' angles and transmittances, the offsets and the
+ * sensitivities belong to the seed and the pixel. All of them have the same bits on every machine and for any number
+ * of threads, so that the same Stokes image gives the same bytes. */
+/* clang-format on */
+typedef struct nicol_sensor {
+    uint32_t struct_size;
+    nicol_mosaic mosaic; /* polarizers and colour filters, default NICOL_MOSAIC_POLARIZED */
+    uint32_t bits;       /* bits of a number, 8, 10, 12 or 16, default 12 */
+    uint32_t shot_noise; /* 1, the default: electrons are Poisson distributed; 0: their mean, not rounded */
+    uint64_t seed;       /* seed of noise and of the pixels' errors, default 0 */
+    /* Mueller matrix of the optics in front of the sensor, row-major, in the image's frame; default the
+     * identity. nicol_sensor_add_element adds an element. */
+    double optics[16];
+    /* Photons that reach a pixel where s0 = 1, before its polarizer. 0, the default: as many as fill the well
+     * where unpolarized light has s0 = 1. */
+    double exposure;
+    double exposure_time; /* time in which dark current flows, seconds, default 0.01 */
+    double full_well;     /* largest number of electrons, 1 to 1e9, default 10000 */
+    double gain; /* system gain K, numbers per electron; 0, the default: the full well gives 2^bits - 1 */
+    double black_level;  /* number without electrons, default 0 */
+    double read_noise;   /* temporal dark noise sigma_d, electrons, default 2.5 */
+    double dark_current; /* dark current, electrons per second, default 0 */
+    double dsnu; /* dark signal nonuniformity: standard deviation of the offsets, electrons, default 0 */
+    double prnu; /* photo response nonuniformity: relative standard deviation, 0 to 1, default 0 */
+    /* Transmittance of a pixel's polarizer along its axis (1) over that across it, at least 1. 0, the
+     * default: an ideal polarizer. */
+    double extinction_ratio;
+    double extinction_spread; /* relative standard deviation of the transmittance across, 0 to 1, default 0 */
+    double misalignment;      /* standard deviation of the polarizers' angles, degrees, 0 to 5, default 0 */
+    double crosstalk; /* fraction of a pixel's electrons that its four neighbours get, 0 to 0.8, default 0 */
+    /* Quantum efficiency of the channels, above 0 and at most 1, for light along the polarizer's axis;
+     * default 0.6. */
+    nicol_spectrum quantum_efficiency;
+    uint32_t reserved; /* 0 */
+} nicol_sensor;
+/* clang-format off */
+#define NICOL_SENSOR_INIT                                                                                  \
+    { sizeof(nicol_sensor), NICOL_MOSAIC_POLARIZED, 12, 1, 0, NICOL_IDENTITY_4X4, 0, 0.01, 10000, 0, 0, 2.5, \
+      0, 0, 0, 0, 0, 0, 0, NICOL_SPECTRUM_INIT, 0 }
+/* clang-format on */
+NICOL_API nicol_result nicol_sensor_init(nicol_sensor* descriptor, uint32_t struct_size);
+
+typedef uint32_t nicol_sensor_preset;
+/* Sony IMX250MZR and IMX250MYR: mosaic, 12 bits, and the full well (10715 electrons) and read noise (2.95
+ * electrons) that MATRIX VISION measured of the IMX250 by EMVA 1288. The preset leaves the other fields. */
+#define NICOL_SENSOR_PRESET_IMX250MZR 0u
+#define NICOL_SENSOR_PRESET_IMX250MYR 1u
+
+/* Sets the fields of a preset. */
+NICOL_API nicol_result nicol_sensor_set_preset(nicol_sensor* sensor, nicol_sensor_preset preset);
+/* Sets the fields that a JSON file names, or those of a mosaic that nicol_sensor_write_png wrote. The file is
+ * an object with the names of the fields, and "preset" ("imx250mzr", "imx250myr") and "elements", a list of
+ * objects with "kind" ("polarizer", "retarder", "right_circular", "left_circular"), "angle", "retardance",
+ * "transmittance" and "extinction_ratio", in the order of the light. */
+NICOL_API nicol_result nicol_sensor_load(nicol_sensor* sensor, const char* path);
+/* Multiplies the sensor's optics by the matrix of an element that faces the camera, between the optics and
+ * the sensor; angles are counter-clockwise from image right. The element's to_world must be the identity, and
+ * its outline has no effect. extinction_ratio: transmittance along over across a polarizer's axis, at least
+ * 1; 0: an ideal polarizer. */
+NICOL_API nicol_result nicol_sensor_add_element(nicol_sensor* sensor,
+                                                const nicol_polarization_element* element,
+                                                double extinction_ratio);
+
+/* Stokes image in the caller's memory, in the frame of rendered images: x right, y up. */
+typedef struct nicol_stokes_image {
+    uint32_t struct_size;
+    uint32_t width, height; /* size, pixels, 1 to NICOL_MAX_SIZE */
+    uint32_t channels;      /* number of colour channels, 1 to NICOL_MAX_CHANNELS */
+    /* Floats [row][column][channel][component], first row at the top; finite. */
+    void* pixels;
+    uint64_t row_stride; /* bytes from row to row, a multiple of 4; 0, the default: tightly packed */
+    uint64_t byte_size;  /* room at pixels, bytes; checked */
+} nicol_stokes_image;
+#define NICOL_STOKES_IMAGE_INIT \
+    { sizeof(nicol_stokes_image), 0, 0, 0, 0, 0, 0 }
+NICOL_API nicol_result nicol_stokes_image_init(nicol_stokes_image* descriptor, uint32_t struct_size);
+
+/* Numbers of a sensor's pixels in the caller's memory. */
+typedef struct nicol_raw_image {
+    uint32_t struct_size;
+    uint32_t width, height; /* size, pixels, 1 to NICOL_MAX_SIZE */
+    uint32_t reserved;      /* 0 */
+    void* pixels;           /* uint16_t [row][column], first row at the top */
+    uint64_t row_stride;    /* bytes from row to row, a multiple of 2; 0, the default: tightly packed */
+    uint64_t byte_size;     /* room at pixels, bytes; checked */
+} nicol_raw_image;
+#define NICOL_RAW_IMAGE_INIT \
+    { sizeof(nicol_raw_image), 0, 0, 0, 0, 0, 0 }
+NICOL_API nicol_result nicol_raw_image_init(nicol_raw_image* descriptor, uint32_t struct_size);
+
+/* Exposes the sensor to light, and writes the numbers to `to`, which has the light's size. Frames with other
+ * numbers have other noise. Light that is not finite is refused. */
+NICOL_API nicol_result nicol_sensor_expose(const nicol_sensor* sensor, const nicol_stokes_image* light,
+                                           uint64_t frame, const nicol_raw_image* to);
+/* Exposes the sensor to the last image of a framebuffer. */
+NICOL_API nicol_result nicol_framebuffer_expose(nicol_framebuffer framebuffer, const nicol_sensor* sensor,
+                                                uint64_t frame, const nicol_raw_image* to);
+/* Writes numbers as a grey PNG: 8 bits, or 16 bits if the sensor has more than 8. The file names the mosaic,
+ * the bits and the sensor in the text chunks Nicol:Mosaic, Nicol:Bits and Nicol:Sensor. */
+NICOL_API nicol_result nicol_sensor_write_png(const nicol_sensor* sensor, const nicol_raw_image* raw,
+                                              const char* path);
+
+typedef uint32_t nicol_demosaic;
+#define NICOL_DEMOSAIC_BILINEAR \
+    0u                           /* mosaic's size; angles and colours are interpolated between their pixels */
+#define NICOL_DEMOSAIC_BLOCKS 1u /* one Stokes vector per cell of 2 x 2, or 4 x 4 with colour filters */
+
+/* Computes the light on the sensor, behind its optics, from numbers of its pixels, by the sensor's exposure,
+ * quantum efficiency, gain, levels and extinction ratio. The pixels' own errors and crosstalk are not undone.
+ * `to` has 3 channels with colour filters, else 1, and s3 = 0; NICOL_MOSAIC_PLAIN gives s0 alone. */
+NICOL_API nicol_result nicol_sensor_demosaic(const nicol_sensor* sensor, const nicol_raw_image* raw,
+                                             nicol_demosaic method, const nicol_stokes_image* to);
+
 /* ---------------------------------------------------------------- inside a host's OpenGL */
 
 /* clang-format off */

@@ -176,6 +176,15 @@ NICOL_API nicol_result nicol_environment_write(nicol_environment environment,
  * NULL, and must have no wavelengths. */
 NICOL_API nicol_result nicol_material_write(nicol_material material, const nicol_file_options* options,
                                             const char* path);
+/* Reads a mosaic from a grey image of 8 or 16 bits, as of a polarization camera or nicol_sensor_write_png,
+ * and writes the Stokes image of nicol_sensor_demosaic to an OpenEXR file. */
+NICOL_API nicol_result nicol_file_demosaic(const char* in, const nicol_sensor* sensor, nicol_demosaic method,
+                                           const char* out);
+/* Reads pictures of one view behind a polarizer at 0, 45, 90 and 135 degrees counter-clockwise from image
+ * right, and writes the Stokes image in front of it to an OpenEXR file, with s3 = 0. EXR files give s0. Other
+ * images give their numbers as linear light in 0 to 1, without a curve. */
+NICOL_API nicol_result nicol_file_combine_angles(const char* at_0, const char* at_45, const char* at_90,
+                                                 const char* at_135, const char* out);
 /* Writes coefficients of 1 to NICOL_MAX_CHANNELS vectors to a file of the kind NICOL_FILE_LIGHT_PSH. */
 NICOL_API nicol_result nicol_psh_write_file(const char* path, uint32_t order, uint64_t vectors,
                                             const double* coefficients, uint64_t count);

@@ -294,6 +294,14 @@ void EntryPoints::reads(const Watch& watch, nicol_framebuffer framebuffer) {
     plane.pixels = pixels.data();
     plane.byte_size = pixels.size() * sizeof(float);
     call(watch, NAMED(nicol_framebuffer_read_plane), framebuffer, &plane);
+    std::vector<std::uint16_t> numbers(std::size_t{width} * height);
+    const auto sensor = defaults(nicol_sensor_init);
+    auto raw = defaults(nicol_raw_image_init);
+    raw.width = width;
+    raw.height = height;
+    raw.pixels = numbers.data();
+    raw.byte_size = numbers.size() * sizeof(std::uint16_t);
+    call(watch, NAMED(nicol_framebuffer_expose), framebuffer, &sensor, std::uint64_t{0}, &raw);
     const auto shown = defaults(nicol_observation_init);
     call(watch, NAMED(nicol_framebuffer_write_exr), framebuffer, o.file("image.exr").c_str());
     call(watch, NAMED(nicol_framebuffer_write_png), framebuffer, &shown, o.file("image.png").c_str());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// nicol-convert: conversion of light and materials between file formats, and descriptions of files, using
-// only the C ABI.
+// nicol-convert: conversion of light and materials between file formats, descriptions of files, and Stokes
+// images of what cameras measure, using only the C ABI.
 #include <nicol_files.h>
 
 #include <algorithm>
@@ -38,6 +38,12 @@ void convert(const Options& options) {
     const bool image = std::filesystem::path(options.output).extension() == ".exr" &&
                        std::filesystem::is_regular_file(options.output, error);
     if (image && (options.file.flags & NICOL_FILE_PHYSICAL) == 0) notice_unphysical(options.output);
+}
+
+void demosaic(const Options& options) {
+    nicol_sensor sensor = NICOL_SENSOR_INIT;
+    check(nicol_sensor_load(&sensor, (options.sensor.empty() ? options.input : options.sensor).c_str()));
+    check(nicol_file_demosaic(options.input.c_str(), &sensor, options.demosaic, options.output.c_str()));
 }
 
 template <class Report>
@@ -79,6 +85,12 @@ void run(const Options& options) {
             return print_version();
         case Options::Action::info:
             return inform(options);
+        case Options::Action::demosaic:
+            return demosaic(options);
+        case Options::Action::angles:
+            return check(nicol_file_combine_angles(options.angles[0].c_str(), options.angles[1].c_str(),
+                                                   options.angles[2].c_str(), options.angles[3].c_str(),
+                                                   options.output.c_str()));
         case Options::Action::convert:
             return convert(options);
     }

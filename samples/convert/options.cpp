@@ -14,6 +14,8 @@
 const char* const usage =
     "usage: nicol-convert IN OUT [options]\n"
     "       nicol-convert --info FILE [--json] [options]\n"
+    "       nicol-convert --demosaic METHOD RAW.png OUT.exr [--sensor FILE]\n"
+    "       nicol-convert --angles AT_0 AT_45 AT_90 AT_135 OUT.exr\n"
     "Converts light and materials between file formats, or says what a file holds.\n"
     "\n"
     "  light      FILE.exr (equirectangular image), NAME_s0.exr (cube map, four files), FILE.npz (SHVec)\n"
@@ -32,6 +34,11 @@ const char* const usage =
     "      --rotate X,Y,Z,DEGREES  rotates the light about this axis; may be repeated, in order\n"
     "      --band-limited          takes pixels as samples of light without orders above --order\n"
     "      --physical              makes s0 >= |(s1, s2, s3)| >= 0 in every pixel written\n"
+    "      --demosaic METHOD       makes a Stokes image of a polarization camera's raw image: bilinear (its "
+    "size)\n"
+    "                              or blocks (one Stokes vector per cell)\n"
+    "      --sensor FILE           that camera, as JSON; default: as the raw image says\n"
+    "      --angles                makes a Stokes image of four pictures behind a polarizer\n"
     "      --help                  shows this text\n"
     "      --version               shows the version and what this build has\n"
     "\n"
@@ -96,6 +103,12 @@ void parse_scale(nicol_file_options& file, std::string_view text) {
     file.scale = values[0];
 }
 
+nicol_demosaic parse_demosaic(std::string_view text) {
+    if (text == "bilinear") return NICOL_DEMOSAIC_BILINEAR;
+    if (text == "blocks") return NICOL_DEMOSAIC_BLOCKS;
+    throw Failure("--demosaic: '" + std::string(text) + "' is neither bilinear nor blocks");
+}
+
 // Applies this rotation after the earlier ones (Rodrigues' formula).
 void add_rotation(nicol_file_options& file, std::string_view text) {
     const std::vector<double> values = parse_list("--rotate", text);
@@ -154,6 +167,12 @@ Options parse_options(int argc, const char* const* argv) {
             plain(), options.action = Options::Action::info;
         else if (name == "--json")
             plain(), options.json = true;
+        else if (name == "--demosaic")
+            options.demosaic = parse_demosaic(value()), options.action = Options::Action::demosaic;
+        else if (name == "--sensor")
+            options.sensor = value();
+        else if (name == "--angles")
+            plain(), options.action = Options::Action::angles;
         else if (name == "--order")
             options.file.order = parse_order(value());
         else if (name == "--size")
@@ -177,6 +196,18 @@ Options parse_options(int argc, const char* const* argv) {
     }
     const bool info = options.action == Options::Action::info;
     if (options.json && !info) throw Failure("--json: is for --info");
+    if (!options.sensor.empty() && options.action != Options::Action::demosaic)
+        throw Failure("--sensor: is for --demosaic");
+    if (options.action == Options::Action::angles) {
+        if (files.size() != 5)
+            throw Failure(
+                "--angles takes pictures at 0, 45, 90 and 135 degrees and an output, and there are " +
+                std::to_string(files.size()) + " files");
+        options.output = files.back();
+        files.pop_back();
+        options.angles = files;
+        return options;
+    }
     const std::size_t wanted = info ? 1 : 2;
     if (files.size() != wanted)
         throw Failure(std::string(info ? "--info takes one file" : "an input and an output are wanted") +

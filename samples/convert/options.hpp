@@ -5,13 +5,17 @@
 #include <nicol_files.h>
 
 #include <string>
+#include <vector>
 
 #include "common/failure.hpp"
 
 struct Options {
-    enum class Action { convert, info, help, version };
+    enum class Action { convert, info, demosaic, angles, help, version };
     Action action = Action::convert;
     std::string input;
+    std::vector<std::string> angles;  ///< for `angles`: the pictures at 0, 45, 90 and 135 degrees
+    nicol_demosaic demosaic = NICOL_DEMOSAIC_BILINEAR;
+    std::string sensor;  ///< for `demosaic`: file; empty: the input names it
     std::string output;  ///< empty for `info`
     bool json = false;
     nicol_file_options file = NICOL_FILE_OPTIONS_INIT;

@@ -444,6 +444,50 @@ typedef struct nicol_observation {
     float scale;
     float polarizer_angle;
 } nicol_observation;
+typedef uint32_t nicol_mosaic;
+typedef struct nicol_sensor {
+    uint32_t struct_size;
+    nicol_mosaic mosaic;
+    uint32_t bits;
+    uint32_t shot_noise;
+    uint64_t seed;
+    double optics[16];
+    double exposure;
+    double exposure_time;
+    double full_well;
+    double gain;
+    double black_level;
+    double read_noise;
+    double dark_current;
+    double dsnu;
+    double prnu;
+    double extinction_ratio;
+    double extinction_spread;
+    double misalignment;
+    double crosstalk;
+    nicol_spectrum quantum_efficiency;
+    uint32_t reserved;
+} nicol_sensor;
+typedef uint32_t nicol_sensor_preset;
+typedef struct nicol_stokes_image {
+    uint32_t struct_size;
+    uint32_t width;
+    uint32_t height;
+    uint32_t channels;
+    void* pixels;
+    uint64_t row_stride;
+    uint64_t byte_size;
+} nicol_stokes_image;
+typedef struct nicol_raw_image {
+    uint32_t struct_size;
+    uint32_t width;
+    uint32_t height;
+    uint32_t reserved;
+    void* pixels;
+    uint64_t row_stride;
+    uint64_t byte_size;
+} nicol_raw_image;
+typedef uint32_t nicol_demosaic;
 typedef void* (*nicol_get_proc_address_callback)(void* user, const char* name);
 typedef int32_t (*nicol_is_current_callback)(void* user);
 typedef struct nicol_host {
@@ -696,6 +740,16 @@ nicol_result nicol_framebuffer_read_plane(nicol_framebuffer framebuffer, const n
 nicol_result nicol_framebuffer_write_exr(nicol_framebuffer framebuffer, const char* path);
 nicol_result nicol_observation_init(nicol_observation* descriptor, uint32_t struct_size);
 nicol_result nicol_framebuffer_write_png(nicol_framebuffer framebuffer, const nicol_observation* observation, const char* path);
+nicol_result nicol_sensor_init(nicol_sensor* descriptor, uint32_t struct_size);
+nicol_result nicol_sensor_set_preset(nicol_sensor* sensor, nicol_sensor_preset preset);
+nicol_result nicol_sensor_load(nicol_sensor* sensor, const char* path);
+nicol_result nicol_sensor_add_element(nicol_sensor* sensor, const nicol_polarization_element* element, double extinction_ratio);
+nicol_result nicol_stokes_image_init(nicol_stokes_image* descriptor, uint32_t struct_size);
+nicol_result nicol_raw_image_init(nicol_raw_image* descriptor, uint32_t struct_size);
+nicol_result nicol_sensor_expose(const nicol_sensor* sensor, const nicol_stokes_image* light, uint64_t frame, const nicol_raw_image* to);
+nicol_result nicol_framebuffer_expose(nicol_framebuffer framebuffer, const nicol_sensor* sensor, uint64_t frame, const nicol_raw_image* to);
+nicol_result nicol_sensor_write_png(const nicol_sensor* sensor, const nicol_raw_image* raw, const char* path);
+nicol_result nicol_sensor_demosaic(const nicol_sensor* sensor, const nicol_raw_image* raw, nicol_demosaic method, const nicol_stokes_image* to);
 nicol_result nicol_host_init(nicol_host* descriptor, uint32_t struct_size);
 nicol_result nicol_context_create_host(const nicol_host* host, const nicol_context_options* options, nicol_context* context);
 nicol_result nicol_framebuffer_create_textures(nicol_context context, const uint32_t* textures, uint32_t channels, nicol_framebuffer* framebuffer);
@@ -739,6 +793,8 @@ nicol_result nicol_file_describe_material(const char* path, const nicol_file_opt
 nicol_result nicol_file_convert(const char* in, const nicol_file_options* options, const char* out);
 nicol_result nicol_environment_write(nicol_environment environment, const nicol_file_options* options, const char* path);
 nicol_result nicol_material_write(nicol_material material, const nicol_file_options* options, const char* path);
+nicol_result nicol_file_demosaic(const char* in, const nicol_sensor* sensor, nicol_demosaic method, const char* out);
+nicol_result nicol_file_combine_angles(const char* at_0, const char* at_45, const char* at_90, const char* at_135, const char* out);
 nicol_result nicol_psh_write_file(const char* path, uint32_t order, uint64_t vectors, const double* coefficients, uint64_t count);
 ]]
 
@@ -875,6 +931,13 @@ return {
         OBSERVATION_DOLP = 4,
         OBSERVATION_AOLP = 5,
         OBSERVATION_POLARIZER = 6,
+        MOSAIC_PLAIN = 0,
+        MOSAIC_POLARIZED = 1,
+        MOSAIC_POLARIZED_BAYER = 2,
+        SENSOR_PRESET_IMX250MZR = 0,
+        SENSOR_PRESET_IMX250MYR = 1,
+        DEMOSAIC_BILINEAR = 0,
+        DEMOSAIC_BLOCKS = 1,
         HOST_SETS_STATE = 1,
         HOST_VALIDATE = 2,
         ENCODING_LINEAR = 0,
@@ -995,6 +1058,13 @@ return {
         framebuffer_read_plane = true,
         framebuffer_write_exr = true,
         framebuffer_write_png = true,
+        sensor_set_preset = true,
+        sensor_load = true,
+        sensor_add_element = true,
+        sensor_expose = true,
+        framebuffer_expose = true,
+        sensor_write_png = true,
+        sensor_demosaic = true,
         context_create_host = "nicol_context",
         framebuffer_create_textures = "nicol_framebuffer",
         framebuffer_get_texture = true,
@@ -1028,6 +1098,8 @@ return {
         file_convert = true,
         environment_write = true,
         material_write = true,
+        file_demosaic = true,
+        file_combine_angles = true,
         psh_write_file = true,
     },
     -- Descriptors: nicol_<name> with its nicol_<name>_init.
@@ -1064,6 +1136,9 @@ return {
         statistics = true,
         plane_buffer = true,
         observation = true,
+        sensor = true,
+        stokes_image = true,
+        raw_image = true,
         host = true,
         gl_texture = true,
         texture_target = true,

@@ -8,6 +8,7 @@
 #include <exception>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "common/failure.hpp"
 #include "common/handles.hpp"
@@ -147,6 +148,23 @@ void write_images(nicol_framebuffer framebuffer, const std::filesystem::path& fo
     }
 }
 
+nicol_sensor load_sensor(const Options& options) {
+    nicol_sensor sensor = NICOL_SENSOR_INIT;
+    if (!options.sensor.empty()) check(nicol_sensor_load(&sensor, options.sensor.c_str()));
+    return sensor;
+}
+
+void write_mosaic(nicol_framebuffer framebuffer, const nicol_sensor& sensor, const Options& options) {
+    nicol_raw_image raw = NICOL_RAW_IMAGE_INIT;
+    std::uint32_t channels = 0;
+    check(nicol_framebuffer_get_size(framebuffer, &raw.width, &raw.height, &channels));
+    std::vector<std::uint16_t> numbers(std::size_t{raw.width} * raw.height);
+    raw.pixels = numbers.data();
+    raw.byte_size = numbers.size() * sizeof(std::uint16_t);
+    check(nicol_framebuffer_expose(framebuffer, &sensor, options.frame, &raw));
+    check(nicol_sensor_write_png(&sensor, &raw, options.mosaic.c_str()));
+}
+
 void write_stats(nicol_context context, nicol_framebuffer framebuffer, const std::string& path) {
     nicol_context_info info = NICOL_CONTEXT_INFO_INIT;
     check(nicol_context_get_info(context, &info));
@@ -185,6 +203,7 @@ void list_devices() {
 
 void run(const Options& options) {
     refuse_folder(options.output);
+    const nicol_sensor sensor = load_sensor(options);
     ProgressBar progress;
     const Context context = make_context(options, progress);
     const Scene scene = load_scene(context.get(), options);
@@ -194,6 +213,7 @@ void run(const Options& options) {
     const char* const output = options.output == kStandardOutput ? "/proc/self/fd/1" : options.output.c_str();
     check(nicol_framebuffer_write_exr(framebuffer.get(), output));
     if (!options.images.empty()) write_images(framebuffer.get(), options.images);
+    if (!options.mosaic.empty()) write_mosaic(framebuffer.get(), sensor, options);
     if (!options.stats.empty()) write_stats(context.get(), framebuffer.get(), options.stats);
 }
 

@@ -17,6 +17,9 @@ const char* const usage =
     "  -D, --define NAME=VALUE  replaces the value of a <default> of the scene; may be repeated\n"
     "      --environment FILE   an environment map that lights the scene, in place of the scene's own\n"
     "      --images DIR       also writes s0, s1, s2, s3, dolp and aolp.png into DIR, made when missing\n"
+    "      --mosaic FILE        also writes what an image sensor gives for the image, as a grey PNG\n"
+    "      --sensor FILE        that sensor, as JSON; default: polarizers on the pixels and a little noise\n"
+    "      --frame N            gives other noise of the sensor; default 0\n"
     "      --backend NAME       egl or osmesa; without it NICOL_BACKEND decides, else the first that works\n"
     "      --device N           the device to use, of those that --list-devices shows\n"
     "      --list-devices       shows the devices that OpenGL can be opened on\n"
@@ -258,6 +261,12 @@ Options parse_options(int argc, const char* const* argv) {
             options.environment = path();
         else if (name == "--images")
             options.images = path();
+        else if (name == "--mosaic")
+            options.mosaic = path();
+        else if (name == "--sensor")
+            options.sensor = path();
+        else if (name == "--frame")
+            options.frame = parse_number<std::uint64_t>(name, value());
         else if (name == "--backend")
             options.backend = parse_backend(value());
         else if (name == "--device")
@@ -342,6 +351,8 @@ Options parse_options(int argc, const char* const* argv) {
     if (!suffix.empty() && suffix != ".exr" && suffix != ".EXR")
         throw Failure("--output " + options.output +
                       ": what is written is OpenEXR; the name must end in .exr (--images writes PNG)");
+    if (options.mosaic.empty() && !options.sensor.empty())
+        throw Failure("--sensor: add --mosaic OUT.png, where its raw image is written");
     if (options.output == kStandardOutput && options.stats == kStandardOutput)
         throw Failure("--output and --stats are both '-', the standard output; one of them must be a file");
     if (options.order_low && options.order_high && *options.order_high < *options.order_low)

@@ -22,6 +22,9 @@ struct Options {
     std::vector<std::string> definitions;  ///< "name=value"
     std::string environment;               ///< file; empty: the environment of the scene
     std::string images;                    ///< folder; empty: none
+    std::string mosaic;                    ///< file of the raw image; empty: none
+    std::string sensor;                    ///< file; empty: the library's default
+    std::uint64_t frame = 0;               ///< number of the raw image's noise
     std::string stats;                     ///< file or kStandardOutput; empty: none
     nicol_backend backend = NICOL_BACKEND_AUTOMATIC;
     std::uint32_t device = 0;  ///< number in the library's list; 0: any

@@ -10,19 +10,23 @@
 #include "error.hpp"
 #include "files/atomic_file.hpp"
 #include "image/observer.hpp"
+#include "image/png.hpp"
 
 namespace nicol {
 namespace {
 
-void check(const Observation& image) {
+std::size_t row_bytes(const PngImage& image) {
+    return static_cast<std::size_t>(image.width) * (image.grey ? 1 : 3) * (image.deep ? 2 : 1);
+}
+
+void check(const PngImage& image) {
     if (image.width < 1 || image.height < 1 || image.width > kMaxImageSide || image.height > kMaxImageSide ||
-        image.rgb.size() !=
-            static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) * 3)
-        throw Error(ErrorCode::invalid_argument, "write_png: image of " + std::to_string(image.width) +
-                                                     " x " + std::to_string(image.height) + " with " +
-                                                     std::to_string(image.rgb.size()) +
-                                                     " bytes; it needs width * height * 3, sides of 1 to " +
-                                                     std::to_string(kMaxImageSide));
+        image.bytes.size() != row_bytes(image) * static_cast<std::size_t>(image.height))
+        throw Error(ErrorCode::invalid_argument,
+                    "write_png: image of " + std::to_string(image.width) + " x " +
+                        std::to_string(image.height) + " with " + std::to_string(image.bytes.size()) +
+                        " bytes; it needs height rows of " + std::to_string(row_bytes(image)) +
+                        ", sides of 1 to " + std::to_string(kMaxImageSide));
     for (const auto& [keyword, text] : image.text) {
         const bool fit =
             !keyword.empty() && keyword.size() <= 79 && keyword.front() != ' ' && keyword.back() != ' ' &&
@@ -36,28 +40,36 @@ void check(const Observation& image) {
 
 /// Writes all rows. libpng leaves by longjmp, which must not skip destructors, so this function has only
 /// plain values. Returns false on failure.
-bool write_rows(png_structp png, png_infop info, std::FILE* file, const Observation& image, png_text* text,
+bool write_rows(png_structp png, png_infop info, std::FILE* file, const PngImage& image, png_text* text,
                 int text_count) {
     if (setjmp(png_jmpbuf(png)) != 0) return false;  // NOLINT(cert-err52-cpp): libpng has nothing else
     png_init_io(png, file);
-    png_set_IHDR(png, info, static_cast<png_uint_32>(image.width), static_cast<png_uint_32>(image.height), 8,
-                 PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
-                 PNG_FILTER_TYPE_DEFAULT);
+    png_set_IHDR(png, info, static_cast<png_uint_32>(image.width), static_cast<png_uint_32>(image.height),
+                 image.deep ? 16 : 8, image.grey ? PNG_COLOR_TYPE_GRAY : PNG_COLOR_TYPE_RGB,
+                 PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     if (image.srgb) png_set_sRGB(png, info, PNG_sRGB_INTENT_RELATIVE);
     png_set_text(png, info, text, text_count);
     png_write_info(png, info);
-    const png_size_t row = static_cast<png_size_t>(image.width) * 3;
+    const png_size_t row = row_bytes(image);
     for (int y = 0; y < image.height; ++y)
-        png_write_row(png, image.rgb.data() + static_cast<png_size_t>(y) * row);
+        png_write_row(png, image.bytes.data() + static_cast<png_size_t>(y) * row);
     png_write_end(png, nullptr);
     return true;
 }
 
 }  // namespace
 
-void write_png(const std::filesystem::path& path, const Observation& image) {
+void write_png(const std::filesystem::path& path, const Observation& observation) {
+    write_png(path, PngImage{.width = observation.width,
+                             .height = observation.height,
+                             .bytes = observation.rgb,
+                             .text = observation.text,
+                             .srgb = observation.srgb});
+}
+
+void write_png(const std::filesystem::path& path, const PngImage& image) {
     check(image);
-    auto entries = image.text;
+    std::vector<std::pair<std::string, std::string>> entries(image.text.begin(), image.text.end());
     entries.emplace_back("Software", "Nicol " NICOL_VERSION_STRING);
     std::vector<png_text> text(entries.size());
     for (std::size_t i = 0; i < entries.size(); ++i) {

@@ -11,8 +11,8 @@
 #include <string_view>
 
 #include "files/file_error.hpp"
+#include "files/json.hpp"
 #include "files/read_bytes.hpp"
-#include "import/json.hpp"
 #include "import/xml_file.hpp"
 
 // The code of tinygltf, which is a header. It is compiled here because a shared library of it would open

@@ -80,6 +80,19 @@ inline void make_good(nicol_psh_mueller_field& field) {
     field.order_out = field.order_in = 3;
     field.callback = [](void*, const double*, const double*, double*) { return std::int32_t{1}; };
 }
+inline void make_good(nicol_stokes_image& image) {
+    static std::vector<float> pixels(64);
+    image.width = image.height = 4;
+    image.channels = 1;
+    image.pixels = pixels.data();
+    image.byte_size = 256;
+}
+inline void make_good(nicol_raw_image& image) {
+    static std::vector<std::uint16_t> pixels(16);
+    image.width = image.height = 4;
+    image.pixels = pixels.data();
+    image.byte_size = 32;
+}
 inline void make_good(nicol_psh_sampling& sampling) {
     sampling.order = 3;
 }

@@ -473,5 +473,40 @@ class CallTest(unittest.TestCase):
                     self.assertFalse(options.cache_folder)
 
 
+class SensorTest(unittest.TestCase):
+    def test_framebuffer_and_array(self):
+        with nicol.Context.create() as context:
+            framebuffer = nicol.Framebuffer.create(context, 8, 4, 3)
+            scene = scene_of_sphere(context, nicol.Material.create_diffuse(context, (0.2, 0.4, 0.6)))
+            nicol.render(scene, camera(), None, framebuffer)
+            sensor = nicol.Sensor(seed=3, mosaic=nicol.MOSAIC_POLARIZED_BAYER, bits=10)
+            raw = sensor.capture(framebuffer, 2)
+            self.assertEqual(memoryview(raw).shape, (4, 8))
+            self.assertLess(max(map(max, memoryview(raw).tolist())), 1024)
+            again = sensor.capture(framebuffer.plane(nicol.PLANE_STOKES, nicol.ALL_CHANNELS), 2)
+            self.assertEqual(bytes(memoryview(raw)), bytes(memoryview(again)))
+            self.assertEqual(memoryview(sensor.stokes(raw)).shape, (4, 8, 3, 4))
+            self.assertEqual(memoryview(sensor.stokes(raw, nicol.DEMOSAIC_BLOCKS)).shape, (1, 2, 3, 4))
+
+    def test_files_and_presets(self):
+        sensor = nicol.Sensor(seed=9).set_preset(nicol.SENSOR_PRESET_IMX250MZR)
+        light = memoryview(array.array("f", [0.5, 0.2, 0, 0] * 4)).cast("B").cast("f", (2, 2, 1, 4))
+        raw = sensor.capture(light)
+        with tempfile.TemporaryDirectory() as folder:
+            sensor.save(raw, folder + "/raw.png")
+            self.assertEqual(bytes(nicol.Sensor().load(folder + "/raw.png")), bytes(sensor))
+
+    def test_wrong_arrays(self):
+        sensor = nicol.Sensor()
+        doubles = memoryview(array.array("d", [0.0] * 16)).cast("B").cast("d", (2, 2, 1, 4))
+        with self.assertRaisesRegex(TypeError, "kind 'd'; it must be 'f'"):
+            sensor.capture(doubles)
+        flat = memoryview(array.array("f", [0.0] * 16)).cast("B").cast("f", (2, 2, 4))
+        with self.assertRaisesRegex(ValueError, r"shape \(2, 2, 4\); it must be \(height, width, channels, 4\)"):
+            sensor.capture(flat)
+        with self.assertRaisesRegex(nicol.Error, "1 x 1 pixels; both sides must be multiples of 2"):
+            sensor.capture(memoryview(array.array("f", [0.0] * 4)).cast("B").cast("f", (1, 1, 1, 4)))
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -322,6 +322,17 @@ def requests():
     yield "PUT /x HTTP/1.1\r\nTransfer-Encoding: chunked\r\n\r\n3;a=b\r\nabc\r\n0\r\nT: 1\r\n\r\n"
 
 
+SENSOR = """{"preset": "imx250myr", "seed": 3, "bits": 10, "quantum_efficiency": [0.5, 0.6, 0.4], "shot_noise": false,
+"read_noise": 2, "crosstalk": 1e-2, "elements": [{"kind": "retarder", "angle": 45, "retardance": 90, "transmittance": 0.9},
+{"extinction_ratio": 1000}]}"""
+
+
+def mosaic():
+    """Returns a PNG with a sensor in its text, behind the header of 33 bytes."""
+    image, text = png(8, 0, [b"ab", b"cd"]), b"Nicol:Sensor\0" + SENSOR.encode()
+    return image[:33] + struct.pack(">I", len(text)) + b"tEXt" + text + bytes(4) + image[33:]
+
+
 SEEDS = {
     "obj": [OBJ],
     "ply": [ply_text(), ply_binary("<", "float", "f"), ply_binary(">", "double", "d")],
@@ -331,6 +342,7 @@ SEEDS = {
     "exr": [exr("RGB", 4, 2), exr("Y", 3, 3, tile=4), exr(STOKES, 2, 2, 0.0), exr(SPECTRAL, 2, 2, 0.0)],
     "bitmap": [png(8, 2, [b"abcdef", b"ghijkl"]), png(16, 0, [b"abcd"]), png(8, 3, [b"\1\0"], palette=b"abcdef"),
                png(1, 0, [b"a"]), JPEG, BMP, TGA, TGA_RUNS, HDR, HDR_RUNS],
+    "sensor": [SENSOR, '{"mosaic": "plain", "optics": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]}', mosaic()],
     "npz": [npz({"coeff": LIGHT, **TEXTS}, zipfile.ZIP_STORED), npz({"coeff": LIGHT, **TEXTS}, zipfile.ZIP_DEFLATED),
             npz({"coeff": MATERIAL}, zipfile.ZIP_STORED)],
     "npy": [LIGHT, GREY_LIGHT, MATERIAL],

@@ -42,6 +42,13 @@ nicol_result read_texture(nicol_context context, const char* path, std::string&)
     return result;
 }
 
+nicol_result read_sensor(nicol_context, const char* path, std::string& text) {
+    nicol_sensor sensor = NICOL_SENSOR_INIT;
+    const nicol_result result = nicol_sensor_load(&sensor, path);
+    if (result == NICOL_OK) text.assign(reinterpret_cast<const char*>(&sensor), sizeof sensor);
+    return result;
+}
+
 nicol_result describe_light(nicol_context, const char* path, std::string& text) {
     nicol_file_options options = NICOL_FILE_OPTIONS_INIT;
     options.order = 2;
@@ -73,6 +80,7 @@ TEST_CASE("a file that lacks memory says so, and is read when there is some") {
                                  Format{NICOL_TEST_SEEDS "/scene", ".xml", read_scene},
                                  Format{NICOL_TEST_ASSETS, ".gltf", read_scene},
                                  Format{NICOL_TEST_SEEDS "/bitmap", ".png", read_texture},
+                                 Format{NICOL_TEST_SEEDS "/sensor", ".json", read_sensor},
                                  Format{NICOL_TEST_SEEDS "/exr", ".exr", describe_light},
                                  Format{NICOL_TEST_SEEDS "/npz", ".npz", describe_light},
                                  Format{NICOL_TEST_SEEDS "/npz", ".npz", describe_material},

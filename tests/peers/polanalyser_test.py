@@ -65,5 +65,73 @@ class PolanalyserTest(unittest.TestCase):
         self.assert_close(self.plane(nicol.PLANE_S0), image[..., ::-1], self.stokes[..., 0].max())
 
 
+def quiet(**fields):
+    """A sensor of 16 bits without noise, whose numbers are 30000 I for the light I behind a polarizer."""
+    return nicol.Sensor(bits=16, shot_noise=0, read_noise=0, gain=1, full_well=1e6, exposure=60000, quantum_efficiency=0.5, **fields)
+
+
+class SensorTest(unittest.TestCase):
+    """Mosaics of Nicol's sensors, taken apart by polanalyser."""
+
+    ANGLES = numpy.radians([0, 45, 90, 135])
+    INSIDE = (slice(4, -4), slice(4, -4))  # OpenCV repeats rows and columns at the borders
+    STEP = 3 / 30000  # sums of numbers that were rounded twice
+
+    @staticmethod
+    def light(channels):
+        """Light whose brightness, degree and angle (30 to 60 degrees) of polarization vary from pixel to pixel."""
+        y, x, c = numpy.mgrid[:48, :64, :channels] / 64.0
+        s0 = 0.4 + 0.3 * x + 0.2 * y * (c + 0.5)
+        angle = numpy.radians(30 + 30 * x)
+        dolp = 0.3 + 0.3 * y
+        planes = [s0, s0 * dolp * numpy.cos(2 * angle), s0 * dolp * numpy.sin(2 * angle), 0 * s0]
+        return numpy.ascontiguousarray(numpy.stack(planes, -1), numpy.float32)
+
+    def assert_taken_apart(self, sensor, light, code):
+        raw = sensor.capture(light)
+        images = [numpy.asarray(i, float).reshape(light.shape[:3])[..., ::-1] for i in polanalyser.demosaicing(raw, code)]
+        theirs = polanalyser.calcStokes(images, self.ANGLES)[self.INSIDE] / 30000
+        ours = sensor.stokes(raw)[self.INSIDE]
+        self.assertLess(abs(ours[..., :3] - theirs).max(), self.STEP)
+        # What interpolation itself errs by, between pixels whose light differs.
+        self.assertLess(abs(theirs - light[self.INSIDE][..., :3]).max(), 0.004)
+        aolp = polanalyser.cvtStokesToAoLP(theirs)
+        wanted = numpy.arctan2(light[..., 2], light[..., 1])[self.INSIDE] / 2
+        self.assertLess(numpy.degrees(abs(aolp - wanted)).max(), 1)
+
+    def test_mosaic(self):
+        self.assert_taken_apart(quiet(), self.light(1), polanalyser.COLOR_PolarMono)
+
+    def test_colour_mosaic(self):
+        self.assert_taken_apart(quiet(mosaic=nicol.MOSAIC_POLARIZED_BAYER), self.light(3), polanalyser.COLOR_PolarRGB)
+
+    def test_even_light_comes_back_exactly(self):
+        light = numpy.zeros((8, 8, 1, 4), numpy.float32)
+        light[...] = (0.75, 0.25, -0.5, 0)
+        images = polanalyser.demosaicing(quiet().capture(light))
+        stokes = polanalyser.calcStokes([i.astype(float) for i in images], self.ANGLES) / 30000
+        self.assertLess(abs(stokes - light[:, :, 0, :3]).max(), 1e-12)
+
+    def test_rotating_plates(self):
+        """polanalyser finds the Mueller matrix of elements from what a sensor behind polanalyser's plates measures."""
+        plate = nicol.PolarizationElement(kind=nicol.POLARIZATION_ELEMENT_RETARDER, angle=25, retardance=70, transmittance=0.8)
+        polarizer = nicol.PolarizationElement(angle=-40)
+        sample = quiet(mosaic=nicol.MOSAIC_PLAIN).add_element(polarizer, 6).add_element(plate, 0)
+        sample = numpy.array(sample.optics).reshape(4, 4)
+        light = numpy.zeros((64, 64, 1, 4), numpy.float32)
+        light[..., 0] = 1
+        generators, analysers, measured = [], [], []
+        for n, angle in enumerate(numpy.radians(numpy.arange(0, 180, 5))):
+            generators.append(polanalyser.qwp(angle) @ polanalyser.polarizer(0))
+            analysers.append(polanalyser.polarizer(0) @ polanalyser.qwp(5 * angle))
+            sensor = quiet(mosaic=nicol.MOSAIC_PLAIN, optics=(analysers[-1] @ sample @ generators[-1]).ravel().tolist())
+            sensor.read_noise = 1  # spreads the steps of the numbers
+            measured.append(sensor.capture(light, n).mean() / 30000)
+        found = polanalyser.calcMueller([numpy.array([[m]]) for m in measured], generators, analysers)
+        self.assertLess(abs(found.reshape(4, 4) - sample).max(), 1e-5)
+        self.assertLess(abs(numpy.array(quiet().add_element(plate, 0).optics).reshape(4, 4)
+                            - 0.8 * polanalyser.retarder(numpy.radians(70), numpy.radians(25))).max(), 1e-9)  # fmt: skip
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -8,7 +8,9 @@ import struct
 import subprocess
 import unittest
 import zipfile
+import zlib
 
+from images import exr_channels, exr_size
 from program_test import PROGRAM, ProgramTest
 
 
@@ -33,6 +35,15 @@ def read_npz(path):
         data = archive.read("coeff.npy")
     start = 10 + struct.unpack_from("<H", data, 8)[0]
     return list(struct.unpack(f"<{(len(data) - start) // 8}d", data[start:]))
+
+
+def grey_png(width, height, value):
+    def chunk(kind, data):
+        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+
+    rows = (b"\0" + bytes([value]) * width) * height
+    header = struct.pack(">IIBBBBB", width, height, 8, 0, 0, 0, 0)
+    return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b"")
 
 
 def light(order, last=0.0):
@@ -132,6 +143,38 @@ class Success(ConvertTest):
         self.assertGreater(self.info("out/a.exr")["unphysical"][0], 0.01)
         self.assertEqual(self.assert_succeeds("ringing.npz", "out/a.exr", "--physical").stderr, "")
         self.assertEqual(self.info("out/a.exr")["unphysical"], [0])
+
+    def test_mosaics(self):
+        # An even grey of 51 is 0.2 of the largest number, behind each polarizer: s0 is 0.4, unpolarized.
+        self.write("raw.png", grey_png(4, 2, 51))
+        self.write("sensor.json", '{"bits": 8, "gain": 0.255, "full_well": 1000, "exposure": 1000, "quantum_efficiency": 1}')
+        for method, size in (("bilinear", (4, 2)), ("blocks", (2, 1))):
+            self.assert_succeeds("--demosaic", method, "raw.png", "out/a.exr", "--sensor", "sensor.json")
+            with open(self.path("out/a.exr"), "rb") as file:
+                data = file.read()
+            self.assertEqual(exr_size(data), size)
+            self.assertEqual(exr_channels(data), ["S0.Y", "S1.Y", "S2.Y", "S3.Y", "Y"])
+        self.assert_succeeds("--angles", *["raw.png"] * 4, "out/b.exr")
+        with open(self.path("out/b.exr"), "rb") as file:
+            self.assertEqual(exr_size(file.read()), (4, 2))
+
+    def test_bad_mosaics(self):
+        self.write("raw.png", grey_png(4, 2, 51))
+        self.write("odd.png", grey_png(3, 2, 51))
+        self.write("sensor.json", '{"bits": 8}')
+        self.write("wrong.json", '{"bit": 8}')
+        table = (
+            (["raw.png", "Nicol:Sensor", "JSON"], "raw.png out/a.exr"),
+            (["wrong.json", '"bit"', "bits"], "raw.png out/a.exr --sensor wrong.json"),
+            (["3 x 2", "multiples of 2"], "odd.png out/a.exr --sensor sensor.json"),
+            (["out/a.png", ".exr"], "raw.png out/a.png --sensor sensor.json"),
+            (["nowhere.json"], "raw.png out/a.exr --sensor nowhere.json"),
+        )
+        self.assert_each_fails(table, "--demosaic", "bilinear")
+        self.assert_fails(["--demosaic", "best"], "--demosaic", "best", "raw.png", "out/a.exr")
+        self.assert_fails(["--sensor", "--demosaic"], "raw.png", "out/a.exr", "--sensor", "sensor.json")
+        self.assert_fails(["--angles", "4 files"], "--angles", *["raw.png"] * 3, "out/a.exr")
+        self.assert_fails(["odd.png", "3 x 2"], "--angles", *["raw.png"] * 3, "odd.png", "out/a.exr")
 
     def test_help_and_version(self):
         self.assertIn("--wavelengths", self.assert_succeeds("--help").stdout)

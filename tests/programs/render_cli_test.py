@@ -128,6 +128,29 @@ class Success(RenderTest):
                                    "--size", "96x64", "--order-low", "4")
         self.assertEqual(run.stderr, "")
 
+    def test_mosaic(self):
+        self.write("sensor.json", '{"preset": "imx250myr", "seed": 5}')
+        files = []
+        for name, options in (
+            ("a", ["--sensor", "sensor.json"]),
+            ("b", ["--sensor", "sensor.json", "--frame", "0"]),
+            ("c", ["--sensor", "sensor.json", "--frame", "1"]),
+            ("d", ["--sensor", "out/a.png"]),
+            ("e", []),
+        ):
+            output = ["-o", "out/a.exr", "--mosaic", f"out/{name}.png"]
+            self.assert_succeeds("good.xml", "--seed", "0", *output, *options)
+            with open(self.path("out", name + ".png"), "rb") as file:
+                files.append(file.read())
+        a, b, c, d, e = files
+        self.assertEqual(struct.unpack(">IIBB", a[16:26]), (24, 16, 16, 0))  # 16 bits, grey
+        self.assertIn(b"Nicol:Mosaic\0polarized_bayer", a)
+        self.assertIn(b"Nicol:Bits\x0012", a)
+        self.assertIn(b"Nicol:Mosaic\0polarized 90 45 / 135 0", e)
+        self.assertEqual(a, b)
+        self.assertEqual(a, d)
+        self.assertNotEqual(a, c)
+
     def test_images_and_statistics(self):
         self.assert_succeeds("good.xml", "-o", "out/a.exr", "--images", "out/deep/er", "--stats", "out/s.json")
         images = sorted(os.listdir(self.path("out/deep/er")))
@@ -516,6 +539,13 @@ class BadOutput(RenderTest):
         self.assertEqual(run.returncode, 2)
         self.assertIn("full.json", run.stderr)
         self.assertEqual(sorted(os.listdir(self.path("out"))), ["a.exr", "full.json"])
+
+    def test_mosaic(self):
+        self.write("bad.json", '{"full_well": 0}')
+        write = ["good.xml", "-o", "out/a.exr", "--sensor", "bad.json"]
+        self.assert_fails(["--sensor", "--mosaic"], *write)
+        self.assert_fails(["bad.json", "full_well", "0"], *write, "--mosaic", "out/a.png")
+        self.assert_fails(["--frame", "x"], *write, "--frame", "x")
 
     def test_images_and_statistics(self):
         self.write("file", "x")

@@ -119,6 +119,68 @@ def _rows(numbers, length):
     return rows if numpy is None else numpy.array(rows, float)
 
 
+class Sensor(_abi.Sensor):
+    __doc__ = _abi.Sensor.__doc__
+
+    def capture(self, light, frame=0):
+        """Returns what the sensor gives for light, as 16-bit numbers (height, width): a numpy array, or a memoryview without
+        numpy. light is a Framebuffer, or 32-bit floats of shape (height, width, channels, 4). See nicol_sensor_expose."""
+        if isinstance(light, Framebuffer):
+            width, height, _ = light.get_size()
+        else:
+            light = _stokes_image(light)
+            width, height = light.width, light.height
+        raw = _room((height, width), "H")
+        if isinstance(light, Framebuffer):
+            light.expose(self, frame, _raw_image(raw))
+        else:
+            self.expose(light, frame, _raw_image(raw))
+        return raw
+
+    def stokes(self, raw, method=_abi.DEMOSAIC_BILINEAR):
+        """Returns the light on the sensor as 32-bit floats (height, width, channels, 4), from 16-bit numbers (height, width). See
+        nicol_sensor_demosaic."""
+        raw = _raw_image(raw)
+        cell = {_abi.MOSAIC_PLAIN: 1, _abi.MOSAIC_POLARIZED: 2}.get(self.mosaic, 4) if method == _abi.DEMOSAIC_BLOCKS else 1
+        channels = 3 if self.mosaic == _abi.MOSAIC_POLARIZED_BAYER else 1
+        light = _room((raw.height // cell, raw.width // cell, channels, 4), "f")
+        self.demosaic(raw, method, _stokes_image(light))
+        return light
+
+    def save(self, raw, path):
+        """Writes 16-bit numbers (height, width) as PNG. See nicol_sensor_write_png."""
+        self.write_png(_raw_image(raw), path)
+
+
+def _room(shape, kind):
+    """Returns an array for numbers of this kind: of numpy, or else a memoryview."""
+    if numpy is not None:
+        return numpy.empty(shape, kind)
+    return memoryview(bytearray(math.prod(shape) * {"f": 4, "I": 4, "H": 2}[kind])).cast(kind, shape)
+
+
+def _checked(pixels, kind, shape, text):
+    view = memoryview(pixels)
+    if view.ndim != len(shape) or (shape[-1] == 4 and view.shape[-1] != 4):
+        raise ValueError(f"{text} has the shape {view.shape}; it must be ({', '.join(map(str, shape))})")
+    if view.format.lstrip("<=") != kind:
+        raise TypeError(f"{text} has numbers of kind '{view.format}'; it must be '{kind}'")
+    if not view.c_contiguous:
+        raise ValueError(f"{text} must be contiguous")
+    return view
+
+
+def _stokes_image(pixels):
+    view = _checked(pixels, "f", ("height", "width", "channels", 4), "the Stokes image")
+    height, width, channels, _ = view.shape
+    return _abi.StokesImage(width=width, height=height, channels=channels, pixels=pixels, byte_size=view.nbytes)
+
+
+def _raw_image(pixels):
+    view = _checked(pixels, "H", ("height", "width"), "the raw image")
+    return _abi.RawImage(width=view.shape[1], height=view.shape[0], pixels=pixels, byte_size=view.nbytes)
+
+
 class Framebuffer(_abi.Framebuffer):
     __doc__ = _abi.Framebuffer.__doc__
 
@@ -134,10 +196,7 @@ class Framebuffer(_abi.Framebuffer):
         shape += _COMPONENTS.get(plane, ())
         kind = "I" if plane == _abi.PLANE_INSTANCE else "f"
         if out is None:
-            if numpy is not None:
-                out = numpy.empty(shape, kind)
-            else:
-                out = memoryview(bytearray(4 * math.prod(shape))).cast(kind, shape)
+            out = _room(shape, kind)
         view = memoryview(out)
         if view.shape != shape:
             raise ValueError(f"out has the shape {view.shape}; the plane has {shape}")

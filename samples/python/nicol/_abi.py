@@ -138,6 +138,13 @@ OBSERVATION_S3 = 3
 OBSERVATION_DOLP = 4
 OBSERVATION_AOLP = 5
 OBSERVATION_POLARIZER = 6
+MOSAIC_PLAIN = 0
+MOSAIC_POLARIZED = 1
+MOSAIC_POLARIZED_BAYER = 2
+SENSOR_PRESET_IMX250MZR = 0
+SENSOR_PRESET_IMX250MYR = 1
+DEMOSAIC_BILINEAR = 0
+DEMOSAIC_BLOCKS = 1
 HOST_SETS_STATE = 1
 HOST_VALIDATE = 2
 ENCODING_LINEAR = 0
@@ -784,6 +791,105 @@ class Observation(Struct):
         ("exposure", c_float),
         ("scale", c_float),
         ("polarizer_angle", c_float),
+    ]
+
+
+class Sensor(Struct):
+    """Linear image sensor, by the figures of the standard EMVA 1288. A pixel collects
+        n = Poisson(quantum_efficiency * exposure * I + dark_current * exposure_time)
+    electrons, at most full_well, where I is s0 behind the optics and the pixel's polarizer, and gives the number
+        floor(gain * (n + read noise + offset) + black_level + 1/2), cut to 0 .. 2^bits - 1.
+    Noise belongs to the seed, the frame and the pixel. The polarizers' angles and transmittances, the offsets and the
+    sensitivities belong to the seed and the pixel. All of them have the same bits on every machine and for any number
+    of threads, so that the same Stokes image gives the same bytes."""
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("mosaic", c_uint32),
+        ("bits", c_uint32),
+        ("shot_noise", c_uint32),
+        ("seed", c_uint64),
+        ("optics", c_double * 16),
+        ("exposure", c_double),
+        ("exposure_time", c_double),
+        ("full_well", c_double),
+        ("gain", c_double),
+        ("black_level", c_double),
+        ("read_noise", c_double),
+        ("dark_current", c_double),
+        ("dsnu", c_double),
+        ("prnu", c_double),
+        ("extinction_ratio", c_double),
+        ("extinction_spread", c_double),
+        ("misalignment", c_double),
+        ("crosstalk", c_double),
+        ("quantum_efficiency", Spectrum),
+        ("reserved", c_uint32),
+    ]
+
+    def set_preset(self, preset):
+        """Sets the fields of a preset."""
+        check(_sensor_set_preset(byref(self), preset))
+        return self
+
+    def load(self, path):
+        """Sets the fields that a JSON file names, or those of a mosaic that nicol_sensor_write_png wrote. The file is
+        an object with the names of the fields, and "preset" ("imx250mzr", "imx250myr") and "elements", a list of
+        objects with "kind" ("polarizer", "retarder", "right_circular", "left_circular"), "angle", "retardance",
+        "transmittance" and "extinction_ratio", in the order of the light."""
+        check(_sensor_load(byref(self), text(path)))
+        return self
+
+    def add_element(self, element, extinction_ratio):
+        """Multiplies the sensor's optics by the matrix of an element that faces the camera, between the optics and
+        the sensor; angles are counter-clockwise from image right. The element's to_world must be the identity, and
+        its outline has no effect. extinction_ratio: transmittance along over across a polarizer's axis, at least
+        1; 0: an ideal polarizer."""
+        check(_sensor_add_element(byref(self), byref(element) if element is not None else None, extinction_ratio))
+        return self
+
+    def expose(self, light, frame, to):
+        """Exposes the sensor to light, and writes the numbers to `to`, which has the light's size. Frames with other
+        numbers have other noise. Light that is not finite is refused."""
+        check(_sensor_expose(byref(self), byref(light) if light is not None else None, frame, byref(to) if to is not None else None))
+        return self
+
+    def write_png(self, raw, path):
+        """Writes numbers as a grey PNG: 8 bits, or 16 bits if the sensor has more than 8. The file names the mosaic,
+        the bits and the sensor in the text chunks Nicol:Mosaic, Nicol:Bits and Nicol:Sensor."""
+        check(_sensor_write_png(byref(self), byref(raw) if raw is not None else None, text(path)))
+        return self
+
+    def demosaic(self, raw, method, to):
+        """Computes the light on the sensor, behind its optics, from numbers of its pixels, by the sensor's exposure,
+        quantum efficiency, gain, levels and extinction ratio. The pixels' own errors and crosstalk are not undone.
+        `to` has 3 channels with colour filters, else 1, and s3 = 0; NICOL_MOSAIC_PLAIN gives s0 alone."""
+        check(_sensor_demosaic(byref(self), byref(raw) if raw is not None else None, method, byref(to) if to is not None else None))
+        return self
+
+
+class StokesImage(Struct):
+    """Stokes image in the caller's memory, in the frame of rendered images: x right, y up."""
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("width", c_uint32),
+        ("height", c_uint32),
+        ("channels", c_uint32),
+        ("pixels", c_void_p),
+        ("row_stride", c_uint64),
+        ("byte_size", c_uint64),
+    ]
+
+
+class RawImage(Struct):
+    """Numbers of a sensor's pixels in the caller's memory."""
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("width", c_uint32),
+        ("height", c_uint32),
+        ("reserved", c_uint32),
+        ("pixels", c_void_p),
+        ("row_stride", c_uint64),
+        ("byte_size", c_uint64),
     ]
 
 
@@ -1587,6 +1693,10 @@ class Framebuffer(Handle):
         show the mean of the channels."""
         check(_framebuffer_write_png(self, byref(observation) if observation is not None else None, text(path)))
 
+    def expose(self, sensor, frame, to):
+        """Exposes the sensor to the last image of a framebuffer."""
+        check(_framebuffer_expose(self, byref(sensor) if sensor is not None else None, frame, byref(to) if to is not None else None))
+
     @classmethod
     def create_textures(cls, context, channels):
         """Creates a framebuffer whose images are textures of the host's, one for each channel: level 0 of a
@@ -1939,6 +2049,19 @@ def file_convert(in_, options, out):
     check(_file_convert(text(in_), byref(options) if options is not None else None, text(out)))
 
 
+def file_demosaic(in_, sensor, method, out):
+    """Reads a mosaic from a grey image of 8 or 16 bits, as of a polarization camera or nicol_sensor_write_png,
+    and writes the Stokes image of nicol_sensor_demosaic to an OpenEXR file."""
+    check(_file_demosaic(text(in_), byref(sensor) if sensor is not None else None, method, text(out)))
+
+
+def file_combine_angles(at_0, at_45, at_90, at_135, out):
+    """Reads pictures of one view behind a polarizer at 0, 45, 90 and 135 degrees counter-clockwise from image
+    right, and writes the Stokes image in front of it to an OpenEXR file, with s3 = 0. EXR files give s0. Other
+    images give their numbers as linear light in 0 to 1, without a curve."""
+    check(_file_combine_angles(text(at_0), text(at_45), text(at_90), text(at_135), text(out)))
+
+
 def psh_write_file(path, order, vectors, coefficients):
     """Writes coefficients of 1 to NICOL_MAX_CHANNELS vectors to a file of the kind NICOL_FILE_LIGHT_PSH."""
     coefficients = Buffer(coefficients, c_double)
@@ -2084,6 +2207,16 @@ _framebuffer_read_plane = declare("nicol_framebuffer_read_plane", c_int32, Frame
 _framebuffer_write_exr = declare("nicol_framebuffer_write_exr", c_int32, Framebuffer, c_char_p)
 Observation._init = declare("nicol_observation_init", c_int32, POINTER(Observation), c_uint32)
 _framebuffer_write_png = declare("nicol_framebuffer_write_png", c_int32, Framebuffer, POINTER(Observation), c_char_p)
+Sensor._init = declare("nicol_sensor_init", c_int32, POINTER(Sensor), c_uint32)
+_sensor_set_preset = declare("nicol_sensor_set_preset", c_int32, POINTER(Sensor), c_uint32)
+_sensor_load = declare("nicol_sensor_load", c_int32, POINTER(Sensor), c_char_p)
+_sensor_add_element = declare("nicol_sensor_add_element", c_int32, POINTER(Sensor), POINTER(PolarizationElement), c_double)
+StokesImage._init = declare("nicol_stokes_image_init", c_int32, POINTER(StokesImage), c_uint32)
+RawImage._init = declare("nicol_raw_image_init", c_int32, POINTER(RawImage), c_uint32)
+_sensor_expose = declare("nicol_sensor_expose", c_int32, POINTER(Sensor), POINTER(StokesImage), c_uint64, POINTER(RawImage))
+_framebuffer_expose = declare("nicol_framebuffer_expose", c_int32, Framebuffer, POINTER(Sensor), c_uint64, POINTER(RawImage))
+_sensor_write_png = declare("nicol_sensor_write_png", c_int32, POINTER(Sensor), POINTER(RawImage), c_char_p)
+_sensor_demosaic = declare("nicol_sensor_demosaic", c_int32, POINTER(Sensor), POINTER(RawImage), c_uint32, POINTER(StokesImage))
 Host._init = declare("nicol_host_init", c_int32, POINTER(Host), c_uint32)
 _context_create_host = declare("nicol_context_create_host", c_int32, POINTER(Host), POINTER(ContextOptions), POINTER(Context))
 _framebuffer_create_textures = declare("nicol_framebuffer_create_textures", c_int32, Context, POINTER(c_uint32), c_uint32, POINTER(Framebuffer))
@@ -2126,6 +2259,8 @@ _file_describe_material = declare("nicol_file_describe_material", c_int32, c_cha
 _file_convert = declare("nicol_file_convert", c_int32, c_char_p, POINTER(FileOptions), c_char_p)
 _environment_write = declare("nicol_environment_write", c_int32, Environment, POINTER(FileOptions), c_char_p)
 _material_write = declare("nicol_material_write", c_int32, Material, POINTER(FileOptions), c_char_p)
+_file_demosaic = declare("nicol_file_demosaic", c_int32, c_char_p, POINTER(Sensor), c_uint32, c_char_p)
+_file_combine_angles = declare("nicol_file_combine_angles", c_int32, c_char_p, c_char_p, c_char_p, c_char_p, c_char_p)
 _psh_write_file = declare("nicol_psh_write_file", c_int32, c_char_p, c_uint32, c_uint64, POINTER(c_double), c_uint64)
 
 __all__ = [
@@ -2150,6 +2285,8 @@ __all__ = [
     "Context",
     "ContextInfo",
     "ContextOptions",
+    "DEMOSAIC_BILINEAR",
+    "DEMOSAIC_BLOCKS",
     "DEPTH_MAPPING_ORTHOGRAPHIC",
     "DEPTH_MAPPING_ORTHOGRAPHIC_REVERSED",
     "DEPTH_MAPPING_PERSPECTIVE",
@@ -2236,6 +2373,9 @@ __all__ = [
     "METHOD_DENSE",
     "METHOD_FACTORED",
     "METHOD_REFERENCE",
+    "MOSAIC_PLAIN",
+    "MOSAIC_POLARIZED",
+    "MOSAIC_POLARIZED_BAYER",
     "Material",
     "MaterialReport",
     "Measured",
@@ -2302,16 +2442,21 @@ __all__ = [
     "QUALITY_FINAL",
     "QUALITY_PREVIEW",
     "QUALITY_REALTIME",
+    "RawImage",
     "RenderOptions",
+    "SENSOR_PRESET_IMX250MYR",
+    "SENSOR_PRESET_IMX250MZR",
     "SHADE_AT_AUTOMATIC",
     "SHADE_AT_PIXELS",
     "SHADE_AT_VERTICES",
     "SPLIT_AUTOMATIC",
     "Scene",
     "SceneFile",
+    "Sensor",
     "Sky",
     "Spectrum",
     "Statistics",
+    "StokesImage",
     "TEXEL_FLOAT32",
     "TEXEL_UINT16",
     "TEXEL_UINT8",
@@ -2335,7 +2480,9 @@ __all__ = [
     "build_info",
     "device_count",
     "device_get_info",
+    "file_combine_angles",
     "file_convert",
+    "file_demosaic",
     "file_describe_light",
     "file_describe_material",
     "file_identify",

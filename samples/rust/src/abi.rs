@@ -150,6 +150,13 @@ pub const NICOL_OBSERVATION_S3: u32 = 3;
 pub const NICOL_OBSERVATION_DOLP: u32 = 4;
 pub const NICOL_OBSERVATION_AOLP: u32 = 5;
 pub const NICOL_OBSERVATION_POLARIZER: u32 = 6;
+pub const NICOL_MOSAIC_PLAIN: u32 = 0;
+pub const NICOL_MOSAIC_POLARIZED: u32 = 1;
+pub const NICOL_MOSAIC_POLARIZED_BAYER: u32 = 2;
+pub const NICOL_SENSOR_PRESET_IMX250MZR: u32 = 0;
+pub const NICOL_SENSOR_PRESET_IMX250MYR: u32 = 1;
+pub const NICOL_DEMOSAIC_BILINEAR: u32 = 0;
+pub const NICOL_DEMOSAIC_BLOCKS: u32 = 1;
 pub const NICOL_HOST_SETS_STATE: u32 = 1;
 pub const NICOL_HOST_VALIDATE: u32 = 2;
 pub const NICOL_ENCODING_LINEAR: u32 = 0;
@@ -1327,6 +1334,115 @@ const _: () = {
     assert!(offset_of!(nicol_observation, scale) == 12);
     assert!(offset_of!(nicol_observation, polarizer_angle) == 16);
 };
+pub type nicol_mosaic = u32;
+
+/// Linear image sensor, by the figures of the standard EMVA 1288. A pixel collects
+///     n = Poisson(quantum_efficiency * exposure * I + dark_current * exposure_time)
+/// electrons, at most full_well, where I is s0 behind the optics and the pixel's polarizer, and gives the number
+///     floor(gain * (n + read noise + offset) + black_level + 1/2), cut to 0 .. 2^bits - 1.
+/// Noise belongs to the seed, the frame and the pixel. The polarizers' angles and transmittances, the offsets and the
+/// sensitivities belong to the seed and the pixel. All of them have the same bits on every machine and for any number
+/// of threads, so that the same Stokes image gives the same bytes.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct nicol_sensor {
+    pub struct_size: u32,
+    pub mosaic: nicol_mosaic,
+    pub bits: u32,
+    pub shot_noise: u32,
+    pub seed: u64,
+    pub optics: [f64; 16],
+    pub exposure: f64,
+    pub exposure_time: f64,
+    pub full_well: f64,
+    pub gain: f64,
+    pub black_level: f64,
+    pub read_noise: f64,
+    pub dark_current: f64,
+    pub dsnu: f64,
+    pub prnu: f64,
+    pub extinction_ratio: f64,
+    pub extinction_spread: f64,
+    pub misalignment: f64,
+    pub crosstalk: f64,
+    pub quantum_efficiency: nicol_spectrum,
+    pub reserved: u32,
+}
+defaults!(nicol_sensor, nicol_sensor_init);
+const _: () = {
+    assert!(size_of::<nicol_sensor>() == 328);
+    assert!(offset_of!(nicol_sensor, struct_size) == 0);
+    assert!(offset_of!(nicol_sensor, mosaic) == 4);
+    assert!(offset_of!(nicol_sensor, bits) == 8);
+    assert!(offset_of!(nicol_sensor, shot_noise) == 12);
+    assert!(offset_of!(nicol_sensor, seed) == 16);
+    assert!(offset_of!(nicol_sensor, optics) == 24);
+    assert!(offset_of!(nicol_sensor, exposure) == 152);
+    assert!(offset_of!(nicol_sensor, exposure_time) == 160);
+    assert!(offset_of!(nicol_sensor, full_well) == 168);
+    assert!(offset_of!(nicol_sensor, gain) == 176);
+    assert!(offset_of!(nicol_sensor, black_level) == 184);
+    assert!(offset_of!(nicol_sensor, read_noise) == 192);
+    assert!(offset_of!(nicol_sensor, dark_current) == 200);
+    assert!(offset_of!(nicol_sensor, dsnu) == 208);
+    assert!(offset_of!(nicol_sensor, prnu) == 216);
+    assert!(offset_of!(nicol_sensor, extinction_ratio) == 224);
+    assert!(offset_of!(nicol_sensor, extinction_spread) == 232);
+    assert!(offset_of!(nicol_sensor, misalignment) == 240);
+    assert!(offset_of!(nicol_sensor, crosstalk) == 248);
+    assert!(offset_of!(nicol_sensor, quantum_efficiency) == 256);
+    assert!(offset_of!(nicol_sensor, reserved) == 324);
+};
+pub type nicol_sensor_preset = u32;
+
+/// Stokes image in the caller's memory, in the frame of rendered images: x right, y up.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct nicol_stokes_image {
+    pub struct_size: u32,
+    pub width: u32,
+    pub height: u32,
+    pub channels: u32,
+    pub pixels: *mut c_void,
+    pub row_stride: u64,
+    pub byte_size: u64,
+}
+defaults!(nicol_stokes_image, nicol_stokes_image_init);
+const _: () = {
+    assert!(size_of::<nicol_stokes_image>() == 40);
+    assert!(offset_of!(nicol_stokes_image, struct_size) == 0);
+    assert!(offset_of!(nicol_stokes_image, width) == 4);
+    assert!(offset_of!(nicol_stokes_image, height) == 8);
+    assert!(offset_of!(nicol_stokes_image, channels) == 12);
+    assert!(offset_of!(nicol_stokes_image, pixels) == 16);
+    assert!(offset_of!(nicol_stokes_image, row_stride) == 24);
+    assert!(offset_of!(nicol_stokes_image, byte_size) == 32);
+};
+
+/// Numbers of a sensor's pixels in the caller's memory.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct nicol_raw_image {
+    pub struct_size: u32,
+    pub width: u32,
+    pub height: u32,
+    pub reserved: u32,
+    pub pixels: *mut c_void,
+    pub row_stride: u64,
+    pub byte_size: u64,
+}
+defaults!(nicol_raw_image, nicol_raw_image_init);
+const _: () = {
+    assert!(size_of::<nicol_raw_image>() == 40);
+    assert!(offset_of!(nicol_raw_image, struct_size) == 0);
+    assert!(offset_of!(nicol_raw_image, width) == 4);
+    assert!(offset_of!(nicol_raw_image, height) == 8);
+    assert!(offset_of!(nicol_raw_image, reserved) == 12);
+    assert!(offset_of!(nicol_raw_image, pixels) == 16);
+    assert!(offset_of!(nicol_raw_image, row_stride) == 24);
+    assert!(offset_of!(nicol_raw_image, byte_size) == 32);
+};
+pub type nicol_demosaic = u32;
 
 /// Returns the address of an OpenGL function by its name, as SDL_GL_GetProcAddress, eglGetProcAddress and
 /// others do.
@@ -1985,6 +2101,33 @@ extern "C" {
     /// refused. S0 and POLARIZER need a framebuffer of 1 or 3 channels; the other kinds
     /// show the mean of the channels.
     pub fn nicol_framebuffer_write_png(framebuffer: nicol_framebuffer, observation: *const nicol_observation, path: *const c_char) -> nicol_result;
+    pub fn nicol_sensor_init(descriptor: *mut nicol_sensor, struct_size: u32) -> nicol_result;
+    /// Sets the fields of a preset.
+    pub fn nicol_sensor_set_preset(sensor: *mut nicol_sensor, preset: nicol_sensor_preset) -> nicol_result;
+    /// Sets the fields that a JSON file names, or those of a mosaic that nicol_sensor_write_png wrote. The file is
+    /// an object with the names of the fields, and "preset" ("imx250mzr", "imx250myr") and "elements", a list of
+    /// objects with "kind" ("polarizer", "retarder", "right_circular", "left_circular"), "angle", "retardance",
+    /// "transmittance" and "extinction_ratio", in the order of the light.
+    pub fn nicol_sensor_load(sensor: *mut nicol_sensor, path: *const c_char) -> nicol_result;
+    /// Multiplies the sensor's optics by the matrix of an element that faces the camera, between the optics and
+    /// the sensor; angles are counter-clockwise from image right. The element's to_world must be the identity, and
+    /// its outline has no effect. extinction_ratio: transmittance along over across a polarizer's axis, at least
+    /// 1; 0: an ideal polarizer.
+    pub fn nicol_sensor_add_element(sensor: *mut nicol_sensor, element: *const nicol_polarization_element, extinction_ratio: f64) -> nicol_result;
+    pub fn nicol_stokes_image_init(descriptor: *mut nicol_stokes_image, struct_size: u32) -> nicol_result;
+    pub fn nicol_raw_image_init(descriptor: *mut nicol_raw_image, struct_size: u32) -> nicol_result;
+    /// Exposes the sensor to light, and writes the numbers to `to`, which has the light's size. Frames with other
+    /// numbers have other noise. Light that is not finite is refused.
+    pub fn nicol_sensor_expose(sensor: *const nicol_sensor, light: *const nicol_stokes_image, frame: u64, to: *const nicol_raw_image) -> nicol_result;
+    /// Exposes the sensor to the last image of a framebuffer.
+    pub fn nicol_framebuffer_expose(framebuffer: nicol_framebuffer, sensor: *const nicol_sensor, frame: u64, to: *const nicol_raw_image) -> nicol_result;
+    /// Writes numbers as a grey PNG: 8 bits, or 16 bits if the sensor has more than 8. The file names the mosaic,
+    /// the bits and the sensor in the text chunks Nicol:Mosaic, Nicol:Bits and Nicol:Sensor.
+    pub fn nicol_sensor_write_png(sensor: *const nicol_sensor, raw: *const nicol_raw_image, path: *const c_char) -> nicol_result;
+    /// Computes the light on the sensor, behind its optics, from numbers of its pixels, by the sensor's exposure,
+    /// quantum efficiency, gain, levels and extinction ratio. The pixels' own errors and crosstalk are not undone.
+    /// `to` has 3 channels with colour filters, else 1, and s3 = 0; NICOL_MOSAIC_PLAIN gives s0 alone.
+    pub fn nicol_sensor_demosaic(sensor: *const nicol_sensor, raw: *const nicol_raw_image, method: nicol_demosaic, to: *const nicol_stokes_image) -> nicol_result;
     pub fn nicol_host_init(descriptor: *mut nicol_host, struct_size: u32) -> nicol_result;
     /// Creates a context inside the OpenGL context that is current: OpenGL 4.5 or newer, of the core or the
     /// compatibility profile. options are those of nicol_context_create, with backend and device 0. Returns
@@ -2105,6 +2248,13 @@ extern "C" {
     /// Writes a material to a file in the kind that the path says, as nicol_file_convert does. options may be
     /// NULL, and must have no wavelengths.
     pub fn nicol_material_write(material: nicol_material, options: *const nicol_file_options, path: *const c_char) -> nicol_result;
+    /// Reads a mosaic from a grey image of 8 or 16 bits, as of a polarization camera or nicol_sensor_write_png,
+    /// and writes the Stokes image of nicol_sensor_demosaic to an OpenEXR file.
+    pub fn nicol_file_demosaic(r#in: *const c_char, sensor: *const nicol_sensor, method: nicol_demosaic, out: *const c_char) -> nicol_result;
+    /// Reads pictures of one view behind a polarizer at 0, 45, 90 and 135 degrees counter-clockwise from image
+    /// right, and writes the Stokes image in front of it to an OpenEXR file, with s3 = 0. EXR files give s0. Other
+    /// images give their numbers as linear light in 0 to 1, without a curve.
+    pub fn nicol_file_combine_angles(at_0: *const c_char, at_45: *const c_char, at_90: *const c_char, at_135: *const c_char, out: *const c_char) -> nicol_result;
     /// Writes coefficients of 1 to NICOL_MAX_CHANNELS vectors to a file of the kind NICOL_FILE_LIGHT_PSH.
     pub fn nicol_psh_write_file(path: *const c_char, order: u32, vectors: u64, coefficients: *const f64, count: u64) -> nicol_result;
 }

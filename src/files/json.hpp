@@ -13,7 +13,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace nicol::scene {
+namespace nicol {
 
 /// Allocator of the values themselves: operator new, as std::allocator, which has another meaning for Json.
 template <class T>
@@ -54,19 +54,19 @@ private:
     std::size_t blocks_ = 0;  ///< that live
 };
 
-}  // namespace nicol::scene
+}  // namespace nicol
 
 /// Allocator of the vectors that nlohmann's destructors make: JsonRoom's memory.
 template <>
-struct std::allocator<nicol::scene::Json> {
-    using value_type = nicol::scene::Json;
+struct std::allocator<nicol::Json> {
+    using value_type = nicol::Json;
     using size_type = std::size_t;
     using difference_type = std::ptrdiff_t;
     using propagate_on_container_move_assignment = std::true_type;
     using is_always_equal = std::true_type;
 
     allocator() = default;
-    [[nodiscard]] value_type* allocate(std::size_t count) { return nicol::scene::JsonRoom::allocate(count); }
-    void deallocate(value_type* block, std::size_t) noexcept { nicol::scene::JsonRoom::deallocate(block); }
+    [[nodiscard]] value_type* allocate(std::size_t count) { return nicol::JsonRoom::allocate(count); }
+    void deallocate(value_type* block, std::size_t) noexcept { nicol::JsonRoom::deallocate(block); }
     friend bool operator==(const allocator&, const allocator&) noexcept { return true; }
 };

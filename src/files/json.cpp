@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "import/json.hpp"
+#include "files/json.hpp"
 
 #include <algorithm>
 
-namespace nicol::scene {
+namespace nicol {
 namespace {
 
 /// No fewer than the values of a text: each but the first of an array or object follows a comma.
@@ -45,4 +45,4 @@ void JsonRoom::deallocate(Json*) noexcept {
     if (--room->blocks_ == 0) room->taken_ = 0;
 }
 
-}  // namespace nicol::scene
+}  // namespace nicol

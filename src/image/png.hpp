@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// PNG files of any numbers: grey or R G B, 8 or 16 bits.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <utility>
+
+namespace nicol {
+
+struct PngImage {
+    int width = 0;
+    int height = 0;
+    bool grey = false;                      ///< one number per pixel, or else R G B
+    bool deep = false;                      ///< 16 bits per number, more significant byte first, or else 8
+    std::span<const std::uint8_t> bytes{};  ///< [y][x][number], row 0 at the top
+    std::span<const std::pair<std::string, std::string>> text{};  ///< keyword and text of tEXt chunks
+    bool srgb = false;                                            ///< whether the file gets an sRGB chunk
+};
+
+/// Writes a PNG. The file appears under its name only when it is complete. Throws Error(invalid_argument) if
+/// the sizes do not fit, or if a keyword or text is not fit for tEXt (keyword 1 to 79 bytes);
+/// Error(write_failed) that names the path.
+void write_png(const std::filesystem::path& path, const PngImage& image);
+
+}  // namespace nicol
