@@ -1247,7 +1247,9 @@ typedef uint32_t nicol_method;
 /* Real-time method that stores light up to order_low in each vertex's frame and multiplies the light by a
  * table of the material's response at each view angle. Pixels that show smooth glass or a mirror are followed
  * by rays, through as many reflections and refractions as max_depth says, to other surfaces and the
- * environment. */
+ * environment. With a max_depth above 2, pixels that show metal of a roughness below 0.25 are followed by
+ * rays to other surfaces as well, which facets chosen by chance reflect: one ray a sample, at least four a
+ * pixel. */
 #define NICOL_METHOD_FACTORED 0u
 /* Real-time method of the paper, with a transfer matrix per vertex, baked from shadow and material. Outgoing
  * light is truncated at order_low too. The method is slower and larger, for comparison. */
@@ -1451,10 +1453,11 @@ typedef struct nicol_render_options {
      * light that the camera sees directly, 2 adds light that a surface reflects once (direct light), 3 adds
      * light that two surfaces reflect, and so on; NICOL_DEPTH_UNLIMITED: no limit. 0, the default: 2. The
      * factored method computes the light that surfaces reflect to each other at vertices, up to order 3 of
-     * its incident field, and stops at 0.002 of all light. It refuses 1 and the dense method refuses
-     * everything but 0 and 2, with NICOL_ERROR_UNSUPPORTED. More than 2 needs shadows. Smooth glass and
-     * mirrors count as well: the rays of the factored method have max_depth - 1 reflections and refractions,
-     * at most 64, but eight for 0 and 2, because direct light would not leave a body of glass. */
+     * its incident field, and stops at 0.002 of all light; rays from pixels find what mirrors and narrow
+     * lobes of metal reflect. It refuses 1 and the dense method refuses everything but 0 and 2, with
+     * NICOL_ERROR_UNSUPPORTED. More than 2 needs shadows. Smooth glass and mirrors count as well: the rays of
+     * the factored method have max_depth - 1 reflections and refractions, at most 64, but eight for 0 and 2,
+     * because direct light would not leave a body of glass. */
     int32_t max_depth;
     /* Behaviour of nicol_render while another render of the scene runs, such as a job. 0, the default: it
      * waits; 1: it returns NICOL_ERROR_BUSY. No effect on nicol_render_async. */
@@ -1638,8 +1641,9 @@ typedef struct nicol_statistics {
     uint64_t lights_split;          /* extracted lights that were taken out of the environment */
     uint64_t light_rays;            /* real-time methods: rays from vertices and pixels to local lights */
     double light_ms;                /* part of shade_ms for local lights and their shadows */
-    uint64_t smooth_rays;           /* real-time methods: rays from pixels that show glass or mirrors, by threads; 0 if
-                                       compute shaders shaded: these mirror lights alone, no surfaces */
+    uint64_t smooth_rays;           /* real-time methods: rays from pixels that show glass, mirrors or narrow lobes of
+                                       metal, by threads; 0 if compute shaders shaded: smooth surfaces then mirror
+                                       lights alone, no surfaces, and narrow lobes the light at vertices */
     uint64_t vertices_pending;      /* vertices whose shadows are not final (bake_budget_ms); 0: the picture is */
     double bounce_ms;               /* real-time methods: part of relight_ms for light that surfaces reflect to each other */
     uint64_t bounce_links;          /* pairs of a vertex and a point of a surface that it sees, along which light bounces */

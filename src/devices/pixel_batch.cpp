@@ -273,7 +273,7 @@ std::span<const Point> PixelBatch::take_group(std::span<const Point> points) {
 
 void PixelBatch::take(const PixelInput& input, std::span<const PixelPoint> points) {
     in_pixels_ = take_group(points);
-    emits_ = true;
+    emits_ = bounces_ = true;
     views_ = input.view;
     find_surfaces(input);
     find_textures(input);
@@ -283,6 +283,7 @@ void PixelBatch::take(const PixelInput& input, std::span<const RayPoint> points)
     const std::span of_group = take_group(points);
     in_pixels_ = {};
     emits_ = points.front().emits;
+    bounces_ = points.front().bounces;
     ray_views_.clear();
     for (const RayPoint& point : of_group) ray_views_.push_back(point.view);
     views_ = Views(ray_views_);

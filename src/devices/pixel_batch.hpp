@@ -52,8 +52,12 @@ struct RayPoint : SurfacePoint {
     /// orthographic one that looks along the ray.
     Viewpoint view;
     bool emits;  ///< whether the surface's own emission is wanted as well
+    /// Whether its reflection of bounced light is wanted as well, if that stays apart.
+    bool bounces;
 
-    [[nodiscard]] std::uint64_t group() const { return 2 * SurfacePoint::group() + (emits ? 1 : 0); }
+    [[nodiscard]] std::uint64_t group() const {
+        return 4 * SurfacePoint::group() + (bounces ? 2 : 0) + (emits ? 1 : 0);
+    }
 };
 
 /// Lists the points of pixels first <= i < last; the points of a group are consecutive. Also writes the
@@ -112,6 +116,8 @@ public:
     [[nodiscard]] const Views& views() const { return views_; }
     /// Returns whether the surface's own emission is wanted.
     [[nodiscard]] bool emits() const { return emits_; }
+    /// Returns whether the reflection of bounced light that stays apart is wanted as well.
+    [[nodiscard]] bool bounces() const { return bounces_; }
     /// Returns surfaces of sixteen points each, with normals perturbed by textures.
     [[nodiscard]] std::span<const LaneSurface> surfaces() const {
         return std::span(surfaces_).first((points_.size() + kLanes - 1) / kLanes);
@@ -134,7 +140,7 @@ private:
     std::vector<SurfacePoint> points_;
     std::span<const PixelPoint> in_pixels_;
     std::vector<Viewpoint> ray_views_;
-    bool emits_ = true;
+    bool emits_ = true, bounces_ = true;
     Views views_{std::span<const Viewpoint>()};
     std::array<LaneSurface, kMost / kLanes> surfaces_;
     std::span<const LayerWeights> weights_;

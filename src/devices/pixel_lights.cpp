@@ -16,6 +16,7 @@
 #include "shading/emission.hpp"
 #include "shading/light_samples.hpp"
 #include "surfaces/lane_triangles.hpp"
+#include "surfaces/smooth_surfaces.hpp"
 #include "surfaces/tangents.hpp"
 
 namespace nicol {
@@ -55,7 +56,9 @@ LightingTally PixelLights::add(const PixelBatch& batch, std::span<const std::spa
     const bool mirrors = !batch.in_pixels().empty() && lights_.lighting().needs_pixels(*range.material);
     const bool spread = !batch.in_pixels().empty() && shadowed;
     std::optional<BouncedLight> bounced;
-    if (input_.bounced != nullptr && shadowed && any_sampled(*range.material, lights_.lighting().sampled()))
+    const bool followed = input_.smooth != nullptr && input_.smooth->of(any.triangle) == Smoothness::lobes;
+    if (input_.bounced != nullptr && shadowed && !followed && batch.bounces() &&
+        any_sampled(*range.material, lights_.lighting().sampled()))
         bounced.emplace(input_.bounced->layout(), input_.bounced->rows());
     LightingTally tally;
     std::vector<std::span<glm::vec4>> channels(out.size());

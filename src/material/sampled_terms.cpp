@@ -98,13 +98,17 @@ bool finds_lights(const Material& material, int term, SampledTerms sampled) {
     return is_sampled(material, term, sampled) && finds_lights(material.lobe(term), sampled);
 }
 
-MaterialPtr in_harmonics(const MaterialPtr& material, SampledTerms sampled) {
+MaterialPtr some_terms(const MaterialPtr& material, const std::function<bool(int)>& has) {
     std::vector<int> terms;
     for (int t = 0; t < material->terms(); ++t)
-        if (!is_sampled(*material, t, sampled)) terms.push_back(t);
+        if (has(t)) terms.push_back(t);
     if (terms.size() == static_cast<std::size_t>(material->terms())) return material;
     if (terms.empty()) return diffuse({0});
     return std::make_shared<const SomeTerms>(material, std::move(terms));
+}
+
+MaterialPtr in_harmonics(const MaterialPtr& material, SampledTerms sampled) {
+    return some_terms(material, [&](int term) { return !is_sampled(*material, term, sampled); });
 }
 
 }  // namespace nicol

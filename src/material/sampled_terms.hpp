@@ -3,6 +3,8 @@
 // it.
 #pragma once
 
+#include <functional>
+
 #include "material/material.hpp"
 
 namespace nicol {
@@ -28,8 +30,10 @@ inline constexpr double kNarrowestLobe = 0.1;
 /// Returns whether a term is sampled and its lobe finds extracted lights; all other terms are lit by samples
 /// of these lights.
 [[nodiscard]] bool finds_lights(const Material& material, int term, SampledTerms sampled);
-/// Returns the terms of a material without variation() that are not sampled, for tables of harmonics: the
-/// material itself if there is no other term, and a black material if there is no such term.
+/// Returns the terms of a material without variation() that `has` returns true for: the material itself if
+/// there is no other term, and a black material if there is no such term.
+[[nodiscard]] MaterialPtr some_terms(const MaterialPtr& material, const std::function<bool(int)>& has);
+/// Returns the some_terms() that are not sampled, for tables of harmonics.
 [[nodiscard]] MaterialPtr in_harmonics(const MaterialPtr& material, SampledTerms sampled);
 
 }  // namespace nicol

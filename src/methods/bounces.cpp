@@ -79,7 +79,7 @@ void Bounces::clear() {
 
 void Bounces::project(const TransferInput& input, RenderRun& run) {
     layout_.emplace(std::min(kBounceOrder, input.layout.order()), input.layout.kind());
-    tables_.project(input, SampledTerms::none, *layout_, run);
+    tables_.project(input, {}, *layout_, run);
     places_ = places_in(*layout_, input.layout);
 }
 
@@ -91,9 +91,10 @@ void Bounces::bake(const TransferInput& input, RenderRun& run) {
     changed |= weighting_.run(input.versions, input.materials,
                               [&] { links_.change().find_weights(input.geometry); });
     makes_rows_ =
-        input.at_pixels && std::ranges::any_of(input.geometry.ranges, [&](const VertexRange& range) {
-            return any_sampled(*range.material, input.sampled);
-        });
+        input.bounces_apart ||
+        (input.at_pixels && std::ranges::any_of(input.geometry.ranges, [&](const VertexRange& range) {
+             return any_sampled(*range.material, input.sampled);
+         }));
     if (makes_rows_)
         changed |= covering_.run(links_.version(), layout_->order(), layout_->kind(), [&] {
             coverage_ = coverage_at_receivers({input, *links_, *tables_.tables(), *layout_}, run);
@@ -111,7 +112,7 @@ void Bounces::relight(const TransferInput& input, RenderRun& run) {
     const Stopwatch watch;
     light_links(input, run);
     const bool changed = relighting_.run(columns_.version(), input.light_version, lit_.version(),
-                                         input.at_pixels, makes_rows_, [&] {
+                                         input.at_pixels, makes_rows_, input.bounces_apart, [&] {
                                              combine(input);
                                              interpolate(input, run);
                                          });
@@ -175,10 +176,11 @@ void Bounces::interpolate(const TransferInput& input, RenderRun& run) {
     const std::span normals(input.geometry.normals);
     const FrameRotation rotation(*layout_);
     VertexLight& light = light_.change();
-    light.resize(*layout_, input.channels, normals.size());
+    light.resize(*layout_, input.channels, input.bounces_apart ? 0 : normals.size());
     rows_.resize(*layout_, input.channels + 1, makes_rows_ ? normals.size() : 0);
     const std::size_t size = makes_rows_ ? rows_.row_size() : light.row_size();
-    run.workers.for_blocks(light.blocks(), "relight", run.progress, [&](std::size_t begin, std::size_t end) {
+    const std::size_t blocks = std::max(light.blocks(), rows_.blocks());
+    run.workers.for_blocks(blocks, "relight", run.progress, [&](std::size_t begin, std::size_t end) {
         std::vector<float> sums(kLanes * size);
         for (std::size_t block = begin; block < end; ++block) {
             const std::size_t first = block * kLanes, count = std::min(kLanes, normals.size() - first);
@@ -195,11 +197,12 @@ void Bounces::interpolate(const TransferInput& input, RenderRun& run) {
                     for (std::size_t j = 0; j < size; ++j) row[j] += blend.weights[k] * from[j];
                 }
             }
-            to_lanes(rows, light.row_size(), light.block(block, 0).data());
             if (makes_rows_) {
                 to_lanes(rows, size, rows_.block(block, 0).data());
                 rows_.to_rows(block);
             }
+            if (input.bounces_apart) continue;
+            to_lanes(rows, light.row_size(), light.block(block, 0).data());
             if (!input.at_pixels) rotation.into_frames(normals.subspan(first, count), light, block);
         }
     });

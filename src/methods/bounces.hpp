@@ -36,10 +36,11 @@ public:
     /// Returns a version that changes whenever the bounced light changes.
     [[nodiscard]] Version version() const noexcept { return light_.version(); }
     /// Returns the bounced light in the geometry's axes if pixels are shaded, otherwise in the vertices'
-    /// frames; empty: there is none.
+    /// frames; empty: there is none, or it stays apart.
     [[nodiscard]] const VertexLight& light() const noexcept { return *light_; }
-    /// Returns the input of BouncedLight, in the geometry's axes, as rows of layout(). Empty unless pixels
-    /// are shaded whose materials have sampled terms.
+    /// Returns the bounced light and, as the last channel, the coverage of directions by surfaces, as
+    /// BouncedLight takes them: in the geometry's axes, as rows of layout(). Empty unless bounced light stays
+    /// apart or pixels are shaded whose materials have sampled terms.
     [[nodiscard]] const VertexLight& rows() const noexcept { return rows_; }
     [[nodiscard]] const LightLayout& layout() const noexcept { return *layout_; }
     /// Returns, for each number of light(), its index in a light of the layout of relight().
@@ -71,9 +72,10 @@ private:
     Versioned<BounceColumns> columns_;
     Stage<Version, Version> lighting_;  // links and tables with the columns, local lights
     Versioned<LitSeries> lit_;          // bounced light of local lights
-    bool makes_rows_ = false;           // whether pixels are shaded whose materials have sampled terms
-    // Inputs: columns, distant light, lit_, whether pixels are shaded, makes_rows_.
-    Stage<Version, Version, Version, bool, bool> relighting_;
+    bool makes_rows_ = false;           // whether rows() is made
+    // Inputs: columns, distant light, lit_, whether pixels are shaded, makes_rows_, whether bounced light
+    // stays apart.
+    Stage<Version, Version, Version, bool, bool, bool> relighting_;
     Stage<Version, int, LightKind> covering_;  // links, layout
     std::vector<float> coverage_;              // [receiver][number], see coverage_at_receivers()
     std::vector<float> at_receivers_;  // [receiver][channel and coverage][number], in the world's axes

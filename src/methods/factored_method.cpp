@@ -7,12 +7,25 @@ namespace nicol {
 
 void FactoredMethod::set_cache(std::filesystem::path folder, CacheNotice notice) {
     bounces_.set_cache(folder, notice);
+    not_smooth_.set_cache(folder, notice);
+    not_followed_.set_cache(folder, notice);
     tables_.set_cache(std::move(folder), std::move(notice));
 }
 
 void FactoredMethod::project(const TransferInput& input, RenderRun& run) {
-    run.statistics.materials_projected += tables_.project(input, input.sampled, input.layout, run);
-    if (input.bounces > 0) bounces_.project(input, run);
+    run.statistics.materials_projected +=
+        tables_.project(input, {.without = input.sampled}, input.layout, run);
+    if (input.bounces == 0) return;
+    bounces_.project(input, run);
+    if (!input.bounces_apart) return;
+    for (const bool followed : {false, true})
+        (followed ? not_followed_ : not_smooth_)
+            .project(input, apart_terms(input.sampled, followed), bounces_.layout(), run);
+}
+
+ResponseTables::Choice FactoredMethod::apart_terms(SampledTerms sampled, bool followed) {
+    using Terms = ResponseTables::Choice::Terms;
+    return {.without = sampled, .terms = followed ? Terms::not_followed : Terms::not_smooth};
 }
 
 void FactoredMethod::bake(const TransferInput& input, VisibilityRequest* request, RenderRun& run) {
@@ -78,6 +91,8 @@ void FactoredMethod::count(const TransferInput& input, Statistics& statistics) c
         }
     }
     if (input.bounces > 0) bounces_.count(statistics);
+    for (const bool followed : {false, true})
+        for (const auto& [material, table] : apart(followed)) statistics.response_bytes += table.bytes();
     if (*shadows_) statistics.transfer_bytes += (*shadows_)->bytes();
 }
 

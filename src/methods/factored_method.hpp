@@ -28,6 +28,13 @@ public:
     /// Response tables of plain_materials().
     using Tables = ResponseTables::Map;
     [[nodiscard]] const Versioned<Tables>& tables() const noexcept { return tables_.tables(); }
+    /// Returns the terms of a material that reflect the bounced light which stays apart. followed: whether
+    /// rays follow the material's lobes.
+    [[nodiscard]] static ResponseTables::Choice apart_terms(SampledTerms sampled, bool followed);
+    /// Returns the response tables of these terms, in the layout of bounced light.
+    [[nodiscard]] const Tables& apart(bool followed) const noexcept {
+        return followed ? *not_followed_.tables() : *not_smooth_.tables();
+    }
     /// Returns the visibility product; none if nothing casts shadows.
     [[nodiscard]] const Versioned<std::optional<VisibilityProduct>>& shadows() const noexcept {
         return shadows_;
@@ -37,7 +44,7 @@ public:
     [[nodiscard]] const Bounces& bounces() const noexcept { return bounces_; }
 
 private:
-    ResponseTables tables_;
+    ResponseTables tables_, not_smooth_, not_followed_;
     // Inputs: order, kind of the light.
     VertexStage<int, LightKind> baking_{{.renumbers = true}};
     Versioned<std::optional<VisibilityProduct>> shadows_;

@@ -142,7 +142,8 @@ LightingTally reflect_lights(const WorldGeometry& geometry, const DirectionSet& 
     std::vector<MaterialPtr> wide;
     std::vector<const Material*> layers;
     for (const MaterialPtr& layer : plain_materials(material)) {
-        wide.push_back(in_harmonics(layer, SampledTerms::anisotropic_narrow));
+        wide.push_back(some_terms(
+            layer, [&](int term) { return layer->isotropic().lobe_width(term) >= kNarrowestLobe; }));
         layers.push_back(wide.back().get());
     }
     const bool anisotropic = material->anisotropic() && !geometry.texcoords.empty();

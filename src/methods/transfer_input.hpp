@@ -9,7 +9,7 @@
 
 #include "harmonics/light_layout.hpp"
 #include "harmonics/psh.hpp"
-#include "material/sampled_terms.hpp"
+#include "material/followed_terms.hpp"
 #include "surfaces/surface_state.hpp"
 
 namespace nicol {
@@ -26,6 +26,11 @@ struct TransferInput : SurfaceState {
     /// Whether pixels are shaded instead of vertices. If so, relight leaves light in the geometry's axes,
     /// which can be interpolated.
     bool at_pixels = false;
+    /// Whether rays from pixels show what followed terms of follows_lobes() reflect of other surfaces.
+    bool follows_lobes = false;
+    /// Whether the vertices' light is direct light alone, and pixels add what terms that rays do not follow
+    /// reflect of bounced light. If not, bounced light is part of the vertices' light.
+    bool bounces_apart = false;
     /// Largest number of times that light is reflected before the reflection that is shaded; 0: direct light.
     /// Above 0, the surfaces have visibility and the light has the image's channels.
     int bounces = 0;
@@ -36,6 +41,11 @@ struct TransferInput : SurfaceState {
     std::size_t least_components = 1;
     /// Number of leading components of reflected light that are shaded if they are not zero.
     std::size_t most_components = 4;
+
+    /// Returns whether rays follow what surfaces of a material reflect of other surfaces.
+    [[nodiscard]] bool follows(const Material& material) const {
+        return follows_lobes && nicol::follows_lobes(material);
+    }
 };
 
 /// Stokes vectors of vertices, [channel of the image][vertex].

@@ -47,7 +47,7 @@ std::vector<std::uint8_t> needed_vertices(const WorldGeometry& geometry, const P
 
 bool shows_others(const WorldGeometry& geometry) {
     return std::ranges::any_of(geometry.ranges, [](const VertexRange& range) {
-        return smoothness_of(*range.material) != Smoothness::none;
+        return smoothness_of(*range.material, false) != Smoothness::none;
     });
 }
 

@@ -100,7 +100,9 @@ void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderO
     if ((scene.distant_light() != nullptr || bouncing) && surfaces.visibility == nullptr &&
         !scene.transmits())
         lighting.shadows = false;
-    if (follows_rays) smooth_.update(visibility_.surfaces());
+    // Where nothing hides anything, lobes reflect no other surface.
+    const bool follows_lobes = follows_rays && bounces > 0 && options.shade_at != ShadeAt::vertices;
+    if (follows_rays) smooth_.update(visibility_.surfaces(), follows_lobes);
     local_lights_.update(
         scene, {split_.extracted_lights(), scene.distant_light(), split_.rest(), sampled, light_to_geometry},
         visibility_.surfaces(), rays_, follows_rays && options.shadows ? &smooth_ : nullptr, lighting,
@@ -116,6 +118,8 @@ void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderO
         scene.channels(),
         sampled,
         pixels_,
+        follows_lobes,
+        bounces > 0 && pixels_ && follows_smooth(options, executor) && smooth_.mirrors(),
         bounces,
         options.tolerance / kBouncesOfTolerance,
         local_lights_.any() ? &local_lights_ : nullptr,

@@ -7,13 +7,14 @@
 #include <utility>
 
 #include "material/dielectric.hpp"
-#include "material/sampled_terms.hpp"
+#include "material/followed_terms.hpp"
 
 namespace nicol {
 
-Smoothness smoothness_of(const Material& material) {
+Smoothness smoothness_of(const Material& material, bool lobes) {
     if (const SmoothBoundary* const boundary = material.smooth_boundary())
         return boundary->rough() ? Smoothness::rough_boundary : Smoothness::boundary;
+    if (lobes && follows_lobes(material)) return Smoothness::lobes;
     const bool mirrors =
         any_term(material, [](const Material& layer, int term) { return layer.smooth(term); });
     return mirrors ? Smoothness::mirror : Smoothness::none;
@@ -21,9 +22,10 @@ Smoothness smoothness_of(const Material& material) {
 
 namespace {
 
-std::vector<Smoothness> of_triangles(const WorldGeometry& geometry) {
+std::vector<Smoothness> of_triangles(const WorldGeometry& geometry, bool lobes) {
     std::vector<Smoothness> of_ranges;
-    for (const VertexRange& range : geometry.ranges) of_ranges.push_back(smoothness_of(*range.material));
+    for (const VertexRange& range : geometry.ranges)
+        of_ranges.push_back(smoothness_of(*range.material, lobes));
     std::vector<Smoothness> out;
     if (std::ranges::all_of(of_ranges, [](Smoothness is) { return is == Smoothness::none; })) return out;
     out.resize(geometry.triangles.size());
@@ -77,15 +79,15 @@ GlassShadows::FirstCrossing first_crossing(const WorldGeometry& geometry,
 
 }  // namespace
 
-void SmoothSurfaces::update(const RefinedSurfaces& surfaces) {
+void SmoothSurfaces::update(const RefinedSurfaces& surfaces, bool lobes) {
     const WorldGeometry& geometry = surfaces.geometry();
-    finding_.run(surfaces.version(), surfaces.material_version(), [&] {
-        of_triangles_ = nicol::of_triangles(geometry);
+    finding_.run(surfaces.version(), surfaces.material_version(), lobes, [&] {
+        of_triangles_ = nicol::of_triangles(geometry, lobes);
         const auto has = [this](Smoothness smoothness) {
             return std::ranges::find(of_triangles_, smoothness) != of_triangles_.end();
         };
-        mirrors_and_glass_ =
-            (has(Smoothness::boundary) || has(Smoothness::rough_boundary)) && has(Smoothness::mirror);
+        mirrors_ = has(Smoothness::mirror) || has(Smoothness::lobes);
+        glass_too_ = mirrors_ && (has(Smoothness::boundary) || has(Smoothness::rough_boundary));
     });
     tracing_.run(surfaces.version(), any(), [&] {
         rays_.reset();
@@ -112,7 +114,7 @@ void SmoothSurfaces::update(const RefinedSurfaces& surfaces) {
 }
 
 std::shared_ptr<const RayScene> SmoothSurfaces::before_mirrors() const {
-    return mirrors_and_glass_ ? rays_ : nullptr;
+    return glass_too_ ? rays_ : nullptr;
 }
 
 std::optional<RayHit> SmoothSurfaces::intersect(const Ray& ray) const {

@@ -18,20 +18,23 @@ namespace nicol {
 enum class Smoothness : std::uint8_t {
     none,            ///< nothing that rays follow
     mirror,          ///< a smooth term of the material mirrors other surfaces
+    lobes,           ///< narrow lobes of the material reflect other surfaces, and smooth terms if any
     boundary,        ///< light is reflected and transmitted, see Material::smooth_boundary()
     rough_boundary,  ///< light is transmitted by facets; the material's terms are what the front reflects
 };
 
-/// Returns how light goes on from surfaces of a material.
-[[nodiscard]] Smoothness smoothness_of(const Material& material);
+/// Returns how light goes on from surfaces of a material. lobes: whether rays follow lobes.
+[[nodiscard]] Smoothness smoothness_of(const Material& material, bool lobes);
 
 class SmoothSurfaces {
 public:
     /// Takes over changes of the surfaces as drawn, which must outlive this object. Builds the ray hierarchy
-    /// only if there are smooth surfaces.
-    void update(const RefinedSurfaces& surfaces);
+    /// only if there are smooth surfaces. lobes: whether rays follow lobes, see follows_lobes().
+    void update(const RefinedSurfaces& surfaces, bool lobes);
 
     [[nodiscard]] bool any() const noexcept { return !of_triangles_.empty(); }
+    /// Returns whether rays show what some terms of materials reflect of other surfaces.
+    [[nodiscard]] bool mirrors() const noexcept { return mirrors_; }
     /// Returns the smoothness of a triangle of the geometry. any() must be true.
     [[nodiscard]] Smoothness of(std::uint32_t triangle) const { return of_triangles_[triangle]; }
 
@@ -50,13 +53,14 @@ public:
     [[nodiscard]] std::uint64_t bytes() const noexcept { return of_triangles_.size(); }
 
 private:
-    Stage<Version, Version> finding_;  // vertices and triangles, materials
+    Stage<Version, Version, bool> finding_;  // vertices and triangles, materials, whether rays follow lobes
     std::vector<Smoothness> of_triangles_;
-    bool mirrors_and_glass_ = false;  // whether there are triangles of both
-    Stage<Version, bool> tracing_;    // vertices and triangles, whether there are smooth surfaces
+    bool mirrors_ = false;          // whether there are triangles of mirrors or lobes
+    bool glass_too_ = false;        // whether there are triangles of glass as well
+    Stage<Version, bool> tracing_;  // vertices and triangles, whether there are smooth surfaces
     std::shared_ptr<const RayScene> rays_;
     std::uint32_t one_sided_ = 0;      // number of one-sided triangles
-    Stage<Version, Version> shading_;  // as finding_
+    Stage<Version, Version> shading_;  // vertices and triangles, materials
     std::shared_ptr<const GlassShadows> glass_;
 };
 

@@ -143,7 +143,7 @@ IMAGE_TEST_CASE("brushed metal reflects what surfaces around it reflect") {
     Scene scene = corner(brushed, diffuse({0.6, 0.5, 0.4}), diffuse({0.8, 0.4, 0.2}));
     scene.set_environment(constant_environment({1}), glm::dmat3(1), 1);
     const StokesImage truth = render(scene, {.method = Method::reference, .samples = 256, .max_depth = 4});
-    CHECK(rms_difference(render(scene, bouncing(4, 8)), truth) < 0.06 * rms(truth));
+    CHECK(rms_difference(render(scene, bouncing(4, 32)), truth) < 0.06 * rms(truth));
 }
 
 IMAGE_TEST_CASE("an object that sees no other has no bounces") {

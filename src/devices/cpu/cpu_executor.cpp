@@ -17,6 +17,7 @@
 #include "methods/high_orders.hpp"
 #include "shading/realizable_range.hpp"
 #include "shading/shade.hpp"
+#include "surfaces/plain_materials.hpp"
 
 namespace nicol {
 namespace {
@@ -79,7 +80,7 @@ std::uint64_t CpuExecutor::relight(const FactoredMethod& method, const TransferI
     const std::span normals(input.geometry.normals);
     const Relight rotation(input.layout, input.light);
     const std::optional<VisibilityProduct>& shadows = *method.shadows();
-    const Bounces* const bounces = input.bounces > 0 ? &method.bounces() : nullptr;
+    const Bounces* const bounces = input.bounces > 0 && !input.bounces_apart ? &method.bounces() : nullptr;
     std::optional<FrameRotation> back;
     if (input.at_pixels) back.emplace(input.layout);
     const auto stale = [&](std::size_t block) {
@@ -184,7 +185,16 @@ void CpuExecutor::shade_pixels(const FactoredMethod& method, const PixelInput& i
     const FrameRotation rotation(input.layout);
     const Relight unoccluded(input.layout, input.light);
     std::vector<PointSurface> surfaces;
-    std::deque<TexturedSurface> textured;  // a deque, because pointers to its elements must stay valid
+    // Deques, because pointers to their elements must stay valid.
+    std::deque<TexturedSurface> textured;
+    std::deque<BouncedSurface> bounced;
+    std::optional<Shade> shade_bounced;
+    std::optional<FrameRotation> rotate_bounced;
+    if (input.bounces_apart) {
+        const LightLayout& layout = input.bounced->layout();
+        shade_bounced.emplace(layout, input.least_components, input.most_components);
+        rotate_bounced.emplace(layout);
+    }
     for (const VertexRange& range : input.geometry.ranges) {
         PointSurface& surface = surfaces.emplace_back(PointSurface{.shade = &shade,
                                                                    .textures = nullptr,
@@ -193,7 +203,20 @@ void CpuExecutor::shade_pixels(const FactoredMethod& method, const PixelInput& i
                                                                    .light = &light_,
                                                                    .first_row = 0,
                                                                    .rotation = &rotation,
-                                                                   .unoccluded = &unoccluded});
+                                                                   .unoccluded = &unoccluded,
+                                                                   .bounced = nullptr});
+        const bool followed = input.follows(*range.material);
+        const ResponseTables::Choice apart = FactoredMethod::apart_terms(input.sampled, followed);
+        if (rotate_bounced && any_term(*range.material, [&](const Material& layer, int term) {
+                return apart.has(layer, term);
+            })) {
+            surface.bounced = &bounced.emplace_back(BouncedSurface{.shade = &*shade_bounced,
+                                                                   .light = &input.bounced->rows(),
+                                                                   .rotation = &*rotate_bounced,
+                                                                   .responses = {}});
+            for (const MaterialPtr& layer : plain_materials(range.material))
+                bounced.back().responses.push_back(&method.apart(followed).at(layer));
+        }
         const SpatialVariation* const variation = range.material->variation();
         if (variation == nullptr) {
             surface.response = &method.tables()->at(range.material);
@@ -221,7 +244,8 @@ void CpuExecutor::shade_pixels(const DenseMethod& method, const PixelInput& inpu
                             .light = &outgoing_[i],
                             .first_row = runs[i].first,
                             .rotation = &rotations[i],
-                            .unoccluded = nullptr});
+                            .unoccluded = nullptr,
+                            .bounced = nullptr});
     }
     run_pixels(input, surfaces, run);
 }

@@ -23,6 +23,13 @@ namespace nicol {
 SmoothChains::SmoothChains(const SurfaceShading& surfaces)
     : surfaces_(surfaces), input_(surfaces.input()), wanted_(0) {
     for (std::size_t p = 0; p < input_.most_components; ++p) wanted_[static_cast<glm::length_t>(p)] = 1;
+    if (!input_.follows_lobes) return;
+    for (const VertexRange& range : input_.geometry.ranges) {
+        Lobes& lobes = lobes_.emplace_back(Lobes{.layers = {}, .mirrors = false});
+        if (!input_.follows(*range.material)) continue;
+        lobes = {.layers = followed_layers(*range.material, input_.sampled),
+                 .mirrors = smoothness_of(*range.material, false) == Smoothness::mirror};
+    }
 }
 
 void SmoothChains::add(std::size_t first, std::size_t last, std::span<const std::span<glm::vec4>> out,
@@ -73,9 +80,12 @@ SmoothChains::Chain SmoothChains::first_chain(std::size_t pixel, std::size_t sam
         .carried = 1,
         .events = 0,
         .lit = false,
+        .lobes_lit = false,
         .scattered = false,
         .body = nullptr,
-        .seed = sample_seed(static_cast<std::uint32_t>(pixel * kMostPixelSamples + sample), input_.seed)};
+        .seed = sample_seed(static_cast<std::uint32_t>(pixel * kMostPixelSamples + sample), input_.seed),
+        .pixel_seed = sample_seed(static_cast<std::uint32_t>(pixel), input_.seed),
+        .sample = static_cast<std::uint32_t>(sample)};
     ends.matrices.resize(ends.matrices.size() + static_cast<std::size_t>(input_.channels),
                          glm::mat4(static_cast<float>(weight)));
     out.ray.nearest = projection.near_clip / glm::dot(out.ray.direction, view.forward);
@@ -146,7 +156,10 @@ void SmoothChains::follow(Chain chain, std::vector<Chain>& rest, Ends& ends) con
     if (smoothness == Smoothness::boundary) return pass(chain, place, rest, ends);
     if (smoothness == Smoothness::rough_boundary) scatter(chain, place, rest, ends);
     if (!(glm::dot(place.facet, chain.ray.direction) < 0)) return;  // backs are black
-    if (smoothness == Smoothness::mirror) mirror(chain, place, rest, ends);
+    if (smoothness == Smoothness::mirror ||
+        (smoothness == Smoothness::lobes && lobes_[place.point.range].mirrors))
+        mirror(chain, place, rest, ends);
+    if (smoothness == Smoothness::lobes) follow_lobes(chain, place, rest, ends);
     // The rest of the pixel's light is shaded as that of other pixels.
     if (smoothness != Smoothness::none && chain.events == 0) return;
     ends.surfaces.push_back({.point = {place.point, place.weights.y, place.weights.z,
@@ -155,7 +168,7 @@ void SmoothChains::follow(Chain chain, std::vector<Chain>& rest, Ends& ends) con
                                                  .forward = chain.ray.direction,
                                                  .up = chain.received[1],
                                                  .right = chain.received[0]},
-                                       !chain.lit},
+                                       !chain.lit, chain.events < input_.bounces},
                              .way = chain.way});
 }
 

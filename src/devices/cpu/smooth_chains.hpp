@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Rays at pixels that show smooth surfaces or glass, on threads.
+// Rays at pixels that show smooth surfaces, glass or metal with narrow lobes, on threads.
 #pragma once
 
 #include <array>
@@ -12,15 +12,17 @@
 
 #include "devices/cpu/surface_shading.hpp"
 #include "geometry/ray_scene.hpp"
+#include "material/followed_terms.hpp"
+#include "polarization/mueller.hpp"
 #include "shading/boundary_split.hpp"
 #include "shading/ray_spread.hpp"
 
 namespace nicol {
 
 /// Chains of mirrored and refracted rays. A chain begins at each sample of a pixel that shows a smooth
-/// surface or a rough boundary. It ends at surfaces that are not smooth, whose light SurfaceShading computes,
-/// and at the environment, which is looked up in its image. A Mueller matrix for each event takes the light
-/// to the camera. Calls for different pixels may run in parallel.
+/// surface, a rough boundary or followed lobes. It ends at other surfaces, whose light SurfaceShading
+/// computes, and at the environment, which is looked up in its image. A Mueller matrix for each event takes
+/// the light to the camera. Calls for different pixels may run in parallel.
 class SmoothChains {
 public:
     /// A chain has both branches of an event if each carries at least this fraction of its sample's light;
@@ -28,6 +30,8 @@ public:
     static constexpr double kBothCarry = 0.01;
     /// Number of facets that a chain follows at its first rough boundary. At later ones it follows one.
     static constexpr int kFacetSamples = 4;
+    /// Number of facets that a pixel's samples follow together where it shows lobes; each at least one.
+    static constexpr std::size_t kLobeSamples = 4;
 
     /// Keeps a reference. The input must have smooth surfaces.
     explicit SmoothChains(const SurfaceShading& surfaces);
@@ -52,9 +56,13 @@ private:
         double carried;  ///< fraction of the sample's light
         int events;      ///< number of events so far
         bool lit;        ///< whether the surfaces before have reflected the lights on the ray already
-        bool scattered;  ///< whether a rough boundary has scattered the chain
+        /// Whether a lobe has reflected the lights on the ray already, even those behind glass.
+        bool lobes_lit;
+        bool scattered;              ///< whether facets have scattered the chain
         const SmoothBoundary* body;  ///< body that the ray travels through; null: none
         std::uint32_t seed;
+        std::uint32_t pixel_seed;  ///< seed that the pixel's samples share
+        std::uint32_t sample;      ///< number of the sample
     };
     struct Place;
     struct Ends;
@@ -64,6 +72,20 @@ private:
         const BoundarySplit& split;
         bool reflects;       ///< whether the chain goes on with the reflected part
         double probability;  ///< of this choice, times the number of chains that the event starts
+    };
+
+    /// A surface as a chain sees it.
+    struct Appearance {
+        Frame frame;        ///< frame of the material, z along the perturbed normal
+        glm::dvec3 viewer;  ///< direction towards the viewer in that frame
+        /// Weights of the material's layers, or 1. Valid until the thread's next call of appearance_at().
+        std::span<const glm::vec3> weights;
+    };
+    /// Continuation of a chain at an opaque surface.
+    struct Reflection {
+        glm::dvec3 towards_light;           ///< in the frame of the appearance
+        std::span<const Mueller> muellers;  ///< by channels, between the frames of Material::evaluate()
+        bool by_lobes;
     };
 
     [[nodiscard]] Chain first_chain(std::size_t pixel, std::size_t sample, Ends& ends) const;
@@ -76,6 +98,10 @@ private:
     void go_on(const Chain& chain, const Place& place, const Event& event, std::vector<Chain>& rest,
                Ends& ends) const;
     void mirror(const Chain& chain, const Place& place, std::vector<Chain>& rest, Ends& ends) const;
+    void follow_lobes(const Chain& chain, const Place& place, std::vector<Chain>& rest, Ends& ends) const;
+    void reflect(const Chain& chain, const Place& place, const Appearance& seen, const Reflection& reflection,
+                 std::vector<Chain>& rest, Ends& ends) const;
+    [[nodiscard]] Appearance appearance_at(const Place& place, const glm::dvec3& towards_viewer) const;
     void add_surfaces(Ends& ends, std::span<const std::span<glm::vec4>> out, PointCounts& counts) const;
     void add_sky(const Ends& ends, std::span<const std::span<glm::vec4>> out) const;
     void add_arriving(const Ends& ends, const Way& way, std::size_t channel, const glm::vec4& stokes,
@@ -88,6 +114,11 @@ private:
     const SurfaceShading& surfaces_;
     const PixelInput& input_;
     glm::vec4 wanted_;  // 1 for the image's components, else 0
+    struct Lobes {
+        std::vector<FollowedLayer> layers;
+        bool mirrors;  // whether the material has smooth terms as well
+    };
+    std::vector<Lobes> lobes_;  // by ranges; empty: rays follow no lobes
 };
 
 // Point of a surface where an event happens.

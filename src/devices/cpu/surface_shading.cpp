@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "methods/high_orders.hpp"
+#include "shading/channel_spans.hpp"
 #include "shading/realizable_range.hpp"
 #include "simd/lane_transpose.hpp"
 #include "specular/high_order_visibility.hpp"
@@ -74,6 +75,8 @@ void SurfaceShading::run(const PixelBatch& batch, std::span<const std::span<glm:
         if (surface.high_orders != nullptr)
             surface.high_orders->run(batch.views(), positions, normals, chosen, shadows, 0, count, out);
     }
+    if (surface.bounced != nullptr && batch.points().front().occluded != 0 && batch.bounces())
+        add_bounced(*surface.bounced, batch, work, out);
     if (input_.physical) {
         for (const std::span<glm::vec4> channel : out) make_physical(channel, input_.noise);
     }
@@ -135,31 +138,53 @@ void SurfaceShading::find_fractions_of_views(const PixelBatch& batch, Work& work
 
 void SurfaceShading::find_light(const PointSurface& surface, const PixelBatch& batch, Work& work) const {
     const LightLayout& layout = surface.shade->layout();
-    const std::span points = batch.points();
-    const std::span normals = std::span(work.normals).first(points.size());
-    const std::size_t blocks = batch.surfaces().size();
-    if (surface.unoccluded != nullptr && points.front().occluded == 0) {
+    if (surface.unoccluded != nullptr && batch.points().front().occluded == 0) {
         work.light.resize(layout, input_.light.channels(), kMost);
-        surface.unoccluded->run(normals, 0, blocks, work.light);
+        surface.unoccluded->run(std::span(work.normals).first(batch.points().size()), 0,
+                                batch.surfaces().size(), work.light);
         return;
     }
-    const VertexLight& from = *surface.light;
-    work.light.resize(layout, from.channels(), kMost);
-    for (std::size_t block = 0; block < blocks; ++block) {
-        std::array<std::array<const float*, kLanes>, 3> rows;
+    interpolate(layout, *surface.light, surface.first_row, *surface.rotation, batch, work);
+}
+
+void SurfaceShading::interpolate(const LightLayout& layout, const VertexLight& rows, std::size_t first_row,
+                                 const FrameRotation& rotation, const PixelBatch& batch, Work& work) const {
+    const std::span points = batch.points();
+    const std::span normals = std::span(work.normals).first(points.size());
+    work.light.resize(layout, rows.channels(), kMost);
+    for (std::size_t block = 0; block < batch.surfaces().size(); ++block) {
+        std::array<std::array<const float*, kLanes>, 3> corners_of;
         for (std::size_t i = 0; i < kLanes; ++i) {
             const std::size_t point = block * kLanes + i;
             const glm::uvec3& corners =
                 input_.geometry.triangles[points[point < points.size() ? point : block * kLanes].triangle];
             for (glm::length_t k = 0; k < 3; ++k)
-                rows[static_cast<std::size_t>(k)][i] = from.row(corners[k] - surface.first_row);
+                corners_of[static_cast<std::size_t>(k)][i] = rows.row(corners[k] - first_row);
         }
-        to_lanes_weighted(rows, batch.surfaces()[block].weights, from.row_size(),
+        to_lanes_weighted(corners_of, batch.surfaces()[block].weights, rows.row_size(),
                           work.light.block(block, 0).data());
-        surface.rotation->into_frames(
+        rotation.into_frames(
             normals.subspan(block * kLanes, std::min(kLanes, points.size() - block * kLanes)), work.light,
             block);
     }
+}
+
+void SurfaceShading::add_bounced(const BouncedSurface& surface, const PixelBatch& batch, Work& work,
+                                 std::span<const std::span<glm::vec4>> out) const {
+    thread_local std::vector<glm::vec4> reflected;
+    const std::size_t count = batch.points().size();
+    const std::span positions = std::span(work.positions).first(count);
+    const std::span normals = std::span(work.normals).first(count);
+    interpolate(surface.shade->layout(), *surface.light, 0, *surface.rotation, batch, work);
+    const std::vector<std::span<glm::vec4>> channels = channel_spans(reflected, out.size(), count);
+    if (batch.weights().empty())
+        surface.shade->run(*surface.responses.front(), work.light, batch.views(), positions, normals,
+                           std::span(kAll).first(count), 0, count, channels);
+    else
+        surface.shade->run(surface.responses, batch.weights(), work.light, batch.views(), positions, normals,
+                           channels);
+    for (std::size_t c = 0; c < out.size(); ++c)
+        for (std::size_t i = 0; i < count; ++i) out[c][i] += channels[c][i];
 }
 
 }  // namespace nicol

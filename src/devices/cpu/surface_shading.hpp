@@ -27,6 +27,14 @@ struct TexturedSurface {
     std::optional<HighOrderLayers> high_orders;
 };
 
+/// Terms of a surface that reflect the bounced light at vertices which stays apart.
+struct BouncedSurface {
+    const Shade* shade;
+    const VertexLight* light;  ///< bounced light as rows
+    const FrameRotation* rotation;
+    std::vector<const ResponseTable*> responses;  ///< response tables of the material's layers
+};
+
 /// Data for shading the points of one range.
 struct PointSurface {
     const Shade* shade;
@@ -37,6 +45,7 @@ struct PointSurface {
     std::size_t first_row;          ///< index of the vertex of the light's first row
     const FrameRotation* rotation;  ///< rotation of the light
     const Relight* unoccluded;      ///< relight for points between unoccluded vertices, or null
+    const BouncedSurface* bounced;  ///< reflection of bounced light that is not in `light`, or null
 };
 
 /// Counts and times of shading points.
@@ -67,6 +76,12 @@ private:
     struct Work;
 
     void find_light(const PointSurface& surface, const PixelBatch& batch, Work& work) const;
+    /// Interpolates the light of the vertices, which rows from first_row on have, into work.light.
+    void interpolate(const LightLayout& layout, const VertexLight& rows, std::size_t first_row,
+                     const FrameRotation& rotation, const PixelBatch& batch, Work& work) const;
+    /// Adds what `surface` reflects to out.
+    void add_bounced(const BouncedSurface& surface, const PixelBatch& batch, Work& work,
+                     std::span<const std::span<glm::vec4>> out) const;
     void find_fractions(const PixelBatch& batch, Work& work) const;
     /// Finds the visible fractions as the viewers of the batch's points see them.
     void find_fractions_of_views(const PixelBatch& batch, Work& work) const;
