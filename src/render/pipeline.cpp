@@ -100,7 +100,7 @@ void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderO
     if ((scene.distant_light() != nullptr || bouncing) && surfaces.visibility == nullptr &&
         !scene.transmits())
         lighting.shadows = false;
-    if (follows_rays) smooth_.update(visibility_.surfaces());
+    if (follows_rays) smooth_.update(visibility_.surfaces(), drawn_rays_);
     local_lights_.update(
         scene, {split_.extracted_lights(), scene.distant_light(), split_.rest(), sampled, light_to_geometry},
         visibility_.surfaces(), rays_, follows_rays && options.shadows ? &smooth_ : nullptr, lighting,

@@ -9,6 +9,7 @@
 
 #include "geometry/ray_scene.hpp"
 #include "shading/glass_shadows.hpp"
+#include "surfaces/drawn_rays.hpp"
 #include "surfaces/refined_surfaces.hpp"
 #include "versioned.hpp"
 
@@ -27,9 +28,9 @@ enum class Smoothness : std::uint8_t {
 
 class SmoothSurfaces {
 public:
-    /// Takes over changes of the surfaces as drawn, which must outlive this object. Builds the ray hierarchy
-    /// only if there are smooth surfaces.
-    void update(const RefinedSurfaces& surfaces);
+    /// Takes over changes of the surfaces as drawn, which must outlive this object. Takes their hierarchy
+    /// from `rays` only if there are smooth surfaces.
+    void update(const RefinedSurfaces& surfaces, DrawnRays& rays);
 
     [[nodiscard]] bool any() const noexcept { return !of_triangles_.empty(); }
     /// Returns the smoothness of a triangle of the geometry. any() must be true.
@@ -54,8 +55,7 @@ private:
     std::vector<Smoothness> of_triangles_;
     bool mirrors_and_glass_ = false;  // whether there are triangles of both
     Stage<Version, bool> tracing_;    // vertices and triangles, whether there are smooth surfaces
-    std::shared_ptr<const RayScene> rays_;
-    std::uint32_t one_sided_ = 0;      // number of one-sided triangles
+    std::shared_ptr<const DrawnTriangles> rays_;
     Stage<Version, Version> shading_;  // as finding_
     std::shared_ptr<const GlassShadows> glass_;
 };
