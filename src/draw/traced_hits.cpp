@@ -11,6 +11,7 @@
 #include <span>
 
 #include "draw/alpha_masks.hpp"
+#include "scene/pixel_ray.hpp"
 
 namespace nicol {
 namespace {
@@ -19,17 +20,6 @@ namespace {
 constexpr double kHierarchyOfTriangle = 3;
 constexpr double kRay = 16;
 constexpr double kDrawnPixel = 0.05;
-
-Ray ray_through(const Projection& projection, const glm::dvec2& at) {
-    const Viewpoint& view = projection.view;
-    const glm::dvec3 beside = at.x * view.right + at.y * view.up;
-    Ray ray{.origin = view.orthographic ? view.eye + beside : view.eye,
-            .direction = view.orthographic ? view.forward : glm::normalize(view.forward + beside)};
-    const double along = glm::dot(ray.direction, view.forward);
-    ray.nearest = projection.near_clip / along;
-    ray.farthest = projection.far_clip / along;
-    return ray;
-}
 
 // Surfaces that rays meet at one sample of an image's pixels.
 class Sample {
@@ -43,8 +33,7 @@ public:
 
     [[nodiscard]] std::optional<Hit> at(std::size_t column, std::size_t row) const {
         const glm::dvec2 place = glm::dvec2(column, row) + 0.5 + request_.offsets[sample_];
-        Ray ray = ray_through(request_.projection, on_image_plane(request_.projection, request_.width,
-                                                                  request_.height, place.x, place.y));
+        Ray ray = pixel_ray(request_.projection, request_.width, request_.height, place.x, place.y);
         std::optional<RayHit> found = triangles_.intersect(ray);
         while (found && masked_ && !present(*found, column, row)) {
             ray.nearest = found->distance * (1 + kBehindMask);
