@@ -14,6 +14,8 @@ namespace {
 
 // Part by which the nearest vertex may come nearer before triangles that were as fine as pixels are refined.
 constexpr double kNearer = 0.01;
+// Length in pixels of edges that are not split. Shadows are interpolated along them.
+constexpr double kPixelsOfEdge = 2;
 
 BakeGeometry bake_geometry(const SceneGeometry& surfaces, SurfaceRays& rays,
                            std::span<const std::uint8_t> needed, const RenderOptions& options) {
@@ -228,7 +230,7 @@ bool SceneVisibility::bake(const SceneGeometry& surfaces, SurfaceRays& rays, boo
     }
     bool rest = false;
     if (same && !needed_.empty()) {
-        bool enough = !needed.flags.empty() && needed.pixel >= (1 - kNearer) * shortest_edge_;
+        bool enough = !needed.flags.empty() && kPixelsOfEdge * needed.pixel >= (1 - kNearer) * shortest_edge_;
         for (std::size_t v = 0; v < needed.flags.size(); ++v)
             enough = enough && needed.flags[v] <= needed_[v];
         rest = !enough && is_part;
@@ -258,7 +260,7 @@ bool SceneVisibility::bake(const SceneGeometry& surfaces, SurfaceRays& rays, boo
             baked_.change() = std::make_shared<const Visibility>(std::move(visibility));
         });
         needed_ = std::move(needed.flags);
-        shortest_edge_ = needed.pixel;
+        shortest_edge_ = kPixelsOfEdge * needed.pixel;
         baked_geometry_ = surfaces.version();
         count_bake(baked, watch, statistics);
     });
