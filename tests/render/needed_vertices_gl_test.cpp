@@ -114,7 +114,7 @@ IMAGE_TEST_CASE("what a camera first sees is baked then, and all the rest with i
     CHECK(studio.statistics.vertices_traced == 0);
 }
 
-IMAGE_TEST_CASE("edges below a pixel are not split until a camera comes nearer") {
+IMAGE_TEST_CASE("edges below two pixels are not split until a camera comes nearer") {
     Scene scene = scene_of(bumpy_sphere(), 0.5, 1);
     scene.add({.mesh = test::rectangle(32), .material = diffuse({0.5}), .to_world = test::plate_at(-1, 3)});
     RenderOptions options = options_with(0);
