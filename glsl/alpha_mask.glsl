@@ -24,7 +24,7 @@ vec3 opacity_position(uint index) {
     return vec3(opacity_positions[at], opacity_positions[at + 1u], opacity_positions[at + 2u]);
 }
 
-// Returns a number of 0 to 1 that depends on the pixel as if by chance.
+// Returns a number of 0 to 1 that depends on the pixel as if by chance. Must equal chance_at() of alpha_masks.hpp.
 float chance() {
     uint hash = uint(gl_FragCoord.x) * 0x9E3779B9u ^ uint(gl_FragCoord.y) * 0x85EBCA6Bu;
     hash = (hash ^ hash >> 16) * 0x7FEB352Du;

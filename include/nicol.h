@@ -1620,7 +1620,8 @@ typedef struct nicol_statistics {
                                        and the visible surfaces and the shading of shaded pixels */
     uint64_t buffer_bytes;          /* bytes of OpenGL buffers: vertices, triangles, and work space of compute shaders */
     uint64_t texture_bytes;         /* bytes of OpenGL textures, framebuffer included */
-    uint64_t camera_rays;           /* reference: rays from the camera */
+    uint64_t camera_rays;           /* rays from the camera: of the reference method, or those that found the triangles
+                                       at pixels where these are much finer than pixels; 0: triangles were drawn */
     uint64_t shadow_rays;           /* reference: rays towards the light */
     double trace_ms;                /* reference: time of tracing rays */
     uint32_t compute;               /* 1 if compute shaders relit and shaded, 0 if threads did */

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-// A progress bar, shown only on a terminal and only if the work takes over a second.
+// A progress bar with the verb that runs and the time that is left for it. It is shown only on a terminal and
+// only if the work takes over a second.
 #pragma once
 
 #include <chrono>
 #include <cstdint>
+#include <string>
 
 class ProgressBar {
 public:
@@ -21,4 +23,7 @@ private:
     bool terminal_;
     bool shown_ = false;
     std::chrono::steady_clock::time_point start_;
+    std::string verb_;  // verb that runs, and where it began
+    std::chrono::steady_clock::time_point verb_start_;
+    double verb_from_ = 0;
 };

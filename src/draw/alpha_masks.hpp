@@ -2,6 +2,7 @@
 // Alpha masks of surfaces, for draw.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -11,6 +12,14 @@
 #include "surfaces/geometry.hpp"
 
 namespace nicol {
+
+/// Returns the number of 0 to 1 that glsl/alpha_mask.glsl computes for a pixel as if by chance.
+[[nodiscard]] inline float chance_at(std::uint32_t column, std::uint32_t row) {
+    std::uint32_t hash = column * 0x9E3779B9U ^ row * 0x85EBCA6BU;
+    hash = (hash ^ hash >> 16) * 0x7FEB352DU;
+    hash = (hash ^ hash >> 15) * 0x846CA68BU;
+    return static_cast<float>((hash ^ hash >> 16) >> 8) * 0x1p-24F;
+}
 
 /// Alpha masks on the device, as fragment shaders with ALPHA_MASK defined read them (glsl/alpha_mask.glsl).
 /// All members must be called inside run() of the context.

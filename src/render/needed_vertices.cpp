@@ -3,8 +3,13 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <span>
+#include <utility>
 
 #include "material/spatial_variation.hpp"
+#include "render/hidden_vertices.hpp"
 #include "surfaces/smooth_surfaces.hpp"
 
 namespace nicol {
@@ -17,6 +22,9 @@ constexpr std::size_t kLeastSpared = 4096;
 // Samples of pixels, and cameras that are jittered within a pixel, reach no farther beyond an image than so
 // many times what find_visible() allows.
 constexpr double kMargin = 4;
+// Share of a ray from a pixel in the cost of baking a vertex, with that of the vertices that rays find
+// hidden.
+constexpr double kVerticesOfRay = 0.2;
 
 bool reflects(const Material& material) {
     return material.smooth_boundary() != nullptr || any_term(material, [](const Material& layer, int term) {
@@ -26,9 +34,24 @@ bool reflects(const Material& material) {
            });
 }
 
+// Returns the side of a pixel at the nearest of some vertices.
+double pixel_at_nearest(const WorldGeometry& geometry, const Projection& projection,
+                        std::span<const std::uint8_t> vertices) {
+    const double side = projection.pixel.x * projection.half_width;
+    if (projection.view.orthographic) return side;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t v = 0; v < vertices.size(); ++v) {
+        if (vertices[v] == 0) continue;
+        const glm::dvec3 from_eye = glm::dvec3(geometry.positions[v]) - projection.view.eye;
+        nearest = std::min(nearest, glm::dot(from_eye, projection.view.forward));
+    }
+    return side * std::max(nearest, projection.near_clip);
+}
+
 }  // namespace
 
-std::vector<std::uint8_t> needed_vertices(const WorldGeometry& geometry, const Projection& projection) {
+NeededVertices needed_vertices(const WorldGeometry& geometry, const Projection& projection,
+                               SurfaceRays& rays) {
     Projection wide = projection;
     wide.pixel *= kMargin;
     std::vector<std::uint8_t> needed;
@@ -36,13 +59,25 @@ std::vector<std::uint8_t> needed_vertices(const WorldGeometry& geometry, const P
     const auto at = [&needed](std::size_t v) { return needed.begin() + static_cast<std::ptrdiff_t>(v); };
     for (const VertexRange& range : geometry.ranges)
         if (!reflects(*range.material)) std::fill(at(range.first), at(range.last), std::uint8_t{0});
-    if (std::ranges::find(needed, 1) == needed.end()) return needed;
+    const double pixels = 4 / (projection.pixel.x * projection.pixel.y);
+    const auto seen = static_cast<double>(std::ranges::count(needed, 1));
+    if (seen == 0) return {.flags = std::move(needed)};
+    if (seen > kLeastSpared + kVerticesOfRay * pixels)
+        remove_hidden(geometry, *rays.get(), projection, needed);
+    const double pixel = pixel_at_nearest(geometry, projection, needed);
     for (const VertexRange& range : geometry.ranges) {
         const std::size_t step = std::max<std::size_t>(1, (range.last - range.first) / kSampledVertices);
         for (std::size_t v = range.first; v < range.last; v += step) needed[v] = 1;
     }
     if (static_cast<std::size_t>(std::ranges::count(needed, 0)) < kLeastSpared) return {};
-    return needed;
+    return {.flags = std::move(needed), .pixel = pixel};
+}
+
+bool need_the_same(const Projection& a, const Projection& b) {
+    const glm::dvec2 moved = glm::abs(a.shift - b.shift);
+    return a.view == b.view && a.near_clip == b.near_clip && a.far_clip == b.far_clip &&
+           a.half_width == b.half_width && a.half_height == b.half_height && a.pixel == b.pixel &&
+           moved.x <= a.pixel.x && moved.y <= a.pixel.y;
 }
 
 bool shows_others(const WorldGeometry& geometry) {

@@ -6,16 +6,27 @@
 #include <vector>
 
 #include "surfaces/geometry.hpp"
+#include "surfaces/surface_rays.hpp"
 
 namespace nicol {
 
-/// Returns 1 for each vertex whose visibility is needed for direct light in an image, else 0: vertices of
-/// triangles that can be seen and reflect light, and a sample of the other vertices of each instance, whose
-/// shadows say where triangles are refined. All are 0 if no triangle is seen that reflects light. Returns an
-/// empty list if so few vertices can be spared that all are needed. The sample does not depend on the view.
-/// Runs on the calling thread's TBB arena.
-[[nodiscard]] std::vector<std::uint8_t> needed_vertices(const WorldGeometry& geometry,
-                                                        const Projection& projection);
+struct NeededVertices {
+    /// 1 for each vertex whose visibility is needed, else 0. Empty: all are needed.
+    std::vector<std::uint8_t> flags;
+    double pixel = 0;  ///< side of a pixel at the nearest vertex that is seen; 0 if all vertices are needed
+};
+
+/// Returns what an image needs for direct light: vertices of triangles that can be seen and reflect light,
+/// and a sample of the other vertices of each instance, whose shadows say where triangles are refined. All
+/// flags are 0 if no triangle is seen that reflects light. There are no flags if so few vertices can be
+/// spared that all are needed. rays: of the geometry, which rays from pixels use if they spare more than they
+/// cost. The sample does not depend on the view. Runs on the calling thread's TBB arena.
+[[nodiscard]] NeededVertices needed_vertices(const WorldGeometry& geometry, const Projection& projection,
+                                             SurfaceRays& rays);
+
+/// Returns whether two images, each of one sample per pixel or more, need the same vertices because their
+/// views differ by no more than a pixel's side, as those of jittered cameras do.
+[[nodiscard]] bool need_the_same(const Projection& a, const Projection& b);
 
 /// Returns whether rays of pixels go on from a surface, so that an image needs vertices which it does not
 /// show.

@@ -102,7 +102,7 @@ void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderO
         lighting.shadows = false;
     // Where nothing hides anything, lobes reflect no other surface.
     const bool follows_lobes = follows_rays && bounces > 0 && options.shade_at != ShadeAt::vertices;
-    if (follows_rays) smooth_.update(visibility_.surfaces(), follows_lobes);
+    if (follows_rays) smooth_.update(visibility_.surfaces(), drawn_rays_, follows_lobes);
     local_lights_.update(
         scene, {split_.extracted_lights(), scene.distant_light(), split_.rest(), sampled, light_to_geometry},
         visibility_.surfaces(), rays_, follows_rays && options.shadows ? &smooth_ : nullptr, lighting,

@@ -26,6 +26,7 @@
 #include "scene/scene.hpp"
 #include "shading/background.hpp"
 #include "stage/options.hpp"
+#include "surfaces/drawn_rays.hpp"
 #include "surfaces/local_lights.hpp"
 #include "surfaces/scene_geometry.hpp"
 #include "surfaces/smooth_surfaces.hpp"
@@ -51,6 +52,8 @@ public:
 
     /// Returns the surfaces that are drawn, in their own axes.
     [[nodiscard]] const RefinedSurfaces& surfaces() const noexcept { return visibility_.surfaces(); }
+    /// Returns the hierarchy of surfaces(), for rays from pixels.
+    [[nodiscard]] DrawnRays& drawn_rays() noexcept { return drawn_rays_; }
     /// Returns the number of vertices whose shadows the next run() improves.
     [[nodiscard]] std::size_t pending() const noexcept { return visibility_.pending(); }
     /// Returns whether the last run() shaded pixels.
@@ -96,6 +99,7 @@ private:
     DenseMethod dense_;
     HighOrderTransfer high_orders_;
     LocalLights local_lights_;
+    DrawnRays drawn_rays_;
     SmoothSurfaces smooth_;
     bool pixels_ = false;
     bool sampled_ = false;

@@ -52,6 +52,8 @@ Renderer::Renderer(std::shared_ptr<gl::Context> context, int threads)
       buffers_(context),
       alpha_masks_(context_),
       hits_(context),
+      drawn_hits_(context, buffers_, alpha_masks_),
+      traced_hits_(workers_, pipeline_.drawn_rays()),
       painter_(context),
       elements_(std::move(context)) {}
 
@@ -231,6 +233,37 @@ void Renderer::update_buffers(const RefinedSurfaces& surfaces, int channels) {
     alpha_masks_.update(surfaces.geometry(), surfaces.version(), surfaces.material_version(), buffers_);
 }
 
+void Renderer::find_hits(const Projection& projection, const RenderOptions& options,
+                         VisibilityBuffer::Kept kept, const Framebuffer& target, Statistics& statistics) {
+    const RefinedSurfaces& surfaces = pipeline_.surfaces();
+    const Projection of_surfaces = in_axes(projection, surfaces.to_world());
+    const HitRequest request{.surfaces = surfaces,
+                             .projection = of_surfaces,
+                             .width = target.width(),
+                             .height = target.height(),
+                             .offsets = sample_pattern(options.pixel_samples),
+                             .kept = kept};
+    // An image that is one of many of a picture covers a part of each pixel.
+    const double images = 1 / (projection.sample_size * projection.sample_size);
+    if (context_->info().software && kept == VisibilityBuffer::Kept::on_host &&
+        rays_cost_less(request, images)) {
+        drawn_hits_.clear();
+        traced_hits_.find(request, hits_);
+        statistics.camera_rays += request.offsets.size() * static_cast<std::uint64_t>(request.width) *
+                                  static_cast<std::uint64_t>(request.height);
+        return;
+    }
+    traced_hits_.clear();
+    update_buffers(surfaces, target.channels());
+    drawn_hits_.find(request, hits_);
+}
+
+void Renderer::clear_hits() {
+    hits_.clear();
+    drawn_hits_.clear();
+    traced_hits_.clear();
+}
+
 void Renderer::draw(const Scene& scene, const Projection& projection, const RenderOptions& options,
                     Framebuffer& target) {
     Progress progress(options.progress);
@@ -246,10 +279,7 @@ void Renderer::draw(const Scene& scene, const Projection& projection, const Rend
                   .statistics = statistics,
                   .memory_limit = memory_limit_.for_scene()};
     const auto draw_hits = [&](VisibilityBuffer::Kept kept) {
-        const RefinedSurfaces& surfaces = pipeline_.surfaces();
-        update_buffers(surfaces, target.channels());
-        hits_.draw(surfaces.geometry(), buffers_, alpha_masks_, in_axes(projection, surfaces.to_world()),
-                   target.width(), target.height(), sample_pattern(options.pixel_samples), kept);
+        find_hits(projection, options, kept, target, statistics);
     };
     const auto hits_for_shading = [&](bool on_host) -> const VisibilityBuffer& {
         const bool host = on_host || executor.reads_hits_on_host();
@@ -272,7 +302,7 @@ void Renderer::draw(const Scene& scene, const Projection& projection, const Rend
             if (elements)
                 draw_hits(VisibilityBuffer::Kept::on_device);
             else
-                hits_.clear();
+                clear_hits();
             executor.store(buffers_);
         }
         if (elements) elements_.prepare(scene, surfaces, projection, options.pixel_samples, target);

@@ -10,8 +10,10 @@
 #include <utility>
 
 #include "devices/device.hpp"
+#include "draw/drawn_hits.hpp"
 #include "draw/element_painter.hpp"
 #include "draw/painter.hpp"
+#include "draw/traced_hits.hpp"
 #include "render/memory_estimate.hpp"
 #include "render/pipeline.hpp"
 #include "render/time_budget.hpp"
@@ -60,6 +62,12 @@ private:
     // Draws as many images as the options have samples per pixel, and averages the images.
     void draw_one_by_one(const Scene& scene, const Projection& projection, const RenderOptions& options,
                          Framebuffer& target);
+    // Finds the hits of the pipeline's surfaces, by rays if they are expected to cost less. Must be called
+    // inside run() of the context.
+    void find_hits(const Projection& projection, const RenderOptions& options, VisibilityBuffer::Kept kept,
+                   const Framebuffer& target, Statistics& statistics);
+    // Frees the memory of hits. Must be called inside run() of the context.
+    void clear_hits();
     // Copies surfaces to the device. Must be called inside run() of the context.
     void update_buffers(const RefinedSurfaces& surfaces, int channels);
     [[nodiscard]] RenderExecutor& executor_for(const Scene& scene, const RenderOptions& options);
@@ -74,6 +82,8 @@ private:
     VertexBuffers buffers_;
     AlphaMasks alpha_masks_;
     VisibilityBuffer hits_;
+    DrawnHits drawn_hits_;
+    TracedHits traced_hits_;
     const Device* device_ = nullptr;  // device of the executor
     std::unique_ptr<RenderExecutor> executor_;
     Painter painter_;

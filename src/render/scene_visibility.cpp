@@ -12,6 +12,11 @@
 namespace nicol {
 namespace {
 
+// Part by which the nearest vertex may come nearer before triangles that were as fine as pixels are refined.
+constexpr double kNearer = 0.01;
+// Length in pixels of edges that are not split. Shadows are interpolated along them.
+constexpr double kPixelsOfEdge = 2;
+
 BakeGeometry bake_geometry(const SceneGeometry& surfaces, SurfaceRays& rays,
                            std::span<const std::uint8_t> needed, const RenderOptions& options) {
     const WorldGeometry& world = surfaces.geometry();
@@ -148,6 +153,7 @@ void SceneVisibility::begin_progressively(const SceneGeometry& surfaces, const R
     visible_.change().reset();
     baked_geometry_ = 0;
     needed_.clear();
+    shortest_edge_ = 0;
     baked_vertices_.clear();
     baking_.reset();
     refining_.reset();
@@ -212,18 +218,21 @@ bool SceneVisibility::bake(const SceneGeometry& surfaces, SurfaceRays& rays, boo
     const bool same = baking_.is_current(surfaces.version(), count, axes);
     const bool follows = baking_.is_current(change.before, count, axes);
     const bool carry = !change.kept.empty() && needed_.empty() && follows;
-    std::vector<std::uint8_t> needed;
+    NeededVertices needed;
     // A scene that changes is baked as a whole from its first change on, so that bakes can be carried over.
     if (part && !carry && !(is_part && follows) && !(same && needed_.empty())) {
-        seeing_.run(surfaces.version(), surfaces.material_version(), projection.world_to_clip,
-                    projection.pixel,
-                    [&] { workers.run([&] { seen_ = needed_vertices(surfaces.geometry(), projection); }); });
+        if (seen_from_ && !need_the_same(*seen_from_, projection)) seeing_.reset();
+        seeing_.run(surfaces.version(), surfaces.material_version(), [&] {
+            workers.run([&] { seen_ = needed_vertices(surfaces.geometry(), projection, rays); });
+            seen_from_ = projection;
+        });
         needed = seen_;
     }
     bool rest = false;
     if (same && !needed_.empty()) {
-        bool enough = !needed.empty();
-        for (std::size_t v = 0; v < needed.size(); ++v) enough = enough && needed[v] <= needed_[v];
+        bool enough = !needed.flags.empty() && kPixelsOfEdge * needed.pixel >= (1 - kNearer) * shortest_edge_;
+        for (std::size_t v = 0; v < needed.flags.size(); ++v)
+            enough = enough && needed.flags[v] <= needed_[v];
         rest = !enough && is_part;
         if (!enough) baking_.reset();
     }
@@ -235,7 +244,7 @@ bool SceneVisibility::bake(const SceneGeometry& surfaces, SurfaceRays& rays, boo
         const auto report = [&progress](double fraction) { progress.report("bake", fraction); };
         BakeStatistics baked;
         workers.run([&] {
-            const BakeGeometry geometry = bake_geometry(surfaces, rays, needed, options);
+            const BakeGeometry geometry = bake_geometry(surfaces, rays, needed.flags, options);
             Visibility visibility;
             if (carry) {
                 const FormerBake former{.visibility = **baked_,
@@ -244,13 +253,14 @@ bool SceneVisibility::bake(const SceneGeometry& surfaces, SurfaceRays& rays, boo
                 visibility = nicol::bake(geometry, *directions_, report, &baked, &former);
             } else if (rest) {
                 visibility = bake_rest(geometry, report, baked);
-                needed.clear();
+                needed = {};
             } else {
                 visibility = load_or_bake(geometry, *directions_, folder_, notice_, report, &baked);
             }
             baked_.change() = std::make_shared<const Visibility>(std::move(visibility));
         });
-        needed_ = std::move(needed);
+        needed_ = std::move(needed.flags);
+        shortest_edge_ = kPixelsOfEdge * needed.pixel;
         baked_geometry_ = surfaces.version();
         count_bake(baked, watch, statistics);
     });
@@ -317,7 +327,9 @@ void SceneVisibility::refine(const SceneGeometry& surfaces, SurfaceRays& rays, c
 Refinement SceneVisibility::refinement_of(const SceneGeometry& surfaces, const BakeGeometry& geometry,
                                           const Visibility& visible, const RenderOptions& options,
                                           const BakeProgress& report, BakeStatistics& baked) const {
-    const RefineOptions wanted{.tolerance = options.refine_tolerance, .max_vertices = options.max_vertices};
+    const RefineOptions wanted{.tolerance = options.refine_tolerance,
+                               .max_vertices = options.max_vertices,
+                               .shortest_edge = shortest_edge_};
     FormerRefinement former{.points = points_, .disturbances = {}};
     if (points_bake_ != baked_.version()) {
         if (points_bake_ == 0 || points_bake_ != carried_)

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "material/response_cache.hpp"
+#include "render/needed_vertices.hpp"
 #include "render/progressive_bake.hpp"
 #include "stage/options.hpp"
 #include "stage/statistics.hpp"
@@ -82,13 +83,14 @@ private:
     // Inputs: geometry, number of directions, their axes.
     Stage<Version, int, glm::dmat3> baking_;
     Versioned<std::shared_ptr<const Visibility>> baked_;
-    Version baked_geometry_ = 0;  // version of the geometry that baked_ belongs to
-    Version carried_ = 0;         // version of the bake that baked_ was made from; 0: none
-    // Inputs: geometry, materials, projection to clip space, size of a pixel there.
-    Stage<Version, Version, glm::dmat4, glm::dvec2> seeing_;
-    std::vector<std::uint8_t> seen_;  // needed_vertices() of the last image
+    Version baked_geometry_ = 0;      // version of the geometry that baked_ belongs to
+    Version carried_ = 0;             // version of the bake that baked_ was made from; 0: none
+    Stage<Version, Version> seeing_;  // inputs: geometry, materials
+    NeededVertices seen_;             // needed_vertices() of the last image that was searched
+    std::optional<Projection> seen_from_;
     // 1 for each vertex of baked_ that was baked; empty: all were. And the same of the vertices of surfaces_.
     std::vector<std::uint8_t> needed_, baked_vertices_;
+    double shortest_edge_ = 0;  // RefineOptions::shortest_edge of the bake of a part
     // Inputs: bake, tolerance, largest number of vertices, whether unoccluded vertices count as occluded.
     Stage<Version, double, std::uint64_t, bool> refining_;
     TracedPoints points_;                                   // of the last refinement

@@ -18,8 +18,9 @@ struct RenderWork {
     double bounce_ms = 0;  ///< part of relight_ms: light that surfaces reflect to each other
     double draw_ms = 0;
     double observe_ms = 0;
-    double trace_ms = 0;                  ///< time of the reference method
-    std::uint64_t camera_rays = 0;        ///< camera rays of the reference method
+    double trace_ms = 0;  ///< time of the reference method
+    /// Camera rays of the reference method, and those that found the surfaces at pixels; 0: drawn.
+    std::uint64_t camera_rays = 0;
     std::uint64_t shadow_rays = 0;        ///< shadow rays of the reference method
     std::uint64_t bake_rays = 0;          ///< rays from vertices, for the visibility of the environment
     std::uint64_t bake_rays_skipped = 0;  ///< rays of baked points whose result was known without

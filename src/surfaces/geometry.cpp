@@ -30,14 +30,13 @@ CornerValues corners_of(const WorldGeometry& geometry, std::size_t triangle) {
 // Returns whether the material of a range of vertices or triangles has an alpha mask.
 constexpr auto has_mask = [](const auto& range) { return opacity_of(*range.material) != nullptr; };
 
-bool present(const Material& material, std::uint32_t instance, const CornerValues& corners, float b1,
-             float b2) {
+bool present(const Material& material, const CornerValues& corners, float b1, float b2, float threshold) {
     const SpatialVariation* const variation = material.variation();
     if (variation == nullptr || variation->opacity == nullptr) return true;
     const TexturePoint point =
         texture_point({1 - b1 - b2, b1, b2}, corners.texcoords ? &*corners.texcoords : nullptr,
                       corners.colors ? &*corners.colors : nullptr);
-    return variation->present(point, threshold_at(instance, b1, b2));
+    return variation->present(point, threshold);
 }
 
 }  // namespace
@@ -62,11 +61,21 @@ std::vector<TriangleBatch> triangle_batches(const WorldGeometry& geometry) {
     return batches;
 }
 
+bool has_masks(const WorldGeometry& geometry) {
+    return std::ranges::any_of(geometry.ranges, has_mask);
+}
+
+bool is_present(const WorldGeometry& geometry, std::uint32_t triangle, float b1, float b2, float threshold) {
+    const VertexRange& range = geometry.ranges[range_of(geometry, geometry.triangles[triangle].x)];
+    return !has_mask(range) || present(*range.material, corners_of(geometry, triangle), b1, b2, threshold);
+}
+
 Presence presence_of(const WorldGeometry& geometry) {
-    if (std::ranges::none_of(geometry.ranges, has_mask)) return {};
+    if (!has_masks(geometry)) return {};
     return [&geometry](std::uint32_t triangle, float b1, float b2) {
         const VertexRange& range = geometry.ranges[range_of(geometry, geometry.triangles[triangle].x)];
-        return present(*range.material, range.instance, corners_of(geometry, triangle), b1, b2);
+        return present(*range.material, corners_of(geometry, triangle), b1, b2,
+                       threshold_at(range.instance, b1, b2));
     };
 }
 
@@ -92,7 +101,7 @@ Presence presence_of(const WorldGeometry& geometry, std::span<const TriangleNumb
     return
         [runs = std::move(runs), corners = std::move(corners)](std::uint32_t triangle, float b1, float b2) {
             const Run& run = *std::prev(std::ranges::upper_bound(runs, triangle, {}, &Run::first));
-            return present(*run.material, run.instance, corners[triangle], b1, b2);
+            return present(*run.material, corners[triangle], b1, b2, threshold_at(run.instance, b1, b2));
         };
 }
 

@@ -78,6 +78,13 @@ struct TriangleBatch {
 };
 [[nodiscard]] std::vector<TriangleBatch> triangle_batches(const WorldGeometry& geometry);
 
+/// Returns whether a material has an alpha mask.
+[[nodiscard]] bool has_masks(const WorldGeometry& geometry);
+/// Returns whether a triangle's surface is present at a point. b1, b2: barycentric weights of corners 1
+/// and 2. threshold: that of SpatialVariation::present().
+[[nodiscard]] bool is_present(const WorldGeometry& geometry, std::uint32_t triangle, float b1, float b2,
+                              float threshold);
+
 /// Returns the alpha masks of the geometry's triangles, for rays; empty if no material has an alpha mask. The
 /// geometry must outlive the result.
 [[nodiscard]] Presence presence_of(const WorldGeometry& geometry);

@@ -35,33 +35,17 @@ std::vector<Smoothness> of_triangles(const WorldGeometry& geometry, bool lobes) 
     return out;
 }
 
-// Returns the alpha masks of the triangles from `first` on.
-Presence presence_from(const WorldGeometry& geometry, std::uint32_t first) {
-    Presence all = presence_of(geometry);
-    if (!all) return {};
-    return [all = std::move(all), first](std::uint32_t triangle, float b1, float b2) {
-        return all(first + triangle, b1, b2);
-    };
-}
-
-// Returns the first hit of a ray, with an index into all triangles.
-std::optional<RayHit> first_hit(const RayScene& rays, std::uint32_t one_sided, const Ray& ray) {
-    std::optional<RayHit> hit = rays.intersect(ray);
-    if (hit && hit->surface == 1) hit->triangle += one_sided;
-    return hit;
-}
-
 // Returns what GlassShadows needs to know. The geometry must outlive the result.
 GlassShadows::FirstCrossing first_crossing(const WorldGeometry& geometry,
-                                           std::shared_ptr<const RayScene> rays, std::uint32_t one_sided) {
+                                           std::shared_ptr<const DrawnTriangles> rays) {
     std::vector<const SmoothBoundary*> boundaries(geometry.triangles.size());
     for (const TriangleBatch& batch : triangle_batches(geometry))
         std::fill(boundaries.begin() + static_cast<std::ptrdiff_t>(batch.first),
                   boundaries.begin() + static_cast<std::ptrdiff_t>(batch.last),
                   geometry.ranges[batch.range].material->smooth_boundary());
-    return [&geometry, rays = std::move(rays), one_sided,
+    return [&geometry, rays = std::move(rays),
             boundaries = std::move(boundaries)](const Ray& ray) -> std::optional<GlassShadows::Crossing> {
-        const std::optional<RayHit> hit = first_hit(*rays, one_sided, ray);
+        const std::optional<RayHit> hit = rays->intersect(ray);
         if (!hit) return std::nullopt;
         const glm::uvec3& corners = geometry.triangles[hit->triangle];
         const glm::dvec3 normal = (1 - hit->b1 - hit->b2) * glm::dvec3(geometry.normals[corners.x]) +
@@ -79,7 +63,7 @@ GlassShadows::FirstCrossing first_crossing(const WorldGeometry& geometry,
 
 }  // namespace
 
-void SmoothSurfaces::update(const RefinedSurfaces& surfaces, bool lobes) {
+void SmoothSurfaces::update(const RefinedSurfaces& surfaces, DrawnRays& rays, bool lobes) {
     const WorldGeometry& geometry = surfaces.geometry();
     finding_.run(surfaces.version(), surfaces.material_version(), lobes, [&] {
         of_triangles_ = nicol::of_triangles(geometry, lobes);
@@ -91,17 +75,7 @@ void SmoothSurfaces::update(const RefinedSurfaces& surfaces, bool lobes) {
     });
     tracing_.run(surfaces.version(), any(), [&] {
         rays_.reset();
-        if (!any()) return;
-        one_sided_ = static_cast<std::uint32_t>(geometry.one_sided);
-        const std::span triangles(geometry.triangles);
-        const RaySurface sides[] = {{.positions = geometry.positions,
-                                     .triangles = triangles.first(one_sided_),
-                                     .present = presence_of(geometry)},
-                                    {.positions = geometry.positions,
-                                     .triangles = triangles.subspan(one_sided_),
-                                     .present = presence_from(geometry, one_sided_),
-                                     .front_only = true}};
-        rays_ = std::make_shared<const RayScene>(sides);
+        if (any()) rays_ = rays.get(surfaces);
     });
     shading_.run(surfaces.version(), surfaces.material_version(), [&] {
         glass_.reset();
@@ -109,16 +83,16 @@ void SmoothSurfaces::update(const RefinedSurfaces& surfaces, bool lobes) {
             return is == Smoothness::boundary || is == Smoothness::rough_boundary;
         };
         if (std::ranges::any_of(of_triangles_, transmits))
-            glass_ = std::make_shared<const GlassShadows>(rays_, first_crossing(geometry, rays_, one_sided_));
+            glass_ = std::make_shared<const GlassShadows>(rays_->scene(), first_crossing(geometry, rays_));
     });
 }
 
 std::shared_ptr<const RayScene> SmoothSurfaces::before_mirrors() const {
-    return glass_too_ ? rays_ : nullptr;
+    return glass_too_ ? rays_->scene() : nullptr;
 }
 
 std::optional<RayHit> SmoothSurfaces::intersect(const Ray& ray) const {
-    return first_hit(*rays_, one_sided_, ray);
+    return rays_->intersect(ray);
 }
 
 }  // namespace nicol

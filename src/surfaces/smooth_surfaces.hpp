@@ -9,6 +9,7 @@
 
 #include "geometry/ray_scene.hpp"
 #include "shading/glass_shadows.hpp"
+#include "surfaces/drawn_rays.hpp"
 #include "surfaces/refined_surfaces.hpp"
 #include "versioned.hpp"
 
@@ -28,9 +29,9 @@ enum class Smoothness : std::uint8_t {
 
 class SmoothSurfaces {
 public:
-    /// Takes over changes of the surfaces as drawn, which must outlive this object. Builds the ray hierarchy
-    /// only if there are smooth surfaces. lobes: whether rays follow lobes, see follows_lobes().
-    void update(const RefinedSurfaces& surfaces, bool lobes);
+    /// Takes over changes of the surfaces as drawn, which must outlive this object. Takes their hierarchy
+    /// from `rays` only if there are smooth surfaces. lobes: whether rays follow lobes, see follows_lobes().
+    void update(const RefinedSurfaces& surfaces, DrawnRays& rays, bool lobes);
 
     [[nodiscard]] bool any() const noexcept { return !of_triangles_.empty(); }
     /// Returns whether rays show what some terms of materials reflect of other surfaces.
@@ -58,8 +59,7 @@ private:
     bool mirrors_ = false;          // whether there are triangles of mirrors or lobes
     bool glass_too_ = false;        // whether there are triangles of glass as well
     Stage<Version, bool> tracing_;  // vertices and triangles, whether there are smooth surfaces
-    std::shared_ptr<const RayScene> rays_;
-    std::uint32_t one_sided_ = 0;      // number of one-sided triangles
+    std::shared_ptr<const DrawnTriangles> rays_;
     Stage<Version, Version> shading_;  // vertices and triangles, materials
     std::shared_ptr<const GlassShadows> glass_;
 };

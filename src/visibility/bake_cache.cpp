@@ -141,6 +141,7 @@ Refinement load_or_refine(const BakeGeometry& geometry, const DirectionSet& dire
                          key_of("refinement", geometry, directions)
                              .add("tolerance", options.tolerance)
                              .add("max_vertices", static_cast<double>(options.max_vertices))
+                             .add("shortest_edge", options.shortest_edge)
                              .text(),
                          ".refinement");
     std::vector<unsigned char> bytes;

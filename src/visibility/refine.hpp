@@ -20,6 +20,8 @@ struct RefineOptions {
     double tolerance = 0.02;
     /// Largest number of vertices of the result. Nothing is refined if there are as many already.
     std::size_t max_vertices = 65536;
+    /// Length of edges that need no splitting whatever their error, because a picture does not resolve them.
+    double shortest_edge = 0;
 };
 
 /// A mesh with some of its triangles replaced by smaller ones, and the visibility at its vertices. All other

@@ -160,7 +160,7 @@ private:
 
     // Returns the length up to which an edge is not split.
     [[nodiscard]] double shortest(std::uint32_t a, std::uint32_t b) const {
-        return std::max(shortest_, kOffsets * std::max(offset(a), offset(b)));
+        return std::max({shortest_, options_.shortest_edge, kOffsets * std::max(offset(a), offset(b))});
     }
 
     // Returns the distance between a vertex and the start of rays beside it.

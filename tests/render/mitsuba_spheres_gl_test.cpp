@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Tests of spheres under an emissive surface, a point light and an environment, against reference images of
-// Mitsuba's own render tests.
+// Tests of spheres under an emissive surface, a point light and an environment, and of magnified textures,
+// against reference images of Mitsuba's own render tests.
 #include "gl/contexts.hpp"
 #include "image/exr_colors.hpp"
 #include "image_difference.hpp"
@@ -78,4 +78,20 @@ TEST_CASE("spheres of plastic, glass, metal and cut-out leaves look as in Mitsub
           Limits{"arealight", 0.12, 1.4, 0.2}, Limits{"roughplastic_nonlinear", 0.02, 0, 0},
           Limits{"roughdielectric", 0.03, 0, 0}})
         check_spheres(folder, limits);
+}
+
+TEST_CASE("magnified textures look as in Mitsuba's reference, however they are wrapped and interpolated") {
+    const std::filesystem::path folder = test_data("mitsuba_scenes/tests/scenes/texture_interp");
+    if (folder.empty()) return;
+    const LoadedScene loaded = load_scene(folder / "test_texture_interp_direct.xml", {});
+    const StokesImage expected =
+        unpolarized_image(read_exr_colors(folder / "refs" / "test_texture_interp_ref_rgb.exr"));
+    Studio render(gl::make_context(gl::Backend::osmesa), loaded.width, loaded.height);
+    const auto error = [&](const ReconstructionFilter& filter) {
+        const RenderOptions options{.shade_at = ShadeAt::automatic, .pixel_samples = 64, .filter = filter};
+        return rms(minus(render(loaded.scene, options, loaded.camera), expected)) / rms(expected);
+    };
+    // The border between texels is as wide as the film's filter, which is not a box.
+    CHECK(error(loaded.filter) < 0.01);
+    CHECK(error({}) > 0.05);
 }

@@ -48,6 +48,10 @@ IMAGE_TEST_CASE("pictures agree with those of all rays, also if none are traced"
     const auto convex = test::fine_sphere();
     Scene apart = scene_of(convex, 0.5, 1);
     apart.add({.mesh = convex, .material = diffuse({0.5}), .to_world = test::at(1000, 0, 0)});
+    Scene boxed = scene_of(bumpy, 0.5, 1);
+    boxed.add({.mesh = std::make_shared<const Mesh>(make_cube(8)),
+               .material = diffuse({0.5}),
+               .to_world = test::at(0, 0, 0, 1.2)});
     Scene lit = scene_of(bumpy, 0.5, 0);
     lit.add_light({.value = {20}, .to_world = look_at({1, 3, 1.5}, {0, 0, 0}, {0, 1, 0.1})});
     const struct {
@@ -61,6 +65,7 @@ IMAGE_TEST_CASE("pictures agree with those of all rays, also if none are traced"
                  {"black object", scene_of(bumpy, 0, 1), 0, true},
                  {"darkness", lit, 0, true},
                  {"camera that looks away", scene_of(bumpy, 0.5, 1), 0, true, {100, 3, 4}},
+                 {"object in a box", boxed, 0.2, false},
                  {"far side", scene_of(bumpy, 0.5, 1), 0.75, false}};
     for (const auto& each : cases) {
         CAPTURE(each.name);
@@ -77,6 +82,9 @@ IMAGE_TEST_CASE("pictures agree with those of all rays, also if none are traced"
             CHECK(some.data == all.data);
         else
             CHECK(rms_difference(some, all) <= 2e-3 * rms(all));
+        // The box hides all but the sample that says where triangles are refined.
+        if (std::string_view(each.name) == "object in a box")
+            CHECK(statistics.vertices_unbaked > 9 * bumpy->positions.size() / 10);
         if (std::string_view(each.name) == "far side") {
             CHECK(statistics.vertices_unbaked > statistics.vertices / 4);
             CHECK(rms(all) > 0);
@@ -104,6 +112,24 @@ IMAGE_TEST_CASE("what a camera first sees is baked then, and all the rest with i
     CHECK(rms_difference(image, all) <= 2e-3 * rms(all));
     static_cast<void>(studio(scene, options_with(0), front));
     CHECK(studio.statistics.vertices_traced == 0);
+}
+
+IMAGE_TEST_CASE("edges below two pixels are not split until a camera comes nearer") {
+    Scene scene = scene_of(bumpy_sphere(), 0.5, 1);
+    scene.add({.mesh = test::rectangle(32), .material = diffuse({0.5}), .to_world = test::plate_at(-1, 3)});
+    RenderOptions options = options_with(0);
+    options.refine_tolerance = 0.005;
+    options.max_vertices = 100000;
+    const Camera far = camera_at({0, 3, 6}), near = camera_at({0, 2, 4});
+    Studio small(context, 32, 24), large(context, 640, 480), fresh(context, 32, 24);
+    static_cast<void>(small(scene, options, far));
+    const std::uint64_t added = small.statistics.vertices_added;
+    static_cast<void>(large(scene, options, far));
+    CHECK(2 * added < large.statistics.vertices_added);
+    const StokesImage image = small(scene, options, near);
+    CHECK(small.statistics.vertices_added > added);
+    options.disabled_optimisations = skip_rays;
+    CHECK(rms_difference(image, fresh(scene, options, near)) <= 2e-3 * rms(image));
 }
 
 IMAGE_TEST_CASE("bounced light, mirrors and a scene that changes need all vertices") {

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// Vertices that other surfaces hide from a camera.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "geometry/ray_scene.hpp"
+#include "surfaces/geometry.hpp"
+
+namespace nicol {
+
+/// Sets visible[v] to 0 for each vertex of no triangle that an image may show, found by one ray through the
+/// centre of each pixel. A triangle may be shown if a ray meets it, or if one of its corners is not behind
+/// all that rays meet two pixels around; images whose samples lie elsewhere in their pixels show no others,
+/// except through gaps narrower than a pixel. rays: of the geometry; hits have the indices of its triangles.
+/// visible: of find_visible(). Runs on the calling thread's TBB arena.
+void remove_hidden(const WorldGeometry& geometry, const RayScene& rays, const Projection& projection,
+                   std::vector<std::uint8_t>& visible);
+
+}  // namespace nicol
