@@ -1297,9 +1297,10 @@ typedef uint32_t nicol_executor;
 #define NICOL_OPTIMISATION_RESPONSE_ROWS 16u   /* Stokes components that a material never reflects */
 #define NICOL_OPTIMISATION_HIDDEN 32u          /* vertices that face away or lie outside the view */
 #define NICOL_OPTIMISATION_UNOCCLUDED 64u      /* shadows of vertices with nothing above their horizon */
-/* Rays of the bake: those that nothing can block, because no surface lies in their direction; those of fine
- * meshes in directions in which the vertices around see the same (images differ by about 0.0005); and those
- * of vertices that no image has shown, that are black or that no light reaches. */
+/* Rays of the bake: those that nothing can block, because no surface lies in their direction; those that
+ * large flat faces certainly block; those of fine meshes in directions in which the vertices around see the
+ * same (images differ by about 0.0005); and those of vertices that no image has shown, that are black or that
+ * no light reaches. */
 #define NICOL_OPTIMISATION_RAYS 128u
 #define NICOL_OPTIMISATION_ALL 255u
 
@@ -1634,7 +1635,7 @@ typedef struct nicol_statistics {
     uint64_t materials_projected;   /* tables, matrices and sets of lobes of materials, also from the cache folder */
     uint64_t vertices_traced;       /* vertices whose shadows the bake found, by rays or because nothing can block them */
     uint64_t matrices_baked;        /* dense: matrices of vertices */
-    uint64_t vertices_relit;        /* vertices into whose frames light was brought */
+    uint64_t vertices_relit;        /* vertices into whose frames light was brought: of threads, those that the image shows */
     uint64_t vertices_shaded;       /* vertices whose Stokes vectors were computed */
     uint64_t pixels_shaded;         /* pixels whose Stokes vectors were computed */
     uint64_t vertices_added;        /* vertices that the bake added by splitting triangles, and their small reserve, recomputed or kept */

@@ -1,9 +1,32 @@
 // SPDX-License-Identifier: MIT
 #include "methods/factored_method.hpp"
 
+#include <algorithm>
+#include <cstdint>
+#include <span>
 #include <utility>
+#include <vector>
 
 namespace nicol {
+namespace {
+
+// Returns 0 for each vertex in a block of sixteen that has a vertex which is seen and one which is not
+// current, else 1. Light is kept by blocks, and a block is only as current as all of its vertices are.
+std::vector<std::uint8_t> not_stale(std::span<const std::uint8_t> seen,
+                                    std::span<const std::uint8_t> current) {
+    std::vector<std::uint8_t> out(seen.size(), 1);
+    for (std::size_t first = 0; first < out.size(); first += kLanes) {
+        const std::size_t count = std::min(kLanes, out.size() - first);
+        const auto any = [&](std::span<const std::uint8_t> flags, std::uint8_t flag) {
+            return std::ranges::find(flags.subspan(first, count), flag) !=
+                   flags.begin() + static_cast<std::ptrdiff_t>(first + count);
+        };
+        if (any(seen, 1) && any(current, 0)) std::ranges::fill(std::span(out).subspan(first, count), 0);
+    }
+    return out;
+}
+
+}  // namespace
 
 void FactoredMethod::set_cache(std::filesystem::path folder, CacheNotice notice) {
     bounces_.set_cache(folder, notice);
@@ -68,8 +91,21 @@ void FactoredMethod::relight(const TransferInput& input, RenderExecutor& executo
         else
             relighting_.discard();
     }
-    run.statistics.vertices_relit += executor.relight(*this, input, relighting_.current(), run);
-    relighting_.complete();
+    if (!input.seen) {
+        run.statistics.vertices_relit += executor.relight(*this, input, relighting_.current(), run);
+        relighting_.complete();
+    } else {
+        // Other vertices are relit when an image shows them.
+        const std::vector<std::uint8_t> rest = not_stale(input.seen(), relighting_.current());
+        const bool lit = relighting_.any_current() && lit_ == rest.size();
+        if (!lit || std::ranges::find(rest, 0) != rest.end()) {
+            run.statistics.vertices_relit += executor.relight(*this, input, rest, run);
+            std::vector<std::uint8_t> relit(rest.size());
+            std::ranges::transform(rest, relit.begin(), [](std::uint8_t one) { return one == 0 ? 1 : 0; });
+            relighting_.complete(relit);
+        }
+    }
+    lit_ = input.geometry.positions.size();
     run.statistics.relight_ms += watch.milliseconds();
 }
 

@@ -2,6 +2,7 @@
 // The factored method: light in the vertices' frames, dotted with the rows of response tables.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 
@@ -51,6 +52,7 @@ private:
     Bounces bounces_;
     // Inputs: executor, light, bounced light, whether pixels are shaded.
     VertexStage<Version, Version, Version, bool> relighting_{{.renumbers = true}};
+    std::size_t lit_ = 0;  // number of vertices that the executor keeps light for
 };
 
 }  // namespace nicol

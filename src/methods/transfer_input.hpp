@@ -4,7 +4,9 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <glm/vec4.hpp>
+#include <span>
 #include <vector>
 
 #include "harmonics/light_layout.hpp"
@@ -41,6 +43,8 @@ struct TransferInput : SurfaceState {
     std::size_t least_components = 1;
     /// Number of leading components of reflected light that are shaded if they are not zero.
     std::size_t most_components = 4;
+    /// Returns 1 for each vertex whose light the image may show, else 0. Empty: the image may show all.
+    std::function<std::span<const std::uint8_t>()> seen = {};
 
     /// Returns whether rays follow what surfaces of a material reflect of other surfaces.
     [[nodiscard]] bool follows(const Material& material) const {

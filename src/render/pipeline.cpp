@@ -34,11 +34,16 @@ int smooth_events(int max_depth) {
     return max_depth == kDirectLightDepth ? of_direct_light : std::min(max_depth - 1, most);
 }
 
+// Returns whether an image shows the light of vertices that it shows, and of no others.
+bool shows_seen_alone(const WorldGeometry& geometry, const RenderOptions& options) {
+    return options.method == Method::factored && (options.disabled_optimisations & skip_hidden) == 0 &&
+           !shows_others(geometry);
+}
+
 // Returns whether an image shows vertices by their own light alone, so that it needs those that it shows.
 bool shades_seen_alone(const WorldGeometry& geometry, const RenderOptions& options) {
-    constexpr std::uint32_t skips = skip_rays | skip_hidden;
-    return options.method == Method::factored && options.max_depth == kDirectLightDepth &&
-           (options.disabled_optimisations & skips) == 0 && !shows_others(geometry);
+    return options.max_depth == kDirectLightDepth && (options.disabled_optimisations & skip_rays) == 0 &&
+           shows_seen_alone(geometry, options);
 }
 
 // Returns the terms that do not reflect harmonics. Light that is given as harmonics has no detail that narrow
@@ -110,7 +115,7 @@ void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderO
     rays_.release();
     sampled_ = local_lights_.any() || follows_smooth(options, executor);
     pixels_ = shades_pixels(scene, projection, light_to_geometry, options, executor, run.statistics);
-    const TransferInput input{
+    TransferInput input{
         surfaces,
         light_.layout(),
         *light_.rotated(),
@@ -125,6 +130,8 @@ void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderO
         local_lights_.any() ? &local_lights_ : nullptr,
         (options.disabled_optimisations & skip_response_rows) != 0 ? std::size_t{4} : std::size_t{1},
         static_cast<std::size_t>(options.components)};
+    if (shows_seen_alone(surfaces.geometry, given) && executor.can_choose())
+        input.seen = [&] { return seen(surfaces.geometry, projection, run); };
     // Only low orders bounce, so their polarization says nothing of the light's high orders.
     const bool polarized = (options.disabled_optimisations & skip_light_components) != 0 ||
                            light_kind(split_.rest().get()) != LightKind::unpolarized;
@@ -318,13 +325,21 @@ void Pipeline::choose_vertices(const WorldGeometry& geometry, const Projection& 
     for (std::size_t v = 0; v < chosen_.size(); ++v) chosen_[v] = chosen_[v] != 0 && current[v] == 0 ? 1 : 0;
 }
 
+std::span<const std::uint8_t> Pipeline::seen(const WorldGeometry& geometry, const Projection& projection,
+                                             RenderRun& run) {
+    seeing_.run(visibility_.surfaces().version(), projection.world_to_clip, projection.pixel,
+                [&] { run.workers.run([&] { unseen_ = find_visible(geometry, projection, seen_); }); });
+    return seen_;
+}
+
 void Pipeline::find_seen(const WorldGeometry& geometry, const Projection& projection,
                          const RenderOptions& options, RenderRun& run) {
     if ((options.disabled_optimisations & skip_hidden) != 0) {
         chosen_.assign(geometry.positions.size(), 1);
     } else {
-        run.workers.run(
-            [&] { run.statistics.vertices_skipped = find_visible(geometry, projection, chosen_); });
+        const std::span found = seen(geometry, projection, run);
+        chosen_.assign(found.begin(), found.end());
+        run.statistics.vertices_skipped = unseen_;
     }
 }
 

@@ -7,6 +7,9 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <span>
 #include <vector>
 
 #include "draw/visibility_buffer.hpp"
@@ -80,6 +83,9 @@ private:
     /// Returns the predicted error of the chosen orders and of light samples: these, or those of the last
     /// image if nothing was shaded.
     PredictedError predicted_error(const LightingTally& lighting, const Projection& projection);
+    /// Returns 1 for each vertex that can be seen, else 0.
+    std::span<const std::uint8_t> seen(const WorldGeometry& geometry, const Projection& projection,
+                                       RenderRun& run);
     /// Sets chosen_ to 1 for each vertex that can be seen.
     void find_seen(const WorldGeometry& geometry, const Projection& projection, const RenderOptions& options,
                    RenderRun& run);
@@ -114,6 +120,10 @@ private:
     VertexStage<Version, Method, Viewpoint, Version, Version, Version, Version, HighOrders, bool, bool, float,
                 int, std::size_t, std::size_t>
         shading_{{.on_places = true, .on_materials = true}};
+    // Inputs: geometry, projection to clip space, size of a pixel there.
+    Stage<Version, glm::dmat4, glm::dvec2> seeing_;
+    std::vector<std::uint8_t> seen_;  // find_visible() of these inputs
+    std::size_t unseen_ = 0;          // number of its zeros
     std::vector<std::uint8_t> chosen_;
 
     std::optional<Background> background_;

@@ -245,7 +245,7 @@ void ProgressiveBake::trace(const Input& input, std::span<const std::uint32_t> v
         const bool was_unoccluded = visible_.unoccluded(v);
         std::ranges::fill(bits, 0U);
         const std::uint64_t count =
-            trace_vertex(*rays_, input.directions, origins_[v], normal, v, known, visible_);
+            trace_vertex(*rays_, input.directions, origins_[v], normal, v, known, {}, visible_).traced;
         states_[v] = state_;
         unoccluded_[v] = visible_.unoccluded(v) ? 1 : 0;
         visible_.set_unoccluded(v, was_unoccluded && visible_.unoccluded(v));

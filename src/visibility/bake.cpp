@@ -26,6 +26,9 @@
 namespace nicol {
 namespace {
 
+// Part of all vertices that is few, as its inverse: preparing to spare their rays takes longer than they do.
+constexpr std::size_t kFew = 4;
+
 // Number of rays between two calls of the progress callback.
 constexpr std::size_t kRaysAtATime = std::size_t{1} << 21;
 
@@ -95,13 +98,14 @@ Visibility bake(const BakeGeometry& geometry, const DirectionSet& directions, co
     const std::vector<glm::vec3> origins = bake_origins(geometry, normals);
     std::vector<std::size_t> before;
     std::optional<DisturbedRays> disturbed;
-    const bool spare = former == nullptr && !geometry.every_ray;
-    const PossibleBlockers blockers(geometry, directions, spare);
-    const AgreeingNeighbours agreeing(geometry, normals, spare);
     if (former != nullptr) {
         before = places_before(*former, vertices);
         disturbed.emplace(directions, former->disturbances);
     }
+    const bool few = kFew * static_cast<std::size_t>(std::ranges::count(before, kNone)) < before.size();
+    const bool spare = !geometry.every_ray && !few;
+    const PossibleBlockers blockers(geometry, directions, spare);
+    const AgreeingNeighbours agreeing(geometry, normals, spare);
     const double build_milliseconds = building.milliseconds();
 
     const Stopwatch tracing;
@@ -113,21 +117,27 @@ Visibility bake(const BakeGeometry& geometry, const DirectionSet& directions, co
         DisturbedBundles bundles;
         AgreeingNeighbours::Agreement agreement;
     };
-    const auto trace = [&](std::uint32_t v, Scratch& scratch) -> PossibleBlockers::Rays {
+    const auto trace = [&](std::uint32_t v, Scratch& scratch) -> RayCounts {
         if (former != nullptr && before[v] != kNone) {
             disturbed->find(origins[v], normals[v], scratch.bundles);
             const FormerBits known{.bits = former->visibility.at(before[v]), .disturbed = &scratch.bundles};
-            return {.traced = trace_vertex(*scene, directions, origins[v], normals[v], v, known, visibility)};
+            return trace_vertex(*scene, directions, origins[v], normals[v], v, known, blockers.flat(),
+                                visibility);
         }
         AgreeingNeighbours::Agreement& agreement = scratch.agreement;
         if (!agreeing.find(v, directions, visibility, agreement))
             return blockers.trace(*scene, origins[v], normals[v], v, {}, visibility);
         const FormerBits known{.bits = agreement.bits, .disturbed = &agreement.traced};
-        const std::uint64_t some =
-            trace_vertex(*scene, directions, origins[v], normals[v], v, known, visibility);
-        if (agreement.confirmed(visibility.at(v))) return {.traced = some, .skipped = agreement.spared};
+        const auto traced = [&](const std::optional<FormerBits>& bits) {
+            return trace_vertex(*scene, directions, origins[v], normals[v], v, bits, blockers.flat(),
+                                visibility);
+        };
+        const RayCounts some = traced(known);
+        if (agreement.confirmed(visibility.at(v)))
+            return {.traced = some.traced, .skipped = some.skipped + agreement.spared};
         std::ranges::fill(visibility.at(v), 0U);
-        return {.traced = some + trace_vertex(*scene, directions, origins[v], normals[v], v, {}, visibility)};
+        const RayCounts all = traced({});
+        return {.traced = some.traced + all.traced, .skipped = all.skipped};
     };
     for (std::size_t v = 0; v < vertices; ++v)
         if (!geometry.needs(v)) set_open(directions, normals[v], v, visibility);
@@ -137,11 +147,11 @@ Visibility bake(const BakeGeometry& geometry, const DirectionSet& directions, co
         for (std::size_t first = 0; first < turn.size(); first += chunk) {
             const std::size_t last = std::min(first + chunk, turn.size());
             tbb::parallel_for(tbb::blocked_range<std::size_t>(first, last, 4), [&](const auto& range) {
-                PossibleBlockers::Rays sum;
+                RayCounts sum;
                 std::uint64_t tracing = 0;
                 Scratch scratch;
                 for (std::size_t i = range.begin(); i < range.end(); ++i) {
-                    const PossibleBlockers::Rays of_vertex = trace(turn[i], scratch);
+                    const RayCounts of_vertex = trace(turn[i], scratch);
                     sum.traced += of_vertex.traced;
                     sum.skipped += of_vertex.skipped;
                     tracing += of_vertex.traced + of_vertex.skipped > 0 ? 1 : 0;

@@ -75,8 +75,9 @@ using BakeProgress = std::function<void(double fraction)>;
 /// size, if normals lie between those of the faces around their vertex; and no light comes through the walls
 /// of a corner.
 ///
-/// If a former bake is given, only rays whose result may differ are traced. Otherwise rays are spared that
-/// nothing can block, and those on which vertices around agree, see AgreeingNeighbours.
+/// If a former bake is given, only rays whose result may differ are traced. Rays that large flat faces
+/// certainly block are spared, see FlatBlockers. Rays of new vertices, unless these are few, are also spared
+/// if nothing can block them or vertices around agree, see AgreeingNeighbours.
 ///
 /// Runs on all threads of the calling thread's TBB arena; the result does not depend on their number. Throws
 /// Error(invalid_argument) if a normal is zero or not finite, counts differ, a position is not finite or

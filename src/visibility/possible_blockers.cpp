@@ -26,15 +26,20 @@ constexpr double kRadiusSlack = 1e-4;
 // Depth from which on nodes are halved by number, which bounds the depth of the tree.
 constexpr int kDeep = 30;
 
+FlatBlockers flat_blockers(const BakeGeometry& geometry) {
+    const std::span triangles = geometry.blocking.empty() ? geometry.triangles : geometry.blocking;
+    return geometry.every_ray || geometry.present ? FlatBlockers(triangles)
+                                                  : FlatBlockers(geometry.positions, triangles);
+}
+
 }  // namespace
 
 PossibleBlockers::PossibleBlockers(const BakeGeometry& geometry, const DirectionSet& directions, bool find)
-    : directions_(directions), finds_(find), cones_(directions) {
+    : directions_(directions), finds_(find), flat_(flat_blockers(geometry)), cones_(directions) {
     if (!finds_) return;
     positions_.assign(geometry.positions.begin(), geometry.positions.end());
-    const std::span given = geometry.blocking.empty() ? geometry.triangles : geometry.blocking;
     std::vector<glm::uvec3> triangles;
-    for (const glm::uvec3& t : given)
+    for (const glm::uvec3& t : flat_.other_triangles())
         if (t.x != t.y && t.y != t.z && t.z != t.x) triangles.push_back(t);
     if (triangles.empty()) return;
     corners_.resize(3 * triangles.size());
@@ -140,6 +145,10 @@ bool PossibleBlockers::above(const Node& node, const glm::dvec3& origin, const g
 bool PossibleBlockers::find(const glm::vec3& origin, const glm::vec3& normal,
                             std::vector<std::uint16_t>& bits) const {
     bits.assign(cones_.bundles(), 0);
+    thread_local std::vector<FlatBlockers::Cone> faces;
+    if (!flat_.find(origin, normal, faces)) return false;
+    for (std::size_t b = 0; b < bits.size() && !faces.empty(); ++b)
+        bits[b] = FlatBlockers::reaching(faces, directions_.bundles()[b]);
     if (nodes_.empty()) return true;
     const glm::dvec3 from(origin);
     const glm::dvec3 up = glm::normalize(glm::dvec3(normal));
@@ -172,13 +181,12 @@ bool PossibleBlockers::find(const glm::vec3& origin, const glm::vec3& normal,
     return true;
 }
 
-PossibleBlockers::Rays PossibleBlockers::trace(const RayScene& scene, const glm::vec3& origin,
-                                               const glm::vec3& normal, std::size_t vertex,
-                                               const std::optional<FormerBits>& former,
-                                               Visibility& visibility) const {
+RayCounts PossibleBlockers::trace(const RayScene& scene, const glm::vec3& origin, const glm::vec3& normal,
+                                  std::size_t vertex, const std::optional<FormerBits>& former,
+                                  Visibility& visibility) const {
     DisturbedBundles possible;
     if (former || !finds_ || !find(origin, normal, possible.may_close))
-        return {.traced = trace_vertex(scene, directions_, origin, normal, vertex, former, visibility)};
+        return trace_vertex(scene, directions_, origin, normal, vertex, former, flat_, visibility);
     const std::uint64_t above = set_open(directions_, normal, vertex, visibility);
     if (std::ranges::all_of(possible.may_close, [](std::uint16_t rays) { return rays == 0; }))
         return {.skipped = above};
@@ -187,7 +195,8 @@ PossibleBlockers::Rays PossibleBlockers::trace(const RayScene& scene, const glm:
     std::ranges::fill(words, 0U);
     possible.may_open.resize(possible.may_close.size());
     const FormerBits known{.bits = open, .disturbed = &possible};
-    const std::uint64_t traced = trace_vertex(scene, directions_, origin, normal, vertex, known, visibility);
+    const std::uint64_t traced =
+        trace_vertex(scene, directions_, origin, normal, vertex, known, flat_, visibility).traced;
     return {.traced = traced, .skipped = above - traced};
 }
 

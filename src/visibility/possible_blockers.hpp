@@ -24,13 +24,13 @@ public:
     /// directions: must outlive the object. find: whether to find such rays at all.
     PossibleBlockers(const BakeGeometry& geometry, const DirectionSet& directions, bool find);
 
-    struct Rays {
-        std::uint64_t traced = 0;
-        std::uint64_t skipped = 0;  ///< rays that nothing can block
-    };
     /// Has the result of trace_vertex() in the scene of the same triangles. Calls may run side by side.
-    Rays trace(const RayScene& scene, const glm::vec3& origin, const glm::vec3& normal, std::size_t vertex,
-               const std::optional<FormerBits>& former, Visibility& visibility) const;
+    RayCounts trace(const RayScene& scene, const glm::vec3& origin, const glm::vec3& normal,
+                    std::size_t vertex, const std::optional<FormerBits>& former,
+                    Visibility& visibility) const;
+
+    /// Returns the geometry's large flat faces.
+    [[nodiscard]] const FlatBlockers& flat() const noexcept { return flat_; }
 
 private:
     // Triangles in a ball, and between two planes across their mean normal. The first node is the root.
@@ -59,6 +59,7 @@ private:
 
     const DirectionSet& directions_;
     const bool finds_;
+    FlatBlockers flat_;
     RayCones cones_;
     std::vector<glm::dvec3> positions_;
     std::vector<Node> nodes_;

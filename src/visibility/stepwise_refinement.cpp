@@ -217,7 +217,7 @@ private:
             const auto [a, b] = std::pair(some[i].x, some[i].y);
             normals[i] = unit(middle_normal(a, b));
             origins[i] = 0.5F * mesh_.positions()[a] + 0.5F * mesh_.positions()[b] + middle_shift(a, b);
-            const PossibleBlockers::Rays of_point = trace_point(origins[i], normals[i], i, seen, hides[i]);
+            const RayCounts of_point = trace_point(origins[i], normals[i], i, seen, hides[i]);
             rays_ += of_point.traced;
             skipped_ += of_point.skipped;
             traced_ += of_point.traced + of_point.skipped > 0 ? 1 : 0;
@@ -228,8 +228,8 @@ private:
     }
 
     // Finds what a point sees, as far as possible from the former refinement.
-    PossibleBlockers::Rays trace_point(const glm::vec3& origin, const glm::vec3& normal, std::size_t i,
-                                       Visibility& seen, glm::vec4& hides) const {
+    RayCounts trace_point(const glm::vec3& origin, const glm::vec3& normal, std::size_t i, Visibility& seen,
+                          glm::vec4& hides) const {
         DisturbedBundles bundles;
         std::optional<FormerBits> known;
         std::optional<std::size_t> point;
@@ -243,7 +243,7 @@ private:
             }
             known = {.bits = former_->points.bits(*point), .disturbed = &bundles};
         }
-        const PossibleBlockers::Rays rays = blockers_.trace(*scene_, origin, normal, i, known, seen);
+        const RayCounts rays = blockers_.trace(*scene_, origin, normal, i, known, seen);
         hides = light_.at(seen, i, normal);
         return rays;
     }

@@ -79,11 +79,13 @@ std::uint64_t set_open(const DirectionSet& directions, const glm::vec3& normal, 
     return count;
 }
 
-std::uint64_t trace_vertex(const RayScene& scene, const DirectionSet& directions, const glm::vec3& origin,
-                           const glm::vec3& normal, std::size_t vertex,
-                           const std::optional<FormerBits>& former, Visibility& visibility) {
+RayCounts trace_vertex(const RayScene& scene, const DirectionSet& directions, const glm::vec3& origin,
+                       const glm::vec3& normal, std::size_t vertex, const std::optional<FormerBits>& former,
+                       const FlatBlockers& flat, Visibility& visibility) {
     const std::span<std::uint64_t> words = visibility.at(vertex);
-    std::uint64_t rays = 0;
+    thread_local std::vector<FlatBlockers::Cone> cones;
+    flat.find(origin, normal, cones);
+    RayCounts rays;
     bool unoccluded = true;
     GatheredRays gathered(scene, origin, words);
     for (std::size_t b = 0; b < directions.bundles().size(); ++b) {
@@ -102,8 +104,13 @@ std::uint64_t trace_vertex(const RayScene& scene, const DirectionSet& directions
         }
         if (traced != 0)
             traced = static_cast<std::uint16_t>(traced & dispatch<rays_above>(bundle, normal, kGrazing));
-        rays += static_cast<std::uint64_t>(std::popcount(traced));
-        if (!former && traced != 0) blocked = scene.occluded(origin, bundle, traced);
+        const std::uint16_t known = FlatBlockers::blocked(cones, bundle, traced);
+        traced = static_cast<std::uint16_t>(traced & ~known);
+        blocked = static_cast<std::uint16_t>(blocked | known);
+        rays.traced += static_cast<std::uint64_t>(std::popcount(traced));
+        rays.skipped += static_cast<std::uint64_t>(std::popcount(known));
+        if (!former && traced != 0)
+            blocked = static_cast<std::uint16_t>(blocked | scene.occluded(origin, bundle, traced));
         unoccluded = unoccluded && blocked == 0;
         add_bundle_bits(words, b, static_cast<unsigned>(up & ~blocked));
         if (former) gathered.add(bundle, b, traced);

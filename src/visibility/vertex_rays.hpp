@@ -9,6 +9,7 @@
 
 #include "geometry/ray_scene.hpp"
 #include "visibility/disturbed_rays.hpp"
+#include "visibility/flat_blockers.hpp"
 #include "visibility/visibility.hpp"
 
 namespace nicol {
@@ -24,10 +25,15 @@ struct FormerBits {
 std::uint64_t set_open(const DirectionSet& directions, const glm::vec3& normal, std::size_t vertex,
                        Visibility& visibility);
 
+struct RayCounts {
+    std::uint64_t traced = 0;
+    std::uint64_t skipped = 0;  ///< rays whose result was known without
+};
+
 /// Sets the bits of a vertex, which must be 0, by rays from `origin` in the directions above the plane of the
-/// unit normal. Returns the number of rays.
-std::uint64_t trace_vertex(const RayScene& scene, const DirectionSet& directions, const glm::vec3& origin,
-                           const glm::vec3& normal, std::size_t vertex,
-                           const std::optional<FormerBits>& former, Visibility& visibility);
+/// unit normal. flat: faces of the scene, on which rays are not traced.
+RayCounts trace_vertex(const RayScene& scene, const DirectionSet& directions, const glm::vec3& origin,
+                       const glm::vec3& normal, std::size_t vertex, const std::optional<FormerBits>& former,
+                       const FlatBlockers& flat, Visibility& visibility);
 
 }  // namespace nicol

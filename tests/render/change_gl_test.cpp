@@ -109,6 +109,16 @@ void check_nothing_projected_or_baked(const Statistics& s) {
     CHECK(s.bake_rays + s.vertices_traced + s.matrices_baked == 0);
 }
 
+/// Checks that all vertices were relit by the dense method, and by the factored method those that the image
+/// shows, in blocks of sixteen.
+void check_relit(const Statistics& s, Method method) {
+    CHECK(s.vertices_relit <= s.vertices);
+    if (method == Method::dense)
+        CHECK(s.vertices_relit == s.vertices);
+    else
+        CHECK(s.vertices_relit >= s.vertices - s.vertices_skipped);
+}
+
 }  // namespace
 
 TEST_CASE("what has not changed is not computed") {
@@ -123,7 +133,7 @@ TEST_CASE("what has not changed is not computed") {
         CHECK(first.materials_projected == 4);  // tables or matrices, and lobes, of two materials
         CHECK(first.vertices_traced == first.vertices);
         CHECK(first.matrices_baked == (method == Method::dense ? first.vertices : 0));
-        CHECK(first.vertices_relit == first.vertices);
+        check_relit(first, method);
         CHECK(first.vertices_shaded == first.vertices - first.vertices_skipped);
 
         const std::uint64_t content = studio.target.content();
@@ -138,8 +148,9 @@ TEST_CASE("what has not changed is not computed") {
         Camera camera = test::camera_at({-3, 4, 5});
         const Statistics moved = studio.as_fresh(scene, camera);
         check_nothing_projected_or_baked(moved);
-        CHECK(moved.vertices_relit == 0);
-        CHECK(moved.relight_ms == 0);
+        // Only vertices that the first image did not show.
+        CHECK(moved.vertices_relit <= moved.vertices - first.vertices_relit);
+        if (method == Method::dense) CHECK(moved.relight_ms == 0);
         CHECK(moved.vertices_shaded == moved.vertices - moved.vertices_skipped);
 
         // Another lens needs no new shading.
@@ -151,7 +162,7 @@ TEST_CASE("what has not changed is not computed") {
         scene.set_environment(scene.environment(), glm::dmat3(motion()), 1);
         const Statistics lit = studio.as_fresh(scene, camera);
         check_nothing_projected_or_baked(lit);
-        CHECK(lit.vertices_relit == lit.vertices);
+        check_relit(lit, method);
 
         scene.set_environment(falling_light(3, false, 3), glm::dmat3(1), 2);
         const Statistics other = studio.as_fresh(scene, camera);
@@ -174,7 +185,7 @@ IMAGE_TEST_CASE("a scene that is rotated and shifted as a whole is relit alone")
             const Statistics rotated = studio(scene);
             CAPTURES(method, where);
             check_nothing_projected_or_baked(rotated);
-            CHECK(rotated.vertices_relit == rotated.vertices);
+            CHECK(rotated.vertices_relit > rotated.vertices / 3);
             CHECK(difference(studio.target.image(), studio.fresh(scene)) < 2e-5);
 
             Studio other(context, method);
@@ -225,15 +236,16 @@ TEST_CASE("without shadows a shifted instance keeps its light and a rotated one 
         scene.set_transform(2, at(1.6, 0.6, -0.9, 0.5));
         const Statistics shifted = studio.as_fresh(scene);
         check_nothing_projected_or_baked(shifted);
-        CHECK(shifted.vertices_relit == 0);
-        CHECK(shifted.vertices_shaded > 0);
         const std::size_t count = scene.at(2).mesh->positions.size();
+        // Only vertices that the first image did not show.
+        CHECK(shifted.vertices_relit < (method == Method::dense ? 1 : count));
+        CHECK(shifted.vertices_shaded > 0);
         CHECK(shifted.vertices_shaded <= count);
 
         scene.set_transform(2, at(1.6, 0.6, -0.9, 0.5) * glm::rotate(glm::dmat4(1), 0.4, {1, 0.3, 0.2}));
         const Statistics rotated = studio.as_fresh(scene);
         CHECK(rotated.bake_rays == 0);
-        CHECK(rotated.vertices_relit >= count);
+        CHECK(rotated.vertices_relit >= (method == Method::dense ? count : count / 3));
         CHECK(rotated.vertices_relit < count + 32);  // blocks of sixteen vertices
         CHECK(rotated.matrices_baked == (method == Method::dense ? count : 0));
     }

@@ -94,6 +94,25 @@ Mesh both_sides(const Mesh& mesh) {
     return out;
 }
 
+/// Returns a floor without the triangles of its middle, and a ball above the hole.
+Mesh ball_above_hole() {
+    Mesh mesh = make_rectangle(36);
+    std::erase_if(mesh.triangles, [&](const glm::uvec3& t) {
+        const glm::vec3 middle = (mesh.positions[t.x] + mesh.positions[t.y] + mesh.positions[t.z]) / 3.0F;
+        return std::abs(middle.x) < 0.3F && std::abs(middle.y) < 0.3F;
+    });
+    append(mesh, make_sphere({}, 1, 0.25), {0, 0, 0.5}, 0.3F);
+    return mesh;
+}
+
+/// Returns a ball in a box that is open to one side.
+Mesh ball_in_box() {
+    Mesh mesh = make_cube(4);
+    std::erase_if(mesh.triangles, [&](const glm::uvec3& t) { return mesh.normals[t.x].z > 0.5F; });
+    append(mesh, make_sphere({}, 1, 0.25), {0.2, -0.1, 0.1}, 0.5F);
+    return mesh;
+}
+
 struct Scene {
     std::string name;
     Mesh mesh;
@@ -106,7 +125,12 @@ std::vector<Scene> scenes() {
             {"tilted floor of two sides", tilted(both_sides(make_rectangle(60))), 0},
             {"two spheres far apart", two_spheres(1000), 1e-3},
             {"two spheres", two_spheres(4), 0.1},
-            {"balls on a floor", tilted(floor_and_balls()), 0.65},
+            {"balls on a floor", tilted(floor_and_balls()), 0.25},
+            {"balls on a level floor", floor_and_balls(), 0.25},
+            {"a ball above a hole", tilted(ball_above_hole()), 1},
+            {"a ball above a hole in a level floor", ball_above_hole(), 1},
+            {"a ball in a box", tilted(ball_in_box()), 0.3},
+            {"a ball in an upright box", ball_in_box(), 0.3},
             {"bumps", bumpy(), 1},
             {"soup", both_sides(soup()), 1}};
 }
