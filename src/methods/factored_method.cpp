@@ -10,11 +10,11 @@
 namespace nicol {
 namespace {
 
-// Returns 0 for each vertex in a block of sixteen that has a vertex which is seen and one which is not
-// current, else 1. Light is kept by blocks, and a block is only as current as all of its vertices are.
-std::vector<std::uint8_t> not_stale(std::span<const std::uint8_t> seen,
-                                    std::span<const std::uint8_t> current) {
-    std::vector<std::uint8_t> out(seen.size(), 1);
+// Sets 0 for each vertex in a block of sixteen that has a vertex which is seen and one which is not current,
+// else 1. Light is kept by blocks, and a block is only as current as all of its vertices are.
+void find_fresh(std::span<const std::uint8_t> seen, std::span<const std::uint8_t> current,
+                std::vector<std::uint8_t>& out) {
+    out.assign(seen.size(), 1);
     for (std::size_t first = 0; first < out.size(); first += kLanes) {
         const std::size_t count = std::min(kLanes, out.size() - first);
         const auto any = [&](std::span<const std::uint8_t> flags, std::uint8_t flag) {
@@ -23,7 +23,6 @@ std::vector<std::uint8_t> not_stale(std::span<const std::uint8_t> seen,
         };
         if (any(seen, 1) && any(current, 0)) std::ranges::fill(std::span(out).subspan(first, count), 0);
     }
-    return out;
 }
 
 }  // namespace
@@ -96,13 +95,13 @@ void FactoredMethod::relight(const TransferInput& input, RenderExecutor& executo
         relighting_.complete();
     } else {
         // Other vertices are relit when an image shows them.
-        const std::vector<std::uint8_t> rest = not_stale(input.seen(), relighting_.current());
-        const bool lit = relighting_.any_current() && lit_ == rest.size();
-        if (!lit || std::ranges::find(rest, 0) != rest.end()) {
-            run.statistics.vertices_relit += executor.relight(*this, input, rest, run);
-            std::vector<std::uint8_t> relit(rest.size());
-            std::ranges::transform(rest, relit.begin(), [](std::uint8_t one) { return one == 0 ? 1 : 0; });
-            relighting_.complete(relit);
+        find_fresh(input.seen(), relighting_.current(), fresh_);
+        const bool lit = relighting_.any_current() && lit_ == fresh_.size();
+        if (!lit || std::ranges::find(fresh_, 0) != fresh_.end()) {
+            run.statistics.vertices_relit += executor.relight(*this, input, fresh_, run);
+            relit_.resize(fresh_.size());
+            std::ranges::transform(fresh_, relit_.begin(), [](std::uint8_t one) { return one == 0 ? 1 : 0; });
+            relighting_.complete(relit_);
         }
     }
     lit_ = input.geometry.positions.size();

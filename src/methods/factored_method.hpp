@@ -3,8 +3,10 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <vector>
 
 #include "methods/bounces.hpp"
 #include "methods/response_tables.hpp"
@@ -52,7 +54,8 @@ private:
     Bounces bounces_;
     // Inputs: executor, light, bounced light, whether pixels are shaded.
     VertexStage<Version, Version, Version, bool> relighting_{{.renumbers = true}};
-    std::size_t lit_ = 0;  // number of vertices that the executor keeps light for
+    std::vector<std::uint8_t> fresh_, relit_;  // work space of relight(), by vertex
+    std::size_t lit_ = 0;                      // number of vertices that the executor keeps light for
 };
 
 }  // namespace nicol

@@ -90,12 +90,15 @@ TEST_CASE("frames allocate little, however many vertices there are") {
     for (const int cells : {6, 24}) {
         Frames frames(cells);
         frames.frame(0, 0);
+        frames.frame(0.3, 0.1);
         frames.frame(0.1, 0.1);
         const std::size_t still = frames.frame(0.1, 0.1);
         const std::size_t moved = frames.frame(0.3, 0.1);
         const std::size_t lit = frames.frame(0.3, 0.4);
+        const std::size_t shown = frames.frame(1.3, 0.4);  // vertices that no image has shown
         CHECK(moved <= 64);
         CHECK(lit <= 512);
+        CHECK(shown <= 512);
         if (cells == 24) {
             CHECK(still <= camera);
             CHECK(moved <= camera);
