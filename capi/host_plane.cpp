@@ -9,11 +9,11 @@ namespace nicol::capi {
 namespace {
 
 /// Kinds of planes in the numbering of glsl/plane.frag.
-enum class Kind { stored, dolp, aolp };
+enum class DrawnKind { stored, dolp, aolp };
 
-Kind kind_of(nicol_plane plane) {
-    if (plane == NICOL_PLANE_DOLP) return Kind::dolp;
-    return plane == NICOL_PLANE_AOLP ? Kind::aolp : Kind::stored;
+DrawnKind kind_of(nicol_plane plane) {
+    if (plane == NICOL_PLANE_DOLP) return DrawnKind::dolp;
+    return plane == NICOL_PLANE_AOLP ? DrawnKind::aolp : DrawnKind::stored;
 }
 
 /// Binds the textures that hold the numbers of a plane from unit 0 on; returns the component of the first

@@ -155,13 +155,13 @@ std::string sensor_json(const Sensor& sensor) {
         return "[" + out + "]";
     };
     std::string out =
-        "{\"mosaic\": \"" + std::string(kMosaics[static_cast<std::size_t>(sensor.mosaic)]) +
-        "\", \"bits\": " + std::to_string(sensor.bits) + ", \"seed\": " + std::to_string(sensor.seed) +
-        ", \"shot_noise\": " + (sensor.shot_noise ? "true" : "false") + ", \"quantum_efficiency\": " +
+        R"({"mosaic": ")" + std::string(kMosaics[static_cast<std::size_t>(sensor.mosaic)]) +
+        R"(", "bits": )" + std::to_string(sensor.bits) + R"(, "seed": )" + std::to_string(sensor.seed) +
+        R"(, "shot_noise": )" + (sensor.shot_noise ? "true" : "false") + R"(, "quantum_efficiency": )" +
         list(sensor.quantum_efficiency.size(), [&](std::size_t i) { return sensor.quantum_efficiency[i]; }) +
-        ", \"optics\": " + list(16, [&](std::size_t i) { return sensor.optics(i / 4, i % 4); });
+        R"(, "optics": )" + list(16, [&](std::size_t i) { return sensor.optics(i / 4, i % 4); });
     for (const auto& [name, member] : kNumbers)
-        out += ", \"" + std::string(name) + "\": " + shortest(sensor.*member);
+        out += R"(, ")" + std::string(name) + R"(": )" + shortest(sensor.*member);
     return out + "}";
 }
 
