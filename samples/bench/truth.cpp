@@ -38,7 +38,8 @@ Mask wholly_covered(const SceneSource& source, std::uint32_t size) {
 Mask without_outlines(const Stage& stage, std::uint32_t size) {
     const std::uint32_t side = kReduction * size;
     const Framebuffer framebuffer = stage.framebuffer(side, side);
-    nicol_render_options options = Recipe{.low = 0, .shadows = false}.options();
+    const Recipe plain{.low = 0, .shadows = false, .shade_at = NICOL_SHADE_AT_AUTOMATIC};
+    nicol_render_options options = plain.options();
     options.aovs = NICOL_AOV_INSTANCE;
     stage.render(options, framebuffer.get());
     const std::vector<std::uint32_t> ids = read_instances(framebuffer.get(), std::size_t{side} * side);
