@@ -23,7 +23,7 @@ constexpr float kLargestOfPixels = 0.55F;
 constexpr float kSmallPixel = 16;
 // Wanted blobs are this much wider where a lobe is so much longer than wide, because each node counts less.
 constexpr float kLong = 6;
-constexpr float kLongBlob = 1.25F;
+constexpr float kLongBlob = 1.32F;
 // Widest blob, in radians, for which nodes are spent: the pBRDF of wide lobes changes within it.
 constexpr float kWidest = 0.25F;
 
