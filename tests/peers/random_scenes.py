@@ -23,7 +23,7 @@ import random_scene
 RAYS = {"method": nicol.METHOD_REFERENCE, "samples": 64}
 DEFAULT = {"pixel_samples": 8}
 # Largest errors of s0, the 90th percentile and the worst scene: of scenes of direct light, and of those where light bounces.
-BY_DEFAULT = ((0.045, 0.08), (0.13, 0.55))
+BY_DEFAULT = ((0.045, 0.08), (0.05, 0.18))
 # Of errors below, the noise of rays leaves too little to hold a prediction against.
 LEAST_RATED = 0.003
 MITSUBA = ((0.01, 0.03), (0.01, 0.03))
