@@ -174,6 +174,12 @@ std::string shortened(std::string text) {
     return text.empty() ? "cannot be read" : text;
 }
 
+void check_extensions(const tinygltf::Model& model, const std::filesystem::path& file) {
+    for (const std::string& name : model.extensionsRequired)
+        if (std::ranges::find(kExtensions, name) == kExtensions.end())
+            unsupported_file(file, "extensionsRequired: " + in_quotes(name) + " is not supported");
+}
+
 tinygltf::Model parsed(const std::string& bytes, Buffers& buffers) {
     tinygltf::TinyGLTF parser;
     parser.SetFsCallbacks(callbacks_to(buffers));
@@ -207,6 +213,8 @@ tinygltf::Model parsed(const std::string& bytes, Buffers& buffers) {
     }
     // tinygltf keeps the text alone of an exception.
     if (error == std::bad_alloc().what()) throw std::bad_alloc();
+    // A file of such an extension may have nothing where glTF itself wants something.
+    check_extensions(model, buffers.scene);
     invalid_file(buffers.scene, shortened(error));
 }
 
@@ -243,9 +251,7 @@ GltfDocument::GltfDocument(const std::filesystem::path& file, const LoadBudget& 
     if (!model_.asset.version.starts_with("2."))
         fail("asset", "version is " + in_quotes(model_.asset.version) + "; expected 2.0",
              ErrorCode::unsupported);
-    for (const std::string& name : model_.extensionsRequired)
-        if (std::ranges::find(kExtensions, name) == kExtensions.end())
-            fail("extensionsRequired", in_quotes(name) + " is not supported", ErrorCode::unsupported);
+    check_extensions(model_, file);
 }
 
 void GltfDocument::fail(const std::string& where, const std::string& what, ErrorCode code) const {

@@ -145,6 +145,13 @@ TEST_CASE("glTF that is malformed, out of range or not supported is refused by e
     check_refused(folder / "none.gltf", ErrorCode::file_not_found, "no such file");
     check_refused(folder.write("old.gltf", "{\"asset\":{\"version\":\"1.0\"}}"), ErrorCode::unsupported,
                   "1.0");
+    // The extension is named, not what the file lacks because of it.
+    check_refused(
+        folder.write("compressed.gltf",
+                     R"({"asset":{"version":"2.0"},"extensionsRequired":["KHR_draco_mesh_compression"],)"
+                     R"("accessors":[{"type":"SCALAR","componentType":5125,"count":3}],)"
+                     R"("meshes":[{"primitives":[{"attributes":{},"indices":0}]}]})"),
+        ErrorCode::unsupported, "KHR_draco_mesh_compression");
     const std::string message = error_of(
         CALL(read_gltf_scene(GltfFile(triangle_buffer(), one_mesh() + a_node).scene(), {{"a", "1"}})),
         ErrorCode::invalid_argument);
