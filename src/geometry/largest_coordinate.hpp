@@ -13,7 +13,8 @@ namespace nicol {
 inline constexpr float kLargestCoordinate = 1e15F;
 
 /// Returns the largest absolute coordinate of a point.
-[[nodiscard]] inline float largest_coordinate(const glm::vec3& point) {
+template <class Number>
+[[nodiscard]] Number largest_coordinate(const glm::vec<3, Number>& point) {
     return std::max({std::abs(point.x), std::abs(point.y), std::abs(point.z)});
 }
 

@@ -41,9 +41,9 @@ bool shows_seen_alone(const WorldGeometry& geometry, const RenderOptions& option
 }
 
 // Returns whether an image shows vertices by their own light alone, so that it needs those that it shows.
-bool shades_seen_alone(const WorldGeometry& geometry, const RenderOptions& options) {
-    return options.max_depth == kDirectLightDepth && (options.disabled_optimisations & skip_rays) == 0 &&
-           shows_seen_alone(geometry, options);
+bool needs_seen_alone(bool shows_alone, const RenderOptions& options) {
+    return shows_alone && options.max_depth == kDirectLightDepth &&
+           (options.disabled_optimisations & skip_rays) == 0;
 }
 
 // Returns the terms that do not reflect harmonics. Light that is given as harmonics has no detail that narrow
@@ -76,9 +76,10 @@ void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderO
     // First half of bake, because the choice of orders may depend on it.
     surfaces_.update(scene);
     const Projection projection = in_axes(of_world, surfaces_.to_world());
+    const bool seen_alone = shows_seen_alone(surfaces_.geometry(), given);
     visibility_.update(surfaces_, rays_, scene.distant_light() != nullptr || bouncing,
-                       shades_seen_alone(surfaces_.geometry(), given), projection, given, run.workers,
-                       run.progress, run.statistics);
+                       needs_seen_alone(seen_alone, given), projection, given, run.workers, run.progress,
+                       run.statistics);
     const SurfaceState surfaces = visibility_.state();
 
     // project: a rotation of the whole scene is the opposite rotation of light and camera.
@@ -130,7 +131,7 @@ void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderO
         local_lights_.any() ? &local_lights_ : nullptr,
         (options.disabled_optimisations & skip_response_rows) != 0 ? std::size_t{4} : std::size_t{1},
         static_cast<std::size_t>(options.components)};
-    if (shows_seen_alone(surfaces.geometry, given) && executor.can_choose())
+    if (seen_alone && executor.can_choose())
         input.seen = [&] { return seen(surfaces.geometry, projection, run); };
     // Only low orders bounce, so their polarization says nothing of the light's high orders.
     const bool polarized = (options.disabled_optimisations & skip_light_components) != 0 ||

@@ -68,9 +68,9 @@ VisibilityProduct::VisibilityProduct(const Visibility& visibility, const Directi
     find_occluded(visibility);
     numbers_.resize((visibility.vertices() + kLanes - 1) / kLanes);
     if (psh_count(harmonics.order()) > directions.size()) {
-        find_unit({visibility, directions, harmonics, normals, {}});
+        find_unit({visibility, harmonics, normals, {}});
     }
-    compute(occluded_, {visibility, directions, harmonics, normals, keep},
+    compute(occluded_, {visibility, harmonics, normals, keep},
             [&](std::size_t block, std::span<const Lanes> numbers) { store_block(block, numbers); });
 }
 
@@ -102,7 +102,7 @@ VisibilityProduct::VisibilityProduct(VisibilityProduct&& before, std::span<const
                          [this](std::uint32_t block) { return numbers_.at(block) == nullptr; });
     if (changed.empty()) return;
     const VisibilityHarmonics harmonics(directions, 2 * layout_.order());
-    compute(changed, {visibility, directions, harmonics, normals, keep},
+    compute(changed, {visibility, harmonics, normals, keep},
             [&](std::size_t block, std::span<const Lanes> numbers) { store_block(block, numbers); });
 }
 
@@ -135,7 +135,7 @@ void VisibilityProduct::compute(std::span<const std::uint32_t> blocks, const Inp
                                 const Use& use) const {
     constexpr std::size_t most = VisibilityHarmonics::kBatch / kLanes;
     const std::size_t size = psh_count(input.harmonics.order());
-    const EvenIrradiance even(input.directions, layout_.order());
+    const EvenIrradiance even(input.harmonics.directions(), layout_.order());
     tbb::parallel_for(std::size_t{0}, (blocks.size() + most - 1) / most, [&](std::size_t batch) {
         const std::span some = blocks.subspan(batch * most, std::min(most, blocks.size() - batch * most));
         std::vector<std::uint32_t> vertices;

@@ -116,20 +116,23 @@ Visibility bake(const BakeGeometry& geometry, const DirectionSet& directions, co
     struct Scratch {
         DisturbedBundles bundles;
         AgreeingNeighbours::Agreement agreement;
+        std::vector<FlatBlockers::Cone> faces;
     };
     const auto trace = [&](std::uint32_t v, Scratch& scratch) -> RayCounts {
         if (former != nullptr && before[v] != kNone) {
             disturbed->find(origins[v], normals[v], scratch.bundles);
             const FormerBits known{.bits = former->visibility.at(before[v]), .disturbed = &scratch.bundles};
-            return trace_vertex(*scene, directions, origins[v], normals[v], v, known, blockers.flat(),
+            blockers.flat().find(origins[v], normals[v], scratch.faces);
+            return trace_vertex(*scene, directions, origins[v], normals[v], v, known, scratch.faces,
                                 visibility);
         }
         AgreeingNeighbours::Agreement& agreement = scratch.agreement;
         if (!agreeing.find(v, directions, visibility, agreement))
             return blockers.trace(*scene, origins[v], normals[v], v, {}, visibility);
         const FormerBits known{.bits = agreement.bits, .disturbed = &agreement.traced};
+        blockers.flat().find(origins[v], normals[v], scratch.faces);
         const auto traced = [&](const std::optional<FormerBits>& bits) {
-            return trace_vertex(*scene, directions, origins[v], normals[v], v, bits, blockers.flat(),
+            return trace_vertex(*scene, directions, origins[v], normals[v], v, bits, scratch.faces,
                                 visibility);
         };
         const RayCounts some = traced(known);

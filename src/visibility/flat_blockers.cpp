@@ -10,7 +10,7 @@
 #include <unordered_set>
 #include <utility>
 
-#include "geometry/edge_bisection.hpp"
+#include "geometry/largest_coordinate.hpp"
 #include "simd/dispatch.hpp"
 #include "visibility/bundle_bits.hpp"
 
@@ -44,10 +44,6 @@ public:
 private:
     std::vector<std::uint32_t> parents_;
 };
-
-double largest_coordinate(const glm::dvec3& v) {
-    return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-}
 
 }  // namespace
 

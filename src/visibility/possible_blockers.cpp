@@ -143,10 +143,9 @@ bool PossibleBlockers::above(const Node& node, const glm::dvec3& origin, const g
 }
 
 bool PossibleBlockers::find(const glm::vec3& origin, const glm::vec3& normal,
+                            std::span<const FlatBlockers::Cone> faces,
                             std::vector<std::uint16_t>& bits) const {
     bits.assign(cones_.bundles(), 0);
-    thread_local std::vector<FlatBlockers::Cone> faces;
-    if (!flat_.find(origin, normal, faces)) return false;
     for (std::size_t b = 0; b < bits.size() && !faces.empty(); ++b)
         bits[b] = FlatBlockers::reaching(faces, directions_.bundles()[b]);
     if (nodes_.empty()) return true;
@@ -185,8 +184,10 @@ RayCounts PossibleBlockers::trace(const RayScene& scene, const glm::vec3& origin
                                   std::size_t vertex, const std::optional<FormerBits>& former,
                                   Visibility& visibility) const {
     DisturbedBundles possible;
-    if (former || !finds_ || !find(origin, normal, possible.may_close))
-        return trace_vertex(scene, directions_, origin, normal, vertex, former, flat_, visibility);
+    thread_local std::vector<FlatBlockers::Cone> faces;
+    const bool all_faces = flat_.find(origin, normal, faces);
+    if (former || !finds_ || !all_faces || !find(origin, normal, faces, possible.may_close))
+        return trace_vertex(scene, directions_, origin, normal, vertex, former, faces, visibility);
     const std::uint64_t above = set_open(directions_, normal, vertex, visibility);
     if (std::ranges::all_of(possible.may_close, [](std::uint16_t rays) { return rays == 0; }))
         return {.skipped = above};
@@ -196,7 +197,7 @@ RayCounts PossibleBlockers::trace(const RayScene& scene, const glm::vec3& origin
     possible.may_open.resize(possible.may_close.size());
     const FormerBits known{.bits = open, .disturbed = &possible};
     const std::uint64_t traced =
-        trace_vertex(scene, directions_, origin, normal, vertex, known, flat_, visibility).traced;
+        trace_vertex(scene, directions_, origin, normal, vertex, known, faces, visibility).traced;
     return {.traced = traced, .skipped = above - traced};
 }
 

@@ -54,8 +54,10 @@ private:
     [[nodiscard]] Node bound(std::span<const glm::uvec3> triangles) const;
     // Returns whether a point of the node may lie above the horizon of rays.
     [[nodiscard]] bool above(const Node& node, const glm::dvec3& origin, const glm::dvec3& normal) const;
-    // Sets the bits of the rays that may be blocked. Returns false if most of them may be.
-    bool find(const glm::vec3& origin, const glm::vec3& normal, std::vector<std::uint16_t>& bits) const;
+    // Sets the bits of the rays that may be blocked, if `faces` are the cones to all flat faces. Returns
+    // false if most of them may be.
+    bool find(const glm::vec3& origin, const glm::vec3& normal, std::span<const FlatBlockers::Cone> faces,
+              std::vector<std::uint16_t>& bits) const;
 
     const DirectionSet& directions_;
     const bool finds_;

@@ -81,10 +81,8 @@ std::uint64_t set_open(const DirectionSet& directions, const glm::vec3& normal, 
 
 RayCounts trace_vertex(const RayScene& scene, const DirectionSet& directions, const glm::vec3& origin,
                        const glm::vec3& normal, std::size_t vertex, const std::optional<FormerBits>& former,
-                       const FlatBlockers& flat, Visibility& visibility) {
+                       std::span<const FlatBlockers::Cone> faces, Visibility& visibility) {
     const std::span<std::uint64_t> words = visibility.at(vertex);
-    thread_local std::vector<FlatBlockers::Cone> cones;
-    flat.find(origin, normal, cones);
     RayCounts rays;
     bool unoccluded = true;
     GatheredRays gathered(scene, origin, words);
@@ -104,7 +102,7 @@ RayCounts trace_vertex(const RayScene& scene, const DirectionSet& directions, co
         }
         if (traced != 0)
             traced = static_cast<std::uint16_t>(traced & dispatch<rays_above>(bundle, normal, kGrazing));
-        const std::uint16_t known = FlatBlockers::blocked(cones, bundle, traced);
+        const std::uint16_t known = FlatBlockers::blocked(faces, bundle, traced);
         traced = static_cast<std::uint16_t>(traced & ~known);
         blocked = static_cast<std::uint16_t>(blocked | known);
         rays.traced += static_cast<std::uint64_t>(std::popcount(traced));

@@ -31,9 +31,9 @@ struct RayCounts {
 };
 
 /// Sets the bits of a vertex, which must be 0, by rays from `origin` in the directions above the plane of the
-/// unit normal. flat: faces of the scene, on which rays are not traced.
+/// unit normal. faces: cones of FlatBlockers to faces of the scene, in which rays are not traced.
 RayCounts trace_vertex(const RayScene& scene, const DirectionSet& directions, const glm::vec3& origin,
                        const glm::vec3& normal, std::size_t vertex, const std::optional<FormerBits>& former,
-                       const FlatBlockers& flat, Visibility& visibility);
+                       std::span<const FlatBlockers::Cone> faces, Visibility& visibility);
 
 }  // namespace nicol
