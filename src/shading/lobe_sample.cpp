@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "material/microfacet.hpp"
+#include "shading/weighted_terms.hpp"
 
 namespace nicol {
 namespace {
@@ -49,20 +50,12 @@ glm::dvec3 sample_lobes(std::span<const FollowedLayer> layers, std::span<const g
     });
     if (!(density > 0)) return glm::dvec3(0.0);
 
-    thread_local std::vector<Mueller> terms;
     for (std::size_t l = 0; l < layers.size(); ++l) {
-        const FollowedLayer& layer = layers[l];
-        if (layer.terms.empty() || weights[l] == glm::vec3(0)) continue;
-        terms.resize(static_cast<std::size_t>(layer.material->terms()));
-        layer.material->evaluate_terms(towards_light, towards_viewer, terms);
-        for (const int term : layer.terms)
-            for (std::size_t c = 0; c < out.size(); ++c) {
-                const int channel = layer.material->channels() == 1 ? 0 : static_cast<int>(c);
-                const double factor =
-                    layer.material->weight(term, channel) * towards_light.z / density *
-                    static_cast<double>(weights[l][out.size() == 3 ? static_cast<int>(c) : 0]);
-                out[c] = out[c] + factor * terms[static_cast<std::size_t>(term)];
-            }
+        const std::vector<int>& terms = layers[l].terms;
+        if (terms.empty() || weights[l] == glm::vec3(0)) continue;
+        add_terms(
+            *layers[l].material, towards_light, towards_viewer, weights[l], towards_light.z / density,
+            [&](int term) { return std::ranges::find(terms, term) != terms.end(); }, out);
     }
     return towards_light;
 }

@@ -17,6 +17,7 @@
 #include "shading/lobe_sample.hpp"
 #include "shading/normal_variation.hpp"
 #include "shading/tangent_rotation.hpp"
+#include "shading/weighted_terms.hpp"
 #include "surfaces/tangents.hpp"
 
 namespace nicol {
@@ -26,20 +27,12 @@ namespace {
 // the surface's frame.
 void add_mirrors(const Material& material, const glm::dvec3& towards_viewer, const glm::vec3& weights,
                  std::span<Mueller> out) {
-    thread_local std::vector<Mueller> terms;
-    terms.resize(static_cast<std::size_t>(material.terms()));
-    material.evaluate_terms({-towards_viewer.x, -towards_viewer.y, towards_viewer.z}, towards_viewer, terms);
     // ReflectedLight::add_mirrored() scales a smooth term by the same factor.
     const double scale =
         4 * std::numbers::pi * kSmoothAlpha * kSmoothAlpha * towards_viewer.z * towards_viewer.z;
-    for (int t = 0; t < material.terms(); ++t) {
-        if (!material.smooth(t)) continue;
-        for (std::size_t c = 0; c < out.size(); ++c) {
-            const auto of_layer = static_cast<double>(weights[out.size() == 3 ? static_cast<int>(c) : 0]);
-            const double of_term = material.weight(t, material.channels() == 1 ? 0 : static_cast<int>(c));
-            out[c] = out[c] + scale * of_layer * of_term * terms[static_cast<std::size_t>(t)];
-        }
-    }
+    add_terms(
+        material, {-towards_viewer.x, -towards_viewer.y, towards_viewer.z}, towards_viewer, weights, scale,
+        [&](int term) { return material.smooth(term); }, out);
 }
 
 // Returns the x axis of a surface's frame whose z is the unit normal, as nearly along a tangent as possible.
