@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <cstring>
 #include <exception>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <new>
@@ -122,6 +123,20 @@ T read_struct(const T* from, T defaults, const char* name) {
     }
     std::memcpy(&defaults, from, std::min<std::size_t>(size, sizeof(T)));
     return defaults;
+}
+
+/// Throws Error(invalid_argument) unless there may be so many channels.
+inline void require_channels(std::uint32_t channels, const std::string& name = "channels") {
+    if (channels < 1 || channels > NICOL_MAX_CHANNELS)
+        refuse(name + " is " + std::to_string(channels) + "; it must lie in 1 to " +
+               std::to_string(NICOL_MAX_CHANNELS));
+}
+
+/// Returns the path. Throws Error(invalid_argument) for NULL and an empty one.
+inline std::filesystem::path read_path(const char* path, const char* name) {
+    require(path, name);
+    if (*path == '\0') refuse(std::string(name) + " is empty");
+    return path;
 }
 
 /// Returns options in the layout of this version, the defaults for NULL.

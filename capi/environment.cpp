@@ -21,10 +21,7 @@ EquirectView view_of(const nicol_image& image) {
                " pixels; width must lie in 1 to " + std::to_string(NICOL_MAX_SIZE) + ", height in 2 to " +
                std::to_string(NICOL_MAX_SIZE));
     }
-    if (image.channels < 1 || image.channels > NICOL_MAX_CHANNELS) {
-        refuse("image->channels is " + std::to_string(image.channels) + "; it must lie in 1 to " +
-               std::to_string(NICOL_MAX_CHANNELS));
-    }
+    require_channels(image.channels, "image->channels");
     if (image.components != 1 && image.components != 4) {
         refuse("image->components is " + std::to_string(image.components) +
                "; it must be 1 (s0) or 4 (s0..s3)");
@@ -67,10 +64,7 @@ EnvironmentPtr from_file(const char* path, const nicol_environment_load_options*
 EnvironmentPtr from_coefficients(std::uint32_t order, std::uint32_t channels, const double* coefficients,
                                  std::uint64_t count) {
     const int highest = read_order(order, "order");
-    if (channels < 1 || channels > NICOL_MAX_CHANNELS) {
-        refuse("channels is " + std::to_string(channels) + "; it must lie in 1 to " +
-               std::to_string(NICOL_MAX_CHANNELS));
-    }
+    require_channels(channels);
     const auto from = read_array(coefficients, count, channels, vector_size(highest), "coefficients");
     PshVector light(highest, static_cast<int>(channels));
     std::ranges::copy(from, light.data().begin());

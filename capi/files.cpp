@@ -24,12 +24,6 @@ static_assert(NICOL_FILE_LIGHT_IMAGE == static_cast<int>(FileKind::light_image) 
               NICOL_FILE_MATERIAL_MEASURED == static_cast<int>(FileKind::material_measured) &&
               NICOL_FILE_MATERIAL_TABLE == static_cast<int>(FileKind::material_table));
 
-std::filesystem::path read_path(const char* path, const char* name) {
-    require(path, name);
-    if (*path == '\0') refuse(std::string(name) + " is empty");
-    return path;
-}
-
 std::optional<glm::dmat3> rotation_from(const double (&rows)[9]) {
     glm::dmat3 rotation;
     for (int row = 0; row < 3; ++row)

@@ -352,10 +352,7 @@ nicol_result nicol_material_create_callback(nicol_context context, const nicol_c
         require(material, "material");
         require(given.mueller, "parameters->mueller");
         if (given.reserved != 0) refuse("parameters->reserved must be 0");
-        if (given.channels < 1 || given.channels > NICOL_MAX_CHANNELS) {
-            refuse("channels is " + std::to_string(given.channels) + "; it must lie in 1 to " +
-                   std::to_string(NICOL_MAX_CHANNELS));
-        }
+        require_channels(given.channels);
         const SessionPtr session = resolve(context).session;
         *material = make_handle<nicol_material_impl>(
             session, callback_material({.reflect = MuellerFunction(given, std::move(user), session.get()),

@@ -41,14 +41,6 @@ inline const PlaneKind& plane_kind(nicol_plane plane) {
 /// Throws Error(invalid_argument) for a name that ends as those of another kind of file than `own` do.
 void require_suffix(const char* path, std::string_view own);
 
-/// Throws Error(invalid_argument) unless a framebuffer may have so many channels.
-inline void require_channels(std::uint32_t channels) {
-    if (channels < 1 || channels > NICOL_MAX_CHANNELS) {
-        refuse("channels is " + std::to_string(channels) + "; it must lie in 1 to " +
-               std::to_string(NICOL_MAX_CHANNELS));
-    }
-}
-
 /// Throws Error(invalid_argument) unless the framebuffer has this channel.
 inline void require_channel(std::uint32_t channel, int channels) {
     if (channel >= static_cast<std::uint32_t>(channels)) {

@@ -92,9 +92,7 @@ public:
     StokesRows(const nicol_stokes_image* given, const char* name)
         : image_(read_struct(given, nicol_stokes_image NICOL_STOKES_IMAGE_INIT, name)) {
         require_size(name, image_.width, image_.height);
-        if (image_.channels < 1 || image_.channels > NICOL_MAX_CHANNELS)
-            refuse(std::string(name) + "->channels is " + std::to_string(image_.channels) +
-                   "; it must lie in 1 to " + std::to_string(NICOL_MAX_CHANNELS));
+        require_channels(image_.channels, std::string(name) + "->channels");
         rows_.emplace(image_.pixels, image_.row_stride, image_.byte_size, sizeof(float),
                       std::size_t{4} * image_.width * image_.channels, static_cast<int>(image_.height));
     }
@@ -169,12 +167,6 @@ private:
     std::optional<Rows> rows_;
 };
 
-std::filesystem::path path_from(const char* path, const char* name) {
-    require(path, name);
-    if (*path == '\0') refuse(std::string(name) + " is empty");
-    return path;
-}
-
 }  // namespace
 
 nicol_result nicol_sensor_set_preset(nicol_sensor* sensor, nicol_sensor_preset preset) {
@@ -188,7 +180,7 @@ nicol_result nicol_sensor_set_preset(nicol_sensor* sensor, nicol_sensor_preset p
 nicol_result nicol_sensor_load(nicol_sensor* sensor, const char* path) {
     return guarded([&] {
         const Sensor former = sensor_from(sensor);
-        write_sensor(sensor, read_sensor(path_from(path, "path"), former));
+        write_sensor(sensor, read_sensor(read_path(path, "path"), former));
     });
 }
 
@@ -235,7 +227,7 @@ nicol_result nicol_sensor_write_png(const nicol_sensor* sensor, const nicol_raw_
     return guarded([&] {
         const Sensor own = sensor_from(sensor);
         const RawImage image = RawRows(raw, "raw").read();
-        const std::filesystem::path file = path_from(path, "path");
+        const std::filesystem::path file = read_path(path, "path");
         require_suffix(path, ".png");
         write_mosaic(file, own, image);
     });
@@ -256,10 +248,10 @@ nicol_result nicol_sensor_demosaic(const nicol_sensor* sensor, const nicol_raw_i
 nicol_result nicol_file_demosaic(const char* in, const nicol_sensor* sensor, nicol_demosaic method,
                                  const char* out) {
     return guarded([&] {
-        const std::filesystem::path from = path_from(in, "in");
+        const std::filesystem::path from = read_path(in, "in");
         const Sensor own = sensor_from(sensor);
         require_constant(method, NICOL_DEMOSAIC_BLOCKS, "method", "NICOL_DEMOSAIC_...");
-        const std::filesystem::path to = path_from(out, "out");
+        const std::filesystem::path to = read_path(out, "out");
         require_suffix(out, ".exr");
         write_exr(to, demosaic(own, read_mosaic(from, own), static_cast<Demosaic>(method)));
     });
@@ -268,10 +260,10 @@ nicol_result nicol_file_demosaic(const char* in, const nicol_sensor* sensor, nic
 nicol_result nicol_file_combine_angles(const char* at_0, const char* at_45, const char* at_90,
                                        const char* at_135, const char* out) {
     return guarded([&] {
-        const std::array<std::filesystem::path, 4> files{path_from(at_0, "at_0"), path_from(at_45, "at_45"),
-                                                         path_from(at_90, "at_90"),
-                                                         path_from(at_135, "at_135")};
-        const std::filesystem::path to = path_from(out, "out");
+        const std::array<std::filesystem::path, 4> files{read_path(at_0, "at_0"), read_path(at_45, "at_45"),
+                                                         read_path(at_90, "at_90"),
+                                                         read_path(at_135, "at_135")};
+        const std::filesystem::path to = read_path(out, "out");
         require_suffix(out, ".exr");
         write_exr(to, read_angle_pictures(files));
     });

@@ -19,6 +19,7 @@
 #include "files/suffix.hpp"
 #include "image/color.hpp"
 #include "image/jpeg.hpp"
+#include "image/png.hpp"
 
 namespace {
 
@@ -90,7 +91,7 @@ constexpr std::array<std::string_view, 7> kSuffixes = {".png", ".jpg", ".jpeg", 
                                                        ".tga", ".hdr", ".rgbe"};
 
 bool has_known_mark(std::string_view bytes) {
-    constexpr std::array<std::string_view, 4> marks = {"\x89PNG\r\n\x1a\n", "BM", "#?RADIANCE", "#?RGBE"};
+    constexpr std::array<std::string_view, 4> marks = {kPngSignature, "BM", "#?RADIANCE", "#?RGBE"};
     return std::ranges::any_of(marks, [&](std::string_view mark) { return bytes.starts_with(mark); });
 }
 

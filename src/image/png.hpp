@@ -6,9 +6,13 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace nicol {
+
+/// First bytes of every PNG file.
+inline constexpr std::string_view kPngSignature = "\x89PNG\r\n\x1a\n";
 
 struct PngImage {
     int width = 0;

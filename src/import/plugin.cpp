@@ -5,10 +5,10 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 
 #include "import/text.hpp"
 #include "import/values.hpp"
+#include "shortest_text.hpp"
 
 namespace nicol::scene {
 namespace {
@@ -30,12 +30,6 @@ pugi::xml_node target(const XmlDocument& document, pugi::xml_node place) {
     const pugi::xml_node node = document.with_id(id);
     if (!node) document.fail(place, "<ref> to " + in_quotes(id) + ", an id that no element has");
     return node;
-}
-
-std::string text_of(double number) {
-    std::array<char, 32> text{};
-    const auto end = std::to_chars(text.data(), text.data() + text.size(), number).ptr;
-    return {text.data(), end};
 }
 
 constexpr std::string_view kTexture = "texture";
@@ -135,11 +129,11 @@ double Plugin::number(const std::string& name, double otherwise) {
 double Plugin::number(const std::string& name, double otherwise, double least, double most, bool exclusive) {
     const double value = number(name, otherwise);
     if (!(exclusive ? value > least && value < most : value >= least && value <= most))
-        fail(name, "is " + text_of(value) + "; expected a number " +
+        fail(name, "is " + shortest_text(value) + "; expected a number " +
                        (most == std::numeric_limits<double>::max()
-                            ? (exclusive ? "above " : "of at least ") + text_of(least)
-                            : (exclusive ? "between " : "from ") + text_of(least) +
-                                  (exclusive ? " and " : " to ") + text_of(most)));
+                            ? (exclusive ? "above " : "of at least ") + shortest_text(least)
+                            : (exclusive ? "between " : "from ") + shortest_text(least) +
+                                  (exclusive ? " and " : " to ") + shortest_text(most)));
     return value;
 }
 
@@ -209,9 +203,10 @@ ColorDescription Plugin::color(const std::string& name, const ColorDescription& 
     if (!color) fail(name, "is " + in_quotes(text) + "; expected " + expected);
     const auto check = [&](double value) {
         if (!(value >= least && value <= most))
-            fail(name, "is " + in_quotes(text) + "; expected values " +
-                           (most == kNoLimit ? "of at least " + text_of(least)
-                                             : "from " + text_of(least) + " to " + text_of(most)));
+            fail(name,
+                 "is " + in_quotes(text) + "; expected values " +
+                     (most == kNoLimit ? "of at least " + shortest_text(least)
+                                       : "from " + shortest_text(least) + " to " + shortest_text(most)));
     };
     for (glm::length_t i = 0; i < 3; ++i) check(color->rgb[i]);
     for (const ColorDescription::Sample& sample : color->spectrum) check(sample.value);

@@ -14,8 +14,6 @@
 namespace nicol {
 namespace {
 
-constexpr std::string_view kSignature = "\x89PNG\r\n\x1a\n";
-
 std::size_t big_endian(std::string_view bytes) {
     std::size_t value = 0;
     for (const char byte : bytes.substr(0, 4)) value = value << 8 | static_cast<unsigned char>(byte);
@@ -38,13 +36,13 @@ const char* layout_text(Mosaic mosaic) {
 }  // namespace
 
 bool is_png(std::string_view bytes) {
-    return bytes.starts_with(kSignature);
+    return bytes.starts_with(kPngSignature);
 }
 
 std::string png_text(std::string_view bytes, std::string_view keyword) {
     // A chunk: length of the data, type, data, checksum.
     constexpr std::size_t frame = 12;
-    for (bytes.remove_prefix(std::min(bytes.size(), kSignature.size())); bytes.size() >= frame;) {
+    for (bytes.remove_prefix(std::min(bytes.size(), kPngSignature.size())); bytes.size() >= frame;) {
         const std::size_t length = big_endian(bytes);
         if (length > bytes.size() - frame) break;
         const std::string_view data = bytes.substr(8, length);

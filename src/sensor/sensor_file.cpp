@@ -2,7 +2,6 @@
 #include "sensor/sensor_file.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -12,6 +11,7 @@
 #include "files/json.hpp"
 #include "files/read_bytes.hpp"
 #include "sensor/mosaic_file.hpp"
+#include "shortest_text.hpp"
 
 namespace nicol {
 namespace {
@@ -36,11 +36,6 @@ constexpr std::array kNumbers{NumberKey{"exposure", &Sensor::exposure},
 constexpr std::array kMosaics{"plain", "polarized", "polarized_bayer"};
 constexpr std::array kPresets{"imx250mzr", "imx250myr"};
 constexpr std::array kKinds{"polarizer", "retarder", "right_circular", "left_circular"};
-
-std::string shortest(double value) {
-    std::array<char, 32> text{};
-    return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
-}
 
 /// Reader of one file's values, whose errors name the file and the key.
 class Values {
@@ -151,7 +146,7 @@ Sensor sensor_of(const std::filesystem::path& file, const Json& root, Sensor sen
 std::string sensor_json(const Sensor& sensor) {
     const auto list = [](std::size_t count, const auto& item) {
         std::string out;
-        for (std::size_t i = 0; i < count; ++i) out += (i == 0 ? "" : ", ") + shortest(item(i));
+        for (std::size_t i = 0; i < count; ++i) out += (i == 0 ? "" : ", ") + shortest_text(item(i));
         return "[" + out + "]";
     };
     std::string out =
@@ -161,7 +156,7 @@ std::string sensor_json(const Sensor& sensor) {
         list(sensor.quantum_efficiency.size(), [&](std::size_t i) { return sensor.quantum_efficiency[i]; }) +
         R"(, "optics": )" + list(16, [&](std::size_t i) { return sensor.optics(i / 4, i % 4); });
     for (const auto& [name, member] : kNumbers)
-        out += R"(, ")" + std::string(name) + R"(": )" + shortest(sensor.*member);
+        out += R"(, ")" + std::string(name) + R"(": )" + shortest_text(sensor.*member);
     return out + "}";
 }
 
