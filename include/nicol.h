@@ -1282,9 +1282,10 @@ typedef uint32_t nicol_shade_at;
 
 /* Device that runs relight and shade. The images of both devices agree to 1e-5 of their largest value; shaded
  * at pixels, to 1e-4 where a surface is seen edge-on. Threads alone follow rays: they shade scenes with glass
- * whatever the option says, and mirrors show other surfaces only if threads shade. */
+ * whatever the option says, and only they show other surfaces in mirrors and, with bounces, in narrow metal. */
 typedef uint32_t nicol_executor;
-#define NICOL_EXECUTOR_AUTOMATIC 0u /* compute, unless OpenGL runs on the CPU or lacks features */
+/* Compute, unless OpenGL runs on the CPU or lacks features, or mirrors or narrow metal show other surfaces. */
+#define NICOL_EXECUTOR_AUTOMATIC 0u
 #define NICOL_EXECUTOR_CPU 1u       /* threads */
 #define NICOL_EXECUTOR_COMPUTE 2u   /* compute shaders, also if OpenGL runs on the CPU, where they are slow */
 

@@ -12,6 +12,7 @@
 #include "reference/render_reference.hpp"
 #include "render/check_options.hpp"
 #include "render/filtered_image.hpp"
+#include "render/wanted_executor.hpp"
 #include "surfaces/rigid_motion.hpp"
 
 namespace nicol {
@@ -58,8 +59,7 @@ Renderer::Renderer(std::shared_ptr<gl::Context> context, int threads)
       elements_(std::move(context)) {}
 
 RenderExecutor& Renderer::executor_for(const Scene& scene, const RenderOptions& options) {
-    // Compute shaders follow no rays, so threads shade scenes that light passes.
-    const Device& device = device_for(scene.transmits() ? Executor::cpu : options.executor, *context_);
+    const Device& device = device_for(wanted_executor(scene, options), *context_);
     if (executor_ == nullptr || device_ != &device) {
         executor_.reset();  // frees the data of the former executor as well
         executor_ = device.make(context_, buffers_);

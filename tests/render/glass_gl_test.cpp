@@ -136,6 +136,8 @@ IMAGE_TEST_CASE("glass of the index of its surroundings changes nothing") {
             CAPTURE(shadows);
             RenderOptions options = kPixels;
             options.shadows = shadows;
+            options.executor =
+                Executor::cpu;  // as with the pane; compute shaders know no functions as textures
             const StokesImage without = studio(scene, options);
             CHECK(studio.statistics.smooth_rays == 0);
             const std::uint32_t pane = scene.add({.mesh = std::make_shared<const Mesh>(make_cube(1)),
