@@ -3,6 +3,7 @@
 #include "gl/host_state.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "gl/host_program.hpp"
 
@@ -178,7 +179,8 @@ void HostState::prepare_program(bool compute) {
 void HostState::prepare_reads() {
     if (!first(Kind::reads)) return;
     set_pixels(GL_PIXEL_PACK_BUFFER, GL_PIXEL_PACK_BUFFER_BINDING,
-               {GL_PACK_SWAP_BYTES, GL_PACK_ROW_LENGTH, GL_PACK_SKIP_ROWS, GL_PACK_SKIP_PIXELS},
+               {GL_PACK_SWAP_BYTES, GL_PACK_ROW_LENGTH, GL_PACK_IMAGE_HEIGHT, GL_PACK_SKIP_ROWS,
+                GL_PACK_SKIP_PIXELS, GL_PACK_SKIP_IMAGES},
                GL_PACK_ALIGNMENT);
 }
 
@@ -189,7 +191,7 @@ void HostState::prepare_uploads() {
                GL_UNPACK_ALIGNMENT);
 }
 
-void HostState::set_pixels(GLenum buffer, GLenum binding, const std::array<GLenum, 4>& zeros,
+void HostState::set_pixels(GLenum buffer, GLenum binding, std::initializer_list<GLenum> zeros,
                            GLenum alignment) {
     set(binding, 0, [this, buffer](GLint id) { gl_.BindBuffer(buffer, static_cast<GLuint>(id)); });
     const auto set_store = [this](GLenum store, GLint fresh) {

@@ -2,8 +2,8 @@
 // Save and restore of the host's OpenGL state that this library changes or depends on.
 #pragma once
 
-#include <array>
 #include <functional>
+#include <initializer_list>
 #include <set>
 #include <utility>
 #include <vector>
@@ -59,7 +59,7 @@ private:
     void set_viewport();
     void set_draw_buffer(GLuint index);
     void set_blend_functions(GLuint index);
-    void set_pixels(GLenum buffer, GLenum binding, const std::array<GLenum, 4>& zeros, GLenum alignment);
+    void set_pixels(GLenum buffer, GLenum binding, std::initializer_list<GLenum> zeros, GLenum alignment);
     void set_transfer();
     [[nodiscard]] GLuint name(GLenum binding) const { return static_cast<GLuint>(state_.integer(binding)); }
 

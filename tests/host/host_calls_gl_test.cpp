@@ -92,7 +92,11 @@ HOST_TEST_CASE("no state of a host that sets its own shows in an image") {
         for (const UnusualState& state : unusual_settings()) state.set(application.gl, false);
         stage.camera.shift[0] = expected.camera.shift[0] += 0.01;
         const std::vector<float> image = expected.image(options);
-        for (const UnusualState& state : unusual_settings()) state.set(application.gl, true);
+        for (const UnusualState& state : unusual_settings()) {
+            CAPTURE(state.name);
+            state.set(application.gl, true);
+            REQUIRE(application.gl.GetError() == GL_NO_ERROR);
+        }
         CHECK(stage.image(options) == image);
     }
 }

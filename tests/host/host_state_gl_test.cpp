@@ -229,7 +229,7 @@ HOST_TEST_CASE("the subroutines that the application chose are as before") {
     };
     const std::string vertex = source_of("void main() { gl_Position = vec4(first(), second(), 0, 1); }"),
                       fragment = source_of("out vec4 c; void main() { c = vec4(first(), second(), 0, 1); }");
-    const auto check = [&](const char* how) {
+    const auto check = [&](const std::string& how) {
         CAPTURE(how);
         const GLuint chosen[2][3] = {{5, 3, 3}, {3, 3, 5}};
         constexpr GLenum stages[] = {GL_VERTEX_SHADER, GL_FRAGMENT_SHADER};
