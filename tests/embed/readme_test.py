@@ -42,7 +42,7 @@ class ReadmeTest(unittest.TestCase):
             for commands in (text for language, text in blocks() if language == "sh"):
                 ended = subprocess.run(["sh", "-e", "-c", commands], cwd=folder, env=environment, capture_output=True, encoding="utf-8", errors="replace")
                 self.assertEqual(ended.returncode, 0, ended.stderr)
-                self.assertIn("(480, 640, 4)", ended.stdout)
+                self.assertIn("(480, 640, 3, 4)", ended.stdout)
             for name in ("first.exr", "first_python.exr"):
                 self.assertGreater(os.path.getsize(os.path.join(folder, name)), 100000)
 

@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: MIT
 """Nicol: polarized light in real time.
 
+    picture = nicol.render("scene.xml", size=(640, 480))
+    picture.save("scene.exr"), picture.dolp, picture.polarizer(45)
+
 Every function of the C headers is here without its prefix. A function that begins with the name of a handle or struct is a
 method: nicol_scene_load is Scene.load, nicol_render is render. Results through pointers are returned, failures raise Error.
 """
@@ -217,13 +220,32 @@ _COMPONENTS = {_abi.PLANE_STOKES: (4,), _abi.PLANE_NORMAL: (3,), _abi.PLANE_POSI
 _FORMATS = {"f": _abi.FORMAT_FLOAT32, "e": _abi.FORMAT_FLOAT16, "I": _abi.FORMAT_UINT32}
 
 
+def _shared(values, kind):
+    """Returns what has memory that the library can read: the values themselves, or a numpy array of lists, of another library's
+    array (by DLPack), or of anything that numpy takes. kind: of the numbers of lists."""
+    try:
+        memoryview(values)
+        return values
+    except TypeError:
+        if numpy is None:
+            raise
+    return numpy.from_dlpack(values) if hasattr(values, "__dlpack__") else numpy.asarray(values, kind)
+
+
 def mesh_data(
-    positions, indices, normals=None, texcoords=None, texcoord_indices=None, colors=None, face_colors=None, tangents=None
+    positions, indices=None, normals=None, texcoords=None, texcoord_indices=None, colors=None, face_colors=None, tangents=None
 ):
     """Returns MeshData for Mesh.create, from arrays of three numbers per vertex or triangle, and of two (tangents: four)
-    per texture coordinate."""
+    per texture coordinate; or from an object with `vertices` and `faces`, such as a trimesh.Trimesh, whose texture
+    coordinates are taken as well."""
+    if indices is None:
+        mesh, positions, indices = positions, positions.vertices, positions.faces
+        if texcoords is None:
+            texcoords = getattr(getattr(mesh, "visual", None), "uv", None)
     fields = {"positions": positions, "indices": indices, "normals": normals, "texcoords": texcoords,
               "texcoord_indices": texcoord_indices, "colors": colors, "face_colors": face_colors, "tangents": tangents}  # fmt: skip
+    kinds = {"indices": "I", "texcoord_indices": "I"}
+    fields = {name: value if value is None else _shared(value, kinds.get(name, "f")) for name, value in fields.items()}
     counts = {}
     for name, value in fields.items():
         view = memoryview(b"" if value is None else value)
@@ -247,6 +269,7 @@ def mesh_data(
 def texture_image(pixels):
     """Returns TextureImage for Texture.create_image, from numbers of shape (height, width) or (height, width, channels):
     unsigned with 8 or 16 bits, or 32-bit floats."""
+    pixels = _shared(pixels, "f")
     view = memoryview(pixels)
     if view.ndim not in (2, 3):
         raise ValueError(f"pixels have the shape {view.shape}; it must be (height, width) or (height, width, channels)")
@@ -266,6 +289,7 @@ _TEXELS = {"B": _abi.TEXEL_UINT8, "H": _abi.TEXEL_UINT16, "f": _abi.TEXEL_FLOAT3
 def image(pixels):
     """Returns Image for Environment.create_image, from numbers of shape (height, width, channels), or (height, width,
     channels, 4) for Stokes vectors."""
+    pixels = _shared(pixels, "f")
     view = memoryview(pixels)
     if view.ndim not in (3, 4):
         raise ValueError(f"pixels have the shape {view.shape}; it must be (height, width, channels) or (..., channels, 4)")
@@ -276,5 +300,9 @@ def image(pixels):
     )  # fmt: skip
 
 
-__all__ = [*_abi.__all__, "Error", "Handle", "Struct", "image", "mesh_data", "texture_image"]
+from . import capi  # noqa: E402, F401
+from ._picture import Picture, Scene, default_context, load, render  # noqa: E402
+
+__all__ = [*_abi.__all__, "Error", "Handle", "Struct", "image", "mesh_data", "texture_image",
+           "Picture", "default_context", "load"]  # fmt: skip
 __version__ = _abi.version_string()

@@ -5,6 +5,8 @@ import ctypes
 import ctypes.util
 import itertools
 import os
+import re
+import sys
 
 
 def _load():
@@ -233,6 +235,22 @@ def array(value, type_, count):
     return (type_ * count)(*numbers)
 
 
+def constant(name, value, owner=""):
+    """Returns the constant of a field, or of a struct where that gives the constants their names, by its word: "pixels" of
+    the field shade_at is SHADE_AT_PIXELS. Returns other values, and those of fields without constants, as they are."""
+    if not isinstance(value, str):
+        return value
+    constants = vars(sys.modules[f"{__package__}._abi"])
+    for prefix in (f"{name}_", f"{re.sub('(?<=[a-z])(?=[A-Z])', '_', owner)}_"):
+        prefix = prefix.upper()
+        words = {key[len(prefix) :].lower(): number for key, number in constants.items() if key.startswith(prefix)}
+        if value in words:
+            return words[value]
+        if words:
+            raise ValueError(f"{name} is '{value}'; it must be one of {', '.join(words)}")
+    return value
+
+
 class Struct(ctypes.Structure):
     """A descriptor. Keywords set its fields, all other fields have their defaults. A spectrum accepts a number or one per
     channel. Pointers accept buffers and callbacks accept functions, both kept alive while they are in use."""
@@ -259,6 +277,8 @@ class Struct(ctypes.Structure):
             value = value.value
         elif type_ is ctypes.c_char_p:
             value = text(value)
+        elif isinstance(value, str):
+            value = constant(name, value, type(self).__name__)
         elif type_ is ctypes.c_void_p and value is not None and not isinstance(value, int):
             self._kept[name] = memory = Memory(value, name not in self._read_only_)
             value = memory.address
