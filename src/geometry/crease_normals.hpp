@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Vertex normals that are smooth up to hard edges.
+// Vertex normals that are smooth up to hard edges, by the half-edges of OpenMesh. The rest of this folder
+// needs no neighbours of faces, or, as EdgeBisection does, keeps faces at edges of more than two, which
+// OpenMesh rejects and files have; making half-edges alone takes five times as long as making an
+// EdgeBisection (a million triangles).
 #pragma once
 
 #include "files/load_budget.hpp"
