@@ -4,7 +4,7 @@
 # the programs in tests/peers.
 set -eu
 
-packages="clang clang-format clang-tidy libclang-rt-14-dev abigail-tools python3-venv libllvm19 glslang-tools"
+packages="clang clang-format clang-tidy libclang-rt-14-dev abigail-tools python3-venv libllvm19 glslang-tools help2man lintian"
 missing=""
 for package in $packages; do
     status=$(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null || true)

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: MIT
-# `cpack` in the build folder makes libnicol0.1, libnicol-dev, nicol-tools and nicol-serve for Debian.
+# `cpack` in the build folder makes libnicol0.1, libnicol-dev, nicol-tools, nicol-serve and python3-nicol for Debian.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_CONTACT "The Nicol authors <maintainers@nicol.invalid>")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
-set(CPACK_COMPONENTS_ALL runtime development tools serve)
-set(CPACK_COMPONENTS_GROUPING IGNORE)
+# Each package is a group: a component that `cmake --install` knows as well, and one of what only Debian has.
+set(CPACK_COMPONENTS_GROUPING ONE_PER_GROUP)
 
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
@@ -13,23 +13,88 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${PROJECT_BINARY_DIR}/lib)
 set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
 
+# What the policy of Debian asks of each package: its copyright and its changelog.
+set(debian ${CMAKE_CURRENT_LIST_DIR}/debian)
+set(made ${CMAKE_CURRENT_BINARY_DIR}/debian)
+file(READ ${PROJECT_SOURCE_DIR}/LICENSE license)
+file(READ ${CMAKE_CURRENT_LIST_DIR}/third_party.txt third_party)
+file(WRITE ${made}/copyright "${license}\n${third_party}")
+string(TIMESTAMP now "%a, %d %b %Y %H:%M:%S +0000" UTC)
+file(WRITE ${made}/changelog "nicol (${PROJECT_VERSION}) unstable; urgency=medium
+
+  * See the project's CHANGELOG.md.
+
+ -- ${CPACK_PACKAGE_CONTACT}  ${now}
+")
+execute_process(COMMAND gzip -9nf ${made}/changelog)
+
 set(same "libnicol0.1 (= ${PROJECT_VERSION})")
-set(CPACK_COMPONENT_RUNTIME_DESCRIPTION "Real-time rendering of polarized light: library")
-set(CPACK_DEBIAN_RUNTIME_PACKAGE_NAME libnicol0.1)
-set(CPACK_DEBIAN_RUNTIME_PACKAGE_SECTION libs)
-# Opened at run time, so no linker names them. Shadows and the reference method need Embree.
-set(CPACK_DEBIAN_RUNTIME_PACKAGE_DEPENDS "libembree4-4 | libembree3-3")
+
+# nicol_debian_package(COMPONENT NAME SECTION SUMMARY DEPENDS)
+macro(nicol_debian_package component name section summary depends)
+  string(TOUPPER ${component} upper)
+  set(CPACK_DEBIAN_${upper}_PACKAGE_NAME ${name})
+  set(CPACK_DEBIAN_${upper}_PACKAGE_SECTION ${section})
+  set(CPACK_DEBIAN_${upper}_PACKAGE_DEPENDS "${depends}")
+  set(CPACK_DEBIAN_${upper}_DESCRIPTION "Nicol renders scenes as images of Stokes vectors. This package:
+${summary}.")
+  set(CPACK_COMPONENT_${upper}_GROUP ${component})
+  set(CPACK_COMPONENT_DEBIAN_${upper}_GROUP ${component})
+  list(APPEND CPACK_COMPONENTS_ALL ${component} debian_${component})
+  install(FILES ${made}/copyright ${made}/changelog.gz DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${name}
+    COMPONENT debian_${component} EXCLUDE_FROM_ALL)
+endmacro()
+
+# Embree is opened at run time, so no linker names it. Shadows and the reference method need it.
+nicol_debian_package(runtime libnicol0.1 libs "library" "libembree4-4 | libembree3-3")
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_RECOMMENDS "libegl1 | libosmesa6")
-set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "Real-time rendering of polarized light: header, CMake package, pkg-config")
-set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libnicol-dev)
-set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
-set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS ${same})
-set(CPACK_COMPONENT_TOOLS_DESCRIPTION "Real-time rendering of polarized light: nicol-render and nicol-convert")
-set(CPACK_DEBIAN_TOOLS_PACKAGE_NAME nicol-tools)
-set(CPACK_DEBIAN_TOOLS_PACKAGE_SECTION graphics)
-set(CPACK_DEBIAN_TOOLS_PACKAGE_DEPENDS ${same})
-set(CPACK_COMPONENT_SERVE_DESCRIPTION "Real-time rendering of polarized light: images over HTTP, with a unit for systemd")
-set(CPACK_DEBIAN_SERVE_PACKAGE_NAME nicol-serve)
-set(CPACK_DEBIAN_SERVE_PACKAGE_SECTION httpd)
-set(CPACK_DEBIAN_SERVE_PACKAGE_DEPENDS ${same})
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_CONTROL_EXTRA ${debian}/triggers)
+nicol_debian_package(development libnicol-dev libdevel "headers, CMake package, pkg-config file, documents, examples" ${same})
+nicol_debian_package(tools nicol-tools graphics "nicol-render and nicol-convert" ${same})
+nicol_debian_package(serve nicol-serve httpd "images over HTTP, with a unit for systemd" ${same})
+nicol_debian_package(python python3-nicol python "Python" "python3, ${same}")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS python3-numpy)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_ARCHITECTURE all)
+
+# The headers name documents by their paths in the repository.
+set(documents ${CMAKE_INSTALL_DATADIR}/doc/libnicol-dev)
+install(FILES ${PROJECT_SOURCE_DIR}/README.md DESTINATION ${documents} COMPONENT debian_development EXCLUDE_FROM_ALL)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/samples DESTINATION ${documents} COMPONENT debian_development EXCLUDE_FROM_ALL
+  FILES_MATCHING PATTERN *.md)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/samples/embed_c ${PROJECT_SOURCE_DIR}/samples/embed_cmake
+  DESTINATION ${documents}/examples COMPONENT debian_development EXCLUDE_FROM_ALL)
+foreach(program nicol-render nicol-convert)
+  install(FILES ${debian}/completion.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions
+    RENAME ${program} COMPONENT debian_tools EXCLUDE_FROM_ALL)
+endforeach()
+install(FILES ${debian}/_nicol DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions
+  COMPONENT debian_tools EXCLUDE_FROM_ALL)
+install(FILES ${debian}/nicol-serve.default DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/nicol-serve
+  COMPONENT debian_serve EXCLUDE_FROM_ALL)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/samples/python/nicol DESTINATION lib/python3/dist-packages
+  COMPONENT debian_python EXCLUDE_FROM_ALL PATTERN __pycache__ EXCLUDE)
+
+# Manual pages say what --help says.
+find_program(NICOL_HELP2MAN help2man)
+if(NICOL_HELP2MAN)
+  foreach(program nicol-render nicol-convert nicol-serve)
+    set(page ${made}/${program}.1)
+    set(about_nicol-render "render Stokes images of scenes")
+    set(about_nicol-convert "convert images of polarized light")
+    set(about_nicol-serve "render scenes over HTTP")
+    if(TARGET ${program})
+      add_custom_command(OUTPUT ${page}.gz
+        COMMAND ${NICOL_HELP2MAN} -N -n ${about_${program}} -o ${page} $<TARGET_FILE:${program}>
+        COMMAND gzip -9nf ${page}
+        DEPENDS ${program} VERBATIM)
+      list(APPEND pages ${page}.gz)
+      set(component tools)
+      if(program STREQUAL nicol-serve)
+        set(component serve)
+      endif()
+      install(FILES ${page}.gz DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT debian_${component} OPTIONAL EXCLUDE_FROM_ALL)
+    endif()
+  endforeach()
+  add_custom_target(nicol_manual ALL DEPENDS ${pages})
+endif()
 include(CPack)

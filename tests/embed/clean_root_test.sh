@@ -45,5 +45,7 @@ inside 'cd /try && gcc -std=c99 -Wall -Werror embed_c/hello_stokes.c $(pkg-confi
 inside 'cd /try && cmake -S embed_cmake -B viewer >/dev/null && cmake --build viewer' >"$folder/log" 2>&1 ||
     { tail -20 "$folder/log"; fail "the CMake package"; }
 inside 'nicol-render /try/assets/snail_sky.xml -o /try/a.exr && test -s /try/a.exr && nicol-convert --info /try/assets/forest.exr'
-inside 'apt-get remove -y libnicol0.1 && ! command -v nicol-render && ! ls /usr/include/nicol.h' >"$folder/log" 2>&1 ||
-    { tail "$folder/log"; fail "removing"; }
+inside 'cd /try && python3 -c "import nicol; nicol.render(\"assets/snail_sky.xml\", size=(64, 48)).save(\"p.exr\")" && test -s p.exr'
+inside 'apt-get install -y --reinstall /try/*.deb && nicol-render --version' >"$folder/log" 2>&1 || { tail "$folder/log"; fail "upgrading"; }
+inside 'apt-get purge -y libnicol0.1 && ! command -v nicol-render && ! ls /usr/include/nicol.h' >"$folder/log" 2>&1 ||
+    { tail "$folder/log"; fail "purging"; }
