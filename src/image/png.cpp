@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Writing of images to PNG files.
 #include <png.h>
+#include <zlib.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -47,6 +48,10 @@ bool write_rows(png_structp png, png_infop info, std::FILE* file, const PngImage
     png_set_IHDR(png, info, static_cast<png_uint_32>(image.width), static_cast<png_uint_32>(image.height),
                  image.deep ? 16 : 8, image.grey ? PNG_COLOR_TYPE_GRAY : PNG_COLOR_TYPE_RGB,
                  PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    if (image.noisy) {
+        png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_UP);
+        png_set_compression_strategy(png, Z_RLE);
+    }
     if (image.srgb) png_set_sRGB(png, info, PNG_sRGB_INTENT_RELATIVE);
     png_set_text(png, info, text, text_count);
     png_write_info(png, info);

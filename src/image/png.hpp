@@ -22,6 +22,9 @@ struct PngImage {
     std::span<const std::uint8_t> bytes{};  ///< [y][x][number], row 0 at the top
     std::span<const std::pair<std::string, std::string>> text{};  ///< keyword and text of tEXt chunks
     bool srgb = false;                                            ///< whether the file gets an sRGB chunk
+    /// Whether the numbers are noise, in which zlib finds no repetitions but runs: differences from the row
+    /// above with Huffman codes take a tenth of the default's time and 4 % more bytes.
+    bool noisy = false;
 };
 
 /// Writes a PNG. The file appears under its name only when it is complete. Throws Error(invalid_argument) if

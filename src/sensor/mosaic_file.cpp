@@ -77,7 +77,8 @@ void write_mosaic(const std::filesystem::path& file, const Sensor& sensor, const
                              .grey = true,
                              .deep = deep,
                              .bytes = bytes,
-                             .text = text});
+                             .text = text,
+                             .noisy = true});
 }
 
 RawImage read_mosaic(const std::filesystem::path& file, const Sensor& sensor) {
