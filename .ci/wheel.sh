@@ -23,6 +23,8 @@ unset NICOL_LIBRARY
 fresh/bin/nicol-render "$scene" -o script.exr --size 64x64
 fresh/bin/python -m nicol render "$scene" -o module.exr --size 64x64
 cmp script.exr module.exr
+fresh/bin/pip install --quiet numpy
+fresh/bin/nicol-dataset --help | grep -q RECIPE
 # Beside other wheels that bring OpenMP, Embree and image libraries of their own.
 "$python" -m pip install --quiet --no-deps --target beside "$out"/*.whl
 PYTHONPATH=beside "$python" -c "

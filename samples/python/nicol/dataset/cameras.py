@@ -1,0 +1,51 @@
+# SPDX-License-Identifier: MIT
+"""Cameras of a recipe's frames, and their poses in the conventions of others."""
+
+import math
+
+import nicol
+import numpy
+
+from .scenes import direction
+
+
+def camera(recipe, stage, draw):
+    """Returns the camera of a frame. Without a position it is at an azimuth and elevation around its target, at `distance`
+    times the distance from which the sphere around the objects fills the image."""
+    if "camera" not in recipe.parts and "scene" in recipe.parts:
+        return stage.scene.get_camera()
+    drawn = recipe.parts["camera"].at(draw) if "camera" in recipe.parts else {}
+    fov = drawn.get("fov", 40)
+    target = numpy.array(drawn.get("target", (stage.lower + stage.upper) / 2), float)
+    radius = max(numpy.linalg.norm(stage.upper - stage.lower) / 2, 1e-9)
+    if "position" in drawn:
+        place = numpy.array(drawn["position"], float)
+    else:
+        narrow = math.atan(math.tan(math.radians(fov) / 2) * min(1, recipe.height / recipe.width))
+        away = drawn.get("distance", 1.1) * radius / math.sin(narrow)
+        place = target + away * numpy.array(direction(drawn.get("azimuth", 0), drawn.get("elevation", 20)))
+    view = target - place
+    length = numpy.linalg.norm(view)
+    if length < 1e-9 * radius:
+        recipe.source.fail("camera", "position and target are the same point")
+    up = numpy.array([0, 0, 1] if abs(view[1]) > 0.9999 * length else [0, 1, 0], float)
+    if "roll" in drawn:
+        up = _rolled(view / length, up, math.radians(drawn["roll"]))
+    made = nicol.Camera(fov=fov, near_clip=max(1e-3 * radius, 1e-6), far_clip=math.inf)
+    return made.look_at(list(place), list(target), list(up))
+
+
+def _rolled(view, up, angle):
+    """Returns the up direction of a camera that is turned clockwise about its view, so that its image turns the other way."""
+    right = numpy.cross(view, up)
+    right /= numpy.linalg.norm(right)
+    return math.cos(angle) * numpy.cross(right, view) + math.sin(angle) * right
+
+
+def pose(recipe, stage, made):
+    """Returns what frame.json says about a camera: COLMAP's K, R and t, and the depths between which the objects' box lies."""
+    K, R, t = made.to_colmap((recipe.width, recipe.height))
+    corners = numpy.array([[(stage.lower, stage.upper)[i >> axis & 1][axis] for axis in range(3)] for i in range(8)])
+    depths = corners @ R[2] + t[2]
+    near = max(float(depths.min()), 1e-3 * float(depths.max()))
+    return {"K": K.tolist(), "R": R.tolist(), "t": t.tolist(), "near": near, "far": float(depths.max())}

@@ -1,0 +1,120 @@
+# SPDX-License-Identifier: MIT
+"""The written poses: points that pictures show, projected by each format's own formulas, meet the pixels that show them."""
+
+import json
+import unittest
+
+import numpy
+from data_set import DataSetTest, load
+
+WIDTH, HEIGHT = 48, 32
+RECIPE = {
+    "size": [WIDTH, HEIGHT], "views": 4,
+    "objects": [{"mesh": "cube", "rotation": "any"}, {"mesh": "sphere", "size": 0.6, "position": [0.9, 0.2, 0]}],
+    "camera": {"fov": {"uniform": [25, 60]}, "azimuth": {"sweep": [0, 360]}, "elevation": {"sweep": [-60, 85]},
+               "roll": {"uniform": [-40, 40]}, "target": [0.3, 0.1, 0]},
+    "write": {"positions": "npy", "ids": "npy", "depth": "npy", "normals": "npy", "normals_camera": "npy",
+              "poses": ["transforms", "llff", "colmap"]},
+}  # fmt: skip
+
+
+def rotation(w, x, y, z):
+    """COLMAP's rotation of a quaternion."""
+    return numpy.array([
+        [1 - 2 * y * y - 2 * z * z, 2 * x * y - 2 * w * z, 2 * z * x + 2 * w * y],
+        [2 * x * y + 2 * w * z, 1 - 2 * x * x - 2 * z * z, 2 * y * z - 2 * w * x],
+        [2 * z * x - 2 * w * y, 2 * y * z + 2 * w * x, 1 - 2 * x * x - 2 * y * y],
+    ])  # fmt: skip
+
+
+def by_colmap(folder):
+    """Yields functions from points to pixels and depths, frame by frame."""
+    cameras = {}
+    with open(f"{folder}/colmap/cameras.txt") as file:
+        for line in file:
+            number, model, width, height, *intrinsics = line.split()
+            assert (model, int(width), int(height)) == ("PINHOLE", WIDTH, HEIGHT)
+            cameras[number] = list(map(float, intrinsics))
+    with open(f"{folder}/colmap/images.txt") as file:
+        lines = file.read().split("\n")
+    for line, points in zip(lines[0:-1:2], lines[1::2]):
+        assert points == ""
+        _, *numbers, camera, _ = line.split()
+        numbers = list(map(float, numbers))
+        R, t = rotation(*numbers[:4]), numpy.array(numbers[4:])
+        fx, fy, cx, cy = cameras[camera]
+
+        def project(points, R=R, t=t, fx=fx, fy=fy, cx=cx, cy=cy):
+            x, y, z = numpy.moveaxis(points @ R.T + t, -1, 0)
+            return fx * x / z + cx, fy * y / z + cy, z
+
+        yield project
+
+
+def by_transforms(folder):
+    with open(f"{folder}/transforms.json") as file:
+        frames = json.load(file)["frames"]
+    for frame in frames:
+        to_camera = numpy.linalg.inv(numpy.array(frame["transform_matrix"]))
+
+        def project(points, m=to_camera, f=frame):
+            x, y, z = numpy.moveaxis(points @ m[:3, :3].T + m[:3, 3], -1, 0)
+            return f["fl_x"] * x / -z + f["cx"], f["fl_y"] * -y / -z + f["cy"], -z
+
+        yield project
+
+
+def by_llff(folder):
+    for row in load(folder, "poses_bounds.npy"):
+        matrix = row[:15].reshape(3, 5)
+        height, width, focal = matrix[:, 4]
+
+        def project(points, m=matrix, focal=focal, width=width, height=height):
+            down, right, back = numpy.moveaxis((points - m[:, 3]) @ m[:, :3], -1, 0)
+            return focal * right / -back + width / 2, focal * down / -back + height / 2, -back
+
+        yield project
+
+
+class PosesTest(DataSetTest):
+    def setUp(self):
+        super().setUp()
+        self.render(self.recipe(**RECIPE), "0:4", "out")
+
+    def frame(self, number, name):
+        return load(self.path("out", "frames", f"{number:06d}", f"{name}.npy"))
+
+    def test_points_meet_their_pixels(self):
+        for projections in (by_colmap, by_transforms, by_llff):
+            with self.subTest(projections.__name__):
+                found = list(projections(self.path("out", "poses", "000000")))
+                self.assertEqual(len(found), 4)
+                for number, project in enumerate(found):
+                    hit = self.frame(number, "ids") != 0xFFFFFFFF
+                    self.assertGreater(hit.sum(), 100)
+                    u, v, z = project(self.frame(number, "positions")[hit].astype(float))
+                    rows, columns = numpy.nonzero(hit)
+                    self.assertLess(abs(u - columns - 0.5).max(), 1e-3)
+                    self.assertLess(abs(v - rows - 0.5).max(), 1e-3)
+                    self.assertLess(abs(z - self.frame(number, "depth")[hit]).max(), 1e-4)
+
+    def test_bounds_enclose_depths(self):
+        for number, row in enumerate(load(self.path("out", "poses", "000000", "poses_bounds.npy"))):
+            depth = self.frame(number, "depth")
+            depth = depth[numpy.isfinite(depth)]
+            self.assertLessEqual(row[15], depth.min() + 1e-4)
+            self.assertGreaterEqual(row[16], depth.max() - 1e-4)
+
+    def test_normals_of_the_camera(self):
+        for number in range(4):
+            with open(self.path("out", "frames", f"{number:06d}", "frame.json")) as file:
+                R = numpy.array(json.load(file)["camera"]["R"])
+            world, camera = self.frame(number, "normals"), self.frame(number, "normals_camera")
+            self.assertLess(abs(world @ R.T * [1, -1, -1] - camera).max(), 1e-5)
+            # What faces the camera has a normal towards it.
+            hit = self.frame(number, "ids") != 0xFFFFFFFF
+            self.assertGreater((camera[hit][:, 2] > 0).mean(), 0.95)
+
+
+if __name__ == "__main__":
+    unittest.main()
