@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Draws all frames of a data set as small pictures, 20 in a row: above s0, below the AoLP as hue with the DoLP as brightness.
+"""Draws all frames of a data set as small pictures, 20 in a row: above s0, below the AoLP as hue with twice the DoLP as brightness.
 usage: sheet.py DATASET OUT.png. The data set has s0, dolp and aolp as npy."""
 
 import os
@@ -9,7 +9,7 @@ import zlib
 
 import numpy
 
-COLUMNS, TILE = 20, 48
+COLUMNS, TILE = 20, 36
 
 
 def small(image):
@@ -26,9 +26,9 @@ def tone_mapped(light):
 
 
 def wheel(dolp, aolp):
-    """Returns the colours of angles: hue = angle / 180 degrees, brightness = DoLP. Angles are averaged as vectors."""
+    """Returns the colours of angles: hue = angle / 180 degrees, brightness = 2 DoLP. Angles are averaged as vectors."""
     s1, s2 = small(dolp * numpy.cos(2 * aolp)), small(dolp * numpy.sin(2 * aolp))
-    hue, value = (numpy.arctan2(s2, s1) / (2 * numpy.pi)) % 1, numpy.clip(numpy.hypot(s1, s2), 0, 1)
+    hue, value = (numpy.arctan2(s2, s1) / (2 * numpy.pi)) % 1, numpy.clip(2 * numpy.hypot(s1, s2), 0, 1)
     return value * numpy.clip(numpy.abs((6 * hue + numpy.array([0, 4, 2])) % 6 - 3) - 1, 0, 1)
 
 

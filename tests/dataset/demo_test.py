@@ -37,7 +37,7 @@ class DemoTest(DataSetTest):
         with open(self.path("sheet.png"), "rb") as file:
             width, height = struct.unpack(">II", file.read()[16:24])
         # 21 frames are two rows of 20, above as s0 and below as AoLP.
-        self.assertEqual((width, height), (20 * 48, 4 * 48))
+        self.assertEqual((width, height), (20 * 36, 4 * 36))
 
     def test_rates(self):
         out = self.script("rates.py", "--frames", "2")
