@@ -5,5 +5,5 @@ set -eu
 cd "$(dirname "$0")/.."
 
 [ -x build-peers/bin/python ] || python3 -m venv build-peers
-build-peers/bin/pip install --quiet mitsuba numpy polanalyser 'opencv-python-headless<5' matplotlib openapi-python-client >&2
+build-peers/bin/pip install --quiet mitsuba numpy polanalyser 'opencv-python-headless<5' matplotlib openapi-python-client ray >&2
 echo "$PWD/build-peers/bin/python"
