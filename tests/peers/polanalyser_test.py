@@ -17,6 +17,7 @@ except ModuleNotFoundError as absent:
     sys.exit(77)
 
 import nicol
+from nicol import conventions
 
 ASSETS = pathlib.Path(sys.argv.pop(1)).resolve()
 
@@ -44,7 +45,8 @@ class PolanalyserTest(unittest.TestCase):
 
     def test_aolp(self):
         theirs = polanalyser.cvtStokesToAoLP(self.stokes)
-        self.assert_close(self.plane(nicol.PLANE_AOLP) % numpy.pi, theirs)
+        self.assert_close(conventions.positive(self.plane(nicol.PLANE_AOLP)), theirs)
+        self.assert_close(conventions.positive(conventions.aolp(self.stokes)), theirs)
         self.assertGreater(theirs.max(), numpy.pi / 2)
 
     def test_stokes_of_intensities(self):
@@ -53,6 +55,7 @@ class PolanalyserTest(unittest.TestCase):
         s0, s1, s2, _ = numpy.moveaxis(self.stokes, -1, 0)
         intensities = [(s0 + s1 * numpy.cos(2 * a) + s2 * numpy.sin(2 * a)) / 2 for a in angles]
         self.assert_close(self.stokes[..., :3], polanalyser.calcStokes(intensities, angles), s0.max())
+        self.assert_close(conventions.angles(self.stokes), numpy.array(intensities), s0.max())
         for angle, intensity in zip(angles, intensities):
             self.assert_close(intensity, (self.stokes @ polanalyser.polarizer(angle).T)[..., 0], s0.max())
 

@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: MIT
 """A recipe's pictures for training."""
 
-import os
-
 from .recipe import FORMATS, Recipe
 from .renderer import Renderer
 
@@ -46,8 +44,7 @@ class Dataset:
         return self.__dict__ | {"_here": None}
 
     def _opened(self):
-        """Returns the renderer and the framebuffers of this process, by number of channels. A fork copies the parent's, which
-        are of no use to the child."""
-        if self._here is None or self._here[0] != os.getpid():
-            self._here = os.getpid(), Renderer(self.recipe, self.threads), {}
-        return self._here[1:]
+        """Returns the renderer and the framebuffers by number of channels, opened for the first picture."""
+        if self._here is None:
+            self._here = Renderer(self.recipe, self.threads), {}
+        return self._here
