@@ -158,6 +158,8 @@ class CallTest(unittest.TestCase):
             self.assertEqual(repr(pickle.loads(pickle.dumps(value))), repr(value))
         with self.assertRaisesRegex(TypeError, "mesh of a nicol.Instance"):
             pickle.dumps(nicol.Instance(mesh=nicol.Mesh.create_cube(self.context)))
+        with self.assertRaisesRegex(TypeError, "a nicol.Mesh belongs to this process and cannot be pickled"):
+            pickle.dumps(nicol.Mesh.create_cube(self.context))
 
     def test_released_handles(self):
         with nicol.Mesh.create_cube(self.context) as mesh:

@@ -93,6 +93,9 @@ class Handle(ctypes.c_void_p):
     def __del__(self):
         self.release()
 
+    def __reduce__(self):
+        raise TypeError(f"a nicol.{type(self).__name__} belongs to this process and cannot be pickled")
+
     def __repr__(self):
         return f"<nicol.{type(self).__name__} {hex(self.value) if self.value else 'released'}>"
 
