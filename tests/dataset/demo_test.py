@@ -8,8 +8,11 @@ import struct
 import subprocess
 import sys
 import unittest
+import zlib
 
-from data_set import DataSetTest
+import numpy
+from data_set import DataSetTest, load
+from nicol.dataset import exr
 
 SAMPLES = os.path.abspath(os.path.join(os.path.dirname(__file__), "..", "..", "samples", "dataset"))
 
@@ -38,6 +41,27 @@ class DemoTest(DataSetTest):
             width, height = struct.unpack(">II", file.read()[16:24])
         # 21 frames are two rows of 20, above as s0 and below as AoLP.
         self.assertEqual((width, height), (20 * 36, 4 * 36))
+
+    def test_layout_of_neisf(self):
+        recipe = self.recipe(
+            views=2, write={"stokes": "npy", "ids": "npy", "poses": ["llff"]}, light={"environment": [1, 2, 3]}
+        )
+        self.render(recipe, "0:4", "out")
+        self.script("neisf.py", self.path("out"), self.path("neisf"), "--scene", "1")
+        names = ["images_s0", "images_s1", "images_s2", "masks", "poses_bounds.npy"]
+        self.assertEqual(sorted(os.listdir(self.path("neisf"))), names)
+        for name, suffix in zip(names, ("exr", "exr", "exr", "png")):
+            self.assertEqual(sorted(os.listdir(self.path("neisf", name))), [f"img_001.{suffix}", f"img_002.{suffix}"])
+        with open(self.path("neisf", "masks", "img_002.png"), "rb") as file:
+            header, data = file.read()[16:26], zlib.decompress(self.tree("neisf")["masks/img_002.png"][41:-16])
+        self.assertEqual(struct.unpack(">IIBB", header), (48, 32, 16, 2))
+        mask = numpy.frombuffer(data, numpy.uint8).reshape(32, 1 + 6 * 48)[:, 1:].copy().view(">u2").reshape(32, 48, 3)
+        ids = load(self.path("out", "frames", "000003", "ids.npy"))
+        self.assertGreater((ids == 0).sum(), 100)
+        numpy.testing.assert_array_equal(mask[..., 0] == 65535, ids == 0)
+        stokes = load(self.path("out", "frames", "000003", "stokes.npy"))
+        expected = b"".join(exr.encoded({c: stokes[:, :, i, 1] for i, c in enumerate("RGB")}))
+        self.assertEqual(self.tree("neisf")["images_s1/img_002.exr"], expected)
 
     def test_rates(self):
         out = self.script("rates.py", "--frames", "2")
