@@ -109,7 +109,7 @@ def _vector(source, json, key):
     if not isinstance(points, list) or len(points) < 2:
         source.fail(join(key, "path"), f"{_shown(points)}; it must be a list of two points or more")
     plain = row(number(ranges=()), 3, 3)
-    return Path(tuple(tuple(plain(source, p, f"{key}.path[{i}]").at(None)) for i, p in enumerate(points)))
+    return Path(key, tuple(tuple(plain(source, p, f"{key}.path[{i}]").at(None)) for i, p in enumerate(points)))
 
 
 vector = varied(_vector)

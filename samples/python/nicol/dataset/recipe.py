@@ -8,7 +8,7 @@ import os
 import nicol
 
 from . import materials, reader
-from .values import AnyRotation, Copies, Draw, Fixed, RecipeError, Row, Table
+from .values import AnyRotation, Copies, Draw, Fixed, Path, Range, RecipeError, Row, Table, leaves
 
 MESHES = (".obj", ".ply", ".off", ".stl", ".serialized")
 SCENES = (".gltf", ".glb", ".xml")
@@ -147,6 +147,10 @@ class Recipe:
         self.poses = self.write.pop("poses", [])
         self.light_per_frame = self._given("light", {}).get("per") == "frame" if "light" in recipe else False
         self._check_camera()
+        self._check_sweeps()
+        for name, value in self.parts["render"].parts.items() if "render" in self.parts else ():
+            if not isinstance(value, Fixed):
+                self.source.fail(f"render.{name}", "drawn; it must be the same in all frames")
 
     def _given(self, name, default):
         return self.parts[name].at(Draw(0, "recipe", 0)) if name in self.parts else default
@@ -156,6 +160,14 @@ class Recipe:
         for name in ("azimuth", "elevation", "distance"):
             if name in names and "position" in names:
                 self.source.fail(f"camera.{name}", "position already says where the camera is; give one or the other")
+
+    def _check_sweeps(self):
+        """Refuses values that follow the views of a scene where they are drawn once for the scene."""
+        shared = ["scene", "objects", "floor"] + ([] if self.light_per_frame else ["light"])
+        for value in (leaf for name in shared if name in self.parts for leaf in leaves(self.parts[name])):
+            if isinstance(value, Path) or (isinstance(value, Range) and value.kind == "sweep"):
+                where = "the camera, and light that is drawn per frame, follow the views of a scene"
+                self.source.fail(value.key, f"is the same in all views of a scene; {where}")
 
     def scene_of(self, frame):
         return frame // self.views

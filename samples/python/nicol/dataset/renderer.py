@@ -111,12 +111,11 @@ def _sensor(recipe):
     sensor = nicol.Sensor(seed=recipe.seed)
     try:
         if isinstance(given, str):
-            return sensor.load(recipe.source.path(given)) or sensor
+            return sensor.load(recipe.source.path(given))
         with tempfile.NamedTemporaryFile("w", suffix=".json") as file:
             json.dump(given, file)
             file.flush()
-            sensor.load(file.name)
-            return sensor
+            return sensor.load(file.name)
     except nicol.Error as error:
         text = str(error) if isinstance(given, str) else str(error).replace(file.name, "sensor")
         raise RecipeError(f"{recipe.source.name}: {text}") from None

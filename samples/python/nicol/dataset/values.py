@@ -112,6 +112,7 @@ class Table:
 class Path:
     """A point on a line through points (lists of numbers), evenly over the views of a scene."""
 
+    key: str
     points: tuple
 
     def at(self, draw):
@@ -157,6 +158,23 @@ class Copies:
 
     def trials(self):
         return [[table] for table in self.table.trials()]
+
+
+def leaves(value):
+    """Yields the values of which a value is made."""
+    if isinstance(value, Choice):
+        parts = value.options
+    elif isinstance(value, Row):
+        parts = value.parts
+    elif isinstance(value, Table):
+        parts = value.parts.values()
+    elif isinstance(value, Copies):
+        parts = value.count, value.table
+    else:
+        yield value
+        return
+    for part in parts:
+        yield from leaves(part)
 
 
 class _Numbered:
