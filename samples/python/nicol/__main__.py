@@ -32,8 +32,12 @@ def serve():
 
 
 def main():
-    if len(sys.argv) < 2 or sys.argv[1] not in PROGRAMS:
-        sys.exit(f"usage: python -m nicol {'|'.join(PROGRAMS)} ...")
+    if len(sys.argv) < 2 or sys.argv[1] not in (*PROGRAMS, "dataset"):
+        sys.exit(f"usage: python -m nicol {'|'.join(PROGRAMS)}|dataset ...")
+    if sys.argv[1] == "dataset":
+        from .dataset import program
+
+        sys.exit(program.main(sys.argv[2:]))
     run(sys.argv[1], sys.argv[2:])
 
 
