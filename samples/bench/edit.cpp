@@ -49,10 +49,30 @@ Material plastic(nicol_context context, float reflectance, float alpha) {
     return create<Material>(nicol_material_create_pplastic, context, &parameters);
 }
 
-Environment forest(nicol_context context, double scale) {
-    nicol_environment_load_options options = NICOL_ENVIRONMENT_LOAD_OPTIONS_INIT;
-    options.scale = scale;
-    return create<Environment>(nicol_environment_load, context, NICOL_BENCH_ASSETS "/forest.exr", &options);
+Environment forest(nicol_context context) {
+    return create<Environment>(nicol_environment_load, context, NICOL_BENCH_ASSETS "/forest.exr", nullptr);
+}
+
+/// Returns a made-up photograph of clouds, of the size of the forest's.
+Environment clouds(nicol_context context, int number) {
+    constexpr std::uint32_t width = 512, height = 256;
+    std::vector<float> pixels;
+    for (std::uint32_t y = 0; y < height; ++y) {
+        for (std::uint32_t x = 0; x < width; ++x) {
+            const double up = 1 - 2.0 * y / height, around = 6.2831853 * x / width;
+            const double cloud = std::sin((3 + number) * around + 5 * up) * std::cos(9 * up - 2 * around);
+            for (const double blue : {0.6, 0.8, 1.0})
+                pixels.push_back(static_cast<float>(0.4 + 0.3 * blue * up + 0.25 * cloud));
+        }
+    }
+    nicol_image image = NICOL_IMAGE_INIT;
+    image.width = width;
+    image.height = height;
+    image.channels = kChannels;
+    image.components = 1;
+    image.pixels = pixels.data();
+    image.byte_size = pixels.size() * sizeof(float);
+    return create<Environment>(nicol_environment_create_image, context, &image);
 }
 
 Environment sky(nicol_context context, double sun) {
@@ -99,6 +119,7 @@ public:
         double scale = 1;
         check(nicol_scene_get_environment(scene(), &light, to_world, &scale));
         other.set_light(Environment(light));
+        other.set_light_scale(scale);
         other.frame([] {});
         return other;
     }
@@ -127,8 +148,11 @@ public:
         check(nicol_scene_set_transform(scene(), id, place.to_world));
     }
     void set_light(Environment light) {
-        check(nicol_scene_set_environment(scene(), light.get(), nullptr, 1));
         light_ = std::move(light);
+        set_light_scale(1);
+    }
+    void set_light_scale(double scale) {
+        check(nicol_scene_set_environment(scene(), light_.get(), nullptr, scale));
     }
     void orbit() {
         angle_ += 0.01;
@@ -184,7 +208,7 @@ public:
           pebble_(make_sphere(context_.get(), 60, 0)),
           grey_(plastic(context_.get(), 0.4F, 0.2F)),
           red_(plastic(context_.get(), 0.6F, 0.2F)) {
-        film_.set_light(forest(context_.get(), 1));
+        film_.set_light(forest(context_.get()));
         const auto floor = create<Mesh>(nicol_mesh_create_rectangle, context_.get());
         film_.add(floor.get(), grey_.get(), {{7, 0, 0, 0, 0, 0, 7, 0, 0, -7, 0, 0, 0, 0, 0, 1}});
         // The first ball is the instance with the most vertices, which decides the axes of the bake.
@@ -240,17 +264,18 @@ private:
         };
         measure("new reflectance", [&](int round) { set(0.5F + 0.1F * static_cast<float>(round), 0.2F); });
         measure("new alpha", [&](int round) { set(0.4F, 0.25F + 0.05F * static_cast<float>(round)); });
-        std::vector<Environment> forests, skies;
+        measure("environment's scale", [&](int round) { film_.set_light_scale(1.1 + 0.1 * round); });
+        std::vector<Environment> photographs, skies;
         for (int round = 0; round < kRounds; ++round) {
-            forests.push_back(forest(context_.get(), 1.1 + 0.1 * round));
+            photographs.push_back(clouds(context_.get(), round));
             skies.push_back(sky(context_.get(), 0.3 + 0.1 * round));
         }
         const auto light_by = [&](std::vector<Environment>& lights) {
             return [&](int round) { film_.set_light(std::move(lights[static_cast<std::size_t>(round)])); };
         };
-        measure("new environment", light_by(forests));
+        measure("new environment", light_by(photographs));
         measure("new sky", light_by(skies));
-        film_.set_light(forest(context_.get(), 1));
+        film_.set_light(forest(context_.get()));
     }
 
     void measure_pebbles() {

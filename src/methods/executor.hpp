@@ -32,6 +32,7 @@ struct ShadeInput : TransferInput {
     const Viewpoint& view;                 ///< viewpoint in the geometry's axes
     std::span<const std::uint8_t> chosen;  ///< 1 for each vertex to be shaded, else 0
     glm::dmat3 light_to_geometry;          ///< rotation from the distant light's axes to the geometry's
+    float light_factor;                    ///< factor that the distant light's coefficients do not have
     float noise;                           ///< predicted error of s0 from omitted orders, or 0
 };
 
@@ -44,7 +45,7 @@ struct PixelInput : ShadeInput {
     const LocalLights* local_lights;  ///< null: no local lights
     std::uint32_t seed;               ///< seed of light samples
     const Background* background;     ///< background behind the surfaces; null: none, or it is drawn
-    double light_scale;               ///< factor of the background
+    double light_scale;               ///< factor of the background, which includes light_factor
     /// Surfaces whose pixels show what rays meet; null: none. Only executors that follow_rays() take them.
     const SmoothSurfaces* smooth;
     int smooth_events;        ///< largest number of reflections and refractions of a ray
@@ -95,8 +96,11 @@ public:
     /// Adds the high orders (specular) to the Stokes vectors of shade().
     virtual void specular(const HighOrderTransfer& high_orders, const ShadeInput& input, RenderRun& run) = 0;
 
-    /// Shades the pixels that show a surface: computes their Stokes vectors, high orders included, from the
-    /// light that relight() computes for pixels.
+    /// Multiplies the chosen vertices' Stokes vectors by light_factor.
+    virtual void scale(const ShadeInput& input) = 0;
+
+    /// Shades the pixels that show a surface: computes their Stokes vectors, high orders and light_factor
+    /// included, from the light that relight() computes for pixels.
     virtual void shade_pixels(const FactoredMethod& method, const PixelInput& input, RenderRun& run) = 0;
     virtual void shade_pixels(const DenseMethod& method, const PixelInput& input, RenderRun& run) = 0;
 

@@ -21,7 +21,7 @@ namespace nicol {
 /// Distant light up to a high order, in its own axes. Filtering commutes with rotation, so a rotation of the
 /// light costs nothing.
 struct DistantLight {
-    const PshVector& coefficients;  ///< scaled coefficients of order `high`
+    const PshVector& coefficients;  ///< coefficients of order `high`
     Version version;                ///< version of the coefficients
     int low;
     int high;  ///< above low

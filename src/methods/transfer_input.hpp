@@ -21,7 +21,7 @@ class LocalLights;
 /// Surfaces, and the distant light's coefficients.
 struct TransferInput : SurfaceState {
     const LightLayout& layout;
-    const PshVector& light;  ///< scaled coefficients in the geometry's axes; one channel if all are equal
+    const PshVector& light;  ///< coefficients in the geometry's axes; one channel if all are equal
     Version light_version;   ///< version of `light` and `layout`
     int channels;            ///< channels of the image
     SampledTerms sampled;    ///< terms of materials that are not reflected in harmonics

@@ -39,6 +39,13 @@ void suppress_ringing(PshVector& light, double strength) {
     scale_orders(light, gains);
 }
 
+// Returns the part of a scale that coefficients are multiplied by: the nearest power of a large step, which
+// keeps what they light within the range of single precision, whatever the scale.
+double coarse(double scale) {
+    constexpr int log2_of_step = 20;
+    return scale > 0 ? std::exp2(log2_of_step * std::round(std::log2(scale) / log2_of_step)) : 1;
+}
+
 // Returns the last order with coefficients above rounding errors.
 int last_order_of(const PshVector& light) {
     const auto largest = [](std::span<const double> coefficients) {
@@ -63,9 +70,9 @@ LightKind light_kind(const Environment* light) {
     return light->circular() ? LightKind::full : LightKind::linear;
 }
 
-void LightProjection::update(const EnvironmentPtr& environment, double scale, const RenderOptions& options,
-                             const LeastLight& least, const glm::dmat3& rotation, KeptProjection& projection,
-                             Statistics& statistics) {
+void LightProjection::update(const EnvironmentPtr& environment, double scale, bool whole,
+                             const RenderOptions& options, const LeastLight& least,
+                             const glm::dmat3& rotation, KeptProjection& projection, Statistics& statistics) {
     const int low = options.order_low;
     const int high = options.high_orders == HighOrders::none ? low : options.order_high;
     const LightKind kind = (options.disabled_optimisations & skip_light_components) != 0
@@ -78,13 +85,15 @@ void LightProjection::update(const EnvironmentPtr& environment, double scale, co
                         ++statistics.lights_projected;
                         statistics.project_ms += watch.milliseconds();
                     });
+    checking_.run(light_.version(), scale, [&] { check_brightness(*light_, scale); });
     const Stopwatch watch;
-    bool changed = scaling_.run(light_.version(), scale, [&] {
-        check_brightness(*light_, scale);
+    const double of_coefficients = whole ? scale : coarse(scale);
+    bool changed = scaling_.run(light_.version(), of_coefficients, [&] {
         PshVector& distant = distant_.change();
         distant = *light_;
-        for (double& coefficient : distant.data()) coefficient *= scale;
+        for (double& coefficient : distant.data()) coefficient *= of_coefficients;
     });
+    factor_ = whole ? 1 : scale / of_coefficients;
     changed |= rotating_.run(distant_.version(), rotation, [&] {
         PshVector next = nicol::rotated(with_order(*distant_, low), rotation);
         const bool same = rotated_kind_ == layout_->kind() && next.order() == rotated_->order() &&

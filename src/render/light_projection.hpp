@@ -26,13 +26,14 @@ struct LeastLight {
 };
 
 /// Coefficients of the distant light. Low orders are kept in the axes of the scene's geometry, for the
-/// transfer methods; all orders are kept in the light's own axes, for the high orders. Both are scaled, and
-/// have one channel if all channels are equal.
+/// transfer methods; all orders are kept in the light's own axes, for the high orders. Both have a part of
+/// the light's scale, and have one channel if all channels are equal.
 class LightProjection {
 public:
     /// Projects the light; repeats only what changes require. environment: the scene's environment, or a part
-    /// of it. rotation: from the light's axes to the geometry's. Adds times and counts to `statistics`.
-    void update(const EnvironmentPtr& environment, double scale, const RenderOptions& options,
+    /// of it. whole: whether the coefficients have all of the scale, so that factor() is 1. rotation: from
+    /// the light's axes to the geometry's. Adds times and counts to `statistics`.
+    void update(const EnvironmentPtr& environment, double scale, bool whole, const RenderOptions& options,
                 const LeastLight& least, const glm::dmat3& rotation, KeptProjection& projection,
                 Statistics& statistics);
 
@@ -42,6 +43,9 @@ public:
     /// the high orders alone does not.
     [[nodiscard]] const Versioned<PshVector>& rotated() const noexcept { return rotated_; }
     [[nodiscard]] const Versioned<PshVector>& distant() const noexcept { return distant_; }
+    /// Returns the part of the scale that the coefficients do not have. What they light is multiplied by it,
+    /// so that a change of the scale relights nothing.
+    [[nodiscard]] double factor() const noexcept { return factor_; }
     /// Returns the last order of distant() that is not zero, but at least order_low.
     [[nodiscard]] int last_order() const noexcept { return last_order_; }
 
@@ -54,8 +58,9 @@ private:
     Versioned<PshVector> light_;  // coefficients in the environment's axes, unscaled, windowed
     std::optional<LightLayout> layout_;
     int last_order_ = -1;
-    Stage<Version, double> scaling_;
+    Stage<Version, double> checking_, scaling_;  // inputs: light_, scale
     Versioned<PshVector> distant_;
+    double factor_ = 1;
     Stage<Version, glm::dmat3> rotating_;
     std::optional<LightKind> rotated_kind_;  // kind of the layout that rotated_ belongs to
     Versioned<PshVector> rotated_;

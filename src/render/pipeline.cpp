@@ -99,8 +99,9 @@ void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderO
     }
     const glm::dmat3 light_to_geometry =
         glm::transpose(glm::dmat3(surfaces_.to_world())) * scene.light_rotation();
-    light_.update(split_.rest(), scene.light_scale(), options, least, light_to_geometry, projection_,
-                  run.statistics);
+    // Bounced light is the sum of what bounces of several lights, so no factor remains for the distant one.
+    light_.update(split_.rest(), scene.light_scale(), bounces > 0, options, least, light_to_geometry,
+                  projection_, run.statistics);
     // Local lights need no shadow rays if the bake found that nothing is occluded. The bake knows no glass.
     RenderOptions lighting = options;
     if ((scene.distant_light() != nullptr || bouncing) && surfaces.visibility == nullptr &&
@@ -161,7 +162,8 @@ void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderO
     method.relight(input, executor, run);
     visibility_.count_later_steps(run.statistics.bake_ms - before + run.statistics.relight_ms);
 
-    const ShadeInput shaded{input, projection.view, {}, light_to_geometry, noise_};
+    const ShadeInput shaded{
+        input, projection.view, {}, light_to_geometry, static_cast<float>(light_.factor()), noise_};
     if (pixels_) {
         shade_pixels(scene, shaded, projection, options, high_orders, executor, run, draw_hits);
     } else {
@@ -262,7 +264,7 @@ void Pipeline::shade(ShadeInput input, const Projection& projection, const Rende
                     distant.version, factored_.bounces().version(), local_lights_.version(),
                     high_orders ? options.high_orders : HighOrders::none,
                     high_orders && !high_orders_.visibility()->empty(), options.physical, noise_,
-                    input.channels, input.least_components, input.most_components);
+                    input.light_factor, input.channels, input.least_components, input.most_components);
     if (executor.can_choose()) {
         choose_vertices(input.geometry, projection, options, run);
     } else {
@@ -271,6 +273,7 @@ void Pipeline::shade(ShadeInput input, const Projection& projection, const Rende
     input.chosen = chosen_;
     method_for(options.method).shade(input, executor, run);
     if (high_orders) executor.specular(high_orders_, input, run);
+    if (input.light_factor != 1) executor.scale(input);
     if (options.physical) run.statistics.vertices_unphysical += executor.make_physical(input);
     run.statistics.vertices_shaded += static_cast<std::uint64_t>(std::ranges::count(chosen_, 1));
     if (local_lights_.any()) {

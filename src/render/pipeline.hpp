@@ -116,9 +116,9 @@ private:
     LightingTally lighting_{};  // of the samples that the image holds
 
     // Inputs: executor, method, view, light of low and high orders, bounced light, local lights, form of the
-    // high orders, with shadows, physical, noise, channels, least and most components.
+    // high orders, with shadows, physical, noise, factor of the light, channels, least and most components.
     VertexStage<Version, Method, Viewpoint, Version, Version, Version, Version, HighOrders, bool, bool, float,
-                int, std::size_t, std::size_t>
+                float, int, std::size_t, std::size_t>
         shading_{{.on_places = true, .on_materials = true}};
     // Inputs: geometry, projection to clip space, size of a pixel there.
     Stage<Version, glm::dmat4, glm::dvec2> seeing_;

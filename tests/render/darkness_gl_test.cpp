@@ -64,4 +64,8 @@ IMAGE_TEST_CASE("lights that give no light are not asked for any") {
     CHECK(test::rms(test::minus(render(scene, options), expected)) < 1e-6 * test::rms(expected));
     CHECK(render.statistics.local_lights == 1);
     CHECK(render.statistics.light_rays == rays);
+    // A spot that points past everything.
+    scene.add_light({.kind = LocalLight::Kind::spot, .value = {30}, .to_world = at(-1, 3, 2)});
+    CHECK(test::rms(test::minus(render(scene, options), expected)) < 1e-6 * test::rms(expected));
+    CHECK(render.statistics.light_rays == rays);
 }

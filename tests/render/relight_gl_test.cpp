@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Tests of the vertices that are relit: those that an image shows, each when an image first shows it.
 #include "gl/contexts.hpp"
+#include "image_difference.hpp"
 #include "render/scenes.hpp"
 
 using namespace nicol;
@@ -57,7 +58,8 @@ IMAGE_TEST_CASE("vertices are relit when an image first shows them") {
         CHECK(render(scene, where, front).vertices_relit == 0);
 
         // A vertex that was not shown keeps no light of an earlier environment.
-        scene.set_environment(test::falling_light(3, true, 3), glm::dmat3(1), 2);
+        const glm::dmat3 rotation(glm::rotate(glm::dmat4(1), 0.5, glm::dvec3(0, 1, 0)));
+        scene.set_environment(test::falling_light(5, true, 3), rotation, 2);
         CHECK(render(scene, where, front).vertices_relit == first.vertices_relit);
         // An object that moves changes the numbers of vertices, some of which have no light yet.
         for (const double x : {1.7, 1.4, 1.2, 0.9}) {
@@ -65,5 +67,42 @@ IMAGE_TEST_CASE("vertices are relit when an image first shows them") {
             render(scene, where, front);
         }
         render(scene, where, behind);
+    }
+}
+
+IMAGE_TEST_CASE("another scale of the environment relights nothing") {
+    const EnvironmentPtr light = test::falling_light(5, true, 3);
+    const auto brighter = [&](double scale) {
+        PshVector coefficients = light->project(5);
+        for (double& value : coefficients.data()) value *= scale;
+        return psh_environment(coefficients);
+    };
+    for (const Executor executor : {Executor::cpu, Executor::compute}) {
+        for (const Method method : {Method::factored, Method::dense}) {
+            for (const ShadeAt where : {ShadeAt::vertices, ShadeAt::pixels}) {
+                const RenderOptions options{.method = method,
+                                            .executor = executor,
+                                            .bake_directions = 256,
+                                            .order_low = 2,
+                                            .order_high = 5,
+                                            .shade_at = where,
+                                            .physical = true};
+                Scene scene = balls_on_floor();
+                scene.add_light({.kind = LocalLight::Kind::point, .value = {30}, .to_world = at(1, 3, 2)});
+                Studio render(context), other(context);
+                render(scene, options);
+                CHECK(render.statistics.vertices_relit > 0);
+                for (const double scale : {0.3, 7.0, 1e-6, 1e6}) {
+                    CAPTURES(static_cast<int>(executor), static_cast<int>(method), where, scale);
+                    scene.set_environment(light, glm::dmat3(1), scale);
+                    const StokesImage image = render(scene, options);
+                    // Light is kept in single precision, whose range extreme scales would leave.
+                    CHECK((render.statistics.vertices_relit == 0) == (scale > 1e-3 && scale < 1e3));
+                    scene.set_environment(brighter(scale), glm::dmat3(1), 1);
+                    const StokesImage truth = other(scene, options);
+                    CHECK(test::rms_difference(image, truth) < 1e-6 * test::rms(truth));
+                }
+            }
+        }
     }
 }

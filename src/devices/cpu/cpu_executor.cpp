@@ -323,6 +323,13 @@ void CpuExecutor::specular(const HighOrderTransfer& high_orders, const ShadeInpu
     }
 }
 
+void CpuExecutor::scale(const ShadeInput& input) {
+    for (auto& channel : stokes_) {
+        for (std::size_t v = 0; v < channel.size(); ++v)
+            if (input.chosen[v] != 0) channel[v] *= input.light_factor;
+    }
+}
+
 std::uint64_t CpuExecutor::make_physical(const ShadeInput& input) {
     std::uint64_t moved = 0;
     for (auto& channel : stokes_) {

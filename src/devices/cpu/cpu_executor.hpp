@@ -31,6 +31,7 @@ public:
     void specular(const HighOrderTransfer& high_orders, const ShadeInput& input, RenderRun& run) override;
     void shade_pixels(const FactoredMethod& method, const PixelInput& input, RenderRun& run) override;
     void shade_pixels(const DenseMethod& method, const PixelInput& input, RenderRun& run) override;
+    void scale(const ShadeInput& input) override;
     std::uint64_t make_physical(const ShadeInput& input) override;
     void illuminate(const LocalLights& lights, const ShadeInput& input, RenderRun& run) override;
     void finish() override {}

@@ -138,6 +138,8 @@ void GlExecutor::shade_pixels_by(const Method& method, Device& device, const Pix
                     high_orders_.add(*input.high_orders, material, points.first, points.last, input, to);
                 if (varies) textures_.add(layer++, points, pixels_->points());
             }
+            if (input.light_factor != 1)
+                scale(pixels_->points(), points.first, points.last, input.light_factor);
             if (input.physical)
                 make_physical(pixels_->points(), points.first, points.last, input.noise, uncounted);
         });
@@ -150,6 +152,26 @@ void GlExecutor::shade_pixels(const FactoredMethod& method, const PixelInput& in
 
 void GlExecutor::shade_pixels(const DenseMethod& method, const PixelInput& input, RenderRun& run) {
     shade_pixels_by(method, dense_, input, run);
+}
+
+void GlExecutor::scale(const ShadeInput& input) {
+    context_->run([&] {
+        if (prepare(input))
+            scale(vertices(input, false), 0, input.geometry.positions.size(), input.light_factor);
+    });
+}
+
+void GlExecutor::scale(const DevicePoints& points, std::size_t first, std::size_t last, float factor) {
+    if (!scale_) scale_ = gl::Program::compute(context_, "scale.comp");
+    scale_->set("factor", factor);
+    for (const gl::Buffer* const stokes : points.stokes) {
+        for (std::size_t begin = first; begin < last; begin += kStep) {
+            const std::size_t end = std::min(begin + kStep, last);
+            std::ignore = gl::bind_vertices(*stokes, 0, 4, begin, end);
+            scale_->set("count", static_cast<int>(end - begin));
+            gl::dispatch(*scale_, gl::groups_for(end - begin));
+        }
+    }
 }
 
 std::uint64_t GlExecutor::make_physical(const ShadeInput& input) {
