@@ -138,6 +138,12 @@ std::uint32_t EdgeBisection::middle(std::uint32_t a, std::uint32_t b) {
     return found->second;
 }
 
+void EdgeBisection::keep(const glm::uvec3& t, std::uint32_t source, std::span<WantedLength> points) {
+    for (WantedLength& point : points) point.triangle = static_cast<std::uint32_t>(triangles_.size());
+    triangles_.push_back(t);
+    sources_.push_back(source);
+}
+
 void EdgeBisection::cut(const glm::uvec3& t, std::uint32_t source, const Edges& edges,
                         std::span<WantedLength> points) {
     std::optional<Extent> longest;
@@ -148,12 +154,7 @@ void EdgeBisection::cut(const glm::uvec3& t, std::uint32_t source, const Edges& 
         longest = side;
         at = k;
     }
-    if (!longest) {
-        for (WantedLength& point : points) point.triangle = static_cast<std::uint32_t>(triangles_.size());
-        triangles_.push_back(t);
-        sources_.push_back(source);
-        return;
-    }
+    if (!longest) return keep(t, source, points);
     const glm::length_t next = (at + 1) % 3;
     const std::uint32_t vertex = middle(t[at], t[next]);
     const auto far = std::partition(points.begin(), points.end(), [&](const WantedLength& point) {
@@ -178,15 +179,16 @@ void EdgeBisection::split(const Edges& edges, std::vector<WantedLength>& points)
     const std::vector<glm::uvec3> triangles = std::exchange(triangles_, {});
     const std::vector<std::uint32_t> sources = std::exchange(sources_, {});
     const EdgeEnds ends(edges, place_count_);
-    const Edges none;
     std::ranges::stable_sort(points, {}, &WantedLength::triangle);
     auto first = points.begin();
     for (std::size_t i = 0; i < triangles.size(); ++i) {
         const auto last =
             std::find_if(first, points.end(), [i](const WantedLength& p) { return p.triangle != i; });
         const glm::uvec3& t = triangles[i];
-        const bool near = ends.on_triangle(places_[t.x], places_[t.y], places_[t.z]);
-        cut(t, sources[i], near ? edges : none, {first, last});
+        if (ends.on_triangle(places_[t.x], places_[t.y], places_[t.z]))
+            cut(t, sources[i], edges, {first, last});
+        else
+            keep(t, sources[i], {first, last});
         first = last;
     }
     middles_.clear();

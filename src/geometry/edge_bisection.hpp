@@ -66,6 +66,8 @@ private:
     };
     [[nodiscard]] Extent extent(std::uint32_t a, std::uint32_t b) const;
     [[nodiscard]] std::uint32_t middle(std::uint32_t a, std::uint32_t b);
+    // Adds a triangle that is not cut, or a part of one that is.
+    void keep(const glm::uvec3& triangle, std::uint32_t source, std::span<WantedLength> points);
     void cut(const glm::uvec3& triangle, std::uint32_t source, const Edges& edges,
              std::span<WantedLength> points);
 

@@ -208,16 +208,18 @@ template <std::size_t Count>
     }
 }
 
-/// Computes samples[4 column + image] on one row, of a component with coefficients `in`.
-void synthesize_row(const Component& component, const Slots& slots, std::size_t row, std::size_t quarter,
-                    const Lanes* in, Lanes* samples) {
-    LaneVector values[1][kMostSlots] = {};
-    to_slots(component, row, in, values[0]);
-    for (std::size_t column = 0; column < quarter; ++column) {
-        LaneVector images[1][1][4];
-        to_columns<1, 1>(slots, slots.table.data() + column * slots.begin[4], values, images);
-        for (std::size_t image = 0; image < 4; ++image) {
-            store(samples + 4 * column + image, images[0][0][image]);
+/// Computes samples[4 (row quarter + column) + image] of a component with coefficients `in`.
+[[gnu::always_inline]] inline void synthesize_rows(const Component& component, const Slots& slots,
+                                                   std::size_t rows, std::size_t quarter, const Lanes* in,
+                                                   Lanes* samples) {
+    LaneVector values[1][kMostSlots];
+    for (std::uint32_t s = 0; s < slots.begin[4]; ++s) values[0][s] = LaneVector{};
+    for (std::size_t row = 0; row < rows; ++row) {
+        to_slots(component, row, in, values[0]);
+        for (std::size_t column = 0; column < quarter; ++column, samples += 4) {
+            LaneVector images[1][1][4];
+            to_columns<1, 1>(slots, slots.table.data() + column * slots.begin[4], values, images);
+            for (std::size_t image = 0; image < 4; ++image) store(samples + image, images[0][0][image]);
         }
     }
 }
@@ -290,10 +292,8 @@ void ShadowGrid::add_pairs(const LightLayout& layout, bool weighted, std::vector
 void ShadowGrid::sample(const Lanes* visibility, Lanes* samples) const {
     std::vector<Lanes> coefficients;
     for (const std::size_t index : visibility_index_) coefficients.push_back(visibility[index]);
-    for (std::size_t row = 0; row < rows_.count(); ++row) {
-        synthesize_row(visibility_, slots_visibility_, row, quarter_, coefficients.data(),
-                       samples + 4 * quarter_ * row);
-    }
+    dispatch<synthesize_rows>(visibility_, slots_visibility_, rows_.count(), quarter_, coefficients.data(),
+                              samples);
 }
 
 void ShadowGrid::multiply(const std::int16_t* samples, const Lanes* in, Lanes* out) const {
