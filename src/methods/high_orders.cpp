@@ -117,11 +117,8 @@ void HighOrderTransfer::bake(const TransferInput& input, int low, std::optional<
 
 void HighOrderTransfer::fill(VisibilityRequest& request, const TransferInput& input, RenderRun& run) {
     std::vector<std::uint32_t> vertices;
-    for (std::size_t block = 0; block < request.missing.size(); ++block) {
-        if (request.missing[block] == 0) continue;
-        const std::size_t last = std::min((block + 1) * kLanes, input.geometry.positions.size());
-        for (std::size_t v = block * kLanes; v < last; ++v) vertices.push_back(static_cast<std::uint32_t>(v));
-    }
+    for (std::size_t v = 0; v < request.missing.size(); ++v)
+        if (request.missing[v] != 0) vertices.push_back(static_cast<std::uint32_t>(v));
     if (vertices.empty()) return;
     const int order = request.blocks.order();
     std::optional<VisibilityHarmonics> harmonics;
@@ -135,7 +132,8 @@ void HighOrderTransfer::fill(VisibilityRequest& request, const TransferInput& in
                 const auto some = std::span(vertices).subspan(first, std::min(batch, end - first));
                 harmonics->project(*input.visibility, input.geometry.normals, some, coefficients);
                 for (std::size_t k = 0; k < some.size(); k += kLanes)
-                    request.blocks.set(some[k] / kLanes, &coefficients[k / kLanes * size]);
+                    request.blocks.set(some.subspan(k, std::min(kLanes, some.size() - k)),
+                                       &coefficients[k / kLanes * size]);
             }
         });
 }

@@ -17,7 +17,7 @@ namespace nicol {
 /// Coefficients of visibility that are needed in addition to a method's own.
 struct VisibilityRequest {
     VisibilityBlocks blocks;
-    std::vector<std::uint8_t> missing;  ///< 1 for each block that is still to be set
+    std::vector<std::uint8_t> missing;  ///< 1 for each vertex that is still to be set
 };
 
 /// Method that turns incident light into reflected light. Every function computes only what changes of its

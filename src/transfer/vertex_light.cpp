@@ -53,7 +53,6 @@ void VertexLight::renumber(std::span<const std::uint32_t> former, bool rows) {
     };
     data_.renumber(
         former, size, [](std::size_t /*block*/) { return true; }, copy);
-    allocate();
 }
 
 void VertexLight::to_rows(std::size_t block) {

@@ -70,8 +70,9 @@ VisibilityProduct::VisibilityProduct(const Visibility& visibility, const Directi
     if (psh_count(harmonics.order()) > directions.size()) {
         find_unit({visibility, harmonics, normals, {}});
     }
-    compute(occluded_, {visibility, harmonics, normals, keep},
-            [&](std::size_t block, std::span<const Lanes> numbers) { store_block(block, numbers); });
+    tbb::parallel_for(std::size_t{0}, occluded_.size(),
+                      [&](std::size_t i) { numbers_.allocate(occluded_[i], size_ / 2); });
+    store(vertices_, {visibility, harmonics, normals, keep});
 }
 
 VisibilityProduct::VisibilityProduct(VisibilityProduct&& before, std::span<const std::uint32_t> former,
@@ -95,15 +96,11 @@ VisibilityProduct::VisibilityProduct(VisibilityProduct&& before, std::span<const
             to[k].value[lane * step + second] = from[k].value[lane_before * step + second];
         }
     };
-    numbers_.renumber(
+    const std::vector<std::uint32_t> changed = numbers_.renumber(
         former, size_ / 2, [&](std::size_t block) { return wanted[block] != 0; }, copy);
-    std::vector<std::uint32_t> changed;
-    std::ranges::copy_if(occluded_, std::back_inserter(changed),
-                         [this](std::uint32_t block) { return numbers_.at(block) == nullptr; });
     if (changed.empty()) return;
     const VisibilityHarmonics harmonics(directions, 2 * layout_.order());
-    compute(changed, {visibility, harmonics, normals, keep},
-            [&](std::size_t block, std::span<const Lanes> numbers) { store_block(block, numbers); });
+    store(changed, {visibility, harmonics, normals, keep});
 }
 
 void VisibilityProduct::find_occluded(const Visibility& visibility) {
@@ -121,64 +118,62 @@ void VisibilityProduct::find_occluded(const Visibility& visibility) {
 // range of visibility.
 void VisibilityProduct::find_unit(const Input& input) {
     std::vector<float> largest(numbers_.blocks(), 0.0F);
-    compute(occluded_, input, [&](std::size_t block, std::span<const Lanes> numbers) {
+    compute(vertices_, input, [&](std::span<const std::uint32_t> some, std::span<const Lanes> numbers) {
+        float& of_block = largest[some.front() / kLanes];
         for (const Lanes& lanes : numbers)
-            for (const float number : lanes.value)
-                largest[block] = std::max(largest[block], std::abs(number));
+            for (const float number : lanes.value) of_block = std::max(of_block, std::abs(number));
     });
     const float most = largest.empty() ? 0.0F : std::ranges::max(largest);
     while (unit_ * kLargestFixed < most) unit_ *= 2;
 }
 
 template <class Use>
-void VisibilityProduct::compute(std::span<const std::uint32_t> blocks, const Input& input,
+void VisibilityProduct::compute(std::span<const std::uint32_t> all, const Input& input,
                                 const Use& use) const {
-    constexpr std::size_t most = VisibilityHarmonics::kBatch / kLanes;
+    constexpr std::size_t most = VisibilityHarmonics::kBatch;
     const std::size_t size = psh_count(input.harmonics.order());
     const EvenIrradiance even(input.harmonics.directions(), layout_.order());
-    tbb::parallel_for(std::size_t{0}, (blocks.size() + most - 1) / most, [&](std::size_t batch) {
-        const std::span some = blocks.subspan(batch * most, std::min(most, blocks.size() - batch * most));
-        std::vector<std::uint32_t> vertices;
-        for (const std::uint32_t block : some) {
-            const std::size_t end = std::min((block + 1) * kLanes, input.normals.size());
-            for (std::size_t v = block * kLanes; v < end; ++v)
-                vertices.push_back(static_cast<std::uint32_t>(v));
-        }
-        std::vector<Lanes> all(some.size() * size), numbers(size_);
-        input.harmonics.project(input.visibility, input.normals, vertices, all);
-        for (std::size_t k = 0; k < some.size(); ++k) {
-            const std::span coefficients = std::span(all).subspan(k * size, size);
+    tbb::parallel_for(std::size_t{0}, (all.size() + most - 1) / most, [&](std::size_t batch) {
+        const std::span vertices = all.subspan(batch * most, std::min(most, all.size() - batch * most));
+        std::vector<Lanes> projected((vertices.size() + kLanes - 1) / kLanes * size), numbers(size_);
+        input.harmonics.project(input.visibility, input.normals, vertices, projected);
+        for (std::size_t first = 0; first < vertices.size(); first += kLanes) {
+            const std::span some = vertices.subspan(first, std::min(kLanes, vertices.size() - first));
+            const std::span coefficients = std::span(projected).subspan(first / kLanes * size, size);
             if (input.keep.blocks != nullptr) {
-                input.keep.blocks->set(some[k], coefficients.data());
-                if (!input.keep.missing.empty()) input.keep.missing[some[k]] = 0;
+                input.keep.blocks->set(some, coefficients.data());
+                if (!input.keep.missing.empty())
+                    for (const std::uint32_t v : some) input.keep.missing[v] = 0;
             }
             const std::span numbers_of_lanes(coefficients.front().value.data(), size * kLanes);
-            for (std::size_t i = 0; i < kLanes && k * kLanes + i < vertices.size(); ++i) {
-                const std::size_t vertex = vertices[k * kLanes + i];
-                even.restore(input.visibility, vertex, input.normals[vertex], numbers_of_lanes.subspan(i),
+            for (std::size_t i = 0; i < some.size(); ++i)
+                even.restore(input.visibility, some[i], input.normals[some[i]], numbers_of_lanes.subspan(i),
                              kLanes);
-            }
             if (matrices_) {
                 matrices_->make(coefficients.data(), numbers.data());
             } else {
                 grid_->sample(coefficients.data(), numbers.data());
             }
-            use(some[k], numbers);
+            use(some, numbers);
         }
     });
 }
 
-void VisibilityProduct::store_block(std::size_t block, std::span<const Lanes> numbers) {
+void VisibilityProduct::store(std::span<const std::uint32_t> vertices, const Input& input) {
     const std::size_t step = matrices_ ? 2 : 1;         // step from lane to lane
     const std::size_t second = matrices_ ? 1 : kLanes;  // step from the first number of a pair to the second
-    numbers_.allocate(block, size_ / 2);
-    NumberPair* pair = numbers_.at(block);
-    for (std::size_t k = 0; k < size_; k += 2, ++pair) {
-        for (std::size_t i = 0; i < kLanes; ++i) {
-            pair->value[i * step] = to_fixed(numbers[k][i] / unit_);
-            pair->value[i * step + second] = to_fixed(numbers[k + 1][i] / unit_);
+    compute(vertices, input, [&](std::span<const std::uint32_t> some, std::span<const Lanes> numbers) {
+        std::array<std::int16_t*, kLanes> to{};
+        for (std::size_t i = 0; i < some.size(); ++i)
+            to[i] = numbers_.at(some[i] / kLanes)->value.data() + some[i] % kLanes * step;
+        for (std::size_t k = 0; k < size_; k += 2) {
+            for (std::size_t i = 0; i < some.size(); ++i) {
+                std::int16_t* const pair = to[i] + k * kLanes;
+                pair[0] = to_fixed(numbers[k][i] / unit_);
+                pair[second] = to_fixed(numbers[k + 1][i] / unit_);
+            }
         }
-    }
+    });
 }
 
 void VisibilityProduct::run(VertexLight& light, std::size_t first, std::size_t last,

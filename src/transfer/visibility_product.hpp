@@ -22,7 +22,7 @@ namespace nicol {
 /// Coefficients of visibility that VisibilityProduct computes on the way and keeps in addition.
 struct KeptCoefficients {
     VisibilityBlocks* blocks = nullptr;  ///< of as many vertices and twice the light's order; null: none
-    std::span<std::uint8_t> missing;     ///< set to 0 for each block that is set; may be empty
+    std::span<std::uint8_t> missing;     ///< set to 0 for each vertex that is set; may be empty
 };
 
 /// The product V f (Eq. 54) of visibility and Stokes vector field at every vertex, in the vertices' frames.
@@ -44,8 +44,8 @@ public:
                       std::span<const glm::vec3> normals, const LightLayout& layout,
                       const KeptCoefficients& keep = {});
     /// Makes the product from that of an earlier state with equal directions and layout. Numbers are taken
-    /// over for blocks of vertices that all have one in `former`: for each vertex, the index in the earlier
-    /// state of a vertex with equal visibility and normal, or kNoVertex.
+    /// over from `former`: for each vertex, the index in the earlier state of a vertex with equal visibility
+    /// and normal, or kNoVertex.
     VisibilityProduct(VisibilityProduct&& before, std::span<const std::uint32_t> former,
                       const Visibility& visibility, const DirectionSet& directions,
                       std::span<const glm::vec3> normals, const KeptCoefficients& keep = {});
@@ -95,11 +95,12 @@ private:
 
     void find_occluded(const Visibility& visibility);
     void find_unit(const Input& input);
-    // Computes the numbers of some of VertexLight's blocks, on threads, in any order, and calls
-    // use(block, numbers).
+    // Computes the numbers of some vertices, on threads, and calls use(sixteen, numbers) for each sixteen of
+    // them, in any order.
     template <class Use>
-    void compute(std::span<const std::uint32_t> blocks, const Input& input, const Use& use) const;
-    void store_block(std::size_t block, std::span<const Lanes> numbers);
+    void compute(std::span<const std::uint32_t> vertices, const Input& input, const Use& use) const;
+    // Computes and stores the numbers of some vertices, whose blocks have memory.
+    void store(std::span<const std::uint32_t> vertices, const Input& input);
 
     LightLayout layout_;
     std::optional<ShadowMatrices> matrices_;  // set up to kHighestMatrixOrder; otherwise grid_ is set

@@ -38,27 +38,34 @@ public:
     }
 
     /// Moves values of `size` to other vertices: those of vertex former[v] to v. A block then has values if
-    /// wanted(block) is true and each of its vertices had values; former[v] may be kNoVertex.
-    /// copy(to, lane, from, lane_before) copies the values of one vertex. Runs on the calling thread's TBB
-    /// arena.
+    /// wanted(block) is true. Returns the vertices of such blocks whose values are unset, ascending: those
+    /// for which former[v] is kNoVertex or had no values. copy(to, lane, from, lane_before) copies the values
+    /// of one vertex. Runs on the calling thread's TBB arena.
     template <class Wanted, class Copy>
-    void renumber(std::span<const std::uint32_t> former, std::size_t size, const Wanted& wanted,
-                  const Copy& copy) {
+    std::vector<std::uint32_t> renumber(std::span<const std::uint32_t> former, std::size_t size,
+                                        const Wanted& wanted, const Copy& copy) {
         std::vector<std::unique_ptr<Value[]>> before((former.size() + kLanes - 1) / kLanes);
         before.swap(blocks_);
         const auto had_values = [&](std::uint32_t v) {
             return v != kNoVertex && v / kLanes < before.size() && before[v / kLanes];
         };
+        std::vector<std::uint32_t> unset;
         std::vector<std::uint8_t> handed_over(before.size(), 0);
         std::vector<std::pair<std::size_t, std::size_t>> whole;  // blocks and the former blocks that they are
         std::vector<std::size_t> mixed;
         for (std::size_t block = 0; block < blocks_.size(); ++block) {
+            if (!wanted(block)) continue;
             const auto vertices =
                 former.subspan(block * kLanes, std::min(kLanes, former.size() - block * kLanes));
-            if (!wanted(block) || !std::ranges::all_of(vertices, had_values)) continue;
             const std::size_t same = vertices.front() / kLanes;
             std::size_t in_order = 0;
-            while (in_order < vertices.size() && vertices[in_order] == same * kLanes + in_order) ++in_order;
+            for (std::size_t i = 0; i < vertices.size(); ++i) {
+                if (!had_values(vertices[i])) {
+                    unset.push_back(static_cast<std::uint32_t>(block * kLanes + i));
+                } else if (vertices[i] == same * kLanes + i) {
+                    ++in_order;
+                }
+            }
             if (in_order == vertices.size() && std::exchange(handed_over[same], 1) == 0)
                 whole.emplace_back(block, same);
             else
@@ -68,10 +75,12 @@ public:
             allocate(mixed[i], size);
             for (std::size_t lane = 0; lane < kLanes; ++lane) {
                 const std::uint32_t v = former[std::min(mixed[i] * kLanes + lane, former.size() - 1)];
+                if (!had_values(v)) continue;
                 copy(at(mixed[i]), lane, std::as_const(before[v / kLanes]).get(), v % kLanes);
             }
         });
         for (const auto& [block, same] : whole) blocks_[block] = std::move(before[same]);
+        return unset;
     }
 
 private:

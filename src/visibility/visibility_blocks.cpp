@@ -38,8 +38,8 @@ VisibilityBlocks::VisibilityBlocks(VisibilityBlocks&& before, std::span<const st
     if (before.empty()) {
         *this = VisibilityBlocks(visibility, order);
         missing.clear();
-        for (std::size_t block = 0; block < numbers_.blocks(); ++block)
-            missing.push_back(numbers_.at(block) == nullptr ? 0 : 1);
+        for (std::size_t v = 0; v < vertices_; ++v)
+            missing.push_back(numbers_.at(v / kLanes) == nullptr ? 0 : 1);
         return;
     }
     *this = std::move(before);
@@ -49,25 +49,20 @@ VisibilityBlocks::VisibilityBlocks(VisibilityBlocks&& before, std::span<const st
                              std::size_t lane_before) {
         for (std::size_t k = 0; k < kept_.size(); ++k) to[k].value[lane] = from[k].value[lane_before];
     };
-    numbers_.renumber(
+    const std::vector<std::uint32_t> unset = numbers_.renumber(
         former, kept_.size(), [&](std::size_t block) { return occluded(visibility, block); }, copy);
-    missing.assign(numbers_.blocks(), 0);
-    for (std::size_t block = 0; block < numbers_.blocks(); ++block) {
-        if (numbers_.at(block) != nullptr || !occluded(visibility, block)) continue;
-        missing[block] = 1;
-        numbers_.allocate(block, kept_.size());
-    }
+    missing.assign(vertices_, 0);
+    for (const std::uint32_t v : unset) missing[v] = 1;
 }
 
-void VisibilityBlocks::set(std::size_t block, const Lanes* coefficients) {
-    FixedLanes* to = numbers_.at(block);
-    if (to == nullptr) return;
-    for (const std::size_t index : kept_) {
-        for (std::size_t i = 0; i < kLanes; ++i) {
+void VisibilityBlocks::set(std::span<const std::uint32_t> vertices, const Lanes* coefficients) {
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+        FixedLanes* to = numbers_.at(vertices[i] / kLanes);
+        if (to == nullptr) continue;
+        for (const std::size_t index : kept_) {
             const float number = std::clamp(coefficients[index][i] * kOne, -32767.0F, 32767.0F);
-            to->value[i] = static_cast<std::int16_t>(std::lround(number));
+            to++->value[vertices[i] % kLanes] = static_cast<std::int16_t>(std::lround(number));
         }
-        ++to;
     }
 }
 

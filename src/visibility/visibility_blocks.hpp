@@ -29,7 +29,7 @@ public:
     VisibilityBlocks(const Visibility& visibility, int order);
     /// Makes coefficients from those of an earlier state, of the same order or empty. former: for each
     /// vertex, the index in the earlier state of a vertex with equal coefficients, or kNoVertex. Sets
-    /// missing[block] to 1 for each occluded block with a vertex whose coefficients are not known, else to 0.
+    /// missing[v] to 1 for each vertex of an occluded block whose coefficients are not known, else to 0.
     VisibilityBlocks(VisibilityBlocks&& before, std::span<const std::uint32_t> former,
                      const Visibility& visibility, int order, std::vector<std::uint8_t>& missing);
 
@@ -37,9 +37,9 @@ public:
     [[nodiscard]] bool empty() const noexcept { return numbers_.blocks() == 0; }
     [[nodiscard]] std::size_t vertices() const noexcept { return vertices_; }
 
-    /// Sets the coefficients of vertices 16 block to 16 block + 15, by psh_index; has no effect on an
-    /// unoccluded block. Calls for different blocks may run side by side.
-    void set(std::size_t block, const Lanes* coefficients);
+    /// Sets the coefficients, by psh_index, of up to sixteen vertices, one in each lane; has no effect on
+    /// vertices of unoccluded blocks. Calls for different vertices may run side by side.
+    void set(std::span<const std::uint32_t> vertices, const Lanes* coefficients);
     /// Returns the numbers of a block: for each m from 0 on and each l = m, m + 2, ..., the number of m in
     /// each lane, then the number of -m unless m = 0. Returns null if the vertices are unoccluded.
     [[nodiscard]] const std::int16_t* block(std::size_t block) const {

@@ -44,7 +44,9 @@ test::Deviation compare(const test::Vertices& vertices, const Material& material
     std::vector<std::uint32_t> all(count);
     std::iota(all.begin(), all.end(), 0U);
     harmonics.project(vertices.visibility, vertices.normals, all, lanes);
-    for (std::size_t block = 0; block < blocks; ++block) seen.set(block, &lanes[block * size]);
+    for (std::size_t first = 0; first < count; first += kLanes)
+        seen.set(std::span(all).subspan(first, std::min(kLanes, count - first)),
+                 &lanes[first / kLanes * size]);
     // The truth uses the stored coefficients, so that the loss of 16 bits does not count.
     std::vector<float> kept(psh_count(visibility_order));
     std::vector<glm::dvec2> fractions_truth;

@@ -185,7 +185,9 @@ TEST_CASE("coefficients that are computed on the way can be kept") {
     std::vector<std::uint32_t> vertices(70);
     std::iota(vertices.begin(), vertices.end(), 0U);
     harmonics.project(scene.visibility, scene.normals, vertices, lanes);
-    for (std::size_t block = 0; block < 5; ++block) expected.set(block, &lanes[block * psh_count(6)]);
+    for (std::size_t first = 0; first < 70; first += kLanes)
+        expected.set(std::span(vertices).subspan(first, std::min<std::size_t>(kLanes, 70 - first)),
+                     &lanes[first / kLanes * psh_count(6)]);
     std::vector<float> one(psh_count(6));
     std::vector<float> other(psh_count(6));
     for (std::size_t v = 0; v < 70; ++v) {
@@ -196,6 +198,35 @@ TEST_CASE("coefficients that are computed on the way can be kept") {
     VisibilityBlocks short_one(scene.visibility, 4);
     CHECK_THROWS_AS(
         VisibilityProduct(scene.visibility, directions(), scene.normals, layout, {&short_one, {}}), Error);
+}
+
+TEST_CASE("only vertices that changed are computed anew") {
+    constexpr std::uint32_t changed = 50, removed = 37;
+    for (const int order : {3, 10}) {
+        CAPTURE(order);
+        const LightLayout layout(order, LightKind::full);
+        const Scene before(100);
+        Scene after(99);
+        std::vector<std::uint32_t> former(99);
+        for (std::uint32_t v = 0; v < 99; ++v) {
+            former[v] = v < removed ? v : v + 1;
+            after.normals[v] = before.normals[former[v]];
+            std::ranges::copy(before.visibility.at(former[v]), after.visibility.at(v).begin());
+            after.visibility.set_unoccluded(v, before.visibility.unoccluded(former[v]));
+        }
+        former[changed] = kNoVertex;
+        std::ranges::fill(after.visibility.at(changed), 0U);
+        after.visibility.set_unoccluded(changed, false);
+        VisibilityBlocks kept(after.visibility, 2 * order);
+        std::vector<std::uint8_t> missing(99, 1);
+        const VisibilityProduct carried(before.product(layout), former, after.visibility, directions(),
+                                        after.normals, {&kept, missing});
+        for (std::uint32_t v = 0; v < 99; ++v) CHECK(missing[v] == (v == changed ? 0 : 1));
+        VertexLight light = vertex_lights(layout, 1, 99), expected = vertex_lights(layout, 1, 99);
+        carried.run(light, 0, light.blocks());
+        after.product(layout).run(expected, 0, expected.blocks());
+        for (std::size_t v = 0; v < 99; ++v) CHECK(numbers_at(light, v, 0) == numbers_at(expected, v, 0));
+    }
 }
 
 TEST_CASE("what does not fit together is refused") {

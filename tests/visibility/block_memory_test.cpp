@@ -50,7 +50,7 @@ TEST_CASE("values follow their vertices, and whole blocks are not copied") {
         const std::vector<std::uint32_t> block = consecutive(first, 16);
         former.insert(former.end(), block.begin(), block.end());
     }
-    memory.renumber(former, kSize, all, copy_lane);
+    CHECK(memory.renumber(former, kSize, all, copy_lane).empty());
     REQUIRE(memory.blocks() == 5);
     CHECK(memory.at(1) == second);
     CHECK(memory.at(2) == fourth);
@@ -62,15 +62,19 @@ TEST_CASE("values follow their vertices, and whole blocks are not copied") {
     }
 }
 
-TEST_CASE("a block has no values if a vertex has none, or if it is not wanted") {
+TEST_CASE("vertices of wanted blocks without former values are returned") {
     BlockMemory<Sixteen> memory = blocks_of(48);
     std::vector<std::uint32_t> former = consecutive(0, 64);
     former[20] = kNoVertex;
-    memory.renumber(
-        former, kSize, [](std::size_t block) { return block != 2; }, copy_lane);
-    CHECK(memory.at(0) != nullptr);
-    CHECK(memory.at(1) == nullptr);  // has a vertex without former values
-    CHECK(memory.at(2) == nullptr);  // is not wanted
-    CHECK(memory.at(3) == nullptr);  // its former vertices are beyond the last one
-    CHECK(memory.count() == 1);
+    std::vector<std::uint32_t> expected{20};
+    const std::vector<std::uint32_t> last = consecutive(48, 16);  // beyond the former vertices
+    expected.insert(expected.end(), last.begin(), last.end());
+    const auto wanted = [](std::size_t block) { return block != 2; };
+    CHECK(memory.renumber(former, kSize, wanted, copy_lane) == expected);
+    CHECK(memory.at(2) == nullptr);
+    CHECK(memory.count() == 3);
+    for (std::size_t v = 0; v < 32; ++v) {
+        CAPTURE(v);
+        if (v != 20) CHECK(memory.at(v / kLanes)[1][v % kLanes] == static_cast<int>(10 * v + 1));
+    }
 }
