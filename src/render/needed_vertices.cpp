@@ -80,9 +80,9 @@ bool need_the_same(const Projection& a, const Projection& b) {
            moved.x <= a.pixel.x && moved.y <= a.pixel.y;
 }
 
-bool shows_others(const WorldGeometry& geometry) {
-    return std::ranges::any_of(geometry.ranges, [](const VertexRange& range) {
-        return smoothness_of(*range.material, false) != Smoothness::none;
+bool shows_others(const WorldGeometry& geometry, bool lobes) {
+    return std::ranges::any_of(geometry.ranges, [lobes](const VertexRange& range) {
+        return smoothness_of(*range.material, lobes) != Smoothness::none;
     });
 }
 

@@ -29,7 +29,7 @@ struct NeededVertices {
 [[nodiscard]] bool need_the_same(const Projection& a, const Projection& b);
 
 /// Returns whether rays of pixels go on from a surface, so that an image needs vertices which it does not
-/// show.
-[[nodiscard]] bool shows_others(const WorldGeometry& geometry);
+/// show. lobes: whether rays follow lobes, see follows_lobes().
+[[nodiscard]] bool shows_others(const WorldGeometry& geometry, bool lobes);
 
 }  // namespace nicol

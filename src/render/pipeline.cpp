@@ -37,7 +37,7 @@ int smooth_events(int max_depth) {
 // Returns whether an image shows the light of vertices that it shows, and of no others.
 bool shows_seen_alone(const WorldGeometry& geometry, const RenderOptions& options) {
     return options.method == Method::factored && (options.disabled_optimisations & skip_hidden) == 0 &&
-           !shows_others(geometry);
+           !shows_others(geometry, options.max_depth > kDirectLightDepth);
 }
 
 // Returns whether an image shows vertices by their own light alone, so that it needs those that it shows.

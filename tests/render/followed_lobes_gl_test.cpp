@@ -140,3 +140,20 @@ IMAGE_TEST_CASE("with one bounce, rays end at direct light") {
     const StokesImage truth = render(scene, {.method = Method::reference, .samples = 256, .max_depth = 3});
     CHECK(rms_difference(render(scene, following(64, 3)), truth) < 0.05 * rms(truth));
 }
+
+IMAGE_TEST_CASE("rays that follow lobes see lit surfaces that the image does not show") {
+    Scene scene;
+    scene.set_environment(test::falling_light(4, LightKind::full), glm::dmat3(1), 1);
+    scene.add({.mesh = std::make_shared<const Mesh>(make_cube(4)),
+               .material = metal(0.1),
+               .to_world = test::at(0, 0, 0, 0.5)});
+    scene.add({.mesh = test::rectangle(8), .material = diffuse({0.5}), .to_world = test::plate_at(-0.6, 3)});
+    Camera camera = test::camera_at({0, 0.2, 1.6}, {0, 0.1, 0});
+    camera.fov = 20;
+    RenderOptions options = following(4);
+    const StokesImage image = test::Studio(context, 24, 18)(scene, options, camera);
+    options.disabled_optimisations = skip_hidden;
+    const StokesImage all = test::Studio(context, 24, 18)(scene, options, camera);
+    CHECK(rms(all) > 0);
+    CHECK(rms_difference(image, all) < 1e-6 * rms(all));
+}
