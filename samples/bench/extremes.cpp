@@ -10,10 +10,12 @@
 #include <utility>
 #include <vector>
 
+#include "lamp_room.hpp"
 #include "median.hpp"
 #include "scene_file.hpp"
 #include "temporary_folder.hpp"
 #include "truth.hpp"
+#include "wavy_torus.hpp"
 
 namespace {
 
@@ -86,6 +88,15 @@ std::string checkered_floor() {
                R"(<scale value="50"/></transform></texture></bsdf>)");
 }
 
+constexpr const char* kCoarse = "mesh of 1,440 vertices before a lamp";
+
+// A mesh that the scene's folder holds, as the light with its lamp.
+std::string coarse_on_floor() {
+    return R"(<emitter type="envmap"><string name="filename" value="lamp.exr"/></emitter>)"
+           R"(<shape type="obj"><string name="filename" value="mesh.obj"/>)" +
+           plastic("0.2") + "</shape>" + square(R"(<scale value="4"/><translate y="-0.6"/>)", plastic("0.2"));
+}
+
 struct Row {
     std::string name;
     std::string content;
@@ -115,6 +126,7 @@ std::vector<Row> rows() {
                        "1.1,0.4,1.3", "0.4,0,0.5"});
     out.push_back({"disc of the sky of 60 degrees", disc_of_sky("0.5"), "0,1,5"});
     out.push_back({"disc of the sky of 90 degrees", disc_of_sky("0.707"), "0,1,5"});
+    out.push_back({kCoarse, coarse_on_floor(), "0,2.2,4.6"});
     out.push_back({"checkerboard of 100 x 100 squares", checkered_floor(), "0,4,20"});
     return out;
 }
@@ -160,6 +172,8 @@ Report bench_extremes(const Options& given) {
     const TemporaryFolder folder;
     Options options = given;
     const std::filesystem::path file = folder.path() / "scene.xml";
+    write_lamp_behind(folder.path() / "lamp.exr", given.backend);
+    write_obj(folder.path() / "mesh.obj", wavy_torus(48, 30));
     options.scene = file.string();
 
     Report report({"relative RMSE", "s0", "s1", "s2", "s0 inside", "predicted", "frame ms"});

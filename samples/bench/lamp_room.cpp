@@ -3,19 +3,26 @@
 
 #include <nicol_files.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <utility>
+#include <span>
 #include <vector>
 
 #include "stage.hpp"
 
-void write_lamp_room(const std::filesystem::path& path, nicol_backend backend) {
+namespace {
+
+struct Lamp {
+    std::size_t row, column;
+};
+
+void write_room(const std::filesystem::path& path, nicol_backend backend, std::span<const Lamp> lamps) {
     constexpr std::uint32_t width = 128, height = 64;
     std::vector<float> pixels(std::size_t{3} * width * height, 0.07F);
-    for (const auto& [row, column] : {std::pair{9U, 20U}, {14U, 52U}, {20U, 90U}, {11U, 117U}}) {
+    for (const auto& [row, column] : lamps) {
         for (std::size_t c = 0; c < 3; ++c)
-            pixels[3 * (std::size_t{row} * width + column) + c] = 1000.0F - 100.0F * static_cast<float>(c);
+            pixels[3 * (row * width + column) + c] = 1000.0F - 100.0F * static_cast<float>(c);
     }
     const Context context = make_context(backend, "");
     nicol_image image = NICOL_IMAGE_INIT;
@@ -27,6 +34,16 @@ void write_lamp_room(const std::filesystem::path& path, nicol_backend backend) {
     image.byte_size = pixels.size() * sizeof(float);
     nicol_environment handle = nullptr;
     check(nicol_environment_create_image(context.get(), &image, &handle));
-    const Environment lamps(handle);
-    check(nicol_environment_write(lamps.get(), nullptr, path.string().c_str()));
+    const Environment room(handle);
+    check(nicol_environment_write(room.get(), nullptr, path.string().c_str()));
+}
+
+}  // namespace
+
+void write_lamp_room(const std::filesystem::path& path, nicol_backend backend) {
+    write_room(path, backend, std::array<Lamp, 4>{{{9, 20}, {14, 52}, {20, 90}, {11, 117}}});
+}
+
+void write_lamp_behind(const std::filesystem::path& path, nicol_backend backend) {
+    write_room(path, backend, std::array<Lamp, 1>{{{16, 8}}});
 }

@@ -21,20 +21,23 @@ void find_light_image(const PixelInput& input, std::size_t first, std::size_t la
     tbb::combinable<LightingTally> tallies;
     run.workers.for_vertices(
         first, last, pixels, "shade", run.progress, [&](std::size_t begin, std::size_t end) {
-            thread_local std::vector<PixelPoint> points;
+            thread_local PixelPoints points;
             thread_local std::vector<float> coverage;
             thread_local PixelBatch batch;
             thread_local std::vector<glm::vec4> sums;
             coverage.resize(end - begin);
-            list_points(input, begin, end, points, coverage);
-            for (std::span<const PixelPoint> rest(points); !rest.empty();
-                 rest = rest.subspan(batch.points().size())) {
-                batch.take(input, rest);
-                const std::size_t count = batch.points().size();
-                sums.clear();
-                const std::vector<std::span<glm::vec4>> stokes = channel_spans(sums, out.size(), count);
-                tallies.local() += lights.add(batch, stokes);
-                batch.gather(stokes, input.most_components, first, image);
+            points.list(input, begin, end, coverage);
+            for (const std::vector<PixelPoint>* const list : {&points.whole, &points.parts}) {
+                for (std::span<const PixelPoint> rest(*list); !rest.empty();
+                     rest = rest.subspan(batch.points().size())) {
+                    batch.take(input, rest);
+                    if (!batch.reflects_lights()) continue;
+                    sums.clear();
+                    const std::vector<std::span<glm::vec4>> stokes =
+                        channel_spans(sums, out.size(), batch.points().size());
+                    tallies.local() += lights.add(batch, stokes);
+                    batch.gather(stokes, input.most_components, first, image);
+                }
             }
         });
     tallies.combine_each([&](const LightingTally& tally) { run.add(tally); });

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <glm/geometric.hpp>
 
 #include "draw/visibility_buffer.hpp"
@@ -27,6 +28,11 @@ struct Patch {
     std::array<std::uint32_t, kMostPixelSamples> triangles;
     std::array<glm::vec2, kMostPixelSamples> at;  // relative to the pixel's centre
     std::size_t samples = 0;
+
+    void add(std::uint32_t triangle, const glm::vec2& place) {
+        triangles[samples] = triangle;
+        at[samples++] = place;
+    }
 };
 
 // Returns the sides of a rectangle with the area of a patch, and stretched as its samples are. mean: of the
@@ -54,7 +60,38 @@ PixelPoint point_of(const Patch& patch, const PixelInput& input, std::size_t pix
     }
     const float weight = static_cast<float>(patch.samples) / static_cast<float>(input.hits.offsets().size());
     return {surface_point(input, patch.triangles[nearest], pixel, range), weight, mean,
-            size_of(patch, mean, weight)};
+            size_of(patch, mean, weight), false};
+}
+
+// Returns the unit geometric normal of a triangle, 0 without an area.
+glm::vec3 facet_of(const WorldGeometry& geometry, std::uint32_t triangle) {
+    const std::vector<glm::vec3>& at = geometry.positions;
+    const glm::uvec3& t = geometry.triangles[triangle];
+    const glm::vec3 normal = glm::cross(at[t.y] - at[t.x], at[t.z] - at[t.x]);
+    const float length = glm::length(normal);
+    return length > 0 ? normal / length : glm::vec3(0);
+}
+
+// Divides a surface into parts, because the mean position of samples on both sides of an edge says little of
+// highlights, and nothing of lights that only one side sees. Returns the number of parts.
+std::size_t divide(const Patch& patch, const WorldGeometry& geometry,
+                   std::array<Patch, kMostPixelSamples>& parts) {
+    constexpr float most_bend = 0.05F;  // radians between the facets of a part and its first one
+    const std::span triangles = std::span(patch.triangles).first(patch.samples);
+    if (std::ranges::count(triangles, triangles.front()) == std::ssize(triangles)) return 1;
+    std::array<glm::vec3, kMostPixelSamples> facets;
+    std::size_t count = 0;
+    for (std::size_t s = 0; s < patch.samples; ++s) {
+        const glm::vec3 facet = facet_of(geometry, patch.triangles[s]);
+        std::size_t part = 0;
+        while (part < count && glm::distance(facets[part], facet) > most_bend) ++part;
+        if (part == count) {
+            facets[count] = facet;
+            parts[count++].samples = 0;
+        }
+        parts[part].add(patch.triangles[s], patch.at[s]);
+    }
+    return count;
 }
 
 PixelSteps steps_of(const PointImage& image) {
@@ -181,13 +218,15 @@ private:
 
 }  // namespace
 
-void list_points(const PixelInput& input, std::size_t first, std::size_t last, std::vector<PixelPoint>& out,
-                 std::span<float> coverage) {
-    out.clear();
+void PixelPoints::list(const PixelInput& input, std::size_t first, std::size_t last,
+                       std::span<float> coverage) {
+    whole.clear();
+    parts.clear();
+    const bool lit = input.local_lights != nullptr && input.local_lights->lighting().any_source();
     const std::span offsets = input.hits.offsets();
     const std::span triangles(input.geometry.triangles);
     const float weight = 1.0F / static_cast<float>(offsets.size());
-    std::array<Patch, kMostPixelSamples> patches;
+    std::array<Patch, kMostPixelSamples> patches, bent;
     std::size_t range = 0;
     for (std::size_t i = first; i < last; ++i) {
         std::size_t count = 0;
@@ -202,19 +241,23 @@ void list_points(const PixelInput& input, std::size_t first, std::size_t last, s
                 const std::uint32_t other = patch.triangles[patch.samples - 1];
                 return other == hit->triangle || share_corner(triangles[other], triangles[hit->triangle]);
             };
-            const auto known = std::span(patches).first(count);
-            const auto found = std::ranges::find_if(known, same);
-            Patch& patch = found != known.end() ? *found : patches[count++];
-            if (found == known.end()) patch.samples = 0;
-            patch.triangles[patch.samples] = hit->triangle;
-            patch.at[patch.samples++] = glm::vec2(offsets[s]);
+            std::size_t own = 0;
+            while (own < count && !same(patches[own])) ++own;
+            if (own == count) patches[count++].samples = 0;
+            patches[own].add(hit->triangle, glm::vec2(offsets[s]));
         }
         coverage[i - first] = weight * static_cast<float>(covered);
-        for (const Patch& patch : std::span(patches).first(count))
-            out.push_back(point_of(patch, input, i, range));
+        for (const Patch& patch : std::span(patches).first(count)) {
+            whole.push_back(point_of(patch, input, i, range));
+            const std::size_t sides = lit ? divide(patch, input.geometry, bent) : 1;
+            whole.back().bent = sides > 1;
+            for (std::size_t side = 0; sides > 1 && side < sides; ++side)
+                parts.push_back(point_of(bent[side], input, i, range));
+        }
     }
-    if (!std::ranges::is_sorted(out, {}, &PixelPoint::group))
-        std::ranges::stable_sort(out, {}, &PixelPoint::group);
+    for (std::vector<PixelPoint>* const list : {&whole, &parts})
+        if (!std::ranges::is_sorted(*list, {}, &PixelPoint::group))
+            std::ranges::stable_sort(*list, {}, &PixelPoint::group);
 }
 
 void TexturedPixels::find(const SpatialVariation& variation, bool back, bool mirrors, const TextureView& view,

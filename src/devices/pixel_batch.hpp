@@ -41,6 +41,9 @@ struct PixelPoint : SurfacePoint {
     float weight;    ///< fraction of the pixel's samples
     glm::vec2 at;    ///< mean position of the point's samples, relative to the pixel's centre, in pixels
     glm::vec2 size;  ///< sides of the rectangle around `at` that the point stands for, in pixels
+    bool bent;       ///< whether PixelPoints::parts reflect local lights in place of the point
+
+    [[nodiscard]] std::uint64_t group() const { return 2 * SurfacePoint::group() + (bent ? 1 : 0); }
     /// Returns the mean position of the point's samples, see nicol::on_image_plane().
     [[nodiscard]] glm::dvec2 on_image_plane(const Projection& projection, int width, int height) const;
 };
@@ -60,13 +63,19 @@ struct RayPoint : SurfacePoint {
     }
 };
 
-/// Lists the points of pixels first <= i < last; the points of a group are consecutive. Also writes the
-/// fraction of the samples that show a surface, its back included, to coverage[i - first]. Samples of
-/// triangles that share a corner belong to one surface, which has one point at their mean. Points of
-/// smooth boundaries (input.smooth) are left out. The input's
-/// hits must be on the host.
-void list_points(const PixelInput& input, std::size_t first, std::size_t last, std::vector<PixelPoint>& out,
-                 std::span<float> coverage);
+/// Points of pixels; the points of a group are consecutive.
+struct PixelPoints {
+    /// Surfaces in the pixels. Samples of triangles that share a corner belong to one surface, which has one
+    /// point at their mean.
+    std::vector<PixelPoint> whole;
+    /// Parts of bent surfaces: samples whose triangles have almost the same geometric normal.
+    std::vector<PixelPoint> parts;
+
+    /// Lists the points of pixels first <= i < last. Also writes the fraction of the samples that show a
+    /// surface, its back included, to coverage[i - first]. Points of smooth boundaries (input.smooth) are
+    /// left out. No surface is bent without local lights. The input's hits must be on the host.
+    void list(const PixelInput& input, std::size_t first, std::size_t last, std::span<float> coverage);
+};
 
 /// Image of the points.
 struct PointImage {
@@ -114,6 +123,8 @@ public:
     /// Returns the points as parts of pixels. Empty: the points are those of rays and cover nothing.
     [[nodiscard]] std::span<const PixelPoint> in_pixels() const { return in_pixels_; }
     [[nodiscard]] const Views& views() const { return views_; }
+    /// Returns whether the points reflect local lights; otherwise their parts do.
+    [[nodiscard]] bool reflects_lights() const { return in_pixels_.empty() || !in_pixels_.front().bent; }
     /// Returns whether the surface's own emission is wanted.
     [[nodiscard]] bool emits() const { return emits_; }
     /// Returns whether the reflection of bounced light that stays apart is wanted as well.

@@ -14,6 +14,7 @@
 #include "shading/pixel_places.hpp"
 #include "shading/reflected_light.hpp"
 #include "shading/reflected_nodes.hpp"
+#include "shading/sample_halves.hpp"
 #include "shading/shadow_rays.hpp"
 
 namespace nicol {
@@ -78,28 +79,45 @@ public:
                     std::uint32_t most_samples) {
         const float radius = source.angular_radius(points_.positions.front());
         const std::uint32_t samples = light_sample_count(radius, most_samples);
-        const float factor = 1 / static_cast<float>(samples);
         const double lobe = narrowest_lobe(find_it);
         seed(index);
         constexpr std::uint32_t probes = 4;
         LightShadows shadowing(shadows(), points_.places, probes);
-        Lanes weights, shares;
-        const std::uint32_t half = samples / 2;
-        weights.value.fill(static_cast<float>(half) * factor);
-        shares.value.fill(0.4F);  // measured: 0.3 to 0.5, because each half fills the gaps of the other
-        for_samples(samples, half, weights, shares, [&](std::uint32_t k) {
-            Lanes u{}, v{};
-            if (radius > 0) light_samples(k, std::span(seeds_).first(points_.positions.size()), u, v);
-            source.sample(positions_, u, v, light_);
-            const std::uint32_t lit = samples == 1 ? shadowing.reached_in_part(light_, lit_points())
+        // Adds the samples first <= k < last of `all`.
+        const auto add = [&](std::uint32_t first, std::uint32_t last, std::uint32_t all) {
+            for (std::uint32_t k = first; k < last; ++k) {
+                Lanes u{}, v{};
+                if (radius > 0) light_samples(k, std::span(seeds_).first(points_.positions.size()), u, v);
+                source.sample(positions_, u, v, light_);
+                const std::uint32_t lit = all == 1 ? shadowing.reached_in_part(light_, lit_points())
                                                    : shadowing.reached(light_, lit_points());
-            if (lit == 0) return;
-            for_places(lobe, k, samples, [&](float share) {
-                for_layers(lit, [&](const Material& layer, const LayerWeights* weights, std::uint32_t there) {
-                    reflected_.add(layer, weights, light_, there, share * factor, sums_, find_it);
+                if (lit == 0) continue;
+                const float factor = 1 / static_cast<float>(all);
+                for_places(lobe, k, all, [&](float share) {
+                    for_layers(
+                        lit, [&](const Material& layer, const LayerWeights* weights, std::uint32_t there) {
+                            reflected_.add(layer, weights, light_, there, share * factor, sums_, find_it);
+                        });
                 });
-            });
-        });
+            }
+        };
+        SampleHalves halves(sums_);
+        std::uint32_t first = samples / 2, all = samples;
+        add(0, first, samples);
+        halves.end_first();
+        add(first, samples, samples);
+        // Where a small light's shadow ends, points get as many samples as of a very wide light.
+        if (samples > 1 && samples < 2 * most_samples && shadowing.at_edge()) {
+            first = samples;
+            all = 2 * most_samples;
+            halves.end_first(static_cast<float>(first) / static_cast<float>(all));
+            add(first, all, all);
+        }
+        if (all == 1) return;
+        Lanes weights, shares;
+        weights.value.fill(static_cast<float>(first) / static_cast<float>(all));
+        shares.value.fill(0.4F);  // measured: 0.3 to 0.5, because each half fills the gaps of the other
+        noise_ += halves.noise(points_.positions.size(), weights, shares);
     }
 
     // Adds the smooth terms' reflection of one light.
@@ -142,39 +160,8 @@ private:
         return light;
     }
 
-    // Calls add(k) for each sample k, and estimates the error of their sum from both halves. half: number of
-    // samples in the first half. weights: of the first half. shares: of the error that independent halves
-    // would have.
-    template <class Add>
-    void for_samples(std::uint32_t samples, std::uint32_t half, const Lanes& weights, const Lanes& shares,
-                     const Add& add) {
-        thread_local std::vector<Lanes> before, between;
-        keep_s0(before);
-        for (std::uint32_t k = 0; k < half; ++k) add(k);
-        keep_s0(between);
-        for (std::uint32_t k = half; k < samples; ++k) add(k);
-        if (half == 0 || half == samples) return;
-        // Both halves estimate the same. If they were independent, the variance of the whole would be the
-        // square of their difference times both weights.
-        Lanes squares{};
-        for (std::size_t c = 0; c < sums_.size(); ++c) {
-            for (std::size_t i = 0; i < kLanes; ++i) {
-                const float first = weights[i], second = 1 - first;
-                const float difference =
-                    (between[c][i] - before[c][i]) * second - (sums_[c][0][i] - between[c][i]) * first;
-                squares[i] += difference * difference / std::max(first * second, kLeastWeight);
-            }
-        }
-        for (std::size_t i = 0; i < points_.positions.size(); ++i)
-            noise_ += double{shares[i]} * double{squares[i]};
-    }
-    void keep_s0(std::vector<Lanes>& out) const {
-        out.clear();
-        for (const std::array<Lanes, 4>& stokes : sums_) out.push_back(stokes[0]);
-    }
-
-    static constexpr float kLeastWeight = 1e-3F;
-    // Share of for_samples() for nodes that are close enough; measured. Brushed lobes have rows of nodes.
+    // Share of SampleHalves::noise() for nodes that are close enough; measured. Brushed lobes have rows of
+    // nodes.
     static constexpr float kNodesError = 0.1F;
     static constexpr float kBrushedNodesError = 0.05F;
 
@@ -211,12 +198,14 @@ private:
                 if (lit != 0) reflected_.add_sampled(terms, weights, light_, lit, sums_);
             };
             // Even pairs come first, because either half of the pairs is spread over the lobe.
-            for_samples(pairs, even, nodes.even_shares(), shares, [&](std::uint32_t k) {
+            SampleHalves halves(sums_);
+            for (std::uint32_t k = 0; k < pairs; ++k) {
+                if (k == even) halves.end_first();
                 const std::uint32_t own = k < even ? 2 * k : 2 * (k - even) + 1;
                 if (environment.polarized()) {
                     for (std::uint32_t n = 0; n < 2; ++n)
                         reflect(light_of(nodes.node(2 * own + n), 2 * k + n));
-                    return;
+                    continue;
                 }
                 const ReflectedPair pair = nodes.pair(own);
                 thread_local std::vector<std::array<Lanes, 4>> first;
@@ -228,7 +217,8 @@ private:
                 add_unpolarized(first, light_);
                 light_.towards = pair.towards;
                 reflect(first_lit | lit);
-            });
+            }
+            if (even < pairs) noise_ += halves.noise(points_.positions.size(), nodes.even_shares(), shares);
         }
     }
 

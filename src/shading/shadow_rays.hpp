@@ -64,6 +64,8 @@ public:
     /// the light by the fraction of the places that it reaches. One ray decides for each point if all points
     /// agree, or if light may pass glass.
     [[nodiscard]] std::uint32_t reached_in_part(LaneLight& light, std::uint32_t points);
+    /// Returns whether some points were reached by a sample and some were not, as at the edge of a shadow.
+    [[nodiscard]] bool at_edge() const { return seen_ && hidden_; }
 
 private:
     std::uint32_t visible(LaneLight& light, std::uint32_t points, std::size_t place);

@@ -163,6 +163,27 @@ IMAGE_TEST_CASE("outlines are as of 64 images of a jittered camera, the closer t
     }
 }
 
+IMAGE_TEST_CASE("pixels that show several facets of a mesh reflect a lamp from each of them") {
+    Studio render(context);
+    Scene scene;
+    scene.add({.mesh = test::coarse_sphere(16),
+               .material = pplastic({.diffuse_reflectance = {0.3}, .alpha = 0.2})});
+    scene.add_light({.kind = LocalLight::Kind::directional,
+                     .value = {3},
+                     .to_world = look_at({0.3, 0.9, -0.5}, {0, 0, 0}, {0, 0, 1})});
+    scene.set_environment(falling_light(0, false, 1), glm::dmat3(1), 0.01);
+    StokesImage expected(render.width, render.height, scene.channels());
+    Camera camera = test::some_camera();
+    for (const glm::dvec2& at : sample_pattern(8)) {
+        camera.jitter = at;
+        const StokesImage image = render(scene, with(1, ShadeAt::pixels), camera);
+        for (std::size_t i = 0; i < expected.data.size(); ++i) expected.data[i] += image.data[i] / 8;
+    }
+    const StokesImage image = render(scene, with(8, ShadeAt::pixels));
+    CAPTURE(rms(minus(image, expected)));
+    CHECK(rms(minus(image, expected)) < 0.01 * rms(expected));
+}
+
 IMAGE_TEST_CASE("what has no edges is as with one sample, and the environment is not blurred") {
     Studio render(context);
     for (const ShadeAt where : kPlaces)

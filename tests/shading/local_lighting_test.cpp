@@ -172,3 +172,34 @@ TEST_CASE("The tally's noise is that of other seeds") {
         CHECK(ratio < 2);
     }
 }
+
+TEST_CASE("Where the shadow of a small light ends, points get as many samples as of a very wide light") {
+    // The shadow's soft edge is 0.1 wide.
+    const Triangles light = square(0.1F, 2);
+    const Blockers blocker(square(1, 1));
+    struct Found {
+        double rays, variance;
+    };
+    const auto found = [&](float from, int samples) {
+        std::vector<glm::vec3> places;
+        for (int i = 0; i < 16; ++i) places.emplace_back(from + 0.006F * static_cast<float>(i), 0.01F, 0);
+        const Floor floor(places);
+        const LocalLighting lighting(lights(light), &*blocker.scene, samples);
+        constexpr std::uint32_t count = 200;
+        LightingTally tally;
+        double variance = 0;
+        std::vector<double> sums(places.size()), squares(places.size());
+        for (std::uint32_t seed = 0; seed < count; ++seed) {
+            const std::vector<double> lit = floor.lit(lighting, diffuse({0.5}), seed, tally);
+            for (std::size_t i = 0; i < lit.size(); ++i) {
+                sums[i] += lit[i];
+                squares[i] += lit[i] * lit[i];
+            }
+        }
+        for (std::size_t i = 0; i < sums.size(); ++i) variance += squares[i] - sums[i] * sums[i] / count;
+        return Found{static_cast<double>(tally.rays) / (count * 16.0), variance};
+    };
+    CHECK(found(1.5F, 16).rays == 4);
+    CHECK(found(0.95F, 16).rays == 32);
+    CHECK(found(0.95F, 16).variance < 0.4 * found(0.95F, 4).variance);
+}

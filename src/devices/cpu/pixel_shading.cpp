@@ -16,21 +16,27 @@ PointCounts PixelShading::run(std::size_t first, std::size_t last,
     // Backs of surfaces are black, so they keep this value.
     for (const std::span<glm::vec4> channel : out)
         std::ranges::fill(channel.subspan(first, last - first), glm::vec4(0));
-    thread_local std::vector<PixelPoint> points;
+    thread_local PixelPoints points;
     thread_local std::vector<float> coverage;
     thread_local PixelBatch batch;
     thread_local std::vector<glm::vec4> light;
     coverage.resize(last - first);
-    list_points(input_, first, last, points, coverage);
+    points.list(input_, first, last, coverage);
     PointCounts counts;
-    for (std::span<const PixelPoint> rest(points); !rest.empty();
-         rest = rest.subspan(batch.points().size())) {
-        batch.take(input_, rest);
-        const std::size_t count = batch.points().size();
-        const std::vector<std::span<glm::vec4>> stokes = channel_spans(light, out.size(), count);
-        surfaces_.run(batch, stokes, counts);
-        batch.gather(stokes, input_.most_components, 0, out);
-    }
+    const auto shade = [&](std::span<const PixelPoint> rest, const auto& run) {
+        for (; !rest.empty(); rest = rest.subspan(batch.points().size())) {
+            batch.take(input_, rest);
+            const std::vector<std::span<glm::vec4>> stokes =
+                channel_spans(light, out.size(), batch.points().size());
+            run(stokes);
+            batch.gather(stokes, input_.most_components, 0, out);
+        }
+    };
+    shade(points.whole, [&](const auto& stokes) { surfaces_.run(batch, stokes, counts); });
+    shade(points.parts, [&](const auto& stokes) {
+        for (const std::span<glm::vec4> channel : stokes) std::ranges::fill(channel, glm::vec4(0));
+        surfaces_.add_lights(batch, stokes, counts);
+    });
     if (input_.background != nullptr) {
         input_.background->add(rays(), static_cast<float>(input_.light_scale), input_.most_components, first,
                                last, coverage, out);

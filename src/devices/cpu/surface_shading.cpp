@@ -85,7 +85,11 @@ void SurfaceShading::run(const PixelBatch& batch, std::span<const std::span<glm:
         for (const std::span<glm::vec4> channel : out) make_physical(channel, input_.noise);
     }
     counts.shaded += count;
-    if (!local_lights_) return;
+    if (local_lights_ && batch.reflects_lights()) add_lights(batch, out, counts);
+}
+
+void SurfaceShading::add_lights(const PixelBatch& batch, std::span<const std::span<glm::vec4>> out,
+                                PointCounts& counts) const {
     const Stopwatch watch;
     counts.lighting += local_lights_->add(batch, out);
     counts.light_seconds += 1e-3 * watch.milliseconds();

@@ -70,6 +70,10 @@ public:
     /// viewer, in the frame field of its viewpoint. The viewer must be in front of the point's triangle.
     void run(const PixelBatch& batch, std::span<const std::span<glm::vec4>> out, PointCounts& counts) const;
 
+    /// Adds only the reflection of local lights, which the input must have, and emission.
+    void add_lights(const PixelBatch& batch, std::span<const std::span<glm::vec4>> out,
+                    PointCounts& counts) const;
+
     [[nodiscard]] const PixelInput& input() const noexcept { return input_; }
 
 private:

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// Noise of sixteen sums of samples, estimated from the difference between two halves of the samples.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "simd/lanes.hpp"
+
+namespace nicol {
+
+/// Observes sums of Stokes vectors, [channel][component], while the samples of one light are added.
+class SampleHalves {
+public:
+    using Sums = std::span<std::array<Lanes, 4>>;
+
+    /// Begins before the first sample. Keeps a reference to the sums. One object of a thread at a time.
+    explicit SampleHalves(Sums sums) : sums_(sums) { before_.assign(sums.begin(), sums.end()); }
+
+    /// Ends the first half of the samples.
+    void end_first() { between_.assign(sums_.begin(), sums_.end()); }
+    /// Multiplies what the samples so far added by a factor, and makes them the first half.
+    void end_first(float factor);
+
+    /// Returns the sum over the first `points` sums of the expected squared error of s0, after the second
+    /// half. weights: of the first half, whose results are weighted means. shares: of the error that
+    /// independent halves would have.
+    [[nodiscard]] double noise(std::size_t points, const Lanes& weights, const Lanes& shares) const;
+
+private:
+    Sums sums_;
+    // Kept by the thread, so that frames allocate no memory.
+    static thread_local std::vector<std::array<Lanes, 4>> before_, between_;
+};
+
+}  // namespace nicol
