@@ -208,7 +208,18 @@ template <std::size_t Count>
     }
 }
 
-/// Computes samples[4 (row quarter + column) + image] of a component with coefficients `in`.
+/// Computes samples[4 column + image] in Count columns of one row.
+template <std::size_t Count>
+[[gnu::always_inline]] inline void synthesize_columns(const Slots& slots, const float* table,
+                                                      const LaneVector (*values)[kMostSlots],
+                                                      Lanes* samples) {
+    LaneVector images[1][Count][4];
+    to_columns<1, Count>(slots, table, values, images);
+    for (std::size_t c = 0; c < Count; ++c)
+        for (std::size_t image = 0; image < 4; ++image) store(samples + 4 * c + image, images[0][c][image]);
+}
+
+/// Computes samples of all rows, of a component with coefficients `in`: [row][4 column + image].
 [[gnu::always_inline]] inline void synthesize_rows(const Component& component, const Slots& slots,
                                                    std::size_t rows, std::size_t quarter, const Lanes* in,
                                                    Lanes* samples) {
@@ -216,11 +227,13 @@ template <std::size_t Count>
     for (std::uint32_t s = 0; s < slots.begin[4]; ++s) values[0][s] = LaneVector{};
     for (std::size_t row = 0; row < rows; ++row) {
         to_slots(component, row, in, values[0]);
-        for (std::size_t column = 0; column < quarter; ++column, samples += 4) {
-            LaneVector images[1][1][4];
-            to_columns<1, 1>(slots, slots.table.data() + column * slots.begin[4], values, images);
-            for (std::size_t image = 0; image < 4; ++image) store(samples + image, images[0][0][image]);
-        }
+        std::size_t column = 0;
+        for (; column + 4 <= quarter; column += 4)
+            synthesize_columns<4>(slots, slots.table.data() + column * slots.begin[4], values,
+                                  samples + 4 * (row * quarter + column));
+        for (; column < quarter; ++column)
+            synthesize_columns<1>(slots, slots.table.data() + column * slots.begin[4], values,
+                                  samples + 4 * (row * quarter + column));
     }
 }
 
@@ -292,8 +305,8 @@ void ShadowGrid::add_pairs(const LightLayout& layout, bool weighted, std::vector
 void ShadowGrid::sample(const Lanes* visibility, Lanes* samples) const {
     std::vector<Lanes> coefficients;
     for (const std::size_t index : visibility_index_) coefficients.push_back(visibility[index]);
-    dispatch<synthesize_rows>(visibility_, slots_visibility_, rows_.count(), quarter_, coefficients.data(),
-                              samples);
+    dispatch<synthesize_rows>(visibility_, slots_visibility_, rows_.count(), quarter_,
+                              static_cast<const Lanes*>(coefficients.data()), samples);
 }
 
 void ShadowGrid::multiply(const std::int16_t* samples, const Lanes* in, Lanes* out) const {

@@ -151,6 +151,28 @@ struct Terms {
             if (part != 0) append(bundle.parts + (kSums * p + part) * size, factor);
         }
     }
+    // Appends both kinds of directions. If they are all of the bundle's, the kind in fewer parts is what
+    // differs from the sum of all.
+    void append(const BundleSums& bundle, std::size_t size, unsigned visible, float of_visible,
+                unsigned hidden, float of_hidden) {
+        if ((visible | hidden) != 0xFFFF) {
+            append(bundle, size, visible, of_visible);
+            append(bundle, size, hidden, of_hidden);
+        } else if (parts_of(visible) < parts_of(hidden)) {
+            append(bundle.all, of_hidden);
+            append(bundle, size, visible, of_visible - of_hidden);
+        } else {
+            append(bundle.all, of_visible);
+            append(bundle, size, hidden, of_hidden - of_visible);
+        }
+    }
+
+private:
+    [[nodiscard]] static int parts_of(unsigned bits) {
+        int parts = 0;
+        for (std::size_t p = 0; p < kParts; ++p) parts += (bits >> (kTogether * p) & (kSums - 1)) != 0;
+        return parts;
+    }
 };
 
 // Adds the terms of each vertex to its sums, [vertex][size].
@@ -322,8 +344,7 @@ void VisibilityHarmonics::project_batch(const Visibility& visibility, std::span<
             static_cast<const float*>(rows_[b * row_].value.data()), row_, bundle);
         for (std::size_t v = 0; v < vertices.size(); ++v) {
             terms[v].count = 0;
-            terms[v].append(bundle, row_, visible[b][v], of_visible[v]);
-            terms[v].append(bundle, row_, hidden[b][v], of_hidden[v]);
+            terms[v].append(bundle, row_, visible[b][v], of_visible[v], hidden[b][v], of_hidden[v]);
         }
         dispatch<add_terms<FourLanes>, add_terms<EightLanes>, add_terms<AllLanes>>(
             std::span<const Terms>(terms.data(), vertices.size()), row_, sums);
