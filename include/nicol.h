@@ -1282,12 +1282,14 @@ typedef uint32_t nicol_shade_at;
 
 /* Device that runs relight and shade. The images of both devices agree to 1e-5 of their largest value; shaded
  * at pixels, to 1e-4 where a surface is seen edge-on. Threads alone follow rays: they shade scenes with glass
- * whatever the option says, and only they show other surfaces in mirrors and, with bounces, in narrow metal. */
+ * whatever the option says, and only they show other surfaces in mirrors and, with bounces, in narrow metal.
+ */
 typedef uint32_t nicol_executor;
-/* Compute, unless OpenGL runs on the CPU or lacks features, or mirrors or narrow metal show other surfaces. */
+/* Compute, unless OpenGL runs on the CPU or lacks features, or mirrors or narrow metal show other surfaces.
+ */
 #define NICOL_EXECUTOR_AUTOMATIC 0u
-#define NICOL_EXECUTOR_CPU 1u       /* threads */
-#define NICOL_EXECUTOR_COMPUTE 2u   /* compute shaders, also if OpenGL runs on the CPU, where they are slow */
+#define NICOL_EXECUTOR_CPU 1u     /* threads */
+#define NICOL_EXECUTOR_COMPUTE 2u /* compute shaders, also if OpenGL runs on the CPU, where they are slow */
 
 /* Work that a render skips because the image is the same without it. All optimisations are enabled by
  * default. */
@@ -1301,7 +1303,9 @@ typedef uint32_t nicol_executor;
 /* Rays of the bake: those that nothing can block, because no surface lies in their direction; those that
  * large flat faces certainly block; those of fine meshes in directions in which the vertices around see the
  * same (images differ by about 0.0005); and those of vertices that no image has shown, that are black or that
- * no light reaches. */
+ * no light reaches. A first image refines shadows down to two of its pixels alone, so that later views, which
+ * refine all, differ from a first image of theirs by about 0.01 of the RMS of s0; without this optimisation
+ * they are equal. */
 #define NICOL_OPTIMISATION_RAYS 128u
 #define NICOL_OPTIMISATION_ALL 255u
 
