@@ -30,9 +30,10 @@ constexpr float kWidest = 0.25F;
 // Beckmann's slopes are normally distributed. GGX's slopes are a mixture of normal distributions: of two,
 // these keep the number of slopes beyond 0.5, 1, 2, 3 and 4 alpha within a fiftieth.
 constexpr std::array<SlopePart, 1> kBeckmann{
-    {{.deviation = std::numbers::sqrt2_v<float> / 2, .share = 1, .nodes = 1, .blob = 1}}};
-constexpr std::array<SlopePart, 2> kGgx{{{.deviation = 0.6455F, .share = 0.68F, .nodes = 1, .blob = 1},
-                                         {.deviation = 2.041F, .share = 0.32F, .nodes = 0.5F, .blob = 0.9F}}};
+    {{.deviation = std::numbers::sqrt2_v<float> / 2, .share = 1, .nodes = 1, .blob = 0.5F}}};
+constexpr std::array<SlopePart, 2> kGgx{
+    {{.deviation = 0.6455F, .share = 0.68F, .nodes = 1, .blob = 0.5F},
+     {.deviation = 2.041F, .share = 0.32F, .nodes = 0.5F, .blob = 0.45F}}};
 
 // Normal distribution of slopes, in standard deviations of the facets' own.
 template <class Number>
