@@ -173,22 +173,25 @@ void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderO
     method.count(input, run.statistics);
     run.statistics.bounce_error =
         std::hypot(kErrorOfBounces * run.statistics.bounced_light, run.statistics.bounced_left);
-    PredictedError predicted = predicted_error(run.lighting, projection);
+    PredictedError predicted = predicted_error(run, projection);
     predicted.add_relative(run.statistics.bounce_error);
     run.statistics.predicted_error = predicted.relative();
     executor.count(run.statistics);
     count(input, distant, run.statistics);
 }
 
-PredictedError Pipeline::predicted_error(const LightingTally& lighting, const Projection& projection) {
+PredictedError Pipeline::predicted_error(const RenderRun& run, const Projection& projection) {
     if (!local_lights_.any()) lighting_ = {};
-    if (lighting.values > 0) lighting_ = lighting;
+    if (run.lighting.values > 0) lighting_ = run.lighting;
+    if (run.statistics.pixels_shaded + run.statistics.vertices_shaded > 0) followed_ = run.followed;
     PredictedError out = predicted_;
-    if (lighting_.values == 0) return out;
     // An image that is one of many samples of its pixels has their mean's noise.
     const double share = projection.sample_size * projection.sample_size;
-    const auto values = static_cast<double>(lighting_.values);
-    out.add(share * lighting_.noise / values, lighting_.power / values);
+    for (const LightingTally* const sampled : {&lighting_, &followed_}) {
+        if (sampled->values == 0) continue;
+        const auto values = static_cast<double>(sampled->values);
+        out.add(share * sampled->noise / values, sampled->power / values);
+    }
     return out;
 }
 

@@ -80,9 +80,9 @@ private:
     void shade_pixels(const Scene& scene, ShadeInput input, const Projection& projection,
                       const RenderOptions& options, bool high_orders, RenderExecutor& executor,
                       RenderRun& run, const DrawHits& draw_hits);
-    /// Returns the predicted error of the chosen orders and of light samples: these, or those of the last
-    /// image if nothing was shaded.
-    PredictedError predicted_error(const LightingTally& lighting, const Projection& projection);
+    /// Returns the predicted error of the chosen orders and of samples: the run's, or those of the last image
+    /// if nothing was shaded.
+    PredictedError predicted_error(const RenderRun& run, const Projection& projection);
     /// Returns 1 for each vertex that can be seen, else 0.
     std::span<const std::uint8_t> seen(const WorldGeometry& geometry, const Projection& projection,
                                        RenderRun& run);
@@ -114,6 +114,7 @@ private:
     ShadowError shadow_error_;
     PredictedError predicted_;  // of the chosen orders, of shadows and of shading at vertices
     LightingTally lighting_{};  // of the samples that the image holds
+    LightingTally followed_{};  // of its rays that follow lobes
 
     // Inputs: executor, method, view, light of low and high orders, bounced light, local lights, form of the
     // high orders, with shadows, physical, noise, factor of the light, channels, least and most components.

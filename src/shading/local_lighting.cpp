@@ -41,11 +41,6 @@ bool LocalLighting::needs_pixels(const Material& material) const {
 
 namespace {
 
-bool has_terms(const Material& material, bool smooth) {
-    return any_term(material,
-                    [smooth](const Material& layer, int term) { return layer.smooth(term) == smooth; });
-}
-
 // Up to sixteen points, and their sums of reflected light.
 class LitBatch {
 public:
@@ -113,7 +108,10 @@ public:
             halves.end_first(static_cast<float>(first) / static_cast<float>(all));
             add(first, all, all);
         }
-        if (all == 1) return;
+        if (all == 1) {
+            noise_ += halves.squares(points_.positions.size(), shadowing.doubts());
+            return;
+        }
         Lanes weights, shares;
         weights.value.fill(static_cast<float>(first) / static_cast<float>(all));
         shares.value.fill(0.4F);  // measured: 0.3 to 0.5, because each half fills the gaps of the other
@@ -139,8 +137,9 @@ public:
 
     // Returns whether a layer has smooth terms (or rough ones, if `smooth` is false).
     [[nodiscard]] bool any_layer_has(bool smooth) const {
-        return std::ranges::any_of(material_.layers,
-                                   [&](const Material* layer) { return has_terms(*layer, smooth); });
+        return std::ranges::any_of(material_.layers, [&](const Material* layer) {
+            return any_term(*layer, [&](const Material& of, int term) { return of.smooth(term) == smooth; });
+        });
     }
     [[nodiscard]] LightingTally tally() const {
         LightingTally out{

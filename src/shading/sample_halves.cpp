@@ -34,4 +34,15 @@ double SampleHalves::noise(std::size_t points, const Lanes& weights, const Lanes
     return noise;
 }
 
+double SampleHalves::squares(std::size_t points, const Lanes& shares) const {
+    double sum = 0;
+    for (std::size_t c = 0; c < sums_.size(); ++c) {
+        for (std::size_t i = 0; i < points; ++i) {
+            const double added = double{sums_[c][0][i]} - double{before_[c][0][i]};
+            sum += double{shares[i]} * added * added;
+        }
+    }
+    return sum;
+}
+
 }  // namespace nicol

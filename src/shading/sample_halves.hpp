@@ -28,6 +28,8 @@ public:
     /// half. weights: of the first half, whose results are weighted means. shares: of the error that
     /// independent halves would have.
     [[nodiscard]] double noise(std::size_t points, const Lanes& weights, const Lanes& shares) const;
+    /// Returns the sum over the first `points` sums of `shares` times the square of the s0 that was added.
+    [[nodiscard]] double squares(std::size_t points, const Lanes& shares) const;
 
 private:
     Sums sums_;

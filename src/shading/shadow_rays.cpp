@@ -7,6 +7,13 @@
 #include "shading/light_changes.hpp"
 
 namespace nicol {
+namespace {
+
+// Squared error of the lit fraction of a pixel by a few places, over that by as many random ones, because the
+// places are spread over the pixel.
+constexpr float kErrorOfPlaces = 0.4F;
+
+}  // namespace
 
 std::uint32_t ShadowRays::visible(LaneLight& light, std::uint32_t points, const LaneVectors& origins) {
     for (std::size_t i = 0; i < kLanes; ++i) {
@@ -68,6 +75,8 @@ std::uint32_t LightShadows::reached_in_part(LaneLight& light, std::uint32_t poin
         out |= found;
     }
     scale(fractions, light);
+    for (std::size_t i = 0; i < kLanes; ++i)
+        doubts_[i] = fractions[i] > 0 ? kErrorOfPlaces * share * (1 - fractions[i]) / fractions[i] : 0.0F;
     return out;
 }
 

@@ -66,6 +66,8 @@ public:
     [[nodiscard]] std::uint32_t reached_in_part(LaneLight& light, std::uint32_t points);
     /// Returns whether some points were reached by a sample and some were not, as at the edge of a shadow.
     [[nodiscard]] bool at_edge() const { return seen_ && hidden_; }
+    /// Returns the expected squared error of the fractions of reached_in_part(), over the fractions' squares.
+    [[nodiscard]] const Lanes& doubts() const { return doubts_; }
 
 private:
     std::uint32_t visible(LaneLight& light, std::uint32_t points, std::size_t place);
@@ -76,6 +78,7 @@ private:
     std::uint32_t traced_ = 0;
     bool seen_ = false;    // whether any sample is visible from any point
     bool hidden_ = false;  // whether any sample is hidden from any point
+    Lanes doubts_{};
 };
 
 }  // namespace nicol

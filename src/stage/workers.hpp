@@ -85,6 +85,7 @@ struct RenderRun {
     /// Largest number of bytes that a scene may take, if orders are chosen.
     std::uint64_t memory_limit = std::numeric_limits<std::uint64_t>::max();
     LightingTally lighting{};  ///< of local lights and sampled terms
+    LightingTally followed{};  ///< of the light that rays find for lobes
 
     void add(const LightingTally& tally) {
         lighting += tally;

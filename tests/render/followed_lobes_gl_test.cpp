@@ -134,6 +134,24 @@ IMAGE_TEST_CASE("a seed chooses facets, and the same seed the same ones") {
     CHECK(render(scene, options).data == first.data);
 }
 
+IMAGE_TEST_CASE("the predicted error has the noise of rays that follow lobes") {
+    test::Studio render(context, 24, 18);
+    const Scene scene = floor_before_wall(metal(0.15));
+    for (const int samples : {1, 8}) {
+        CAPTURE(samples);
+        RenderOptions options = following(samples);
+        options.seed = 1;
+        const StokesImage one = render(scene, options);
+        const double predicted = render.statistics.predicted_error;
+        options.seed = 2;
+        const StokesImage other = render(scene, options);
+        const double noise = rms_difference(one, other) / std::sqrt(2.0) / rms(other);
+        CHECK(noise > 0.02);
+        CHECK(predicted > 0.7 * noise);
+        CHECK(predicted < 3 * noise);
+    }
+}
+
 IMAGE_TEST_CASE("with one bounce, rays end at direct light") {
     test::Studio render(context, 24, 18);
     const Scene scene = floor_before_wall(metal(0.1));

@@ -90,6 +90,11 @@ TEST_CASE("the edge of a shadow hides the fraction of a pixel's light that lies 
             CAPTURES(across, i);
             CHECK(fractions[i] == doctest::Approx(expected[i]).epsilon(0.07));
             CHECK((lit >> i & 1U) == (fractions[i] > 0 ? 1U : 0U));
+            // A part of the variance of as many random places, over the square of the fraction.
+            const float random =
+                fractions[i] > 0 ? (1 - fractions[i]) / fractions[i] / PixelOrigins::kPlaces : 0;
+            CHECK(shadows.doubts()[i] <= random);
+            CHECK(shadows.doubts()[i] >= 0.2F * random);
         }
         CHECK(rays.count() == PixelOrigins::kPlaces * kLanes);
     }

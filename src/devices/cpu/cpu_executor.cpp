@@ -272,19 +272,21 @@ void CpuExecutor::run_pixels(const PixelInput& input, std::span<PointSurface> su
     const SurfaceShading of_points(input, surfaces, fractions ? fractions_ : std::span<const glm::vec2>());
     const PixelShading shading(input, of_points);
     std::atomic<std::uint64_t> shaded = 0, rays = 0;
-    tbb::combinable<LightingTally> tallies;
+    tbb::combinable<LightingTally> tallies, followed;
     std::atomic<double> light_seconds = 0;
     run.workers.for_vertices(0, pixels, pixels, "shade", run.progress,
                              [&](std::size_t begin, std::size_t end) {
                                  const PointCounts counts = shading.run(begin, end, channels);
                                  shaded += counts.shaded;
                                  tallies.local() += counts.lighting;
+                                 followed.local() += counts.followed;
                                  light_seconds += counts.light_seconds;
                                  rays += counts.ray_count;
                              });
     run.statistics.pixels_shaded += shaded;
     run.statistics.smooth_rays += rays;
     tallies.combine_each([&](const LightingTally& tally) { run.add(tally); });
+    followed.combine_each([&](const LightingTally& tally) { run.followed += tally; });
     run.statistics.light_ms += 1e3 * light_seconds / run.workers.count();
 }
 

@@ -98,7 +98,10 @@ void SmoothChains::reflect(const Chain& chain, const Place& place, const Appeara
     const glm::dvec3& normal = seen.frame[2];
     const auto bends = bends_at(place, normal, chain.ray, spread);
     spread.reflect(chain.ray.direction, normal, bends);
-    rest.push_back({.way = {.pixel = chain.way.pixel, .matrices = matrices},
+    const bool by_lobes = reflection.half != kNoHalf;
+    // Later facets belong to the half of the first one.
+    const std::uint32_t half = chain.way.half != kNoHalf ? chain.way.half : reflection.half;
+    rest.push_back({.way = {.pixel = chain.way.pixel, .matrices = matrices, .half = half},
                     .ray = leaving(place.position, place.facet, towards_light, place.offset),
                     .spread = spread,
                     .blur = chain.blur,
@@ -106,8 +109,8 @@ void SmoothChains::reflect(const Chain& chain, const Place& place, const Appeara
                     .carried = share * chain.carried,
                     .events = chain.events + 1,
                     .lit = true,
-                    .lobes_lit = reflection.by_lobes,
-                    .scattered = chain.scattered || reflection.by_lobes,
+                    .lobes_lit = by_lobes,
+                    .scattered = chain.scattered || by_lobes,
                     .body = chain.body,
                     .seed = sample_seed(chain.seed, matrices - chain.way.matrices),
                     .pixel_seed = chain.pixel_seed,
@@ -129,10 +132,8 @@ void SmoothChains::mirror(const Chain& chain, const Place& place, std::vector<Ch
         add_mirrors(material, seen.viewer, glm::vec3(1), muellers);
     }
     reflect(chain, place, seen,
-            {.towards_light = {-seen.viewer.x, -seen.viewer.y, seen.viewer.z},
-             .muellers = muellers,
-             .by_lobes = false},
-            rest, ends);
+            {.towards_light = {-seen.viewer.x, -seen.viewer.y, seen.viewer.z}, .muellers = muellers}, rest,
+            ends);
 }
 
 void SmoothChains::follow_lobes(const Chain& chain, const Place& place, std::vector<Chain>& rest,
@@ -153,14 +154,18 @@ void SmoothChains::follow_lobes(const Chain& chain, const Place& place, std::vec
     const auto count =
         static_cast<std::uint32_t>(chain.events > 0 ? 1 : std::max<std::size_t>(1, kLobeSamples / samples));
     for (std::uint32_t i = 0; i < count; ++i) {
+        const std::uint32_t number = chain.sample * count + i;
         Lanes u{}, v{};
-        light_samples(chain.sample * count + i, std::span(&seed, 1), u, v);
+        light_samples(number, std::span(&seed, 1), u, v);
         const LobeChoice choice{.lobe = fraction(sample_seed(chain.seed, i)), .facet = {u[0], v[0]}};
         const glm::dvec3 towards_light =
             sample_lobes(lobes_[place.point.range].layers, seen.weights, seen.viewer, choice, muellers);
         if (!(towards_light.z > 0)) continue;
         for (Mueller& mueller : muellers) mueller *= 1 / (count * goes_on);
-        reflect(chain, place, seen, {.towards_light = towards_light, .muellers = muellers, .by_lobes = true},
+        reflect(chain, place, seen,
+                {.towards_light = towards_light,
+                 .muellers = muellers,
+                 .half = 2 * number < samples * count ? 0U : 1U},
                 rest, ends);
     }
 }

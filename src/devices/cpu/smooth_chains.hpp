@@ -36,15 +36,19 @@ public:
     /// Keeps a reference. The input must have smooth surfaces.
     explicit SmoothChains(const SurfaceShading& surfaces);
 
-    /// Adds to out[c][pixel], for first <= pixel < last, the light of the pixel's chains.
+    /// Adds to out[c][pixel], for first <= pixel < last, the light of the pixel's chains. `counts.followed`
+    /// is that of pixels all of whose samples show lobes; its values are all pixels that show them.
     void add(std::size_t first, std::size_t last, std::span<const std::span<glm::vec4>> out,
              PointCounts& counts) const;
 
 private:
+    static constexpr std::uint32_t kNoHalf = 2;
     /// Way of light from the end of a chain to the pixel.
     struct Way {
         std::uint32_t pixel;
         std::uint32_t matrices;  ///< index in Ends::matrices of the matrix of the first channel
+        /// Half of the pixel's samples of lobes that found the way: 0 or 1; kNoHalf: no lobe was sampled.
+        std::uint32_t half = kNoHalf;
     };
     /// Chain that goes on along a ray.
     struct Chain {
@@ -85,7 +89,7 @@ private:
     struct Reflection {
         glm::dvec3 towards_light;           ///< in the frame of the appearance
         std::span<const Mueller> muellers;  ///< by channels, between the frames of Material::evaluate()
-        bool by_lobes;
+        std::uint32_t half = kNoHalf;       ///< half of the samples of lobes, see Way::half
     };
 
     [[nodiscard]] Chain first_chain(std::size_t pixel, std::size_t sample, Ends& ends) const;
@@ -103,8 +107,8 @@ private:
                  std::vector<Chain>& rest, Ends& ends) const;
     [[nodiscard]] Appearance appearance_at(const Place& place, const glm::dvec3& towards_viewer) const;
     void add_surfaces(Ends& ends, std::span<const std::span<glm::vec4>> out, PointCounts& counts) const;
-    void add_sky(const Ends& ends, std::span<const std::span<glm::vec4>> out) const;
-    void add_arriving(const Ends& ends, const Way& way, std::size_t channel, const glm::vec4& stokes,
+    void add_sky(Ends& ends, std::span<const std::span<glm::vec4>> out) const;
+    void add_arriving(Ends& ends, const Way& way, std::size_t channel, const glm::vec4& stokes,
                       std::span<const std::span<glm::vec4>> out) const;
     [[nodiscard]] Place place_at(const RayHit& hit, const Ray& ray, Ends& ends) const;
     /// Moves a chain's spread to the place, and returns the changes of the normal along it.
@@ -146,6 +150,9 @@ struct SmoothChains::Ends {
     std::vector<Surface> surfaces;
     std::vector<Sky> sky;
     std::vector<glm::mat4> matrices;  // into the camera's frames, by channels
+    std::size_t first = 0;            // pixel
+    // s0 of light that lobes reflect, by pixels and channels: of each half of their samples.
+    std::vector<std::array<float, 2>> halves;
     std::uint64_t rays = 0;
     std::size_t range = 0;  // of the previous point
 };

@@ -58,7 +58,7 @@ void SmoothChains::go_on(const Chain& chain, const Place& place, const Event& ev
         const glm::mat4 before = ends.matrices[chain.way.matrices + static_cast<std::size_t>(c)];
         ends.matrices.push_back(before * (factor * mueller));
     }
-    Chain next{.way = {.pixel = chain.way.pixel, .matrices = matrices},
+    Chain next{.way = {.pixel = chain.way.pixel, .matrices = matrices, .half = chain.way.half},
                .ray = leaving(place.position, place.facet, part.towards_light, place.offset),
                .spread = chain.spread,
                .blur = chain.blur,

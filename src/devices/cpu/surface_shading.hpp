@@ -52,6 +52,7 @@ struct PointSurface {
 struct PointCounts {
     std::size_t shaded = 0;  ///< number of shaded points
     LightingTally lighting{};
+    LightingTally followed{};     ///< of the light that rays find for lobes
     double light_seconds = 0;     ///< time of one thread for local lights, in seconds
     std::uint64_t ray_count = 0;  ///< number of rays from smooth surfaces
 };
