@@ -21,19 +21,22 @@ constexpr float kFewHidden = 30;
 // many times as wide, squared, the lobe is where it does not.
 constexpr float kLargestOfPixels = 0.55F;
 constexpr float kSmallPixel = 16;
-// Wanted blobs are this much wider where a lobe is so much longer than wide, because each node counts less.
+// Blobs are this much narrower where a lobe is less than so much longer than wide, because one blob would be
+// all of it, and one shadow ray would decide for it.
+constexpr float kRound = 1.5F;
+constexpr float kRoundBlob = 0.5F;
+// Blobs are this much wider where a lobe is so much longer than wide, because each node counts less.
 constexpr float kLong = 6;
-constexpr float kLongBlob = 1.32F;
+constexpr float kLongBlob = 1.15F;
 // Widest blob, in radians, for which nodes are spent: the pBRDF of wide lobes changes within it.
 constexpr float kWidest = 0.25F;
 
 // Beckmann's slopes are normally distributed. GGX's slopes are a mixture of normal distributions: of two,
 // these keep the number of slopes beyond 0.5, 1, 2, 3 and 4 alpha within a fiftieth.
 constexpr std::array<SlopePart, 1> kBeckmann{
-    {{.deviation = std::numbers::sqrt2_v<float> / 2, .share = 1, .nodes = 1, .blob = 0.5F}}};
-constexpr std::array<SlopePart, 2> kGgx{
-    {{.deviation = 0.6455F, .share = 0.68F, .nodes = 1, .blob = 0.5F},
-     {.deviation = 2.041F, .share = 0.32F, .nodes = 0.5F, .blob = 0.45F}}};
+    {{.deviation = std::numbers::sqrt2_v<float> / 2, .share = 1, .nodes = 1, .blob = 1}}};
+constexpr std::array<SlopePart, 2> kGgx{{{.deviation = 0.6455F, .share = 0.68F, .nodes = 1, .blob = 1},
+                                         {.deviation = 2.041F, .share = 0.32F, .nodes = 0.5F, .blob = 0.9F}}};
 
 // Normal distribution of slopes, in standard deviations of the facets' own.
 template <class Number>
@@ -201,6 +204,7 @@ template <class Number>
 
         const auto small_pixel = kSmallPixel * of_pixel < of_lobe;
         Number wanted = shorter * (small_pixel ? Number{} + largest_blob : Number{} + kLargestOfPixels);
+        wanted *= longer < kRound * shorter ? Number{} + kRoundBlob : Number{} + 1.0F;
         wanted = wanted < kWidest ? wanted : Number{} + kWidest;
         const Number enough = longer > kLong * shorter ? kLongBlob * wanted : wanted;
         Number index{}, blob_x{}, blob_y{}, mean_x{}, mean_y{}, blob = Number{} + 1e30F;
