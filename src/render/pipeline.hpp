@@ -94,6 +94,7 @@ private:
                          const RenderOptions& options, RenderRun& run);
     void count(const TransferInput& input, const DistantLight& distant, Statistics& statistics) const;
 
+    InterpolationError interpolation_error_;  // first, because it is aligned for lanes
     SceneGeometry surfaces_;
     SurfaceRays rays_{surfaces_};
     SceneVisibility visibility_;
@@ -107,10 +108,6 @@ private:
     LocalLights local_lights_;
     DrawnRays drawn_rays_;
     SmoothSurfaces smooth_;
-    bool pixels_ = false;
-    bool sampled_ = false;
-    float noise_ = 0;  // noise for make_physical()
-    InterpolationError interpolation_error_;
     ShadowError shadow_error_;
     PredictedError predicted_;  // of the chosen orders, of shadows and of shading at vertices
     LightingTally lighting_{};  // of the samples that the image holds
@@ -131,6 +128,9 @@ private:
     Stage<EnvironmentPtr, int, bool> showing_;  // environment, channels, whether the executor adds it
     std::optional<LightPyramid> sky_;           // environment that rays meet
     Stage<EnvironmentPtr> meeting_;
+    bool pixels_ = false;
+    bool sampled_ = false;
+    float noise_ = 0;  // noise for make_physical()
 };
 
 }  // namespace nicol

@@ -14,7 +14,7 @@
 
 #define SIZE 64
 #define PIXELS (SIZE * SIZE)
-#define PARTS 4 /* of the frames */
+#define PARTS 8 /* of the frames */
 
 static void check(nicol_result result, int line) {
     if (result == NICOL_OK) return;
