@@ -112,7 +112,7 @@ class Picture:
 
     @property
     def statistics(self) -> _abi.Statistics:
-        """What the render did, and its predicted_error."""
+        """Work of the render, and its predicted_error."""
         return self.framebuffer.get_statistics()
 
     def save(self, path: str | os.PathLike, show: str = "s0", **observation: Any) -> None:

@@ -238,20 +238,22 @@ def array(value, type_, count):
     return (type_ * count)(*numbers)
 
 
+def words(name):
+    """Returns the constants whose names begin with this name, by the rest of their names in lower case."""
+    prefix = f"{name}_".upper()
+    constants = vars(sys.modules[f"{__package__}._abi"])
+    return {key[len(prefix) :].lower(): number for key, number in constants.items() if name and key.startswith(prefix)}
+
+
 def constant(name, value, owner=""):
     """Returns the constant of a field, or of a struct where that gives the constants their names, by its word: "pixels" of
     the field shade_at is SHADE_AT_PIXELS. Returns other values, and those of fields without constants, as they are."""
     if not isinstance(value, str):
         return value
-    constants = vars(sys.modules[f"{__package__}._abi"])
-    for prefix in (f"{name}_", f"{re.sub('(?<=[a-z])(?=[A-Z])', '_', owner)}_"):
-        prefix = prefix.upper()
-        words = {key[len(prefix) :].lower(): number for key, number in constants.items() if key.startswith(prefix)}
-        if value in words:
-            return words[value]
-        if words:
-            raise ValueError(f"{name} is '{value}'; it must be one of {', '.join(words)}")
-    return value
+    known = words(name) or words(re.sub("(?<=[a-z])(?=[A-Z])", "_", owner))
+    if known and value not in known:
+        raise ValueError(f"{name} is '{value}'; it must be one of {', '.join(known)}")
+    return known.get(value, value)
 
 
 class Struct(ctypes.Structure):

@@ -6,6 +6,7 @@ import math
 
 import nicol
 
+from .._runtime import words
 from . import reader
 from .values import RecipeError
 
@@ -13,12 +14,6 @@ _IMAGES = (".png", ".jpg", ".jpeg", ".exr", ".hdr", ".bmp", ".tga")
 _DESCRIBED = {"pplastic": nicol.Pplastic, "plastic": nicol.Plastic, "principled": nicol.Principled,
               "conductor": nicol.Conductor, "dielectric": nicol.Dielectric}  # fmt: skip
 _LOADED = {"measured": (nicol.Measured, ".pbsdf"), "psh": (nicol.PshMatrix, ".npz")}
-
-
-def _names(field):
-    """Returns the names of a field's constants: beckmann and ggx of distribution."""
-    prefix = field.upper() + "_"
-    return [name[len(prefix) :].lower() for name in dir(nicol) if name.startswith(prefix)]
 
 
 def fields(struct, without=()):
@@ -36,18 +31,9 @@ def fields(struct, without=()):
         elif type_ in (ctypes.c_float, ctypes.c_double):
             readers[name] = reader.number()
         elif type_ in (ctypes.c_uint32, ctypes.c_int32, ctypes.c_uint64):
-            names = _names(name)
+            names = sorted(words(name))
             readers[name] = reader.one_of(*names) if names else reader.number(-1, whole=True)
     return readers
-
-
-def descriptor(struct, values):
-    """Returns the descriptor of drawn values, without textures."""
-    given = {}
-    for name, value in values.items():
-        enumerated = isinstance(value, str) and _names(name)
-        given[name] = getattr(nicol, f"{name}_{value}".upper()) if enumerated else value
-    return struct(**given)
 
 
 def _material(source, json, key):
@@ -86,10 +72,10 @@ def create(context, source, drawn):
     elif kind in _LOADED:
         path = values.pop("path")
         load = getattr(nicol.Material, f"load_{kind}")
-        made = load(context, source.path(path), descriptor(_LOADED[kind][0], values))
+        made = load(context, source.path(path), _LOADED[kind][0](**values))
     else:
         create_kind = getattr(nicol.Material, f"create_{kind}")
-        made = create_kind(context, descriptor(_DESCRIBED[kind], values | textures))
+        made = create_kind(context, _DESCRIBED[kind](**values, **textures))
     return nicol.Material.create_twosided(context, made) if twosided else made
 
 

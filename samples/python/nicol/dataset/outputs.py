@@ -13,7 +13,7 @@ _EXR_NAMES = {
     "depth": ["Z"], "ids": ["id"], "alpha": ["A"], "normals": ["N.X", "N.Y", "N.Z"],
     "normals_camera": ["X", "Y", "Z"], "positions": ["P.X", "P.Y", "P.Z"],
 }  # fmt: skip
-_SHOWN = {"s0": nicol.OBSERVATION_S0, "dolp": nicol.OBSERVATION_DOLP, "aolp": nicol.OBSERVATION_AOLP}
+_SHOWN = ("s0", "dolp", "aolp")
 
 
 def names(write):
@@ -45,9 +45,9 @@ def write(folder, wanted, arrays, sensor):
 
 def write_shown(folder, wanted, framebuffer):
     """Writes the pictures for the eye: s0, dolp and aolp as PNG."""
-    for name, kind in _SHOWN.items():
+    for name in _SHOWN:
         if wanted.get(name, {}).get("format") == "png":
-            framebuffer.write_png(nicol.Observation(kind=kind), os.path.join(folder, f"{name}.png"))
+            framebuffer.write_png(nicol.Observation(kind=name), os.path.join(folder, f"{name}.png"))
 
 
 def _save(path, buffers):

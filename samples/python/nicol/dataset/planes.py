@@ -4,26 +4,18 @@
 import nicol
 import numpy
 
-_AOVS = {
-    "depth": nicol.AOV_DEPTH, "normals": nicol.AOV_NORMAL, "normals_camera": nicol.AOV_NORMAL,
-    "positions": nicol.AOV_POSITION, "ids": nicol.AOV_INSTANCE, "alpha": nicol.AOV_ALPHA,
-}  # fmt: skip
-_PLANES = {
-    "stokes": nicol.PLANE_STOKES, "s0": nicol.PLANE_S0, "dolp": nicol.PLANE_DOLP, "aolp": nicol.PLANE_AOLP,
-    "depth": nicol.PLANE_DEPTH, "normals": nicol.PLANE_NORMAL, "positions": nicol.PLANE_POSITION,
-    "ids": nicol.PLANE_INSTANCE, "alpha": nicol.PLANE_ALPHA,
-}  # fmt: skip
-_COLOURED = ("stokes", "s0", "dolp", "aolp")
+from .._runtime import words
+
+# Names of nicol.Picture's attributes, where they differ.
+_OF_PICTURE = {"normals": "normal", "normals_camera": "normal", "positions": "position", "ids": "instance"}
 ANGLES = (0, 45, 90, 135)
 SENSED = ("mosaic", "angles")
 
 
 def aovs(names):
     """Returns the sum of NICOL_AOV_... that these arrays need."""
-    flags = 0
-    for name in names:
-        flags |= _AOVS.get(name, 0)
-    return flags
+    known = words("aov")
+    return sum({known.get(_OF_PICTURE.get(name, name), 0) for name in names})
 
 
 def read(framebuffer, names, R):
@@ -31,18 +23,16 @@ def read(framebuffer, names, R):
     channels), the angle in radians in (-pi/2, pi/2]; depth along the view; normals in the world, and normals_camera with x to
     the right, y up and z towards the camera; positions; ids, 4294967295 without a surface; alpha. The rows of R are the
     camera's right, down and forward."""
+    picture = nicol.Picture(framebuffer)
     arrays = {}
     for name in names:
         if name in SENSED:
             continue
+        arrays[name] = getattr(picture, _OF_PICTURE.get(name, name))
         if name == "normals_camera":
-            world = arrays["normals"] if "normals" in arrays else framebuffer.plane(nicol.PLANE_NORMAL)
             axes = numpy.array(R, numpy.float32) * numpy.float32([[1], [-1], [-1]])
             # Sums term by term have the same bits everywhere; a matrix product of numpy's has those of its BLAS.
-            arrays[name] = sum(world[..., i : i + 1] * axes[:, i] for i in range(3))
-        else:
-            channel = nicol.ALL_CHANNELS if name in _COLOURED else 0
-            arrays[name] = framebuffer.plane(_PLANES[name], channel)
+            arrays[name] = sum(picture.normal[..., i : i + 1] * axes[:, i] for i in range(3))
     return arrays
 
 

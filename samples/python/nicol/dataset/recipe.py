@@ -124,7 +124,7 @@ _RECIPE = {
 
 
 class Recipe:
-    """What a JSON file, or a dictionary of the same form, says about a data set. Paths are relative to the file, or to
+    """Description of a data set by a JSON file, or by a dictionary of the same form. Paths are relative to the file, or to
     `folder`. Raises RecipeError, and OSError where the file cannot be read."""
 
     def __init__(self, recipe, folder="."):

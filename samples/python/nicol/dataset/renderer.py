@@ -6,7 +6,7 @@ import tempfile
 
 import nicol
 
-from . import cameras, materials, planes
+from . import cameras, planes
 from .scenes import Kept, Studio
 from .values import RecipeError
 
@@ -98,7 +98,7 @@ class Renderer:
 
     def _options(self):
         try:
-            options = materials.descriptor(nicol.RenderOptions, self.recipe.render)
+            options = nicol.RenderOptions(**self.recipe.render)
         except (ValueError, TypeError) as error:
             raise RecipeError(f"{self.recipe.source.name}: render: {error}") from None
         options.disabled_optimisations = self._history()

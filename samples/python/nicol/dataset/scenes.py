@@ -132,9 +132,7 @@ class Studio:
             return [Part(mesh, numpy.eye(4), None)], *mesh.get_bounds()
         with nicol.Scene.load(self.context, path) as scene:
             parts = []
-            ids = numpy.empty(scene.get_instance_count(), numpy.uint32)
-            scene.get_instance_ids(ids)
-            for instance in map(int, ids):
+            for instance in scene.get_instance_ids():
                 mesh, material, to_world = scene.get_instance(instance)
                 parts.append(Part(mesh, numpy.array(to_world).reshape(4, 4), material))
             if not parts:
