@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# What the wheel for Python has beside libnicol: Embree, which is opened at run time, so that no tool finds it, and the
-# licences of the libraries that the wheel carries. OpenGL's libraries are the system's.
+# The wheel for Python carries Embree beside libnicol, because Embree is opened at run time, so that no tool finds it, and
+# the licences of its libraries. OpenGL's libraries are the system's.
 set_target_properties(nicol PROPERTIES INSTALL_RPATH "$ORIGIN")
 find_library(NICOL_EMBREE NAMES libembree4.so.4 libembree3.so.3 REQUIRED)
 file(REAL_PATH ${NICOL_EMBREE} embree)

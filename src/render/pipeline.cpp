@@ -7,6 +7,7 @@
 
 #include "polarization/viewpoint.hpp"
 #include "render/needed_vertices.hpp"
+#include "render/wanted_executor.hpp"
 #include "surfaces/geometry.hpp"
 #include "surfaces/rigid_motion.hpp"
 
@@ -37,7 +38,7 @@ int smooth_events(int max_depth) {
 // Returns whether an image shows the light of vertices that it shows, and of no others.
 bool shows_seen_alone(const WorldGeometry& geometry, const RenderOptions& options) {
     return options.method == Method::factored && (options.disabled_optimisations & skip_hidden) == 0 &&
-           !shows_others(geometry, options.max_depth > kDirectLightDepth);
+           !shows_others(geometry, wants_lobes(options));
 }
 
 // Returns whether an image shows vertices by their own light alone, so that it needs those that it shows.
@@ -108,7 +109,7 @@ void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderO
         !scene.transmits())
         lighting.shadows = false;
     // Where nothing hides anything, lobes reflect no other surface.
-    const bool follows_lobes = follows_rays && bounces > 0 && options.shade_at != ShadeAt::vertices;
+    const bool follows_lobes = follows_rays && bounces > 0 && wants_lobes(options);
     if (follows_rays) smooth_.update(visibility_.surfaces(), drawn_rays_, follows_lobes);
     local_lights_.update(
         scene, {split_.extracted_lights(), scene.distant_light(), split_.rest(), sampled, light_to_geometry},

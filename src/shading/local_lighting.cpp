@@ -101,7 +101,7 @@ public:
         add(0, first, samples);
         halves.end_first();
         add(first, samples, samples);
-        // Where a small light's shadow ends, points get as many samples as of a very wide light.
+        // Points at the edge of a small light's shadow get as many samples as of a very wide light.
         if (samples > 1 && samples < 2 * most_samples && shadowing.at_edge()) {
             first = samples;
             all = 2 * most_samples;
@@ -114,7 +114,7 @@ public:
         }
         Lanes weights, shares;
         weights.value.fill(static_cast<float>(first) / static_cast<float>(all));
-        shares.value.fill(0.4F);  // measured: 0.3 to 0.5, because each half fills the gaps of the other
+        shares.value.fill(kShareOfHalves);
         noise_ += halves.noise(points_.positions.size(), weights, shares);
     }
 

@@ -111,7 +111,7 @@ class PosesTest(DataSetTest):
                 R = numpy.array(json.load(file)["camera"]["R"])
             world, camera = self.frame(number, "normals"), self.frame(number, "normals_camera")
             self.assertLess(abs(world @ R.T * [1, -1, -1] - camera).max(), 1e-5)
-            # What faces the camera has a normal towards it.
+            # Surfaces that face the camera have a normal towards it.
             hit = self.frame(number, "ids") != 0xFFFFFFFF
             self.assertGreater((camera[hit][:, 2] > 0).mean(), 0.95)
 

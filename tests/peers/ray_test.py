@@ -19,7 +19,7 @@ sys.path.insert(0, os.path.join(HERE, "..", "dataset"))
 from data_set import DataSetTest  # noqa: E402
 
 SCRIPT = os.path.join(HERE, "..", "..", "samples", "dataset", "ray_frames.py")
-# What every Python of the test does at its start: the first that comes to rename a frame dies.
+# Every Python of the test runs this at its start: the first that comes to rename a frame dies.
 KILLED = """
 import os, signal
 try:

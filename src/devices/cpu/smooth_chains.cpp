@@ -16,16 +16,10 @@
 #include "shading/boundary_split.hpp"
 #include "shading/channel_spans.hpp"
 #include "shading/light_samples.hpp"
+#include "shading/sample_halves.hpp"
 #include "surfaces/smooth_surfaces.hpp"
 
 namespace nicol {
-namespace {
-
-// Squared error of a pixel's light by lobes, over the squared difference of what both halves of the samples
-// find: less than 1, because each half fills the gaps of the other; measured.
-constexpr double kErrorOfHalves = 0.4;
-
-}  // namespace
 
 SmoothChains::SmoothChains(const SurfaceShading& surfaces)
     : surfaces_(surfaces), input_(surfaces.input()), wanted_(0) {
@@ -77,7 +71,7 @@ void SmoothChains::add(std::size_t first, std::size_t last, std::span<const std:
         if (lobes[pixel] < samples) continue;
         for (const auto& [one, other] : std::span(ends.halves).subspan(pixel * out.size(), out.size())) {
             counts.followed.power += std::pow(double{one} + double{other}, 2);
-            counts.followed.noise += kErrorOfHalves * std::pow(double{one} - double{other}, 2);
+            counts.followed.noise += double{kShareOfHalves} * std::pow(double{one} - double{other}, 2);
         }
     }
 }

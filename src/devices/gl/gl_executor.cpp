@@ -12,7 +12,18 @@
 namespace nicol {
 namespace {
 
-constexpr std::size_t kStep = std::size_t{1} << 20;  // Stokes vectors of one dispatch
+/// Runs a program with the uniform `count` for each of the vectors first <= i < last. bind(begin, end): binds
+/// the buffers of these vectors.
+template <class Bind>
+void run_in_steps(gl::Program& program, std::size_t first, std::size_t last, const Bind& bind) {
+    constexpr std::size_t most = std::size_t{1} << 20;  // Stokes vectors of one dispatch
+    for (std::size_t begin = first; begin < last; begin += most) {
+        const std::size_t end = std::min(begin + most, last);
+        bind(begin, end);
+        program.set("count", static_cast<int>(end - begin));
+        gl::dispatch(program, gl::groups_for(end - begin));
+    }
+}
 
 /// Returns why a context cannot run compute shaders; empty if it can.
 std::string obstacle(const gl::Context& context) {
@@ -165,12 +176,9 @@ void GlExecutor::scale(const DevicePoints& points, std::size_t first, std::size_
     if (!scale_) scale_ = gl::Program::compute(context_, "scale.comp");
     scale_->set("factor", factor);
     for (const gl::Buffer* const stokes : points.stokes) {
-        for (std::size_t begin = first; begin < last; begin += kStep) {
-            const std::size_t end = std::min(begin + kStep, last);
+        run_in_steps(*scale_, first, last, [&](std::size_t begin, std::size_t end) {
             std::ignore = gl::bind_vertices(*stokes, 0, 4, begin, end);
-            scale_->set("count", static_cast<int>(end - begin));
-            gl::dispatch(*scale_, gl::groups_for(end - begin));
-        }
+        });
     }
 }
 
@@ -189,15 +197,12 @@ std::uint64_t GlExecutor::make_physical(const ShadeInput& input) {
 void GlExecutor::make_physical(const DevicePoints& points, std::size_t first, std::size_t last, float noise,
                                const gl::Buffer& counter) {
     if (!physical_) physical_ = gl::Program::compute(context_, "physical.comp");
+    physical_->set("noise", noise);
     for (const gl::Buffer* const stokes : points.stokes) {
-        for (std::size_t begin = first; begin < last; begin += kStep) {
-            const std::size_t end = std::min(begin + kStep, last);
+        run_in_steps(*physical_, first, last, [&](std::size_t begin, std::size_t end) {
             std::ignore = gl::bind_vertices(*stokes, 0, 4, begin, end);
             counter.bind_storage(1);
-            physical_->set("count", static_cast<int>(end - begin));
-            physical_->set("noise", noise);
-            gl::dispatch(*physical_, gl::groups_for(end - begin));
-        }
+        });
     }
 }
 
@@ -217,13 +222,10 @@ void GlExecutor::illuminate(const LocalLights& lights, const ShadeInput& input, 
 void GlExecutor::add(const std::vector<glm::vec4>& more, const gl::Buffer& stokes) {
     if (!add_) add_ = gl::Program::compute(context_, "add.comp");
     const gl::Buffer copy = gl::storage(context_, more);
-    for (std::size_t begin = 0; begin < more.size(); begin += kStep) {
-        const std::size_t end = std::min(begin + kStep, more.size());
+    run_in_steps(*add_, 0, more.size(), [&](std::size_t begin, std::size_t end) {
         std::ignore = gl::bind_vertices(copy, 0, 4, begin, end);
         std::ignore = gl::bind_vertices(stokes, 1, 4, begin, end);
-        add_->set("count", static_cast<int>(end - begin));
-        gl::dispatch(*add_, gl::groups_for(end - begin));
-    }
+    });
 }
 
 void GlExecutor::finish() {
