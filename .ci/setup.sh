@@ -1,10 +1,10 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Installs packages that only developers need: Clang with its tools, sanitizers and libFuzzer, abidiff, glslang, and those of
-# the programs in tests/peers.
+# Installs packages that only developers need: Clang with its tools, sanitizers and libFuzzer, ccache, abidiff, glslang, and
+# those of the programs in tests/peers.
 set -eu
 
-packages="clang clang-format clang-tidy libclang-rt-14-dev abigail-tools python3-venv libllvm19 glslang-tools help2man lintian"
+packages="ccache clang clang-format clang-tidy libclang-rt-14-dev abigail-tools python3-venv libllvm19 glslang-tools help2man lintian"
 missing=""
 for package in $packages; do
     status=$(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null || true)

@@ -49,19 +49,25 @@ Report bench_budget(const Options& given) {
                    "cheapest ms", "given up", "pixel samples", "light samples", "at pixels", "order_low",
                    "order_high", "predicted error"});
     for (const char* name : {"snail_hdr", "snail_sun", "snail_textured"}) {
-        if (std::string(name).find(given.only) == std::string::npos) continue;
+        const auto row_name = [&](double budget) {
+            return std::string(name) + ", " + std::to_string(std::lround(budget));
+        };
+        std::vector<double> budgets{16.0, 33.0, 100.0};
+        std::erase_if(budgets,
+                      [&](double budget) { return row_name(budget).find(given.only) == std::string::npos; });
+        if (budgets.empty()) continue;
         Options options = given;
         options.scene = std::string(NICOL_BENCH_ASSETS "/") + name + ".xml";
         const SceneSource source(options);
         const double cheapest = median(frames(source, kUnreachable, size).milliseconds);
-        for (const double budget : {16.0, 33.0, 100.0}) {
+        for (const double budget : budgets) {
             Series series = frames(source, budget, size);
             std::vector<double>& times = series.milliseconds;
             std::ranges::sort(times);
             const auto within = std::ranges::upper_bound(times, kWithin * budget) - times.begin();
             const nicol_statistics& last = series.last;
             report.add(
-                std::string(name) + ", " + std::to_string(std::lround(budget)),
+                row_name(budget),
                 {100.0 * static_cast<double>(within) / kFrames, median(times), times[kFrames * 95 / 100 - 1],
                  cheapest, static_cast<double>(last.given_up), static_cast<double>(last.pixel_samples),
                  static_cast<double>(last.light_samples), last.pixels_shaded > 0 ? 1.0 : 0.0,

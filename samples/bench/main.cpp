@@ -6,6 +6,7 @@
 #include <iostream>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "commands.hpp"
 #include "options.hpp"
@@ -115,7 +116,7 @@ const Command commands[] = {
      "what each optimisation saves in a scene that allows it"},
     {"start",
      bench_start,
-     {"SCENE.xml", "-D", "--light", "--backend", "--size", "--csv", "--json"},
+     {"SCENE.xml", "-D", "--light", "--backend", "--size", "--only", "--csv", "--json"},
      "time to the first image, with an empty and a warm cache"},
     {"waits",
      bench_waits,
@@ -174,21 +175,40 @@ void print_help(std::ostream& out, const Command& command) {
     }
 }
 
-template <class Write>
-void write_file(const std::string& path, Write write) {
-    if (path.empty()) return;
-    std::ofstream out(path);
-    write(out);
-    out.close();
-    if (!out) throw std::runtime_error(path + ": cannot be written");
-}
+// A file that a table goes to. It is opened before the measurement, so that a path that cannot be written
+// costs none.
+class TableFile {
+public:
+    explicit TableFile(std::string path) : path_(std::move(path)) {
+        if (path_.empty()) return;
+        out_.open(path_);
+        check();
+    }
+
+    template <class Write>
+    void write(Write write) {
+        if (path_.empty()) return;
+        write(out_);
+        out_.close();
+        check();
+    }
+
+private:
+    void check() const {
+        if (!out_) throw std::runtime_error(path_ + ": cannot be written");
+    }
+
+    std::string path_;
+    std::ofstream out_;
+};
 
 void run(const Command& command, std::span<char* const> arguments) {
     const Options options = parse_options(arguments, command.options);
+    TableFile csv(options.csv), json(options.json);
     const Report report = command.run(options);
     report.print(std::cout);
-    write_file(options.csv, [&](std::ostream& out) { report.write_csv(out); });
-    write_file(options.json, [&](std::ostream& out) { report.write_json(out); });
+    csv.write([&](std::ostream& out) { report.write_csv(out); });
+    json.write([&](std::ostream& out) { report.write_json(out); });
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <fstream>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 
@@ -149,9 +150,9 @@ Series read_peer(const std::string& path) {
     return series;
 }
 
-void write_plot(const Options& options, const std::vector<Entry>& list) {
+void write_plot(const std::string& path, const std::optional<Series>& peer, const std::vector<Entry>& list) {
     std::vector<Panel> panels;
-    if (options.peer.empty()) {
+    if (!peer) {
         panels = {panel(list, "the light rotates", kFrame, kS0, light_ms, s0),
                   panel(list, "the camera moves", kFrame, kS0, camera_ms, s0),
                   panel(list, "the light rotates", kFrame, kLinear, light_ms, linear),
@@ -161,12 +162,12 @@ void write_plot(const Options& options, const std::vector<Entry>& list) {
     } else {
         panels = {
             panel(list, "the light rotates", kFrame, "relative RMSE of (s0, s1, s2)", light_ms, together)};
-        panels[0].series.push_back(read_peer(options.peer));
+        panels[0].series.push_back(*peer);
     }
-    std::ofstream out(options.plot);
+    std::ofstream out(path);
     write_svg(out, panels, static_cast<int>(std::min<std::size_t>(panels.size(), 2)));
     out.close();
-    if (!out) throw std::runtime_error(options.plot + ": cannot be written");
+    if (!out) throw std::runtime_error(path + ": cannot be written");
 }
 
 }  // namespace
@@ -174,6 +175,8 @@ void write_plot(const Options& options, const std::vector<Entry>& list) {
 Report bench_pareto(const Options& options) {
     const std::uint32_t size = options.size == 0 ? 1024 : options.size;
     const std::uint32_t small = std::min(size, kErrorSize);
+    const std::optional<Series> peer =
+        options.peer.empty() ? std::nullopt : std::optional(read_peer(options.peer));
     const SceneSource source(options);
     std::vector<Entry> list = entries(options, DenseMemory(source));
     const Truth truth = make_truth(source, small, options.samples == 0 ? 256 : options.samples, true);
@@ -207,6 +210,6 @@ Report bench_pareto(const Options& options) {
     report.note(source.machine() + "; frames of " + std::to_string(size) + " x " + std::to_string(size) +
                 ", errors relative to the RMS of s0 at " + std::to_string(small) + " x " +
                 std::to_string(small) + ", shadows included.");
-    if (!options.plot.empty()) write_plot(options, list);
+    if (!options.plot.empty()) write_plot(options.plot, peer, list);
     return report;
 }

@@ -116,23 +116,27 @@ std::vector<double> medians(const std::vector<std::vector<double>>& rows) {
 
 Report bench_start(const Options& options) {
     constexpr int repetitions = 5;
+    constexpr const char* empty = "empty cache folder";
+    constexpr const char* warm = "warm cache folder";
     const std::uint32_t size = options.size == 0 ? 1024 : options.size;
     const Recipe recipe{.high = High::split};
-    std::vector<std::vector<double>> cold, warm;
-    for (int i = 0; i < repetitions; ++i) {
+    const auto wanted = [&](const std::string& name) { return name.find(options.only) != std::string::npos; };
+    Report report({"first image, ms", "whole", "context", "files", "render", "of it project", "of it bake",
+                   "read back"});
+    std::vector<std::vector<double>> of_empty, of_warm;
+    for (int i = 0; (wanted(empty) || wanted(warm)) && i < repetitions; ++i) {
         const TemporaryFolder folder;
         Options with_cache = options;
         with_cache.cache = folder.path().string();
         const auto measure = [&] { return first_image(with_cache, recipe, size); };
-        cold.push_back(in_child(measure));
-        warm.push_back(in_child(measure));
+        of_empty.push_back(in_child(measure));
+        of_warm.push_back(in_child(measure));
     }
-    Report report({"first image, ms", "whole", "context", "files", "render", "of it project", "of it bake",
-                   "read back"});
-    report.add("empty cache folder", medians(cold));
-    report.add("warm cache folder", medians(warm));
+    if (wanted(empty)) report.add(empty, medians(of_empty));
+    if (wanted(warm)) report.add(warm, medians(of_warm));
     const TemporaryFolder scenes;
     for (const StartScene& scene : write_start_scenes(scenes.path())) {
+        if (!wanted(scene.name)) continue;
         const TemporaryFolder folder;
         Options of_scene = options;
         of_scene.scene = scene.file;

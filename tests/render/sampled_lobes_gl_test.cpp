@@ -56,8 +56,10 @@ IMAGE_TEST_CASE("brushed and nearly smooth surfaces are as by rays") {
     test::Studio studio(context, 72, 54);
     Camera camera = test::camera_at({1, 1, 4});
     camera.fov = 24;
+    // Unpolarized light skips code that polarized light runs, so one material tests it.
     for (const auto& row : rows)
-        for (const bool polarized : {false, true}) {
+        for (const bool polarized : {true, false}) {
+            if (!polarized && row.name != rows[0].name) continue;
             CAPTURES(row.name, polarized);
             const Scene scene = ball_on_floor(row.material, polarized);
             const StokesImage rays = studio(scene, {.method = Method::reference, .samples = 512}, camera);
