@@ -162,6 +162,7 @@ const char* nicol_build_info(uint32_t index) {
         "build_type=" NICOL_BUILD_TYPE,
         "compiler=" __VERSION__,
         "backends=egl,osmesa,host",
+        "files=" NICOL_FILE_KINDS,
         "methods=factored,dense,reference",
         "high_orders=split,convolution,none",
         "max_order=32",

@@ -9,6 +9,7 @@
 #include "handles.hpp"
 #include "import/load_scene.hpp"
 #include "scene/path_depth.hpp"
+#include "scene/rotation.hpp"
 
 using namespace nicol;
 using namespace nicol::capi;

@@ -3,6 +3,9 @@
 # clashes with a program's. The target nicol_archive makes it; the component `static` is what others link to.
 find_program(NICOL_OBJCOPY NAMES ${CMAKE_OBJCOPY} objcopy REQUIRED)
 get_property(folders GLOBAL PROPERTY NICOL_FOLDERS)
+if(NICOL_SCENE_FILES)
+  list(APPEND folders pugixml::static)
+endif()
 list(TRANSFORM folders REPLACE "(.+)" "$<TARGET_FILE:\\1>" OUTPUT_VARIABLE archives)
 set(static ${CMAKE_CURRENT_BINARY_DIR}/static)
 file(MAKE_DIRECTORY ${static})
@@ -10,7 +13,7 @@ set(NICOL_ARCHIVE ${static}/libnicol.a)
 add_custom_command(OUTPUT ${NICOL_ARCHIVE}
   COMMAND ${CMAKE_COMMAND} -E rm -f nicol.o libnicol.a
   COMMAND ${CMAKE_LINKER} -r --force-group-allocation -o nicol.o $<TARGET_OBJECTS:nicol_capi>
-          --start-group ${archives} $<TARGET_FILE:pugixml::static> --end-group
+          --start-group ${archives} --end-group
   # Symbols of GCC's binding "unique" become local only after they have become weak.
   COMMAND sh -c "${CMAKE_NM} -gP --defined-only nicol.o | sed -n 's/ u .*//p' > unique"
   COMMAND ${NICOL_OBJCOPY} --weaken-symbols=unique nicol.o
@@ -27,6 +30,6 @@ if(NOT BUILD_SHARED_LIBS)
   add_dependencies(nicol nicol_archive)
   set_target_properties(nicol PROPERTIES IMPORTED_LOCATION ${NICOL_ARCHIVE}
     INTERFACE_INCLUDE_DIRECTORIES ${PROJECT_SOURCE_DIR}/include)
-  target_link_libraries(nicol INTERFACE OpenMeshCore OpenEXR::OpenEXR OpenEXR::OpenEXRCore PNG::PNG ZLIB::ZLIB
-    ${NICOL_TURBOJPEG} TBB::tbb Threads::Threads ${CMAKE_DL_LIBS} stdc++ m)
+  get_property(needs GLOBAL PROPERTY NICOL_NEEDS_LIBRARIES)
+  target_link_libraries(nicol INTERFACE ${needs} ${CMAKE_DL_LIBS} stdc++ m)
 endif()

@@ -65,8 +65,9 @@ NICOL_API uint32_t nicol_version(void);
  * library. */
 NICOL_API const char* nicol_version_string(void);
 /* Returns a property of this build as "key=value" (source, compiler, backends, methods, max_order, ...).
- * index counts from 0; an index past the last property gives NULL. The string lives as long as the
- * library. */
+ * index counts from 0; an index past the last property gives NULL. "files" lists the kinds of files that the
+ * build reads: exr, bitmaps, mesh_files and scene_files may be left out; calls for the others fail with
+ * NICOL_ERROR_UNSUPPORTED. The string lives as long as the library. */
 NICOL_API const char* nicol_build_info(uint32_t index);
 
 /* ---------------------------------------------------------------- results */

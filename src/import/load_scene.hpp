@@ -36,8 +36,4 @@ struct LoadedScene {
 [[nodiscard]] LoadedScene load_scene(const std::filesystem::path& file, const SceneParameters& parameters,
                                      const LoadBudget& budget = {});
 
-/// The rotation of an affine matrix whose axes are at right angles. Throws Error(invalid_argument) naming
-/// `what` for any other.
-[[nodiscard]] glm::dmat3 rotation_of(const glm::dmat4& to_world, const char* what);
-
 }  // namespace nicol

@@ -26,11 +26,12 @@ TEST_CASE("build information is a list of key=value that ends") {
         CHECK(equals > 0);
         CHECK(keys.insert(text.substr(0, equals)).second);
         if (text.starts_with("version=")) CHECK(text.substr(8) == nicol_version_string());
+        if (text.starts_with("files=")) CHECK(text.substr(6) == "psh,exr,bitmaps,mesh_files,scene_files");
         if (text.starts_with("max_order=")) CHECK(text.substr(10) == std::to_string(NICOL_MAX_ORDER));
         if (text.starts_with("max_channels=")) CHECK(text.substr(13) == std::to_string(NICOL_MAX_CHANNELS));
         REQUIRE(++count < 1000);
     }
-    for (const char* key : {"version", "source", "compiler", "backends", "methods", "max_order"})
+    for (const char* key : {"version", "source", "compiler", "backends", "files", "methods", "max_order"})
         CHECK_MESSAGE(keys.contains(key), key);
     CHECK(nicol_build_info(count + 1) == nullptr);
     CHECK(nicol_build_info(UINT32_MAX) == nullptr);

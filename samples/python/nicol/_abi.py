@@ -1809,8 +1809,9 @@ def version_string():
 
 def build_info(index):
     """Returns a property of this build as "key=value" (source, compiler, backends, methods, max_order, ...).
-    index counts from 0; an index past the last property gives NULL. The string lives as long as the
-    library."""
+    index counts from 0; an index past the last property gives NULL. "files" lists the kinds of files that the
+    build reads: exr, bitmaps, mesh_files and scene_files may be left out; calls for the others fail with
+    NICOL_ERROR_UNSUPPORTED. The string lives as long as the library."""
     return decoded(_build_info(index))
 
 

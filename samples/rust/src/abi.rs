@@ -1718,8 +1718,9 @@ extern "C" {
     /// library.
     pub fn nicol_version_string() -> *const c_char;
     /// Returns a property of this build as "key=value" (source, compiler, backends, methods, max_order, ...).
-    /// index counts from 0; an index past the last property gives NULL. The string lives as long as the
-    /// library.
+    /// index counts from 0; an index past the last property gives NULL. "files" lists the kinds of files that the
+    /// build reads: exr, bitmaps, mesh_files and scene_files may be left out; calls for the others fail with
+    /// NICOL_ERROR_UNSUPPORTED. The string lives as long as the library.
     pub fn nicol_build_info(index: u32) -> *const c_char;
     /// Returns the message of the last failed call on this thread: one line that names the file, line, field or
     /// argument and what is expected. The message is never NULL, and "" before the first failure. The string is

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+// Scene files in builds without them.
+#include "files/left_out_format.hpp"
+#include "import/load_scene.hpp"
+
+namespace nicol {
+
+LoadedScene load_scene(const std::filesystem::path& file, const SceneParameters& /*parameters*/,
+                       const LoadBudget& /*budget*/) {
+    refuse_left_out_format(file, "scene files", "NICOL_SCENE_FILES");
+}
+
+}  // namespace nicol
