@@ -56,6 +56,21 @@ void log_what_opened(const Session& session) {
                             attempt.what + " failed, OpenGL runs on the CPU: " + attempt.reason);
 }
 
+/// Returns the host's task system in the library's form.
+TaskSystem tasks_from(const nicol_context_options& options) {
+    if (options.start_tasks == nullptr) return {};
+    return {.start =
+                [start = options.start_tasks, user = options.tasks_user](int count,
+                                                                         const std::function<void()>& task) {
+                    return start(
+                        user, static_cast<uint32_t>(count),
+                        [](void* data) { (*static_cast<const std::function<void()>*>(data))(); },
+                        const_cast<std::function<void()>*>(&task));
+                },
+            .finish = [finish = options.finish_tasks,
+                       user = options.tasks_user](void* started) { finish(user, started); }};
+}
+
 const char* cache_folder(const char* chosen) {
     if (chosen != nullptr && *chosen != '\0') return chosen;
     const char* environment = std::getenv("NICOL_CACHE");
@@ -73,6 +88,8 @@ nicol_context_options context_options(const nicol_context_options* options) {
          {std::pair(chosen.load_bytes_limit, "load_bytes_limit"),
           std::pair(chosen.vertex_limit, "vertex_limit"), std::pair(chosen.triangle_limit, "triangle_limit")})
         if (limit == 0) refuse(std::string(name) + " is 0; it must be 1 or more, or NICOL_NO_LIMIT");
+    if ((chosen.start_tasks == nullptr) != (chosen.finish_tasks == nullptr))
+        refuse("start_tasks and finish_tasks must both be set, or neither");
     if (!(chosen.load_seconds_limit > 0)) refuse("load_seconds_limit must be above 0");
     return chosen;
 }
@@ -80,7 +97,7 @@ nicol_context_options context_options(const nicol_context_options* options) {
 nicol_context make_context(std::shared_ptr<gl::Context> context, const nicol_context_options& options) {
     auto session = std::make_shared<Session>();
     session->gl = std::move(context);
-    session->threads = static_cast<int>(options.threads);
+    session->workers = {.threads = static_cast<int>(options.threads), .tasks = tasks_from(options)};
     session->log = options.log;
     session->log_user = options.log_user;
     session->error = options.error;
@@ -238,7 +255,7 @@ nicol_result nicol_context_get_info(nicol_context context, nicol_context_info* i
         nicol_context_info out = NICOL_CONTEXT_INFO_INIT;
         out.backend = backend_of(self.content->backend);
         out.software = self.content->software ? 1 : 0;
-        out.threads = static_cast<uint32_t>(worker_count(self.session->threads));
+        out.threads = static_cast<uint32_t>(worker_count(self.session->workers.threads));
         out.renderer = self.content->renderer.c_str();
         out.vendor = self.content->vendor.c_str();
         out.version = self.content->version.c_str();

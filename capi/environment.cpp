@@ -81,13 +81,13 @@ ImagePixels nicol::capi::read_image(const nicol_image* image) {
 nicol_result nicol_environment_load(nicol_context context, const char* path,
                                     const nicol_environment_load_options* options,
                                     nicol_environment* environment) {
-    return load(context, path, environment, "environment",
-                [&](const LoadBudget& budget, const Session& session) {
-                    for (const std::filesystem::path& file : environment_files(path)) budget.take_file(file);
-                    EnvironmentPtr light = from_file(path, options, budget);
-                    tell_negative(session, *light, path);
-                    return light;
-                });
+    return load(
+        context, path, environment, "environment", [&](const LoadBudget& budget, const Session& session) {
+            for (const std::filesystem::path& file : environment_files(path)) budget.take_file(file);
+            EnvironmentPtr light = session.on_workers([&] { return from_file(path, options, budget); });
+            tell_negative(session, *light, path);
+            return light;
+        });
 }
 
 nicol_result nicol_environment_create_image(nicol_context context, const nicol_image* image,
@@ -97,7 +97,8 @@ nicol_result nicol_environment_create_image(nicol_context context, const nicol_i
         const nicol_image description = read_struct(image, nicol_image NICOL_IMAGE_INIT, "image");
         require(environment, "environment");
         const SessionPtr session = resolve(context).session;
-        const EnvironmentPtr light = image_environment(view_of(description));
+        const EnvironmentPtr light =
+            session->on_workers([&] { return image_environment(view_of(description)); });
         tell_negative(*session, *light, "image");
         *environment = make_handle<nicol_environment_impl>(session, light);
     });

@@ -9,6 +9,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "boundary.hpp"
 #include "draw/framebuffer.hpp"
@@ -24,13 +25,14 @@
 #include "scene/camera.hpp"
 #include "scene/scene.hpp"
 #include "texture/texture.hpp"
+#include "worker_pool.hpp"
 
 namespace nicol::capi {
 
 /// State shared by a context's objects, alive as long as any of them.
 struct Session {
     std::shared_ptr<gl::Context> gl;
-    int threads = 0;
+    WorkerOptions workers;
     nicol_log_callback log = nullptr;
     void* log_user = nullptr;
     nicol_error_callback error = nullptr;
@@ -41,6 +43,14 @@ struct Session {
     std::shared_ptr<struct HostPrograms>
         host_programs;                   ///< only in a host's context, made for its first image
     std::atomic<std::size_t> handles{};  ///< number of the context's handles
+
+    /// Returns make(), whose parallel loops run on the context's threads.
+    template <class Make>
+    auto on_workers(const Make& make) const {
+        std::optional<decltype(make())> made;
+        WorkerPool(workers).run([&] { made.emplace(make()); });
+        return std::move(*made);
+    }
 
     /// Returns the queue, made on first use.
     JobQueue& job_queue() {
@@ -95,7 +105,7 @@ struct Film {
 
 struct SceneState {
     explicit SceneState(const SessionPtr& session)
-        : rendering(session->gl), renderer(session->gl, session->threads) {
+        : rendering(session->gl), renderer(session->gl, session->workers) {
         // The owner pointer stays valid, because renders happen inside a call that holds the session.
         renderer.set_cache(session->cache,
                            [owner = session.get()](const std::string& message) { owner->notice(message); });

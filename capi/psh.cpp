@@ -57,7 +57,10 @@ nicol_result nicol_psh_project_image(const nicol_image* image, uint32_t order, d
 
 nicol_result nicol_psh_project_environment(nicol_environment environment, uint32_t order,
                                            double* coefficients, uint64_t count) {
-    return guarded([&] { project(*resolve(environment).content, order, coefficients, count); });
+    return guarded([&] {
+        const nicol_environment_impl& self = resolve(environment);
+        WorkerPool(self.session->workers).run([&] { project(*self.content, order, coefficients, count); });
+    });
 }
 
 nicol_result nicol_psh_project_file(const char* path, uint32_t order, uint32_t* channels,

@@ -58,8 +58,9 @@ nicol_result nicol_scene_load(nicol_context context, const char* path, const cha
         require(scene, "scene");
         const SessionPtr session = resolve(context).session;
         require(path, "path");
-        LoadedScene loaded =
-            load_scene(path, parameters_from(definitions, definition_count), session->load_limits);
+        LoadedScene loaded = session->on_workers([&] {
+            return load_scene(path, parameters_from(definitions, definition_count), session->load_limits);
+        });
         for (const std::string& notice : loaded.notices) session->notice(notice);
         auto state = std::make_shared<SceneState>(session);
         state->scene = std::move(loaded.scene);

@@ -217,7 +217,7 @@ nicol_result nicol_framebuffer_expose(nicol_framebuffer framebuffer, const nicol
         rows.require_size_of(self.content->width(), self.content->height());
         const StokesImage& image = self.content->image();
         const Stopwatch watch;
-        rows.write(expose(own, image, frame));
+        rows.write(self.session->on_workers([&] { return expose(own, image, frame); }));
         self.content->statistics().observe_ms += watch.milliseconds();
     });
 }

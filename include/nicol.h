@@ -183,6 +183,15 @@ NICOL_API nicol_result nicol_device_info_init(nicol_device_info* descriptor, uin
  * device may still fail, because this function does not create one. */
 NICOL_API nicol_result nicol_device_get_info(uint32_t device, nicol_device_info* info);
 
+/* Part of the library's parallel loops, for a host's task system. */
+typedef void (*nicol_task)(void* data);
+/* Begins `count` calls of task(data) on any threads of the host, and returns at once with a value that
+ * nicol_finish_tasks takes. Calls return when the loops that they help with have ended, and at once if they
+ * come later. The function is called on the thread that renders or loads. */
+typedef void* (*nicol_start_tasks)(void* user, uint32_t count, nicol_task task, void* data);
+/* Returns when all calls of one nicol_start_tasks have returned. */
+typedef void (*nicol_finish_tasks)(void* user, void* started);
+
 typedef struct nicol_context_options {
     uint32_t struct_size;
     nicol_backend backend; /* backend, default automatic; an explicit choice never falls back to another */
@@ -235,11 +244,18 @@ typedef struct nicol_context_options {
      * default: none. */
     nicol_error_callback error;
     void* error_user;
+    /* Task system of a host, whose threads help in the parallel loops of renders and loads: `threads` - 1 of
+     * them beside the thread that renders or loads. Both functions, or NULL for both, the default: the
+     * library's own threads help. OpenGL has a thread of its own all the same, and software OpenGL has more.
+     * Functions that take no object of a context use the library's threads. */
+    nicol_start_tasks start_tasks;
+    nicol_finish_tasks finish_tasks;
+    void* tasks_user;
 } nicol_context_options;
 /* clang-format off */
 #define NICOL_CONTEXT_OPTIONS_INIT \
     { sizeof(nicol_context_options), 0, 0, 0, 0, 0, 0, NICOL_NO_LIMIT, 0x200000000ULL, 1 << 26, 1 << 27, 600, 0, 0, \
-      0, 0 }
+      0, 0, 0, 0, 0 }
 /* clang-format on */
 NICOL_API nicol_result nicol_context_options_init(nicol_context_options* descriptor, uint32_t struct_size);
 

@@ -14,6 +14,13 @@ def pointer(type_):
     return f"{'const ' if type_.const else ''}{type_.base} {'*' * (type_.pointers or bool(type_.count))}"
 
 
+def of_callback(header, type_):
+    """Returns the type of a callback's parameter, with the space before its name. Callbacks themselves go by pointer."""
+    if type_.pointers or type_.count:
+        return pointer(type_)
+    return f"{type_.base} *" if type_.base in header.callbacks else f"{type_.base} "
+
+
 def prototype(header, function):
     """Returns a prototype for Koffi: arrays as pointers, callbacks by pointer, and output parameters marked."""
     marks = {}
@@ -65,8 +72,7 @@ def generate(header):
             text += f'  {{ kind: "handle", name: "{name}" }},\n'
         elif name in header.callbacks:
             callback = header.callbacks[name]
-            parameters = ", ".join(f"{pointer(p.type) if p.type.pointers or p.type.count else p.type.base + ' '}{p.name}"
-                                   for p in callback.parameters)  # fmt: skip
+            parameters = ", ".join(f"{of_callback(header, p.type)}{p.name}" for p in callback.parameters)
             text += f'  {{ kind: "callback", name: "{name}", of: "{callback.result.c("").rstrip()} {name}({parameters})" }},\n'
         else:
             fields = "".join(f"      {field(header, f)},\n" for f in header.structs[name].fields)

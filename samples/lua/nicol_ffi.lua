@@ -26,6 +26,9 @@ typedef struct nicol_device_info {
     const char* vendor;
     const char* file;
 } nicol_device_info;
+typedef void (*nicol_task)(void* data);
+typedef void* (*nicol_start_tasks)(void* user, uint32_t count, nicol_task task, void* data);
+typedef void (*nicol_finish_tasks)(void* user, void* started);
 typedef struct nicol_context_options {
     uint32_t struct_size;
     nicol_backend backend;
@@ -43,6 +46,9 @@ typedef struct nicol_context_options {
     void* load_progress_user;
     nicol_error_callback error;
     void* error_user;
+    nicol_start_tasks start_tasks;
+    nicol_finish_tasks finish_tasks;
+    void* tasks_user;
 } nicol_context_options;
 typedef struct nicol_context_info {
     uint32_t struct_size;

@@ -200,6 +200,9 @@ export const types = [
       ["file", "const char *", 0],
     ],
   },
+  { kind: "callback", name: "nicol_task", of: "void nicol_task(void *data)" },
+  { kind: "callback", name: "nicol_start_tasks", of: "void* nicol_start_tasks(void *user, uint32_t count, nicol_task *task, void *data)" },
+  { kind: "callback", name: "nicol_finish_tasks", of: "void nicol_finish_tasks(void *user, void *started)" },
   {
     kind: "struct",
     name: "nicol_context_options",
@@ -221,6 +224,9 @@ export const types = [
       ["load_progress_user", "void *", 0],
       ["error", "nicol_error_callback *", 0],
       ["error_user", "void *", 0],
+      ["start_tasks", "nicol_start_tasks *", 0],
+      ["finish_tasks", "nicol_finish_tasks *", 0],
+      ["tasks_user", "void *", 0],
     ],
   },
   {

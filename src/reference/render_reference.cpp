@@ -3,7 +3,6 @@
 
 #include <tbb/blocked_range2d.h>
 #include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <atomic>
@@ -21,7 +20,6 @@
 #include "reference/filter_sampler.hpp"
 #include "reference/low_discrepancy.hpp"
 #include "reference/pixel_estimate.hpp"
-#include "worker_count.hpp"
 
 namespace nicol {
 namespace {
@@ -49,9 +47,9 @@ void check(const ReferenceOptions& options) {
             "shadows is off, but max_depth is more than 2: surfaces that light passes do not reflect it "
             "to each other; turn shadows on or set max_depth to 2");
     }
-    if (options.threads < 0) {
-        throw Error(ErrorCode::invalid_argument,
-                    "threads is " + std::to_string(options.threads) + "; it must be 0 (one a core) or more");
+    if (options.workers.threads < 0) {
+        throw Error(ErrorCode::invalid_argument, "threads is " + std::to_string(options.workers.threads) +
+                                                     "; it must be 0 (one a core) or more");
     }
 }
 
@@ -244,13 +242,9 @@ StokesImage render(const Scene& scene, const Projection& projection, int width, 
     from_origin.view.eye -= traced.origin();
     const CameraRays rays(from_origin, width, height);
     Tracer tracer(traced, paths, rays, options, progress, group, from_origin.view, image, aovs);
-    tbb::task_arena arena(worker_count(options.threads));
-    arena.execute([&] {
-        tbb::parallel_for(
-            tbb::blocked_range2d<int>(0, height, kTileSide, 0, width, kTileSide),
-            [&](const tbb::blocked_range2d<int>& tile) { tracer.trace(tile); }, tbb::simple_partitioner(),
-            group);
-    });
+    tbb::parallel_for(
+        tbb::blocked_range2d<int>(0, height, kTileSide, 0, width, kTileSide),
+        [&](const tbb::blocked_range2d<int>& tile) { tracer.trace(tile); }, tbb::simple_partitioner(), group);
     statistics.camera_rays = samples;
     statistics.shadow_rays = tracer.shadow_rays();
     statistics.trace_ms = watch.milliseconds();
@@ -265,7 +259,10 @@ StokesImage render_reference(const Scene& scene, const Projection& projection, i
     check(options);
     try {
         Aovs made;
-        StokesImage image = render(scene, projection, width, height, options, statistics, strategy, made);
+        StokesImage image;
+        WorkerPool(options.workers).run([&] {
+            image = render(scene, projection, width, height, options, statistics, strategy, made);
+        });
         if (aovs != nullptr) *aovs = std::move(made);
         return image;
     } catch (const std::bad_alloc&) {

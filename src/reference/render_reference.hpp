@@ -13,6 +13,7 @@
 #include "scene/path_depth.hpp"
 #include "scene/projection.hpp"
 #include "scene/scene.hpp"
+#include "worker_pool.hpp"
 
 namespace nicol {
 
@@ -37,8 +38,8 @@ struct ReferenceOptions {
     /// noise.
     std::uint64_t seed = 0;
     ReconstructionFilter filter{};  ///< weights of samples around a pixel
-    int threads = 0;                ///< number of threads; 0: one per core, which is also the maximum
-    std::uint32_t aovs = 0;         ///< AOVs to make, bits of AovBit (image/aovs.hpp)
+    WorkerOptions workers{};
+    std::uint32_t aovs = 0;  ///< AOVs to make, bits of AovBit (image/aovs.hpp)
     /// Callback, called about ten times a second on the calling thread with "trace" and the fraction done. If
     /// it returns false, the render stops with Error(cancelled).
     std::function<bool(const char* verb, double fraction)> progress;

@@ -46,10 +46,10 @@ constexpr double kTextureShare = 0.5;
 
 }  // namespace
 
-Renderer::Renderer(std::shared_ptr<gl::Context> context, int threads)
+Renderer::Renderer(std::shared_ptr<gl::Context> context, WorkerOptions workers)
     : context_(context),
-      threads_(threads),
-      workers_(threads),
+      worker_options_(std::move(workers)),
+      workers_(worker_options_),
       buffers_(context),
       alpha_masks_(context_),
       hits_(context),
@@ -116,7 +116,9 @@ Statistics Renderer::render_into(const Scene& scene, const Camera& camera, const
         scene.local_light_version(), scene.element_version(), camera, used(options), [&] {
             if (!realtime) return trace(scene, camera, options, target);
             sampling_ = sampling;
-            draw_within_budget(scene, project(camera, target.width(), target.height()), options, target);
+            workers_.run([&] {
+                draw_within_budget(scene, project(camera, target.width(), target.height()), options, target);
+            });
         });
     const std::lock_guard lock(target.mutex());
     if (!rendered) target.statistics().nothing_ran();
@@ -176,7 +178,7 @@ void Renderer::trace(const Scene& scene, const Camera& camera, const RenderOptio
                                           .luminance = target.channels() < scene.channels(),
                                           .seed = options.seed,
                                           .filter = options.filter,
-                                          .threads = threads_,
+                                          .workers = worker_options_,
                                           .aovs = options.aovs,
                                           .progress = options.progress},
                                          traced, Strategy::both, &aovs);

@@ -18,13 +18,13 @@
 #include "render/pipeline.hpp"
 #include "render/time_budget.hpp"
 #include "stage/options.hpp"
+#include "worker_pool.hpp"
 
 namespace nicol {
 
 class Renderer {
 public:
-    /// threads: number of threads; 0: one per core.
-    Renderer(std::shared_ptr<gl::Context> context, int threads);
+    explicit Renderer(std::shared_ptr<gl::Context> context, WorkerOptions workers = {});
 
     /// Sets the cache folder, see Pipeline::set_cache().
     void set_cache(const std::filesystem::path& folder, const CacheNotice& notice) {
@@ -73,7 +73,7 @@ private:
     [[nodiscard]] RenderExecutor& executor_for(const Scene& scene, const RenderOptions& options);
 
     std::shared_ptr<gl::Context> context_;
-    int threads_;
+    WorkerOptions worker_options_;
     MemoryLimit memory_limit_;
     std::unique_ptr<Framebuffer> colours_;  // framebuffer of three channels, for a target of luminance
     Workers workers_;

@@ -4,7 +4,6 @@
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -15,20 +14,13 @@
 #include "shading/local_lighting.hpp"
 #include "simd/lanes.hpp"
 #include "stage/statistics.hpp"
-#include "worker_count.hpp"
+#include "worker_pool.hpp"
 
 namespace nicol {
 
-class Workers {
+class Workers : public WorkerPool {
 public:
-    explicit Workers(int threads) : arena_(worker_count(threads)) {}
-
-    [[nodiscard]] int count() const { return arena_.max_concurrency(); }
-
-    template <class Function>
-    void run(Function&& function) {
-        arena().execute(function);
-    }
+    using WorkerPool::WorkerPool;
 
     /// Calls body(begin, end) in parallel for pieces that cover first <= i < last, and reports progress
     /// between chunks of pieces as fractions of `all`. Pieces begin at multiples of sixteen. Throws
@@ -59,22 +51,13 @@ private:
         for (std::size_t begin = first; begin < last; begin += kChunk) {
             progress.report(verb, static_cast<double>(begin) / static_cast<double>(all));
             const tbb::blocked_range<std::size_t> part(begin, std::min(begin + kChunk, last), kGrain);
-            arena().execute([&] {
+            run([&] {
                 tbb::parallel_for(part, [&body](const tbb::blocked_range<std::size_t>& range) {
                     body(range.begin(), range.end());
                 });
             });
         }
     }
-
-    /// Returns the arena, initialised here because an arena that execute() initialises waits forever in the
-    /// next execute() if memory ran out in the first.
-    tbb::task_arena& arena() {
-        if (!arena_.is_active()) arena_.initialize(count());
-        return arena_;
-    }
-
-    tbb::task_arena arena_;
 };
 
 /// Threads, progress and statistics for the steps of one render.

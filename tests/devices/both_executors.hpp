@@ -15,8 +15,8 @@ namespace nicol::test {
 /// Renders with both executors and compares the images and the statistics that must agree.
 struct BothExecutors {
     BothExecutors(const std::shared_ptr<gl::Context>& context, int channels, int width = 40, int height = 30)
-        : threads(context, 0),
-          shaders(context, 0),
+        : threads(context),
+          shaders(context),
           by_threads(context, width, height, channels),
           by_shaders(context, width, height, channels),
           slack(gl::tolerance_of(context)) {

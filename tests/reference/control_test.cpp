@@ -80,7 +80,9 @@ TEST_CASE("light with a table is looked up there, and light of coefficients has 
 TEST_CASE("a seed gives the same image with any number of threads; another seed another") {
     const Scene scene = ball_on_floor();
     const auto image = [&](std::uint64_t seed, int threads) {
-        return render(scene, camera(), width, height, {.samples = 20, .seed = seed, .threads = threads}).data;
+        return render(scene, camera(), width, height,
+                      {.samples = 20, .seed = seed, .workers = {.threads = threads}})
+            .data;
     };
     const std::vector<float> one = image(5, 1);
     CHECK(one == image(5, 2));
@@ -120,7 +122,7 @@ TEST_CASE("progress is reported on the calling thread, rises, and can stop the r
     int calls = 0;
     double last = 0;
     bool sound = true;
-    ReferenceOptions options{.samples = 4096, .threads = 4};
+    ReferenceOptions options{.samples = 4096, .workers = {.threads = 4}};
     options.progress = [&](const char* verb, double fraction) {
         ++calls;
         sound = sound && std::string(verb) == "trace" && std::this_thread::get_id() == caller &&
@@ -136,7 +138,7 @@ TEST_CASE("progress is reported on the calling thread, rises, and can stop the r
     for (const int threads : {1, 3}) {
         calls = 0;
         options.samples = kMaxReferenceSamples;
-        options.threads = threads;
+        options.workers.threads = threads;
         options.progress = [&](const char*, double) {
             sound = sound && std::this_thread::get_id() == caller;
             return ++calls < 2;
@@ -153,7 +155,7 @@ TEST_CASE("options and sizes out of range are refused by name") {
     for (const int samples : {0, -1, kMaxReferenceSamples + 1})
         check_refused(bad, scene, width, height, {.samples = samples},
                       "samples is " + std::to_string(samples));
-    check_refused(bad, scene, width, height, {.threads = -1}, "threads");
+    check_refused(bad, scene, width, height, {.workers = {.threads = -1}}, "threads");
     for (const int side : {0, -5, kMaxImageSide + 1}) check_refused(bad, scene, side, height, {.samples = 1});
 }
 
@@ -171,9 +173,9 @@ TEST_CASE("what throws inside reaches the caller") {
     Scene scene;
     scene.add(square(std::make_shared<const Broken>()));
     scene.set_environment(constant_environment({1}), glm::dmat3(1.0), 1);
-    CHECK_THROWS_WITH_AS(
-        (void)render(scene, camera_on({0, 0, 0}, {0, 0, 1}), 64, 64, {.samples = 16, .threads = 4}), "broken",
-        Error);
+    CHECK_THROWS_WITH_AS((void)render(scene, camera_on({0, 0, 0}, {0, 0, 1}), 64, 64,
+                                      {.samples = 16, .workers = {.threads = 4}}),
+                         "broken", Error);
 }
 
 TEST_CASE("what lies outside the clip planes is not rendered") {

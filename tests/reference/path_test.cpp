@@ -222,8 +222,9 @@ TEST_CASE("paths of a seed are the same with any number of threads") {
     Camera camera;
     camera.to_world = look_at({6, 5, 4}, {0, 0, 0}, {0, 0, 1});
     const auto images = [&](int threads, std::uint64_t seed) {
-        return render(scene, camera, 21, 13,
-                      {.samples = 4, .max_depth = kUnlimitedDepth, .seed = seed, .threads = threads});
+        return render(
+            scene, camera, 21, 13,
+            {.samples = 4, .max_depth = kUnlimitedDepth, .seed = seed, .workers = {.threads = threads}});
     };
     const StokesImage one = images(1, 5);
     CHECK(images(3, 5).data == one.data);

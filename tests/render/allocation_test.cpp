@@ -49,7 +49,7 @@ namespace {
 
 struct Frames {
     Scene scene;
-    Workers workers{1};
+    Workers workers{{.threads = 1}};
     Pipeline pipeline;
     CpuExecutor executor;
     std::function<bool(const char*, double)> nobody;

@@ -37,7 +37,7 @@ std::vector<RenderOptions> ways() {
 }  // namespace
 
 IMAGE_TEST_CASE("what black surfaces leave of an even light is one minus alpha, by every method") {
-    Renderer renderer(context, 0);
+    Renderer renderer(context);
     Framebuffer target(context, kSide, kSide, 1);
     Scene scene = black_scene();
     scene.set_environment(test::falling_light(0, false, 1), glm::dmat3(1), 1);
@@ -60,7 +60,7 @@ IMAGE_TEST_CASE("what black surfaces leave of an even light is one minus alpha, 
 }
 
 IMAGE_TEST_CASE("hidden emitters light the scene, and leave the camera what surfaces reflect") {
-    Renderer renderer(context, 0);
+    Renderer renderer(context);
     for (const RenderOptions& options : ways()) {
         CAPTURES(options.method, options.shade_at, options.pixel_samples, options.samples);
         Scene scene = black_scene();
@@ -91,7 +91,7 @@ IMAGE_TEST_CASE("hidden emitters light the scene, and leave the camera what surf
 }
 
 IMAGE_TEST_CASE("alpha is the same in darkness") {
-    Renderer renderer(context, 0);
+    Renderer renderer(context);
     for (const RenderOptions& options : ways()) {
         CAPTURES(options.method, options.shade_at, options.pixel_samples, options.samples);
         Scene scene = black_scene();

@@ -56,7 +56,7 @@ struct Studio {
     Studio(const std::shared_ptr<gl::Context>& context_, Method method)
         : context(context_),
           options(by(method)),
-          renderer(context, 0),
+          renderer(context),
           target(context, 40, 30, 3),
           folder(tables()) {
         for (const auto& file : std::filesystem::directory_iterator(folder)) {

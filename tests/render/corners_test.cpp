@@ -64,7 +64,7 @@ struct Surfaces {
 
     SceneGeometry geometry;
     SceneVisibility visibility;
-    Workers workers{2};
+    Workers workers{{.threads = 2}};
     Progress::Callback nobody;
     Progress progress{nobody};
     Statistics statistics;

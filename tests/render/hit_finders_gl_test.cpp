@@ -35,7 +35,7 @@ std::array<VisibilityBuffer, 2> hits_of(const std::shared_ptr<gl::Context>& cont
     VertexBuffers buffers(context);
     AlphaMasks masks(context);
     DrawnHits drawn(context, buffers, masks);
-    Workers workers(2);
+    Workers workers{{.threads = 2}};
     DrawnRays rays;
     TracedHits traced(workers, rays);
     const Projection projection = in_axes(project(camera, kWidth, kHeight), surfaces.drawn.to_world());

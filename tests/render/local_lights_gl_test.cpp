@@ -128,7 +128,7 @@ IMAGE_TEST_CASE("a directional light on a Lambertian sphere is its cosine") {
     Scene scene;
     scene.add({.mesh = test::fine_sphere(), .material = diffuse({0.5})});
     scene.add_light({.kind = LocalLight::Kind::directional, .value = {3}, .to_world = aimed(from)});
-    Renderer renderer(context, 0);
+    Renderer renderer(context);
     Framebuffer target(context, 96, 72, 1);
     RenderOptions with_normals = options(ShadeAt::pixels, false);
     with_normals.aovs = aov_normals | aov_positions | aov_instances;

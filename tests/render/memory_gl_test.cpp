@@ -40,7 +40,7 @@ GL_TEST_CASE("changes of scene, light, camera and options give back what they no
     Scene scene;
     scene.add({.mesh = test::coarse_sphere(4), .material = bright});
     scene.add({.mesh = test::coarse_sphere(3), .material = grey, .to_world = test::at(1, 1.4, 0.3)});
-    Renderer renderer(context, 0);
+    Renderer renderer(context);
     Framebuffer target(context, 24, 16, 3);
     // After one round over all ways the memory use equals that of the last way, however often the ways
     // change.
@@ -75,7 +75,7 @@ GL_TEST_CASE("an image of another size costs its own size alone") {
     Scene scene;
     scene.add({.mesh = test::coarse_sphere(4), .material = diffuse({0.5})});
     scene.set_environment(falling_light(4, true, 3), glm::dmat3(1), 1);
-    Renderer renderer(context, 0);
+    Renderer renderer(context);
     for (const auto& way : ways) {
         std::unique_ptr<Framebuffer> target;
         const auto use_at = [&](int width, int height) {
@@ -107,7 +107,7 @@ GL_TEST_CASE("nothing is left of a renderer") {
     scene.set_environment(falling_light(4, true, 3), glm::dmat3(1), 1);
     const std::size_t before = gl::total_bytes(context->memory());
     {
-        Renderer renderer(context, 0);
+        Renderer renderer(context);
         Framebuffer target(context, 24, 16, 3);
         for (const auto& way : ways) renderer.render(scene, test::some_camera(), by(way), target);
         CHECK(gl::total_bytes(context->memory()) > before);

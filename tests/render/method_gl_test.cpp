@@ -67,7 +67,7 @@ IMAGE_TEST_CASE("dense reports what it holds and skips") {
     Scene scene = two_spheres(diffuse({0.5}), diffuse({0.2}), 4);
     scene.set_environment(constant_environment({1.0, 1.0, 1.0}), glm::dmat3(1), 1);
     Framebuffer target(context, 16, 16, 3);
-    Renderer renderer(context, 0);
+    Renderer renderer(context);
     renderer.render(scene, some_camera, {.method = Method::dense}, target);
     const Statistics& first = target.statistics();
     const std::uint64_t vertices = first.vertices;

@@ -93,7 +93,7 @@ Errors errors_of(const std::shared_ptr<gl::Context>& context, const MirroredLamp
                .material = diffuse({0}),
                .to_world = test::at(kBall.x, kBall.y, kBall.z, kBallRadius)});
     const Camera camera = test::camera_at({0, 1.5, 3}, {0, 0.2, -0.3});
-    Renderer renderer(context, 0);
+    Renderer renderer(context);
     Framebuffer target(context, width, height, 1);
     renderer.render(scene, camera,
                     {.executor = executor,

@@ -86,7 +86,7 @@ public:
 
 private:
     struct Shading {
-        Workers workers{0};
+        Workers workers{WorkerOptions{}};
         Pipeline pipeline;
         CpuExecutor executor;
 

@@ -137,7 +137,7 @@ TEST_CASE("what needs no work is counted, and another image or framebuffer is dr
     scene.add({.mesh = test::fine_sphere(), .material = pplastic({})});
     scene.set_environment(constant_environment({1, 1, 1}), glm::dmat3(1.0), 1);
     Framebuffer target(context, width, height, 3);
-    Renderer renderer(context, 0);
+    Renderer renderer(context);
     const auto run = [&](const Camera& camera) {
         renderer.render(scene, camera, {}, target);
         return target.statistics();
@@ -197,7 +197,7 @@ TEST_CASE("options and framebuffers that do not fit are refused") {
     const auto context = gl::make_context(gl::Backend::osmesa);
     Scene scene;
     scene.add({.mesh = test::fine_sphere(), .material = pplastic({})});
-    Renderer renderer(context, 0);
+    Renderer renderer(context);
     Framebuffer target(context, 8, 8, 1);
     Framebuffer coloured(context, 8, 8, 3);
     const auto refuses = [&](const RenderOptions& options, Framebuffer& framebuffer) {

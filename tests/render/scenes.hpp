@@ -86,7 +86,7 @@ inline Camera some_camera() {
 /// A renderer of test images.
 struct Studio {
     explicit Studio(std::shared_ptr<gl::Context> with, int across = 64, int down = 48)
-        : context(std::move(with)), renderer(context, 0), width(across), height(down) {}
+        : context(std::move(with)), renderer(context), width(across), height(down) {}
 
     StokesImage operator()(const Scene& scene, const RenderOptions& options,
                            const Camera& camera = some_camera()) {

@@ -68,7 +68,7 @@ struct Seen {
 };
 Seen see(const std::shared_ptr<gl::Context>& context, const Scene& scene, RenderOptions options,
          const Camera& camera = test::some_camera()) {
-    Renderer renderer(context, 0);
+    Renderer renderer(context);
     Framebuffer target(context, 96, 72, scene.channels());
     options.aovs = aov_positions | aov_instances;
     renderer.render(scene, camera, options, target);

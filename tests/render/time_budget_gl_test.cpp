@@ -77,7 +77,7 @@ IMAGE_TEST_CASE("a budget that is long enough gives up nothing") {
 
 IMAGE_TEST_CASE("a scene that does not change keeps its picture, whatever the time") {
     const Scene scene = ball_on_plate();
-    Renderer renderer(context, 0);
+    Renderer renderer(context);
     Framebuffer target(context, 64, 48, 1);
     renderer.render(scene, camera_of(0), wish(kShortest), target);
     const StokesImage first = target.image();

@@ -16,7 +16,7 @@ constexpr int size = 64;
 StokesImage rendered(const std::shared_ptr<gl::Context>& context, const Scene& scene, const Camera& camera,
                      Executor executor, int order_low = 4) {
     Framebuffer target(context, size, size, 3);
-    Renderer renderer(context, 0);
+    Renderer renderer(context);
     renderer.render(scene, camera, {.executor = executor, .bake_directions = 512, .order_low = order_low},
                     target);
     return target.image();

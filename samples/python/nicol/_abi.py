@@ -172,6 +172,9 @@ FILE_ORDER_AUTOMATIC = 4294967295
 LogCallback = Callback(None, (c_void_p, None), (c_uint32, as_is), (c_int32, as_is), (c_char_p, decoded))
 ErrorCallback = Callback(None, (c_void_p, None), (c_int32, as_is), (c_char_p, decoded), (c_char_p, decoded))
 ProgressCallback = Callback(c_int32, (c_void_p, None), (c_char_p, decoded), (c_double, as_is))
+Task = Callback(None, (c_void_p, None))
+StartTasks = Callback(c_void_p, (c_void_p, None), (c_uint32, as_is), (Task.type, as_is), (c_void_p, None))
+FinishTasks = Callback(None, (c_void_p, None), (c_void_p, None))
 ReleaseCallback = Callback(None, (c_void_p, None))
 MuellerCallback = Callback(c_int32, (c_void_p, None), (c_uint32, as_is), (POINTER(c_double * 3), pointee), (POINTER(c_double * 3), pointee), (POINTER(c_double * 16), pointee))
 GetProcAddressCallback = Callback(c_void_p, (c_void_p, None), (c_char_p, decoded))
@@ -200,7 +203,7 @@ class DeviceInfo(Struct):
 
 
 class ContextOptions(Struct):
-    _callbacks_ = {"log": LogCallback, "load_progress": ProgressCallback, "error": ErrorCallback}
+    _callbacks_ = {"log": LogCallback, "load_progress": ProgressCallback, "error": ErrorCallback, "start_tasks": StartTasks, "finish_tasks": FinishTasks}
     _fields_ = [
         ("struct_size", c_uint32),
         ("backend", c_uint32),
@@ -218,6 +221,9 @@ class ContextOptions(Struct):
         ("load_progress_user", c_void_p),
         ("error", ErrorCallback.type),
         ("error_user", c_void_p),
+        ("start_tasks", StartTasks.type),
+        ("finish_tasks", FinishTasks.type),
+        ("tasks_user", c_void_p),
     ]
 
 

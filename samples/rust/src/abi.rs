@@ -283,6 +283,17 @@ const _: () = {
     assert!(offset_of!(nicol_device_info, file) == 24);
 };
 
+/// Part of the library's parallel loops, for a host's task system.
+pub type nicol_task = Option<unsafe extern "C" fn(data: *mut c_void)>;
+
+/// Begins `count` calls of task(data) on any threads of the host, and returns at once with a value that
+/// nicol_finish_tasks takes. Calls return when the loops that they help with have ended, and at once if they
+/// come later. The function is called on the thread that renders or loads.
+pub type nicol_start_tasks = Option<unsafe extern "C" fn(user: *mut c_void, count: u32, task: nicol_task, data: *mut c_void) -> *mut c_void>;
+
+/// Returns when all calls of one nicol_start_tasks have returned.
+pub type nicol_finish_tasks = Option<unsafe extern "C" fn(user: *mut c_void, started: *mut c_void)>;
+
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct nicol_context_options {
@@ -302,10 +313,13 @@ pub struct nicol_context_options {
     pub load_progress_user: *mut c_void,
     pub error: nicol_error_callback,
     pub error_user: *mut c_void,
+    pub start_tasks: nicol_start_tasks,
+    pub finish_tasks: nicol_finish_tasks,
+    pub tasks_user: *mut c_void,
 }
 defaults!(nicol_context_options, nicol_context_options_init);
 const _: () = {
-    assert!(size_of::<nicol_context_options>() == 112);
+    assert!(size_of::<nicol_context_options>() == 136);
     assert!(offset_of!(nicol_context_options, struct_size) == 0);
     assert!(offset_of!(nicol_context_options, backend) == 4);
     assert!(offset_of!(nicol_context_options, device) == 8);
@@ -322,6 +336,9 @@ const _: () = {
     assert!(offset_of!(nicol_context_options, load_progress_user) == 88);
     assert!(offset_of!(nicol_context_options, error) == 96);
     assert!(offset_of!(nicol_context_options, error_user) == 104);
+    assert!(offset_of!(nicol_context_options, start_tasks) == 112);
+    assert!(offset_of!(nicol_context_options, finish_tasks) == 120);
+    assert!(offset_of!(nicol_context_options, tasks_user) == 128);
 };
 
 #[repr(C)]
