@@ -104,6 +104,13 @@ void require(T* pointer, const char* name) {
 /// Largest size of a descriptor. Larger ones indicate uninitialised memory.
 inline constexpr std::uint32_t kMaxStructSize = 65536;
 
+/// Returns whether a version's T can have this size: a multiple of T's alignment, so that no number of the
+/// struct is cut, from the size of struct_size on.
+template <class T>
+constexpr bool may_be_size(std::uint32_t size) {
+    return size >= sizeof size && size % alignof(T) == 0 && size <= kMaxStructSize;
+}
+
 /// Returns a caller's descriptor in the layout of this version: fields that an older caller lacks are taken
 /// from `defaults`, the values of NICOL_..._INIT; fields that only a newer caller has must be zero.
 template <class T>
@@ -111,7 +118,7 @@ T read_struct(const T* from, T defaults, const char* name) {
     require(from, name);
     std::uint32_t size = 0;
     std::memcpy(&size, from, sizeof size);
-    if (size < sizeof size || size > kMaxStructSize) {
+    if (!may_be_size<T>(size)) {
         refuse(std::string(name) + "->struct_size is " + std::to_string(size) +
                "; it must be sizeof(the struct), " + std::to_string(sizeof(T)) + " in this version");
     }
@@ -159,8 +166,9 @@ void write_struct(T* to, T value, const char* name) {
     require(to, name);
     std::uint32_t size = 0;
     std::memcpy(&size, to, sizeof size);
-    if (size < sizeof size)
-        refuse(std::string(name) + "->struct_size is not set; it must be sizeof(the struct)");
+    if (!may_be_size<T>(size))
+        refuse(std::string(name) + "->struct_size is not set; it must be sizeof(the struct), " +
+               std::to_string(sizeof(T)) + " in this version");
     value.struct_size = static_cast<std::uint32_t>(std::min<std::size_t>(size, sizeof(T)));
     std::memcpy(to, &value, value.struct_size);
 }

@@ -15,8 +15,7 @@ nicol_result initialise(T* descriptor, const T& defaults, std::uint32_t struct_s
         constexpr bool sized = requires {
             descriptor->struct_size;
         };
-        if (sized ? struct_size < sizeof struct_size || struct_size > kMaxStructSize
-                  : struct_size != sizeof defaults) {
+        if (sized ? !may_be_size<T>(struct_size) : struct_size != sizeof defaults) {
             nicol::refuse("struct_size is " + std::to_string(struct_size) +
                           "; it must be sizeof(the struct), " + std::to_string(sizeof defaults) +
                           " in this version");

@@ -152,7 +152,9 @@ CONTEXT_TEST_CASE(
         if (needs_host(f)) return;
         const Parameter& parameter = f.parameters[i];
         const std::string name = parameter.name;
-        for (const std::uint32_t size : {0U, 1U, 3U, 65537U, UINT32_MAX}) {
+        // A size that ends inside a number is that of no version.
+        const auto inside = static_cast<std::uint32_t>(parameter.size - 1);
+        for (const std::uint32_t size : {0U, 1U, 3U, inside, 65537U, UINT32_MAX}) {
             Arguments arguments(f, all);
             set_size(arguments.memory(i), size);
             REFUSES(arguments.call(), name + "->struct_size");
@@ -199,7 +201,7 @@ CONTEXT_TEST_CASE(
                                        "nicol_render_options_set_quality"};
         if (std::ranges::find(also_read, f.name) != also_read.end()) return;
         const std::size_t whole_size = f.parameters[i].size;
-        for (const std::size_t size : {0U, 3U}) {
+        for (const std::size_t size : {std::size_t{0}, std::size_t{3}, whole_size - 1}) {
             Arguments arguments(f, all);
             std::ranges::fill(arguments.memory(i), std::byte{0x7e});
             set_size(arguments.memory(i), size);
@@ -239,7 +241,8 @@ TEST_CASE("initialisers set the defaults of the macros, for structs of older and
             OK(arguments.call());
             CHECK(arguments.memory(i) == expected);
         }
-        for (const std::uint32_t size : {0U, 3U, 65537U, UINT32_MAX}) {
+        const auto inside = static_cast<std::uint32_t>(parameter.size - 1);
+        for (const std::uint32_t size : {0U, 3U, inside, 65537U, UINT32_MAX}) {
             Arguments arguments(f, all);
             arguments.set(i + 1, size);
             REFUSES(arguments.call(), "struct_size is " + std::to_string(size));
@@ -251,6 +254,10 @@ TEST_CASE("initialisers set the defaults of the macros, for structs of older and
     CHECK(spectrum.count == 0);
     CHECK(spectrum.values[NICOL_MAX_CHANNELS - 1] == 0);
     nicol_polarization polarization;
+    // Doubles are not cut at their half.
+    nicol_camera camera = NICOL_CAMERA_INIT;
+    REFUSES(nicol_camera_init(&camera, sizeof camera - 4),
+            "struct_size is " + std::to_string(sizeof camera - 4));
     OK(nicol_polarization_init(&polarization, sizeof polarization));
     CHECK(polarization.axis[0] == 1);
     REFUSES(nicol_polarization_init(&polarization, 8), "struct_size is 8; it must be sizeof(the struct), 48");
