@@ -48,6 +48,18 @@
 #define NICOL_API extern
 #endif
 
+/* Marks what the next minor version lacks (capi/reference/stability.md). Compilers print the text, which names the
+ * successor. */
+#ifndef NICOL_DEPRECATED
+#if defined(__GNUC__)
+#define NICOL_DEPRECATED(text) __attribute__((deprecated(text)))
+#elif defined(_MSC_VER)
+#define NICOL_DEPRECATED(text) __declspec(deprecated(text))
+#else
+#define NICOL_DEPRECATED(text)
+#endif
+#endif
+
 #ifdef __cplusplus
 extern "C" {
 #endif

@@ -75,7 +75,7 @@ class Parser:
     def define(self, text, line):
         text = re.sub(r"/\*.*", "", text).strip()
         name, _, value = text.partition(" ")
-        if name == "NICOL_API" or name.endswith("_H"):
+        if name in ("NICOL_API", "NICOL_DEPRECATED(text)") or name.endswith("_H"):
             return
         if value.startswith("{"):  # nicol_<type>_init() sets the same values
             return

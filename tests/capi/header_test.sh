@@ -31,6 +31,15 @@ for compiler in "$@"; do
         compile "$compiler" -x c++ -std=$standard
     done
 done
+# What is deprecated is an error here, and none where a program leaves the warnings out.
+old='#include <nicol.h>
+NICOL_DEPRECATED("use nicol_version()") int old(void);
+int main(void) { return old(); }'
+for compiler in "$@"; do
+    echo "$old" | "$compiler" -x c -std=c99 -Werror -fsyntax-only -I"$include" - 2>"$program.log" && failed=1
+    grep -q "use nicol_version()" "$program.log" || failed=1
+    echo "$old" | "$compiler" -x c -std=c99 -Werror -fsyntax-only -I"$include" "-DNICOL_DEPRECATED(text)=" - || failed=1
+done
 "$program"
 echo "$compiled compilations"
 [ "$compiled" -gt 0 ] && exit $failed
