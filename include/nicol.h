@@ -48,8 +48,8 @@
 #define NICOL_API extern
 #endif
 
-/* Marks what the next minor version lacks (capi/reference/stability.md). Compilers print the text, which names the
- * successor. */
+/* Marks what the next minor version lacks (capi/reference/stability.md). Compilers print the text, which
+ * names the successor. */
 #ifndef NICOL_DEPRECATED
 #if defined(__GNUC__)
 #define NICOL_DEPRECATED(text) __attribute__((deprecated(text)))
