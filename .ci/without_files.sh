@@ -22,7 +22,7 @@ for build in build build-without-files; do
 done
 cmake --build build-without-files --target nicol_archive
 cc -std=c11 -Iinclude samples/embed_c/hello_stokes.c -o "$folder/archive" build-without-files/capi/static/libnicol.a \
-    -lImath -lz -ltbb -lstdc++ -lm -ldl -pthread
+    -lz -ltbb -lstdc++ -lm -ldl -pthread
 "$folder/build" >"$folder/all"
 for program in build-without-files archive; do
     "$folder/$program" | diff "$folder/all" -

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Reading of framebuffer planes into the caller's memory.
-#include <half.h>
-
 #include <vector>
 
 #include "assets.hpp"
@@ -9,6 +7,7 @@
 #include "planes.hpp"
 #include "progress.hpp"
 #include "rows.hpp"
+#include "simd/half_floats.hpp"
 
 using namespace nicol;
 using namespace nicol::capi;
@@ -54,6 +53,10 @@ public:
 
     // Reads [column][channel][component].
     void read(int y, std::span<float> row) const {
+        if (is_dense()) {
+            std::copy_n(dense_row(y), row.size(), row.data());
+            return;
+        }
         for (std::size_t c = 0; c < parts_.size(); ++c) {
             const auto [first, step] = parts_[c];
             const float* in = first + static_cast<std::size_t>(y) * width_ * step;
@@ -66,6 +69,13 @@ public:
         }
     }
 
+    // Returns a row as read() gives it: the plane's own numbers where they lie so, or else a copy in `room`.
+    [[nodiscard]] std::span<const float> row(int y, std::span<float> room) const {
+        if (is_dense()) return {dense_row(y), room.size()};
+        read(y, room);
+        return room;
+    }
+
     [[nodiscard]] const std::uint32_t* instances(int y) const {
         return aovs_->instances.data() + static_cast<std::size_t>(y) * width_;
     }
@@ -76,6 +86,12 @@ private:
         const float* first;
         std::size_t step;
     };
+
+    // Returns whether the numbers lie as they are read.
+    [[nodiscard]] bool is_dense() const { return parts_.size() == 1 && parts_.front().step == components_; }
+    [[nodiscard]] const float* dense_row(int y) const {
+        return parts_.front().first + static_cast<std::size_t>(y) * width_ * components_;
+    }
 
     Part part(Framebuffer& from, nicol_plane plane, int channel) {
         switch (plane) {
@@ -129,9 +145,7 @@ void read(Framebuffer& from, const nicol_plane_buffer& to) {
                 std::copy_n(source.instances(y), elements, reinterpret_cast<std::uint32_t*>(row));
                 break;
             case NICOL_FORMAT_FLOAT16:
-                source.read(y, single);
-                std::transform(single.begin(), single.end(), reinterpret_cast<std::uint16_t*>(row),
-                               [](float value) { return Imath::half(value).bits(); });
+                to_half(source.row(y, single), {reinterpret_cast<std::uint16_t*>(row), elements});
                 break;
             default:
                 source.read(y, {reinterpret_cast<float*>(row), elements});
