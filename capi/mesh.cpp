@@ -3,6 +3,7 @@
 #include <cstring>
 
 #include "assets.hpp"
+#include "geometry/deformed_mesh.hpp"
 
 using namespace nicol;
 using namespace nicol::capi;
@@ -97,6 +98,24 @@ nicol_result nicol_mesh_create_cylinder(nicol_context context, const double p0[3
         require(p1, "p1");
         return std::make_shared<const Mesh>(
             make_cylinder({p0[0], p0[1], p0[2]}, {p1[0], p1[1], p1[2]}, radius));
+    });
+}
+
+nicol_result nicol_mesh_create_deformed(nicol_context context, nicol_mesh base,
+                                        const nicol_deformation* deformation, nicol_mesh* mesh) {
+    return create(context, mesh, "mesh", [&] {
+        const nicol_mesh_impl& from = resolve(base);
+        require_same_context(resolve(context), from);
+        const nicol_deformation given =
+            read_struct(deformation, nicol_deformation NICOL_DEFORMATION_INIT, "deformation");
+        const std::size_t vertices = from.content->positions.size();
+        if (given.vertex_count != vertices)
+            refuse("deformation->vertex_count is " + std::to_string(given.vertex_count) +
+                   "; it must be that of the base, " + std::to_string(vertices));
+        require(given.positions, "deformation->positions");
+        return std::make_shared<const Mesh>(deformed(*from.content,
+                                                     vectors<3>(given.positions, given.vertex_count),
+                                                     vectors<3>(given.normals, given.vertex_count)));
     });
 }
 

@@ -102,6 +102,16 @@ nicol_result nicol_scene_set_transform(nicol_scene scene, uint32_t id, const dou
     });
 }
 
+nicol_result nicol_scene_set_mesh(nicol_scene scene, uint32_t id, nicol_mesh mesh) {
+    return guarded([&] {
+        const nicol_scene_impl& self = resolve(scene);
+        const nicol_mesh_impl& given = resolve(mesh);
+        require_same_context(self, given);
+        const Edit edit(self);
+        self.content->scene.set_mesh(id, given.content);
+    });
+}
+
 nicol_result nicol_scene_set_material(nicol_scene scene, uint32_t id, nicol_material material) {
     return guarded([&] {
         const nicol_scene_impl& self = resolve(scene);

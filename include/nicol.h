@@ -920,6 +920,24 @@ NICOL_API nicol_result nicol_mesh_create_disk(nicol_context context, nicol_mesh*
  * 0, and p0 and p1 must differ. */
 NICOL_API nicol_result nicol_mesh_create_cylinder(nicol_context context, const double p0[3],
                                                   const double p1[3], double radius, nicol_mesh* mesh);
+/* Other places of a mesh's vertices, such as those of the next frame of an animated character. */
+typedef struct nicol_deformation {
+    uint32_t struct_size;
+    uint32_t vertex_count;  /* number of vertices of the mesh, see nicol_mesh_get_size */
+    const float* positions; /* positions, 3 finite numbers per vertex */
+    /* Normals, 3 finite numbers per vertex, of any length; a normal of length 0 stands for the smooth normal.
+     * NULL, the default: smooth normals. */
+    const float* normals;
+} nicol_deformation;
+#define NICOL_DEFORMATION_INIT \
+    { sizeof(nicol_deformation), 0, 0, 0 }
+NICOL_API nicol_result nicol_deformation_init(nicol_deformation* descriptor, uint32_t struct_size);
+
+/* Creates a mesh with the triangles, texture coordinates and colours of `base`, without its tangents, and
+ * with other positions and normals, for nicol_scene_set_mesh. Triangles may lose their area, and stay. `base`
+ * may be released afterwards. */
+NICOL_API nicol_result nicol_mesh_create_deformed(nicol_context context, nicol_mesh base,
+                                                  const nicol_deformation* deformation, nicol_mesh* mesh);
 /* Gets the numbers of vertices and triangles of a mesh. */
 NICOL_API nicol_result nicol_mesh_get_size(nicol_mesh mesh, uint32_t* vertices, uint32_t* triangles);
 /* Gets the box of the mesh in its own axes: the least and the largest coordinates. */
@@ -1137,8 +1155,10 @@ NICOL_API nicol_result nicol_instance_init(nicol_instance* descriptor, uint32_t 
 NICOL_API nicol_result nicol_scene_create(nicol_context context, nicol_scene* scene);
 /* Loads a scene from a Mitsuba 3 XML file, or from glTF 2.0 if the name ends in .gltf or .glb (the subsets
  * that samples/render/README.md lists). definitions are "name=value" strings that override <default>s of the
- * XML. A glTF file has no environment, and may have lights. Lights that polarization elements of the file
- * cover get the polarization state and the brightness that their light has behind the elements. */
+ * XML. Those of glTF are time=SECONDS, at which the file's animation is drawn, and animation=NAME, its name
+ * or number, the first by default. A glTF file has no environment, and may have lights. Lights that
+ * polarization elements of the file cover get the polarization state and the brightness that their light has
+ * behind the elements. */
 NICOL_API nicol_result nicol_scene_load(nicol_context context, const char* path,
                                         const char* const* definitions, uint32_t definition_count,
                                         nicol_scene* scene);
@@ -1151,6 +1171,11 @@ NICOL_API nicol_result nicol_scene_add_instance(nicol_scene scene, const nicol_i
  * vertices that the instance may shadow, before or now. A scene that rotates and moves as a whole is only
  * relit. */
 NICOL_API nicol_result nicol_scene_set_transform(nicol_scene scene, uint32_t id, const double to_world[16]);
+/* Sets the mesh of an instance, under the conditions of nicol_scene_add_instance. The next render bakes again
+ * the instance and the vertices that it may shadow, before or now. An instance whose meshes have the same
+ * triangles, such as those of nicol_mesh_create_deformed, keeps its former shadows until they are baked, see
+ * bake_budget_ms of nicol_render_options. */
+NICOL_API nicol_result nicol_scene_set_mesh(nicol_scene scene, uint32_t id, nicol_mesh mesh);
 /* Sets the material of an instance, under the conditions of nicol_scene_add_instance. The next render
  * projects the material, if it is new to the scene, and shades the instance. */
 NICOL_API nicol_result nicol_scene_set_material(nicol_scene scene, uint32_t id, nicol_material material);

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <ctime>
 #include <functional>
 #include <string>
 #include <utility>
@@ -10,26 +8,22 @@
 
 #include "clouds.hpp"
 #include "commands.hpp"
-#include "common/handles.hpp"
-#include "image.hpp"
+#include "film.hpp"
 #include "median.hpp"
 #include "sphere.hpp"
 #include "stage.hpp"
 
 namespace {
 
-constexpr std::uint32_t kChannels = 3;
 constexpr std::uint32_t kRow = 10;  // balls in a row
 constexpr std::uint32_t kBalls = 50;
 constexpr std::uint32_t kPebbles = 1000;
+constexpr std::uint32_t kBallVertices = 1200;
+constexpr std::uint32_t kBodyVertices = 10000;
 constexpr int kRounds = 3;        // repetitions of an edit
 constexpr double kBudget = 8;     // milliseconds of a frame in motion
 constexpr int kMovingFrames = 8;  // frames in motion
 constexpr int kMostFrames = 5000;
-
-struct Transform {
-    double to_world[16];
-};
 
 Transform scaled_at(double x, double y, double z, double scale) {
     return {{scale, 0, 0, x, 0, scale, 0, y, 0, 0, scale, z, 0, 0, 0, 1}};
@@ -45,7 +39,7 @@ Transform pebble_place(std::uint32_t i) {
 
 Material plastic(nicol_context context, float reflectance, float alpha) {
     nicol_pplastic parameters = NICOL_PPLASTIC_INIT;
-    parameters.diffuse_reflectance = {.count = kChannels, .values = {reflectance, 0.3F, 0.2F}};
+    parameters.diffuse_reflectance = {.count = Film::kChannels, .values = {reflectance, 0.3F, 0.2F}};
     parameters.alpha = alpha;
     return create<Material>(nicol_material_create_pplastic, context, &parameters);
 }
@@ -61,108 +55,6 @@ Environment sky(nicol_context context, double sun) {
     parameters.sun_direction[1] = static_cast<float>(std::cos(sun));
     return create<Environment>(nicol_environment_create_sky, context, &parameters);
 }
-
-/// Time of a frame, in milliseconds on the clock and of all threads together, and its statistics.
-struct Frame {
-    double ms = 0;
-    double cpu_ms = 0;
-    nicol_statistics work = NICOL_STATISTICS_INIT;
-};
-
-/// A scene that is rendered with default options.
-class Film {
-public:
-    Film(nicol_context context, std::uint32_t size)
-        : context_(context),
-          scene_(create<Scene>(nicol_scene_create, context)),
-          framebuffer_(create<Framebuffer>(nicol_framebuffer_create, context, size, size, kChannels)) {
-        const double origin[3] = {0, 6, 9}, target[3] = {0, 0, 0}, up[3] = {0, 1, 0};
-        check(nicol_camera_look_at(&camera_, origin, target, up));
-    }
-
-    /// Renders the same scene from nothing.
-    [[nodiscard]] Film fresh(std::uint32_t size) const {
-        Film other(context_, size);
-        other.camera_ = camera_;
-        for (const std::uint32_t id : ids()) {
-            nicol_mesh mesh = nullptr;
-            nicol_material material = nullptr;
-            Transform place{};
-            check(nicol_scene_get_instance(scene(), id, &mesh, &material, place.to_world));
-            const Mesh held_mesh(mesh);
-            const Material held_material(material);
-            other.add(mesh, material, place);
-        }
-        nicol_environment light = nullptr;
-        double to_world[16];
-        double scale = 1;
-        check(nicol_scene_get_environment(scene(), &light, to_world, &scale));
-        other.set_light(Environment(light));
-        other.set_light_scale(scale);
-        other.frame([] {});
-        return other;
-    }
-
-    [[nodiscard]] nicol_scene scene() const { return scene_.get(); }
-    [[nodiscard]] Image image() const { return read_image(framebuffer_.get()); }
-    [[nodiscard]] std::vector<std::uint32_t> ids() const {
-        std::uint32_t count = 0;
-        check(nicol_scene_get_instance_count(scene(), &count));
-        std::vector<std::uint32_t> all(count);
-        check(nicol_scene_get_instance_ids(scene(), all.data(), count));
-        return all;
-    }
-
-    std::uint32_t add(nicol_mesh mesh, nicol_material material, const Transform& place) {
-        nicol_instance instance = NICOL_INSTANCE_INIT;
-        instance.mesh = mesh;
-        instance.material = material;
-        std::ranges::copy(place.to_world, instance.to_world);
-        std::uint32_t id = 0;
-        check(nicol_scene_add_instance(scene(), &instance, &id));
-        return id;
-    }
-    void set_budget(double milliseconds) { options_.bake_budget_ms = milliseconds; }
-    void move(std::uint32_t id, const Transform& place) {
-        check(nicol_scene_set_transform(scene(), id, place.to_world));
-    }
-    void set_light(Environment light) {
-        light_ = std::move(light);
-        set_light_scale(1);
-    }
-    void set_light_scale(double scale) {
-        check(nicol_scene_set_environment(scene(), light_.get(), nullptr, scale));
-    }
-    void orbit() {
-        angle_ += 0.01;
-        const double origin[3] = {9 * std::sin(angle_), 6, 9 * std::cos(angle_)};
-        const double target[3] = {0, 0, 0}, up[3] = {0, 1, 0};
-        check(nicol_camera_look_at(&camera_, origin, target, up));
-    }
-
-    /// Edits the scene and renders it.
-    Frame frame(const std::function<void()>& edit) {
-        const auto start = std::chrono::steady_clock::now();
-        const std::clock_t spent = std::clock();
-        edit();
-        check(nicol_render(scene(), &camera_, &options_, framebuffer_.get()));
-        Frame frame;
-        frame.ms =
-            std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-        frame.cpu_ms = 1e3 * static_cast<double>(std::clock() - spent) / CLOCKS_PER_SEC;
-        check(nicol_framebuffer_get_statistics(framebuffer_.get(), &frame.work));
-        return frame;
-    }
-
-private:
-    nicol_context context_;
-    Scene scene_;
-    Framebuffer framebuffer_;
-    Environment light_;
-    nicol_camera camera_ = NICOL_CAMERA_INIT;
-    nicol_render_options options_ = NICOL_RENDER_OPTIONS_INIT;
-    double angle_ = 0;
-};
 
 double relative_difference(const Image& image, const Image& truth) {
     double sum = 0, power = 0;
@@ -183,7 +75,7 @@ public:
           report_(report),
           context_(make_context(options.backend, options.cache)),
           film_(context_.get(), size_),
-          ball_(make_sphere(context_.get(), 1200, 0)),
+          ball_(make_sphere(context_.get(), kBallVertices, 0)),
           pebble_(make_sphere(context_.get(), 60, 0)),
           grey_(plastic(context_.get(), 0.4F, 0.2F)),
           red_(plastic(context_.get(), 0.6F, 0.2F)) {
@@ -202,6 +94,7 @@ public:
             measure("move " + std::to_string(count) + " of 50", [&](int round) { move(count, round); });
         measure("move the largest of 50",
                 [&](int round) { film_.move(balls_[0], scaled_at(-4.5, 0.5 + 0.05 * round, -2.0, 0.4)); });
+        measure("deform 1 of 50", [&](int round) { deform(balls_[24], ball_.get(), kBallVertices, round); });
         measure_new_mesh();
         measure_materials_and_lights();
         measure_pebbles();
@@ -209,11 +102,22 @@ public:
 
     /// Measures frames in motion within a budget.
     void run_within_budget() {
-        for (const std::uint32_t count : {1U, 10U}) measure_motion(count, kBalls);
-        if (!wanted("move 1 of 1,050, within 8 ms")) return;
+        for (const std::uint32_t count : {1U, 10U})
+            measure_motion("move " + std::to_string(count) + " of 50",
+                           [=, this](int round) { move(count, round); });
+        const char* const deforming = "deform one of 10,000 vertices";
+        if (wanted(deforming)) {
+            const Mesh body = make_sphere(context_.get(), kBodyVertices, 0);
+            const std::uint32_t id = film_.add(body.get(), grey_.get(), scaled_at(0, 1.2, 1, 0.7));
+            film_.frame([] {});
+            measure_motion(deforming, [&](int round) { deform(id, body.get(), kBodyVertices, round); });
+            check(nicol_scene_remove_instance(film_.scene(), id));
+        }
+        const char* const among_pebbles = "move 1 of 1,050";
+        if (!wanted(among_pebbles)) return;
         for (std::uint32_t i = 0; i < kPebbles; ++i) film_.add(pebble_.get(), grey_.get(), pebble_place(i));
         film_.frame([] {});
-        measure_motion(1, kBalls + kPebbles);
+        measure_motion(among_pebbles, [this](int round) { move(1, round); });
     }
 
 private:
@@ -225,6 +129,16 @@ private:
             place.to_world[11] += 0.03 * (round + 1);
             film_.move(balls_[ball], place);
         }
+    }
+
+    // Gives an instance of a sphere waves that grow.
+    void deform(std::uint32_t id, nicol_mesh base, std::uint32_t vertices, int round) {
+        const std::vector<float> positions = sphere_positions(vertices, 0.02 * (round + 1));
+        nicol_deformation deformation = NICOL_DEFORMATION_INIT;
+        deformation.vertex_count = static_cast<std::uint32_t>(positions.size() / 3);
+        deformation.positions = positions.data();
+        const auto mesh = create<Mesh>(nicol_mesh_create_deformed, context_.get(), base, &deformation);
+        film_.set_mesh(id, mesh.get());
     }
 
     void measure_new_mesh() {
@@ -278,16 +192,14 @@ private:
         measure(names[2], collect, 1);
     }
 
-    void measure_motion(std::uint32_t count, std::uint32_t of) {
-        const std::string name =
-            std::to_string(count) + (of == kBalls ? " of 50" : " of 1,050") + ", within 8 ms";
-        if (!wanted("move " + name)) return;
+    void measure_motion(const std::string& name, const std::function<void(int)>& edit) {
+        if (!wanted(name)) return;
         std::vector<double> still, cpu, error;
         for (int i = 0; i < kRounds; ++i) still.push_back(film_.frame([&] { film_.orbit(); }).cpu_ms);
         film_.set_budget(kBudget);
         std::uint64_t pending = 0;
         for (int round = 0; round < kMovingFrames; ++round) {
-            const Frame frame = film_.frame([&] { move(count, round); });
+            const Frame frame = film_.frame([&] { edit(round); });
             cpu.push_back(frame.cpu_ms);
             pending = frame.work.vertices_pending;
             if (round % 4 == 3)
@@ -302,9 +214,9 @@ private:
             longest = std::max(longest, frame.cpu_ms);
             ++frames;
         }
-        report_.add("move " + name, {median(cpu) - median(still), median(error), static_cast<double>(frames),
-                                     frames > 0 ? spent / frames - median(still) : 0, longest - median(still),
-                                     relative_difference(film_.image(), film_.fresh(size_).image())});
+        report_.add(name, {median(cpu) - median(still), median(error), static_cast<double>(frames),
+                           frames > 0 ? spent / frames - median(still) : 0, longest - median(still),
+                           relative_difference(film_.image(), film_.fresh(size_).image())});
         film_.set_budget(0);
     }
 

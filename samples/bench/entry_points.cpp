@@ -89,6 +89,11 @@ void make_meshes(const EntryPoints::Watch& watch, nicol_context context, nicol_m
     data.vertex_count = 3;
     data.triangle_count = 1;
     make<Mesh>(watch, NAMED(nicol_mesh_create), context, &data);
+    const auto base = create<Mesh>(nicol_mesh_create, context, &data);
+    auto deformation = defaults(nicol_deformation_init);
+    deformation.vertex_count = 3;
+    deformation.positions = positions;
+    make<Mesh>(watch, NAMED(nicol_mesh_create_deformed), context, base.get(), &deformation);
     make<Mesh>(watch, NAMED(nicol_mesh_load), context, NICOL_BENCH_ASSETS "/plinth.ply");
     make<Mesh>(watch, NAMED(nicol_mesh_create_sphere), context);
     make<Mesh>(watch, NAMED(nicol_mesh_create_rectangle), context);
@@ -179,6 +184,7 @@ void edit_instances(const EntryPoints::Watch& watch, nicol_scene scene, std::uin
     call(watch, NAMED(nicol_scene_get_instance_ids), scene, ids.data(), std::uint64_t{2});
     call(watch, NAMED(nicol_scene_remove_instance), scene, added);
     call(watch, NAMED(nicol_scene_set_transform), scene, id, placed.to_world);
+    call(watch, NAMED(nicol_scene_set_mesh), scene, id, mesh);
     call(watch, NAMED(nicol_scene_set_material), scene, id, material);
     call(watch, NAMED(nicol_scene_get_instance), scene, id, nullptr, nullptr, placed.to_world);
     auto emission = defaults(nicol_emission_init);

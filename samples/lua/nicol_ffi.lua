@@ -249,6 +249,12 @@ typedef struct nicol_mesh_data {
     const float* face_colors;
     const float* tangents;
 } nicol_mesh_data;
+typedef struct nicol_deformation {
+    uint32_t struct_size;
+    uint32_t vertex_count;
+    const float* positions;
+    const float* normals;
+} nicol_deformation;
 typedef uint32_t nicol_projection;
 typedef struct nicol_camera {
     uint32_t struct_size;
@@ -669,6 +675,8 @@ nicol_result nicol_mesh_create_rectangle(nicol_context context, nicol_mesh* mesh
 nicol_result nicol_mesh_create_cube(nicol_context context, nicol_mesh* mesh);
 nicol_result nicol_mesh_create_disk(nicol_context context, nicol_mesh* mesh);
 nicol_result nicol_mesh_create_cylinder(nicol_context context, const double p0[3], const double p1[3], double radius, nicol_mesh* mesh);
+nicol_result nicol_deformation_init(nicol_deformation* descriptor, uint32_t struct_size);
+nicol_result nicol_mesh_create_deformed(nicol_context context, nicol_mesh base, const nicol_deformation* deformation, nicol_mesh* mesh);
 nicol_result nicol_mesh_get_size(nicol_mesh mesh, uint32_t* vertices, uint32_t* triangles);
 nicol_result nicol_mesh_get_bounds(nicol_mesh mesh, double lower[3], double upper[3]);
 nicol_result nicol_mesh_retain(nicol_mesh mesh);
@@ -687,6 +695,7 @@ nicol_result nicol_scene_create(nicol_context context, nicol_scene* scene);
 nicol_result nicol_scene_load(nicol_context context, const char* path, const char* const* definitions, uint32_t definition_count, nicol_scene* scene);
 nicol_result nicol_scene_add_instance(nicol_scene scene, const nicol_instance* instance, uint32_t* id);
 nicol_result nicol_scene_set_transform(nicol_scene scene, uint32_t id, const double to_world[16]);
+nicol_result nicol_scene_set_mesh(nicol_scene scene, uint32_t id, nicol_mesh mesh);
 nicol_result nicol_scene_set_material(nicol_scene scene, uint32_t id, nicol_material material);
 nicol_result nicol_scene_remove_instance(nicol_scene scene, uint32_t id);
 nicol_result nicol_scene_get_instance(nicol_scene scene, uint32_t id, nicol_mesh* mesh, nicol_material* material, double to_world[16]);
@@ -1008,6 +1017,7 @@ return {
         mesh_create_cube = "nicol_mesh",
         mesh_create_disk = "nicol_mesh",
         mesh_create_cylinder = "nicol_mesh",
+        mesh_create_deformed = "nicol_mesh",
         mesh_get_size = true,
         mesh_get_bounds = true,
         camera_look_at = true,
@@ -1018,6 +1028,7 @@ return {
         scene_load = "nicol_scene",
         scene_add_instance = true,
         scene_set_transform = true,
+        scene_set_mesh = true,
         scene_set_material = true,
         scene_remove_instance = true,
         scene_get_instance = true,
@@ -1129,6 +1140,7 @@ return {
         psh_matrix = true,
         callback_material = true,
         mesh_data = true,
+        deformation = true,
         camera = true,
         polarization = true,
         light = true,

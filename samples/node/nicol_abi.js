@@ -508,6 +508,17 @@ export const types = [
       ["tangents", "float *", 0],
     ],
   },
+  {
+    kind: "struct",
+    name: "nicol_deformation",
+    // name, type, length of a fixed array
+    fields: [
+      ["struct_size", "uint32_t", 0],
+      ["vertex_count", "uint32_t", 0],
+      ["positions", "float *", 0],
+      ["normals", "float *", 0],
+    ],
+  },
   { kind: "alias", name: "nicol_projection", of: "uint32_t" },
   {
     kind: "struct",
@@ -1052,6 +1063,8 @@ export const functions = {
   mesh_create_cube: ["nicol_result nicol_mesh_create_cube(nicol_context context, _Out_ nicol_mesh *mesh)", true, "nicol_mesh"],
   mesh_create_disk: ["nicol_result nicol_mesh_create_disk(nicol_context context, _Out_ nicol_mesh *mesh)", true, "nicol_mesh"],
   mesh_create_cylinder: ["nicol_result nicol_mesh_create_cylinder(nicol_context context, const double *p0, const double *p1, double radius, _Out_ nicol_mesh *mesh)", true, "nicol_mesh"],
+  deformation_init: ["nicol_result nicol_deformation_init(_Out_ nicol_deformation *descriptor, uint32_t struct_size)", true, null],
+  mesh_create_deformed: ["nicol_result nicol_mesh_create_deformed(nicol_context context, nicol_mesh base, const nicol_deformation *deformation, _Out_ nicol_mesh *mesh)", true, "nicol_mesh"],
   mesh_get_size: ["nicol_result nicol_mesh_get_size(nicol_mesh mesh, _Out_ uint32_t *vertices, _Out_ uint32_t *triangles)", true, null],
   mesh_get_bounds: ["nicol_result nicol_mesh_get_bounds(nicol_mesh mesh, _Out_ double *lower, _Out_ double *upper)", true, null],
   mesh_retain: ["nicol_result nicol_mesh_retain(nicol_mesh mesh)", true, null],
@@ -1070,6 +1083,7 @@ export const functions = {
   scene_load: ["nicol_result nicol_scene_load(nicol_context context, const char *path, const char **definitions, uint32_t definition_count, _Out_ nicol_scene *scene)", true, "nicol_scene"],
   scene_add_instance: ["nicol_result nicol_scene_add_instance(nicol_scene scene, const nicol_instance *instance, _Out_ uint32_t *id)", true, null],
   scene_set_transform: ["nicol_result nicol_scene_set_transform(nicol_scene scene, uint32_t id, const double *to_world)", true, null],
+  scene_set_mesh: ["nicol_result nicol_scene_set_mesh(nicol_scene scene, uint32_t id, nicol_mesh mesh)", true, null],
   scene_set_material: ["nicol_result nicol_scene_set_material(nicol_scene scene, uint32_t id, nicol_material material)", true, null],
   scene_remove_instance: ["nicol_result nicol_scene_remove_instance(nicol_scene scene, uint32_t id)", true, null],
   scene_get_instance: ["nicol_result nicol_scene_get_instance(nicol_scene scene, uint32_t id, _Out_ nicol_mesh *mesh, _Out_ nicol_material *material, _Out_ double *to_world)", true, null],

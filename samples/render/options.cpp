@@ -15,6 +15,8 @@ const char* const usage =
     "\n"
     "  -o, --output FILE        the OpenEXR image to write; -: to the standard output\n"
     "  -D, --define NAME=VALUE  replaces the value of a <default> of the scene; may be repeated\n"
+    "      --time SECONDS       the time of a glTF file's animation; without it nothing is animated\n"
+    "      --animation NAME     name or number of that animation; default the first\n"
     "      --environment FILE   an environment map that lights the scene, in place of the scene's own\n"
     "      --images DIR       also writes s0, s1, s2, s3, dolp and aolp.png into DIR, made when missing\n"
     "      --mosaic FILE        also writes what an image sensor gives for the image, as a grey PNG\n"
@@ -257,6 +259,8 @@ Options parse_options(int argc, const char* const* argv) {
             options.output = path();
         else if (name == "-D" || name == "--define")
             options.definitions.push_back(parse_definition(value()));
+        else if (name == "--time" || name == "--animation")
+            options.definitions.push_back(std::string(name.substr(2)) + "=" + std::string(value()));
         else if (name == "--environment")
             options.environment = path();
         else if (name == "--images")

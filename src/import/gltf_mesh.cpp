@@ -17,8 +17,14 @@ namespace {
 class Primitive {
 public:
     Primitive(const GltfDocument& document, const tinygltf::Primitive& primitive, const std::string& where,
-              const GltfMaterial& material, const LoadBudget& budget, geometry::LeftOut& left_out)
-        : document_(document), primitive_(primitive), where_(where), budget_(budget), left_out_(left_out) {
+              const GltfMaterial& material, const GltfDeformation* deformation, const LoadBudget& budget,
+              geometry::LeftOut& left_out)
+        : document_(document),
+          primitive_(primitive),
+          where_(where),
+          deformation_(deformation),
+          budget_(budget),
+          left_out_(left_out) {
         positions_ = attribute("POSITION", 3, 3);
         if (!positions_) document_.fail(where_, "has no POSITION");
         // Light that an unlit surface emits would end where an interpolated normal turns away from the
@@ -105,12 +111,16 @@ private:
     }
 
     void add(std::size_t index) {
-        const glm::vec3 position = vector(*positions_, index);
+        GltfDeformation::Vertex vertex{.position = vector(*positions_, index),
+                                       .normal = normals_ ? vector(*normals_, index) : glm::dvec3(0),
+                                       .tangent = tangents_ ? vector(*tangents_, index) : glm::dvec3(0)};
+        if (deformation_ != nullptr) vertex = (*deformation_)(index, vertex);
+        const glm::vec3 position(vertex.position);
         if (!is_finite(position))
             document_.fail(where_, "POSITION of vertex " + std::to_string(index) + " is not finite");
         mesh_.positions.push_back(position);
         if (normals_) {
-            glm::vec3 normal = vector(*normals_, index);
+            glm::vec3 normal(vertex.normal);
             if (!is_finite(normal)) {
                 left_out_.add("normals that are not finite");
                 normal = glm::vec3(0);
@@ -118,7 +128,7 @@ private:
             mesh_.normals.push_back(normal);
         }
         if (colors_) {
-            const glm::vec3 color = vector(*colors_, index);
+            const glm::vec3 color(vector(*colors_, index));
             mesh_.colors.push_back(is_finite(color) ? color : glm::vec3(1));
         }
         if (texcoords_) {
@@ -127,7 +137,7 @@ private:
         }
         if (tangents_) {
             if (!texcoords_) mesh_.texcoords.emplace_back(0);
-            const glm::vec3 along = vector(*tangents_, index);
+            const glm::vec3 along(vertex.tangent);
             const float length = glm::length(along);
             const bool valid = std::isfinite(length) && length > 0;
             mesh_.tangents.emplace_back(valid ? along / length : glm::vec3(0),
@@ -135,13 +145,14 @@ private:
         }
     }
 
-    static glm::vec3 vector(const GltfAccessor& from, std::size_t i) {
+    static glm::dvec3 vector(const GltfAccessor& from, std::size_t i) {
         return {from.number(i, 0), from.number(i, 1), from.number(i, 2)};
     }
 
     const GltfDocument& document_;
     const tinygltf::Primitive& primitive_;
     const std::string& where_;
+    const GltfDeformation* deformation_;  // null: vertices stay
     const LoadBudget& budget_;
     geometry::LeftOut& left_out_;
     std::optional<GltfAccessor> positions_, normals_, texcoords_, colors_, tangents_, indices_;
@@ -154,14 +165,15 @@ private:
 std::shared_ptr<const Mesh> read_gltf_primitive(const GltfDocument& document,
                                                 const tinygltf::Primitive& primitive,
                                                 const std::string& where, const GltfMaterial& material,
-                                                const LoadBudget& budget, geometry::LeftOut& left_out) {
+                                                const GltfDeformation* deformation, const LoadBudget& budget,
+                                                geometry::LeftOut& left_out) {
     if (primitive.mode >= TINYGLTF_MODE_POINTS && primitive.mode < TINYGLTF_MODE_TRIANGLES) {
         left_out.add("primitives of points or lines");
         return nullptr;
     }
     if (primitive.mode < 0 || primitive.mode > TINYGLTF_MODE_TRIANGLE_FAN)
         document.fail(where, "mode is " + std::to_string(primitive.mode) + "; expected 0 to 6");
-    Primitive reader(document, primitive, where, material, budget, left_out);
+    Primitive reader(document, primitive, where, material, deformation, budget, left_out);
     budget.take_mesh(document.path(), 0, reader.triangle_count());
     Mesh mesh = reader.mesh();
     if (mesh.triangles.empty()) {

@@ -2,15 +2,17 @@
 // Puts a scene together from the nodes of a glTF file.
 #include <algorithm>
 #include <cmath>
-#include <glm/gtc/matrix_transform.hpp>
-#include <glm/gtc/quaternion.hpp>
+#include <glm/matrix.hpp>
 #include <limits>
 #include <map>
 #include <optional>
+#include <string>
+#include <tuple>
 #include <utility>
 
 #include "arguments.hpp"
 #include "import/gltf_readers.hpp"
+#include "import/values.hpp"
 
 namespace nicol {
 namespace scene {
@@ -32,14 +34,35 @@ bool is_invertible(const glm::dmat4& m) {
     return std::abs(glm::determinant(linear)) > 1e-12 * box;
 }
 
+std::optional<GltfMoment> moment_from(const std::filesystem::path& file, const SceneParameters& parameters) {
+    for (const auto& [name, value] : parameters)
+        if (name != "time" && name != "animation")
+            refuse(file.string() + ": the parameter " + name +
+                   " is not used; those of glTF files are time and animation");
+    const auto time = parameters.find("time");
+    const auto animation = parameters.find("animation");
+    if (time == parameters.end()) {
+        if (animation == parameters.end()) return std::nullopt;
+        refuse(file.string() + ": the parameter animation needs a time");
+    }
+    const std::optional<double> seconds = parsed_number(time->second);
+    if (!seconds || !std::isfinite(*seconds))
+        refuse(file.string() + ": the parameter time is \"" + time->second +
+               "\"; it must be a finite number of seconds");
+    return GltfMoment{.time = *seconds,
+                      .animation = animation == parameters.end() ? std::string() : animation->second};
+}
+
 /// One scene. Materials are numbered in the order in which its shapes use them.
 class GltfReader {
 public:
-    GltfReader(const GltfDocument& document, const LoadBudget& budget)
+    GltfReader(const GltfDocument& document, const std::optional<GltfMoment>& moment,
+               const LoadBudget& budget)
         : document_(document),
           model_(document.model()),
           budget_(budget),
           notices_(document.path()),
+          pose_(document, moment, budget, notices_),
           textures_(document, notices_) {}
 
     SceneDescription run() {
@@ -49,7 +72,6 @@ public:
         scene_.sensor =
             camera_ ? read_gltf_camera(document_, *camera_->node, camera_->where, camera_->to_world, bounds_)
                     : gltf_camera_in_front(bounds_);
-        if (!model_.animations.empty()) notices_.add("animations are not followed; the rest pose is drawn");
         scene_.files = document_.files();
         scene_.notices = notices_.take();
         if (std::string text = left_out_.notice(document_.path().string()); !text.empty())
@@ -66,8 +88,10 @@ private:
         GltfMaterial material;
         std::optional<std::size_t> index;  ///< into SceneDescription::materials, once a shape uses it
     };
+    static constexpr std::size_t kNoNode = std::numeric_limits<std::size_t>::max();
     struct PlacedNode {
         const tinygltf::Node* node = nullptr;
+        std::size_t index = kNoNode;
         std::string where;
         glm::dmat4 to_world{1.0};
     };
@@ -91,39 +115,30 @@ private:
     void read_nodes() {
         struct Waiting {
             int index;
-            glm::dmat4 parent;
             std::string of;
         };
         std::vector<Waiting> waiting;
-        const auto wait = [&](const std::vector<int>& nodes, const glm::dmat4& parent,
-                              const std::string& of) {
-            for (std::size_t i = nodes.size(); i-- > 0;) waiting.push_back({nodes[i], parent, of});
+        const auto wait = [&](const std::vector<int>& nodes, const std::string& of) {
+            for (std::size_t i = nodes.size(); i-- > 0;) waiting.push_back({nodes[i], of});
         };
         std::vector<bool> seen(model_.nodes.size(), false);
-        wait(roots(), glm::dmat4(1.0), "scene");
+        wait(roots(), "scene");
         while (!waiting.empty()) {
             const Waiting next = std::move(waiting.back());
             waiting.pop_back();
             const tinygltf::Node& node = document_.at(model_.nodes, "nodes", next.index, next.of);
             const auto index = static_cast<std::size_t>(next.index);
-            const PlacedNode placed{&node, name_of("nodes", index),
-                                    next.parent * transform(node, name_of("nodes", index))};
-            // This ends circles too.
-            if (seen[index]) document_.fail(placed.where, "has two parents, or is below itself");
+            const PlacedNode placed{&node, index, name_of("nodes", index), pose_.world(index)};
+            if (seen[index]) document_.fail(placed.where, "is a root of the scene twice, or below a root");
             seen[index] = true;
             read(placed);
-            wait(node.children, placed.to_world, placed.where);
+            wait(node.children, placed.where);
         }
     }
 
     void read(const PlacedNode& placed) {
         budget_.step(256);
-        for (glm::length_t column = 0; column < 4; ++column)
-            for (glm::length_t row = 0; row < 4; ++row)
-                if (!std::isfinite(placed.to_world[column][row]))
-                    document_.fail(placed.where, "its transform is not finite");
         const tinygltf::Node& node = *placed.node;
-        if (node.skin >= 0) notices_.add("skins are not followed; the rest pose is drawn");
         if (node.extensions.contains("EXT_mesh_gpu_instancing"))
             notices_.add("EXT_mesh_gpu_instancing is not followed; such a node is drawn once");
         if (node.camera >= 0 && camera_) notices_.add("only the first of several cameras is used");
@@ -133,40 +148,15 @@ private:
         if (node.mesh >= 0) add_mesh(placed);
     }
 
-    [[nodiscard]] glm::dmat4 transform(const tinygltf::Node& node, const std::string& where) const {
-        const auto check = [&](const std::vector<double>& values, std::size_t size, const char* name) {
-            if (!values.empty() && values.size() != size)
-                document_.fail(where, std::string(name) + " has " + std::to_string(values.size()) +
-                                          " numbers; expected " + std::to_string(size));
-            return !values.empty();
-        };
-        glm::dmat4 m(1.0);
-        if (check(node.matrix, 16, "matrix")) {
-            for (glm::length_t i = 0; i < 16; ++i) m[i / 4][i % 4] = node.matrix[static_cast<std::size_t>(i)];
-            if (m[0][3] != 0 || m[1][3] != 0 || m[2][3] != 0 || m[3][3] != 1)
-                document_.fail(where, "the last row of matrix (its numbers 4, 8, 12, 16) must be 0 0 0 1");
-            return m;
-        }
-        if (const auto& t = node.translation; check(t, 3, "translation"))
-            m = glm::translate(m, glm::dvec3(t[0], t[1], t[2]));
-        if (const auto& r = node.rotation; check(r, 4, "rotation")) {
-            const glm::dquat q(r[3], r[0], r[1], r[2]);
-            if (!(glm::length(q) > 0.5 && glm::length(q) < 2))
-                document_.fail(where,
-                               "rotation has length " + std::to_string(glm::length(q)) + "; expected 1");
-            m *= glm::mat4_cast(glm::normalize(q));
-        }
-        if (const auto& s = node.scale; check(s, 3, "scale")) m = glm::scale(m, glm::dvec3(s[0], s[1], s[2]));
-        return m;
-    }
-
     void add_mesh(const PlacedNode& placed) {
         const tinygltf::Node& node = *placed.node;
         const tinygltf::Mesh& mesh = document_.at(model_.meshes, "meshes", node.mesh, placed.where);
         for (std::size_t p = 0; p < mesh.primitives.size(); ++p) {
-            const Made& made = primitive(node.mesh, p);
+            const Made& made = primitive(placed, p);
             if (!made.mesh) continue;
-            if (!is_invertible(placed.to_world)) {
+            // Vertices that follow joints have places in the scene.
+            const glm::dmat4 to_world = node.skin < 0 ? placed.to_world : glm::dmat4(1.0);
+            if (!is_invertible(to_world)) {
                 left_out_.add("instances that their transform makes flat");
                 continue;
             }
@@ -177,32 +167,33 @@ private:
             shape.kind = ShapeDescription::Kind::mesh;
             shape.id = node.name.empty() ? mesh.name : node.name;
             shape.mesh = made.mesh;
-            shape.to_world = placed.to_world;
+            shape.to_world = to_world;
             ReadMaterial& of = material(mesh.primitives[p], name_of(node.mesh, p));
             shape.material = index_of(of);
             shape.emission = of.material.emission;
-            extend(made.bounds, placed.to_world);
+            extend(made.bounds, to_world);
             scene_.shapes.push_back(std::move(shape));
         }
     }
 
-    const Made& primitive(int mesh, std::size_t index) {
-        const auto [entry, is_new] = made_.try_emplace({mesh, index});
+    const Made& primitive(const PlacedNode& placed, std::size_t index) {
+        const int mesh = placed.node->mesh;
+        const tinygltf::Primitive& source = model_.meshes[static_cast<std::size_t>(mesh)].primitives[index];
+        const bool deforms = GltfDeformation::deforms(*placed.node, source);
+        const auto [entry, is_new] = made_.try_emplace({mesh, index, deforms ? placed.index : kNoNode});
         if (is_new) {
-            const tinygltf::Primitive& source =
-                model_.meshes[static_cast<std::size_t>(mesh)].primitives[index];
             const std::string where = name_of(mesh, index);
             if (source.extensions.contains("KHR_draco_mesh_compression"))
                 notices_.add("KHR_draco_mesh_compression is not followed; what is there beside it is drawn");
-            if (!source.targets.empty())
-                notices_.add("morph targets are not followed; the rest pose is drawn");
             if (source.extensions.contains("KHR_materials_variants"))
                 notices_.add(
                     "KHR_materials_variants is not followed; surfaces have their default material, or " +
                     std::string("that of the first variant where they have none"));
+            std::optional<GltfDeformation> deformation;
+            if (deforms) deformation.emplace(document_, pose_, placed.index, source, where);
             Made& made = entry->second;
             made.mesh = read_gltf_primitive(document_, source, where, material(source, where).material,
-                                            budget_, left_out_);
+                                            deformation ? &*deformation : nullptr, budget_, left_out_);
             if (made.mesh) made.bounds = bounds_of(*made.mesh);
         }
         return entry->second;
@@ -249,12 +240,14 @@ private:
     const tinygltf::Model& model_;
     const LoadBudget& budget_;
     GltfNotices notices_;
+    GltfPose pose_;
     GltfTextures textures_;
     geometry::LeftOut left_out_;
     SceneDescription scene_;
     GltfBounds bounds_;
     std::optional<PlacedNode> camera_;
-    std::map<std::pair<int, std::size_t>, Made> made_;
+    // By mesh, primitive and the node that deforms it, or kNoNode.
+    std::map<std::tuple<int, std::size_t, std::size_t>, Made> made_;
     std::map<GltfSurface, ReadMaterial> materials_;
 };
 
@@ -264,11 +257,9 @@ private:
 
 SceneDescription read_gltf_scene(const std::filesystem::path& file, const SceneParameters& parameters,
                                  const LoadBudget& budget) {
-    if (!parameters.empty())
-        refuse(file.string() + ": the parameter " + parameters.begin()->first +
-               " is not used; glTF files have none");
+    const std::optional<scene::GltfMoment> moment = scene::moment_from(file, parameters);
     const scene::GltfDocument document(file, budget);
-    return scene::GltfReader(document, budget).run();
+    return scene::GltfReader(document, moment, budget).run();
 }
 
 }  // namespace nicol

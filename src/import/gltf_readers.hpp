@@ -14,6 +14,7 @@
 #include "files/load_budget.hpp"
 #include "geometry/left_out.hpp"
 #include "geometry/mesh.hpp"
+#include "import/gltf_deformation.hpp"
 #include "import/gltf_document.hpp"
 #include "import/gltf_notices.hpp"
 #include "import/gltf_textures.hpp"
@@ -54,10 +55,11 @@ struct GltfMaterial {
 
 /// The triangles of a primitive, `where` in the file, with its colours and the texture coordinates that its
 /// material takes, if it has them; null where none has an area. An unlit one is flat. `left_out` counts what
-/// is not drawn.
+/// is not drawn. deformation: of its vertices; null: none.
 [[nodiscard]] std::shared_ptr<const Mesh> read_gltf_primitive(
     const GltfDocument& document, const tinygltf::Primitive& primitive, const std::string& where,
-    const GltfMaterial& material, const LoadBudget& budget, geometry::LeftOut& left_out);
+    const GltfMaterial& material, const GltfDeformation* deformation, const LoadBudget& budget,
+    geometry::LeftOut& left_out);
 
 /// The light that a node has by KHR_lights_punctual, which `to_world` places, its scale without effect; none
 /// if it has none.

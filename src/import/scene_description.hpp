@@ -199,15 +199,17 @@ using SceneParameters = std::map<std::string, std::string>;
 /// - Lights are those of KHR_lights_punctual, their numbers as they are; a spot falls off linearly in the
 /// angle
 ///   between its cones. A range has no effect.
-/// - Notices name what is not followed: occlusion, emission, alphaMode BLEND, ranges of lights, skins, morph
-/// targets,
-///   animations, points and lines, extensions without effect.
+/// - Nodes have the transforms and morph weights that an animation gives at the parameter `time`, in seconds;
+///   without it their own. The parameter `animation` is the animation's name or index, the first by default.
+/// - Vertices follow morph targets and skins. The transform of a node with a skin has no effect.
+/// - Notices name what is not followed: occlusion, emission, alphaMode BLEND, ranges of lights, animations
+///   without a time, points and lines, extensions without effect.
 /// Throws Error: file_not_found (also of a buffer); unsupported (another version, an unknown required
 /// extension, buffers and images outside the folder of the file, more than kMaxShapes,
 /// what exceeds `budget`); invalid_file (malformed, references or data out of range, nodes in a circle,
-/// nothing to draw), naming the element; invalid_argument (any parameter; the format has none). Memory is
-/// proportional to the size of the files, times the number of primitives that share data, up to the limits of
-/// `budget`.
+/// nothing to draw), naming the element; invalid_argument (a parameter that is not used, or no number or
+/// animation). Memory is proportional to the size of the files, times the number of primitives that share
+/// data, up to the limits of `budget`.
 [[nodiscard]] SceneDescription read_gltf_scene(const std::filesystem::path& file,
                                                const SceneParameters& parameters = {},
                                                const LoadBudget& budget = {});

@@ -5,13 +5,13 @@
 
 #include <algorithm>
 #include <atomic>
-#include <functional>
 #include <glm/geometric.hpp>
 #include <numeric>
 #include <unordered_map>
 #include <utility>
 
 #include "geometry/position_hash.hpp"
+#include "render/bake_order.hpp"
 #include "surfaces/carried_refinement.hpp"
 #include "visibility/turned_directions.hpp"
 #include "visibility/vertex_rays.hpp"
@@ -21,8 +21,6 @@ namespace {
 
 constexpr std::size_t kVerticesAtATime = 128;
 constexpr std::size_t kPointsAtATime = 64;
-// Weight of a block that cannot be seen, relative to one that can.
-constexpr float kUnseen = 1.0F / 64;
 
 }  // namespace
 
@@ -40,6 +38,7 @@ void ProgressiveBake::begin(Finished finished) {
     most_vertices_ = finished.most_vertices;
     unoccluded_.assign(visible_.unoccluded().begin(), visible_.unoccluded().end());
     states_.assign(visible_.vertices(), state_);
+    waits_.assign(visible_.vertices(), 0);
     finished_ = true;
 }
 
@@ -118,7 +117,8 @@ void ProgressiveBake::take_over(const Input& input, std::span<const std::uint32_
     const std::size_t directions = input.directions.size();
     std::vector<TurnedDirections> turned;
     std::vector<std::uint32_t> turned_of;
-    for (const SceneGeometry::MovedRun& run : input.surfaces.change().moved) {
+    const std::vector<SceneGeometry::MovedRun>& runs = input.surfaces.change().moved;
+    for (const SceneGeometry::MovedRun& run : runs) {
         turned_of.push_back(run.rotation == glm::dmat3(1.0) ? kNoVertex
                                                             : static_cast<std::uint32_t>(turned.size()));
         if (turned_of.back() != kNoVertex) turned.emplace_back(input.directions, run.rotation);
@@ -137,10 +137,11 @@ void ProgressiveBake::take_over(const Input& input, std::span<const std::uint32_
     }
     Visibility last;
     std::vector<std::uint32_t> last_states;
-    std::vector<std::uint8_t> last_unoccluded;
+    std::vector<std::uint8_t> last_unoccluded, last_waits;
     if (!in_place) {
         last = std::exchange(visible_, Visibility(directions, vertices));
         last_states = std::exchange(states_, std::vector<std::uint32_t>(vertices, 0));
+        last_waits = std::exchange(waits_, std::vector<std::uint8_t>(vertices, kLongestWait));
         last_unoccluded = std::exchange(unoccluded_, std::vector<std::uint8_t>(vertices, 1));
     }
     tbb::parallel_for(std::size_t{0}, vertices, [&](std::size_t v) {
@@ -157,12 +158,14 @@ void ProgressiveBake::take_over(const Input& input, std::span<const std::uint32_
             visible_.set_unoccluded(v, last.unoccluded(before));
             states_[v] = last_states[before];
             unoccluded_[v] = last_unoccluded[before];
+            waits_[v] = last_waits[before];
         }
+        if (waits_[v] < kLongestWait) ++waits_[v];
         if (moved[i] == kNoVertex) return;
         states_[v] = 0;
         const std::uint32_t turn = turned_of[moved[i]];
+        if (turn != kNoVertex || runs[moved[i]].deformed) former_[v] = kNoVertex;  // its normal has turned
         if (turn == kNoVertex) return;
-        former_[v] = kNoVertex;  // its normal has turned
         if (unoccluded_[v] != 0) return;
         const std::vector<std::uint64_t> unturned(bits.begin(), bits.end());
         turned[turn].turn(unturned, bits);
@@ -172,32 +175,12 @@ void ProgressiveBake::take_over(const Input& input, std::span<const std::uint32_
 
 void ProgressiveBake::find_order(const Input& input) {
     const WorldGeometry& geometry = refined_ ? *refined_ : input.surfaces.geometry();
-    std::vector<std::uint8_t> seen;
-    find_visible(geometry, input.projection, seen);
-    const std::size_t blocks = (seen.size() + kLanes - 1) / kLanes;
-    std::vector<float> weights(blocks);
+    std::vector<float> parts(states_.size(), 1.0F);
     const Disturbances change = last_.disturbances();
-    tbb::parallel_for(std::size_t{0}, blocks, [&](std::size_t block) {
-        const std::size_t first = block * kLanes;
-        const std::size_t last = std::min(first + kLanes, seen.size());
-        float most = 0;
-        for (std::size_t v = first; v < last; ++v) {
-            float part = states_[v] == 0 ? 1.0F : 0.0F;  // part of the sky that may have changed
-            if (part == 0) {
-                for (const std::span<const Ball> balls : {change.added, change.removed})
-                    for (const Ball& ball : balls) {
-                        const glm::vec3 to = ball.centre - geometry.positions[v];
-                        const float square = ball.radius * ball.radius;
-                        part = std::max(part, square / std::max(glm::dot(to, to), square));
-                    }
-            }
-            most = std::max(most, (seen[v] != 0 ? 1 : kUnseen) * part);
-        }
-        weights[block] = most;
+    tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t v) {
+        if (states_[v] != 0) parts[v] = part_of_sky(geometry.positions[v], change);
     });
-    order_.resize(blocks);
-    std::iota(order_.begin(), order_.end(), 0U);
-    std::ranges::stable_sort(order_, std::greater(), [&](std::uint32_t block) { return weights[block]; });
+    order_ = bake_order(geometry, input.projection, parts, waits_);
     next_ = 0;
 }
 
@@ -235,6 +218,7 @@ void ProgressiveBake::trace(const Input& input, std::span<const std::uint32_t> v
             const DisturbedRays& disturbed = state + 1 == state_ ? since_last : since_all;
             if (!disturbed.find(origins_[v], normal, bundles)) {
                 states_[v] = state_;
+                waits_[v] = 0;
                 return;
             }
         }
@@ -247,6 +231,7 @@ void ProgressiveBake::trace(const Input& input, std::span<const std::uint32_t> v
         const std::uint64_t count =
             trace_vertex(*rays_, input.directions, origins_[v], normal, v, known, {}, visible_).traced;
         states_[v] = state_;
+        waits_[v] = 0;
         unoccluded_[v] = visible_.unoccluded(v) ? 1 : 0;
         visible_.set_unoccluded(v, was_unoccluded && visible_.unoccluded(v));
         rays += count;
@@ -380,6 +365,7 @@ void ProgressiveBake::finish(const Input& input) {
     for (std::size_t v = 0; v < visible_.vertices(); ++v)
         visible_.set_unoccluded(v, unoccluded_[v] != 0 && !shadow_all);
     states_.assign(visible_.vertices(), state_);
+    waits_.assign(visible_.vertices(), 0);
     origins_.clear();
     order_.clear();
     next_ = 0;

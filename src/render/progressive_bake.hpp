@@ -103,6 +103,7 @@ private:
     // By vertex: the state of the scene that its visibility belongs to; 0: none. state_ is the current one.
     std::vector<std::uint32_t> states_;
     std::uint32_t state_ = 1;
+    std::vector<std::uint8_t> waits_;  // by vertex: changes since it was traced, up to kLongestWait
     // A vertex that counts as occluded does so until the end, because blocks of unoccluded vertices are kept
     // apart in later steps.
     std::vector<std::uint8_t> unoccluded_;

@@ -122,6 +122,16 @@ void Scene::set_transform(std::uint32_t id, const glm::dmat4& to_world) {
     geometry_version_ = new_version();
 }
 
+void Scene::set_mesh(std::uint32_t id, std::shared_ptr<const Mesh> mesh) {
+    Instance& instance = instances_[instances_.index_of(id)];
+    if (!mesh) refuse("the instance would have no mesh");
+    check_attributes(*mesh, *instance.material, id);
+    if (instance.emission) check_emission(*mesh, *instance.emission, id);
+    if (instance.mesh == mesh) return;
+    instance.mesh = std::move(mesh);
+    geometry_version_ = new_version();
+}
+
 void Scene::set_material(std::uint32_t id, MaterialPtr material) {
     const std::size_t index = instances_.index_of(id);
     if (!material) refuse("the instance would have no material");

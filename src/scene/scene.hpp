@@ -124,6 +124,7 @@ public:
     /// add() throws.
     void remove(std::uint32_t id);
     void set_transform(std::uint32_t id, const glm::dmat4& to_world);
+    void set_mesh(std::uint32_t id, std::shared_ptr<const Mesh> mesh);
     void set_material(std::uint32_t id, MaterialPtr material);
     /// Sets the emission of an instance. Null: no emission.
     void set_emission(std::uint32_t id, EmissionPtr emission);

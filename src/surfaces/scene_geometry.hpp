@@ -45,7 +45,7 @@ public:
     /// Returns the rigid motion (a rotation and a shift) from geometry()'s axes to the world's.
     [[nodiscard]] const glm::dmat4& to_world() const noexcept { return to_world_; }
     /// Returns the axes of the largest instance, which rotate with its transform and its vertices, and with
-    /// its motions that geometry()'s axes follow.
+    /// its motions that geometry()'s axes follow. The axes stay while its mesh deforms.
     [[nodiscard]] const glm::dmat3& own_axes() const noexcept { return own_axes_; }
 
     /// Triangles of an instance that block light, and their vertices; the front side of a two-sided instance.
@@ -62,10 +62,11 @@ public:
     /// version has the same `placed` and `batch`, and the same triangles and positions, as then.
     [[nodiscard]] const std::vector<Blocker>& blockers() const noexcept { return blockers_; }
 
-    /// Vertices of an instance that has moved, and the rotation in its motion.
+    /// Vertices of an instance that has moved or has another mesh of the same triangles.
     struct MovedRun {
         VertexRun vertices;
-        glm::dmat3 rotation;
+        glm::dmat3 rotation;  ///< rotation in its motion
+        bool deformed;        ///< whether the mesh is another one, so that normals have turned one by one
     };
 
     /// Change from the previous version to the current one.
@@ -131,6 +132,7 @@ private:
     glm::dmat4 to_world_{1.0};
     glm::dmat3 own_axes_{1.0};
     glm::dmat3 mesh_axes_{1.0};  // axes of largest_mesh_, without its placement
+    // Mesh of the largest instance when the axes were found. It may have been deformed since.
     std::shared_ptr<const Mesh> largest_mesh_;
     std::uint32_t largest_ = 0;          // id of the largest instance
     glm::dmat4 largest_placement_{1.0};  // in geometry()'s axes

@@ -66,6 +66,11 @@ inline void make_good(nicol_mesh_data& data) {
     data.positions = positions;
     data.indices = indices;
 }
+inline void make_good(nicol_deformation& deformation) {
+    static const float positions[12] = {};
+    deformation.vertex_count = 4;
+    deformation.positions = positions;
+}
 inline void make_good(nicol_texture_image& image) {
     static const std::uint8_t pixels[] = {0, 255};
     image.width = 2;

@@ -94,6 +94,48 @@ STAGE_TEST_CASE("a material is swapped for one that fits the others' channels") 
     CHECK(stage.image() == image);
 }
 
+STAGE_TEST_CASE("an instance deforms, and has another mesh") {
+    const std::uint32_t id = add(stage.scene, stage.mesh, stage.material, placed(0.6, 0.5, 0.5, 0.3));
+    stage.render();
+    std::uint32_t vertices = 0, triangles = 0;
+    OK(nicol_mesh_get_size(stage.mesh, &vertices, &triangles));
+    std::vector<float> positions;
+    for (std::uint32_t v = 0; v < vertices; ++v) {
+        const float angle = 0.1F * static_cast<float>(v);
+        positions.insert(positions.end(), {std::cos(angle), std::sin(angle), 0.01F * static_cast<float>(v)});
+    }
+    nicol_deformation deformation = NICOL_DEFORMATION_INIT;
+    deformation.vertex_count = vertices;
+    deformation.positions = positions.data();
+    const Owned bent(make(nicol_mesh_create_deformed, stage.context, stage.mesh, &deformation));
+    std::uint32_t same_triangles = 0;
+    OK(nicol_mesh_get_size(bent, &vertices, &same_triangles));
+    CHECK(same_triangles == triangles);
+    OK(nicol_scene_set_mesh(stage.scene, id, bent));
+    CHECK(stage.image() == fresh(stage));
+    OK(nicol_scene_set_mesh(stage.scene, id, Owned(cube(stage.context))));  // kept by the scene
+    const std::vector<float> image = stage.image();
+    CHECK(image == fresh(stage));
+
+    nicol_mesh none = marker<nicol_mesh>();
+    const auto refused = [&](const std::string& message) {
+        REFUSES(nicol_mesh_create_deformed(stage.context, stage.mesh, &deformation, &none), message);
+    };
+    positions[4] = NAN;
+    refused("the position of vertex 1 (0-based) is not finite");
+    deformation.vertex_count = vertices + 1;
+    refused("it must be that of the base, " + std::to_string(vertices));
+    deformation.vertex_count = vertices;
+    deformation.positions = nullptr;
+    refused("deformation->positions is NULL");
+    CHECK(none == marker<nicol_mesh>());
+    REFUSES(nicol_scene_set_mesh(stage.scene, id + 1, bent), "there is no instance");
+    const Owned elsewhere(make_context(NICOL_BACKEND_OSMESA));
+    FAILS(nicol_scene_set_mesh(stage.scene, id, Owned(cube(elsewhere))), NICOL_ERROR_INVALID_HANDLE,
+          "contexts");
+    CHECK(stage.image() == image);
+}
+
 STAGE_TEST_CASE("scenes are edited from several threads") {
     std::vector<std::thread> threads;
     std::array<std::uint32_t, 4> left{};

@@ -57,8 +57,6 @@ TEST_CASE("what is read of glTF and not followed is one notice for each kind") {
                   "KHR_materials_transmission with a texture is not followed"},
              Case{with_material("\"extensions\":{\"KHR_materials_sheen\":{}}"),
                   "KHR_materials_sheen is not followed"},
-             Case{one_mesh(",\"targets\":[{\"POSITION\":0}]") + a_node, "morph targets"},
-             Case{one_mesh() + ",\"nodes\":[{\"mesh\":0,\"skin\":0}],\"skins\":[{\"joints\":[0]}]", "skins"},
              Case{one_mesh() + a_node + ",\"animations\":[{\"channels\":[],\"samplers\":[]}]", "animations"},
              Case{one_mesh() + a_node + animation("\"path\":\"scale\""), "animations"},
              Case{one_mesh() + ",\"nodes\":[{\"mesh\":0,\"extensions\":{\"EXT_mesh_gpu_instancing\":{}}}]",

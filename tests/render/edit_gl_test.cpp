@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Tests of random edits: the image equals that of a renderer that has rendered nothing else, up to rounding.
+#include "geometry/deformed_mesh.hpp"
 #include "gl/contexts.hpp"
 #include "image_difference.hpp"
 #include "render/scenes.hpp"
@@ -21,15 +22,17 @@ public:
     }
 
     void edit() {
-        switch (random_() % 5) {
+        switch (random_() % 7) {
             case 0:
                 return add();
             case 1:
                 return things_.size() > 2 ? remove() : add();
             case 2:
-                return swap_mesh();
+                return scene.set_mesh(thing(), meshes_[random_() % meshes_.size()]);
+            case 3:
+                return deform();
             default:
-                return scene.set_transform(things_[random_() % things_.size()], place());
+                return scene.set_transform(thing(), place());
         }
     }
 
@@ -51,11 +54,17 @@ private:
         scene.remove(*thing);
         things_.erase(thing);
     }
-    // An instance has one mesh for ever, so another mesh is another instance.
-    void swap_mesh() {
-        remove();
-        add();
+    // Bends an instance, or bends it further.
+    void deform() {
+        const std::uint32_t id = thing();
+        const Mesh& mesh = *scene.at(id).mesh;
+        std::uniform_real_distribution<float> part(-0.3F, 0.3F);
+        const glm::vec3 bend(part(random_), part(random_), part(random_));
+        std::vector<glm::vec3> positions = mesh.positions;
+        for (glm::vec3& p : positions) p += p.y * p.y * bend;
+        scene.set_mesh(id, std::make_shared<const Mesh>(deformed(mesh, std::move(positions), {})));
     }
+    std::uint32_t thing() { return things_[random_() % things_.size()]; }
     glm::dmat4 place() {
         std::uniform_real_distribution<double> coordinate(-1.5, 1.5), size(0.2, 0.5), angle(0, 3);
         const double half = size(random_);

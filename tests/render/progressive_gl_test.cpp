@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Tests of bakes within a budget: shadows follow over several renders and end as those of a fresh start.
+#include "geometry/deformed_mesh.hpp"
 #include "gl/contexts.hpp"
 #include "image_difference.hpp"
 #include "render/scenes.hpp"
@@ -69,6 +70,14 @@ IMAGE_TEST_CASE("renders within a budget end with the image of a fresh start") {
                      table.sheet,
                      at(-0.6, 0.5, 0.3, 0.5) * glm::rotate(glm::dmat4(1), 0.7, glm::dvec3(0, 1, 0)));
              }},
+            {"deform",
+             [&] {
+                 const Mesh& mesh = *table.scene.at(table.ball).mesh;
+                 std::vector<glm::vec3> positions = mesh.positions;
+                 for (glm::vec3& p : positions) p.x += 0.4F * p.y * p.y;
+                 table.scene.set_mesh(table.ball,
+                                      std::make_shared<const Mesh>(deformed(mesh, std::move(positions), {})));
+             }},
             {"add",
              [&] {
                  added = table.scene.add({.mesh = test::coarse_sphere(3),
@@ -119,4 +128,37 @@ IMAGE_TEST_CASE(
     Studio fresh(context);
     const StokesImage truth = fresh(table.scene, options_with(0));
     CHECK(test::rms_difference(image, truth) < 1e-5 * largest(truth));
+}
+
+IMAGE_TEST_CASE("an object that deforms keeps its own shadow until it is baked") {
+    Scene scene;
+    scene.set_environment(test::falling_light(5, true, 3), glm::dmat3(1), 1);
+    // The inside of a bowl shadows itself.
+    Mesh bowl = *test::coarse_sphere(8);
+    std::erase_if(bowl.triangles, [&](const glm::uvec3& t) { return bowl.positions[t.x].y > 0.3F; });
+    bowl.texcoord_triangles.clear();
+    bowl.texcoords.clear();
+    const std::uint32_t id = scene.add({.mesh = std::make_shared<const Mesh>(bowl),
+                                        .material = twosided(diffuse({0.6})),
+                                        .to_world = at(0, 0, 0, 0.8)});
+    Studio studio(context), adding(context);
+    studio(scene, options_with(0));
+    adding(scene, options_with(0));
+    std::vector<glm::vec3> positions = bowl.positions;
+    for (glm::vec3& p : positions) p.x *= 1.05F;
+    const auto bent = std::make_shared<const Mesh>(deformed(bowl, std::move(positions), {}));
+    Scene other = scene;
+    scene.set_mesh(id, bent);
+    const StokesImage image = studio(scene, options_with(kLeast));
+    CHECK(studio.statistics.vertices_pending > 0);
+    // Another instance in its place has no shadows yet.
+    other.remove(id);
+    other.add({.mesh = bent, .material = scene.at(id).material, .to_world = scene.at(id).to_world});
+    const StokesImage without = adding(other, options_with(kLeast));
+    Studio fresh(context);
+    const StokesImage truth = fresh(scene, options_with(0));
+    CHECK(test::rms_difference(image, truth) < 0.25 * test::rms_difference(without, truth));
+    CHECK(converge(studio, scene, options_with(kLeast)) < 3000);
+    // The axes of the bake are those of the mesh before it was bent.
+    CHECK(test::rms_difference(studio(scene, options_with(kLeast)), truth) < 0.01 * largest(truth));
 }

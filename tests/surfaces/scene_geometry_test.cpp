@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "surfaces/scene_geometry.hpp"
 
+#include "geometry/deformed_mesh.hpp"
 #include "render/scenes.hpp"
 #include "test.hpp"
 
@@ -114,6 +115,36 @@ TEST_CASE("the axes stay with most vertices if the largest instance moves alone"
     surfaces.update(scene);
     CHECK(surfaces.version() == version);
     for (int i = 0; i < 4; ++i) CHECK(glm::distance(surfaces.to_world()[i], motion[i]) < 1e-9);
+}
+
+TEST_CASE("an instance that deforms has moved, and the axes stay") {
+    Scene scene = two_balls();
+    SceneGeometry surfaces;
+    surfaces.update(scene);
+    const WorldGeometry before = surfaces.geometry();
+    const glm::dmat3 axes = surfaces.own_axes();
+    for (const std::uint32_t id : {0U, 1U}) {
+        const Mesh& mesh = *scene.at(id).mesh;
+        std::vector<glm::vec3> positions = mesh.positions;
+        for (glm::vec3& p : positions) p.x *= 2;
+        scene.set_mesh(id, std::make_shared<const Mesh>(deformed(mesh, std::move(positions), {})));
+        surfaces.update(scene);
+        const SceneGeometry::Change& change = surfaces.change();
+        CHECK(surfaces.own_axes() == axes);
+        CHECK(surfaces.to_world() == glm::dmat4(1));
+        REQUIRE(change.moved.size() == 1);
+        CHECK(change.moved[0].deformed);
+        CHECK(change.moved[0].vertices.first == before.ranges[id].first);
+        CHECK(change.moved[0].vertices.last == before.ranges[id].last);
+        CHECK(change.moved[0].vertices.before == before.ranges[id].first);
+        CHECK(change.kept.size() == 1);
+        CHECK(surfaces.geometry().triangles == before.triangles);
+    }
+    // Another mesh is another instance to the bake.
+    scene.set_mesh(1, coarse_sphere(3));
+    surfaces.update(scene);
+    CHECK(surfaces.change().moved.empty());
+    CHECK(surfaces.change().kept.size() == 1);
 }
 
 TEST_CASE("a change reports what is kept and where the rest is") {

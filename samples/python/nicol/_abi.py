@@ -503,6 +503,16 @@ class MeshData(Struct):
     ]
 
 
+class Deformation(Struct):
+    """Other places of a mesh's vertices, such as those of the next frame of an animated character."""
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("vertex_count", c_uint32),
+        ("positions", POINTER(c_float)),
+        ("normals", POINTER(c_float)),
+    ]
+
+
 class Camera(Struct):
     _fields_ = [
         ("struct_size", c_uint32),
@@ -1378,6 +1388,15 @@ class Mesh(Handle):
         check(_mesh_create_cylinder(context, array(p0, c_double, 3), array(p1, c_double, 3), radius, byref(mesh)))
         return mesh
 
+    @classmethod
+    def create_deformed(cls, context, base, deformation):
+        """Creates a mesh with the triangles, texture coordinates and colours of `base`, without its tangents, and
+        with other positions and normals, for nicol_scene_set_mesh. Triangles may lose their area, and stay. `base`
+        may be released afterwards."""
+        mesh = cls()
+        check(_mesh_create_deformed(context, base, byref(deformation) if deformation is not None else None, byref(mesh)))
+        return mesh
+
     def get_size(self):
         """Gets the numbers of vertices and triangles of a mesh."""
         vertices = c_uint32()
@@ -1407,8 +1426,10 @@ class Scene(Handle):
     def load(cls, context, path, definitions=()):
         """Loads a scene from a Mitsuba 3 XML file, or from glTF 2.0 if the name ends in .gltf or .glb (the subsets
         that samples/render/README.md lists). definitions are "name=value" strings that override <default>s of the
-        XML. A glTF file has no environment, and may have lights. Lights that polarization elements of the file
-        cover get the polarization state and the brightness that their light has behind the elements."""
+        XML. Those of glTF are time=SECONDS, at which the file's animation is drawn, and animation=NAME, its name
+        or number, the first by default. A glTF file has no environment, and may have lights. Lights that
+        polarization elements of the file cover get the polarization state and the brightness that their light has
+        behind the elements."""
         definitions = texts(definitions)
         scene = cls()
         check(_scene_load(context, text(path), definitions, len(definitions), byref(scene)))
@@ -1427,6 +1448,13 @@ class Scene(Handle):
         vertices that the instance may shadow, before or now. A scene that rotates and moves as a whole is only
         relit."""
         check(_scene_set_transform(self, id, array(to_world, c_double, 16)))
+
+    def set_mesh(self, id, mesh):
+        """Sets the mesh of an instance, under the conditions of nicol_scene_add_instance. The next render bakes again
+        the instance and the vertices that it may shadow, before or now. An instance whose meshes have the same
+        triangles, such as those of nicol_mesh_create_deformed, keeps its former shadows until they are baked, see
+        bake_budget_ms of nicol_render_options."""
+        check(_scene_set_mesh(self, id, mesh))
 
     def set_material(self, id, material):
         """Sets the material of an instance, under the conditions of nicol_scene_add_instance. The next render
@@ -2141,6 +2169,8 @@ _mesh_create_rectangle = declare("nicol_mesh_create_rectangle", c_int32, Context
 _mesh_create_cube = declare("nicol_mesh_create_cube", c_int32, Context, POINTER(Mesh))
 _mesh_create_disk = declare("nicol_mesh_create_disk", c_int32, Context, POINTER(Mesh))
 _mesh_create_cylinder = declare("nicol_mesh_create_cylinder", c_int32, Context, POINTER(c_double), POINTER(c_double), c_double, POINTER(Mesh))
+Deformation._init = declare("nicol_deformation_init", c_int32, POINTER(Deformation), c_uint32)
+_mesh_create_deformed = declare("nicol_mesh_create_deformed", c_int32, Context, Mesh, POINTER(Deformation), POINTER(Mesh))
 _mesh_get_size = declare("nicol_mesh_get_size", c_int32, Mesh, POINTER(c_uint32), POINTER(c_uint32))
 _mesh_get_bounds = declare("nicol_mesh_get_bounds", c_int32, Mesh, POINTER(c_double), POINTER(c_double))
 Mesh._release = declare("nicol_mesh_release", c_int32, c_void_p)
@@ -2158,6 +2188,7 @@ _scene_create = declare("nicol_scene_create", c_int32, Context, POINTER(Scene))
 _scene_load = declare("nicol_scene_load", c_int32, Context, c_char_p, POINTER(c_char_p), c_uint32, POINTER(Scene))
 _scene_add_instance = declare("nicol_scene_add_instance", c_int32, Scene, POINTER(Instance), POINTER(c_uint32))
 _scene_set_transform = declare("nicol_scene_set_transform", c_int32, Scene, c_uint32, POINTER(c_double))
+_scene_set_mesh = declare("nicol_scene_set_mesh", c_int32, Scene, c_uint32, Mesh)
 _scene_set_material = declare("nicol_scene_set_material", c_int32, Scene, c_uint32, Material)
 _scene_remove_instance = declare("nicol_scene_remove_instance", c_int32, Scene, c_uint32)
 _scene_get_instance = declare("nicol_scene_get_instance", c_int32, Scene, c_uint32, POINTER(Mesh), POINTER(Material), POINTER(c_double))
@@ -2302,6 +2333,7 @@ __all__ = [
     "DIRECTIONS_AUTOMATIC",
     "DISTRIBUTION_BECKMANN",
     "DISTRIBUTION_GGX",
+    "Deformation",
     "DeviceInfo",
     "Dielectric",
     "ENCODING_LINEAR",

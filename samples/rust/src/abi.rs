@@ -854,6 +854,24 @@ const _: () = {
     assert!(offset_of!(nicol_mesh_data, face_colors) == 64);
     assert!(offset_of!(nicol_mesh_data, tangents) == 72);
 };
+
+/// Other places of a mesh's vertices, such as those of the next frame of an animated character.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct nicol_deformation {
+    pub struct_size: u32,
+    pub vertex_count: u32,
+    pub positions: *const f32,
+    pub normals: *const f32,
+}
+defaults!(nicol_deformation, nicol_deformation_init);
+const _: () = {
+    assert!(size_of::<nicol_deformation>() == 24);
+    assert!(offset_of!(nicol_deformation, struct_size) == 0);
+    assert!(offset_of!(nicol_deformation, vertex_count) == 4);
+    assert!(offset_of!(nicol_deformation, positions) == 8);
+    assert!(offset_of!(nicol_deformation, normals) == 16);
+};
 pub type nicol_projection = u32;
 
 #[repr(C)]
@@ -1906,6 +1924,11 @@ extern "C" {
     /// 180 sides, with the texture coordinates of Mitsuba 3's cylinder. The front is outside. radius must be above
     /// 0, and p0 and p1 must differ.
     pub fn nicol_mesh_create_cylinder(context: nicol_context, p0: *const [f64; 3], p1: *const [f64; 3], radius: f64, mesh: *mut nicol_mesh) -> nicol_result;
+    pub fn nicol_deformation_init(descriptor: *mut nicol_deformation, struct_size: u32) -> nicol_result;
+    /// Creates a mesh with the triangles, texture coordinates and colours of `base`, without its tangents, and
+    /// with other positions and normals, for nicol_scene_set_mesh. Triangles may lose their area, and stay. `base`
+    /// may be released afterwards.
+    pub fn nicol_mesh_create_deformed(context: nicol_context, base: nicol_mesh, deformation: *const nicol_deformation, mesh: *mut nicol_mesh) -> nicol_result;
     /// Gets the numbers of vertices and triangles of a mesh.
     pub fn nicol_mesh_get_size(mesh: nicol_mesh, vertices: *mut u32, triangles: *mut u32) -> nicol_result;
     /// Gets the box of the mesh in its own axes: the least and the largest coordinates.
@@ -1937,8 +1960,10 @@ extern "C" {
     pub fn nicol_scene_create(context: nicol_context, scene: *mut nicol_scene) -> nicol_result;
     /// Loads a scene from a Mitsuba 3 XML file, or from glTF 2.0 if the name ends in .gltf or .glb (the subsets
     /// that samples/render/README.md lists). definitions are "name=value" strings that override <default>s of the
-    /// XML. A glTF file has no environment, and may have lights. Lights that polarization elements of the file
-    /// cover get the polarization state and the brightness that their light has behind the elements.
+    /// XML. Those of glTF are time=SECONDS, at which the file's animation is drawn, and animation=NAME, its name
+    /// or number, the first by default. A glTF file has no environment, and may have lights. Lights that
+    /// polarization elements of the file cover get the polarization state and the brightness that their light has
+    /// behind the elements.
     pub fn nicol_scene_load(context: nicol_context, path: *const c_char, definitions: *const *const c_char, definition_count: u32, scene: *mut nicol_scene) -> nicol_result;
     /// Adds an instance. id may be NULL; ids count up from 0, past those of removed instances too. The mesh must
     /// have the texture coordinates and colours that the material needs. Materials and environment of a scene must
@@ -1948,6 +1973,11 @@ extern "C" {
     /// vertices that the instance may shadow, before or now. A scene that rotates and moves as a whole is only
     /// relit.
     pub fn nicol_scene_set_transform(scene: nicol_scene, id: u32, to_world: *const [f64; 16]) -> nicol_result;
+    /// Sets the mesh of an instance, under the conditions of nicol_scene_add_instance. The next render bakes again
+    /// the instance and the vertices that it may shadow, before or now. An instance whose meshes have the same
+    /// triangles, such as those of nicol_mesh_create_deformed, keeps its former shadows until they are baked, see
+    /// bake_budget_ms of nicol_render_options.
+    pub fn nicol_scene_set_mesh(scene: nicol_scene, id: u32, mesh: nicol_mesh) -> nicol_result;
     /// Sets the material of an instance, under the conditions of nicol_scene_add_instance. The next render
     /// projects the material, if it is new to the scene, and shades the instance.
     pub fn nicol_scene_set_material(scene: nicol_scene, id: u32, material: nicol_material) -> nicol_result;
