@@ -25,6 +25,21 @@ fresh/bin/python -m nicol render "$scene" -o module.exr --size 64x64
 cmp script.exr module.exr
 fresh/bin/pip install --quiet numpy
 fresh/bin/nicol-dataset --help | grep -q RECIPE
+# Blender's extension, which brings the wheel with it.
+"$python" "$OLDPWD/samples/blender/make_zip.py" "$out"/*.whl -o nicol_blender.zip
+if "$python" -c "import bpy" 2>/dev/null; then
+    BLENDER_USER_RESOURCES=$folder/blender "$python" -c "
+import bpy
+bpy.ops.extensions.package_install_files(filepath='$folder/nicol_blender.zip', repo='user_default', enable_on_install=True)
+scene = bpy.context.scene
+scene.render.engine, scene.render.filepath = 'NICOL', '$folder/blender.png'
+scene.render.resolution_x, scene.render.resolution_y = 64, 64
+bpy.ops.render.render(write_still=True)
+import nicol
+assert nicol.__file__.startswith('$folder/blender'), nicol.__file__
+"
+    test -s blender.png
+fi
 # Beside other wheels that bring OpenMP, Embree and image libraries of their own.
 "$python" -m pip install --quiet --no-deps --target beside "$out"/*.whl
 PYTHONPATH=beside "$python" -c "

@@ -63,11 +63,29 @@ def exr_channels(data):
 
 
 def read_exr(data):
-    """Returns channel -> floats, row by row, of an uncompressed file of 32-bit floats."""
-    table, (width, height), names = exr_attributes(data)[1], exr_size(data), exr_channels(data)
+    """Returns channel -> floats, row by row, of a file of 32-bit floats, uncompressed or by ZIP."""
+    attributes, table = exr_attributes(data)
+    (width, height), names = exr_size(data), exr_channels(data)
+    lines = {0: 1, 3: 16}[attributes["compression"][0]]
     channels = {name: [] for name in names}
-    for y in range(height):
-        row = struct.unpack_from("<Q", data, table + 8 * y)[0] + 8
-        for index, name in enumerate(names):
-            channels[name] += struct.unpack_from(f"<{width}f", data, row + 4 * width * index)
+    for y in range(0, height, lines):
+        at = struct.unpack_from("<Q", data, table + 8 * (y // lines))[0]
+        size = struct.unpack_from("<i", data, at + 4)[0]
+        block = data[at + 8 : at + 8 + size]
+        count = min(lines, height - y)
+        # A block that ZIP does not shorten is stored as it is.
+        block = block if size == 4 * width * len(names) * count else _unzipped(block)
+        for row in range(count * len(names)):
+            channels[names[row % len(names)]] += struct.unpack_from(f"<{width}f", block, 4 * width * row)
     return channels
+
+
+def _unzipped(block):
+    """Returns the bytes of a block of OpenEXR's ZIP: differences of bytes, the even ones before the odd ones."""
+    packed = bytearray(zlib.decompress(block))
+    for i in range(1, len(packed)):
+        packed[i] = (packed[i - 1] + packed[i] - 128) % 256
+    half = (len(packed) + 1) // 2
+    block = bytearray(len(packed))
+    block[::2], block[1::2] = packed[:half], packed[half:]
+    return bytes(block)
