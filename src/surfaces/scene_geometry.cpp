@@ -33,6 +33,14 @@ MaterialPtr material_of(const Instance& instance, bool back) {
     return behind ? behind : instance.material;
 }
 
+// Returns what one side of an instance shows of its emission. The back of a two-sided material emits only if its
+// emission is two-sided as well.
+EmissionPtr emission_of(const Scene& scene, const Instance& instance, bool back) {
+    const bool emits = !scene.emitters_hidden() && instance.emission != nullptr &&
+                       (instance.emission->two_sided || !back);
+    return emits ? instance.emission : nullptr;
+}
+
 // Appends the values at the corners of a mesh's triangles: `values` indexed by `triangles`, or `missing` if
 // there are no values.
 template <class Value>
@@ -177,13 +185,15 @@ void SceneGeometry::build(const Scene& scene, std::vector<Piece>& pieces) {
         piece.first_triangle = (piece.twosided ? two_sided : next.triangles).size();
         for (std::size_t side = 0; side < sides; ++side) {
             const std::size_t first = piece.first + side * count;
+            const Instance& instance = scene.instances()[i];
             append_triangles(mesh, piece.mirrored() != (side == 1), first,
                              piece.twosided ? two_sided : next.triangles);
             next.ranges.push_back(
                 {.first = first,
                  .last = first + count,
-                 .material = equal_materials_.first_of(material_of(scene.instances()[i], side == 1)),
-                 .instance = piece.id});
+                 .material = equal_materials_.first_of(material_of(instance, side == 1)),
+                 .instance = piece.id,
+                 .emission = emission_of(scene, instance, side == 1)});
         }
     }
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
@@ -262,12 +272,9 @@ void SceneGeometry::set_materials(const Scene& scene) {
     bool changed = false;
     for (VertexRange& range : geometry_->ranges) {
         const Instance& instance = scene.at(range.instance);
-        // The back of a two-sided material emits only if its emission is two-sided as well.
-        const bool emits = instance.emission != nullptr && !scene.emitters_hidden() &&
-                           (instance.emission->two_sided || !is_back(*geometry_, range));
-        const EmissionPtr emission = emits ? instance.emission : nullptr;
-        const MaterialPtr material =
-            equal_materials_.first_of(material_of(instance, is_back(*geometry_, range)));
+        const bool back = is_back(*geometry_, range);
+        const EmissionPtr emission = emission_of(scene, instance, back);
+        const MaterialPtr material = equal_materials_.first_of(material_of(instance, back));
         if (range.material == material && range.emission == emission) continue;
         range.material = material;
         range.emission = emission;

@@ -199,3 +199,21 @@ TEST_CASE("materials change without the geometry, unless sides do") {
     CHECK(surfaces.geometry().ranges.size() == 3);
     CHECK(surfaces.geometry().ranges[2].instance == 1);
 }
+
+TEST_CASE("emission outlives every change of the geometry") {
+    Scene scene = two_balls();
+    const auto emission = std::make_shared<const Emission>(Emission{.radiance = {2}});
+    scene.set_emission(1, emission);
+    SceneGeometry surfaces;
+    surfaces.update(scene);
+    const Version materials = surfaces.material_version();
+    scene.set_transform(0, at(0.5, 0, 0));
+    surfaces.update(scene);
+    CHECK(surfaces.geometry().ranges[0].emission == nullptr);
+    CHECK(surfaces.geometry().ranges[1].emission == emission);
+    CHECK(surfaces.material_version() == materials);
+    scene.hide_emitters(true);
+    scene.set_transform(0, at(0, 0, 0));
+    surfaces.update(scene);
+    CHECK(surfaces.geometry().ranges[1].emission == nullptr);
+}
