@@ -19,12 +19,24 @@ def variable_name(name):
     return name + "_" if keyword.iskeyword(name) else name
 
 
+def hint_of(header, type_):
+    """Returns the type hint of a value: Any for constants, which have words, and for what many things convert to."""
+    base = type_.base
+    if base == "char" and type_.pointers:
+        return "str | None"
+    if type_.pointers or type_.count or base in header.aliases or base in header.callbacks or base == "nicol_spectrum":
+        return "Any"
+    if base in header.structs or base in header.handles:
+        return class_name(base)
+    return "float" if base in ("float", "double") else "int"
+
+
 class Call:
     """Python text of a function: its parameters, the lines before the call, the arguments for C, and the results."""
 
     def __init__(self, header, function, owner):
         self.header, self.function, self.owner = header, function, owner
-        self.takes, self.before, self.arguments, self.results = [], [], [], []
+        self.takes, self.before, self.arguments, self.results, self.hints = [], [], [], [], []  # hints of the results
         roles = roles_of(header, function)
         self.last = last_input(roles)
         first, role, _ = roles[0] if roles else (None, None, None)
@@ -40,6 +52,7 @@ class Call:
         # A function that changes a struct returns it, so that Camera(fov=40).look_at(...) is a camera.
         if "byref(self)" in self.arguments and not self.results:
             self.results.append("self")
+            self.hints.append("Self")
 
     def lines(self):
         call = f"_{self.function.name.removeprefix('nicol_')}({', '.join(self.arguments)})"
@@ -48,13 +61,23 @@ class Call:
             return [*self.before, f"check({call})", *returned]
         return [*self.before, f"return decoded({call})" if self.function.result.base == "char" else f"return {call}"]
 
+    def returns(self):
+        """Returns the type hint of the result."""
+        result = self.function.result
+        hints = self.hints if result.base == "nicol_result" else ["str" if result.base == "char" else hint_of(self.header, result)]
+        if self.function.name == "nicol_build_info":  # NULL ends its list
+            hints = ["str | None"]
+        return {0: "None", 1: "".join(hints)}.get(len(hints), f"tuple[{', '.join(hints)}]")
+
     def scalar(self, parameter):
         base = parameter.type.base
         return CTYPES.get(self.header.aliases.get(base, base))
 
-    def take(self, parameter, item, optional=None):
+    def take(self, parameter, item, optional=None, hint="Any"):
         """Adds a parameter, which is optional only if it is the last one."""
-        self.takes.append(f"{item}={optional}" if optional and parameter is self.last else item)
+        nullable = hint != "Any" and (optional == "None" or "NULL" in self.function.doc)
+        item = f"{item}: {hint} | None" if nullable else f"{item}: {hint}"
+        self.takes.append(f"{item} = {optional}" if optional and parameter is self.last else item)
 
     # ---- roles
 
@@ -62,11 +85,11 @@ class Call:
         self.arguments.append("None")
 
     def value(self, parameter, item, partners):
-        self.take(parameter, item)
+        self.take(parameter, item, hint=hint_of(self.header, parameter.type))
         self.arguments.append(item)
 
     def text(self, parameter, item, partners):
-        self.take(parameter, item)
+        self.take(parameter, item, hint="str | os.PathLike[str]")
         self.arguments.append(f"text({item})")
 
     def callback(self, parameter, item, partners):
@@ -78,8 +101,9 @@ class Call:
         self.arguments.append(f"array({item}, {self.scalar(parameter)}, {parameter.type.count})")
 
     def struct(self, parameter, item, partners):
-        self.take(parameter, item, "None" if parameter.name == "options" else None)
         base = parameter.type.base
+        optional = "None" if parameter.name == "options" else None
+        self.take(parameter, item, optional, "Any" if base == "nicol_spectrum" or self.is_lent(base) else class_name(base))
         if base == "nicol_spectrum":
             self.before.append(f"{item} = {item} if {item} is None or isinstance({item}, Spectrum) else Spectrum.of({item})")
         if self.is_lent(base):
@@ -108,7 +132,7 @@ class Call:
 
     def buffers(self, parameter, item, partners):
         other = variable_name(partners[0].name)
-        self.takes += [item, other]
+        self.takes += [f"{item}: Any", f"{other}: Any"]
         self.before.append(f"{item}, {other} = {self.made(parameter, item)}, {self.made(parameter, other)}")
         self.arguments += [f"{item}.pointer", f"{other}.pointer", f"counted({item}, {other})"]
 
@@ -125,12 +149,16 @@ class Call:
         self.arguments.append(f"byref({item})")
         if self.scalar(parameter):
             self.results.append(f"{item}.value")
+            self.hints.append("float" if parameter.type.base in ("float", "double") else "int")
         elif handle and self.method:  # only this handle may be NULL after a successful call: the object was asked for it
             self.results.append(f"{item} if {item}.value else None")
+            self.hints.append(f"{class_name(base)} | None")
         else:
             self.results.append(item)
+            self.hints.append("Self" if made == "cls" else class_name(base))
 
     def filled(self, parameter, item, partners):
         self.before.append(f"{item} = ({self.scalar(parameter)} * {parameter.type.count})()")
         self.arguments.append(item)
         self.results.append(f"tuple({item})")
+        self.hints.append("tuple[float, ...]")

@@ -169,6 +169,7 @@ class Parser:
         self.declare(self.header.structs, tag, Struct(tag, fields, doc))
 
     def field(self):
+        doc = self.doc_before()
         base = self.type()
         if self.peek() == "(":  # a callback without a type name
             self.take("(")
@@ -182,7 +183,7 @@ class Parser:
                 self.declare(self.header.callbacks, owner, callback)
             elif self.header.callbacks[owner] != callback:
                 self.fail(f"two kinds of {owner}")
-            return [Variable(name, Type(owner))]
+            return [Variable(name, Type(owner), doc)]
         fields = []
         while True:
             fields.append(self.variable(base))
@@ -190,7 +191,9 @@ class Parser:
                 break
             if base.pointers:
                 self.fail("two pointers in one declaration")
-        fields[-1].doc = self.doc_after()
+        doc = self.doc_after() or doc
+        for each in fields:
+            each.doc = doc
         return fields
 
     def variable(self, base):

@@ -2,17 +2,27 @@
 """Generator of samples/python/nicol/_abi.py: the C headers for ctypes, with a Python function or method per C function."""
 
 from header import Type
-from python_call import CTYPES, Call, class_name, variable_name
+from python_call import CTYPES, Call, class_name, hint_of, variable_name
 
 HEAD = '''# SPDX-License-Identifier: MIT
 """Nicol {version} for Python. Made of the C headers by samples/bindings/generate.py: change those, not this file."""
 
+from __future__ import annotations
+
+import os
 from ctypes import POINTER, byref, c_char_p, c_double, c_float, c_int32, c_uint32, c_uint64, c_void_p
+from typing import TYPE_CHECKING, Any
 
 from ._runtime import (
     Buffer, Callback, Handle, Struct, array, as_is, check, counted, declare, decoded, lend, pointee, text, texts,
 )  # fmt: skip
+
+if TYPE_CHECKING:
+    from typing_extensions import Self
 '''
+
+EXTENDED = ("Camera", "Context", "Framebuffer", "Scene", "Sensor", "render")  # names that the package defines anew
+UNSEEN = ("struct_size", "reserved")  # fields that users of Python need not know
 
 
 def docstring(doc, indent):
@@ -64,7 +74,7 @@ class Python:
         return f"{class_name(function.name)} = Callback({', '.join([result, *parameters])})\n"
 
     def struct(self, struct):
-        text = f"\n\nclass {class_name(struct.name)}(Struct):\n" + docstring(struct.doc, "    ")
+        text = f"\n\nclass {class_name(struct.name)}(Struct):\n" + docstring(self.struct_doc(struct), "    ")
         callbacks = [f'"{f.name}": {class_name(f.type.base)}' for f in struct.fields if f.type.base in self.header.callbacks]
         if callbacks:
             text += "    _callbacks_ = {" + ", ".join(callbacks) + "}\n"
@@ -74,7 +84,17 @@ class Python:
         text += "    _fields_ = [\n"
         for field in struct.fields:
             text += f'        ("{field.name}", {self.ctype(field.type, argument=False)}),\n'
-        return text + "    ]\n"
+        text += "    ]\n"
+        for field in struct.fields:
+            if field.name not in UNSEEN:
+                text += f"    {field.name}: {hint_of(self.header, field.type)}\n"
+        return text
+
+    @staticmethod
+    def struct_doc(struct):
+        """Returns the comment of a struct, and those of its fields by their names."""
+        fields = [f"{f.name}: " + f.doc.replace("\n", "\n    ") for f in struct.fields if f.doc and f.name not in UNSEEN]
+        return "\n\n".join(part for part in (struct.doc, "\n".join(["Fields:", *fields]) if fields else "") if part)
 
     # ---- functions
 
@@ -97,7 +117,7 @@ class Python:
         text = "\n" if owner else "\n\n"
         if owner and not call.method:
             text += f"{indent}@classmethod\n"
-        text += f"{indent}def {variable_name(name)}({', '.join(call.takes)}):\n" + docstring(function.doc, indent + "    ")
+        text += f"{indent}def {variable_name(name)}({', '.join(call.takes)}) -> {call.returns()}:\n" + docstring(function.doc, indent + "    ")
         return text + "".join(f"{indent}    {line}\n" for line in call.lines()), owner
 
     def declaration(self, function):
@@ -135,7 +155,7 @@ class Python:
         parts.append(members[None])
         parts.append("\n\n")
         parts += [self.declaration(function) for function in header.functions.values()]
-        listed = "".join(f'    "{name}",\n' for name in sorted(names))
+        listed = "".join(f'    "{name}",\n' for name in sorted(set(names) - set(EXTENDED)))
         parts.append(f"\n__all__ = [\n{listed}]\n")
         return "".join(parts)
 

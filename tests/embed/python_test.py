@@ -107,6 +107,24 @@ class CameraTest(unittest.TestCase):
 
 
 class StructTest(unittest.TestCase):
+    def test_fields_have_their_comments(self):
+        for struct, text in (
+            (nicol.Camera, "fov: horizontal field of view if perspective, degrees, above 0, below 180, default 45"),
+            (nicol.RenderOptions, "shade_at: place of shading, default automatic"),
+            (nicol.StokesImage, "height: size, pixels, 1 to NICOL_MAX_SIZE"),
+            (nicol.Pplastic, "diffuse_reflectance_texture: Texture that replaces diffuse_reflectance"),
+        ):
+            self.assertIn(text, struct.__doc__)
+        self.assertNotIn("struct_size", nicol.Camera.__doc__)
+
+    def test_lists_are_accepted_where_arrays_are(self):
+        with nicol.Context.create() as context:
+            nested = nicol.MeshData(vertex_count=3, triangle_count=1, positions=[[0, 0, 0], [1, 0, 0], [0, 1, 0]], indices=[[0, 1, 2]])
+            self.assertEqual(nicol.Mesh.create(context, nested).get_bounds(), ((0, 0, 0), (1, 1, 0)))
+            instance = nicol.Instance(to_world=[[1, 0, 0, 2], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]])
+            self.assertEqual(instance.to_world[3], 2)
+            nicol.Environment.create_psh(context, 1, 1, [[1, 0, 0, 0], [0, 0, 0, 0], [0, 0, 0, 0], [0, 0, 0, 0]])
+
     def test_fields(self):
         options = nicol.RenderOptions(order_low=4)
         self.assertEqual(options.struct_size, ctypes.sizeof(nicol.RenderOptions))

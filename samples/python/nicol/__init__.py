@@ -18,7 +18,7 @@ from ._runtime import Error, Handle, Struct
 try:
     import numpy
 except ImportError:
-    numpy = None
+    numpy = None  # type: ignore[assignment]
 
 if _abi.version() // 100 != _abi.VERSION // 100:
     raise ImportError(f"libnicol is {_abi.version_string()}; this package needs a {_abi.VERSION_MAJOR}.{_abi.VERSION_MINOR}")
@@ -98,7 +98,7 @@ class Camera(_abi.Camera):
         return _rows(m, 4), _rows(_moved(K, 0.5), 3)
 
 
-_abi.Camera = Camera  # what Scene.get_camera() returns
+_abi.Camera = Camera  # type: ignore[misc]  # what Scene.get_camera() returns
 
 
 def _flat(numbers):
@@ -303,6 +303,6 @@ def image(pixels):
 from . import capi  # noqa: E402, F401
 from ._picture import Picture, Scene, default_context, load, render  # noqa: E402
 
-__all__ = [*_abi.__all__, "Error", "Handle", "Struct", "image", "mesh_data", "texture_image",
-           "Picture", "default_context", "load"]  # fmt: skip
+__all__ = [*_abi.__all__, "Camera", "Context", "Framebuffer", "Scene", "Sensor", "Error", "Handle", "Struct", "image",
+           "mesh_data", "texture_image", "Picture", "default_context", "load", "render"]  # fmt: skip
 __version__ = _abi.version_string()

@@ -7,9 +7,10 @@ import functools
 import math
 import os
 import tempfile
-from typing import Any
+from collections.abc import Sequence
+from typing import Any, overload
 
-from . import Camera, Context, Framebuffer, _abi, numpy
+from . import Context, Framebuffer, _abi, numpy
 from ._runtime import constant
 
 _SAMPLES_WITHOUT_SAMPLER, _MOST_SAMPLES = 8, 64
@@ -26,14 +27,16 @@ class Scene(_abi.Scene):
     context: Context
 
     @classmethod
-    def create(cls, context: Context) -> Scene:
+    def create(cls, context: Context) -> Scene:  # type: ignore[override]
         """Creates an empty, dark scene."""
         scene = super().create(context)
         scene.context = context
         return scene
 
     @classmethod
-    def load(cls, context: Context, path: str | os.PathLike, definitions: Any = ()) -> Scene:
+    def load(  # type: ignore[override]
+        cls, context: Context, path: str | os.PathLike[str], definitions: Any = ()
+    ) -> Scene:
         """Loads a scene from a file, see nicol_scene_load."""
         scene = super().load(context, path, definitions)
         scene.context = context
@@ -60,7 +63,7 @@ def _ids(get: Any, count: Any, ids: Any) -> Any:
     return room.tolist()
 
 
-def load(path: str | os.PathLike, context: Context | None = None, **definitions: Any) -> Scene:
+def load(path: str | os.PathLike[str], context: Context | None = None, **definitions: Any) -> Scene:
     """Loads a scene, Mitsuba 3's .xml or glTF's .gltf or .glb. Keywords replace the values of the scene's <default>s:
     load("scene.xml", light_angle=30)."""
     words = [f"{name}={value}" for name, value in definitions.items()]
@@ -115,7 +118,7 @@ class Picture:
         """Work of the render, and its predicted_error."""
         return self.framebuffer.get_statistics()
 
-    def save(self, path: str | os.PathLike, show: str = "s0", **observation: Any) -> None:
+    def save(self, path: str | os.PathLike[str], show: str = "s0", **observation: Any) -> None:
         """Writes a file by the ending of its name: .exr, the Stokes image and what `aovs` named; .npy, `stokes`; .png, what
         `show` names: s0, s1, s2, s3, dolp, aolp or polarizer. Other keywords are fields of an Observation:
         save("x.png", show="polarizer", polarizer_angle=45)."""
@@ -152,15 +155,35 @@ class Picture:
         return f"<nicol.Picture {self.width} x {self.height}, {self.channels} channels>"
 
 
+@overload
 def render(
-    scene: Scene | str | os.PathLike,
-    camera: Camera | None = None,
+    scene: Scene | str | os.PathLike[str],
+    camera: _abi.Camera | None = None,
+    options: _abi.RenderOptions | None = None,
+    framebuffer: None = None,
+    *,
+    size: tuple[int, int] | None = None,
+    quality: str | int | None = None,
+    aovs: Sequence[str] = ...,
+    **fields: Any,
+) -> Picture: ...
+
+
+@overload
+def render(
+    scene: Scene, camera: _abi.Camera | None, options: _abi.RenderOptions | None, framebuffer: Framebuffer
+) -> None: ...
+
+
+def render(
+    scene: Scene | str | os.PathLike[str],
+    camera: _abi.Camera | None = None,
     options: _abi.RenderOptions | None = None,
     framebuffer: Framebuffer | None = None,
     *,
     size: tuple[int, int] | None = None,
     quality: str | int | None = None,
-    aovs: tuple[str, ...] = ("depth", "normal", "position", "instance", "alpha"),
+    aovs: Sequence[str] = ("depth", "normal", "position", "instance", "alpha"),
     **fields: Any,
 ) -> Picture | None:
     """Renders a scene, or the file of one, and returns a Picture. camera: the scene's by default. size: (width, height), the
@@ -172,7 +195,8 @@ def render(
     if framebuffer is not None:
         if size is not None or quality is not None or fields:
             raise TypeError("with a framebuffer, options say all, and the framebuffer has the size")
-        return _abi.render(scene, camera, options, framebuffer)
+        _abi.render(scene, camera, options, framebuffer)  # type: ignore[arg-type]  # which it says itself
+        return None
     if not isinstance(scene, _abi.Scene):
         scene = load(scene)
     if options is not None and (quality is not None or fields):

@@ -7,6 +7,7 @@ import itertools
 import os
 import re
 import sys
+from typing import Any, ClassVar
 
 
 def _load():
@@ -45,7 +46,7 @@ class Error(Exception):
         return type(self), (self.code, str(self))
 
 
-_raised = []  # exceptions of callbacks, whose calls then end with ERROR_CANCELLED
+_raised: list[BaseException] = []  # exceptions of callbacks, whose calls then end with ERROR_CANCELLED
 _cancelled = 9
 _last_error = declare("nicol_last_error", ctypes.c_char_p)
 
@@ -72,6 +73,8 @@ def texts(values):
 class Handle(ctypes.c_void_p):
     """An object of the library. `with`, release(), or the end of its last reference in Python releases it; the library
     keeps everything that other objects need."""
+
+    _release: ClassVar[Any]
 
     @classmethod
     def from_param(cls, value):
@@ -160,6 +163,7 @@ class Buffer:
         except TypeError:
             if writable:
                 raise TypeError(f"results need a writable buffer of {type_.__name__}, not {value!r}") from None
+            value = flat(value)
             view = memoryview((type_ * len(value))(*value))
         if not writable:
             value, view = self._converted(value, view, type_)
@@ -260,8 +264,9 @@ class Struct(ctypes.Structure):
     """A descriptor. Keywords set its fields, all other fields have their defaults. A spectrum accepts a number or one per
     channel. Pointers accept buffers and callbacks accept functions, both kept alive while they are in use."""
 
-    _callbacks_ = {}
-    _read_only_ = {}  # pointer fields whose memory the library only reads
+    _init: ClassVar[Any]
+    _callbacks_: ClassVar[dict] = {}
+    _read_only_: ClassVar[Any] = {}  # pointer fields whose memory the library only reads
 
     def __init__(self, **fields):
         super().__init__()
@@ -338,7 +343,7 @@ def _restored(type_, fields):
     return type_(**fields)
 
 
-_lent = {}  # objects that the library still uses, by number
+_lent: dict[int, list] = {}  # objects that the library still uses, by number
 _numbers = itertools.count(1)
 
 
