@@ -33,11 +33,11 @@ MaterialPtr material_of(const Instance& instance, bool back) {
     return behind ? behind : instance.material;
 }
 
-// Returns what one side of an instance shows of its emission. The back of a two-sided material emits only if its
-// emission is two-sided as well.
+// Returns what one side of an instance shows of its emission. The back of a two-sided material emits only if
+// its emission is two-sided as well.
 EmissionPtr emission_of(const Scene& scene, const Instance& instance, bool back) {
-    const bool emits = !scene.emitters_hidden() && instance.emission != nullptr &&
-                       (instance.emission->two_sided || !back);
+    const bool emits =
+        !scene.emitters_hidden() && instance.emission != nullptr && (instance.emission->two_sided || !back);
     return emits ? instance.emission : nullptr;
 }
 
@@ -188,12 +188,11 @@ void SceneGeometry::build(const Scene& scene, std::vector<Piece>& pieces) {
             const Instance& instance = scene.instances()[i];
             append_triangles(mesh, piece.mirrored() != (side == 1), first,
                              piece.twosided ? two_sided : next.triangles);
-            next.ranges.push_back(
-                {.first = first,
-                 .last = first + count,
-                 .material = equal_materials_.first_of(material_of(instance, side == 1)),
-                 .instance = piece.id,
-                 .emission = emission_of(scene, instance, side == 1)});
+            next.ranges.push_back({.first = first,
+                                   .last = first + count,
+                                   .material = equal_materials_.first_of(material_of(instance, side == 1)),
+                                   .instance = piece.id,
+                                   .emission = emission_of(scene, instance, side == 1)});
         }
     }
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
