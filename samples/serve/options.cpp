@@ -15,7 +15,7 @@ const char* const usage =
     "usage: nicol-serve --scenes DIR [options]\n"
     "Renders the Mitsuba 3 scenes of a folder over HTTP: images, Stokes data and a viewer page.\n"
     "\n"
-    "  --scenes DIR            every *.xml in it is a scene\n"
+    "  --scenes DIR            every *.xml, *.gltf and *.glb in it is a scene\n"
     "  --listen ADDRESS:PORT   default 127.0.0.1:8080; port 0 takes one that is free and prints it\n"
     "  --status-listen ADDRESS:PORT\n"
     "                          answers /health, /ready and /metrics there too, with places of its own\n"

@@ -62,6 +62,18 @@ std::string digest_of(nicol_scene scene) {
     return hex(sha256(digests));
 }
 
+/// Lights a scene of glTF, which has no environments, evenly from all around if the file has no lights.
+void light_if_dark(nicol_context context, nicol_scene scene, const std::filesystem::path& path) {
+    if (path.extension() == ".xml") return;
+    std::uint32_t lights = 0;
+    check(nicol_scene_get_light_count(scene, &lights));
+    if (lights > 0) return;
+    nicol_environment even = nullptr;
+    check(nicol_environment_create_constant(context, nullptr, &even));
+    const Environment owner(even);
+    check(nicol_scene_set_environment(scene, even, nullptr, 1));
+}
+
 /// Returns the bytes of the OpenEXR file with Stokes vectors. The library writes only files, so it writes to
 /// one in memory, which has no name that another user could open.
 std::string exr_file(nicol_framebuffer framebuffer) {
@@ -96,6 +108,7 @@ Stage::Stage(nicol_context context, const std::filesystem::path& path) : context
     check(nicol_scene_load(context, path.c_str(), nullptr, 0, &scene));
     scene_.reset(scene);
     info_.digest = digest_of(scene);
+    light_if_dark(context, scene, path);
     check(nicol_scene_get_camera(scene, &camera_));
     check(nicol_scene_get_film_size(scene, &info_.width, &info_.height));
     check(nicol_scene_get_channels(scene, &info_.channels));

@@ -1,17 +1,21 @@
 # SPDX-License-Identifier: MIT
 # Tests of nicol-serve's behaviour: caching, load, limits, failing workers, start and end.
+import base64
 import ctypes
+import json
 import os
 import re
 import resource
 import signal
 import socket
 import stat
+import struct
 import tempfile
 import time
 import unittest
 import unittest.mock
 
+from images import read_exr
 from program_test import ProgramTest
 from serve_case import IMAGE, PROGRAM, SQUARE, ServeTest, alive, read
 from serve_client import PATIENCE, Server, write_scenes
@@ -386,6 +390,26 @@ class Ends(ProgramTest):
             self.assertEqual(ended.returncode, 2, ended.stderr)
             self.assertEqual(len(ended.stderr.splitlines()), 1, ended.stderr)
             self.assertIn(word, ended.stderr)
+
+    def test_a_gltf_scene_without_lights_is_lit(self):
+        corners = struct.pack("<9f", -1, -1, 0, 1, -1, 0, 0, 1, 0)
+        triangle = {
+            "asset": {"version": "2.0"}, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+            "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+            "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [-1, -1, 0], "max": [1, 1, 0]}],
+            "bufferViews": [{"buffer": 0, "byteLength": 36}],
+            "buffers": [{"byteLength": 36, "uri": "data:application/octet-stream;base64," + base64.b64encode(corners).decode()}],
+        }  # fmt: skip
+        self.write("triangle.gltf", json.dumps(triangle))
+        server = Server(PROGRAM, self.folder, "--workers", "1")
+        try:
+            self.assertEqual([scene["id"] for scene in server.get("/scenes").json()["scenes"]], ["triangle"])
+            image = server.get("/scenes/triangle/image.exr?size=20x20&observer=s0")
+            brightness = read_exr(image.body)["G"]
+            self.assertGreater(brightness[10 * 20 + 10], 0.3)
+            self.assertAlmostEqual(brightness[0], 1, 3)
+        finally:
+            server.stop()
 
     def test_a_broken_scene_is_its_own(self):
         write_scenes(self.folder)
