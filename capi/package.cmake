@@ -73,6 +73,7 @@ install(FILES ${debian}/nicol-serve.default DESTINATION ${CMAKE_INSTALL_DATADIR}
   COMPONENT debian_serve EXCLUDE_FROM_ALL)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/samples/python/nicol DESTINATION lib/python3/dist-packages
   COMPONENT debian_python EXCLUDE_FROM_ALL PATTERN __pycache__ EXCLUDE)
+install(PROGRAMS ${debian}/nicol-dataset TYPE BIN COMPONENT debian_python EXCLUDE_FROM_ALL)
 
 # Manual pages say what --help says.
 find_program(NICOL_HELP2MAN help2man)
@@ -95,6 +96,20 @@ if(NICOL_HELP2MAN)
       install(FILES ${page}.gz DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT debian_${component} OPTIONAL EXCLUDE_FROM_ALL)
     endif()
   endforeach()
+  # Its --help needs numpy.
+  execute_process(COMMAND /usr/bin/python3 -c "import numpy" RESULT_VARIABLE absent OUTPUT_QUIET ERROR_QUIET)
+  if(NOT absent)
+    set(page ${made}/nicol-dataset.1)
+    add_custom_command(OUTPUT ${page}.gz
+      COMMAND ${CMAKE_COMMAND} -E env PYTHONDONTWRITEBYTECODE=1 NICOL_LIBRARY=$<TARGET_FILE:nicol>
+              PYTHONPATH=${PROJECT_SOURCE_DIR}/samples/python
+              ${NICOL_HELP2MAN} -N --version-string=${PROJECT_VERSION} -n "render data sets of polarized light" -o ${page}
+              ${debian}/nicol-dataset
+      COMMAND gzip -9nf ${page}
+      DEPENDS nicol ${debian}/nicol-dataset ${PROJECT_SOURCE_DIR}/samples/python/nicol/dataset/program.py VERBATIM)
+    list(APPEND pages ${page}.gz)
+    install(FILES ${page}.gz DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT debian_python OPTIONAL EXCLUDE_FROM_ALL)
+  endif()
   add_custom_target(nicol_manual ALL DEPENDS ${pages})
 endif()
 include(CPack)

@@ -57,7 +57,8 @@ has nicol-tools /usr/bin/nicol-render /usr/bin/nicol-convert $completions/nicol-
     /usr/share/zsh/vendor-completions/_nicol $(policy nicol-tools) $(manual nicol-render) $(manual nicol-convert)
 has nicol-serve /usr/bin/nicol-serve /usr/lib/systemd/system/nicol-serve.service \
     /usr/share/doc/nicol-serve/nicol-serve.default $(policy nicol-serve) $(manual nicol-serve)
-contains python3-nicol '/usr/lib/python3/dist-packages/nicol/__init__\.py' $(policy python3-nicol)
+contains python3-nicol '/usr/lib/python3/dist-packages/nicol/__init__\.py' '/usr/lib/python3/dist-packages/nicol/py\.typed' \
+    /usr/bin/nicol-dataset $(policy python3-nicol) $(manual nicol-dataset)
 
 depends libnicol0.1 | grep -q 'libc6' || fail "libnicol0.1 depends on: $(depends libnicol0.1)"
 depends libnicol0.1 | grep -q 'libembree4-4 | libembree3-3' || fail "libnicol0.1 depends on: $(depends libnicol0.1)"
