@@ -247,6 +247,19 @@ class NoticeTest(unittest.TestCase):
         )
         self.assertEqual(sorted(self.notices()), sorted(wanted))
 
+    def test_each_object_is_read_once(self):
+        bpy.ops.object.text_add()
+        bpy.ops.object.metaball_add()
+        add("cube", principled("textured", Base_Color=srgb_image("board", check_board((0.8, 0.3, 0.1)))))
+        uv_layers = bpy.context.object.data.uv_layers
+        uv_layers.remove(uv_layers[0])
+        add("cube").scale = (0, 1, 1)
+        description = read_scene.read_scene(bpy.context.evaluated_depsgraph_get())
+        self.assertEqual(sorted(instance.key[0] for instance in description.instances), ["Cube", "Mball", "Text"])
+        add_light("SUN", 2)
+        add_camera((0, -6, 3.5), (1.05, 0, 0))
+        self.assertGreater(render()["ViewLayer.Combined.R"].max(), 0.1)
+
     def test_a_plain_scene_has_none(self):
         add("cube", principled("plain"))
         add_light("SUN", 1)

@@ -10,7 +10,7 @@ from .description import Instance, Mesh, Scene, Surface
 from .read_light import AXES, read_light, read_world
 from .read_material import read_material
 
-_WITH_SURFACE = ("MESH", "CURVE", "SURFACE", "FONT", "META")
+_UNDRAWN = ("VOLUME", "CURVES", "POINTCLOUD", "GPENCIL", "GREASEPENCIL")
 
 
 def read_scene(depsgraph) -> Scene:
@@ -26,17 +26,18 @@ def read_scene(depsgraph) -> Scene:
         key = (thing.name_full, *item.persistent_id) if item.is_instance else (thing.name_full,)
         if thing.type == "LIGHT":
             read_light(thing.data, matrix, key, scene)
-        elif thing.type in _WITH_SURFACE:
+        elif thing.type == "MESH" and matrix.determinant() != 0:
+            # Curves, text and metaballs come as instances of their meshes as well.
             _add_surfaces(thing, matrix, key, scene, parts, surfaces)
-        elif thing.type in ("VOLUME", "CURVES", "POINTCLOUD", "GPENCIL", "GREASEPENCIL", "LIGHT_PROBE"):
+        elif thing.type in _UNDRAWN:
             scene.notice(f"object {thing.name}: what is of the type {thing.type} is not drawn")
     return scene
 
 
 def _add_surfaces(thing, matrix, key, scene, parts, surfaces) -> None:
-    mesh_key = thing.data.as_pointer() if thing.type == "MESH" else id(key)
+    mesh_key = thing.data.as_pointer()
     if mesh_key not in parts:
-        parts[mesh_key] = read_mesh(thing)
+        parts[mesh_key] = read_mesh(thing.data)
     # Objects may replace the materials of their mesh.
     materials = [slot.material for slot in thing.material_slots] or [None]
     for slot, mesh in parts[mesh_key]:
@@ -47,34 +48,24 @@ def _add_surfaces(thing, matrix, key, scene, parts, surfaces) -> None:
         scene.instances.append(Instance((*key, slot), mesh, surfaces[name], AXES @ numpy.array(matrix)))
 
 
-def read_mesh(thing) -> list[tuple[int, Mesh]]:
-    """Returns the triangles of an object by their material slot."""
-    mesh = thing.to_mesh()
-    try:
-        mesh.calc_loop_triangles()
-        count = len(mesh.loop_triangles)
-        if count == 0:
-            return []
-        loops = _numbers(mesh.loop_triangles, "loops", 3 * count, numpy.int32)
-        slots = _numbers(mesh.loop_triangles, "material_index", count, numpy.int32)
-        vertices = _numbers(mesh.loops, "vertex_index", len(mesh.loops), numpy.int32)
-        positions = _numbers(mesh.vertices, "co", 3 * len(mesh.vertices)).reshape(-1, 3)
-        columns = [positions[vertices], _corner_normals(mesh)]
-        if mesh.uv_layers.active is not None:
-            uv = _numbers(mesh.uv_layers.active.data, "uv", 2 * len(mesh.loops)).reshape(-1, 2)
-            columns.append(numpy.stack([uv[:, 0], 1 - uv[:, 1]], 1))
-    finally:
-        thing.to_mesh_clear()
+def read_mesh(mesh) -> list[tuple[int, Mesh]]:
+    """Returns the triangles of an evaluated mesh by their material slot."""
+    mesh.calc_loop_triangles()
+    count = len(mesh.loop_triangles)
+    if count == 0:
+        return []
+    loops = _numbers(mesh.loop_triangles, "loops", 3 * count, numpy.int32)
+    slots = _numbers(mesh.loop_triangles, "material_index", count, numpy.int32)
+    vertices = _numbers(mesh.loops, "vertex_index", len(mesh.loops), numpy.int32)
+    positions = _numbers(mesh.vertices, "co", 3 * len(mesh.vertices)).reshape(-1, 3)
+    uv = numpy.zeros((len(mesh.loops), 2), numpy.float32)  # Blender's coordinates without a map
+    if mesh.uv_layers.active is not None:
+        uv = _numbers(mesh.uv_layers.active.data, "uv", 2 * len(mesh.loops)).reshape(-1, 2)
+    normals = _numbers(mesh.corner_normals, "vector", 3 * len(mesh.loops)).reshape(-1, 3)
+    columns = [positions[vertices], normals, numpy.stack([uv[:, 0], 1 - uv[:, 1]], 1)]
     corners = numpy.concatenate(columns, 1)
     loops = loops.reshape(-1, 3)
     return [(int(slot), _merged(corners[loops[slots == slot].ravel()])) for slot in numpy.unique(slots)]
-
-
-def _corner_normals(mesh) -> numpy.ndarray:
-    if hasattr(mesh, "corner_normals"):
-        return _numbers(mesh.corner_normals, "vector", 3 * len(mesh.loops)).reshape(-1, 3)
-    mesh.calc_normals_split()  # before Blender 4.1
-    return _numbers(mesh.loops, "normal", 3 * len(mesh.loops)).reshape(-1, 3)
 
 
 def _numbers(collection, name: str, count: int, kind=numpy.float32) -> numpy.ndarray:
@@ -95,8 +86,7 @@ def _merged(corners: numpy.ndarray) -> Mesh:
     rank[order] = numpy.arange(len(order))
     rows = rows[first[order]]
     parts = [numpy.ascontiguousarray(rows[:, a:b]) for a, b in ((0, 3), (3, 6), (6, 8))]
-    texcoords = parts[2] if rows.shape[1] > 6 else None
-    return Mesh(parts[0], parts[1], texcoords, rank[faces.ravel()].astype(numpy.uint32).reshape(-1, 3))
+    return Mesh(*parts, rank[faces.ravel()].astype(numpy.uint32).reshape(-1, 3))
 
 
 def read_camera(to_world, projection, size: tuple[int, int], near: float, far: float) -> nicol.Camera:
