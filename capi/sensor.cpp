@@ -25,7 +25,8 @@ static_assert(static_cast<int>(Mosaic::plain) == NICOL_MOSAIC_PLAIN &&
               static_cast<int>(Mosaic::polarized) == NICOL_MOSAIC_POLARIZED &&
               static_cast<int>(Mosaic::polarized_bayer) == NICOL_MOSAIC_POLARIZED_BAYER);
 static_assert(static_cast<int>(Demosaic::bilinear) == NICOL_DEMOSAIC_BILINEAR &&
-              static_cast<int>(Demosaic::blocks) == NICOL_DEMOSAIC_BLOCKS);
+              static_cast<int>(Demosaic::blocks) == NICOL_DEMOSAIC_BLOCKS &&
+              static_cast<int>(Demosaic::gradient) == NICOL_DEMOSAIC_GRADIENT);
 static_assert(static_cast<int>(SensorPreset::imx250mzr) == NICOL_SENSOR_PRESET_IMX250MZR &&
               static_cast<int>(SensorPreset::imx250myr) == NICOL_SENSOR_PRESET_IMX250MYR);
 
@@ -46,7 +47,10 @@ constexpr std::array kNumbers{NumberField{&nicol_sensor::exposure, &Sensor::expo
                               NumberField{&nicol_sensor::extinction_ratio, &Sensor::extinction_ratio},
                               NumberField{&nicol_sensor::extinction_spread, &Sensor::extinction_spread},
                               NumberField{&nicol_sensor::misalignment, &Sensor::misalignment},
-                              NumberField{&nicol_sensor::crosstalk, &Sensor::crosstalk}};
+                              NumberField{&nicol_sensor::crosstalk, &Sensor::crosstalk},
+                              NumberField{&nicol_sensor::crosstalk_spread, &Sensor::crosstalk_spread},
+                              NumberField{&nicol_sensor::blur, &Sensor::blur},
+                              NumberField{&nicol_sensor::vignetting, &Sensor::vignetting}};
 
 nicol_sensor read_sensor_struct(const nicol_sensor* sensor) {
     return read_struct(sensor, nicol_sensor NICOL_SENSOR_INIT, "sensor");
@@ -238,7 +242,7 @@ nicol_result nicol_sensor_demosaic(const nicol_sensor* sensor, const nicol_raw_i
     return guarded([&] {
         const Sensor own = sensor_from(sensor);
         const RawImage image = RawRows(raw, "raw").read();
-        require_constant(method, NICOL_DEMOSAIC_BLOCKS, "method", "NICOL_DEMOSAIC_...");
+        require_constant(method, NICOL_DEMOSAIC_GRADIENT, "method", "NICOL_DEMOSAIC_...");
         const StokesRows rows(to, "to");
         StokesImage stokes = demosaic(own, image, static_cast<Demosaic>(method));
         rows.write(stokes);
@@ -250,7 +254,7 @@ nicol_result nicol_file_demosaic(const char* in, const nicol_sensor* sensor, nic
     return guarded([&] {
         const std::filesystem::path from = read_path(in, "in");
         const Sensor own = sensor_from(sensor);
-        require_constant(method, NICOL_DEMOSAIC_BLOCKS, "method", "NICOL_DEMOSAIC_...");
+        require_constant(method, NICOL_DEMOSAIC_GRADIENT, "method", "NICOL_DEMOSAIC_...");
         const std::filesystem::path to = read_path(out, "out");
         require_suffix(out, ".exr");
         write_exr(to, demosaic(own, read_mosaic(from, own), static_cast<Demosaic>(method)));

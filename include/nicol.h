@@ -1862,7 +1862,7 @@ typedef uint32_t nicol_mosaic;
  * electrons, at most full_well, where I is s0 behind the optics and the pixel's polarizer, and gives the number
  *     floor(gain * (n + read noise + offset) + black_level + 1/2), cut to 0 .. 2^bits - 1.
  * Noise belongs to the seed, the frame and the pixel. The polarizers' angles and transmittances, the offsets and the
- * sensitivities belong to the seed and the pixel. All of them have the same bits on every machine and for any number
+ * sensitivities belong to the seed and the pixel, as does the crosstalk. All of them have the same bits on every machine and for any number
  * of threads, so that the same Stokes image gives the same bytes. */
 /* clang-format on */
 typedef struct nicol_sensor {
@@ -1891,6 +1891,11 @@ typedef struct nicol_sensor {
     double extinction_spread; /* relative standard deviation of the transmittance across, 0 to 1, default 0 */
     double misalignment;      /* standard deviation of the polarizers' angles, degrees, 0 to 5, default 0 */
     double crosstalk; /* fraction of a pixel's electrons that its four neighbours get, 0 to 0.8, default 0 */
+    double crosstalk_spread; /* relative standard deviation of that fraction over pixels, 0 to 1, default 0 */
+    double blur; /* standard deviation of the lens's blur, which is normal, pixels, 0 to 16, default 0 */
+    /* Part of the light that the lens loses in the image's corners, 0 to 0.99, default 0. The rest of the
+     * image follows the fourth power of the cosine of the angle from the optical axis, the image's middle. */
+    double vignetting;
     /* Quantum efficiency of the channels, above 0 and at most 1, for light along the polarizer's axis;
      * default 0.6. */
     nicol_spectrum quantum_efficiency;
@@ -1899,7 +1904,7 @@ typedef struct nicol_sensor {
 /* clang-format off */
 #define NICOL_SENSOR_INIT                                                                                  \
     { sizeof(nicol_sensor), NICOL_MOSAIC_POLARIZED, 12, 1, 0, NICOL_IDENTITY_4X4, 0, 0.01, 10000, 0, 0, 2.5, \
-      0, 0, 0, 0, 0, 0, 0, NICOL_SPECTRUM_INIT, 0 }
+      0, 0, 0, 0, 0, 0, 0, 0, 0, 0, NICOL_SPECTRUM_INIT, 0 }
 /* clang-format on */
 NICOL_API nicol_result nicol_sensor_init(nicol_sensor* descriptor, uint32_t struct_size);
 
@@ -1967,6 +1972,9 @@ typedef uint32_t nicol_demosaic;
 #define NICOL_DEMOSAIC_BILINEAR \
     0u                           /* mosaic's size; angles and colours are interpolated between their pixels */
 #define NICOL_DEMOSAIC_BLOCKS 1u /* one Stokes vector per cell of 2 x 2, or 4 x 4 with colour filters */
+/* Like BILINEAR, but angles are interpolated along edges: of the two lines through a pixel, that along which
+ * the mosaic varies less counts more (after Gao and Gruev 2013). */
+#define NICOL_DEMOSAIC_GRADIENT 2u
 
 /* Computes the light on the sensor, behind its optics, from numbers of its pixels, by the sensor's exposure,
  * quantum efficiency, gain, levels and extinction ratio. The pixels' own errors and crosstalk are not undone.

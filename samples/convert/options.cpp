@@ -106,7 +106,8 @@ void parse_scale(nicol_file_options& file, std::string_view text) {
 nicol_demosaic parse_demosaic(std::string_view text) {
     if (text == "bilinear") return NICOL_DEMOSAIC_BILINEAR;
     if (text == "blocks") return NICOL_DEMOSAIC_BLOCKS;
-    throw Failure("--demosaic: '" + std::string(text) + "' is neither bilinear nor blocks");
+    if (text == "gradient") return NICOL_DEMOSAIC_GRADIENT;
+    throw Failure("--demosaic: '" + std::string(text) + "' is neither bilinear, gradient nor blocks");
 }
 
 // Applies this rotation after the earlier ones (Rodrigues' formula).

@@ -477,6 +477,9 @@ typedef struct nicol_sensor {
     double extinction_spread;
     double misalignment;
     double crosstalk;
+    double crosstalk_spread;
+    double blur;
+    double vignetting;
     nicol_spectrum quantum_efficiency;
     uint32_t reserved;
 } nicol_sensor;
@@ -953,6 +956,7 @@ return {
         SENSOR_PRESET_IMX250MYR = 1,
         DEMOSAIC_BILINEAR = 0,
         DEMOSAIC_BLOCKS = 1,
+        DEMOSAIC_GRADIENT = 2,
         HOST_SETS_STATE = 1,
         HOST_VALIDATE = 2,
         ENCODING_LINEAR = 0,

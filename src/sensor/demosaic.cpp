@@ -3,6 +3,9 @@
 
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <utility>
 
 #include "arguments.hpp"
@@ -109,6 +112,78 @@ void demosaic_blocks(const Sensor& sensor, const Grid& grid, double across, Stok
     });
 }
 
+/// Returns i, reflected at the first and the last position, which keeps it even or odd.
+int reflected(int i, int count) {
+    const int period = 2 * (count - 1);
+    const int place = (i % period + period) % period;
+    return std::min(place, period - place);
+}
+
+/// Mean of two samples on opposite sides of a pixel, and how much the image varies along their line.
+struct Along {
+    double mean;
+    double variation;
+};
+
+/// at(i, j): value of the wanted angle; own(i, j): value of the mosaic, of one angle at even distances.
+template <class At, class Own>
+Along along(const At& at, const Own& own, int dx, int dy) {
+    const double before = at(-dx, -dy);
+    const double after = at(dx, dy);
+    const double middle = own(0, 0);
+    return {(before + after) / 2, std::abs(after - before) + std::abs(own(2 * dx, 2 * dy) - middle) +
+                                      std::abs(own(-2 * dx, -2 * dy) - middle)};
+}
+
+/// Weighs two directions by the inverse squares of their variations.
+double less_varied(const Along& a, const Along& b) {
+    const double weight_a = b.variation * b.variation;
+    const double weight_b = a.variation * a.variation;
+    if (weight_a + weight_b == 0) return (a.mean + b.mean) / 2;
+    return (weight_a * a.mean + weight_b * b.mean) / (weight_a + weight_b);
+}
+
+/// Returns one angle at every pixel, after the gradient-based interpolation of Gao and Gruev (2013): first at
+/// the pixels whose diagonal neighbours have the angle, along the diagonal that varies less; then at the
+/// others, along the row or the column. A smooth weight replaces their threshold.
+Grid one_angle(const Grid& mosaic, int first_x, int first_y, int width, int height) {
+    Grid grid(width, height);
+    const auto fill = [&](int step_x, int step_y) {
+        tbb::parallel_for(0, height / 2, [&](int row) {
+            const int y = 2 * row + (first_y + step_y) % 2;
+            for (int x = (first_x + step_x) % 2; x < width; x += 2) {
+                const auto at = [&](int i, int j) {
+                    return grid(reflected(x + i, width), reflected(y + j, height));
+                };
+                const auto own = [&](int i, int j) {
+                    return mosaic(reflected(x + i, width), reflected(y + j, height));
+                };
+                const bool diagonal = step_x == step_y;
+                grid(x, y) = diagonal ? less_varied(along(at, own, 1, 1), along(at, own, 1, -1))
+                                      : less_varied(along(at, own, 1, 0), along(at, own, 0, 1));
+            }
+        });
+    };
+    for (int y = first_y; y < height; y += 2)
+        for (int x = first_x; x < width; x += 2) grid(x, y) = mosaic(x, y);
+    fill(1, 1);
+    fill(1, 0);
+    fill(0, 1);
+    return grid;
+}
+
+void interpolate_along_edges(const Grid& grid, double across, int channel, StokesImage& image) {
+    std::vector<Grid> angles(4, Grid(0, 0));
+    for (int j = 0; j < 2; ++j)
+        for (int i = 0; i < 2; ++i) angles[angle_at(i, j)] = one_angle(grid, i, j, image.width, image.height);
+    tbb::parallel_for(0, image.height, [&](int y) {
+        for (int x = 0; x < image.width; ++x)
+            store(image, channel, x, y,
+                  stokes_of_angles({angles[0](x, y), angles[1](x, y), angles[2](x, y), angles[3](x, y)},
+                                   across));
+    });
+}
+
 void interpolate_angles(const Grid& grid, double across, int channel, StokesImage& image) {
     tbb::parallel_for(0, image.height, [&](int y) {
         for (int x = 0; x < image.width; ++x) {
@@ -133,7 +208,7 @@ std::array<float, 4> stokes_of_angles(const std::array<double, 4>& intensities, 
 StokesImage demosaic(const Sensor& sensor, const RawImage& raw, Demosaic method) {
     const int channels = sensor.mosaic == Mosaic::polarized_bayer ? 3 : 1;
     check(sensor, raw.width, raw.height, channels);
-    if (method > Demosaic::blocks) refuse("method must be one of the kinds of demosaicing");
+    if (method > Demosaic::gradient) refuse("method must be one of the kinds of demosaicing");
     if (sensor.extinction_ratio == 1)
         refuse("extinction_ratio of the sensor is 1; such pixels polarize nothing");
     const int shrink = method == Demosaic::blocks ? cell_side(sensor.mosaic) : 1;
@@ -147,8 +222,9 @@ StokesImage demosaic(const Sensor& sensor, const RawImage& raw, Demosaic method)
     } else if (method == Demosaic::blocks) {
         demosaic_blocks(sensor, grid, across, image);
     } else {
+        const auto interpolate = method == Demosaic::gradient ? interpolate_along_edges : interpolate_angles;
         for (int c = 0; c < channels; ++c)
-            interpolate_angles(
+            interpolate(
                 channels == 1 ? grid : one_colour(grid, static_cast<std::size_t>(c), raw.width, raw.height),
                 across, c, image);
     }

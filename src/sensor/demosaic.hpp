@@ -10,6 +10,7 @@ namespace nicol {
 enum class Demosaic : std::uint32_t {
     bilinear,  ///< the mosaic's size; each angle and colour is interpolated between its pixels
     blocks,    ///< one Stokes vector per cell of the mosaic, from the cell's pixels alone
+    gradient,  ///< the mosaic's size; angles are interpolated along edges, by the gradients across
 };
 
 /// Returns the light on the sensor, behind its optics: the inverse of expose() without noise, for pixels

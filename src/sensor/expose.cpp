@@ -4,11 +4,15 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <atomic>
+#include <bit>
 #include <cmath>
 #include <numbers>
+#include <span>
 #include <string>
 
 #include "arguments.hpp"
+#include "sensor/lens.hpp"
 #include "sensor/noise.hpp"
 
 namespace nicol {
@@ -17,15 +21,32 @@ namespace {
 /// Electrons beyond all full wells, which keep Poisson's quantile finite.
 constexpr double kMostElectrons = 1e12;
 
-void require_finite_light(const StokesImage& light) {
+/// Returns whether all numbers are finite: whether no exponent has all its bits.
+bool all_finite(std::span<const float> numbers) {
+    constexpr std::uint32_t exponent = 0x7F800000;
+    std::uint32_t wrong = 0;
+    for (const float number : numbers)
+        wrong |= (std::bit_cast<std::uint32_t>(number) & exponent) == exponent ? 1U : 0U;
+    return wrong == 0;
+}
+
+[[noreturn]] void refuse_infinite_light(const StokesImage& light) {
     const auto wrong = std::ranges::find_if(light.data, [](float v) { return !std::isfinite(v); });
-    if (wrong == light.data.end()) return;
     const auto pixel = static_cast<std::size_t>(wrong - light.data.begin()) / 4;
     const auto width = static_cast<std::size_t>(light.width);
     const auto height = static_cast<std::size_t>(light.height);
     refuse("the light of channel " + std::to_string(pixel / (width * height)) + " at column " +
            std::to_string(pixel % width) + ", row " + std::to_string(pixel / width % height) +
            " is not finite");
+}
+
+bool finite_row(const StokesImage& light, int y) {
+    const std::size_t row = 4 * static_cast<std::size_t>(light.width);
+    bool finite = true;
+    for (int c = 0; c < light.channels; ++c)
+        finite &= all_finite(
+            std::span(light.data).subspan(static_cast<std::size_t>(c * light.height + y) * row, row));
+    return finite;
 }
 
 /// Two normal numbers that belong to a pixel in every frame.
@@ -38,25 +59,34 @@ std::array<double, 2> pixel_errors(const Sensor& sensor, std::uint32_t pixel, No
 /// of the pixel's polarizer times the optics.
 class Analysers {
 public:
-    explicit Analysers(const Sensor& sensor) : sensor_(sensor) {}
+    explicit Analysers(const Sensor& sensor)
+        : sensor_(sensor),
+          across_(sensor.extinction_ratio > 0 ? 1 / sensor.extinction_ratio : 0),
+          differ_(sensor.misalignment > 0 || sensor.extinction_spread > 0) {
+        for (std::size_t angle = 0; angle < exact_.size(); ++angle)
+            exact_[angle] = sensor.mosaic == Mosaic::plain ? behind_optics({1, 0, 0, 0})
+                                                           : behind_polarizer(angle, {1, 0}, across_);
+    }
 
     [[nodiscard]] Stokes at(int x, int y, std::uint32_t pixel) const {
-        if (sensor_.mosaic == Mosaic::plain) return behind_optics({1, 0, 0, 0});
-        double across = sensor_.extinction_ratio > 0 ? 1 / sensor_.extinction_ratio : 0;
-        std::array<double, 2> turned{1, 0};
-        if (sensor_.misalignment > 0 || sensor_.extinction_spread > 0) {
-            const std::array<double, 2> error = pixel_errors(sensor_, pixel, NoiseOf::micro_polarizer);
-            turned = cosine_and_sine(std::numbers::pi / 90 * sensor_.misalignment * error[0]);
-            across = std::clamp(across * (1 + sensor_.extinction_spread * error[1]), 0.0, 1.0);
-        }
+        const std::size_t angle = angle_at(x, y);
+        if (sensor_.mosaic == Mosaic::plain || !differ_) return exact_[angle];
+        const std::array<double, 2> error = pixel_errors(sensor_, pixel, NoiseOf::micro_polarizer);
+        return behind_polarizer(angle,
+                                cosine_and_sine(std::numbers::pi / 90 * sensor_.misalignment * error[0]),
+                                std::clamp(across_ * (1 + sensor_.extinction_spread * error[1]), 0.0, 1.0));
+    }
+
+private:
+    /// turned: cosine and sine of twice the angle by which the polarizer is misaligned.
+    [[nodiscard]] Stokes behind_polarizer(std::size_t angle, const std::array<double, 2>& turned,
+                                          double across) const {
         constexpr std::array<std::array<double, 2>, 4> axes{{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
-        const std::array<double, 2> axis = axes[angle_at(x, y)];
+        const std::array<double, 2> axis = axes[angle];
         const double half = (1 - across) / 2;
         return behind_optics({(1 + across) / 2, half * (axis[0] * turned[0] - axis[1] * turned[1]),
                               half * (axis[1] * turned[0] + axis[0] * turned[1]), 0});
     }
-
-private:
     [[nodiscard]] Stokes behind_optics(const Stokes& row) const {
         Stokes product(0);
         for (int column = 0; column < 4; ++column)
@@ -67,91 +97,138 @@ private:
     }
 
     const Sensor& sensor_;
+    double across_;
+    bool differ_;  ///< whether polarizers of one angle differ from pixel to pixel
+    std::array<Stokes, 4> exact_;
 };
 
-/// Mean electrons of a pixel from light, before crosstalk.
-double lit_electrons(const Sensor& sensor, const StokesImage& light, const Stokes& analyser, int x, int y) {
-    const auto plane = static_cast<std::size_t>(light.width) * static_cast<std::size_t>(light.height);
-    const std::size_t pixel =
-        static_cast<std::size_t>(y) * static_cast<std::size_t>(light.width) + static_cast<std::size_t>(x);
-    const auto channel_electrons = [&](std::size_t channel) {
-        const float* const s = &light.data[4 * (channel * plane + pixel)];
+/// Mean electrons of a sensor's pixels from light, before crosstalk.
+class LitElectrons {
+public:
+    LitElectrons(const Sensor& sensor, const StokesImage& light)
+        : light_(light), analysers_(sensor), coloured_(sensor.mosaic == Mosaic::polarized_bayer) {
+        for (std::size_t c = 0; c < static_cast<std::size_t>(light.channels); ++c)
+            electrons_.push_back(electrons_of(sensor, c));
+    }
+
+    [[nodiscard]] double at(int x, int y, std::size_t pixel) const {
+        const Stokes analyser = analysers_.at(x, y, static_cast<std::uint32_t>(pixel));
+        if (coloured_) return of_channel(colour_at(x, y), pixel, analyser);
+        double sum = 0;
+        for (std::size_t c = 0; c < electrons_.size(); ++c) sum += of_channel(c, pixel, analyser);
+        return sum / light_.channels;
+    }
+
+private:
+    [[nodiscard]] double of_channel(std::size_t channel, std::size_t pixel, const Stokes& analyser) const {
+        const auto plane = static_cast<std::size_t>(light_.width) * static_cast<std::size_t>(light_.height);
+        const float* const s = &light_.data[4 * (channel * plane + pixel)];
         double sum = 0;
         for (int p = 0; p < 4; ++p) sum += analyser[p] * static_cast<double>(s[p]);
-        return std::clamp(electrons_of(sensor, channel) * sum, 0.0, kMostElectrons);
-    };
-    if (sensor.mosaic == Mosaic::polarized_bayer) return channel_electrons(colour_at(x, y));
-    double sum = 0;
-    for (std::size_t c = 0; c < static_cast<std::size_t>(light.channels); ++c) sum += channel_electrons(c);
-    return sum / light.channels;
-}
+        return std::clamp(electrons_[channel] * sum, 0.0, kMostElectrons);
+    }
 
-/// Means of all pixels from light, with row-wise access to neighbours. Beyond the border a pixel is its own
-/// neighbour, so that crosstalk loses no electrons.
+    const StokesImage& light_;
+    Analysers analysers_;
+    bool coloured_;
+    std::vector<double> electrons_;  ///< of each channel, for s0 = 1 behind the polarizer
+};
+
+/// Means of all pixels from light, which must be finite, with row-wise access to neighbours. Beyond the
+/// border a pixel is its own neighbour, so that crosstalk loses no electrons.
 class Means {
 public:
     Means(const Sensor& sensor, const StokesImage& light)
-        : width_(light.width), height_(light.height), crosstalk_(sensor.crosstalk) {
-        values_.resize(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
-        const Analysers analysers(sensor);
+        : width_(light.width), height_(light.height), crosstalk_(sensor.crosstalk > 0) {
+        const auto pixels = static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
+        values_.resize(pixels);
+        if (crosstalk_) given_.resize(pixels);
+        const LitElectrons lit(sensor, light);
+        std::atomic<bool> finite = true;
         tbb::parallel_for(0, height_, [&](int y) {
+            if (!finite_row(light, y)) finite = false;
             for (int x = 0; x < width_; ++x) {
                 const std::size_t i = index(x, y);
-                const Stokes analyser = analysers.at(x, y, static_cast<std::uint32_t>(i));
-                values_[i] = lit_electrons(sensor, light, analyser, x, y);
+                values_[i] = lit.at(x, y, i);
+                if (crosstalk_)
+                    given_[i] = crosstalk_of(sensor, static_cast<std::uint32_t>(i)) / 4 * values_[i];
             }
         });
+        if (!finite) refuse_infinite_light(light);
     }
 
     [[nodiscard]] double after_crosstalk(int x, int y) const {
-        const double own = values_[index(x, y)];
-        if (crosstalk_ == 0) return own;
-        const double around =
-            values_[index(std::max(x - 1, 0), y)] + values_[index(std::min(x + 1, width_ - 1), y)] +
-            values_[index(x, std::max(y - 1, 0))] + values_[index(x, std::min(y + 1, height_ - 1))];
-        return (1 - crosstalk_) * own + crosstalk_ / 4 * around;
+        const std::size_t i = index(x, y);
+        if (!crosstalk_) return values_[i];
+        const double got =
+            given_[index(std::max(x - 1, 0), y)] + given_[index(std::min(x + 1, width_ - 1), y)] +
+            given_[index(x, std::max(y - 1, 0))] + given_[index(x, std::min(y + 1, height_ - 1))];
+        return values_[i] - 4 * given_[i] + got;
     }
     [[nodiscard]] std::size_t index(int x, int y) const {
         return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
     }
 
 private:
+    static double crosstalk_of(const Sensor& sensor, std::uint32_t pixel) {
+        if (sensor.crosstalk_spread == 0) return sensor.crosstalk;
+        const double error = pixel_errors(sensor, pixel, NoiseOf::crosstalk)[0];
+        return std::clamp(sensor.crosstalk * (1 + sensor.crosstalk_spread * error), 0.0, 1.0);
+    }
+
     int width_, height_;
-    double crosstalk_;
+    bool crosstalk_;
     std::vector<double> values_;
+    std::vector<double> given_;  ///< electrons that a pixel gives to each of its four neighbours
 };
 
-std::uint16_t number_of(const Sensor& sensor, double mean, std::uint32_t pixel, std::uint64_t frame) {
-    double offset = 0;
-    if (sensor.prnu > 0 || sensor.dsnu > 0) {
-        const std::array<double, 2> error = pixel_errors(sensor, pixel, NoiseOf::response);
-        mean = std::max(mean * (1 + sensor.prnu * error[0]), 0.0);
-        offset = sensor.dsnu * error[1];
+/// Numbers of pixels by their mean electrons.
+class Numbers {
+public:
+    Numbers(const Sensor& sensor, std::uint64_t frame)
+        : sensor_(sensor),
+          frame_(frame),
+          dark_(sensor.dark_current * sensor.exposure_time),
+          gain_(gain_of(sensor)),
+          largest_(largest_number(sensor)) {}
+
+    [[nodiscard]] std::uint16_t of(double mean, std::uint32_t pixel) const {
+        double offset = 0;
+        if (sensor_.prnu > 0 || sensor_.dsnu > 0) {
+            const std::array<double, 2> error = pixel_errors(sensor_, pixel, NoiseOf::response);
+            mean = std::max(mean * (1 + sensor_.prnu * error[0]), 0.0);
+            offset = sensor_.dsnu * error[1];
+        }
+        mean += dark_;
+        const std::array<double, 2> u = uniform_pair(sensor_.seed, frame_, pixel, NoiseOf::exposure);
+        const double electrons =
+            std::min(sensor_.shot_noise ? poisson_quantile(u[0], mean) : mean, sensor_.full_well);
+        const double read = sensor_.read_noise > 0 ? sensor_.read_noise * normal_quantile(u[1]) : 0;
+        const double number = std::floor(gain_ * (electrons + read + offset) + sensor_.black_level + 0.5);
+        return static_cast<std::uint16_t>(std::clamp(number, 0.0, largest_));
     }
-    mean += sensor.dark_current * sensor.exposure_time;
-    const std::array<double, 2> u = uniform_pair(sensor.seed, frame, pixel, NoiseOf::exposure);
-    const double electrons =
-        std::min(sensor.shot_noise ? poisson_quantile(u[0], mean) : mean, sensor.full_well);
-    const double read = sensor.read_noise > 0 ? sensor.read_noise * normal_quantile(u[1]) : 0;
-    const double number =
-        std::floor(gain_of(sensor) * (electrons + read + offset) + sensor.black_level + 0.5);
-    return static_cast<std::uint16_t>(std::clamp(number, 0.0, largest_number(sensor)));
-}
+
+private:
+    const Sensor& sensor_;
+    std::uint64_t frame_;
+    double dark_;  ///< mean electrons without light
+    double gain_, largest_;
+};
 
 }  // namespace
 
 RawImage expose(const Sensor& sensor, const StokesImage& light, std::uint64_t frame) {
     light.check("light");
     check(sensor, light.width, light.height, light.channels);
-    require_finite_light(light);
-    const Means means(sensor, light);
+    const bool plain = sensor.blur == 0 && sensor.vignetting == 0;
+    const Means means(sensor, plain ? light : through_lens(sensor, light));
+    const Numbers numbers(sensor, frame);
     RawImage raw{light.width, light.height, {}};
     raw.values.resize(static_cast<std::size_t>(light.width) * static_cast<std::size_t>(light.height));
     tbb::parallel_for(0, light.height, [&](int y) {
         for (int x = 0; x < light.width; ++x) {
             const std::size_t i = means.index(x, y);
-            raw.values[i] =
-                number_of(sensor, means.after_crosstalk(x, y), static_cast<std::uint32_t>(i), frame);
+            raw.values[i] = numbers.of(means.after_crosstalk(x, y), static_cast<std::uint32_t>(i));
         }
     });
     return raw;

@@ -8,15 +8,6 @@
 namespace nicol {
 namespace {
 
-/// Returns exp(-x) for 0 <= x <= 30: the series of exp(-x / 64), squared six times.
-double decay(double x) {
-    const double step = -x / 64;
-    double sum = 1;
-    for (int i = 16; i > 0; --i) sum = 1 + step / i * sum;
-    for (int i = 0; i < 6; ++i) sum *= sum;
-    return sum;
-}
-
 /// Returns the natural logarithm of x > 0: x = m 2^e with m in [1/2, 1), and ln m = 2 artanh((m - 1) / (m +
 /// 1)).
 double logarithm(double x) {
@@ -44,6 +35,15 @@ double poisson_by_sum(double u, double mean) {
 }
 
 }  // namespace
+
+// The series of exp(-x / 64), squared six times.
+double decay(double x) {
+    const double step = -x / 64;
+    double sum = 1;
+    for (int i = 16; i > 0; --i) sum = 1 + step / i * sum;
+    for (int i = 0; i < 6; ++i) sum *= sum;
+    return sum;
+}
 
 std::array<std::uint32_t, 4> philox(std::array<std::uint32_t, 4> counter, std::array<std::uint32_t, 2> key) {
     for (int round = 0; round < 10; ++round) {

@@ -16,6 +16,7 @@ enum class NoiseOf : std::uint32_t {
     exposure,         ///< photons and electrons, read noise; new in each frame
     micro_polarizer,  ///< angle, extinction
     response,         ///< sensitivity, offset
+    crosstalk,
 };
 
 /// Returns one block of Philox 4x32-10, the counter-based generator of Salmon et al. (2011).
@@ -33,6 +34,9 @@ enum class NoiseOf : std::uint32_t {
 /// Returns the quantile of the Poisson distribution for 0 < u < 1 and a finite mean >= 0. From a mean of 30
 /// on the quantile is Giles' expansion (2016), which is wrong by one for less than 1 of 10,000 u.
 [[nodiscard]] double poisson_quantile(double u, double mean);
+
+/// Returns exp(-x) for 0 <= x <= 30, to 1e-14 of it.
+[[nodiscard]] double decay(double x);
 
 /// Returns the cosine and the sine of an angle of at most 2 radians, to 1e-15.
 [[nodiscard]] std::array<double, 2> cosine_and_sine(double angle);

@@ -58,7 +58,10 @@ void check(const Sensor& sensor) {
         Range{"prnu", sensor.prnu, 0, 1, "relative"},
         Range{"extinction_spread", sensor.extinction_spread, 0, 1, "relative"},
         Range{"misalignment", sensor.misalignment, 0, 5, "degrees"},
-        Range{"crosstalk", sensor.crosstalk, 0, 0.8, "fraction of a pixel's electrons"}};
+        Range{"crosstalk", sensor.crosstalk, 0, 0.8, "fraction of a pixel's electrons"},
+        Range{"crosstalk_spread", sensor.crosstalk_spread, 0, 1, "relative"},
+        Range{"blur", sensor.blur, 0, 16, "pixels"},
+        Range{"vignetting", sensor.vignetting, 0, 0.99, "part of the light"}};
     for (const Range& range : ranges) check(range);
     check_extinction(sensor.extinction_ratio, "extinction_ratio of the sensor");
     const std::size_t efficiencies = sensor.quantum_efficiency.size();

@@ -19,7 +19,7 @@ enum class Mosaic : std::uint32_t {
     polarized_bayer,  ///< the polarizers of `polarized`, each 2 x 2 under one of R G / G B: Sony's IMX250MYR
 };
 
-/// Linear sensor of the standard EMVA 1288. Light reaches it through `optics`. A pixel collects
+/// Linear sensor of the standard EMVA 1288. Light reaches it through a lens and `optics`. A pixel collects
 ///   n = Poisson(quantum_efficiency * exposure * I + dark_current * exposure_time)
 /// electrons, at most full_well, where I is s0 behind the pixel's polarizer, and gives the number
 ///   floor(gain * (n + read_noise * normal + offset) + black_level + 1/2), cut to 0 .. 2^bits - 1.
@@ -46,6 +46,9 @@ struct Sensor {
     double extinction_spread = 0;  ///< relative standard deviation of the transmittance across, over pixels
     double misalignment = 0;       ///< standard deviation of the polarizers' angles, degrees
     double crosstalk = 0;          ///< fraction of a pixel's electrons that go to its four neighbours
+    double crosstalk_spread = 0;   ///< relative standard deviation of that fraction, over pixels
+    double blur = 0;               ///< standard deviation of the lens's blur, pixels
+    double vignetting = 0;         ///< part of the light that the lens loses in the image's corners
 
     /// Returns the identity, the matrix of no optics.
     [[nodiscard]] static Mueller unchanged() {

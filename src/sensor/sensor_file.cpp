@@ -32,7 +32,10 @@ constexpr std::array kNumbers{NumberKey{"exposure", &Sensor::exposure},
                               NumberKey{"extinction_ratio", &Sensor::extinction_ratio},
                               NumberKey{"extinction_spread", &Sensor::extinction_spread},
                               NumberKey{"misalignment", &Sensor::misalignment},
-                              NumberKey{"crosstalk", &Sensor::crosstalk}};
+                              NumberKey{"crosstalk", &Sensor::crosstalk},
+                              NumberKey{"crosstalk_spread", &Sensor::crosstalk_spread},
+                              NumberKey{"blur", &Sensor::blur},
+                              NumberKey{"vignetting", &Sensor::vignetting}};
 constexpr std::array kMosaics{"plain", "polarized", "polarized_bayer"};
 constexpr std::array kPresets{"imx250mzr", "imx250myr"};
 constexpr std::array kKinds{"polarizer", "retarder", "right_circular", "left_circular"};

@@ -148,7 +148,7 @@ class Success(ConvertTest):
         # An even grey of 51 is 0.2 of the largest number, behind each polarizer: s0 is 0.4, unpolarized.
         self.write("raw.png", grey_png(4, 2, 51))
         self.write("sensor.json", '{"bits": 8, "gain": 0.255, "full_well": 1000, "exposure": 1000, "quantum_efficiency": 1}')
-        for method, size in (("bilinear", (4, 2)), ("blocks", (2, 1))):
+        for method, size in (("bilinear", (4, 2)), ("gradient", (4, 2)), ("blocks", (2, 1))):
             self.assert_succeeds("--demosaic", method, "raw.png", "out/a.exr", "--sensor", "sensor.json")
             with open(self.path("out/a.exr"), "rb") as file:
                 data = file.read()

@@ -171,6 +171,53 @@ TEST_CASE("crosstalk gives a part of each pixel to its neighbours and loses noth
     CHECK(sum == 60000);
 }
 
+TEST_CASE("crosstalk by pixel has the deviation that is asked for, and loses nothing") {
+    Sensor sensor = quiet_sensor(Mosaic::plain);
+    sensor.crosstalk = 0.2;
+    sensor.crosstalk_spread = 0.25;
+    // Pixels alone in the dark keep what they do not give away.
+    StokesImage light(384, 384, 1);
+    std::vector<std::uint16_t> kept;
+    for (int y = 1; y < light.height; y += 3)
+        for (int x = 1; x < light.width; x += 3) light.at(0, y, x)[0] = 1;
+    const RawImage raw = expose(sensor, light, 0);
+    double sum = 0;
+    for (const double v : raw.values) sum += v;
+    for (std::size_t y = 1; y < 384; y += 3)
+        for (std::size_t x = 1; x < 384; x += 3) kept.push_back(raw.values[384 * y + x]);
+    CHECK(sum / static_cast<double>(kept.size()) == doctest::Approx(40000).epsilon(1e-4));
+    CHECK(moments(kept).mean == doctest::Approx(32000).epsilon(0.002));
+    CHECK(std::sqrt(moments(kept).variance) == doctest::Approx(0.05 * 40000).epsilon(0.02));
+    CHECK(expose(sensor, light, 1).values == raw.values);  // it belongs to the pixel, not to the frame
+}
+
+TEST_CASE("a lens blurs light by the deviation that is asked for, and darkens corners as cosines do") {
+    Sensor sensor = quiet_sensor(Mosaic::plain);
+    sensor.blur = 1.5;
+    StokesImage light(41, 41, 1);
+    light.at(0, 20, 20)[0] = 1.5F;
+    const RawImage spot = expose(sensor, light, 0);
+    double sum = 0, spread = 0;
+    for (int i = 0; i < 41 * 41; ++i) {
+        const double value = spot.values[static_cast<std::size_t>(i)];
+        sum += value;
+        spread += value * (i % 41 - 20) * (i % 41 - 20);
+    }
+    CHECK(sum == doctest::Approx(60000).epsilon(1e-3));
+    CHECK(std::sqrt(spread / sum) == doctest::Approx(1.5).epsilon(0.01));
+    CHECK(spot.values[20 * 41 + 22] == spot.values[22 * 41 + 20]);
+    CHECK(expose(sensor, even_light(6, 4, 1, {0.5F, 0, 0, 0}), 0).values ==
+          std::vector<std::uint16_t>(24, 20000));
+
+    sensor.blur = 0;
+    sensor.vignetting = 0.36;
+    const RawImage dark = expose(sensor, even_light(41, 41, 1, {1, 0, 0, 0}), 0);
+    CHECK(dark.values[20 * 41 + 20] == 40000);
+    CHECK(dark.values[0] == 40000 * 64 / 100);
+    // The corner's tangent squared is 1 / 0.8 - 1 = 0.25; half way to the corner it is a quarter of that.
+    CHECK(dark.values[10 * 41 + 10] == doctest::Approx(40000 / (1.0625 * 1.0625)).epsilon(1e-4));
+}
+
 TEST_CASE("elements in front of the sensor act as their Mueller matrices, in the order of the light") {
     Sensor sensor = quiet_sensor();
     PolarizationElement polarizer, plate;
@@ -233,6 +280,9 @@ TEST_CASE("bad sensors, sizes and light are refused by name") {
     refused([](Sensor& s) { s.black_level = 4095; }, "black_level");
     refused([](Sensor& s) { s.extinction_ratio = 0.5; }, "extinction_ratio of the sensor is 0.5");
     refused([](Sensor& s) { s.misalignment = 90; }, "misalignment");
+    refused([](Sensor& s) { s.crosstalk_spread = 2; }, "crosstalk_spread of the sensor is 2");
+    refused([](Sensor& s) { s.blur = 17; }, "blur of the sensor is 17; it must lie in 0 to 16: pixels");
+    refused([](Sensor& s) { s.vignetting = 1; }, "vignetting of the sensor is 1");
     refused([](Sensor& s) { s.quantum_efficiency = {0}; }, "quantum_efficiency of the sensor is 0");
     refused([](Sensor& s) { s.quantum_efficiency = {0.5, 0.5}; }, "2 values; the image has 1 channels");
     refused([](Sensor& s) { s.optics(1, 2) = HUGE_VAL; }, "optics[6]");

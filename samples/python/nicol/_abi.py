@@ -152,6 +152,7 @@ SENSOR_PRESET_IMX250MZR = 0
 SENSOR_PRESET_IMX250MYR = 1
 DEMOSAIC_BILINEAR = 0
 DEMOSAIC_BLOCKS = 1
+DEMOSAIC_GRADIENT = 2
 HOST_SETS_STATE = 1
 HOST_VALIDATE = 2
 ENCODING_LINEAR = 0
@@ -1607,7 +1608,7 @@ class Sensor(Struct):
     electrons, at most full_well, where I is s0 behind the optics and the pixel's polarizer, and gives the number
         floor(gain * (n + read noise + offset) + black_level + 1/2), cut to 0 .. 2^bits - 1.
     Noise belongs to the seed, the frame and the pixel. The polarizers' angles and transmittances, the offsets and the
-    sensitivities belong to the seed and the pixel. All of them have the same bits on every machine and for any number
+    sensitivities belong to the seed and the pixel, as does the crosstalk. All of them have the same bits on every machine and for any number
     of threads, so that the same Stokes image gives the same bytes.
 
     Fields:
@@ -1632,6 +1633,10 @@ class Sensor(Struct):
     extinction_spread: relative standard deviation of the transmittance across, 0 to 1, default 0
     misalignment: standard deviation of the polarizers' angles, degrees, 0 to 5, default 0
     crosstalk: fraction of a pixel's electrons that its four neighbours get, 0 to 0.8, default 0
+    crosstalk_spread: relative standard deviation of that fraction over pixels, 0 to 1, default 0
+    blur: standard deviation of the lens's blur, which is normal, pixels, 0 to 16, default 0
+    vignetting: Part of the light that the lens loses in the image's corners, 0 to 0.99, default 0. The rest of the
+        image follows the fourth power of the cosine of the angle from the optical axis, the image's middle.
     quantum_efficiency: Quantum efficiency of the channels, above 0 and at most 1, for light along the polarizer's axis;
         default 0.6."""
     _fields_ = [
@@ -1654,6 +1659,9 @@ class Sensor(Struct):
         ("extinction_spread", c_double),
         ("misalignment", c_double),
         ("crosstalk", c_double),
+        ("crosstalk_spread", c_double),
+        ("blur", c_double),
+        ("vignetting", c_double),
         ("quantum_efficiency", Spectrum),
         ("reserved", c_uint32),
     ]
@@ -1675,6 +1683,9 @@ class Sensor(Struct):
     extinction_spread: float
     misalignment: float
     crosstalk: float
+    crosstalk_spread: float
+    blur: float
+    vignetting: float
     quantum_efficiency: Any
 
     def set_preset(self, preset: Any) -> Self:
@@ -3353,6 +3364,7 @@ __all__ = [
     "ContextOptions",
     "DEMOSAIC_BILINEAR",
     "DEMOSAIC_BLOCKS",
+    "DEMOSAIC_GRADIENT",
     "DEPTH_MAPPING_ORTHOGRAPHIC",
     "DEPTH_MAPPING_ORTHOGRAPHIC_REVERSED",
     "DEPTH_MAPPING_PERSPECTIVE",

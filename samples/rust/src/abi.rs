@@ -157,6 +157,7 @@ pub const NICOL_SENSOR_PRESET_IMX250MZR: u32 = 0;
 pub const NICOL_SENSOR_PRESET_IMX250MYR: u32 = 1;
 pub const NICOL_DEMOSAIC_BILINEAR: u32 = 0;
 pub const NICOL_DEMOSAIC_BLOCKS: u32 = 1;
+pub const NICOL_DEMOSAIC_GRADIENT: u32 = 2;
 pub const NICOL_HOST_SETS_STATE: u32 = 1;
 pub const NICOL_HOST_VALIDATE: u32 = 2;
 pub const NICOL_ENCODING_LINEAR: u32 = 0;
@@ -1376,7 +1377,7 @@ pub type nicol_mosaic = u32;
 /// electrons, at most full_well, where I is s0 behind the optics and the pixel's polarizer, and gives the number
 ///     floor(gain * (n + read noise + offset) + black_level + 1/2), cut to 0 .. 2^bits - 1.
 /// Noise belongs to the seed, the frame and the pixel. The polarizers' angles and transmittances, the offsets and the
-/// sensitivities belong to the seed and the pixel. All of them have the same bits on every machine and for any number
+/// sensitivities belong to the seed and the pixel, as does the crosstalk. All of them have the same bits on every machine and for any number
 /// of threads, so that the same Stokes image gives the same bytes.
 #[repr(C)]
 #[derive(Clone, Copy)]
@@ -1400,12 +1401,15 @@ pub struct nicol_sensor {
     pub extinction_spread: f64,
     pub misalignment: f64,
     pub crosstalk: f64,
+    pub crosstalk_spread: f64,
+    pub blur: f64,
+    pub vignetting: f64,
     pub quantum_efficiency: nicol_spectrum,
     pub reserved: u32,
 }
 defaults!(nicol_sensor, nicol_sensor_init);
 const _: () = {
-    assert!(size_of::<nicol_sensor>() == 328);
+    assert!(size_of::<nicol_sensor>() == 352);
     assert!(offset_of!(nicol_sensor, struct_size) == 0);
     assert!(offset_of!(nicol_sensor, mosaic) == 4);
     assert!(offset_of!(nicol_sensor, bits) == 8);
@@ -1425,8 +1429,11 @@ const _: () = {
     assert!(offset_of!(nicol_sensor, extinction_spread) == 232);
     assert!(offset_of!(nicol_sensor, misalignment) == 240);
     assert!(offset_of!(nicol_sensor, crosstalk) == 248);
-    assert!(offset_of!(nicol_sensor, quantum_efficiency) == 256);
-    assert!(offset_of!(nicol_sensor, reserved) == 324);
+    assert!(offset_of!(nicol_sensor, crosstalk_spread) == 256);
+    assert!(offset_of!(nicol_sensor, blur) == 264);
+    assert!(offset_of!(nicol_sensor, vignetting) == 272);
+    assert!(offset_of!(nicol_sensor, quantum_efficiency) == 280);
+    assert!(offset_of!(nicol_sensor, reserved) == 348);
 };
 pub type nicol_sensor_preset = u32;
 
