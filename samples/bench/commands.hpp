@@ -22,6 +22,9 @@ Report bench_calls(const Options& options);
 /// Measures errors of a mesh of few triangles, at vertices and at pixels.
 Report bench_coarse(const Options& given);
 
+/// Measures the steps from a picture to its files.
+Report bench_dataset(const Options& options);
+
 /// Measures what a change of objects, materials or light costs the frame after it.
 Report bench_edit(const Options& options);
 Report bench_motion(const Options& options);

@@ -164,6 +164,9 @@ def check_times(folder, scene):
     assert "dense 2: camera" in rows and rows["factored 2: light"]["relight ms"] > 0, rows
     assert rows["dense 2: camera"]["kept MB"] > rows["factored 2: camera"]["kept MB"] > 0, rows
 
+    pictures = table(folder, "dataset", scene, "--size", 16)
+    assert len(pictures) == 6 and all(row["a minute"] > 0 and row["processor ms"] > 0 for row in pictures.values()), pictures
+
     bakes = table(folder, "bake", scene)
     assert list(bakes) == ["512", "2048", "8192"], bakes
     for row in bakes.values():
