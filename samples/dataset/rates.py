@@ -1,10 +1,14 @@
 # SPDX-License-Identifier: MIT
 """Prints how many pictures of 512 x 512 a minute nicol-dataset makes, and the processor time of each: of a scene whose shadows
-are known, with files (mosaic PNG, Stokes EXR) and without, and with a new object and light in each.
-usage: rates.py [--frames N]"""
+are known, with files (mosaic PNG, Stokes EXR) and without, and with a new object and light in each. --nodes: instead, new
+objects by one program and by two, each on a core of its own, as a cluster's nodes of one core are.
+usage: rates.py [--frames N] [--nodes]"""
 
 import argparse
 import os
+import resource
+import subprocess
+import sys
 import tempfile
 import time
 
@@ -22,10 +26,48 @@ def measured(label, renderer, folder, frames):
     print(f"{label:42} {60 * len(frames) / seconds:7,.0f} a minute {1000 * used / len(frames):7,.0f} ms of processor time each")
 
 
+def children_used():
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
+
+
+def nodes(cores, count):
+    """Renders count frames for each core, and returns pictures a minute, by the clock and by processor time alone."""
+    command = [sys.executable, "-m", "nicol.dataset", os.path.join(HERE, "random.json"), "--threads", "1"]
+    with tempfile.TemporaryDirectory() as place:
+        start, used = time.monotonic(), children_used()
+        programs = [
+            subprocess.Popen(
+                [*command, "--output", place, "--frames", f"{i * count}:{(i + 1) * count}"],
+                preexec_fn=lambda core=core: os.sched_setaffinity(0, {core}), stdout=subprocess.DEVNULL,
+            )
+            for i, core in enumerate(cores)
+        ]  # fmt: skip
+        if any([program.wait() for program in programs]):
+            sys.exit("a program failed")
+        seconds, used = time.monotonic() - start, children_used() - used
+    return 60 * count * len(cores) / seconds, 60 * count * len(cores) / (used / len(cores))
+
+
+def compare_nodes(count):
+    cores = sorted(os.sched_getaffinity(0))[:2]
+    if len(cores) < 2:
+        sys.exit("two nodes need two cores")
+    one, two = nodes(cores[:1], count), nodes(cores, count)
+    print(f"one node of one core  {one[0]:7,.0f} a minute {one[1]:7,.0f} a minute of processor time")
+    print(f"two nodes             {two[0]:7,.0f} a minute {two[1]:7,.0f} a minute of processor time on each")
+    print(f"two nodes over twice one node: {two[0] / one[0] / 2:.2f}, by processor time {two[1] / one[1] / 2:.2f}")
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--frames", type=int, default=200)
-    count = parser.parse_args().frames
+    parser.add_argument("--nodes", action="store_true")
+    given = parser.parse_args()
+    count = given.frames
+    if given.nodes:
+        compare_nodes(max(1, count // 10))
+        return
     recipe = Recipe(os.path.join(HERE, "orbit.json"))
     renderer = Renderer(recipe)
     render(renderer, None, range(0, recipe.views, 5))  # bakes what the views show

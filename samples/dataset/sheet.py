@@ -33,14 +33,14 @@ def wheel(dolp, aolp):
 
 
 def save_png(path, image):
-    """Writes R G B (height, width, 3) as PNG: numbers of 8 or 16 bits, or colours from 0 to 1 as 8 bits."""
+    """Writes R G B, or R G B A, (height, width, 3 or 4) as PNG: numbers of 8 or 16 bits, or colours from 0 to 1 as 8 bits."""
     numbers = numpy.rint(255 * image).astype(numpy.uint8) if image.dtype.kind == "f" else image
-    height, width, _ = numbers.shape
+    height, width, channels = numbers.shape
     rows = numbers.astype(numbers.dtype.newbyteorder(">")).reshape(height, -1).view(numpy.uint8)
     lines = numpy.concatenate([numpy.zeros((height, 1), numpy.uint8), rows], axis=1)
     with open(path, "wb") as file:
         file.write(b"\x89PNG\r\n\x1a\n")
-        header = struct.pack(">IIBBBBB", width, height, 8 * numbers.itemsize, 2, 0, 0, 0)
+        header = struct.pack(">IIBBBBB", width, height, 8 * numbers.itemsize, {3: 2, 4: 6}[channels], 0, 0, 0)
         for name, data in ((b"IHDR", header), (b"IDAT", zlib.compress(lines.tobytes())), (b"IEND", b"")):
             file.write(struct.pack(">I", len(data)) + name + data + struct.pack(">I", zlib.crc32(name + data)))
 

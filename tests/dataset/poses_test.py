@@ -105,6 +105,18 @@ class PosesTest(DataSetTest):
             self.assertLessEqual(row[15], depth.min() + 1e-4)
             self.assertGreaterEqual(row[16], depth.max() - 1e-4)
 
+    def test_two_cameras(self):
+        camera = {**RECIPE["camera"], "baseline": 0.2}
+        self.render(self.recipe(**{**RECIPE, "camera": camera}), "0:4", "rig")
+        for left in (0, 2):
+            poses = []
+            for frame in (left, left + 1):
+                with open(self.path("rig", "frames", f"{frame:06d}", "frame.json")) as file:
+                    poses.append(json.load(file)["camera"])
+            self.assertEqual([poses[0]["K"], poses[0]["R"]], [poses[1]["K"], poses[1]["R"]])
+            # Points are further to the left in the picture of the right camera.
+            numpy.testing.assert_allclose(numpy.subtract(poses[1]["t"], poses[0]["t"]), [-0.2, 0, 0], atol=1e-9)
+
     def test_normals_of_the_camera(self):
         for number in range(4):
             with open(self.path("out", "frames", f"{number:06d}", "frame.json")) as file:

@@ -1,8 +1,11 @@
 # SPDX-License-Identifier: MIT
 """Recipes and folders that cannot be used: one clear line, exit code 2, and nothing complete is lost."""
 
+import importlib.util
 import json
 import os
+import shutil
+import subprocess
 import unittest
 
 from data_set import DataSetTest
@@ -12,7 +15,7 @@ PLASTIC = {"type": "pplastic"}
 RECIPES = [
     ({"sede": 1}, "recipe.json: sede: unknown key; did you mean seed?"),
     ({"objects": [{"mesh": "cube", "colour": 1}]}, "objects[0].colour: unknown key; known are count, material"),
-    ({"camera": {"zoom": 2}}, "camera.zoom: unknown key; known are azimuth, distance, elevation"),
+    ({"camera": {"zoom": 2}}, "camera.zoom: unknown key; known are azimuth, baseline, distance, elevation"),
     ({"light": {"sun": {"hight": 3}}}, "light.sun.hight: unknown key"),
     ({"objects": [{"mesh": "cube", "material": {"type": "pplastic", "alhpa": 1}}]}, "material.alhpa: unknown key; did you mean alpha?"),
     ({"render": {"time_budget_ms": 5}}, "render.time_budget_ms: unknown key"),
@@ -35,6 +38,7 @@ RECIPES = [
     ({"camera": {"azimuth": {"log_uniform": [-1, 1]}}}, "both ends must be above 0"),
     ({"camera": {"azimuth": {"uniform": [0, float("inf")]}}}, "camera.azimuth.uniform: [0, inf]; it must be two ends"),
     ({"camera": {"position": [0, 0, 1], "azimuth": 3}}, "camera.azimuth: position already says where the camera is"),
+    ({"camera": {"baseline": 0.1}}, "camera.baseline: a rig of two cameras needs an even number of views, not 1"),
     ({"camera": {"position": {"path": [[0, 0, 1]]}}}, "camera.position.path: [[0, 0, 1]]; it must be a list of two points or more"),
     ({"camera": {"position": [1, 1, 1], "target": [1, 1, 1]}}, "camera: position and target are the same point"),
     ({"objects": [{"mesh": "cube", "material": {"alpha": 1}}]}, "material: type is missing; it must be one of conductor"),
@@ -53,6 +57,7 @@ RECIPES = [
     ({"seed": -1}, "seed: -1; it must be a whole number"),
     ({"sensor": {"bitts": 8}}, 'sensor: "bitts" must be one of: preset'),
     ({"sensor": {"bits": 7}}, "sensor: bits"),
+    ({"exposure": 0}, "exposure: 0; it must be a number of at least 1e-09"),
     ({"render": {"pixel_samples": 5000}}, "frame 0: pixel_samples"),
     ({"render": {"method": "fast"}}, "render.method: 'fast'; it must be one of dense, factored, reference"),
     ({"render": {"tolerance": {"uniform": [0.01, 0.1]}}}, "render.tolerance: drawn; it must be the same in all frames"),
@@ -85,6 +90,17 @@ class RefusedTest(DataSetTest):
                 file.write(text)
             self.assertIn(said, self.refused(self.path("recipe.json"), "--check"))
         self.assertIn("No such file", self.refused(self.path("none.json"), "--check"))
+
+    def test_yaml(self):
+        yaml = self.path("recipe.yaml")
+        for text, said in (("seed: [", "not YAML"), ("sede: 1", "sede: unknown key; did you mean seed?"), ("", "it must be an object")):
+            with open(yaml, "w") as file:
+                file.write(text)
+            if importlib.util.find_spec("yaml"):
+                self.assertIn(said, self.refused(yaml, "--check"))
+        ended = self.start("sys.modules['yaml'] = None", yaml, "--check")
+        self.assertEqual((ended.returncode, ended.stderr.count("\n")), (2, 1), ended.stderr)
+        self.assertIn("recipe.yaml: YAML needs the Python package PyYAML; install it, or write the recipe as JSON", ended.stderr)
 
     def test_frames(self):
         recipe = self.recipe()
@@ -137,6 +153,40 @@ outputs.write = full"""
         self.assertEqual([name for name in os.listdir(self.path("full")) if name.startswith(".work-")], [])
         self.render(recipe, "0:4", "full")
         self.assert_same_tree("once", "full")
+
+    @unittest.skipIf(os.geteuid() or not shutil.which("mount"), "only root mounts a file system of its own")
+    def test_small_file_system(self):
+        recipe = self.recipe(write={"stokes": "npy"})
+        self.render(recipe, "0:6", "once")
+        os.mkdir(self.path("small"))
+        mounted = subprocess.run(["mount", "-t", "tmpfs", "-o", "size=144k", "nicol", self.path("small")], capture_output=True, text=True)
+        if mounted.returncode:
+            self.skipTest(mounted.stderr)
+        self.addCleanup(subprocess.run, ["umount", self.path("small")], check=True)
+        err = self.refused(recipe, "--frames", "0:6", "--output", self.path("small"))
+        self.assertIn("No space left on device", err)
+        whole = sorted(os.listdir(self.path("small", "frames")))
+        self.assertGreater(len(whole), 0)
+        self.assertEqual([name for name in os.listdir(self.path("small")) if name.startswith(".work-")], [])
+        once, small = self.tree("once"), self.tree("small")
+        for name in (f"frames/{frame}/{file}" for frame in whole for file in ("stokes.npy", "frame.json")):
+            self.assertEqual(small[name], once[name])
+
+    def test_copies(self):
+        recipe = self.recipe()
+        before = "sys.modules['fsspec'] = None"
+        ended = self.start(before, recipe, "--frames", "0:1", "--output", self.path("out"), "--copy-to", "s3://bucket")
+        self.assertEqual((ended.returncode, ended.stderr.count("\n")), (2, 1), ended.stderr)
+        self.assertIn("s3://bucket: copies need the Python package fsspec", ended.stderr)
+        if importlib.util.find_spec("fsspec"):
+            err = self.refused(recipe, "--frames", "0:1", "--output", self.path("out"), "--copy-to", "s4://bucket")
+            self.assertIn("s4://bucket: cannot be written", err)
+            there = self.path("there")
+            self.render(recipe, "0:2", "out", "--copy-to", f"file://{there}")
+            os.remove(self.path("there", "frames", "000001", "frame.json"))
+            self.render(recipe, "0:3", "out", "--copy-to", f"file://{there}")
+            os.remove(self.path("out", ".lock"))
+            self.assert_same_tree("out", "there")
 
     def test_verify(self):
         recipe = self.recipe()

@@ -9,12 +9,13 @@ import numpy
 from .scenes import direction
 
 
-def camera(recipe, stage, draw):
+def camera(recipe, stage, frame):
     """Returns the camera of a frame. Without a position it is at an azimuth and elevation around its target, at `distance`
-    times the distance from which the sphere around the objects fills the image."""
+    times the distance from which the sphere around the objects fills the image. With a baseline, even frames are those of the
+    left camera of a rig, and odd ones those of the right camera, which is that far from it."""
     if "camera" not in recipe.parts and "scene" in recipe.parts:
         return stage.scene.get_camera()
-    drawn = recipe.parts["camera"].at(draw) if "camera" in recipe.parts else {}
+    drawn = recipe.parts["camera"].at(recipe.camera_draw(frame)) if "camera" in recipe.parts else {}
     fov = drawn.get("fov", 40)
     target = numpy.array(drawn.get("target", (stage.lower + stage.upper) / 2), float)
     radius = max(numpy.linalg.norm(stage.upper - stage.lower) / 2, 1e-9)
@@ -32,7 +33,11 @@ def camera(recipe, stage, draw):
     if "roll" in drawn:
         up = _rolled(view / length, up, math.radians(drawn["roll"]))
     made = nicol.Camera(fov=fov, near_clip=max(1e-3 * radius, 1e-6), far_clip=math.inf)
-    return made.look_at(list(place), list(target), list(up))
+    made.look_at(list(place), list(target), list(up))
+    half = drawn.get("baseline", 0) / 2 * (-1 if frame % 2 else 1)
+    for row in range(3):
+        made.to_world[4 * row + 3] += half * made.to_world[4 * row]  # x points to the image's left
+    return made
 
 
 def _rolled(view, up, angle):

@@ -18,15 +18,19 @@ def aovs(names):
     return sum({known.get(_OF_PICTURE.get(name, name), 0) for name in names})
 
 
-def read(framebuffer, names, R):
+def read(framebuffer, names, R, half=()):
     """Returns arrays of the last render by name: stokes (height, width, channels, 4); s0, dolp and aolp (height, width,
     channels), the angle in radians in (-pi/2, pi/2]; depth along the view; normals in the world, and normals_camera with x to
     the right, y up and z towards the camera; positions; ids, 4294967295 without a surface; alpha. The rows of R are the
-    camera's right, down and forward."""
+    camera's right, down and forward. half: may name stokes, which then has 16-bit floats."""
     picture = nicol.Picture(framebuffer)
     arrays = {}
     for name in names:
         if name in SENSED:
+            continue
+        if name in half:
+            room = numpy.empty((picture.height, picture.width, picture.channels, 4), numpy.float16)
+            arrays[name] = framebuffer.plane(nicol.PLANE_STOKES, nicol.ALL_CHANNELS, room)
             continue
         arrays[name] = getattr(picture, _OF_PICTURE.get(name, name))
         if name == "normals_camera":
@@ -36,41 +40,53 @@ def read(framebuffer, names, R):
     return arrays
 
 
-def sense(sensor, stokes, names, frame, exposure):
-    """Returns the raw numbers of the sensor for light of (height, width, channels, 4), by name: mosaic (height, width), and
-    angles (4, height, width), which the sensor gives without polarizers and colour filters of its own behind a polarizer at 0,
-    45, 90 and 135 degrees. Each of the five has noise of its own."""
-    light = numpy.ascontiguousarray(stokes * numpy.float32(exposure))
+def sense(sensor, framebuffer, names, frame, exposure):
+    """Returns the raw numbers of the sensor for the last render, by name: mosaic (height, width), and angles (4, height,
+    width), which the sensor gives without polarizers and colour filters of its own behind a polarizer at 0, 45, 90 and 135
+    degrees. Each of the five has noise of its own. exposure: factor on the light."""
     arrays = {}
     if "mosaic" in names:
-        arrays["mosaic"] = sensor.capture(light, 5 * frame)
+        arrays["mosaic"] = _exposed(sensor, exposure).capture(framebuffer, 5 * frame)
     if "angles" in names:
         arrays["angles"] = numpy.stack([
-            behind(sensor, angle).capture(light, 5 * frame + 1 + i) for i, angle in enumerate(ANGLES)
+            _exposed(behind(sensor, angle), exposure).capture(framebuffer, 5 * frame + 1 + i) for i, angle in enumerate(ANGLES)
         ])  # fmt: skip
     return arrays
+
+
+def _automatic_exposure(sensor):
+    """Returns the photons of s0 = 1 that fill the well of a sensor with polarizers, see nicol_sensor."""
+    efficiency = sensor.quantum_efficiency
+    return 2 * sensor.full_well / max(list(efficiency.values)[: efficiency.count] or [0.6])
+
+
+def _changed(sensor, **changes):
+    fields = {name: getattr(sensor, name) for name in type(sensor)._types_ if name not in ("struct_size", "reserved")}
+    return nicol.Sensor(**fields | changes)
+
+
+def _exposed(sensor, factor):
+    """Returns the sensor with more photons by a factor."""
+    half = 0.5 if sensor.mosaic == nicol.MOSAIC_PLAIN else 1
+    return _changed(sensor, exposure=factor * (sensor.exposure or half * _automatic_exposure(sensor)))
 
 
 def behind(sensor, angle):
     """Returns the sensor without polarizers and colour filters on its pixels, behind a polarizer. An automatic exposure
     stays that of the mosaic: unpolarized light of s0 = 1 fills the well behind the polarizer."""
-    fields = {name: getattr(sensor, name) for name in type(sensor)._types_ if name not in ("struct_size", "reserved")}
-    plain = nicol.Sensor(**fields | {"mosaic": nicol.MOSAIC_PLAIN})
-    if not plain.exposure:
-        efficiency = sensor.quantum_efficiency
-        plain.exposure = 2 * sensor.full_well / max(list(efficiency.values)[: efficiency.count] or [0.6])
+    plain = _changed(sensor, mosaic=nicol.MOSAIC_PLAIN, exposure=sensor.exposure or _automatic_exposure(sensor))
     polarizer = nicol.PolarizationElement(kind=nicol.POLARIZATION_ELEMENT_POLARIZER, angle=angle)
     plain.add_element(polarizer, sensor.extinction_ratio)
     return plain
 
 
-def exposure_of(recipe, draw, stokes):
+def exposure_of(recipe, draw, framebuffer):
     """Returns the factor on light before the sensor."""
     if "exposure" not in recipe.parts:
         return 1.0
     drawn = recipe.parts["exposure"].at(draw)
     if not isinstance(drawn, dict):
         return float(drawn)
-    s0 = stokes[..., 0].mean(axis=-1, dtype=numpy.float64)
-    bright = float(numpy.percentile(s0, drawn["percentile"]))
+    s0 = numpy.moveaxis(framebuffer.plane(nicol.PLANE_S0, nicol.ALL_CHANNELS), -1, 0)
+    bright = float(numpy.percentile(sum(s0), drawn["percentile"])) / len(s0)
     return float(drawn.get("level", 0.8)) / bright if bright > 0 else 1.0

@@ -10,7 +10,7 @@ import time
 
 import nicol
 
-from . import outputs
+from . import outputs, store
 from .folder import Folder, FolderError
 from .recipe import Recipe
 from .renderer import Renderer
@@ -31,9 +31,10 @@ def _parser():
     parser = argparse.ArgumentParser(
         prog="nicol-dataset", description="Renders frames of a recipe. The bytes of a frame depend on the recipe and its number "
         "alone. Frames that are complete are not rendered again.")  # fmt: skip
-    parser.add_argument("recipe", metavar="RECIPE", help="JSON file, see samples/dataset/README.md")
+    parser.add_argument("recipe", metavar="RECIPE", help="JSON or YAML file, see samples/dataset/README.md")
     parser.add_argument("--frames", metavar="A:B", type=_range, help="frames A to B - 1")
     parser.add_argument("--output", metavar="DIR", help="folder of the data set, made if missing")
+    parser.add_argument("--copy-to", metavar="URL", help="also copies frames A to B - 1 there, by fsspec: s3://bucket/name, ...")
     parser.add_argument("--threads", metavar="N", type=int, default=0, help="default: one per core")
     parser.add_argument("--check", action="store_true", help="reads the recipe and tries its ranges, and renders nothing")
     parser.add_argument(
@@ -74,7 +75,7 @@ class _Writer:
         self.free[framebuffer.get_size()[2]].append(framebuffer)
 
     def _write(self, picture, framebuffer):
-        self.renderer.sense(picture, self.wanted)
+        self.renderer.sense(picture, self.wanted, framebuffer)
         if self.folder is None:
             return
         place = self.folder.begin(picture.facts["frame"])
@@ -85,11 +86,12 @@ class _Writer:
 
 def render(renderer, folder, frames):
     """Renders frames and writes them into a folder, if there is one; returns how many."""
-    writer = _Writer(renderer, folder)
+    writer, write = _Writer(renderer, folder), renderer.recipe.write
+    half = ("stokes",) if write.get("stokes", {}).get("half") else ()
     try:
         for frame in frames:
             framebuffer = writer.framebuffer(frame)
-            writer.add(renderer.render(frame, tuple(renderer.recipe.write), framebuffer), framebuffer)
+            writer.add(renderer.render(frame, tuple(write), framebuffer, half), framebuffer)
         writer.finish()
     finally:
         writer.close()
@@ -118,6 +120,8 @@ def _run(arguments):
         missing = [frame for frame in arguments.frames if not folder.has(frame)]
         render(renderer, folder, missing)
         folder.index()
+    if arguments.copy_to:
+        store.copy(folder, arguments.frames, arguments.copy_to)
     _report(len(missing), len(arguments.frames) - len(missing), time.monotonic() - start, f" in {arguments.output}")
     return 0
 

@@ -67,14 +67,14 @@ _LIGHT = {"environment": reader.varied(_environment), "rotation": reader.number(
           "sun": reader.table(_SUN), "per": reader.one_of("scene", "frame")}  # fmt: skip
 _CAMERA = {
     "fov": reader.number(0.1, 170), "azimuth": reader.number(), "elevation": reader.number(-90, 90),
-    "distance": reader.number(1e-3), "roll": reader.number(), "position": reader.vector, "target": reader.vector,
+    "distance": reader.number(1e-3), "baseline": reader.number(1e-9), "roll": reader.number(), "position": reader.vector, "target": reader.vector,
 }  # fmt: skip
 _EXPOSURE = {"percentile": reader.number(0, 100, ranges=()), "level": reader.number(1e-3)}
 
 
 def _exposure(source, json, key):
     automatic = isinstance(json, dict) and "percentile" in json
-    return (reader.table(_EXPOSURE) if automatic else reader.number(0))(source, json, key)
+    return (reader.table(_EXPOSURE) if automatic else reader.number(1e-9))(source, json, key)
 
 
 def _sensor(source, json, key):
@@ -123,18 +123,33 @@ _RECIPE = {
 }
 
 
+def _loaded(path):
+    """Returns what a file says, YAML by its ending or JSON."""
+    with open(path, encoding="utf-8") as file:
+        text = file.read()
+    if not path.lower().endswith((".yaml", ".yml")):
+        try:
+            return json.loads(text)
+        except ValueError as error:
+            raise RecipeError(f"{path}: not JSON: {error}") from None
+    try:
+        import yaml
+    except ImportError:
+        raise RecipeError(f"{path}: YAML needs the Python package PyYAML; install it, or write the recipe as JSON") from None
+    try:
+        return yaml.safe_load(text)
+    except (yaml.YAMLError, ValueError) as error:
+        raise RecipeError(f"{path}: not YAML: {error}") from None
+
+
 class Recipe:
-    """Description of a data set by a JSON file, or by a dictionary of the same form. Paths are relative to the file, or to
+    """Description of a data set by a JSON or YAML file, or by a dictionary of the same form. Paths are relative to the file, or to
     `folder`. Raises RecipeError, and OSError where the file cannot be read."""
 
     def __init__(self, recipe, folder="."):
         if isinstance(recipe, (str, os.PathLike)):
             name, folder = os.fspath(recipe), os.path.dirname(os.fspath(recipe))
-            with open(recipe, encoding="utf-8") as opened:
-                try:
-                    recipe = json.load(opened)
-                except ValueError as error:
-                    raise RecipeError(f"{name}: not JSON: {error}") from None
+            recipe = _loaded(name)
         else:
             name = "recipe"
         self.json, self.source = recipe, reader.Source(name, folder)
@@ -160,6 +175,8 @@ class Recipe:
         for name in ("azimuth", "elevation", "distance"):
             if name in names and "position" in names:
                 self.source.fail(f"camera.{name}", "position already says where the camera is; give one or the other")
+        if "baseline" in names and self.views % 2:
+            self.source.fail("camera.baseline", f"a rig of two cameras needs an even number of views, not {self.views}")
 
     def _check_sweeps(self):
         """Refuses values that follow the views of a scene where they are drawn once for the scene."""
@@ -179,6 +196,11 @@ class Recipe:
     def frame_draw(self, frame):
         """Returns the numbers of a frame."""
         return Draw(self.seed, "frame", frame, frame % self.views / self.views)
+
+    def camera_draw(self, frame):
+        """Returns the numbers of a frame's camera, which a rig of two cameras shares."""
+        rig = "camera" in self.parts and "baseline" in self.parts["camera"].parts
+        return self.frame_draw(frame - frame % 2 if rig else frame)
 
     def fingerprint(self):
         """Returns the SHA-256 of what decides the bytes of a frame: the recipe, the files of its folders with their sizes,

@@ -42,14 +42,14 @@ class Renderer:
         size = self.recipe.width, self.recipe.height
         return nicol.Framebuffer.create(self.context, *size, self.channels(frame))
 
-    def render(self, frame, names, framebuffer):
-        """Renders a frame and returns the picture with the arrays of these names, of what planes.py and the sensor have."""
+    def render(self, frame, names, framebuffer, half=()):
+        """Renders a frame and returns the picture with the arrays of these names that planes.read() has."""
         recipe = self.recipe
         scene, draw = recipe.scene_of(frame), recipe.frame_draw(frame)
         stage = self.stages(scene)
         if recipe.light_per_frame:
             self.studio.light(stage, draw)
-        camera = cameras.camera(recipe, stage, draw)
+        camera = cameras.camera(recipe, stage, frame)
         self.options.seed = draw.bits("render")
         self.options.aovs = planes.aovs(names)
         try:
@@ -57,27 +57,26 @@ class Renderer:
         except nicol.Error as error:
             raise RecipeError(f"{recipe.source.name}: frame {frame}: {error}") from None
         pose = cameras.pose(recipe, stage, camera)
-        sensed = [name for name in names if name in planes.SENSED]
-        needed = [*names, "stokes"] if sensed and "stokes" not in names else names
-        arrays = planes.read(framebuffer, needed, pose["R"])
+        arrays = planes.read(framebuffer, names, pose["R"], half)
         facts = {"frame": frame, "scene": scene, "size": [recipe.width, recipe.height], "camera": pose}
-        facts["drawn"] = self._drawn(scene, draw)
-        if sensed:
-            facts["exposure"] = planes.exposure_of(recipe, draw, arrays["stokes"])
+        facts["bounds"] = [stage.lower.tolist(), stage.upper.tolist()]
+        facts["drawn"] = self._drawn(scene, frame)
+        if any(name in planes.SENSED for name in names):
+            facts["exposure"] = planes.exposure_of(recipe, draw, framebuffer)
         return Picture(facts, arrays)
 
-    def sense(self, picture, names):
-        """Adds the arrays of the sensor to a picture."""
+    def sense(self, picture, names, framebuffer):
+        """Adds the arrays of the sensor to a picture, whose render must be the framebuffer's last."""
         if any(name in planes.SENSED for name in names):
             facts = picture.facts
-            sensed = planes.sense(self.sensor, picture.arrays["stokes"], names, facts["frame"], facts["exposure"])
+            sensed = planes.sense(self.sensor, framebuffer, names, facts["frame"], facts["exposure"])
             picture.arrays |= sensed
 
-    def _drawn(self, scene, draw):
+    def _drawn(self, scene, frame):
         shared = self.recipe.scene_draw(scene)
-        of = {name: shared for name in ("scene", "objects", "floor", "light")} | {"camera": draw}
+        of = {name: shared for name in ("scene", "objects", "floor", "light")} | {"camera": self.recipe.camera_draw(frame)}
         if self.recipe.light_per_frame:
-            of["light"] = draw
+            of["light"] = self.recipe.frame_draw(frame)
         return {name: self.recipe.parts[name].at(of[name]) for name in of if name in self.recipe.parts}
 
     def _stage(self, scene):
