@@ -88,6 +88,22 @@ class CameraTest(unittest.TestCase):
         ahead = numpy.array(to_world) @ [0, 0, -1, 1]
         self.assert_near((numpy.array(self.R) @ ahead[:3] + self.t), [0, 0, 1])
 
+    def test_projection_matrices(self):
+        P = numpy.array(self.K) @ numpy.column_stack([self.R, self.t])
+        for scale in (1, -3):
+            for found, wanted in zip(nicol.Camera.from_projection(scale * P, self.SIZE).to_opencv(self.SIZE), (self.K, self.R, self.t)):
+                self.assert_near(found, wanted)
+        # OpenGL's: what is at (x, y) of the pixels is at (2 x + 1) / width - 1, 1 - (2 y + 1) / height.
+        (width, height), w = self.SIZE, P[2]
+        clip = [(2 * P[0] + w) / width - w, w - (2 * P[1] + w) / height, 1.5 * w - [0, 0, 0, 0.2], w]
+        for found, wanted in zip(nicol.Camera.from_projection(clip, self.SIZE).to_opencv(self.SIZE), (self.K, self.R, self.t)):
+            self.assert_near(found, wanted)
+        skewed = numpy.array([[30, 2, 11], [0, 31, 9], [0, 0, 1.0]]) @ numpy.column_stack([self.R, self.t])
+        with self.assertRaisesRegex(nicol.Error, "without skew"):
+            nicol.Camera.from_projection(skewed, self.SIZE)
+        with self.assertRaisesRegex(ValueError, "P has 9 numbers; it must be 3 x 4 or 4 x 4"):
+            nicol.Camera.from_projection(numpy.eye(3), self.SIZE)
+
     def test_pixels_are_where_opencv_has_them(self):
         with nicol.Context.create() as context:
             scene = scene_of_sphere(context)

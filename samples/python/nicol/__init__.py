@@ -80,6 +80,33 @@ class Camera(_abi.Camera):
         t = [-sum(R[3 * i + j] * m[4 * j + 3] for j in range(3)) for i in range(3)]
         return cls.from_colmap(K, R, t, size)
 
+    @classmethod
+    def from_projection(cls, P, size):
+        """Returns the camera of a projection matrix without skew: 3 x 4, from points of the world to pixels of OpenCV, or 4 x 4,
+        OpenGL's projection times its view, whose depth is ignored: near_clip and far_clip have their defaults."""
+        p = _flat(P)
+        if len(p) not in (12, 16):
+            raise ValueError(f"P has {len(p)} numbers; it must be 3 x 4 or 4 x 4")
+        rows = [p[4 * i : 4 * i + 4] for i in range(len(p) // 4)]
+        if len(rows) == 4:
+            x, y, _, w = rows
+            width, height = size
+            rows = [_sum(0.5 * width, x, 0.5 * width - 0.5, w), _sum(-0.5 * height, y, 0.5 * height - 0.5, w), w]
+        # P = K (R | t). The rows of R are those of P made orthogonal from the last one on; all signs may be the other way.
+        a, b, c = (row[:3] for row in rows)
+        scale = math.copysign(_dot(c, c) ** 0.5, _dot(_cross(a, b), c))
+        a, b, forward = ([x / scale for x in row] for row in (a, b, c))
+        cx, cy = _dot(a, forward), _dot(b, forward)
+        a, b = _sum(1, a, -cx, forward), _sum(1, b, -cy, forward)
+        fy = _dot(b, b) ** 0.5
+        down = [x / fy for x in b]
+        right, skew = _cross(down, forward), _dot(a, down)
+        fx = _dot(a, right)
+        t = [row[3] / scale for row in rows]
+        place = [(t[0] - cx * t[2]) / fx, (t[1] - cy * t[2]) / fy, t[2]]
+        # Rounding leaves a little skew.
+        return cls.from_opencv([fx, skew if abs(skew) > 1e-9 * fx else 0, cx, 0, fy, cy, 0, 0, 1], right + down + forward, place, size)
+
     def to_opencv(self, size):
         """Returns K (3 x 3), R (3 x 3) and t of from_opencv(), as numpy arrays, or as nested lists without numpy."""
         K, R, t = self.get_opencv(*size)
@@ -106,6 +133,18 @@ def _flat(numbers):
     if hasattr(numbers, "__len__"):
         return [x for part in numbers for x in _flat(part)]
     return [float(numbers)]
+
+
+def _sum(a, x, b, y):
+    return [a * p + b * q for p, q in zip(x, y)]
+
+
+def _dot(x, y):
+    return sum(p * q for p, q in zip(x, y))
+
+
+def _cross(x, y):
+    return [x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]]
 
 
 def _moved(K, by):

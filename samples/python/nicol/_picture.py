@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import functools
-import math
 import os
 import tempfile
 from collections.abc import Sequence
@@ -110,8 +109,9 @@ class Picture:
     def polarizer(self, angle: float) -> Any:
         """Returns the light behind an ideal polarizer, (height, width, channels). angle: degrees, counter-clockwise from image
         right."""
-        turn = 2 * math.radians(angle)
-        return 0.5 * (self.s0 + math.cos(turn) * self.s1 + math.sin(turn) * self.s2)
+        from . import conventions  # needs numpy, which the rest of a picture does not
+
+        return conventions.angles(self.stokes, [angle])[0]
 
     @property
     def statistics(self) -> _abi.Statistics:

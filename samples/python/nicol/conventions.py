@@ -60,7 +60,8 @@ def to_image_right(camera, size):
 def angles(stokes, degrees=(0, 45, 90, 135)):
     """Returns the light behind ideal polarizers at these angles, along a new first axis."""
     a = 2 * numpy.radians(numpy.asarray(degrees)).reshape(-1, *[1] * (stokes.ndim - 1))
-    return 0.5 * (stokes[..., 0] + stokes[..., 1] * numpy.cos(a) + stokes[..., 2] * numpy.sin(a))
+    cosine, sine = numpy.cos(a).astype(stokes.dtype), numpy.sin(a).astype(stokes.dtype)
+    return (stokes[..., 0] + stokes[..., 1] * cosine + stokes[..., 2] * sine) / 2
 
 
 def from_angles(i0, i45, i90, i135):
