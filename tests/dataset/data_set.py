@@ -8,13 +8,15 @@ import math
 import os
 import subprocess
 import sys
-import tempfile
-import unittest
 
 import numpy
 from nicol.dataset import program
 
-ASSETS = os.path.abspath(os.path.join(os.path.dirname(__file__), "..", "..", "samples", "assets"))
+TESTS = os.path.abspath(os.path.join(os.path.dirname(__file__), ".."))
+sys.path.insert(0, os.path.join(TESTS, "programs"))
+from folder_test import FolderTest  # noqa: E402
+
+ASSETS = os.path.join(os.path.dirname(TESTS), "samples", "assets")
 
 
 def save_bumpy_sphere(path, rows, columns):
@@ -36,15 +38,7 @@ def save_bumpy_sphere(path, rows, columns):
         file.write("\n".join([*head, *vertices, *faces]) + "\n")
 
 
-class DataSetTest(unittest.TestCase):
-    def setUp(self):
-        temporary = tempfile.TemporaryDirectory()
-        self.addCleanup(temporary.cleanup)
-        self.folder = temporary.name
-
-    def path(self, *names):
-        return os.path.join(self.folder, *names)
-
+class DataSetTest(FolderTest):
     def add_meshes(self):
         """Makes the folder meshes/, in which one mesh is fine enough that its bake infers rays."""
         os.mkdir(self.path("meshes"))

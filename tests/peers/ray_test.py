@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 """A data set by tasks of Ray, of whose workers one is killed while it renders: every frame is there once, and the bytes are
-those of a single run."""
+those of a single run. ray.log in the folder NICOL_TEST_LOGS has what Ray says."""
 
 import os
 import subprocess
@@ -49,6 +49,8 @@ class RayTest(DataSetTest):
         environment = os.environ | {"PYTHONPATH": f"{self.folder}:{os.environ['PYTHONPATH']}", "RAY_USAGE_STATS_ENABLED": "0"}
         command = [sys.executable, SCRIPT, recipe, self.path("tasks"), "12", "--each", "3"]
         ended = subprocess.run(command, capture_output=True, text=True, timeout=400, env=environment, check=False)
+        with open(os.path.join(os.environ.get("NICOL_TEST_LOGS", self.folder), "ray.log"), "w") as file:
+            file.write(ended.stdout + ended.stderr)
         self.assertEqual(ended.returncode, 0, ended.stdout + ended.stderr)
         self.assertIn("12 frames are in", ended.stdout)
         self.assertTrue(os.path.exists(self.path("killed")))

@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: MIT
 """A data set by a Slurm job array on two nodes, one of which is killed while it renders: every frame is there once, and the
 bytes are those of a single run. Controller, nodes and munge are real; each node has a network and a host name of its own.
-Needs root."""
+Needs root. slurm.log in the folder NICOL_TEST_LOGS has what the daemons and the tasks say."""
 
+import contextlib
 import os
 import shutil
 import subprocess
 import sys
+import threading
 import unittest
 
 try:
@@ -71,15 +73,31 @@ class SlurmTest(DataSetTest):
     def daemon(self, text, ready):
         """Starts a daemon in the foreground, and returns when it has said that it is ready."""
         started = subprocess.Popen(text, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+        said, heard = [], threading.Event()
+
+        def listen():
+            for line in started.stdout:
+                self.log(line)
+                said.append(line)
+                if ready in line:
+                    heard.set()
+            heard.set()
+
+        listener = threading.Thread(target=listen, daemon=True)
         self.addCleanup(started.stdout.close)
+        self.addCleanup(listener.join, 10)
         self.addCleanup(started.wait)
         self.addCleanup(started.kill)
-        said = ""
-        for line in started.stdout:
-            said += line
-            if ready in line:
-                return
-        self.fail(f"{text[-1]} has ended: {said}")
+        listener.start()
+        heard.wait()
+        self.assertIn(ready, "".join(said), f"{text[-1]} has ended")
+
+    def log(self, text):
+        with open(self.log_path(), "a") as file:
+            file.write(text)
+
+    def log_path(self):
+        return os.path.join(os.environ.get("NICOL_TEST_LOGS", self.folder), "slurm.log")
 
     def start_cluster(self):
         os.mkdir(self.path("state"))
@@ -114,6 +132,8 @@ class SlurmTest(DataSetTest):
         self.command(f"ip -n {space} link set lo up")
 
     def test_a_node_is_killed(self):
+        with contextlib.suppress(FileNotFoundError):
+            os.remove(self.log_path())
         recipe = self.recipe(size=[64, 48], write=["mosaic", "stokes", "normals"])
         self.render(recipe, "0:12", "once")
         python = self.path("python")
@@ -123,6 +143,10 @@ class SlurmTest(DataSetTest):
         os.environ["PYTHON"] = python
         self.start_cluster()
         self.command(f"sbatch --wait --array=0-5 --output {self.path('job-%a.txt')} {SCRIPT} {recipe} {self.path('array')} 2")
+        self.log(subprocess.run(["scontrol", "show", "job"], capture_output=True, text=True, check=True).stdout)
+        for task in range(6):
+            with open(self.path(f"job-{task}.txt")) as file:
+                self.log(f"task {task}: {file.read()}")
         self.assertTrue(os.path.exists(self.path("killed")))
         self.render(recipe, "0:0", "array")  # removes what the killed task left
         self.assert_same_tree("once", "array")

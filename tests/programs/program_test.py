@@ -4,8 +4,8 @@
 import os
 import subprocess
 import sys
-import tempfile
-import unittest
+
+from folder_test import FolderTest
 
 # The first argument is the program. unittest reads the others.
 PROGRAM = os.path.abspath(sys.argv.pop(1))
@@ -26,15 +26,7 @@ def run(folder, *arguments, timeout=500, **environment):
     )
 
 
-class ProgramTest(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = folder.name
-
-    def path(self, *names):
-        return os.path.join(self.folder, *names)
-
+class ProgramTest(FolderTest):
     def write(self, name, content):
         with open(self.path(name), "wb") as file:
             file.write(content if isinstance(content, bytes) else content.encode())
