@@ -11,6 +11,8 @@
 #include <string_view>
 #include <vector>
 
+#include "common/number_list.hpp"
+
 const char* const usage =
     "usage: nicol-convert IN OUT [options]\n"
     "       nicol-convert --info FILE [--json] [options]\n"
@@ -53,20 +55,6 @@ std::uint32_t parse_number(std::string_view option, std::string_view text) {
         throw Failure(std::string(option) + ": '" + std::string(text) +
                       "' is not a whole number of at most 4294967295");
     return value;
-}
-
-std::vector<double> parse_list(std::string_view option, std::string_view text) {
-    std::vector<double> values;
-    for (std::string_view rest = text;;) {
-        const std::string_view item = rest.substr(0, rest.find(','));
-        double value = 0;
-        const auto [end, error] = std::from_chars(item.data(), item.data() + item.size(), value);
-        if (error != std::errc() || end != item.data() + item.size() || !std::isfinite(value))
-            throw Failure(std::string(option) + ": '" + std::string(item) + "' is not a number");
-        values.push_back(value);
-        if (item.size() == rest.size()) return values;
-        rest.remove_prefix(item.size() + 1);
-    }
 }
 
 std::uint32_t parse_order(std::string_view text) {

@@ -3,10 +3,12 @@
 #include <nicol.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -55,6 +57,35 @@ void light(nicol_context context, nicol_scene scene, const std::string& path) {
     check(nicol_scene_set_environment(scene, environment, nullptr, 1));
 }
 
+// Rotates the scene's environment about the world's y.
+void rotate_environment(nicol_scene scene, double degrees) {
+    nicol_environment environment = nullptr;
+    double to_world[16], rotated[16], scale = 1;
+    check(nicol_scene_get_environment(scene, &environment, to_world, &scale));
+    const Environment holder(environment);
+    if (environment == nullptr) throw Failure("--rotate-environment: the scene has no environment");
+    const double angle = degrees * std::numbers::pi / 180;
+    std::copy(to_world, to_world + 16, rotated);
+    for (int column = 0; column < 4; ++column) {
+        const double x = to_world[column], z = to_world[8 + column];
+        rotated[column] = std::cos(angle) * x + std::sin(angle) * z;
+        rotated[8 + column] = std::cos(angle) * z - std::sin(angle) * x;
+    }
+    check(nicol_scene_set_environment(scene, environment, rotated, scale));
+}
+
+void look_at(const std::vector<double>& given, nicol_camera& camera) {
+    const double* const place = given.data();
+    const double* const target = place + 3;
+    const bool steep =
+        std::hypot(target[0] - place[0], target[2] - place[2]) <= 1e-6 * std::abs(target[1] - place[1]);
+    // Straight down, the image's up is the world's -z, straight up its z.
+    const double level[3] = {0, 1, 0};
+    const double over[3] = {0, 0, target[1] > place[1] ? 1.0 : -1.0};
+    check(nicol_camera_look_at(&camera, place, target, steep ? over : level));
+    if (given.size() > 6) camera.fov = given[6];
+}
+
 Framebuffer make_framebuffer(nicol_context context, nicol_scene scene, const Options& options) {
     std::uint32_t width = 0, height = 0, channels = 0;
     check(nicol_scene_get_film_size(scene, &width, &height));
@@ -94,6 +125,7 @@ void frame_all(nicol_scene scene, nicol_framebuffer framebuffer, nicol_camera& c
 void render(nicol_scene scene, nicol_framebuffer framebuffer, const Options& options, ProgressBar& progress) {
     nicol_camera camera = NICOL_CAMERA_INIT;
     check(nicol_scene_get_camera(scene, &camera));
+    if (!options.look_at.empty()) look_at(options.look_at, camera);
     if (options.frame_all) frame_all(scene, framebuffer, camera);
     nicol_render_options wanted = NICOL_RENDER_OPTIONS_INIT;
     wanted.pixel_samples = samples_of(scene);
@@ -131,7 +163,8 @@ void render(nicol_scene scene, nicol_framebuffer framebuffer, const Options& opt
     progress.clear();
 }
 
-void write_images(nicol_framebuffer framebuffer, const std::filesystem::path& folder) {
+void write_images(nicol_framebuffer framebuffer, const Options& options) {
+    const std::filesystem::path folder = options.images;
     std::error_code error;
     std::filesystem::create_directories(folder, error);
     if (error) throw Failure("--images: " + folder.string() + ": cannot make the folder: " + error.message());
@@ -144,6 +177,7 @@ void write_images(nicol_framebuffer framebuffer, const std::filesystem::path& fo
     for (const auto& [kind, name] : images) {
         nicol_observation image = NICOL_OBSERVATION_INIT;
         image.kind = kind;
+        if (kind == NICOL_OBSERVATION_S0) image.exposure = static_cast<float>(options.exposure);
         check(nicol_framebuffer_write_png(framebuffer, &image, (folder / name).c_str()));
     }
 }
@@ -208,11 +242,12 @@ void run(const Options& options) {
     const Context context = make_context(options, progress);
     const Scene scene = load_scene(context.get(), options);
     if (!options.environment.empty()) light(context.get(), scene.get(), options.environment);
+    if (options.rotate_environment != 0) rotate_environment(scene.get(), options.rotate_environment);
     const Framebuffer framebuffer = make_framebuffer(context.get(), scene.get(), options);
     render(scene.get(), framebuffer.get(), options, progress);
     const char* const output = options.output == kStandardOutput ? "/proc/self/fd/1" : options.output.c_str();
     check(nicol_framebuffer_write_exr(framebuffer.get(), output));
-    if (!options.images.empty()) write_images(framebuffer.get(), options.images);
+    if (!options.images.empty()) write_images(framebuffer.get(), options);
     if (!options.mosaic.empty()) write_mosaic(framebuffer.get(), sensor, options);
     if (!options.stats.empty()) write_stats(context.get(), framebuffer.get(), options.stats);
 }

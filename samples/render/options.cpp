@@ -7,6 +7,8 @@
 #include <limits>
 #include <string_view>
 
+#include "common/number_list.hpp"
+
 const char* const usage =
     "usage: nicol-render SCENE -o OUT.exr [options]\n"
     "Renders a scene, Mitsuba 3's .xml or glTF's .gltf or .glb, to a Stokes image: channels R G B and S0.R "
@@ -18,6 +20,11 @@ const char* const usage =
     "      --time SECONDS       the time of a glTF file's animation; without it nothing is animated\n"
     "      --animation NAME     name or number of that animation; default the first\n"
     "      --environment FILE   an environment map that lights the scene, in place of the scene's own\n"
+    "      --rotate-environment DEGREES  rotates it about the world's y, counter-clockwise seen from above\n"
+    "      --look-at X,Y,Z,X,Y,Z[,FOV]   a camera at the first point that looks at the second; field of "
+    "view\n"
+    "                           in degrees, default that of the scene's camera\n"
+    "      --exposure STOPS     of the s0.png of --images; default 0\n"
     "      --images DIR       also writes s0, s1, s2, s3, dolp and aolp.png into DIR, made when missing\n"
     "      --mosaic FILE        also writes what an image sensor gives for the image, as a grey PNG\n"
     "      --sensor FILE        that sensor, as JSON; default: polarizers on the pixels and a little noise\n"
@@ -106,6 +113,21 @@ std::uint32_t parse_count(std::string_view option, std::string_view text, std::u
         throw Failure(std::string(option) + ": " + std::string(text) + " does not lie in " +
                       std::to_string(least) + " to " + std::to_string(most));
     return count;
+}
+
+double parse_one(std::string_view option, std::string_view text) {
+    const std::vector<double> values = parse_list(option, text);
+    if (values.size() != 1)
+        throw Failure(std::string(option) + ": '" + std::string(text) + "' must be one number");
+    return values[0];
+}
+
+std::vector<double> parse_look_at(std::string_view text) {
+    std::vector<double> values = parse_list("--look-at", text);
+    if (values.size() != 6 && values.size() != 7)
+        throw Failure("--look-at: '" + std::string(text) + "' has " + std::to_string(values.size()) +
+                      " numbers; it must be X,Y,Z,X,Y,Z or X,Y,Z,X,Y,Z,FOV");
+    return values;
 }
 
 double parse_strength(std::string_view option, std::string_view text) {
@@ -263,6 +285,12 @@ Options parse_options(int argc, const char* const* argv) {
             options.definitions.push_back(std::string(name.substr(2)) + "=" + std::string(value()));
         else if (name == "--environment")
             options.environment = path();
+        else if (name == "--rotate-environment")
+            options.rotate_environment = parse_one(name, value());
+        else if (name == "--look-at")
+            options.look_at = parse_look_at(value());
+        else if (name == "--exposure")
+            options.exposure = parse_one(name, value());
         else if (name == "--images")
             options.images = path();
         else if (name == "--mosaic")

@@ -114,6 +114,31 @@ class Success(RenderTest):
             self.assertNotEqual(self.image_and_statistics(name + ".xml")[0], wanted)
             self.assertEqual(self.image_and_statistics(name + ".xml", "--environment", "light.exr")[0], wanted)
 
+    def test_view_and_light_of_gltf(self):
+        self.write("light.exr", exr(16, 8, 3))
+        assets = os.path.join(os.path.dirname(__file__), "..", "..", "samples", "assets")
+        given = (os.path.join(assets, "solids.gltf"), "-o", "out/a.exr", "--environment", "light.exr", "--size", "24x16",
+                 "--order-low", "4", "--pixel-samples", "1", "--images", "out")
+
+        def picture(*more):
+            self.assert_succeeds(*given, *more)
+            files = self.files()
+            return files[self.path("out/a.exr")], files[self.path("out/s0.png")]
+
+        plain = picture()
+        self.assertEqual(picture("--rotate-environment", "0"), plain)
+        turned = picture("--rotate-environment", "90")
+        self.assertNotEqual(turned[0], plain[0])
+        self.assertNotEqual(picture("--rotate-environment", "-90")[0], turned[0])
+        brighter = picture("--exposure", "1.5")
+        self.assertEqual(brighter[0], plain[0])
+        self.assertNotEqual(brighter[1], plain[1])
+        seen = {picture("--look-at", view)[0] for view in ("0,1,5,0,0,0", "0,1,5,0,0,0,20", "0,6,0,0,0,0", "0,-6,0,0,0,0")}
+        self.assertEqual(len(seen), 4)
+        for view, said in (("0,1,5", "has 3 numbers"), ("0,1,5,0,0,a", "is not a number"), ("1,1,1,1,1,1", "target")):
+            self.assert_fails(["--look-at" if view[-1] != "1" else "", said], *given, "--look-at", view)
+        self.assert_fails(["--rotate-environment", "is not a number"], *given, "--rotate-environment", "east")
+
     def test_gltf(self):
         self.write("light.exr", exr(16, 8, 3))
         assets = os.path.join(os.path.dirname(__file__), "..", "..", "samples", "assets")
