@@ -8,12 +8,13 @@
 #include <bit>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <span>
 #include <string>
 
 #include "arguments.hpp"
 #include "sensor/lens.hpp"
-#include "sensor/noise.hpp"
+#include "sensor/noise_lanes.hpp"
 
 namespace nicol {
 namespace {
@@ -192,20 +193,29 @@ public:
           gain_(gain_of(sensor)),
           largest_(largest_number(sensor)) {}
 
-    [[nodiscard]] std::uint16_t of(double mean, std::uint32_t pixel) const {
-        double offset = 0;
+    /// Sets the numbers of the pixels from `pixel` on, at most kNoiseLanes, from their means, which change.
+    void write(NoiseLanes& mean, std::uint32_t pixel, std::span<std::uint16_t> numbers) const {
+        NoiseLanes offset{}, first, second;
         if (sensor_.prnu > 0 || sensor_.dsnu > 0) {
-            const std::array<double, 2> error = pixel_errors(sensor_, pixel, NoiseOf::response);
-            mean = std::max(mean * (1 + sensor_.prnu * error[0]), 0.0);
-            offset = sensor_.dsnu * error[1];
+            uniform_pairs(sensor_.seed, 0, pixel, NoiseOf::response, first, second);
+            to_normal(first);
+            to_normal(second);
+            for (std::size_t i = 0; i < kNoiseLanes; ++i) {
+                mean[i] = std::max(mean[i] * (1 + sensor_.prnu * first[i]), 0.0);
+                offset[i] = sensor_.dsnu * second[i];
+            }
         }
-        mean += dark_;
-        const std::array<double, 2> u = uniform_pair(sensor_.seed, frame_, pixel, NoiseOf::exposure);
-        const double electrons =
-            std::min(sensor_.shot_noise ? poisson_quantile(u[0], mean) : mean, sensor_.full_well);
-        const double read = sensor_.read_noise > 0 ? sensor_.read_noise * normal_quantile(u[1]) : 0;
-        const double number = std::floor(gain_ * (electrons + read + offset) + sensor_.black_level + 0.5);
-        return static_cast<std::uint16_t>(std::clamp(number, 0.0, largest_));
+        for (double& electrons : mean) electrons += dark_;
+        uniform_pairs(sensor_.seed, frame_, pixel, NoiseOf::exposure, first, second);
+        if (sensor_.shot_noise) to_poisson(first, mean);
+        if (sensor_.read_noise > 0) to_normal(second);
+        for (std::size_t i = 0; i < numbers.size(); ++i) {
+            const double electrons = std::min(mean[i], sensor_.full_well);
+            const double read = sensor_.read_noise > 0 ? sensor_.read_noise * second[i] : 0;
+            const double number =
+                std::floor(gain_ * (electrons + read + offset[i]) + sensor_.black_level + 0.5);
+            numbers[i] = static_cast<std::uint16_t>(std::clamp(number, 0.0, largest_));
+        }
     }
 
 private:
@@ -220,15 +230,22 @@ private:
 RawImage expose(const Sensor& sensor, const StokesImage& light, std::uint64_t frame) {
     light.check("light");
     check(sensor, light.width, light.height, light.channels);
-    const bool plain = sensor.blur == 0 && sensor.vignetting == 0;
-    const Means means(sensor, plain ? light : through_lens(sensor, light));
+    std::optional<StokesImage> behind_lens;
+    if (sensor.blur > 0 || sensor.vignetting > 0) behind_lens = through_lens(sensor, light);
+    const Means means(sensor, behind_lens ? *behind_lens : light);
     const Numbers numbers(sensor, frame);
     RawImage raw{light.width, light.height, {}};
     raw.values.resize(static_cast<std::size_t>(light.width) * static_cast<std::size_t>(light.height));
     tbb::parallel_for(0, light.height, [&](int y) {
-        for (int x = 0; x < light.width; ++x) {
-            const std::size_t i = means.index(x, y);
-            raw.values[i] = numbers.of(means.after_crosstalk(x, y), static_cast<std::uint32_t>(i));
+        const std::span row =
+            std::span(raw.values).subspan(means.index(0, y), static_cast<std::size_t>(light.width));
+        for (std::size_t begin = 0; begin < row.size(); begin += kNoiseLanes) {
+            const std::size_t count = std::min(kNoiseLanes, row.size() - begin);
+            NoiseLanes mean{};
+            for (std::size_t i = 0; i < count; ++i)
+                mean[i] = means.after_crosstalk(static_cast<int>(begin + i), y);
+            numbers.write(mean, static_cast<std::uint32_t>(means.index(static_cast<int>(begin), y)),
+                          row.subspan(begin, count));
         }
     });
     return raw;

@@ -5,8 +5,16 @@
 #include <cmath>
 #include <numbers>
 
+#include "sensor/noise_formulas.hpp"
+
 namespace nicol {
 namespace {
+
+constexpr std::array<double, 16> kInverseOddNumbers = [] {
+    std::array<double, 16> inverse{};
+    for (std::size_t i = 0; i < inverse.size(); ++i) inverse[i] = 1.0 / static_cast<double>(2 * i + 1);
+    return inverse;
+}();
 
 /// Returns the natural logarithm of x > 0: x = m 2^e with m in [1/2, 1), and ln m = 2 artanh((m - 1) / (m +
 /// 1)).
@@ -15,7 +23,8 @@ double logarithm(double x) {
     const double mantissa = std::frexp(x, &exponent);
     const double ratio = (mantissa - 1) / (mantissa + 1);
     double sum = 0;
-    for (int i = 31; i > 0; i -= 2) sum = 1.0 / i + ratio * ratio * sum;
+    for (std::size_t i = kInverseOddNumbers.size(); i-- > 0;)
+        sum = kInverseOddNumbers[i] + ratio * ratio * sum;
     return exponent * std::numbers::ln2 + 2 * ratio * sum;
 }
 
@@ -46,15 +55,10 @@ double decay(double x) {
 }
 
 std::array<std::uint32_t, 4> philox(std::array<std::uint32_t, 4> counter, std::array<std::uint32_t, 2> key) {
-    for (int round = 0; round < 10; ++round) {
-        const std::uint64_t first = std::uint64_t{0xD2511F53} * counter[0];
-        const std::uint64_t second = std::uint64_t{0xCD9E8D57} * counter[2];
-        counter = {static_cast<std::uint32_t>(second >> 32) ^ counter[1] ^ key[0],
-                   static_cast<std::uint32_t>(second),
-                   static_cast<std::uint32_t>(first >> 32) ^ counter[3] ^ key[1],
-                   static_cast<std::uint32_t>(first)};
-        key[0] += 0x9E3779B9;
-        key[1] += 0xBB67AE85;
+    for (int round = 0; round < kPhiloxRounds; ++round) {
+        philox_round(counter[0], counter[1], counter[2], counter[3], key[0], key[1]);
+        key[0] += kPhiloxStepA;
+        key[1] += kPhiloxStepB;
     }
     return counter;
 }
@@ -65,20 +69,12 @@ std::array<double, 2> uniform_pair(std::uint64_t seed, std::uint64_t frame, std:
     const auto high = [](std::uint64_t x) { return static_cast<std::uint32_t>(x >> 32); };
     const std::array<std::uint32_t, 4> bits = philox(
         {pixel, low(frame), high(frame), static_cast<std::uint32_t>(purpose)}, {low(seed), high(seed)});
-    const auto uniform = [](std::uint32_t upper, std::uint32_t lower) {
-        const std::uint64_t whole = (std::uint64_t{upper} << 20) | (lower >> 12);  // 52 bits
-        return (static_cast<double>(whole) + 0.5) * 0x1p-52;
-    };
-    return {uniform(bits[0], bits[1]), uniform(bits[2], bits[3])};
+    return {uniform_of(bits[0], bits[1]), uniform_of(bits[2], bits[3])};
 }
 
 double normal_quantile(double u) {
     const double q = u - 0.5;
-    if (std::abs(q) <= 0.425) {
-        const double r = 0.180625 - q * q;
-        return q * (((5.9109374720e1 * r + 1.5929113202e2) * r + 5.0434271938e1) * r + 3.3871327179) /
-               (((6.7187563600e1 * r + 7.8757757664e1) * r + 1.7895169469e1) * r + 1);
-    }
+    if (std::abs(q) <= kCentralQuantile) return central_normal_quantile(q);
     double r = std::sqrt(-logarithm(std::min(u, 1 - u)));
     double z = 0;
     if (r <= 5) {
@@ -94,13 +90,8 @@ double normal_quantile(double u) {
 }
 
 double poisson_quantile(double u, double mean) {
-    if (mean < 30) return poisson_by_sum(u, mean);
-    const double w = normal_quantile(u);
-    const double root = std::sqrt(mean);
-    const double third = w * w / 6 + 1.0 / 3;
-    const double fourth = -(w * w + 2) * w / 72 / root;
-    const double fifth = ((w * w / 270 + 7.0 / 810) * w * w - 8.0 / 405) / mean;
-    return std::max(0.0, std::floor(mean + root * w + third + fourth + fifth));
+    if (mean < kLargeMean) return poisson_by_sum(u, mean);
+    return large_poisson_quantile(normal_quantile(u), mean);
 }
 
 std::array<double, 2> cosine_and_sine(double angle) {

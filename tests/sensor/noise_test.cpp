@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Tests of random numbers: the generator's published answers, and distributions against their definitions.
-#include "sensor/noise.hpp"
+#include "sensor/noise_lanes.hpp"
 
 #include "test.hpp"
 
@@ -73,4 +73,31 @@ TEST_CASE("cosines and sines are those of the C library to 1e-15") {
         CHECK(std::abs(cosine - std::cos(angle)) < 1e-15);
         CHECK(std::abs(sine - std::sin(angle)) < 1e-15);
     }
+}
+
+TEST_CASE("numbers of many pixels have the bits of those of each pixel") {
+    for (const std::uint32_t pixel : {0U, 1000003U, 0xFFFFFFF0U}) {
+        NoiseLanes first, second, mean;
+        uniform_pairs(0x123456789ABCDEF0, 77, pixel, NoiseOf::response, first, second);
+        NoiseLanes normal = second;
+        to_normal(normal);
+        for (std::size_t i = 0; i < kNoiseLanes; ++i)
+            mean[i] = i % 3 == 0 ? 0.5 * static_cast<double>(i) : 29 + 7.0 * static_cast<double>(i * i);
+        NoiseLanes poisson = mean;
+        to_poisson(first, poisson);
+        for (std::size_t i = 0; i < kNoiseLanes; ++i) {
+            const std::array<double, 2> pair = uniform_pair(
+                0x123456789ABCDEF0, 77, pixel + static_cast<std::uint32_t>(i), NoiseOf::response);
+            CHECK(first[i] == pair[0]);
+            CHECK(second[i] == pair[1]);
+            CHECK(normal[i] == normal_quantile(pair[1]));
+            CHECK(poisson[i] == poisson_quantile(pair[0], mean[i]));
+        }
+    }
+    NoiseLanes ends{1e-16, 0.074, 0.0751, 0.5, 0.924, 0.926, 1 - 0x1p-53};
+    ends[7] = 1e-30;
+    for (std::size_t i = 8; i < kNoiseLanes; ++i) ends[i] = 0.1 * static_cast<double>(i - 7);
+    NoiseLanes normal = ends;
+    to_normal(normal);
+    for (std::size_t i = 0; i < kNoiseLanes; ++i) CHECK(normal[i] == normal_quantile(ends[i]));
 }
