@@ -83,7 +83,7 @@ class RenderTest(unittest.TestCase):
             cls.scene.add_instance(nicol.Instance(mesh=nicol.Mesh.create_sphere(context), material=material, to_world=place))
         # Looks along -z, not quite level.
         cls.camera = nicol.Camera(fov=90).look_at((0, 0, 0), (0.2, 0.3, -1), (0.1, 1, 0.2))
-        cls.options = nicol.RenderOptions(pixel_samples=8)
+        cls.options = nicol.RenderOptions(pixel_samples=8, aovs=nicol.AOV_ALL)
 
     def pinhole(self, camera, size):
         framebuffer = nicol.Framebuffer.create(self.scene.context, *size, 3)
@@ -98,6 +98,7 @@ class RenderTest(unittest.TestCase):
         K, _, _ = self.camera.to_opencv(SIZE)
         aovs = ("position", "instance", "distance", "normal", "alpha")
         found = lens.render(self.scene, self.camera, Lens.opencv(K, SIZE, [0, 0, 0, 0]), self.options, aovs, sharpness=2)
+        self.assertEqual(self.options.aovs, nicol.AOV_ALL)
         expected = self.pinhole(self.camera, SIZE)
         self.assert_close(found["stokes"], expected.stokes, numpy.full(SIZE[::-1], True))
         self.assertGreater((found["instance"] == expected.instance).mean(), 0.97)

@@ -10,6 +10,7 @@ import nicol
 import numpy
 
 from . import conventions
+from ._runtime import constant
 
 # Pinhole views of a cube around the camera: rows right, down, forward of each.
 _FACES = numpy.array([
@@ -119,7 +120,15 @@ def render(scene, camera, lens, options=None, aovs=(), sharpness=1.0):
     picture is resampled from up to six pinhole views, with as many pixels along a line as the lens has in the middle, times
     `sharpness`; Stokes vectors linearly, surfaces by the nearest. Pixels that show nothing are 0."""
     options = nicol.RenderOptions() if options is None else options
-    options.aovs = sum({getattr(nicol, f"AOV_{'DEPTH' if name == 'distance' else name.upper()}") for name in aovs})
+    given = options.aovs
+    options.aovs = sum({constant("aov", "depth" if name == "distance" else name) for name in aovs})
+    try:
+        return _resampled(scene, camera, lens, options, aovs, sharpness)
+    finally:
+        options.aovs = given
+
+
+def _resampled(scene, camera, lens, options, aovs, sharpness):
     _, R, t = camera.to_opencv(lens.size)
     seen = numpy.nan_to_num(lens.directions)
     nearest = numpy.where(numpy.isnan(lens.directions[..., 0]), -1, numpy.argmax(seen @ _FACES[:, 2].T, axis=2))
