@@ -105,6 +105,51 @@ class PosesTest(DataSetTest):
             self.assertLessEqual(row[15], depth.min() + 1e-4)
             self.assertGreaterEqual(row[16], depth.max() - 1e-4)
 
+    def through(self, lens, **write):
+        """Renders a frame through a lens; returns its camera, and pixels and points (in its axes) of surfaces."""
+        camera = {**RECIPE["camera"], "fov": 60, "lens": lens}
+        self.render(self.recipe(**{**RECIPE, "camera": camera, "write": {"positions": "npy", "ids": "npy", **write}}), "1:2", "lens")
+        folder = self.path("lens", "frames", "000001")
+        with open(f"{folder}/frame.json") as file:
+            camera = json.load(file)["camera"]
+        rows, columns = numpy.nonzero(load(folder, "ids.npy") != 0xFFFFFFFF)
+        self.assertGreater(len(rows), 100)
+        points = load(folder, "positions.npy")[rows, columns].astype(float) @ numpy.transpose(camera["R"]) + camera["t"]
+        return camera, columns + 0.5, rows + 0.5, points
+
+    def assert_shown(self, camera, x, y, columns, rows):
+        K = camera["K"]
+        # Surfaces are those of the nearest pixel of the view that is resampled.
+        self.assertLess(abs(K[0][0] * x + K[0][2] - columns).max(), 1)
+        self.assertLess(abs(K[1][1] * y + K[1][2] - rows).max(), 1)
+
+    def test_distortion(self):
+        k1, k2, p1, p2 = distortion = [-0.25, 0.08, 0.004, -0.006]
+        write = {"mosaic": "npy", "aolp": "npy", "stokes": "npy", "dolp": "npy", "depth": "npy", "normals_camera": "npy", "alpha": "npy",
+                 "poses": ["colmap", "transforms"]}  # fmt: skip
+        camera, columns, rows, points = self.through({"type": "opencv", "distortion": distortion}, **write)
+        x, y = points[:, 0] / points[:, 2], points[:, 1] / points[:, 2]
+        r = x * x + y * y
+        radial = 1 + k1 * r + k2 * r * r
+        u, v = x * radial + 2 * p1 * x * y + p2 * (r + 2 * x * x), y * radial + p1 * (r + 2 * y * y) + 2 * p2 * x * y
+        self.assert_shown(camera, u, v, columns, rows)
+        with open(self.path("lens", "poses", "000000", "colmap", "cameras.txt")) as file:
+            _, model, _, _, *numbers = file.read().split()
+        self.assertEqual((model, list(map(float, numbers[4:]))), ("FULL_OPENCV", [*distortion, 0, 0, 0, 0]))
+        with open(self.path("lens", "poses", "000000", "transforms.json")) as file:
+            facts = json.load(file)
+        self.assertEqual([facts[name] for name in ("camera_model", "k1", "k2", "p1", "p2")], ["OPENCV", *distortion])
+        stokes, aolp = (load(self.path("lens", "frames", "000001", f"{name}.npy")) for name in ("stokes", "aolp"))
+        numpy.testing.assert_array_equal(aolp, numpy.arctan2(stokes[..., 2], stokes[..., 1]) / 2)
+
+    def test_fisheye(self):
+        distortion = [0.05, -0.02, 0.003, -0.001]
+        camera, columns, rows, points = self.through({"type": "fisheye", "distortion": distortion})
+        r = numpy.hypot(points[:, 0], points[:, 1])
+        angle = numpy.arctan2(r, points[:, 2])
+        bent = angle * (1 + sum(k * angle ** (2 * i + 2) for i, k in enumerate(distortion)))
+        self.assert_shown(camera, bent * points[:, 0] / r, bent * points[:, 1] / r, columns, rows)
+
     def test_two_cameras(self):
         camera = {**RECIPE["camera"], "baseline": 0.2}
         self.render(self.recipe(**{**RECIPE, "camera": camera}), "0:4", "rig")

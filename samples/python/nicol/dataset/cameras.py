@@ -6,6 +6,7 @@ import math
 import nicol
 import numpy
 
+from ..lens import Lens
 from .scenes import direction
 
 
@@ -47,10 +48,27 @@ def _rolled(view, up, angle):
     return math.cos(angle) * numpy.cross(right, view) + math.sin(angle) * right
 
 
+def lens(recipe, fov):
+    """Returns the recipe's lens for a camera of this field of view: K of OpenCV and a Lens. A fisheye has the field of view at
+    the left and right border before its distortion, as others have it."""
+    size, given = (recipe.width, recipe.height), recipe.lens
+    if given["type"] == "equirectangular":
+        return nicol.Camera(fov=fov).to_opencv(size)[0], Lens.equirectangular(size)
+    distortion = given.get("distortion", [0, 0, 0, 0])
+    if given["type"] == "fisheye":
+        focal = recipe.width / math.radians(fov)
+        K = numpy.array([[focal, 0, (recipe.width - 1) / 2], [0, focal, (recipe.height - 1) / 2], [0, 0, 1]])
+        return K, Lens.fisheye(K, size, distortion)
+    K = nicol.Camera(fov=fov).to_opencv(size)[0]
+    return K, Lens.opencv(K, size, distortion)
+
+
 def pose(recipe, stage, made):
-    """Returns what frame.json says about a camera: COLMAP's K, R and t, and the depths between which the objects' box lies."""
+    """Returns what frame.json says about a camera: COLMAP's K, R and t, the lens if there is one, and the depths between which
+    the objects' box lies."""
     K, R, t = made.to_colmap((recipe.width, recipe.height))
     corners = numpy.array([[(stage.lower, stage.upper)[i >> axis & 1][axis] for axis in range(3)] for i in range(8)])
     depths = corners @ R[2] + t[2]
     near = max(float(depths.min()), 1e-3 * float(depths.max()))
-    return {"K": K.tolist(), "R": R.tolist(), "t": t.tolist(), "near": near, "far": float(depths.max())}
+    lens = {"lens": recipe.lens} if recipe.lens else {}
+    return {"K": K.tolist(), "R": R.tolist(), "t": t.tolist(), "near": near, "far": float(depths.max()), **lens}

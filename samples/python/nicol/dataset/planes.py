@@ -4,6 +4,7 @@
 import nicol
 import numpy
 
+from .. import conventions
 from .._runtime import words
 
 # Names of nicol.Picture's attributes, where they differ.
@@ -34,22 +35,47 @@ def read(framebuffer, names, R, half=()):
             continue
         arrays[name] = getattr(picture, _OF_PICTURE.get(name, name))
         if name == "normals_camera":
-            axes = numpy.array(R, numpy.float32) * numpy.float32([[1], [-1], [-1]])
-            # Sums term by term have the same bits everywhere; a matrix product of numpy's has those of its BLAS.
-            arrays[name] = sum(picture.normal[..., i : i + 1] * axes[:, i] for i in range(3))
+            arrays[name] = _turned(picture.normal, R)
     return arrays
 
 
-def sense(sensor, framebuffer, names, frame, exposure):
-    """Returns the raw numbers of the sensor for the last render, by name: mosaic (height, width), and angles (4, height,
+def _turned(normals, R):
+    """Returns normals with x to the right, y up and z towards the camera."""
+    axes = numpy.array(R, numpy.float32) * numpy.float32([[1], [-1], [-1]])
+    # Sums term by term have the same bits everywhere; a matrix product of numpy's has those of its BLAS.
+    return sum(normals[..., i : i + 1] * axes[:, i] for i in range(3))
+
+
+def through_lens(picture, names, R, half=()):
+    """Returns the arrays of read() of a picture that nicol.lens.render() gave, but depth, which is the distance from the camera."""
+    stokes = picture["stokes"]
+    s0 = stokes[..., 0]
+    made = {
+        "stokes": lambda: stokes, "s0": lambda: s0, "aolp": lambda: conventions.aolp(stokes),
+        "dolp": lambda: numpy.where(s0 > 0, numpy.hypot(stokes[..., 1], stokes[..., 2]) / numpy.where(s0 > 0, s0, 1), 0),
+        "normals_camera": lambda: _turned(picture["normal"], R),
+    }  # fmt: skip
+    of = _OF_PICTURE | {"depth": "distance"}
+    arrays = {name: made[name]() if name in made else picture[of.get(name, name)] for name in names if name not in SENSED}
+    return {name: array.astype(numpy.float16) if name in half else array for name, array in arrays.items()}
+
+
+def lens_aovs(names):
+    """Returns the aovs of nicol.lens.render() that these arrays need."""
+    of = _OF_PICTURE | {"depth": "distance"}
+    return tuple({of.get(name, name) for name in names if name in of or name == "alpha"})
+
+
+def sense(sensor, light, names, frame, exposure):
+    """Returns the raw numbers of the sensor for light, a framebuffer or an array (height, width, channels, 4), by name: mosaic (height, width), and angles (4, height,
     width), which the sensor gives without polarizers and colour filters of its own behind a polarizer at 0, 45, 90 and 135
     degrees. Each of the five has noise of its own. exposure: factor on the light."""
     arrays = {}
     if "mosaic" in names:
-        arrays["mosaic"] = _exposed(sensor, exposure).capture(framebuffer, 5 * frame)
+        arrays["mosaic"] = _exposed(sensor, exposure).capture(light, 5 * frame)
     if "angles" in names:
         arrays["angles"] = numpy.stack([
-            _exposed(behind(sensor, angle), exposure).capture(framebuffer, 5 * frame + 1 + i) for i, angle in enumerate(ANGLES)
+            _exposed(behind(sensor, angle), exposure).capture(light, 5 * frame + 1 + i) for i, angle in enumerate(ANGLES)
         ])  # fmt: skip
     return arrays
 
@@ -80,13 +106,14 @@ def behind(sensor, angle):
     return plain
 
 
-def exposure_of(recipe, draw, framebuffer):
+def exposure_of(recipe, draw, light):
     """Returns the factor on light before the sensor."""
     if "exposure" not in recipe.parts:
         return 1.0
     drawn = recipe.parts["exposure"].at(draw)
     if not isinstance(drawn, dict):
         return float(drawn)
-    s0 = numpy.moveaxis(framebuffer.plane(nicol.PLANE_S0, nicol.ALL_CHANNELS), -1, 0)
+    s0 = light[..., 0] if isinstance(light, numpy.ndarray) else light.plane(nicol.PLANE_S0, nicol.ALL_CHANNELS)
+    s0 = numpy.moveaxis(s0, -1, 0)
     bright = float(numpy.percentile(sum(s0), drawn["percentile"])) / len(s0)
     return float(drawn.get("level", 0.8)) / bright if bright > 0 else 1.0

@@ -47,7 +47,16 @@ def _transforms(frames):
             "file_path": f"../../frames/{_picture(facts)}", "transform_matrix": matrix.tolist(), "w": width, "h": height,
             "fl_x": K[0][0], "fl_y": K[1][1], "cx": K[0][2], "cy": K[1][2],
         })  # fmt: skip
-    return json.dumps({"camera_model": "OPENCV", "k1": 0, "k2": 0, "p1": 0, "p2": 0, "frames": listed}, indent=1) + "\n"
+    kind, numbers = _lens(frames[0])
+    model = {"opencv": "OPENCV", "fisheye": "OPENCV_FISHEYE", "equirectangular": "EQUIRECTANGULAR"}[kind]
+    names = ("k1", "k2", "k3", "k4") if kind == "fisheye" else ("k1", "k2", "p1", "p2", "k3", "k4", "k5", "k6")
+    return json.dumps({"camera_model": model, **dict(zip(names, numbers)), "frames": listed}, indent=1) + "\n"
+
+
+def _lens(facts):
+    """Returns the lens's type and its distortion."""
+    lens = facts["camera"].get("lens", {"type": "opencv", "distortion": [0, 0, 0, 0]})
+    return lens["type"], lens.get("distortion", [0, 0, 0, 0])
 
 
 def _llff(frames):
@@ -77,11 +86,18 @@ def _quaternion(R):
 
 
 def _colmap(frames):
-    """COLMAP's text: a PINHOLE camera for each set of intrinsics, and no points."""
+    """COLMAP's text: a camera for each set of intrinsics, and no points."""
     cameras, images = {}, []
     for facts in frames:
         K, (width, height) = facts["camera"]["K"], facts["size"]
-        intrinsics = f"PINHOLE {width} {height} {K[0][0]!r} {K[1][1]!r} {K[0][2]!r} {K[1][2]!r}"
+        intrinsics = f"{width} {height} {K[0][0]!r} {K[1][1]!r} {K[0][2]!r} {K[1][2]!r}"
+        if "lens" in facts["camera"]:
+            kind, numbers = _lens(facts)
+            numbers = numbers + [0] * (4 if len(numbers) == 4 else 8 - len(numbers))
+            model = "OPENCV_FISHEYE" if kind == "fisheye" else "FULL_OPENCV"
+            intrinsics = " ".join([model, intrinsics, *map(repr, numbers[:4] if kind == "fisheye" else numbers)])
+        else:
+            intrinsics = f"PINHOLE {intrinsics}"
         camera = cameras.setdefault(intrinsics, len(cameras) + 1)
         numbers = [*_quaternion(facts["camera"]["R"]), *facts["camera"]["t"]]
         place = " ".join(map(repr, numbers))

@@ -75,7 +75,7 @@ class _Writer:
         self.free[framebuffer.get_size()[2]].append(framebuffer)
 
     def _write(self, picture, framebuffer):
-        self.renderer.sense(picture, self.wanted, framebuffer)
+        self.renderer.sense(picture, self.wanted)
         if self.folder is None:
             return
         place = self.folder.begin(picture.facts["frame"])

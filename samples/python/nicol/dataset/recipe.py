@@ -65,7 +65,9 @@ _OBJECT = {
 }
 _LIGHT = {"environment": reader.varied(_environment), "rotation": reader.number(), "scale": reader.number(0),
           "sun": reader.table(_SUN), "per": reader.one_of("scene", "frame")}  # fmt: skip
+_LENS = {"type": reader.one_of("opencv", "fisheye", "equirectangular"), "distortion": reader.row(reader.number(), 4, 8)}
 _CAMERA = {
+    "lens": reader.table(_LENS, ["type"]),
     "fov": reader.number(0.1, 170), "azimuth": reader.number(), "elevation": reader.number(-90, 90),
     "distance": reader.number(1e-3), "baseline": reader.number(1e-9), "roll": reader.number(), "position": reader.vector, "target": reader.vector,
 }  # fmt: skip
@@ -161,6 +163,7 @@ class Recipe:
         self.render, self.write = self._given("render", {}), self._given("write", {})
         self.poses = self.write.pop("poses", [])
         self.light_per_frame = self._given("light", {}).get("per") == "frame" if "light" in recipe else False
+        self.lens = self._checked_lens()
         self._check_camera()
         self._check_sweeps()
         for name, value in self.parts["render"].parts.items() if "render" in self.parts else ():
@@ -177,6 +180,22 @@ class Recipe:
                 self.source.fail(f"camera.{name}", "position already says where the camera is; give one or the other")
         if "baseline" in names and self.views % 2:
             self.source.fail("camera.baseline", f"a rig of two cameras needs an even number of views, not {self.views}")
+
+    def _checked_lens(self):
+        """Returns the lens of all frames, or None; refuses what is not written of pictures through a lens."""
+        value = self.parts["camera"].parts.get("lens") if "camera" in self.parts else None
+        if value is None:
+            return None
+        if len(value.trials()) > 1:
+            self.source.fail("camera.lens", "drawn; it must be the same in all frames")
+        lens = value.at(None)
+        for name, how in self.write.items():
+            if name in ("s0", "dolp", "aolp") and how["format"] == "png":
+                self.source.fail(f"write.{name}", "png is not written of pictures through a lens; choose npy or exr")
+        for name in self.poses:
+            if name == "llff" or (name == "colmap" and lens["type"] == "equirectangular"):
+                self.source.fail("write.poses", f"{name} knows no {lens['type']} lens")
+        return lens
 
     def _check_sweeps(self):
         """Refuses values that follow the views of a scene where they are drawn once for the scene."""

@@ -6,16 +6,17 @@ import tempfile
 
 import nicol
 
+from .. import lens
 from . import cameras, planes
 from .scenes import Kept, Studio
 from .values import RecipeError
 
 
 class Picture:
-    """A frame: what frame.json says about it, and its arrays by name."""
+    """A frame: what frame.json says about it, its arrays by name, and the light that falls on a sensor."""
 
-    def __init__(self, facts, arrays):
-        self.facts, self.arrays = facts, arrays
+    def __init__(self, facts, arrays, light):
+        self.facts, self.arrays, self.light = facts, arrays, light
 
 
 class Renderer:
@@ -26,6 +27,7 @@ class Renderer:
         self.context = nicol.Context.create(nicol.ContextOptions(threads=threads, log=log))
         self.studio = Studio(self.context, recipe)
         self.stages = Kept(self._stage, 2)
+        self.lenses = Kept(lambda fov: cameras.lens(recipe, fov), 1)
         self.sensor = _sensor(recipe)
         self.options = self._options()
 
@@ -52,24 +54,30 @@ class Renderer:
         camera = cameras.camera(recipe, stage, frame)
         self.options.seed = draw.bits("render")
         self.options.aovs = planes.aovs(names)
+        pose, light = cameras.pose(recipe, stage, camera), framebuffer
         try:
-            nicol.render(stage.scene, camera, self.options, framebuffer)
-        except nicol.Error as error:
+            if recipe.lens:
+                K, through = self.lenses(camera.fov)
+                pose["K"] = (K + [[0, 0, 0.5], [0, 0, 0.5], [0, 0, 0]]).tolist()
+                shown = lens.render(stage.scene, camera, through, self.options, planes.lens_aovs(names))
+                arrays, light = planes.through_lens(shown, names, pose["R"], half), shown["stokes"]
+            else:
+                nicol.render(stage.scene, camera, self.options, framebuffer)
+                arrays = planes.read(framebuffer, names, pose["R"], half)
+        except (nicol.Error, ValueError) as error:
             raise RecipeError(f"{recipe.source.name}: frame {frame}: {error}") from None
-        pose = cameras.pose(recipe, stage, camera)
-        arrays = planes.read(framebuffer, names, pose["R"], half)
         facts = {"frame": frame, "scene": scene, "size": [recipe.width, recipe.height], "camera": pose}
         facts["bounds"] = [stage.lower.tolist(), stage.upper.tolist()]
         facts["drawn"] = self._drawn(scene, frame)
         if any(name in planes.SENSED for name in names):
-            facts["exposure"] = planes.exposure_of(recipe, draw, framebuffer)
-        return Picture(facts, arrays)
+            facts["exposure"] = planes.exposure_of(recipe, draw, light)
+        return Picture(facts, arrays, light)
 
-    def sense(self, picture, names, framebuffer):
-        """Adds the arrays of the sensor to a picture, whose render must be the framebuffer's last."""
+    def sense(self, picture, names):
+        """Adds the arrays of the sensor to a picture, whose render must be its framebuffer's last."""
         if any(name in planes.SENSED for name in names):
             facts = picture.facts
-            sensed = planes.sense(self.sensor, framebuffer, names, facts["frame"], facts["exposure"])
+            sensed = planes.sense(self.sensor, picture.light, names, facts["frame"], facts["exposure"])
             picture.arrays |= sensed
 
     def _drawn(self, scene, frame):
