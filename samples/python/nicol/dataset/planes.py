@@ -115,5 +115,5 @@ def exposure_of(recipe, draw, light):
         return float(drawn)
     s0 = light[..., 0] if isinstance(light, numpy.ndarray) else light.plane(nicol.PLANE_S0, nicol.ALL_CHANNELS)
     s0 = numpy.moveaxis(s0, -1, 0)
-    bright = float(numpy.percentile(sum(s0), drawn["percentile"])) / len(s0)
+    bright = float(numpy.percentile(sum(s0), drawn["percentile"], overwrite_input=True)) / len(s0)
     return float(drawn.get("level", 0.8)) / bright if bright > 0 else 1.0
