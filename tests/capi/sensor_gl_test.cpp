@@ -130,7 +130,7 @@ TEST_CASE("bad sensors, images and files are refused by the field's name") {
     raw = Raw(4, 4);
     REFUSES(nicol_sensor_demosaic(&sensor, &raw.image, NICOL_DEMOSAIC_BILINEAR, &light.image),
             "to has 4 x 4 pixels with 3 channels; the result has 4 x 4 with 1");
-    REFUSES(nicol_sensor_demosaic(&sensor, &raw.image, 2, &light.image), "method is 2");
+    REFUSES(nicol_sensor_demosaic(&sensor, &raw.image, 3, &light.image), "method is 3");
     REFUSES(nicol_sensor_set_preset(&sensor, 2), "preset is 2");
     nicol_polarization_element element = NICOL_POLARIZATION_ELEMENT_INIT;
     REFUSES(nicol_sensor_add_element(&sensor, &element, 0.5), "extinction_ratio is 0.5");
