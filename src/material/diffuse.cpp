@@ -4,12 +4,13 @@
 #include "material/key.hpp"
 #include "material/material.hpp"
 #include "material/reflectance.hpp"
+#include "material/shared_terms.hpp"
 #include "material/textured.hpp"
 
 namespace nicol {
 namespace {
 
-class Diffuse final : public Material {
+class Diffuse final : public Material, public SharedTerms {
 public:
     explicit Diffuse(std::vector<double> reflectance) : reflectance_(std::move(reflectance)) {
         check_reflectance(reflectance_, "reflectance");
@@ -22,6 +23,7 @@ public:
     [[nodiscard]] std::string content_key() const override {
         return Key("diffuse").add("reflectance", reflectance_).text();
     }
+    [[nodiscard]] std::string own_terms_key() const override { return "diffuse"; }
 
     [[nodiscard]] Mueller evaluate(int, const glm::dvec3& towards_light,
                                    const glm::dvec3& towards_viewer) const override {

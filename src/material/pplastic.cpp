@@ -10,6 +10,7 @@
 #include "material/material.hpp"
 #include "material/microfacet.hpp"
 #include "material/reflectance.hpp"
+#include "material/shared_terms.hpp"
 #include "material/textured.hpp"
 #include "polarization/fresnel.hpp"
 #include "simd/dispatch.hpp"
@@ -67,7 +68,7 @@ template <class Number>
     }
 }
 
-class Pplastic final : public Material {
+class Pplastic final : public Material, public SharedTerms {
 public:
     explicit Pplastic(PplasticParameters parameters)
         : p_(std::move(parameters)),
@@ -102,14 +103,11 @@ public:
         return isotropic_ ? *isotropic_ : *this;
     }
     [[nodiscard]] std::string content_key() const override {
-        return Key("pplastic")
-            .add("diffuse_reflectance", p_.diffuse_reflectance.values)
-            .add("specular_reflectance", p_.specular_reflectance.values)
-            .add("eta", eta_)
-            .add("alpha", isotropic_ ? std::vector{alpha_.x, alpha_.y} : std::vector{alpha_.x})
-            .add("distribution", p_.distribution == Distribution::ggx)
-            .text();
+        return with_terms(Key("pplastic")
+                              .add("diffuse_reflectance", p_.diffuse_reflectance.values)
+                              .add("specular_reflectance", p_.specular_reflectance.values));
     }
+    [[nodiscard]] std::string own_terms_key() const override { return with_terms(Key("pplastic")); }
 
     [[nodiscard]] Mueller evaluate(int term, const glm::dvec3& towards_light,
                                    const glm::dvec3& towards_viewer) const override {
@@ -123,6 +121,13 @@ public:
     }
 
 private:
+    [[nodiscard]] std::string with_terms(Key key) const {
+        return key.add("eta", eta_)
+            .add("alpha", isotropic_ ? std::vector{alpha_.x, alpha_.y} : std::vector{alpha_.x})
+            .add("distribution", p_.distribution == Distribution::ggx)
+            .text();
+    }
+
     // Returns transmission through the smooth boundary, depolarizing scattering inside, and transmission out.
     [[nodiscard]] Mueller base(const glm::dvec3& light, const glm::dvec3& viewer) const {
         const Mueller in = fresnel_transmission(light.z, eta_);

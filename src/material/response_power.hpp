@@ -4,6 +4,8 @@
 
 #include <array>
 #include <cstddef>
+#include <map>
+#include <string>
 #include <vector>
 
 #include "harmonics/light_layout.hpp"
@@ -23,8 +25,14 @@ public:
     /// Energies by order, 0..order.
     using Spectrum = std::vector<double>;
 
-    /// Integrates the material at a few angles. `channels` and exceptions are those of ResponseTable.
-    ResponsePower(const Material& material, int order, LightKind kind, int channels);
+    /// Number of outgoing angles at which materials are integrated.
+    static constexpr std::size_t kAngles = 6;
+    /// Rows of terms at these angles by terms_key(), all of one order and kind of light.
+    using KnownTerms = std::map<std::string, std::array<std::vector<double>, kAngles>>;
+
+    /// Integrates the material at a few angles, or takes the rows of its terms from `known`, to which new
+    /// rows are added. `channels` and exceptions are those of ResponseTable.
+    ResponsePower(const Material& material, int order, LightKind kind, int channels, KnownTerms& known);
 
     /// Returns the number of channels; 1 if all channels have the same energies.
     [[nodiscard]] int channels() const noexcept { return static_cast<int>(of_.size()); }

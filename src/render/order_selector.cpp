@@ -144,6 +144,7 @@ void OrderSelector::measure(const Scene& scene, const Projected& projected, cons
     }
 
     const VertexWeights vertices(geometry, surfaces.baked);
+    ResponsePower::KnownTerms known_terms;
     std::erase_if(responses_, [&](const auto& known) { return !vertices.groups().contains(known.first); });
     for (const auto& [material, group] : vertices.groups()) {
         if (harmonics) {
@@ -154,9 +155,10 @@ void OrderSelector::measure(const Scene& scene, const Projected& projected, cons
         auto known = responses_.find(material);
         if (known == responses_.end()) {
             MaterialPtr in_orders = in_harmonics(material, projected.sampled);
-            const ResponsePower whole(*material, kOrder, kind_, scene.channels());
-            const ResponsePower power =
-                in_orders == material ? whole : ResponsePower(*in_orders, kOrder, kind_, scene.channels());
+            const ResponsePower whole(*material, kOrder, kind_, scene.channels(), known_terms);
+            const ResponsePower power = in_orders == material ? whole
+                                                              : ResponsePower(*in_orders, kOrder, kind_,
+                                                                              scene.channels(), known_terms);
             known = responses_
                         .emplace(material, Response{.whole = whole,
                                                     .projected = std::move(in_orders),
