@@ -55,7 +55,7 @@ void untouched(const Gl& gl, Call call) {
 }
 
 /// Returns whether to continue.
-bool handle_events(double& polarizer) {
+bool handle_events(double& polarizer, bool& paused) {
     SDL_Event event;
     while (SDL_PollEvent(&event) != 0) {
         if (event.type == SDL_QUIT) return false;
@@ -63,6 +63,7 @@ bool handle_events(double& polarizer) {
         if (event.key.keysym.sym == SDLK_ESCAPE) return false;
         if (event.key.keysym.sym == SDLK_LEFT) polarizer += 5;
         if (event.key.keysym.sym == SDLK_RIGHT) polarizer -= 5;
+        if (event.key.keysym.sym == SDLK_SPACE) paused = !paused;
     }
     return true;
 }
@@ -95,22 +96,26 @@ void run(const Options& options) {
     std::optional<Rings> rings;
     if (options.rings) rings.emplace(gl, stage.image(), Stage::kQuadSize);
     double polarizer = options.polarizer;
-    for (int frame = 0; handle_events(polarizer) && (options.frames == 0 || frame < options.frames);
+    bool paused = false;
+    int moment = 0;  // frames that moved
+    for (int frame = 0; handle_events(polarizer, paused) && (options.frames == 0 || frame < options.frames);
          ++frame) {
-        stage.draw_triangles(frame);
+        if (frame > 0 && frame == options.pause) paused = true;
+        if (frame > 0 && !paused) ++moment;
+        stage.draw_triangles(moment);
         if (polarized) {
             // One ring is there before the ball, which hides what is behind it; the other one comes after,
             // and is hidden by the ball's depth.
             if (rings) {
                 rings->clear();
-                rings->draw(0, frame);
+                rings->draw(0, moment);
             }
             untouched(gl, [&] {
-                polarized->draw(2.0 * frame, polarizer, stage.image(), rings ? rings->depth() : 0,
+                polarized->draw(2.0 * moment, polarizer, stage.image(), rings ? rings->depth() : 0,
                                 Rings::kNear);
             });
-            if (rings) rings->draw(1, frame);
-            stage.draw_quad(3.0 * frame);
+            if (rings) rings->draw(1, moment);
+            stage.draw_quad(3.0 * moment);
         }
         if (frame + 1 == options.frames && !options.screenshot.empty())
             write_screenshot(gl, options.screenshot);

@@ -9,9 +9,10 @@
 const char* const usage =
     "usage: nicol-host [OPTION...]\n"
     "Shows polarized light inside an application with OpenGL of its own. Left and right rotate the "
-    "polarizer.\n"
+    "polarizer; the space bar stops the motion, and the image then gets up to 64 samples per pixel.\n"
     "  --polarizer ANGLE   degrees counter-clockwise from the right\n"
     "  --frames N          end after N frames; the first one faces the viewer\n"
+    "  --pause N           stop the motion at frame N\n"
     "  --screenshot FILE   write the last frame as a PPM image; needs --frames\n"
     "  --planes FILE       write what the image on the quad is made of: 256 x 256 x 3 Stokes vectors as "
     "floats\n"
@@ -27,6 +28,13 @@ double number(const std::string& option, const char* text) {
     if (end == text || *end != '\0' || !std::isfinite(value))
         throw Failure(option + ": " + text + " is not a number");
     return value;
+}
+
+int frame_number(const std::string& option, const char* text) {
+    const double value = number(option, text);
+    if (value < 1 || value > 1e6 || value != std::floor(value))
+        throw Failure(option + " must be a whole number from 1 to 1000000");
+    return static_cast<int>(value);
 }
 
 }  // namespace
@@ -54,10 +62,9 @@ Options parse(int count, char** arguments) {
         } else if (option == "--time-budget") {
             options.time_budget = number(option, value());
         } else if (option == "--frames") {
-            const double frames = number(option, value());
-            if (frames < 1 || frames > 1e6 || frames != std::floor(frames))
-                throw Failure("--frames must be a whole number from 1 to 1000000");
-            options.frames = static_cast<int>(frames);
+            options.frames = frame_number(option, value());
+        } else if (option == "--pause") {
+            options.pause = frame_number(option, value());
         } else {
             throw Failure("unknown option " + option + "; --help lists them");
         }

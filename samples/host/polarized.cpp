@@ -3,10 +3,13 @@
 
 #include <SDL.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 namespace {
+
+constexpr std::uint32_t kMostSamples = 64;
 
 void* find_function(void*, const char* name) {
     return SDL_GL_GetProcAddress(name);
@@ -50,6 +53,9 @@ void Polarized::draw(double sun, double polarizer, unsigned texture, unsigned de
     check(nicol_scene_set_environment(scene_.get(), sky_.get(), to_world, 1));
     nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
     options.time_budget_ms = time_budget_;
+    samples_ = samples_ > 0 && sun == sun_ ? std::min(2 * samples_, kMostSamples) : 1;
+    sun_ = sun;
+    options.pixel_samples = samples_;
     options.aovs = depth != 0 ? NICOL_AOV_DEPTH : 0;
     check(nicol_render(scene_.get(), &camera_, &options, framebuffer_.get()));
 

@@ -166,6 +166,7 @@ ImageRequest parse_image(const Target& target, Format format, std::uint32_t scen
     request.view.light = wrapped(reader.number("light").value_or(0), 360);
     request.view.light_tilt = reader.number("light_tilt").value_or(0);
     read_orders(reader, request.view);
+    request.view.samples = static_cast<std::uint32_t>(reader.number("samples").value_or(1));
     if (has_observer(format)) read_observer(reader, info, request);
     request.bits = static_cast<std::uint32_t>(reader.number("bits").value_or(0));
     return request;
@@ -209,6 +210,7 @@ std::string canonical(const ImageRequest& request, const SceneInfo& info) {
     if (view.order_low >= 0) text += "&order_low=" + std::to_string(view.order_low);
     if (view.order_high >= 0) text += "&order_high=" + std::to_string(view.order_high);
     if (view.tolerance > 0) text += "&tolerance=" + json_number(view.tolerance);
+    if (view.samples > 1) text += "&samples=" + std::to_string(view.samples);
     if (has_observer(request.format)) {
         text += "&observer=" + std::to_string(static_cast<unsigned>(request.observer));
         text += "&polarizer=" + json_number(request.polarizer) +

@@ -40,6 +40,7 @@ struct View {
            light_tilt = 0;  ///< in degrees, about the vertical, then about azimuth 90's horizontal axis
     std::int32_t order_low = -1, order_high = -1;  ///< -1: the library's default
     double tolerance = 0;                          ///< 0: the library's default
+    std::uint32_t samples = 1;                     ///< per pixel
 
     bool operator==(const View&) const = default;
 };

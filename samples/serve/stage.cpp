@@ -168,6 +168,7 @@ void Stage::draw(const View& view, const Progress& progress, ResultHead& head) {
     if (view.order_low >= 0) options.order_low = static_cast<std::uint32_t>(view.order_low);
     if (view.order_high >= 0) options.order_high = static_cast<std::uint32_t>(view.order_high);
     if (view.tolerance > 0) options.tolerance = view.tolerance;
+    options.pixel_samples = view.samples;
     options.progress = progress.callback;
     options.progress_user = progress.user;
     check(nicol_render(scene_.get(), &camera, &options, framebuffer_.get()));

@@ -117,11 +117,21 @@ class HostTest(ProgramTest):
         self.assertGreater(gold[0], gold[2])  # drawn before the ball
         self.assertGreater(blue[2], blue[0])  # drawn after it
 
+    def test_an_image_that_does_not_move_gets_more_samples(self):
+        shots = {}
+        for frames in (3, 4, 9, 10):
+            shots[frames] = self.screenshot("--frames", str(frames), "--pause", "3")
+        self.assertEqual(left_part(shots[3]), left_part(shots[10]))
+        self.assertNotEqual(shots[3], shots[4])
+        self.assertNotEqual(shots[4], shots[9])
+        self.assertEqual(shots[9], shots[10])  # 64 samples since frame 9
+
     def test_wrong_options_are_refused(self):
         table = (
             (["--fraems"], "--fraems 3"),
             (["--frames"], "--screenshot shot.ppm"),
             (["--frames"], "--frames 0"),
+            (["--pause"], "--pause 1.5"),
             (["--polarizer", "up"], "--frames 1 --polarizer up"),
             (["--rings", "--without-nicol"], "--rings --without-nicol"),
             (["shot.ppm"], "--frames 1 --screenshot nowhere/shot.ppm"),

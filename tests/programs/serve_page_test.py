@@ -31,17 +31,23 @@ class Page(unittest.TestCase):
 
     def setUp(self):
         self.browser.errors.clear()
-        self.browser.open(f"http://127.0.0.1:{self.server.port}/")
+        self.open(samples=1)
         self.settle()
 
     def tearDown(self):
         self.assertEqual(self.browser.errors, [])
         self.assertEqual(self.browser.evaluate("document.getElementById('message').textContent"), "")
 
+    def open(self, samples):
+        """Opens the page, which then asks for no more samples per pixel."""
+        self.samples = samples
+        self.browser.open(f"http://127.0.0.1:{self.server.port}/?samples={samples}")
+
     def settle(self):
-        """Waits until the last requested image is drawn."""
+        """Waits until the last requested image is drawn with all its samples."""
         self.browser.wait("document.body !== null && 'shown' in document.body.dataset && "
-                          "document.body.dataset.shown === document.body.dataset.wanted")  # fmt: skip
+                          "document.body.dataset.shown === document.body.dataset.wanted && "
+                          f"document.body.dataset.samples === '{self.samples}'")  # fmt: skip
         self.browser.evaluate("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))")
 
     def image(self):
@@ -96,6 +102,19 @@ class Desktop(Page):
         self.settle()
         self.assertNotEqual(before, self.image())
         self.assertEqual(self.server.metric("answer_seconds_count"), asked)
+
+    def test_more_samples_while_nothing_moves(self):
+        coarse = self.image()
+        self.assertNotIn("samples=", self.asked())
+        self.open(samples=16)
+        self.settle()
+        self.assertIn("samples=16", self.asked())
+        self.assertNotEqual(coarse, self.image())
+        x, y = self.centre()
+        self.browser.drag((x, y), (x + 120, y + 30))
+        self.browser.drag((x + 120, y + 30), (x, y))
+        self.settle()
+        self.assertIn("samples=16", self.asked())
 
     def test_views(self):
         images = []

@@ -78,13 +78,14 @@ TEST_CASE("equal requests have one text") {
 TEST_CASE("other requests have another text") {
     std::istringstream all(
         "azimuth=30 azimuth=31 elevation=6 distance=3 target=0,1,1 fov=40 light=1 light_tilt=1 order_low=3 "
-        "order_low=4 order_low=0 order_high=9 order_high=8 tolerance=0.1 tolerance=0.2 observer=s1 "
+        "order_low=4 order_low=0 order_high=9 order_high=8 tolerance=0.1 tolerance=0.2 samples=4 samples=64 "
+        "observer=s1 "
         "observer=s2 observer=s3 observer=dolp observer=aolp polarizer=0 polarizer=1 exposure=1 "
         "observer=s1&scale=2 size=10x20 size=20x10 matrix=1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1 "
         "matrix=1,0,0,0,0,1,0,0,0,0,1,2,0,0,0,1");
     std::set<std::string> texts = {text("")};
     for (std::string query; all >> query;) CHECK_MESSAGE(texts.insert(text(query)).second, query);
-    CHECK(texts.size() == 29);
+    CHECK(texts.size() == 31);
     for (const Format format :
          {Format::exr, Format::stokes_exr, Format::stokes_planes, Format::stokes_f16, Format::stokes_f32})
         CHECK(texts.insert(text("", format)).second);
@@ -127,6 +128,8 @@ TEST_CASE("what lies outside its range is refused by name and range") {
         {"order_low=9&order_high=8", "order_high", "whole numbers from 0 to 16"},
         {"tolerance=0", "tolerance", "0.0001 to 1"},
         {"tolerance=0.1&order_low=2", "tolerance", "0.0001 to 1"},
+        {"samples=0", "samples", "whole numbers from 1 to 64"},
+        {"samples=65", "samples", "whole numbers from 1 to 64"},
         {"observer=S0", "observer", "s0, s1, s2, s3, dolp, aolp, polarizer"},
         {"observer=s1&polarizer=3", "observer", "s0, s1"},
         {"polarizer=1e9", "polarizer", "-360 to 360"},

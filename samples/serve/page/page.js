@@ -12,8 +12,11 @@ const state = {
   scene: null, azimuth: 0, elevation: 0, distance: 1, nearest: 0.1, farthest: 10, moved: false, light: 0, light_tilt: 0,
   polarizer: 0, view: "polarizer", exposure: 0, split: false, dragLight: false, probe: [0.5, 0.5],
 };
+// Most samples per pixel that the page asks for. Each step while nothing moves has four times as many as the last.
+const most = Number(new URLSearchParams(location.search).get("samples")) || 64;
 // detail: "half" the resolution during movement; "rounded" for a scene's first image; else "all".
-let view, stokes, limits, scenes, detail = "all", wanted = 0, shown = -1, fetching = false;
+let view, stokes, limits, scenes, detail = "all", wanted = 0, shown = -1, samples = 1, fetching = false;
+let refining = null;  // aborts a request for more samples
 
 function say(text) {
   element("message").textContent = text;
@@ -28,25 +31,28 @@ function size() {
   return [width, height].map((length) => Math.max(1, Math.floor(length * factor)));
 }
 
-function target([width, height]) {
+function target([width, height], perPixel) {
   const round = (value) => Math.round(value * 1e4) / 1e4;
   const query = new URLSearchParams({ size: `${width}x${height}` });
   if (state.moved) for (const name of ["azimuth", "elevation", "distance"]) query.set(name, round(state[name]));
   for (const name of ["light", "light_tilt"]) if (state[name] !== 0) query.set(name, round(state[name]));
   if (detail !== "all") query.set("bits", 6);
+  if (perPixel > 1) query.set("samples", perPixel);
   return `${state.scene["stokes.planes"]}?${query}`;
 }
 
 const pause = (seconds) => new Promise((resolve) => setTimeout(resolve, 1000 * seconds));
 
-// Runs one request at a time. Changes meanwhile are requested next, and intermediate states are never rendered.
+// Runs one request at a time. Changes meanwhile are requested next, and intermediate states are never rendered. An
+// image that is up to date is requested with more samples, and a change aborts such a request.
 async function refresh() {
   if (fetching) return;
   fetching = true;
-  while (shown !== wanted) {
-    const now = wanted, start = performance.now(), pixels = size();
+  while (shown !== wanted || (detail === "all" && samples < most)) {
+    const now = wanted, start = performance.now(), pixels = size(), perPixel = shown === now ? Math.min(4 * samples, most) : 1;
+    refining = perPixel > 1 ? new AbortController() : null;
     try {
-      const response = await fetch(target(pixels));
+      const response = await fetch(target(pixels, perPixel), { signal: refining?.signal });
       if (response.status === 503) {
         say("The service is busy.");
         await pause(Number(response.headers.get("Retry-After")) || 1);
@@ -58,16 +64,18 @@ async function refresh() {
       view.show(stokes);
       draw();
       element("time").textContent =
-        `${pixels[0]} × ${pixels[1]}: ${(fetched - start).toFixed(0)} ms to render and fetch, ` +
+        `${pixels[0]} × ${pixels[1]}, ${perPixel} a pixel: ${(fetched - start).toFixed(0)} ms to render and fetch, ` +
         `${(performance.now() - fetched).toFixed(0)} ms to show`;
       say("");
     } catch (error) {
+      if (error.name === "AbortError") continue;
       say(error.message);
     }
     shown = now;
+    samples = perPixel;
+    Object.assign(document.body.dataset, { shown, samples });
   }
   fetching = false;
-  document.body.dataset.shown = shown;
 }
 
 function draw() {
@@ -90,6 +98,7 @@ function ask(changed, howMuch) {
   Object.assign(state, changed);
   ++wanted;
   document.body.dataset.wanted = wanted;
+  refining?.abort();
   refresh();
 }
 
