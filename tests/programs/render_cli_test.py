@@ -346,6 +346,12 @@ class Success(RenderTest):
         s0, whole = (self.image_and_statistics("good.xml", "--components", name)[0] for name in ("s0", "all"))
         self.assertNotEqual(s0, whole)
 
+    def test_a_tolerance_that_no_orders_reach_is_noticed(self):
+        self.write_ring(100)
+        for tolerance, told in (("0.0001", True), ("0.9", False)):
+            run = self.assert_succeeds("ring.xml", "-o", "out/a.exr", "--tolerance", tolerance, "--bsdf-samples", "0")
+            self.assertEqual("no orders reach it" in run.stderr, told, run.stderr)
+
     def test_planes(self):
         self.assert_succeeds("good.xml", "-o", "out/a.exr")
         bare = self.image_channels()
