@@ -1357,9 +1357,9 @@ typedef uint32_t nicol_executor;
 /* Rays of the bake: those that nothing can block, because no surface lies in their direction; those that
  * large flat faces certainly block; those of fine meshes in directions in which the vertices around see the
  * same (images differ by about 0.0005); and those of vertices that no image has shown, that are black or that
- * no light reaches. A first image refines shadows down to two of its pixels alone, so that later views, which
- * refine all, differ from a first image of theirs by about 0.01 of the RMS of s0; without this optimisation
- * they are equal. */
+ * no light reaches. A first image refines shadows on triangles that face it alone, down to two of its pixels.
+ * Later images, of other views or of a scene that has changed, refine all. They differ from a first image of
+ * theirs by about 0.01 of the RMS of s0; without this optimisation they are equal. */
 #define NICOL_OPTIMISATION_RAYS 128u
 #define NICOL_OPTIMISATION_ALL 255u
 

@@ -56,12 +56,13 @@ NeededVertices needed_vertices(const WorldGeometry& geometry, const Projection& 
     wide.pixel *= kMargin;
     std::vector<std::uint8_t> needed;
     find_visible(geometry, wide, needed);
+    std::vector<std::uint8_t> facing = needed;
     const auto at = [&needed](std::size_t v) { return needed.begin() + static_cast<std::ptrdiff_t>(v); };
     for (const VertexRange& range : geometry.ranges)
         if (!reflects(*range.material)) std::fill(at(range.first), at(range.last), std::uint8_t{0});
     const double pixels = 4 / (projection.pixel.x * projection.pixel.y);
     const auto seen = static_cast<double>(std::ranges::count(needed, 1));
-    if (seen == 0) return {.flags = std::move(needed)};
+    if (seen == 0) return {.flags = std::move(needed), .seen = std::move(facing)};
     if (seen > kLeastSpared + kVerticesOfRay * pixels)
         remove_hidden(geometry, *rays.get(), projection, needed);
     const double pixel = pixel_at_nearest(geometry, projection, needed);
@@ -69,8 +70,8 @@ NeededVertices needed_vertices(const WorldGeometry& geometry, const Projection& 
         const std::size_t step = std::max<std::size_t>(1, (range.last - range.first) / kSampledVertices);
         for (std::size_t v = range.first; v < range.last; v += step) needed[v] = 1;
     }
-    if (static_cast<std::size_t>(std::ranges::count(needed, 0)) < kLeastSpared) return {};
-    return {.flags = std::move(needed), .pixel = pixel};
+    if (static_cast<std::size_t>(std::ranges::count(needed, 0)) < kLeastSpared) needed.clear();
+    return {.flags = std::move(needed), .seen = std::move(facing), .pixel = pixel};
 }
 
 bool need_the_same(const Projection& a, const Projection& b) {

@@ -13,12 +13,14 @@ namespace nicol {
 struct NeededVertices {
     /// 1 for each vertex whose visibility is needed, else 0. Empty: all are needed.
     std::vector<std::uint8_t> flags;
-    double pixel = 0;  ///< side of a pixel at the nearest vertex that is seen; 0 if all vertices are needed
+    /// 1 for each vertex of a triangle that can be seen, else 0.
+    std::vector<std::uint8_t> seen;
+    double pixel = 0;  ///< side of a pixel at the nearest vertex that is seen; 0 if none is
 };
 
 /// Returns what an image needs for direct light: vertices of triangles that can be seen and reflect light,
 /// and a sample of the other vertices of each instance, whose shadows say where triangles are refined. All
-/// flags are 0 if no triangle is seen that reflects light. There are no flags if so few vertices can be
+/// flags are 0 if no triangle is seen that reflects light. `flags` is empty if so few vertices can be
 /// spared that all are needed. rays: of the geometry, which rays from pixels use if they spare more than they
 /// cost. The sample does not depend on the view. Runs on the calling thread's TBB arena.
 [[nodiscard]] NeededVertices needed_vertices(const WorldGeometry& geometry, const Projection& projection,

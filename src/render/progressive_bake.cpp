@@ -39,7 +39,7 @@ void ProgressiveBake::begin(Finished finished) {
     unoccluded_.assign(visible_.unoccluded().begin(), visible_.unoccluded().end());
     states_.assign(visible_.vertices(), state_);
     waits_.assign(visible_.vertices(), 0);
-    finished_ = true;
+    finished_ = finished.fine;
 }
 
 void ProgressiveBake::follow(const Input& input) {
@@ -256,7 +256,8 @@ void ProgressiveBake::advance(const Input& input, SurfaceRays& rays, double mill
     bool first = true;
     if (!rays_) rays_ = rays.get();
     for (; next_ < order_.size() && (first || spent() < milliseconds); first = false) {
-        progress.report("bake", static_cast<double>(next_) / static_cast<double>(order_.size()));
+        progress.report("bake",
+                        kTracingOfBake * static_cast<double>(next_) / static_cast<double>(order_.size()));
         vertices.clear();
         std::size_t end_of_step = next_;
         for (; end_of_step < order_.size() && vertices.size() < kVerticesAtATime; ++end_of_step) {
@@ -279,7 +280,8 @@ void ProgressiveBake::advance(const Input& input, SurfaceRays& rays, double mill
     if (next_ < order_.size() || finished_) return;
     pending_ = 0;
     while (!finished_ && (first || spent() < milliseconds)) {
-        progress.report("bake", 1);
+        const double refined = refinement_ ? refinement_->fraction() : 0;
+        progress.report("bake", kTracingOfBake + (1 - kTracingOfBake) * refined);
         first = false;
         workers.run([&] {
             // After an exception, the refinement begins anew.
@@ -368,7 +370,6 @@ void ProgressiveBake::finish(const Input& input) {
     waits_.assign(visible_.vertices(), 0);
     origins_.clear();
     order_.clear();
-    next_ = 0;
     last_ = all_ = {};
     refining_visibility_ = {};
     rays_.reset();

@@ -44,6 +44,7 @@ public:
         std::vector<TrianglePart> parts;
         VertexNumbers numbers;
         TracedPoints points;
+        bool fine;         ///< whether the refinement had no RefineOptions::shortest_edge
         double tolerance;  ///< RenderOptions::refine_tolerance
         std::uint64_t most_vertices;
     };

@@ -123,10 +123,11 @@ void SceneVisibility::find_directions(const SceneGeometry& surfaces, const Rende
 
 void SceneVisibility::begin_progressively(const SceneGeometry& surfaces, const RenderOptions& options) {
     progressive_ = std::make_unique<ProgressiveBake>();
+    const bool fine = shortest_edge_ == 0;
     // Bake of the last update(), if it belongs to the surfaces before or after their last change.
-    const bool current =
-        baked_geometry_ != 0 && needed_.empty() &&
-        refining_.is_current(baked_.version(), options.refine_tolerance, options.max_vertices, false);
+    const bool current = baked_geometry_ != 0 && needed_.empty() &&
+                         refining_.is_current(baked_.version(), options.refine_tolerance,
+                                              options.max_vertices, false, shortest_edge_);
     const bool follows = baked_geometry_ == surfaces.version() || baked_geometry_ == surfaces.change().before;
     if (current && follows) {
         progressive_->begin({.surfaces = baked_geometry_,
@@ -137,7 +138,8 @@ void SceneVisibility::begin_progressively(const SceneGeometry& surfaces, const R
                              .refined = std::move(refined_),
                              .parts = std::move(parts_),
                              .numbers = std::move(numbers_),
-                             .points = std::move(points_),
+                             .points = fine ? std::move(points_) : TracedPoints(),
+                             .fine = fine,
                              .tolerance = options.refine_tolerance,
                              .most_vertices = options.max_vertices});
     } else {
@@ -153,6 +155,7 @@ void SceneVisibility::begin_progressively(const SceneGeometry& surfaces, const R
     visible_.change().reset();
     baked_geometry_ = 0;
     needed_.clear();
+    wanted_.clear();
     shortest_edge_ = 0;
     baked_vertices_.clear();
     baking_.reset();
@@ -236,12 +239,20 @@ bool SceneVisibility::bake(const SceneGeometry& surfaces, SurfaceRays& rays, boo
         rest = !enough && is_part;
         if (!enough) baking_.reset();
     }
+    const bool another = !part || (seen_from_ && !need_the_same(*seen_from_, projection));
+    if (shortest_edge_ > 0 && (carry || rest || (needed_.empty() && another))) {
+        shortest_edge_ = 0;
+        wanted_.clear();
+        points_ = {};
+        points_bake_ = 0;
+    }
     const bool ran = baking_.run(surfaces.version(), count, axes, [&] {
         const Stopwatch watch;
         carried_ = carry || rest ? baked_.version() : 0;
         baked_geometry_ = 0;
         find_directions(surfaces, options);
-        const auto report = [&progress](double fraction) { progress.report("bake", fraction); };
+        const double share = options.refine_tolerance > 0 ? kTracingOfBake : 1;
+        const auto report = [&](double fraction) { progress.report("bake", share * fraction); };
         BakeStatistics baked;
         workers.run([&] {
             const BakeGeometry geometry = bake_geometry(surfaces, rays, needed.flags, options);
@@ -260,6 +271,7 @@ bool SceneVisibility::bake(const SceneGeometry& surfaces, SurfaceRays& rays, boo
             baked_.change() = std::make_shared<const Visibility>(std::move(visibility));
         });
         needed_ = std::move(needed.flags);
+        wanted_ = needed_.empty() ? std::move(needed.seen) : std::vector<std::uint8_t>();
         shortest_edge_ = kPixelsOfEdge * needed.pixel;
         baked_geometry_ = surfaces.version();
         count_bake(baked, watch, statistics);
@@ -284,9 +296,12 @@ Visibility SceneVisibility::bake_rest(BakeGeometry geometry, const BakeProgress&
 void SceneVisibility::refine(const SceneGeometry& surfaces, SurfaceRays& rays, const RenderOptions& options,
                              Workers& workers, Progress& progress, Statistics& statistics) {
     const bool shadow_all = (options.disabled_optimisations & skip_unoccluded) != 0;
-    refining_.run(baked_.version(), options.refine_tolerance, options.max_vertices, shadow_all, [&] {
+    const double edge = shortest_edge_;
+    refining_.run(baked_.version(), options.refine_tolerance, options.max_vertices, shadow_all, edge, [&] {
         const Stopwatch watch;
-        const auto report = [&progress](double fraction) { progress.report("bake", fraction); };
+        const auto report = [&progress](double fraction) {
+            progress.report("bake", kTracingOfBake + (1 - kTracingOfBake) * fraction);
+        };
         BakeStatistics baked;
         refined_.reset();
         topology_ = {};
@@ -329,7 +344,8 @@ Refinement SceneVisibility::refinement_of(const SceneGeometry& surfaces, const B
                                           const BakeProgress& report, BakeStatistics& baked) const {
     const RefineOptions wanted{.tolerance = options.refine_tolerance,
                                .max_vertices = options.max_vertices,
-                               .shortest_edge = shortest_edge_};
+                               .shortest_edge = shortest_edge_,
+                               .wanted = wanted_};
     FormerRefinement former{.points = points_, .disturbances = {}};
     if (points_bake_ != baked_.version()) {
         if (points_bake_ == 0 || points_bake_ != carried_)

@@ -90,9 +90,11 @@ private:
     std::optional<Projection> seen_from_;
     // 1 for each vertex of baked_ that was baked; empty: all were. And the same of the vertices of surfaces_.
     std::vector<std::uint8_t> needed_, baked_vertices_;
-    double shortest_edge_ = 0;  // RefineOptions::shortest_edge of the bake of a part
-    // Inputs: bake, tolerance, largest number of vertices, whether unoccluded vertices count as occluded.
-    Stage<Version, double, std::uint64_t, bool> refining_;
+    double shortest_edge_ = 0;  // RefineOptions::shortest_edge of a bake's first image; 0 for later ones
+    std::vector<std::uint8_t> wanted_;  // RefineOptions::wanted of the first image of a bake of all vertices
+    // Inputs: bake, tolerance, largest number of vertices, whether unoccluded vertices count as occluded,
+    // shortest edge.
+    Stage<Version, double, std::uint64_t, bool, double> refining_;
     TracedPoints points_;                                   // of the last refinement
     Version points_bake_ = 0;                               // version of the bake that points_ belong to
     Refinement topology_;                                   // the refinement without visibility and points

@@ -193,44 +193,53 @@ void AgreeingNeighbours::find_around(std::uint32_t vertex, std::vector<std::uint
 
 bool AgreeingNeighbours::find(std::uint32_t vertex, const DirectionSet& directions,
                               const Visibility& visibility, Agreement& out) const {
-    find_around(vertex, out.neighbours);
-    if (std::ranges::all_of(out.neighbours, [&](std::uint32_t n) { return visibility.unoccluded(n); }))
+    std::vector<std::uint32_t> neighbours;
+    find_around(vertex, neighbours);
+    if (std::ranges::all_of(neighbours, [&](std::uint32_t n) { return visibility.unoccluded(n); }))
         return false;
+    std::vector<Seeing> around;
+    for (const std::uint32_t n : neighbours)
+        around.push_back({.bits = visibility.at(n), .normal = normals_[n]});
+    out.find(around, kFewestNeighbours, directions, normals_[vertex], vertex);
+    return true;
+}
+
+void Agreement::find(std::span<const Seeing> around, std::size_t fewest, const DirectionSet& directions,
+                     const glm::vec3& normal, std::size_t number) {
     const std::size_t bundles = directions.bundles().size();
     const std::size_t checks = (kFewestChecks + bundles - 1) / bundles;  // in each bundle
-    out.spared = 0;
-    out.bits.assign((directions.size() + 63) / 64, 0);
-    out.checked.assign(out.bits.size(), 0);
-    out.traced.may_close.resize(bundles);
+    spared = 0;
+    bits.assign((directions.size() + 63) / 64, 0);
+    checked.assign(bits.size(), 0);
+    traced.may_close.resize(bundles);
     for (std::size_t b = 0; b < bundles; ++b) {
         const RayBundle& bundle = directions.bundles()[b];
         unsigned open = 0, blocked = 0, one = 0, two = 0, three = 0;
-        for (const std::uint32_t n : out.neighbours) {
-            const unsigned seen = bundle_bits(visibility.at(n).data(), b);
-            const unsigned above = dispatch<rays_above>(bundle, normals_[n], 0.0F);
+        for (const Seeing& point : around) {
+            const unsigned seen = bundle_bits(point.bits.data(), b);
+            const unsigned above = dispatch<rays_above>(bundle, point.normal, 0.0F);
             open |= seen;
             blocked |= above & ~seen;
             three |= two & above;
             two |= one & above;
             one |= above;
         }
-        const unsigned agreed =
-            three & ~(open & blocked) & dispatch<rays_above>(bundle, normals_[vertex], kLowestRay);
+        const unsigned agreed = (fewest == 2 ? two : three) & ~(open & blocked) &
+                                dispatch<rays_above>(bundle, normal, kLowestRay);
         // The rays are at other places in neighbouring bundles and vertices.
-        unsigned checked = 0;
+        unsigned sample = 0;
         for (std::size_t i = 0; i < checks; ++i)
-            checked |= 1U << ((7 * b + 5 * vertex + 3 * i) % RayBundle::kRays);
-        checked &= agreed;
-        out.spared += static_cast<std::uint64_t>(std::popcount(agreed & ~checked));
-        out.traced.may_close[b] = static_cast<std::uint16_t>(~agreed | checked);
-        add_bundle_bits(out.bits, b, open & agreed);
-        add_bundle_bits(out.checked, b, checked);
+            sample |= 1U << ((7 * b + 5 * number + 3 * i) % RayBundle::kRays);
+        sample &= agreed;
+        spared += static_cast<std::uint64_t>(std::popcount(agreed & ~sample));
+        traced.may_close[b] = static_cast<std::uint16_t>(~agreed | sample);
+        add_bundle_bits(bits, b, open & agreed);
+        add_bundle_bits(checked, b, sample);
     }
-    out.traced.may_open = out.traced.may_close;
-    return true;
+    traced.may_open = traced.may_close;
 }
 
-bool AgreeingNeighbours::Agreement::confirmed(std::span<const std::uint64_t> traced_bits) const {
+bool Agreement::confirmed(std::span<const std::uint64_t> traced_bits) const {
     for (std::size_t w = 0; w < bits.size(); ++w)
         if (((traced_bits[w] ^ bits[w]) & checked[w]) != 0) return false;
     return true;

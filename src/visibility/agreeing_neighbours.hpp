@@ -14,6 +14,27 @@
 
 namespace nicol {
 
+/// Bits and unit normal of a point.
+struct Seeing {
+    std::span<const std::uint64_t> bits;
+    glm::vec3 normal;
+};
+
+/// Rays of a point on which points around it agree, and a sample of these rays that is to confirm them.
+struct Agreement {
+    std::vector<std::uint64_t> bits;     ///< of the point, where those around agree
+    std::vector<std::uint64_t> checked;  ///< 1 for the sample
+    DisturbedBundles traced;             ///< the sample, and the rays on which the points disagree
+    std::uint64_t spared = 0;            ///< number of other rays above the horizon
+
+    /// Finds the agreement of points, of which `fewest`, 2 or 3, must have a direction above their horizon.
+    /// normal and number: of the point in the middle.
+    void find(std::span<const Seeing> around, std::size_t fewest, const DirectionSet& directions,
+              const glm::vec3& normal, std::size_t number);
+    /// Returns whether the sample, once traced, is as the points around see it.
+    [[nodiscard]] bool confirmed(std::span<const std::uint64_t> traced_bits) const;
+};
+
 /// Vertices of fine surfaces in the order in which a bake traces them: first a few far apart, then by turns
 /// those between, whose rays are traced only in directions in which the vertices around see different things,
 /// and a sample of the others. If one of these differs from what the vertices around see, all are traced:
@@ -28,15 +49,6 @@ public:
     /// are all that the geometry needs.
     [[nodiscard]] std::span<const std::vector<std::uint32_t>> turns() const noexcept { return turns_; }
 
-    struct Agreement {
-        std::vector<std::uint64_t> bits;        ///< of the vertex, where its neighbours agree
-        std::vector<std::uint64_t> checked;     ///< 1 for the sample of the bits that rays are to confirm
-        DisturbedBundles traced;                ///< those, and the rays on which the neighbours disagree
-        std::uint64_t spared = 0;               ///< number of other rays above the horizon
-        std::vector<std::uint32_t> neighbours;  ///< empty: there are not enough
-        /// Returns whether the sample of a vertex's bits, once traced, is as its neighbours see.
-        [[nodiscard]] bool confirmed(std::span<const std::uint64_t> traced_bits) const;
-    };
     /// Finds what the neighbours of a vertex, which are of earlier turns, agree on. Returns whether there are
     /// enough of them, and one is occluded: where none is, the search for possible blockers is faster still.
     /// Calls may run side by side.

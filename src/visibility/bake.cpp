@@ -115,7 +115,7 @@ Visibility bake(const BakeGeometry& geometry, const DirectionSet& directions, co
     std::atomic<std::uint64_t> from = 0;
     struct Scratch {
         DisturbedBundles bundles;
-        AgreeingNeighbours::Agreement agreement;
+        Agreement agreement;
         std::vector<FlatBlockers::Cone> faces;
     };
     const auto trace = [&](std::uint32_t v, Scratch& scratch) -> RayCounts {
@@ -126,7 +126,7 @@ Visibility bake(const BakeGeometry& geometry, const DirectionSet& directions, co
             return trace_vertex(*scene, directions, origins[v], normals[v], v, known, scratch.faces,
                                 visibility);
         }
-        AgreeingNeighbours::Agreement& agreement = scratch.agreement;
+        Agreement& agreement = scratch.agreement;
         if (!agreeing.find(v, directions, visibility, agreement))
             return blockers.trace(*scene, origins[v], normals[v], v, {}, visibility);
         const FormerBits known{.bits = agreement.bits, .disturbed = &agreement.traced};

@@ -21,7 +21,7 @@ constexpr std::string_view kMagic("NICOLVIS", 8);
 constexpr std::uint32_t kVersion = 2;
 // Magic and version of refinement files; raise the version whenever equal input gives a different refinement.
 constexpr std::string_view kRefinementMagic("NICOLREF", 8);
-constexpr std::uint32_t kRefinementVersion = 4;
+constexpr std::uint32_t kRefinementVersion = 5;
 
 template <class T>
 std::string hash_of(std::span<const T> numbers) {
@@ -137,13 +137,12 @@ Refinement load_or_refine(const BakeGeometry& geometry, const DirectionSet& dire
                           const BakeProgress& progress, BakeStatistics& statistics) {
     if (folder.empty() || geometry.present || visibility.unoccluded_count() == visibility.vertices())
         return refine(geometry, directions, visibility, options, progress, statistics);
-    const CacheFile file(folder, kRefinementMagic, kRefinementVersion,
-                         key_of("refinement", geometry, directions)
-                             .add("tolerance", options.tolerance)
-                             .add("max_vertices", static_cast<double>(options.max_vertices))
-                             .add("shortest_edge", options.shortest_edge)
-                             .text(),
-                         ".refinement");
+    Key key = key_of("refinement", geometry, directions)
+                  .add("tolerance", options.tolerance)
+                  .add("max_vertices", static_cast<double>(options.max_vertices))
+                  .add("shortest_edge", options.shortest_edge);
+    if (!options.wanted.empty()) key.add("wanted", hash_of(options.wanted));
+    const CacheFile file(folder, kRefinementMagic, kRefinementVersion, key.text(), ".refinement");
     std::vector<unsigned char> bytes;
     const CacheFile::Outcome outcome = file.read(bytes, std::uint64_t{1} << 40);
     if (outcome.state == CacheFile::State::complete) {

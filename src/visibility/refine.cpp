@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "visibility/refine.hpp"
 
-#include <limits>
-
 #include "progress.hpp"
 #include "visibility/stepwise_refinement.hpp"
 
 namespace nicol {
+namespace {
+
+// Points between two calls of the progress callback.
+constexpr std::size_t kPointsAtATime = 4096;
+
+}  // namespace
 
 bool can_refine(const Visibility& visibility, const RefineOptions& options) {
     return visibility.unoccluded_count() < visibility.vertices() &&
@@ -19,8 +23,8 @@ Refinement refine(const BakeGeometry& geometry, const DirectionSet& directions, 
     if (!can_refine(visibility, options)) return {};
     const Stopwatch watch;
     StepwiseRefinement refinement(geometry, directions, visibility, options, former);
-    while (refinement.step(std::numeric_limits<std::size_t>::max()))
-        if (progress) progress(1);
+    while (refinement.step(kPointsAtATime))
+        if (progress) progress(refinement.fraction());
     Refinement out = refinement.result(statistics);
     statistics.milliseconds += watch.milliseconds();
     return out;

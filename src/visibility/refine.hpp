@@ -6,12 +6,16 @@
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <span>
 #include <vector>
 
 #include "visibility/bake.hpp"
 #include "visibility/traced_points.hpp"
 
 namespace nicol {
+
+/// Share of the tracing of given vertices in the progress of a bake that is refined.
+inline constexpr double kTracingOfBake = 0.5;
 
 struct RefineOptions {
     /// Largest interpolation error along an edge in the hidden irradiance (of a white environment) and its
@@ -22,6 +26,8 @@ struct RefineOptions {
     std::size_t max_vertices = 65536;
     /// Length of edges that need no splitting whatever their error, because a picture does not resolve them.
     double shortest_edge = 0;
+    /// 1 for each given vertex whose triangles are split, else 0. Empty: all are.
+    std::span<const std::uint8_t> wanted = {};
 };
 
 /// A mesh with some of its triangles replaced by smaller ones, and the visibility at its vertices. All other

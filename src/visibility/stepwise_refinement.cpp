@@ -8,7 +8,6 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vec4.hpp>
-#include <optional>
 #include <unordered_map>
 #include <utility>
 
@@ -18,9 +17,7 @@
 #include "visibility/bake_origins.hpp"
 #include "visibility/blocked_lengths.hpp"
 #include "visibility/extent_of_triangles.hpp"
-#include "visibility/hidden_light.hpp"
-#include "visibility/possible_blockers.hpp"
-#include "visibility/vertex_rays.hpp"
+#include "visibility/point_tracer.hpp"
 
 namespace nicol {
 namespace {
@@ -34,6 +31,9 @@ constexpr double kOffsets = 64;
 // kShort may err by more, in inverse proportion to their length, because there is less area at them.
 constexpr double kShortest = 1.0 / 256;
 constexpr double kShort = 1.0 / 32;
+// Length of edges, relative to the shortest one that a picture resolves, up to which ends that agree speak
+// for the middle. Larger triangles may hide details between their vertices.
+constexpr double kAgreeing = 4;
 // Smallest share of the tolerance that is asked for where little light arrives.
 constexpr double kStrictest = 0.25;
 
@@ -51,18 +51,14 @@ public:
           directions_(directions),
           baked_(baked),
           options_(options),
-          former_(former),
-          scene_(rays_of(geometry)),
-          blockers_(geometry, directions, former == nullptr && !geometry.every_ray),
-          light_(directions),
+          tracer_(geometry_, directions, former),
           mesh_(geometry.positions, geometry.triangles),
           normals_(geometry.normals.begin(), geometry.normals.end()) {
-        if (former != nullptr) disturbed_.emplace(directions, former->disturbances);
         std::vector<glm::vec3> units(normals_.size());
         hidden_.resize(normals_.size());
         tbb::parallel_for(std::size_t{0}, normals_.size(), [&](std::size_t v) {
             units[v] = unit(normals_[v]);
-            hidden_[v] = light_.at(baked_, v, units[v]);
+            hidden_[v] = tracer_.light().at(baked_, v, units[v]);
         });
         shifts_ = bake_origins(geometry, units);
         for (std::size_t v = 0; v < shifts_.size(); ++v) shifts_[v] -= geometry.positions[v];
@@ -105,29 +101,25 @@ public:
         return false;
     }
 
+    // Estimates that each queue is half of what is left.
+    [[nodiscard]] double fraction() const {
+        const double left = std::exp2(-std::max(queues_, 0));
+        const std::size_t all = std::max(fresh_.size(), std::size_t{1});
+        return 1 - left + left / 2 * static_cast<double>(next_) / static_cast<double>(all);
+    }
+
     [[nodiscard]] Refinement result(BakeStatistics& statistics) {
         statistics.rays += rays_;
         statistics.rays_skipped += skipped_;
         statistics.vertices += traced_;
-        if (mesh_.parents().empty()) {
-            Refinement none;
-            none.points = std::move(points_);
-            return none;
-        }
-        std::vector<std::uint64_t> bits;
-        bits.reserve(rows_.size() * baked_.at(0).size());
-        bits.assign(baked_.bits().begin(), baked_.bits().end());
-        std::vector<std::uint8_t> open(baked_.unoccluded().begin(), baked_.unoccluded().end());
-        for (std::size_t v = baked_.vertices(); v < rows_.size(); ++v) {
-            const std::size_t point = rows_[v] - baked_.vertices();
-            bits.insert(bits.end(), points_.bits(point).begin(), points_.bits(point).end());
-            open.push_back(points_.unoccluded(point) ? 1 : 0);
-        }
-        return {.parents = mesh_.parents(),
-                .triangles = mesh_.triangles(),
-                .sources = mesh_.sources(),
-                .visibility = Visibility(directions_.size(), std::move(bits), std::move(open)),
-                .points = std::move(points_)};
+        Refinement out;
+        if (!mesh_.parents().empty())
+            out = {.parents = mesh_.parents(),
+                   .triangles = mesh_.triangles(),
+                   .sources = mesh_.sources(),
+                   .visibility = points_.appended_to(baked_, rows_)};
+        out.points = std::move(points_);
+        return out;
     }
 
 private:
@@ -170,6 +162,11 @@ private:
 
     [[nodiscard]] bool occluded(std::uint32_t v) const { return hidden_[rows_[v]].x > 0; }
 
+    // Returns whether triangles at a vertex are split.
+    [[nodiscard]] bool wants(std::uint32_t v) const {
+        return geometry_.needs(v) && (v >= options_.wanted.size() || options_.wanted[v] != 0);
+    }
+
     // Returns whether the interpolation error of an edge is too large.
     [[nodiscard]] bool wrong(double error, std::uint32_t a, std::uint32_t b) const {
         const double here = length(a, b);
@@ -200,6 +197,7 @@ private:
     void queue(std::span<const glm::uvec2> pairs) {
         fresh_.clear();
         next_ = 0;
+        ++queues_;
         for (const glm::uvec2& pair : pairs) {
             const std::size_t row = hidden_.size() + fresh_.size();
             if (middles_.try_emplace(pair_key(pair.x, pair.y), row).second) fresh_.push_back(pair);
@@ -211,13 +209,13 @@ private:
         const std::span some = std::span(fresh_).subspan(next_, count);
         Visibility seen(directions_.size(), count);
         std::vector<glm::vec4> hides(count);
-        std::vector<glm::vec3> origins(count);
-        std::vector<glm::vec3> normals(count);
+        std::vector<glm::vec3> origins(count), normals(count);
         tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
             const auto [a, b] = std::pair(some[i].x, some[i].y);
             normals[i] = unit(middle_normal(a, b));
             origins[i] = 0.5F * mesh_.positions()[a] + 0.5F * mesh_.positions()[b] + middle_shift(a, b);
-            const RayCounts of_point = trace_point(origins[i], normals[i], i, seen, hides[i]);
+            const RayCounts of_point =
+                tracer_.trace(origins[i], normals[i], ends_of(a, b), i, seen, hides[i]);
             rays_ += of_point.traced;
             skipped_ += of_point.skipped;
             traced_ += of_point.traced + of_point.skipped > 0 ? 1 : 0;
@@ -227,25 +225,17 @@ private:
         points_.add(origins, normals, seen, hides);
     }
 
-    // Finds what a point sees, as far as possible from the former refinement.
-    RayCounts trace_point(const glm::vec3& origin, const glm::vec3& normal, std::size_t i, Visibility& seen,
-                          glm::vec4& hides) const {
-        DisturbedBundles bundles;
-        std::optional<FormerBits> known;
-        std::optional<std::size_t> point;
-        if (former_ != nullptr) point = former_->points.find(origin, normal);
-        if (point) {
-            if (!disturbed_->find(origin, normal, bundles)) {
-                std::ranges::copy(former_->points.bits(*point), seen.at(i).begin());
-                seen.set_unoccluded(i, former_->points.unoccluded(*point));
-                hides = former_->points.hidden(*point);
-                return {};
-            }
-            known = {.bits = former_->points.bits(*point), .disturbed = &bundles};
-        }
-        const RayCounts rays = blockers_.trace(*scene_, origin, normal, i, known, seen);
-        hides = light_.at(seen, i, normal);
-        return rays;
+    // Returns what the ends of an edge see that rays through its middle may be spared for; nothing for all.
+    [[nodiscard]] std::vector<Seeing> ends_of(std::uint32_t a, std::uint32_t b) const {
+        if (geometry_.every_ray || !(length(a, b) <= kAgreeing * options_.shortest_edge)) return {};
+        // Possible blockers are faster still between ends that nothing hides anything from.
+        if (!occluded(a) && !occluded(b)) return {};
+        return {seeing(a), seeing(b)};
+    }
+    [[nodiscard]] Seeing seeing(std::uint32_t v) const {
+        const std::size_t given = baked_.vertices();
+        return {.bits = v < given ? baked_.at(v) : points_.bits(rows_[v] - given),
+                .normal = unit(normals_[v])};
     }
 
     [[nodiscard]] std::size_t row_of_middle(std::uint32_t a, std::uint32_t b) const {
@@ -259,9 +249,8 @@ private:
         suspects_.clear();
         for (const glm::uvec3& t : mesh_.triangles()) {
             for (glm::length_t k = 0; k < 3; ++k) {
-                const std::uint32_t a = t[k];
-                const std::uint32_t b = t[(k + 1) % 3];
-                if ((!occluded(a) && !occluded(b)) || !geometry_.needs(a) || !geometry_.needs(b)) continue;
+                const auto [a, b] = std::pair(t[k], t[(k + 1) % 3]);
+                if ((!occluded(a) && !occluded(b)) || !wants(a) || !wants(b)) continue;
                 const double change = size(hidden_[rows_[a]] - hidden_[rows_[b]]);
                 if (wrong(change / 2, a, b)) suspects_.emplace_back(a, b);
             }
@@ -307,11 +296,10 @@ private:
     // Completes added vertices once they have been traced.
     void take_rows() {
         for (std::size_t v = rows_.size(); v < mesh_.positions().size(); ++v) {
-            const auto [a, b] =
-                std::pair(mesh_.parents()[v - baked_.vertices()].x, mesh_.parents()[v - baked_.vertices()].y);
-            rows_.push_back(row_of_middle(a, b));
-            shifts_.push_back(middle_shift(a, b));
-            normals_.push_back(middle_normal(a, b));
+            const glm::uvec2& ends = mesh_.parents()[v - baked_.vertices()];
+            rows_.push_back(row_of_middle(ends.x, ends.y));
+            shifts_.push_back(middle_shift(ends.x, ends.y));
+            normals_.push_back(middle_normal(ends.x, ends.y));
         }
     }
 
@@ -319,7 +307,8 @@ private:
         std::vector<std::uint32_t> occluded_vertices;
         for (std::uint32_t v = 0; v < baked_.vertices(); ++v)
             if (occluded(v)) occluded_vertices.push_back(v);
-        wanted_ = blocked_lengths(geometry_, directions_, baked_, *scene_, occluded_vertices, shifts_);
+        wanted_ =
+            blocked_lengths(geometry_, directions_, baked_, tracer_.scene(), occluded_vertices, shifts_);
         rays_ += wanted_.size();
     }
 
@@ -328,7 +317,7 @@ private:
         std::unordered_map<EdgeBisection::Edge, double> longest;
         for (const WantedLength& wanted : wanted_) {
             const glm::uvec3& t = mesh_.triangles()[wanted.triangle];
-            if (!geometry_.needs(t.x) || !geometry_.needs(t.y) || !geometry_.needs(t.z)) continue;
+            if (!wants(t.x) || !wants(t.y) || !wants(t.z)) continue;
             const double here = std::max({length(t.x, t.y), length(t.y, t.z), length(t.z, t.x)});
             const double least = std::max({static_cast<double>(wanted.length), shortest(t.x, t.y),
                                            shortest(t.y, t.z), shortest(t.z, t.x)});
@@ -337,7 +326,6 @@ private:
             weight = std::max(weight, here * here * here / least);
         }
         std::vector<Wrong> wrong;
-        wrong.reserve(longest.size());
         for (const auto& [edge, weight] : longest) wrong.push_back({.weight = weight, .edge = edge});
         return wrong;
     }
@@ -354,11 +342,7 @@ private:
     const DirectionSet& directions_;
     const Visibility& baked_;
     const RefineOptions options_;
-    const FormerRefinement* const former_;
-    std::optional<DisturbedRays> disturbed_;  // set if there is a former refinement
-    const std::shared_ptr<const RayScene> scene_;
-    PossibleBlockers blockers_;
-    HiddenLight light_;
+    const PointTracer tracer_;
     EdgeBisection mesh_;
     std::vector<WantedLength> wanted_;
     std::vector<glm::vec3> normals_;  // by vertex: interpolated normals, of any length
@@ -377,6 +361,7 @@ private:
     int round_ = 0;
     std::vector<glm::uvec2> fresh_;  // queued points: the middles of these pairs of vertices
     std::size_t next_ = 0;           // first of them that has not been traced
+    int queues_ = -1;                // queues before this one
     std::vector<glm::uvec2> suspects_;
 };
 
@@ -388,6 +373,10 @@ StepwiseRefinement::~StepwiseRefinement() = default;
 
 bool StepwiseRefinement::step(std::size_t points) {
     return refiner_->step(points);
+}
+
+double StepwiseRefinement::fraction() const {
+    return refiner_->fraction();
 }
 
 Refinement StepwiseRefinement::result(BakeStatistics& statistics) {

@@ -23,6 +23,8 @@ public:
 
     /// Runs the next step, which traces at most so many points. Returns whether steps are left.
     bool step(std::size_t points);
+    /// Returns an estimate of the part that is done, 0 to 1.
+    [[nodiscard]] double fraction() const;
     /// Returns the result. step() must have returned false. Adds rays and vertices to the statistics.
     [[nodiscard]] Refinement result(BakeStatistics& statistics);
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "visibility/traced_points.hpp"
 
+#include <utility>
+
 #include "geometry/position_hash.hpp"
 
 namespace nicol {
@@ -32,6 +34,18 @@ std::optional<std::size_t> TracedPoints::find(const glm::vec3& origin, const glm
     if (place == places_.end() || origins_[place->second] != origin || normals_[place->second] != normal)
         return std::nullopt;
     return place->second;
+}
+
+Visibility TracedPoints::appended_to(const Visibility& given, std::span<const std::size_t> rows) const {
+    std::vector<std::uint64_t> all_bits;
+    all_bits.reserve(rows.size() * words_);
+    append(given.bits(), all_bits);
+    std::vector<std::uint8_t> open(given.unoccluded().begin(), given.unoccluded().end());
+    for (const std::size_t row : rows.subspan(given.vertices())) {
+        append(bits(row - given.vertices()), all_bits);
+        open.push_back(unoccluded(row - given.vertices()) ? 1 : 0);
+    }
+    return {given.directions(), std::move(all_bits), std::move(open)};
 }
 
 std::size_t TracedPoints::bytes() const noexcept {

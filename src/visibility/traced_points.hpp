@@ -34,6 +34,9 @@ public:
     [[nodiscard]] bool unoccluded(std::size_t point) const { return unoccluded_[point] != 0; }
     [[nodiscard]] const glm::vec4& hidden(std::size_t point) const { return hidden_[point]; }
     [[nodiscard]] std::size_t bytes() const noexcept;
+    /// Returns the visibility of the given vertices and of vertices added at points. rows: by vertex; from
+    /// the first added vertex on, the number of its point plus that of given vertices.
+    [[nodiscard]] Visibility appended_to(const Visibility& given, std::span<const std::size_t> rows) const;
 
 private:
     std::size_t words_ = 0;

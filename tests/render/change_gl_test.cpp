@@ -59,6 +59,8 @@ struct Studio {
           renderer(context),
           target(context, 40, 30, 3),
           folder(tables()) {
+        // By default a first image refines what it shows alone.
+        options.disabled_optimisations = skip_rays;
         for (const auto& file : std::filesystem::directory_iterator(folder)) {
             if (file.path().extension() == ".visibility") std::filesystem::remove(file.path());
         }

@@ -161,3 +161,48 @@ IMAGE_TEST_CASE("bounced light, mirrors and a scene that changes need all vertic
     static_cast<void>(mirrored(scene, options_with(0), camera));
     CHECK(mirrored.statistics.vertices_unbaked == 0);
 }
+
+IMAGE_TEST_CASE("a first image of few vertices refines what it shows, and later images refine all") {
+    Scene scene;
+    scene.set_environment(test::falling_light(4, false, 3), glm::dmat3(1), 1);
+    scene.add({.mesh = test::rectangle(4), .material = diffuse({0.5}), .to_world = test::plate_at(-1, 3)});
+    const auto ball = scene.add(
+        {.mesh = test::coarse_sphere(6), .material = diffuse({0.5}), .to_world = test::at(0, -0.4, 0, 0.5)});
+    RenderOptions options = options_with(0);
+    options.refine_tolerance = 0.005;
+    RenderOptions tracing = options;
+    tracing.disabled_optimisations = skip_rays;
+    const Camera above = camera_at({0, 4, 3}), aside = camera_at({1, 4, 3}), below = camera_at({0, -4, 3});
+    Studio studio(context, 64, 48), fresh(context, 64, 48);
+    const StokesImage first = studio(scene, options, above);
+    const std::uint64_t added = studio.statistics.vertices_added;
+    CHECK(studio.statistics.vertices_unbaked == 0);
+    const StokesImage all = fresh(scene, tracing, above);
+    const std::uint64_t most = fresh.statistics.vertices_added;
+    CHECK(added > 0);
+    CHECK(2 * added < most);
+    CHECK(rms_difference(first, all) <= 1e-2 * rms(all));
+    CHECK(first.data != all.data);
+
+    SUBCASE("from another side") {
+        const StokesImage truth = fresh(scene, tracing, aside);
+        CHECK(rms_difference(studio(scene, options, aside), truth) <= 2e-3 * rms(truth));
+        CHECK(2 * studio.statistics.vertices_added > most);
+        CHECK(rms_difference(studio(scene, options, above), all) <= 2e-3 * rms(all));
+    }
+    SUBCASE("when an object moves") {
+        scene.set_transform(ball, test::at(0, -0.3, 0, 0.5));
+        const StokesImage moved = studio(scene, options, above), truth = fresh(scene, tracing, above);
+        CHECK(2 * studio.statistics.vertices_added > fresh.statistics.vertices_added);
+        CHECK(rms_difference(moved, truth) <= 2e-3 * rms(truth));
+    }
+    SUBCASE("when a render has a budget") {
+        options.bake_budget_ms = 1e9;
+        CHECK(rms_difference(studio(scene, options, above), all) <= 2e-3 * rms(all));
+    }
+    SUBCASE("when light bounces") {
+        options.max_depth = tracing.max_depth = 3;
+        const StokesImage truth = fresh(scene, tracing, below);
+        CHECK(rms_difference(studio(scene, options, below), truth) <= 2e-3 * rms(truth));
+    }
+}

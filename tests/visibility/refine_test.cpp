@@ -248,3 +248,54 @@ TEST_CASE("a refinement from the points of a former one equals a new one, with f
         points = std::move(next.points);
     }
 }
+
+TEST_CASE("only triangles at wanted vertices are split") {
+    const Mesh mesh = cube_on_floor(1);
+    const std::size_t of_floor = make_rectangle(1).positions.size();
+    std::vector<std::uint8_t> wanted(mesh.positions.size(), 1);
+    std::fill_n(wanted.begin(), of_floor, std::uint8_t{0});
+    RefineOptions options{.tolerance = 0.005, .max_vertices = 20000};
+    const auto of_floor_split = [](const Refined& refined) {
+        return std::ranges::count_if(refined.refinement.sources, [](std::uint32_t t) { return t < 2; }) > 2;
+    };
+    CHECK(of_floor_split(refine(mesh, options)));
+    options.wanted = wanted;
+    const Refined refined = refine(mesh, options);
+    CHECK_FALSE(refined.refinement.parents.empty());
+    CHECK_FALSE(of_floor_split(refined));
+}
+
+TEST_CASE("progress grows from 0 to 1 while points are traced") {
+    const Mesh mesh = cube_on_floor(1);
+    BakeStatistics statistics;
+    std::vector<double> fractions;
+    const Refinement refinement = refine(
+        geometry_of(mesh), directions(), bake(geometry_of(mesh), directions()),
+        {.tolerance = 0.002, .max_vertices = 60000}, [&](double done) { fractions.push_back(done); },
+        statistics);
+    REQUIRE(refinement.points.size() > 8192);
+    CHECK(std::ranges::is_sorted(fractions));
+    CHECK(fractions.front() < 0.5);
+    CHECK(fractions.back() > 0.75);
+    CHECK(fractions.back() <= 1);
+}
+
+TEST_CASE("rays on which the ends of short edges agree are spared") {
+    const Mesh mesh = cube_on_floor(1);
+    const Visibility baked = bake(geometry_of(mesh), directions());
+    const RefineOptions options{.tolerance = 0.005, .max_vertices = 60000, .shortest_edge = 0.02};
+    BakeGeometry geometry = geometry_of(mesh);
+    BakeStatistics some, all;
+    const Refinement sparing = refine(geometry, directions(), baked, options, {}, some);
+    geometry.every_ray = true;
+    const Refinement tracing = refine(geometry, directions(), baked, options, {}, all);
+    CAPTURES(some.rays, all.rays, some.vertices, all.vertices);
+    CHECK(3 * some.rays < 2 * all.rays);
+    const Surface spared(mesh, sparing), traced(mesh, tracing);
+    double most = 0;
+    for (double x = 0.15; x < 0.8; x += 0.033)
+        for (double y = -0.7; y < -0.1; y += 0.033)
+            most = std::max(most, std::abs(spared.seen(x, y) - traced.seen(x, y)));
+    CAPTURE(most);
+    CHECK(most < 0.02);
+}
