@@ -24,22 +24,25 @@ constexpr std::size_t kPointsAtATime = 64;
 
 }  // namespace
 
-void ProgressiveBake::begin(Finished finished) {
-    surfaces_ = finished.surfaces;
-    axes_ = finished.axes;
-    given_ = finished.given;
-    topology_ = std::move(finished.topology);
-    refined_ = std::move(finished.refined);
-    parts_ = std::move(finished.parts);
-    numbers_ = std::move(finished.numbers);
-    visible_ = std::move(finished.visibility);
-    points_ = std::move(finished.points);
-    tolerance_ = finished.tolerance;
-    most_vertices_ = finished.most_vertices;
+void ProgressiveBake::begin(Baked given) {
+    surfaces_ = given.surfaces;
+    axes_ = given.axes;
+    given_ = given.given;
+    topology_ = std::move(given.topology);
+    refined_ = std::move(given.refined);
+    parts_ = std::move(given.parts);
+    numbers_ = std::move(given.numbers);
+    visible_ = std::move(given.visibility);
+    points_ = std::move(given.points);
+    tolerance_ = given.tolerance;
+    most_vertices_ = given.most_vertices;
     unoccluded_.assign(visible_.unoccluded().begin(), visible_.unoccluded().end());
     states_.assign(visible_.vertices(), state_);
     waits_.assign(visible_.vertices(), 0);
-    finished_ = finished.fine;
+    for (std::size_t v = 0; v < given.baked.size(); ++v)
+        if (given.baked[v] == 0) states_[v] = 0;
+    finished_ = given.baked.empty() && given.fine;
+    pending_ = finished_ ? 0 : states_.size();
 }
 
 void ProgressiveBake::follow(const Input& input) {
@@ -57,6 +60,7 @@ void ProgressiveBake::follow(const Input& input) {
             refinement_.reset();
             finished_ = false;
         }
+        if (pending_ > 0 && order_.empty()) find_order(input);  // of a bake that begin() was given
     } else {
         follow_geometry(input);
         find_order(input);

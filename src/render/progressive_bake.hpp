@@ -33,8 +33,8 @@ public:
         const RenderOptions& options;
         const Projection& projection;  ///< of the surfaces' axes
     };
-    /// A finished bake of the surfaces' version `surfaces`.
-    struct Finished {
+    /// A bake of the surfaces' version `surfaces`.
+    struct Baked {
         Version surfaces;
         Version axes;
         std::size_t given;  ///< number of vertices before refinement
@@ -47,10 +47,12 @@ public:
         bool fine;         ///< whether the refinement had no RefineOptions::shortest_edge
         double tolerance;  ///< RenderOptions::refine_tolerance
         std::uint64_t most_vertices;
+        /// 1 for each vertex that was baked; others count as unoccluded. Empty: all were.
+        std::vector<std::uint8_t> baked;
     };
 
-    /// Begins with a finished bake.
-    void begin(Finished finished);
+    /// Begins with a bake. Vertices that it has left out are pending, and so is the refinement then.
+    void begin(Baked given);
     /// Takes over changes of the surfaces, directions or options. Work that they affect is pending then.
     void follow(const Input& input);
     /// Works for about `milliseconds`, which include those that later steps take for changed vertices; at

@@ -474,6 +474,7 @@ class CommandLine(RenderTest):
             (["--frobnicate"], "--frobnicate"),
             (["-D", "res"], "-D res"),
             (["unknown_name"], "-D unknown_name=1"),
+            (['no parameter "$time"'], "--time 1"),
             (["--backend", "metal"], "--backend metal"),
             (["--environment", "the path is empty"], "--environment="),
             (["none.exr"], "--environment none.exr"),

@@ -137,6 +137,22 @@ IMAGE_TEST_CASE(
     CHECK(test::rms_difference(image, truth) < 1e-5 * largest(truth));
 }
 
+IMAGE_TEST_CASE("a budget goes on from the bake of a first picture") {
+    Table table;
+    table.scene.set_mesh(table.ball, test::fine_sphere());
+    Studio studio(context), fresh(context);
+    const StokesImage first = studio(table.scene, options_with(0));
+    CHECK(studio.statistics.vertices_unbaked > 0);
+    const StokesImage next = studio(table.scene, options_with(kLeast));
+    CHECK(studio.statistics.vertices_pending > 0);
+    const StokesImage unshadowed = fresh(table.scene, options_with(kLeast));
+    CHECK(test::rms_difference(next, first) < 0.01 * test::rms_difference(unshadowed, first));
+    const StokesImage truth = fresh(table.scene, options_with(0));
+    // The bake of a first picture spares rays on which neighbours agree.
+    CHECK(test::rms_difference(studio(table.scene, options_with(0)), truth) < 1e-3 * largest(truth));
+    CHECK(studio.statistics.vertices_pending == 0);
+}
+
 IMAGE_TEST_CASE("an object that deforms keeps its own shadow until it is baked") {
     Scene scene;
     scene.set_environment(test::falling_light(5, true, 3), glm::dmat3(1), 1);
