@@ -1270,9 +1270,10 @@ class RenderOptions(Struct):
         takes. Above 0, a render uses the shadows that are there, and the next renders, also of an unchanged
         scene, go on: nearest to the change and visible first. vertices_pending of the statistics says how much
         is left; at 0 the picture is that of a render without a budget. Until then it approximates: a vertex
-        keeps its former shadows, those of a moved object on itself move with it, a new object casts and
-        receives none, and orders stay as chosen before. The cache folder is not used for these shadows. A
-        scene that was rendered with a budget stays divided into steps; 0 then completes all of them.
+        keeps its former shadows, those of a moved or deformed object on itself move with it, a new object
+        casts and receives none, and orders stay as chosen before. The cache folder is not used for these
+        shadows. A scene that was rendered with a budget stays divided into steps; 0 then completes all of
+        them.
     filter: Reconstruction filter, default box: a pixel is the mean of its own samples. With any other filter, the
         real-time methods draw and shade all numbers of pixel_samples one by one, and the reference method
         places its samples by the filter.
