@@ -31,7 +31,7 @@ for compiler in "$@"; do
         compile "$compiler" -x c++ -std=$standard
     done
 done
-# What is deprecated is an error here, and none where a program leaves the warnings out.
+# Use of a deprecated function is an error here, and none where a program leaves the warnings out.
 old='#include <nicol.h>
 NICOL_DEPRECATED("use nicol_version()") int old(void);
 int main(void) { return old(); }'

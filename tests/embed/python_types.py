@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What mypy must accept of users, and, where errors are ignored, must refuse: an ignored error that is none is an error."""
+"""mypy must accept this, as users write it, and must refuse what is ignored: an ignored error that is none is an error."""
 
 import nicol
 

@@ -68,7 +68,7 @@ class Stage:
         if material.kind == "blendbsdf":
             return create.create_blend(self.context, *parts, self._as_texture(texture, material.values["weight"]))
         if material.kind == "normalmap":
-            # Where texture coordinates are mirrored, y still points to where v falls.
+            # y points to where v falls, also where texture coordinates are mirrored.
             return create.create_normal_map(self.context, first, texture(material.values["normals"]), 1)
         if material.kind == "mask":
             return create.create_mask(self.context, first, texture(material.values["opacity"]))
