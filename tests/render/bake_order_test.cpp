@@ -51,7 +51,7 @@ TEST_CASE("the nearest and visible vertices are traced first") {
     CHECK(order.size() == blocks);
     CHECK(ball.sees(order.front()));
     CHECK(!ball.sees(order.back()));
-    // The change touches more of the first one; both are seen.
+    // A block that more of the change touches comes first.
     const std::size_t second = order[1];
     for (std::size_t v = second * kLanes; v < std::min((second + 1) * kLanes, ball.parts.size()); ++v)
         ball.parts[v] = 2;
