@@ -43,8 +43,7 @@ Interpolation interpolation_of(const GltfDocument& document, const std::string& 
     if (name.empty() || name == "LINEAR") return Interpolation::linear;
     if (name == "STEP") return Interpolation::step;
     if (name == "CUBICSPLINE") return Interpolation::cubic;
-    document.fail(where,
-                  "interpolation is \"" + name + "\"; expected \"LINEAR\", \"STEP\" or \"CUBICSPLINE\"");
+    document.fail(where, "interpolation is \"" + name + R"("; expected "LINEAR", "STEP" or "CUBICSPLINE")");
 }
 
 // Returns the quaternion of four numbers x, y, z, w with unit length.

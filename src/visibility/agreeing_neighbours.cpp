@@ -198,6 +198,7 @@ bool AgreeingNeighbours::find(std::uint32_t vertex, const DirectionSet& directio
     if (std::ranges::all_of(neighbours, [&](std::uint32_t n) { return visibility.unoccluded(n); }))
         return false;
     std::vector<Seeing> around;
+    around.reserve(neighbours.size());
     for (const std::uint32_t n : neighbours)
         around.push_back({.bits = visibility.at(n), .normal = normals_[n]});
     out.find(around, kFewestNeighbours, directions, normals_[vertex], vertex);

@@ -326,6 +326,7 @@ private:
             weight = std::max(weight, here * here * here / least);
         }
         std::vector<Wrong> wrong;
+        wrong.reserve(longest.size());
         for (const auto& [edge, weight] : longest) wrong.push_back({.weight = weight, .edge = edge});
         return wrong;
     }
