@@ -125,9 +125,9 @@ void SceneVisibility::begin_progressively(const SceneGeometry& surfaces, const R
     progressive_ = std::make_unique<ProgressiveBake>();
     const bool fine = shortest_edge_ == 0;
     // Bake of the last update(), if it belongs to the surfaces before or after their last change.
-    const bool current = baked_geometry_ != 0 &&
-                         refining_.is_current(baked_.version(), options.refine_tolerance,
-                                              options.max_vertices, false, shortest_edge_);
+    const bool current =
+        baked_geometry_ != 0 && refining_.is_current(baked_.version(), options.refine_tolerance,
+                                                     options.max_vertices, false, shortest_edge_);
     const bool follows = baked_geometry_ == surfaces.version() || baked_geometry_ == surfaces.change().before;
     if (current && follows) {
         progressive_->begin({.surfaces = baked_geometry_,
