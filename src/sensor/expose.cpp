@@ -231,7 +231,11 @@ RawImage expose(const Sensor& sensor, const StokesImage& light, std::uint64_t fr
     light.check("light");
     check(sensor, light.width, light.height, light.channels);
     std::optional<StokesImage> behind_lens;
-    if (sensor.blur > 0 || sensor.vignetting > 0) behind_lens = through_lens(sensor, light);
+    if (sensor.blur > 0 || sensor.vignetting > 0) {
+        // The blur would spread the number, and the error would name another pixel.
+        if (!all_finite(light.data)) refuse_infinite_light(light);
+        behind_lens = through_lens(sensor, light);
+    }
     const Means means(sensor, behind_lens ? *behind_lens : light);
     const Numbers numbers(sensor, frame);
     RawImage raw{light.width, light.height, {}};

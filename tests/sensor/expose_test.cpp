@@ -292,6 +292,9 @@ TEST_CASE("bad sensors, sizes and light are refused by name") {
                 "5 x 4 pixels; both sides must be multiples of 2");
     StokesImage light = even_light(4, 2, 3, {1, 0, 0, 0});
     light.at(2, 1, 3)[1] = std::numeric_limits<float>::quiet_NaN();
-    check_error(ErrorCode::invalid_argument, CALL(expose(sensor, light, 0)),
-                "channel 2 at column 3, row 1 is not finite");
+    Sensor behind_lens;
+    behind_lens.blur = 1;
+    for (const Sensor& with : {sensor, behind_lens})
+        check_error(ErrorCode::invalid_argument, CALL(expose(with, light, 0)),
+                    "channel 2 at column 3, row 1 is not finite");
 }
