@@ -8,6 +8,7 @@ import struct
 import zlib
 
 import numpy
+from nicol.dataset import exr
 
 
 def write_ply(path: str | os.PathLike, mesh) -> None:
@@ -42,23 +43,6 @@ def write_png(path: str | os.PathLike, pixels: numpy.ndarray) -> None:
 
 def write_exr(path: str | os.PathLike, pixels: numpy.ndarray) -> None:
     """pixels: (height, width, 1 or 3) of 32-bit floats, stored uncompressed."""
-    height, width, channels = pixels.shape
-    names = ["Y"] if channels == 1 else ["B", "G", "R"]
-
-    def attribute(name: str, kind: str, value: bytes) -> bytes:
-        return f"{name}\0{kind}\0".encode() + struct.pack("<I", len(value)) + value
-
-    window = struct.pack("<4i", 0, 0, width - 1, height - 1)
-    listed = b"".join(name.encode() + b"\0" + struct.pack("<IB3xII", 2, 0, 1, 1) for name in names) + b"\0"
-    header = b"\x76\x2f\x31\x01\x02\0\0\0" + attribute("channels", "chlist", listed) + attribute("compression", "compression", b"\0")
-    header += attribute("dataWindow", "box2i", window) + attribute("displayWindow", "box2i", window)
-    header += attribute("lineOrder", "lineOrder", b"\0") + attribute("pixelAspectRatio", "float", struct.pack("<f", 1))
-    header += attribute("screenWindowCenter", "v2f", struct.pack("<2f", 0, 0)) + attribute("screenWindowWidth", "float", struct.pack("<f", 1))
-    header += b"\0"
-    row_bytes = 4 * width * channels
-    lines = numpy.empty(height, [("y", "<i4"), ("size", "<i4"), ("data", "<f4", (channels, width))])
-    lines["y"], lines["size"] = numpy.arange(height), row_bytes
-    lines["data"] = pixels[..., ::-1].transpose(0, 2, 1)
-    offsets = len(header) + 8 * height + numpy.arange(height, dtype="<u8") * lines.itemsize
+    planes = dict(zip(exr.colours(pixels.shape[2]), numpy.moveaxis(pixels, 2, 0)))
     with open(path, "wb") as file:
-        file.write(header + offsets.tobytes() + lines.tobytes())
+        file.writelines(exr.encoded(planes, "none"))

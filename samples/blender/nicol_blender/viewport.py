@@ -7,6 +7,7 @@ import colorsys
 
 import nicol
 import numpy
+from nicol import conventions
 
 from .read_scene import read_scene
 from .stage import Stage
@@ -56,11 +57,11 @@ def shown(picture: nicol.Picture, what: str, polarizer_angle: float) -> numpy.nd
         return picture.s0
     if what == "polarizer":
         return picture.polarizer(numpy.degrees(polarizer_angle))
-    s0, s1, s2 = (plane.mean(2) for plane in (picture.s0, picture.s1, picture.s2))
-    dolp = numpy.divide(numpy.hypot(s1, s2), s0, out=numpy.zeros_like(s0), where=s0 > 0)
+    stokes = picture.stokes.mean(2)
+    dolp = conventions.dolp(stokes)
     if what == "dolp":
         return numpy.repeat(dolp[..., None], 3, 2)
     # The hue goes once round in half a turn.
     hues = numpy.array([colorsys.hsv_to_rgb(i / 180, 1, 1) for i in range(180)], numpy.float32)
-    angle = numpy.degrees(0.5 * numpy.arctan2(s2, s1)).astype(int) % 180
+    angle = numpy.degrees(conventions.aolp(stokes)).astype(int) % 180
     return hues[angle] * dolp[..., None]

@@ -11,6 +11,12 @@ def aolp(stokes):
     return 0.5 * numpy.arctan2(stokes[..., 2], stokes[..., 1])
 
 
+def dolp(stokes):
+    """Returns the degrees of linear polarization, 0 without light."""
+    s0 = stokes[..., 0]
+    return numpy.divide(numpy.hypot(stokes[..., 1], stokes[..., 2]), s0, out=numpy.zeros_like(s0), where=s0 > 0)
+
+
 def wrapped(angle):
     """Returns angles of polarization in (-pi/2, pi/2]."""
     return numpy.pi / 2 - (numpy.pi / 2 - angle) % numpy.pi

@@ -49,11 +49,9 @@ def _turned(normals, R):
 def through_lens(picture, names, R, half=()):
     """Returns the arrays of read() of a picture that nicol.lens.render() gave, but depth, which is the distance from the camera."""
     stokes = picture["stokes"]
-    s0 = stokes[..., 0]
     made = {
-        "stokes": lambda: stokes, "s0": lambda: s0, "aolp": lambda: conventions.aolp(stokes),
-        "dolp": lambda: numpy.where(s0 > 0, numpy.hypot(stokes[..., 1], stokes[..., 2]) / numpy.where(s0 > 0, s0, 1), 0),
-        "normals_camera": lambda: _turned(picture["normal"], R),
+        "stokes": lambda: stokes, "s0": lambda: stokes[..., 0], "dolp": lambda: conventions.dolp(stokes),
+        "aolp": lambda: conventions.aolp(stokes), "normals_camera": lambda: _turned(picture["normal"], R),
     }  # fmt: skip
     of = _OF_PICTURE | {"depth": "distance"}
     arrays = {name: made[name]() if name in made else picture[of.get(name, name)] for name in names if name not in SENSED}
