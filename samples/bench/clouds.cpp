@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "common/light_image.hpp"
+
 Environment clouds(nicol_context context, int number) {
     constexpr std::uint32_t width = 512, height = 256;
     std::vector<float> pixels;
@@ -16,12 +18,6 @@ Environment clouds(nicol_context context, int number) {
                 pixels.push_back(static_cast<float>(0.4 + 0.3 * blue * up + 0.25 * cloud));
         }
     }
-    nicol_image image = NICOL_IMAGE_INIT;
-    image.width = width;
-    image.height = height;
-    image.channels = 3;
-    image.components = 1;
-    image.pixels = pixels.data();
-    image.byte_size = pixels.size() * sizeof(float);
+    const nicol_image image = light_image(pixels, width, height, 3, 1);
     return create<Environment>(nicol_environment_create_image, context, &image);
 }

@@ -2,6 +2,7 @@
 // A scene of which one frame after another is rendered, and the time of each.
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdint>
@@ -33,8 +34,7 @@ public:
         : context_(context),
           scene_(create<Scene>(nicol_scene_create, context)),
           framebuffer_(create<Framebuffer>(nicol_framebuffer_create, context, size, size, kChannels)) {
-        const double origin[3] = {0, 6, 9}, target[3] = {0, 0, 0}, up[3] = {0, 1, 0};
-        check(nicol_camera_look_at(&camera_, origin, target, up));
+        look();
     }
 
     /// Renders the same scene from nothing.
@@ -93,9 +93,7 @@ public:
     }
     void orbit() {
         angle_ += 0.01;
-        const double origin[3] = {9 * std::sin(angle_), 6, 9 * std::cos(angle_)};
-        const double target[3] = {0, 0, 0}, up[3] = {0, 1, 0};
-        check(nicol_camera_look_at(&camera_, origin, target, up));
+        look();
     }
 
     /// Edits the scene and renders it.
@@ -113,6 +111,12 @@ public:
     }
 
 private:
+    void look() {
+        const double origin[3] = {9 * std::sin(angle_), 6, 9 * std::cos(angle_)};
+        const double target[3] = {0, 0, 0}, up[3] = {0, 1, 0};
+        check(nicol_camera_look_at(&camera_, origin, target, up));
+    }
+
     nicol_context context_;
     Scene scene_;
     Framebuffer framebuffer_;

@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "common/light_image.hpp"
 #include "stage.hpp"
 
 namespace {
@@ -25,13 +26,7 @@ void write_room(const std::filesystem::path& path, nicol_backend backend, std::s
             pixels[3 * (row * width + column) + c] = 1000.0F - 100.0F * static_cast<float>(c);
     }
     const Context context = make_context(backend, "");
-    nicol_image image = NICOL_IMAGE_INIT;
-    image.width = width;
-    image.height = height;
-    image.channels = 3;
-    image.components = 1;
-    image.pixels = pixels.data();
-    image.byte_size = pixels.size() * sizeof(float);
+    const nicol_image image = light_image(pixels, width, height, 3, 1);
     nicol_environment handle = nullptr;
     check(nicol_environment_create_image(context.get(), &image, &handle));
     const Environment room(handle);

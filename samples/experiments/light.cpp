@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "common/light_image.hpp"
+
 namespace {
 
 const Vec3 sun = unit({0.3, 0.9, -0.2});
@@ -61,13 +63,7 @@ Doubles light(const Experiment& experiment, std::uint32_t order) {
                                     {std::cos(u), 0, std::sin(u)});
             for (const double value : {s[0], s[1], s[2], 0.0}) pixels.push_back(static_cast<float>(value));
         }
-    nicol_image image = NICOL_IMAGE_INIT;
-    image.width = width;
-    image.height = height;
-    image.channels = 1;
-    image.components = 4;
-    image.pixels = pixels.data();
-    image.byte_size = pixels.size() * sizeof(float);
+    const nicol_image image = light_image(pixels, width, height, 1, 4);
     coefficients.resize(vector_size(order));
     check(nicol_psh_project_image(&image, order, coefficients.data(), coefficients.size()));
     return coefficients;
