@@ -12,7 +12,10 @@ namespace nicol {
 namespace {
 
 constexpr float kLeastCosine = 1e-6F;
-constexpr float kMostMoved = 8;  // largest exponent of the ratio of two distributions of nodes
+constexpr float kLeastAcross = 1e-12F;  // smallest square of the sine of the angle to the normal
+constexpr float kLeastShare = 1e-6F;
+constexpr float kWidestBlob = 0.5F;  // largest variance, in square radians
+constexpr float kMostMoved = 8;      // largest exponent of the ratio of two distributions of nodes
 
 // Returns 1 over the density of facets of these slopes, in standard deviations; 0 if it is 0.
 template <class Number>
@@ -23,6 +26,64 @@ template <class Number>
     length2 = steep.x * steep.x + steep.y * steep.y + 1.0F;
     density(facets, steep, length2, out);
     out = out > 0.0F ? 1.0F / out : Number{};
+}
+
+// Computes facet_visibility() from a direction of any height.
+template <class Number>
+[[gnu::always_inline]] inline void visible_share(const Facets<float>& facets,
+                                                 const Vector3<Number>& direction, Number& out) {
+    const Number height = direction.z > 0.0F ? direction.z : Number{};
+    visibility_over_cosine(facets, {direction.x, direction.y, height}, out);
+    out *= height;
+}
+
+// Limits a node's blob to what its facets can see: computes the mean of facet_visibility() over the blob, and
+// moves and narrows the blob by its weight. Near the horizon the mean differs from the value in the middle,
+// because the visible share falls to 0 there and stays 0 below. The blob is represented by two directions,
+// a standard deviation above and below.
+template <class Number>
+[[gnu::always_inline]] inline void limit_blob(const Facets<float>& facets, std::size_t first,
+                                              ReflectedNode& node, Number& mean) {
+    Vector3<Number> towards, seen;
+    Number variance;
+    load_part(node.towards, first, towards);
+    load_part(node.seen, first, seen);
+    load_part(node.variances, first, variance);
+    const Number some = variance < kWidestBlob ? variance : Number{} + kWidestBlob;
+    Number deviation = some;
+    square_root(deviation);
+    const Number sine = deviation * (1.0F - some * (1 / 6.0F));
+    const Number cosine = 1.0F - some * (0.5F - some * (1 / 24.0F));
+    Number across2 = towards.x * towards.x + towards.y * towards.y;
+    across2 = across2 > kLeastAcross ? across2 : Number{} + kLeastAcross;
+    Number across = across2;
+    square_root(across);
+    const Number slope = towards.z / across;
+    const Number upper = cosine - sine * slope, lower = cosine + sine * slope;
+    Number above, below;
+    visible_share(facets, {upper * towards.x, upper * towards.y, cosine * towards.z + sine * across}, above);
+    visible_share(facets, {lower * towards.x, lower * towards.y, cosine * towards.z - sine * across}, below);
+    const Number sum = above + below;
+    mean = 0.5F * sum;
+    const Number excess = (above - below) / (sum > kLeastShare ? sum : Number{} + kLeastShare);
+    const Number rise = deviation * excess;
+    store_part(normalized_or(Vector3<Number>{seen.x - rise * slope * towards.x,
+                                             seen.y - rise * slope * towards.y, seen.z + rise * across},
+                             0.0F, Vector3<float>{0, 0, 1}),
+               first, node.seen);
+    store_part(Number(variance * (1.0F - 0.5F * excess * excess)), first, node.variances);
+}
+
+// Stores a node's weight. factor: weight in the direction `evaluated`, where the pBRDF is evaluated.
+template <class Number>
+[[gnu::always_inline]] inline void store_weight(const Facets<float>& facets, std::size_t first,
+                                                const Number& factor, const Vector3<Number>& evaluated,
+                                                ReflectedNode& node) {
+    Number mean, there;
+    limit_blob(facets, first, node, mean);
+    visible_share(facets, evaluated, there);
+    store_part(Number(factor * mean / (there > kLeastShare ? there : Number{} + kLeastShare)), first,
+               node.weights);
 }
 
 }  // namespace
@@ -115,12 +176,19 @@ template <class Number>
 template <class Number>
 [[gnu::always_inline]] inline void ReflectedNodes::reflect(const ReflectedNodes& r, const GridNodes& nodes,
                                                            ReflectedNode& out) {
+    const bool mirror = r.deviations_ == glm::vec2(0.0F);
     for (std::size_t first = 0; first < kLanes; first += kPart<Number>) {
         const NodeFacets<Number> node = reflect_part<Number>(r, nodes, first, out);
+        if (mirror) {  // its density is infinite, and no other facets hide what it shows
+            store_part(node.weight, first, out.weights);
+            continue;
+        }
         Vector3<Number> steep;
         Number length2, inverse;
         sparsity(r.facets_, r.deviations_, node.x, node.y, steep, length2, inverse);
-        store_part(Number(node.factor * inverse), first, out.weights);
+        Vector3<Number> towards;
+        load_part(out.towards, first, towards);
+        store_weight(r.facets_, first, Number(node.factor * inverse), towards, out);
     }
 }
 
@@ -141,14 +209,11 @@ template <class Number>
         load_part(r.towards_viewer_, first, viewer);
         dot(viewer, steep, along);
         along *= 2.0F / length2;
-        store_part(Vector3<Number>{along * steep.x - viewer.x, along * steep.y - viewer.y, along - viewer.z},
-                   first, out.towards);
-        // Surfaces reflect no light from below.
-        Number height;
-        load_part(out.nodes[0].towards.z, first, height);
-        store_part(Number(height > 0.0F ? one.factor * inverse : Number{}), first, out.nodes[0].weights);
-        load_part(out.nodes[1].towards.z, first, height);
-        store_part(Number(height > 0.0F ? two.factor * inverse : Number{}), first, out.nodes[1].weights);
+        const Vector3<Number> towards{along * steep.x - viewer.x, along * steep.y - viewer.y,
+                                      along - viewer.z};
+        store_part(towards, first, out.towards);
+        store_weight(r.facets_, first, Number(one.factor * inverse), towards, out.nodes[0]);
+        store_weight(r.facets_, first, Number(two.factor * inverse), towards, out.nodes[1]);
     }
 }
 
@@ -180,7 +245,6 @@ ReflectedNode ReflectedNodes::node(std::size_t k) const {
     const GridNodes nodes = grid_nodes(k);
     ReflectedNode out;
     dispatch<reflect<FourLanes>, reflect<EightLanes>, reflect<AllLanes>>(*this, nodes, out);
-    if (deviations_ == glm::vec2(0.0F)) out.weights = nodes.weights;  // a mirror's density is infinite
     return out;
 }
 

@@ -23,14 +23,15 @@ double light(const glm::dvec3& towards, const glm::dvec3& middle, double own, do
     return own / (own + variance) * std::exp(-angle * angle / (2 * (own + variance)));
 }
 
-/// Returns what a node adds if its light is that of light(), reflected by the facets that `towards` meets: of
-/// a density that is 1 when summed over all slopes.
+/// Returns what a node adds if its light is that of light(), reflected by the facets that `towards` meets, as
+/// far as other facets do not hide them. The density of facets is 1 when summed over all slopes.
 double reflected(const Lobe& lobe, const glm::dvec3& viewer, const ReflectedNode& node,
                  const glm::dvec3& towards, const glm::dvec3& middle, double variance, std::size_t i) {
     const glm::dvec3 half = glm::normalize(towards + viewer);
     const double facets =
         facet_density(lobe.distribution, lobe.alpha, half) * half.z / (4 * glm::dot(half, towards));
     return static_cast<double>(node.weights[i]) * facets *
+           facet_visibility(lobe.distribution, lobe.alpha, towards) *
            light(lane(node.seen, i), middle, variance, static_cast<double>(node.variances[i]));
 }
 
@@ -52,7 +53,10 @@ TEST_CASE("nodes add up to the integral over the lobe and the pixel") {
                 {{{0.1, 0.4}, Distribution::beckmann}, 0, 0.01, 0.11},
                 {{{0.4, 0.1}, Distribution::beckmann}, 0.05, 0.01, 0.08},
                 {{glm::dvec2(0.05), Distribution::ggx}, 0, 5e-3, 0.11},
-                {{{0.1, 0.3}, Distribution::ggx}, 0, 0.01, 0.14}};
+                {{{0.1, 0.3}, Distribution::ggx}, 0, 0.01, 0.15},
+                // Even light, which wide lobes see cut by the horizon.
+                {{{0.6, 0.23}, Distribution::ggx}, 0, 1e6, 0.055},
+                {{{0.6, 0.23}, Distribution::beckmann}, 0, 1e6, 0.055}};
     const NodeGrids grids(32);
     for (const auto& row : rows) {
         CAPTURES(row.lobe.alpha.x, row.lobe.alpha.y, row.pixel, static_cast<int>(row.lobe.distribution));
@@ -101,13 +105,15 @@ TEST_CASE("nodes add up to the integral over the lobe and the pixel") {
                                                       row.lobe.alpha.y * steep * std::sin(angle), 1));
                         if (!(glm::dot(viewer, half) > 0)) continue;
                         const glm::dvec3 towards = 2 * glm::dot(viewer, half) * half - viewer;
+                        const double visible =
+                            facet_visibility(row.lobe.distribution, row.lobe.alpha, towards);
                         for (int p = 0; p < places * places; ++p) {
                             const glm::dvec2 at((p % places + 0.5) / places - 0.5,
                                                 (p / places + 0.5) / places - 0.5);
                             const glm::dvec3 seen = glm::normalize(towards + at.x * lane(pixels.steps[0], i) +
                                                                    at.y * lane(pixels.steps[1], i));
-                            expected[i] +=
-                                light(seen, middles[i], row.variance, 0) / (rings * turns * places * places);
+                            expected[i] += visible * light(seen, middles[i], row.variance, 0) /
+                                           (rings * turns * places * places);
                         }
                     }
             }
