@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Random scenes by default against rays, and rays against Mitsuba 3: errors of s0 and of s1, s2 relative to the root mean square
-of s0, without noise, and beyond two standard errors of the noise that is left. "Inside" leaves out the pixels in which several
-objects meet: few samples show outlines jagged, and no prediction holds that.
+of s0, without noise, and beyond two standard errors of the noise that is left. Errors are those of means over blocks of pixels;
+"pixels" are those of each pixel, where the few samples of an outline or a small highlight count most. "Inside" is of pixels, too, and
+leaves out those in which several objects meet: few samples show outlines jagged, and no prediction holds that.
 
 usage: random_scenes.py ASSETS [--count N] [--first SEED] [--without KIND ...] [--mitsuba] [--keep FOLDER]
 ASSETS: the folder samples/assets. --mitsuba compares rays with Mitsuba instead. --keep writes the ten worst scenes."""
@@ -10,6 +11,7 @@ import argparse
 import pathlib
 import sys
 import tempfile
+import typing
 
 try:
     import numpy
@@ -25,11 +27,24 @@ RAYS = {"method": nicol.METHOD_REFERENCE, "samples": 64}
 DEFAULT = {"pixel_samples": 8}
 # Largest errors of s0, the 90th percentile and the worst scene: of scenes of direct light, and of those where light bounces.
 BY_DEFAULT = ((0.042, 0.065), (0.04, 0.15))
+# Width and height of a block, in pixels.
+BLOCK = 4
 # Number of places along each side of a pixel where its objects are asked for.
 PLACES = 4
 # Of errors below, the noise of rays leaves too little to hold a prediction against.
 LEAST_RATED = 0.003
 MITSUBA = ((0.01, 0.03), (0.01, 0.03))
+
+
+class Errors(typing.NamedTuple):
+    """Errors of one scene: s0 and the larger of s1 and s2 over blocks, s0 over pixels and over pixels inside objects, the predicted
+    one. A number that was not measured is not a number."""
+
+    s0: float
+    polarized: float
+    pixels: float = numpy.nan
+    inside: float = numpy.nan
+    predicted: float = numpy.nan
 
 
 def nicol_images(context, scene_file, seeds, options):
@@ -56,6 +71,12 @@ def inside(context, scene_file):
             return (shown == shown[:, :1, :, :1]).all((1, 3))
 
 
+def blocks(images):
+    """Returns the means of images over blocks."""
+    height, width = images[0].shape[:2]
+    return [image.reshape(height // BLOCK, BLOCK, width // BLOCK, BLOCK, 4).mean((1, 3)) for image in images]
+
+
 def errors(ours, truth):
     """Returns the root mean squared errors of s0, and of s1 and s2."""
     with numpy.errstate(invalid="ignore", divide="ignore"):
@@ -75,7 +96,7 @@ class Nicol:
         ours, predicted = nicol_images(context, file, (3, 4), DEFAULT)
         within = inside(context, file)
         of_inside, _ = errors([image[within] for image in ours], [image[within] for image in truth])
-        return *errors(ours, truth), of_inside, predicted
+        return Errors(*errors(blocks(ours), blocks(truth)), errors(ours, truth)[0], of_inside, predicted)
 
 
 class Mitsuba:
@@ -92,7 +113,13 @@ class Mitsuba:
     def compare(self, context, file):
         loaded = self.peer.mitsuba_scene(file)
         truth = [self.peer.mitsuba_image(loaded, RAYS["samples"], seed) for seed in (1, 2)]
-        return *errors(nicol_images(context, file, (1, 2), RAYS)[0], truth), numpy.nan, numpy.nan
+        return Errors(*errors(blocks(nicol_images(context, file, (1, 2), RAYS)[0]), blocks(truth)))
+
+
+def print_percentiles(of_what, values):
+    p90 = numpy.quantile(values, 0.9, method="lower")
+    print(f"{of_what}: median {numpy.median(values):.4f}, 90th percentile {p90:.4f}, worst {numpy.max(values):.4f}")
+    return p90, numpy.max(values)
 
 
 def main():
@@ -115,30 +142,30 @@ def main():
                 error = peers.compare(context, file)
             except nicol.Error as refused:
                 print(f"{seed}: refused: {refused}", flush=True)
-                error = (numpy.inf, numpy.inf, numpy.nan, numpy.nan)
-            found.append((*error, seed, scene))
-            predicted = "" if numpy.isnan(error[3]) else f", inside {error[2]:.4f}, predicted {error[3]:.4f}"
-            print(f"{seed}: {error[0]:.4f} {error[1]:.4f}{predicted}", flush=True)
-    found.sort(key=lambda of: -of[0])
+                error = Errors(numpy.inf, numpy.inf)
+            found.append((error, seed, scene))
+            more = f", pixels {error.pixels:.4f}, inside {error.inside:.4f}, predicted {error.predicted:.4f}"
+            print(f"{seed}: {error.s0:.4f} {error.polarized:.4f}{'' if numpy.isnan(error.pixels) else more}", flush=True)
+    found.sort(key=lambda row: -row[0].s0)
     print("the worst:")
-    for s0, polarized, _, _, seed, scene in found[:10]:
-        print(f"  {s0:.4f} {polarized:.4f} seed {seed}, {scene.words}")
+    for error, seed, scene in found[:10]:
+        print(f"  {error.s0:.4f} {error.polarized:.4f} seed {seed}, {scene.words}")
         if asked.keep:
             asked.keep.mkdir(parents=True, exist_ok=True)
             (asked.keep / f"{seed}.xml").write_text(scene.text)
     kept = True
     for light, bounces, limits in (("direct", False, peers.limits[0]), ("bounced", True, peers.limits[1])):
-        some = [row for row in found if (row[5].depth > 2) == bounces]
-        s0 = numpy.array([row[0] for row in some])
-        if len(s0) == 0:
+        some = [error for error, _, scene in found if (scene.depth > 2) == bounces]
+        if not some:
             continue
-        p90, worst = numpy.quantile(s0, 0.9, method="lower"), s0.max()
-        print(f"{len(s0)} scenes of {light} light: median {numpy.median(s0):.4f}, 90th percentile {p90:.4f}, worst {worst:.4f}")
-        rated = [(of_inside, predicted) for _, _, of_inside, predicted, _, _ in some if of_inside > LEAST_RATED]
+        p90, worst = print_percentiles(f"{len(some)} scenes of {light} light", [error.s0 for error in some])
+        print_percentiles("  s1, s2", [error.polarized for error in some])
+        if not numpy.isnan(some[0].pixels):
+            print_percentiles("  pixels", [error.pixels for error in some])
+            print_percentiles("  inside", [error.inside for error in some])
+        rated = [error.predicted / error.inside for error in some if error.inside > LEAST_RATED]
         if rated:
-            of_inside, predicted = numpy.array(rated).T
-            low, middle, high = numpy.quantile(predicted / of_inside, (0.1, 0.5, 0.9))
-            print(f"  inside: 90th percentile {numpy.quantile(of_inside, 0.9, method='lower'):.4f}, worst {of_inside.max():.4f}")
+            low, middle, high = numpy.quantile(rated, (0.1, 0.5, 0.9))
             print(f"  predicted over measured inside, 10th, 50th and 90th percentile: {low:.2f}, {middle:.2f}, {high:.2f}")
         kept = kept and p90 <= limits[0] and worst <= limits[1]
     sys.exit(0 if kept else 1)
