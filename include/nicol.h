@@ -1071,7 +1071,8 @@ typedef struct nicol_emission {
     uint32_t two_sided;      /* whether both sides emit: 1, or 0, the default: the front alone */
     nicol_spectrum radiance; /* radiance, finite and not negative, default 1 */
     uint32_t reserved;       /* 0 */
-    /* Factor on radiance: 1 or 3 channels, not negative, no colours of a mesh; NULL, the default: 1. */
+    /* Factor on radiance: 1 or 3 channels, not negative; NULL, the default: 1. Colours of the mesh are of its
+     * vertices or of its triangles, whichever the material uses as well. */
     nicol_texture texture;
     nicol_polarization polarization; /* polarization of the emission, whose axis is in the mesh's axes */
 } nicol_emission;

@@ -179,17 +179,19 @@ void PixelLights::add_emission(const VertexRange& range, const PixelBatch& batch
                                std::span<const std::span<glm::vec4>> out) const {
     const LaneSurface& surface = batch.surfaces()[first / kLanes];
     const std::size_t count = out.front().size();
-    std::array<glm::vec2, kLanes> texcoords{};
+    std::array<TexturePoint, kLanes> points;
     if (range.emission->texture != nullptr) {
+        const WorldGeometry& geometry = input_.geometry;
         for (std::size_t i = 0; i < count; ++i) {
-            const std::array<glm::vec2, 3>& corners =
-                input_.geometry.texcoords[batch.points()[first + i].triangle];
-            for (std::size_t k = 0; k < 3; ++k) texcoords[i] += surface.weights[k][i] * corners[k];
+            const std::uint32_t triangle = batch.points()[first + i].triangle;
+            points[i] = texture_point({surface.weights[0][i], surface.weights[1][i], surface.weights[2][i]},
+                                      geometry.texcoords.empty() ? nullptr : &geometry.texcoords[triangle],
+                                      geometry.colors.empty() ? nullptr : &geometry.colors[triangle]);
         }
     }
     add_emitted(*range.emission, lights_.axis_of(range.instance), batch.views().subspan(first, count),
                 std::span(surface.positions).first(count), std::span(surface.normals).first(count),
-                std::span(texcoords).first(count), out);
+                std::span(points).first(count), out);
 }
 
 }  // namespace nicol

@@ -95,7 +95,6 @@ private:
 
     /// Returns the base colour as radiance.
     [[nodiscard]] EmissionDescription emission() {
-        if (surface_.colors) notices_.add("COLOR_0 of unlit surfaces is not followed");
         EmissionDescription out;
         out.radiance = base_color();
         out.two_sided = material_.doubleSided;
@@ -171,12 +170,11 @@ private:
     /// Returns `scale` times the factor, the texture and the colours of vertices where there are any.
     [[nodiscard]] TexturedColor base_color(double scale = 1) {
         const glm::dvec3 factor = scale * glm::dvec3(base_factor());
-        const bool with_vertices = surface_.colors && !is_unlit_;
         std::optional<TextureSpecification> image = texture(base_);
-        if (!image && !with_vertices) return factor;
+        if (!image && !surface_.colors) return factor;
         TextureSpecification out = image ? std::move(*image) : constant_specification(factor);
         if (image) out.factor = factor;
-        if (with_vertices) out.times_colors_of = ColorsOf::vertices;
+        if (surface_.colors) out.times_colors_of = ColorsOf::vertices;
         return shared(std::move(out));
     }
 

@@ -34,8 +34,6 @@ void check_texture(const TexturePtr& texture, std::size_t values) {
     if (texture->channels() != 1 && texture->channels() != 3)
         refuse("the texture of a light has " + std::to_string(texture->channels()) +
                " channels; it must have 1 or 3");
-    if (texture->needs_colors(ColorsOf::vertices) || texture->needs_colors(ColorsOf::faces))
-        refuse("the texture of a light cannot be the colours of a mesh");
     if (texture->channels() == 3 && values != 1 && values != 3)
         refuse("the texture of a light has 3 channels and the light " + std::to_string(values));
     if (texture->range().x < 0) refuse("the texture of a light has negative values");
@@ -90,6 +88,8 @@ void check(const LocalLight& light) {
     const bool has_image = light.kind == Kind::spot || light.kind == Kind::projector;
     if (!has_image && light.texture != nullptr) refuse("only spots and projectors have a texture");
     check_texture(light.texture, light.value.size());
+    if (light.texture != nullptr && needs_colors(*light.texture))
+        refuse("the texture of a light cannot be the colours of a mesh");
 }
 
 void check(const Emission& emission) {

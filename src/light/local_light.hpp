@@ -60,6 +60,11 @@ struct Emission {
 };
 using EmissionPtr = std::shared_ptr<const Emission>;
 
+/// Returns whether the texture of an emission, which may be null, needs these colours of the mesh.
+[[nodiscard]] inline bool needs_colors(const Emission* emission, ColorsOf of) {
+    return emission != nullptr && emission->texture != nullptr && emission->texture->needs_colors(of);
+}
+
 /// Throws Error(invalid_argument) that names the member that is out of range.
 void check(const Emission& emission);
 

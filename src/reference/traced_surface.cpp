@@ -29,7 +29,9 @@ TexturePoint texture_point(const TracedSurface& surface, std::uint32_t triangle,
     if (!mesh.colors.empty()) colors = corners_of(mesh.colors, mesh.triangles[triangle]);
     TexturePoint point = nicol::texture_point(weights, mesh.texcoords.empty() ? nullptr : &texcoords,
                                               mesh.colors.empty() ? nullptr : &colors);
-    if (needs_colors(*surface.front.material, ColorsOf::faces)) point.color = mesh.face_colors[triangle];
+    if (needs_colors(*surface.front.material, ColorsOf::faces) ||
+        needs_colors(surface.emission, ColorsOf::faces))
+        point.color = mesh.face_colors[triangle];
     return point;
 }
 

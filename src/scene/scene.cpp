@@ -33,34 +33,36 @@ void check_channels(const char* part, int channels, int others) {
            " colour channels and the scene " + std::to_string(others) + "; it must have 1 or as many");
 }
 
-// Throws Error(invalid_argument) if the mesh lacks attributes that the material needs. `id` is the instance
-// that has or would have both.
-void check_attributes(const Mesh& mesh, const Material& material, std::uint32_t id) {
-    const SpatialVariation* variation = material.variation();
-    if (variation == nullptr) return;
-    const std::string instance = "instance " + std::to_string(id) + ": the material ";
-    if (variation->needs_texcoords() && mesh.texcoords.empty())
-        refuse(instance +
-               "has textures, which need texture coordinates, and the mesh has none; give it u, v");
-    const bool of_vertices = variation->needs_colors(ColorsOf::vertices);
-    const bool of_faces = variation->needs_colors(ColorsOf::faces);
-    if (of_vertices && of_faces)
-        refuse(instance + "has the colours of vertices and those of faces; give it one of them");
+// Throws Error(invalid_argument) if the mesh lacks attributes that the material or the emission, which may be
+// null, needs. `id` is the instance that has or would have them.
+void check_attributes(const Mesh& mesh, const Material& material, const Emission* emission,
+                      std::uint32_t id) {
+    const SpatialVariation* const variation = material.variation();
+    const Texture* const radiance = emission != nullptr ? emission->texture.get() : nullptr;
+    const std::string instance = "instance " + std::to_string(id) + ": ";
+    if (mesh.texcoords.empty()) {
+        if (variation != nullptr && variation->needs_texcoords())
+            refuse(instance +
+                   "the material has textures, which need texture coordinates, and the mesh has "
+                   "none; give it u, v");
+        if (radiance != nullptr && radiance->needs_texcoords())
+            refuse(instance +
+                   "its radiance has a texture, which needs texture coordinates, and the mesh has "
+                   "none; give it u, v");
+    }
+    const auto need = [&](ColorsOf of) { return needs_colors(material, of) || needs_colors(emission, of); };
+    const bool of_vertices = need(ColorsOf::vertices);
+    const bool of_faces = need(ColorsOf::faces);
+    const std::string with_colors = instance + "the material or the radiance has the colours of ";
+    if (of_vertices && of_faces) refuse(with_colors + "vertices and those of faces; give it one of them");
     if (of_vertices && mesh.colors.empty())
-        refuse(instance + "has the colours of vertices, and the mesh has none; give it a colour a vertex");
+        refuse(with_colors + "vertices, and the mesh has none; give it a colour a vertex");
     if (of_faces && mesh.face_colors.empty())
-        refuse(instance + "has the colours of faces, and the mesh has none; give it a colour a triangle");
-}
-
-// Throws Error(invalid_argument) if an instance's emission is invalid or needs attributes that the mesh
-// lacks.
-void check_emission(const Mesh& mesh, const Emission& emission, std::uint32_t id) {
-    check(emission);
-    if (emission.texture != nullptr && emission.texture->needs_texcoords() && mesh.texcoords.empty())
-        refuse(
-            "instance " + std::to_string(id) +
-            ": its radiance has a texture, which needs texture coordinates, and the mesh has none; give it "
-            "u, v");
+        refuse(with_colors + "faces, and the mesh has none; give it a colour a triangle");
+    if (radiance == nullptr || !needs_colors(*radiance)) return;
+    for (const glm::vec3& color : of_faces ? mesh.face_colors : mesh.colors)
+        if (std::min({color.x, color.y, color.z}) < 0)
+            refuse(instance + "its radiance has the colours of the mesh, and one of them is below 0");
 }
 
 }  // namespace
@@ -84,9 +86,9 @@ std::uint32_t Scene::add(Instance instance) {
     const std::uint32_t id = instances_.next();
     check_transform(instance.to_world);
     check_channels("material", instance.material->channels(), channels());
-    check_attributes(*instance.mesh, *instance.material, id);
+    if (instance.emission) check(*instance.emission);
+    check_attributes(*instance.mesh, *instance.material, instance.emission.get(), id);
     if (instance.emission) {
-        check_emission(*instance.mesh, *instance.emission, id);
         check_channels("emission", instance.emission->channels(),
                        std::max(channels(), instance.material->channels()));
         emission_version_ = new_version();
@@ -125,8 +127,7 @@ void Scene::set_transform(std::uint32_t id, const glm::dmat4& to_world) {
 void Scene::set_mesh(std::uint32_t id, std::shared_ptr<const Mesh> mesh) {
     Instance& instance = instances_[instances_.index_of(id)];
     if (!mesh) refuse("the instance would have no mesh");
-    check_attributes(*mesh, *instance.material, id);
-    if (instance.emission) check_emission(*mesh, *instance.emission, id);
+    check_attributes(*mesh, *instance.material, instance.emission.get(), id);
     if (instance.mesh == mesh) return;
     instance.mesh = std::move(mesh);
     geometry_version_ = new_version();
@@ -138,7 +139,7 @@ void Scene::set_material(std::uint32_t id, MaterialPtr material) {
     Instance& instance = instances_[index];
     check_channels("material", material->channels(),
                    channels_.largest_without(instance.material->channels()));
-    check_attributes(*instance.mesh, *material, id);
+    check_attributes(*instance.mesh, *material, instance.emission.get(), id);
     if (instance.material == material) return;
     channels_.make_room(material->channels());
     if (instance.material->twosided() != material->twosided() ||
@@ -155,7 +156,8 @@ void Scene::set_emission(std::uint32_t id, EmissionPtr emission) {
     const std::size_t index = instances_.index_of(id);
     Instance& instance = instances_[index];
     if (emission) {
-        check_emission(*instance.mesh, *emission, id);
+        check(*emission);
+        check_attributes(*instance.mesh, *instance.material, emission.get(), id);
         check_channels("emission", emission->channels(),
                        instance.emission ? channels_.largest_without(instance.emission->channels())
                                          : channels_.largest());

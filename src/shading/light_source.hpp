@@ -52,8 +52,9 @@ struct EmissiveSurface {
     const Emission& emission;
     glm::dvec3 axis;  ///< axis of the emission's polarization, in the points' axes
     std::vector<std::array<glm::vec3, 3>> triangles;
-    std::vector<std::array<glm::vec2, 3>> texcoords;  ///< empty unless the emission's texture needs them
-    bool mirrored = true;                             ///< whether intersect() will be called
+    std::vector<std::array<glm::vec2, 3>> texcoords;    ///< empty unless the emission's texture needs them
+    std::vector<std::array<glm::vec3, 3>> colors = {};  ///< empty unless the emission's texture needs them
+    bool mirrored = true;                               ///< whether intersect() will be called
 };
 /// Returns the light source of a surface, or null if its area or its radiance is 0. Light samples are uniform
 /// over the surface's area; for a sphere, they are uniform over the visible solid angle.

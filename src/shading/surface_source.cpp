@@ -133,7 +133,7 @@ template <class Number>
 }
 
 /// Returns the corner opposite the edge that triangles t and t + 1 share if the two triangles make a
-/// parallelogram, in texture coordinates too.
+/// parallelogram, in texture coordinates and colours too.
 std::optional<std::size_t> parallelogram_corner(const EmissiveSurface& surface, std::size_t t) {
     if (t + 1 >= surface.triangles.size()) return std::nullopt;
     const auto completes = [](const auto& one, const auto& other, std::size_t k) {
@@ -148,8 +148,10 @@ std::optional<std::size_t> parallelogram_corner(const EmissiveSurface& surface, 
     };
     for (std::size_t k = 0; k < 3; ++k) {
         if (!completes(surface.triangles[t], surface.triangles[t + 1], k)) continue;
-        if (surface.texcoords.empty() || completes(surface.texcoords[t], surface.texcoords[t + 1], k))
-            return k;
+        const auto also = [&](const auto& corners) {
+            return corners.empty() || completes(corners[t], corners[t + 1], k);
+        };
+        if (also(surface.texcoords) && also(surface.colors)) return k;
     }
     return std::nullopt;
 }
@@ -186,10 +188,11 @@ SurfaceSource::SurfaceSource(const EmissiveSurface& surface)
                                 .before = static_cast<float>(before / area_),
                                 .scale = static_cast<float>(area_ / own),
                                 .parallelogram = corner ? 1.0F : 0.0F});
-            if (!surface.texcoords.empty()) {
-                const std::array<glm::vec2, 3>& uv = surface.texcoords[t];
-                texcoords_.push_back({uv[k], uv[(k + 1) % 3], uv[(k + 2) % 3]});
-            }
+            const auto add_corners = [&](const auto& from, auto& to) {
+                if (!from.empty()) to.push_back({from[t][k], from[t][(k + 1) % 3], from[t][(k + 2) % 3]});
+            };
+            add_corners(surface.texcoords, texcoords_);
+            add_corners(surface.colors, colors_);
             before += own;
             centre_ += static_cast<float>(own / area_) * (corner ? (b + c) / 2.0F : (a + b + c) / 3.0F);
         }
@@ -233,12 +236,16 @@ std::size_t SurfaceSource::patch_at(float u) const {
     return index;
 }
 
-void SurfaceSource::put_texcoords(std::size_t patch, float b1, float b2, std::size_t lane,
-                                  TexturePoints& out) const {
-    const std::array<glm::vec2, 3>& corners = texcoords_[patch];
-    const glm::vec2 uv = corners[0] + b1 * (corners[1] - corners[0]) + b2 * (corners[2] - corners[0]);
-    out.uv[0][lane] = uv.x;
-    out.uv[1][lane] = uv.y;
+void SurfaceSource::put_texture_point(std::size_t patch, float b1, float b2, std::size_t lane,
+                                      TexturePoints& out) const {
+    const auto put = [&](const auto& of_patches, auto& to) {
+        if (of_patches.empty()) return;
+        const auto& corners = of_patches[patch];
+        const auto value = corners[0] + b1 * (corners[1] - corners[0]) + b2 * (corners[2] - corners[0]);
+        for (std::size_t k = 0; k < to.size(); ++k) to[k][lane] = value[static_cast<glm::length_t>(k)];
+    };
+    put(texcoords_, out.uv);
+    put(colors_, out.color);
 }
 
 float SurfaceSource::angular_radius(const glm::vec3& from) const noexcept {
@@ -292,7 +299,7 @@ void SurfaceSource::sample(const LaneVectors& points, const Lanes& u, const Lane
     // Angular radius, in radians, of lights from which the irradiance of equal areas varies.
     constexpr float near = 0.3F;
     const bool close = angular_radius({points.x[0], points.y[0], points.z[0]}) > near;
-    const bool search = patches_.size() > few || !texcoords_.empty() || close;
+    const bool search = patches_.size() > few || color_.textured() || close;
     std::array<std::uint32_t, kLanes> indices;
     if (search)
         for (std::size_t i = 0; i < kLanes; ++i) indices[i] = static_cast<std::uint32_t>(patch_at(u[i]));
@@ -309,9 +316,8 @@ void SurfaceSource::sample(const LaneVectors& points, const Lanes& u, const Lane
                         static_cast<double>(v[i]), i, out, factor, weights);
     if (!color_.textured()) return color_.put(factor, out);
     TexturePoints at{};
-    for (std::size_t i = 0; i < kLanes && !texcoords_.empty(); ++i) {
-        put_texcoords(indices[i], weights[0][i], weights[1][i], i, at);
-    }
+    for (std::size_t i = 0; i < kLanes; ++i)
+        put_texture_point(indices[i], weights[0][i], weights[1][i], i, at);
     color_.put(factor, at, out);
 }
 
@@ -336,11 +342,11 @@ void SurfaceSource::intersect(const LaneVectors& points, const LaneVectors& dire
         if (!two_sided_ && !(glm::dot(patches_[patch].normal, direction) < 0)) continue;
         out.points |= 1U << i;
         out.distance[i] = static_cast<float>(hit->distance);
-        if (texcoords_.empty()) continue;
+        if (!color_.textured()) continue;
         const bool rest = hit->triangle % 2 != 0;  // whether the hit is measured from the far corner
         const auto b1 = static_cast<float>(rest ? 1 - hit->b1 : hit->b1);
         const auto b2 = static_cast<float>(rest ? 1 - hit->b2 : hit->b2);
-        put_texcoords(patch, b1, b2, i, at);
+        put_texture_point(patch, b1, b2, i, at);
     }
     if (out.points != 0) color_.put(one, at, out);
 }

@@ -36,13 +36,15 @@ private:
     // edges.
     void sample_near(std::size_t patch, const glm::dvec3& point, double u, double v, std::size_t lane,
                      LaneLight& out, Lanes& factor, std::array<Lanes, 2>& weights) const;
-    // Sets the texture coordinates of one lane. b1, b2: coordinates along the patch's edges.
-    void put_texcoords(std::size_t patch, float b1, float b2, std::size_t lane, TexturePoints& out) const;
+    // Sets the texture point of one lane. b1, b2: coordinates along the patch's edges.
+    void put_texture_point(std::size_t patch, float b1, float b2, std::size_t lane, TexturePoints& out) const;
 
     bool two_sided_;
     SourceColor color_;
     std::vector<Patch> patches_;
+    // Texture coordinates and colours at the ends of each patch's edges. Empty: the texture needs none.
     std::vector<std::array<glm::vec2, 3>> texcoords_;
+    std::vector<std::array<glm::vec3, 3>> colors_;
     double area_ = 0;
     std::vector<std::uint32_t> guide_;  // by equal parts of u: last patch that begins by their start
     glm::vec3 centre_{0};               // centre of a sphere that contains the surface

@@ -20,12 +20,20 @@ EmissiveSurface emissive_surface(const Instance& instance, std::uint32_t id, con
     EmissiveSurface out{.emission = *instance.emission,
                         .axis = glm::dmat3(to_axes) * instance.emission->state.axis,
                         .triangles = {},
-                        .texcoords = {}};
+                        .texcoords = {},
+                        .colors = {}};
     for (const glm::uvec3& t : mesh.triangles)
         out.triangles.push_back({mesh.positions[t.x], mesh.positions[t.y], mesh.positions[t.z]});
-    if (instance.emission->texture == nullptr || mesh.texcoords.empty()) return out;
-    for (const glm::uvec3& t : mesh.texcoord_triangles)
-        out.texcoords.push_back({mesh.texcoords[t.x], mesh.texcoords[t.y], mesh.texcoords[t.z]});
+    const Texture* const texture = instance.emission->texture.get();
+    if (texture == nullptr) return out;
+    if (texture->needs_texcoords())
+        for (const glm::uvec3& t : mesh.texcoord_triangles)
+            out.texcoords.push_back({mesh.texcoords[t.x], mesh.texcoords[t.y], mesh.texcoords[t.z]});
+    if (texture->needs_colors(ColorsOf::vertices))
+        for (const glm::uvec3& t : mesh.triangles)
+            out.colors.push_back({mesh.colors[t.x], mesh.colors[t.y], mesh.colors[t.z]});
+    if (texture->needs_colors(ColorsOf::faces))
+        for (const glm::vec3& color : mesh.face_colors) out.colors.push_back({color, color, color});
     return out;
 }
 

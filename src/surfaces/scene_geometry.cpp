@@ -286,6 +286,9 @@ void SceneGeometry::set_materials(const Scene& scene) {
 void SceneGeometry::set_corners() {
     bool texcoords = false;
     bool colors = false;
+    const auto needs_colors = [](const VertexRange& range, ColorsOf of) {
+        return nicol::needs_colors(*range.material, of) || nicol::needs_colors(range.emission.get(), of);
+    };
     const auto has_tangents = [this](const Piece& piece) {
         return !piece.mesh->tangents.empty() &&
                follows_tangents(*geometry_->ranges[range_of(*geometry_, piece.first)].material);
@@ -296,8 +299,7 @@ void SceneGeometry::set_corners() {
         texcoords = texcoords || range.material->anisotropic() ||
                     (variation != nullptr && variation->needs_texcoords()) ||
                     (range.emission != nullptr && range.emission->texture != nullptr);
-        colors = colors || needs_colors(*range.material, ColorsOf::vertices) ||
-                 needs_colors(*range.material, ColorsOf::faces);
+        colors = colors || needs_colors(range, ColorsOf::vertices) || needs_colors(range, ColorsOf::faces);
     }
     geometry_->texcoords.clear();
     geometry_->colors.clear();
@@ -306,7 +308,7 @@ void SceneGeometry::set_corners() {
         for (const Piece& piece : pieces_) {
             if (piece.twosided != twosided) continue;
             const Mesh& mesh = piece.parts();
-            const Material& material = *geometry_->ranges[range_of(*geometry_, piece.first)].material;
+            const VertexRange& range = geometry_->ranges[range_of(*geometry_, piece.first)];
             const std::size_t count = mesh.triangles.size();
             std::vector<glm::vec4> of_corners;
             if (has_tangents(piece))
@@ -323,7 +325,7 @@ void SceneGeometry::set_corners() {
                     append_corners(of_corners, mesh.texcoord_triangles, count, glm::vec4(0), flipped,
                                    geometry_->tangents);
                 }
-                if (colors && needs_colors(material, ColorsOf::faces)) {
+                if (colors && needs_colors(range, ColorsOf::faces)) {
                     for (const glm::vec3& color : mesh.face_colors)
                         geometry_->colors.push_back({color, color, color});
                 } else if (colors) {

@@ -124,6 +124,11 @@ protected:
     Texture() = default;
 };
 
+/// Returns whether a texture needs any colours of the mesh.
+[[nodiscard]] inline bool needs_colors(const Texture& texture) {
+    return texture.needs_colors(ColorsOf::vertices) || texture.needs_colors(ColorsOf::faces);
+}
+
 /// Returns the texture of an image. Throws Error(invalid_argument) for an image without pixels, sizes that do
 /// not fit, a value that is not finite, or a transform that is not finite and affine.
 [[nodiscard]] TexturePtr image_texture(TextureImage image, const TextureSampling& sampling = {});

@@ -108,7 +108,7 @@ TEST_CASE("light passes glTF's transmission: a sheet, or a body with an index an
     CHECK(made("\"metallicFactor\":1", all, "")->smooth_boundary() == nullptr);
 }
 
-TEST_CASE("unlit glTF emits its texture, without normals and colours of vertices") {
+TEST_CASE("unlit glTF emits its texture times the colours of vertices, without normals") {
     const std::string base =
         ",\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":0},\"baseColorFactor\":[0.5,1,1,1]}";
     const TexturedFile file(unlit + base, "", "\"TEXCOORD_0\":1,\"COLOR_0\":3,\"NORMAL\":3");
@@ -116,10 +116,10 @@ TEST_CASE("unlit glTF emits its texture, without normals and colours of vertices
     const Instance& instance = loaded.scene.instances().at(0);
     REQUIRE(instance.emission);
     REQUIRE(instance.emission->texture);
-    check_near(glm::dvec3(instance.emission->texture->at({.uv = {0.5, 0.5}})),
-               {0.5 * srgb_to_linear(0.2F), srgb_to_linear(0.4F), srgb_to_linear(0.8F)});
+    check_near(glm::dvec3(instance.emission->texture->at({.uv = {0.5, 0.5}, .color = {1, 0.5, 0.25}})),
+               {0.5 * srgb_to_linear(0.2F), 0.5 * srgb_to_linear(0.4F), 0.25 * srgb_to_linear(0.8F)});
     for (const glm::vec3& normal : instance.mesh->normals) CHECK(normal == glm::vec3(0, 0, 1));
-    CHECK(has_notice(file.read(), "COLOR_0 of unlit surfaces is not followed"));
+    CHECK(instance.mesh->colors == std::vector<glm::vec3>{{1, 0.5, 0.25}, {1, 1, 1}, {0, 0, 0}});
 }
 
 TEST_CASE("surfaces of glTF with variants have the default material, or else the first variant's") {

@@ -248,6 +248,60 @@ IMAGE_TEST_CASE("colours of faces are the same across each, by every method") {
     }
 }
 
+IMAGE_TEST_CASE("a surface emits the colours of its mesh") {
+    Mesh mesh = *textured_floor();
+    for (const glm::vec3& p : mesh.positions)
+        mesh.colors.emplace_back(0.5F + 0.5F * p.x, 0.25F, 0.5F - 0.5F * p.y);
+    mesh.face_colors = {{1, 0.25F, 0.5F}, {0.125F, 1, 0.75F}};
+    const auto colored = std::make_shared<const Mesh>(std::move(mesh));
+    RenderOptions reference = options(4);
+    reference.method = Method::reference;
+    reference.samples = 64;
+    for (const ColorsOf of : {ColorsOf::vertices, ColorsOf::faces})
+        for (const RenderOptions& method : {options(4), reference}) {
+            CAPTURE(method.method);
+            Scene scene;
+            scene.add(
+                {.mesh = test::coarse_sphere(2), .material = diffuse({0.5}), .to_world = test::at(0, 9, 0)});
+            scene.add({.mesh = colored,
+                       .material = diffuse({0}),
+                       .to_world = test::plate_at(-1, 2),
+                       .emission = std::make_shared<const Emission>(
+                           Emission{.radiance = {2}, .texture = mesh_color_texture(of)})});
+            const Seen seen = see(context, scene, method);
+            const auto color_at = [&](const glm::vec2& uv) {
+                if (of == ColorsOf::vertices) return glm::vec3(uv.x, 0.25F, uv.y);
+                return colored->face_colors[uv.x + uv.y > 1 ? 0 : 1];
+            };
+            double worst = 0;
+            for_floor(seen, [&](int x, int y, const glm::vec2& uv) {
+                // A pixel of the reference method is a mean over places.
+                const float around = method.method == Method::reference ? 0.05F : 1e-3F;
+                if (color_at(uv - around).y != color_at(uv + around).y) return;
+                for (int c = 0; c < 3; ++c)
+                    worst = std::max(worst, static_cast<double>(
+                                                std::abs(seen.image.at(c, y, x)[0] - 2 * color_at(uv)[c])));
+            });
+            CHECK(worst < (method.method == Method::reference ? 0.02 : 1e-5));
+        }
+    Scene scene;
+    const auto add = [&](const std::shared_ptr<const Mesh>& of, ColorsOf colors) {
+        scene.add(
+            {.mesh = of,
+             .material = diffuse({0}),
+             .to_world = test::plate_at(-1, 2),
+             .emission = std::make_shared<const Emission>(Emission{.texture = mesh_color_texture(colors)})});
+    };
+    check_error(ErrorCode::invalid_argument, CALL(add(textured_floor(), ColorsOf::vertices)),
+                "the colours of vertices, and the mesh has none");
+    check_error(ErrorCode::invalid_argument, CALL(add(textured_floor(), ColorsOf::faces)),
+                "the colours of faces, and the mesh has none");
+    Mesh dark = *colored;
+    dark.colors[1].z = -0.1F;
+    check_error(ErrorCode::invalid_argument,
+                CALL(add(std::make_shared<const Mesh>(dark), ColorsOf::vertices)), "below 0");
+}
+
 IMAGE_TEST_CASE("a roughness texture of a few values is exact, and smooth between others") {
     const auto rough = [](double alpha) { return test::some_metal(alpha); };
     const TexturePtr two = checkerboard_texture(glm::vec3(0.2F), glm::vec3(0.4F), 1);

@@ -377,6 +377,12 @@ TEST_CASE("what rays meet of a light adds up to what its places shed") {
     std::vector<Row> rows;
     rows.push_back({"quad", light_source({plain, {1, 0, 0}, quad, {}}), {0, 0, 1}, 0.9});
     rows.push_back({"textured", light_source({textured, {1, 0, 0}, quad, texcoords}), {0, 0, 1}, 0.9});
+    // Colours of the corners that are the texture's values there.
+    const std::vector<std::array<glm::vec3, 3>> colors{{{{0, 0, 0}, {1, 1, 1}, {1, 1, 1}}},
+                                                       {{{0, 0, 0}, {0, 0, 0}, {1, 1, 1}}}};
+    const Emission colored{
+        .radiance = {2}, .texture = mesh_color_texture(ColorsOf::vertices), .state = state};
+    rows.push_back({"coloured", light_source({colored, {1, 0, 0}, quad, {}, colors}), {0, 0, 1}, 0.9});
     rows.push_back({"two-sided", light_source({two_sided, {1, 0, 0}, away, {}}), {0, 0, 1}, 0.9});
     rows.push_back({"sphere", light_source({plain, {1, 0, 0}, sphere, {}}), {0.2, 0.1, 3}, 0.35});
     rows.push_back({"disc",
@@ -390,6 +396,9 @@ TEST_CASE("what rays meet of a light adds up to what its places shed") {
                     0.6});
     rows.push_back(
         {"lamp", std::make_unique<const ExtractedSource>(lamp, axes, 3), axes * lamp->centre(), 0.4});
+    for (int p = 0; p < 4; ++p)
+        CHECK(irradiance(*rows[2].source, {0, 0, 0}, {0, 0, 1})[p] ==
+              doctest::Approx(irradiance(*rows[1].source, {0, 0, 0}, {0, 0, 1})[p]).epsilon(1e-6));
     for (const Row& row : rows) {
         CAPTURE(row.name);
         const glm::dvec3 normal = glm::normalize(row.axis + glm::dvec3(0.2, 0.1, 0));

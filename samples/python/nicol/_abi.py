@@ -1072,7 +1072,8 @@ class Emission(Struct):
     Fields:
     two_sided: whether both sides emit: 1, or 0, the default: the front alone
     radiance: radiance, finite and not negative, default 1
-    texture: Factor on radiance: 1 or 3 channels, not negative, no colours of a mesh; NULL, the default: 1.
+    texture: Factor on radiance: 1 or 3 channels, not negative; NULL, the default: 1. Colours of the mesh are of its
+        vertices or of its triangles, whichever the material uses as well.
     polarization: polarization of the emission, whose axis is in the mesh's axes"""
     _fields_ = [
         ("struct_size", c_uint32),
