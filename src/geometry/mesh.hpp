@@ -2,6 +2,7 @@
 // Triangle meshes: file reader, analytic shapes, transforms, checks.
 #pragma once
 
+#include <compare>
 #include <cstddef>
 #include <filesystem>
 #include <functional>
@@ -37,6 +38,16 @@ struct Mesh {
     std::vector<glm::vec4> tangents;
 };
 
+/// Names of the attributes of vertices and of faces that become a mesh's colours. "color": the colours. Any
+/// other attribute, of one number or three, is one of PLY: its properties are NAME_0, NAME_1, NAME_2, or with
+/// other endings without "_", in this order. Properties NAME_r, NAME_g, NAME_b are the attribute NAME_color.
+/// The numbers are those of the file, and one number becomes three equal ones.
+struct MeshColorNames {
+    std::string vertices = "color";
+    std::string faces = "color";
+    auto operator<=>(const MeshColorNames&) const = default;
+};
+
 /// Reads Wavefront OBJ, PLY (text, binary), OFF (text), STL (text, binary) or Mitsuba's serialized meshes,
 /// chosen by the suffix. A serialized file holds several meshes; `shape` (0-based) selects one. Polygons,
 /// concave ones too, become triangles. Every face with an area is kept, manifold or not. Triangles without
@@ -46,12 +57,14 @@ struct Mesh {
 ///   this, vertices keep the order of the file.
 /// - Missing normals are made by smooth_normals(). For STL, equal positions are merged and normals are smooth
 ///   over faces that meet at less than kStlCreaseDegrees.
+/// `colors` names attributes that become the colours; a file without them gives no colours.
 /// Throws Error: file_not_found; unsupported (unknown suffix, UTF-16); invalid_file (truncated, malformed, no
 /// triangle with an area), naming the line, vertex or face. Memory use is proportional to the size of the
 /// file, whatever its header claims; for deflated files, `budget` limits it.
 [[nodiscard]] Mesh load_mesh(const std::filesystem::path& file,
                              const std::function<void(const std::string&)>& notice = {},
-                             std::size_t shape = 0, const LoadBudget& budget = {});
+                             std::size_t shape = 0, const LoadBudget& budget = {},
+                             const MeshColorNames& colors = {});
 
 /// Crease angle of STL files, in degrees: faces that meet at a larger angle have a hard edge between them.
 inline constexpr double kStlCreaseDegrees = 40.0;

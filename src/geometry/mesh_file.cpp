@@ -14,29 +14,52 @@
 namespace nicol {
 namespace {
 
+/// Mesh of a file, for formats that hold several, and the attributes that become colours.
+struct Choice {
+    std::size_t shape;
+    const MeshColorNames& colors;
+};
+
 /// A format of mesh files: one row of kFormats, which is all that the library knows of it beside its parser.
 struct Format {
     std::string_view name;  ///< the suffix without its dot
-    geometry::PolygonMesh (*parse)(std::string_view name, std::string_view bytes, std::size_t shape,
+    geometry::PolygonMesh (*parse)(std::string_view name, std::string_view bytes, const Choice& choice,
                                    geometry::LeftOut& left_out, const LoadBudget& budget);
     bool several_meshes = false;    ///< a file holds several
     bool upward_texcoords = false;  ///< programs that write it count v from the image's bottom
 };
 
-/// Parses a format that holds one mesh per file.
+/// Drops colours that are not asked for.
+geometry::PolygonMesh only(const MeshColorNames& colors, geometry::PolygonMesh mesh) {
+    const MeshColorNames known;
+    if (colors.vertices != known.vertices) mesh.colors.clear();
+    if (colors.faces != known.faces) mesh.face_colors.clear();
+    return mesh;
+}
+
+/// Parses a format that holds one mesh per file, without attributes but colours.
 template <geometry::PolygonMesh (*Parse)(std::string_view, std::string_view, geometry::LeftOut&,
                                          const LoadBudget&)>
-geometry::PolygonMesh single(std::string_view name, std::string_view bytes, std::size_t /*shape*/,
+geometry::PolygonMesh single(std::string_view name, std::string_view bytes, const Choice& choice,
                              geometry::LeftOut& left_out, const LoadBudget& budget) {
-    return Parse(name, bytes, left_out, budget);
+    return only(choice.colors, Parse(name, bytes, left_out, budget));
+}
+
+geometry::PolygonMesh ply(std::string_view name, std::string_view bytes, const Choice& choice,
+                          geometry::LeftOut& left_out, const LoadBudget& budget) {
+    return geometry::parse_ply(name, bytes, left_out, budget, choice.colors);
+}
+
+geometry::PolygonMesh serialized(std::string_view name, std::string_view bytes, const Choice& choice,
+                                 geometry::LeftOut& left_out, const LoadBudget& budget) {
+    return only(choice.colors, geometry::parse_serialized(name, bytes, choice.shape, left_out, budget));
 }
 
 constexpr std::array kFormats = {
     Format{.name = "obj", .parse = single<geometry::parse_obj>, .upward_texcoords = true},
-    Format{.name = "ply", .parse = single<geometry::parse_ply>},
-    Format{.name = "off", .parse = single<geometry::parse_off>},
+    Format{.name = "ply", .parse = ply}, Format{.name = "off", .parse = single<geometry::parse_off>},
     Format{.name = "stl", .parse = single<geometry::parse_stl>},
-    Format{.name = "serialized", .parse = geometry::parse_serialized, .several_meshes = true}};
+    Format{.name = "serialized", .parse = serialized, .several_meshes = true}};
 
 /// Returns null for a file of another kind.
 const Format* find_format(const std::filesystem::path& file) {
@@ -61,10 +84,10 @@ const Format& format_of(const std::filesystem::path& file) {
 
 Mesh geometry::mesh_of(const std::filesystem::path& file, std::string_view bytes,
                        const std::function<void(const std::string&)>& notice, std::size_t shape,
-                       const LoadBudget& budget) {
+                       const LoadBudget& budget, const MeshColorNames& colors) {
     const std::string name = file.string();
     LeftOut left_out;
-    PolygonMesh polygons = format_of(file).parse(name, bytes, shape, left_out, budget);
+    PolygonMesh polygons = format_of(file).parse(name, bytes, {shape, colors}, left_out, budget);
     // In the worst case every corner becomes a vertex.
     if (polygons.corners.size() >= std::numeric_limits<std::uint32_t>::max())
         throw Error(ErrorCode::unsupported, name + ": more than 2^32 - 2 corners of faces");
@@ -96,9 +119,9 @@ bool has_upward_texcoords(const std::filesystem::path& file) {
 }
 
 Mesh load_mesh(const std::filesystem::path& file, const std::function<void(const std::string&)>& notice,
-               std::size_t shape, const LoadBudget& budget) {
+               std::size_t shape, const LoadBudget& budget, const MeshColorNames& colors) {
     static_cast<void>(format_of(file));  // throws before reading if the kind is unknown
-    return geometry::mesh_of(file, read_bytes(file, budget), notice, shape, budget);
+    return geometry::mesh_of(file, read_bytes(file, budget), notice, shape, budget, colors);
 }
 
 }  // namespace nicol

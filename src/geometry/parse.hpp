@@ -22,9 +22,9 @@ namespace nicol::geometry {
                                     const LoadBudget& budget);
 /// Parses PLY. Vertices: x y z, nx ny nz, u v (or s t, texture_u texture_v) and red green blue (or r g b;
 /// integers are n / 255). Faces: vertex_indices, texcoord at their corners, and colours by the names that
-/// vertices use.
+/// vertices use. `colors` may name other attributes that become the colours.
 [[nodiscard]] PolygonMesh parse_ply(std::string_view name, std::string_view bytes, LeftOut& left_out,
-                                    const LoadBudget& budget);
+                                    const LoadBudget& budget, const MeshColorNames& colors = {});
 /// Parses text OFF with normals (N), colours (C) and texture coordinates (ST) of vertices, and colours of
 /// faces. A face without a colour is white if other faces have one.
 [[nodiscard]] PolygonMesh parse_off(std::string_view name, std::string_view bytes, LeftOut& left_out,

@@ -51,6 +51,15 @@ Slot slot_of(const Property& property) {
     return known == names.end() || property.length ? none : known->slot;
 }
 
+/// Returns the name of the attribute that a property belongs to, as MeshColorNames has it; empty if none.
+std::string attribute_of(const Property& property) {
+    const std::size_t end = property.name.rfind('_');
+    if (end == std::string::npos || property.length) return {};
+    const std::string_view ending = std::string_view(property.name).substr(end + 1);
+    const bool color = ending == "r" || ending == "g" || ending == "b";
+    return property.name.substr(0, end) + (color ? "_color" : "");
+}
+
 /// Returns the value that counts as 1 in a colour: the largest of an integer type, or 1.
 double largest(Type type) {
     switch (type) {
@@ -66,9 +75,14 @@ double largest(Type type) {
 /// Uses of an element's properties, and their values in one row.
 class Row {
 public:
-    explicit Row(const Element& element) {
+    /// color: name of the attribute that becomes the colour, see MeshColorNames.
+    Row(const Element& element, const std::string& color) : own_color_(color == MeshColorNames().vertices) {
         for (const Property& property : element.properties) {
             Slot slot = slot_of(property);
+            if (!own_color_) {
+                if (slot >= red) slot = none;
+                if (attribute_of(property) == color) slot = std::min(Slot(red + numbers_++), none);
+            }
             if (present_[slot]) slot = none;  // only the first of two equal names counts
             present_[slot] = true;
             slots_.push_back(slot);
@@ -80,7 +94,15 @@ public:
         return std::all_of(&present_[first], &present_[last] + 1, [](bool is_there) { return is_there; });
     }
     void set(Slot slot, Type type, double value) {
-        values_[slot] = slot >= red ? value / largest(type) : value;
+        values_[slot] = slot >= red && own_color_ ? value / largest(type) : value;
+    }
+    [[nodiscard]] bool has_color() const {
+        return own_color_ ? has(red, blue) : numbers_ == 1 || numbers_ == 3;
+    }
+    /// Returns the colour of the row; black if it is not finite.
+    [[nodiscard]] glm::vec3 color() {
+        if (numbers_ == 1) values_[green] = values_[blue] = values_[red];
+        return triple(red);
     }
     [[nodiscard]] bool finite(Slot first, Slot last) const {
         return std::all_of(&values_[first], &values_[last] + 1,
@@ -97,19 +119,22 @@ public:
     }
 
 private:
+    bool own_color_;           // whether the colour is red, green and blue
+    unsigned numbers_ = 0;     // number of properties of another attribute
     std::vector<Slot> slots_;  // by property
     std::array<bool, slots + 1> present_{};
     std::array<double, slots + 1> values_{};
 };
 
-void read_vertices(Values& values, const Element& element, PolygonMesh& out, LeftOut& left_out) {
-    Row row(element);
+void read_vertices(Values& values, const Element& element, const MeshColorNames& names, PolygonMesh& out,
+                   LeftOut& left_out) {
+    Row row(element, names.vertices);
     for (const auto& [needed, name] : {std::pair(x, "x"), {y, "y"}, {z, "z"}})
         if (!row.has(needed, needed))
             values.fail("the vertices have no property " + std::string(name) + "; expected x, y and z");
     const bool normals = row.has(nx, nz);
     const bool texcoords = row.has(u, v);
-    const bool colors = row.has(red, blue);
+    const bool colors = row.has_color();
     for (std::uint64_t i = 0; i < element.count; ++i) {
         const auto what = [&] { return "vertex " + std::to_string(i) + " (0-based)"; };
         for (std::size_t p = 0; p < element.properties.size(); ++p) {
@@ -130,7 +155,7 @@ void read_vertices(Values& values, const Element& element, PolygonMesh& out, Lef
             out.normals.push_back(row.triple(nx));
         }
         if (texcoords) out.texcoords.push_back(row.pair(u));
-        if (colors) out.colors.push_back(row.triple(red));
+        if (colors) out.colors.push_back(row.color());
     }
 }
 
@@ -140,14 +165,15 @@ void check_index(const Values& values, const PolygonMesh& mesh, std::uint32_t in
                     ", but there are " + std::to_string(mesh.positions.size()));
 }
 
-void read_faces(Values& values, const Element& element, PolygonMesh& out, LeftOut& left_out) {
+void read_faces(Values& values, const Element& element, const MeshColorNames& names, PolygonMesh& out,
+                LeftOut& left_out) {
     const auto is_indices = [](const Property& p) {
         return p.length && (p.name == "vertex_indices" || p.name == "vertex_index");
     };
     if (std::ranges::count_if(element.properties, is_indices) != 1)
         values.fail("the faces have no list vertex_indices, or more than one");
-    Row row(element);
-    const bool colors = row.has(red, blue);
+    Row row(element, names.faces);
+    const bool colors = row.has_color();
     std::vector<float> texcoords;
     for (std::uint64_t f = 0; f < element.count; ++f) {
         const auto what = [&] { return "face " + std::to_string(f) + " (0-based)"; };
@@ -178,7 +204,7 @@ void read_faces(Values& values, const Element& element, PolygonMesh& out, LeftOu
                 out.texcoords.emplace_back(texcoords[i], texcoords[i + 1]);
             }
         }
-        if (out.end_face(left_out) && colors) out.face_colors.push_back(row.triple(red));
+        if (out.end_face(left_out) && colors) out.face_colors.push_back(row.color());
     }
 }
 
@@ -199,7 +225,7 @@ void complete_corners(const Values& values, PolygonMesh& out, std::uint32_t firs
 }  // namespace
 
 PolygonMesh parse_ply(std::string_view name, std::string_view bytes, LeftOut& left_out,
-                      const LoadBudget& budget) {
+                      const LoadBudget& budget, const MeshColorNames& colors) {
     bytes = as_text(name, bytes);
     const Header header = parsed_header(name, bytes, left_out);
     Values values(name, bytes, header, budget);
@@ -211,10 +237,10 @@ PolygonMesh parse_ply(std::string_view name, std::string_view bytes, LeftOut& le
     for (const Element& e : header.elements) {
         if (e.name == "vertex") {
             const auto before = static_cast<std::uint32_t>(out.texcoords.size());
-            read_vertices(values, e, out, left_out);
+            read_vertices(values, e, colors, out, left_out);
             if (out.texcoords.size() > before) first_texcoord = before;
         } else if (e.name == "face") {
-            read_faces(values, e, out, left_out);
+            read_faces(values, e, colors, out, left_out);
         } else if (!e.properties.empty()) {
             const auto what = [&] { return "element " + e.name; };
             for (std::uint64_t i = 0; i < e.count; ++i)

@@ -59,6 +59,6 @@ struct PolygonMesh {
 /// Reads a mesh as load_mesh() does, from a file's name and its bytes.
 [[nodiscard]] Mesh mesh_of(const std::filesystem::path& file, std::string_view bytes,
                            const std::function<void(const std::string&)>& notice = {}, std::size_t shape = 0,
-                           const LoadBudget& budget = {});
+                           const LoadBudget& budget = {}, const MeshColorNames& colors = {});
 
 }  // namespace nicol::geometry

@@ -22,7 +22,7 @@ bool has_upward_texcoords(const std::filesystem::path& /*file*/) {
 }
 
 Mesh load_mesh(const std::filesystem::path& file, const std::function<void(const std::string&)>& /*notice*/,
-               std::size_t /*shape*/, const LoadBudget& /*budget*/) {
+               std::size_t /*shape*/, const LoadBudget& /*budget*/, const MeshColorNames& /*colors*/) {
     refuse_left_out_format(file, "mesh files", "NICOL_MESH_FILES");
 }
 

@@ -13,6 +13,7 @@
 #include <iterator>
 #include <map>
 #include <memory>
+#include <set>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -79,7 +80,7 @@ SceneChannels channels_under(const EnvironmentPtr& light) {
     return {.count = light->channels(), .wavelengths = light->wavelengths()};
 }
 
-Mesh make(const ShapeDescription& d, double detail, scene::SceneFiles& files) {
+Mesh make(const ShapeDescription& d, double detail, const MeshColorNames& colors, scene::SceneFiles& files) {
     Mesh mesh;
     switch (d.kind) {
         case ShapeDescription::Kind::sphere:
@@ -100,8 +101,8 @@ Mesh make(const ShapeDescription& d, double detail, scene::SceneFiles& files) {
         default:
             mesh = files.read(d.filename, [&] {
                 return load_mesh(
-                    d.filename, [&](const std::string& text) { files.notice(text); }, d.index,
-                    files.budget());
+                    d.filename, [&](const std::string& text) { files.notice(text); }, d.index, files.budget(),
+                    colors);
             });
             break;
     }
@@ -157,26 +158,58 @@ EmissionPtr make_emission(const EmissionDescription& d, const SceneChannels& cha
     return std::make_shared<const Emission>(std::move(emission));
 }
 
-/// Shapes of the same file or detail, and of the same flags, share a mesh.
+using NeededAttributes = std::set<scene::SceneTextures::NeededAttribute>;
+
+/// Returns the attributes that become a mesh's colours. Throws Error(unsupported) if there are two of
+/// vertices or two of faces.
+MeshColorNames color_names(const NeededAttributes& needed) {
+    MeshColorNames out;
+    std::map<ColorsOf, std::string> known;
+    for (const auto& [of, name, number] : needed) {
+        if (known.try_emplace(of, name).first->second != name)
+            throw Error(ErrorCode::unsupported, "its material has the attributes " + known[of] + " and " +
+                                                    name + " of the mesh; give it one of them");
+        (of == ColorsOf::faces ? out.faces : out.vertices) = name;
+    }
+    return out;
+}
+
+/// Throws Error(invalid_argument) if a mesh lacks an attribute or has three numbers instead of one.
+void check_attributes(const Mesh& mesh, const NeededAttributes& needed) {
+    for (const auto& [of, name, number] : needed) {
+        const std::vector<glm::vec3>& values = of == ColorsOf::faces ? mesh.face_colors : mesh.colors;
+        const std::string_view prefix = of == ColorsOf::faces ? kFacePrefix : kVertexPrefix;
+        const std::string attribute = "attribute " + std::string(prefix) + name;
+        if (values.empty()) refuse("it has no " + attribute + ", which its material needs");
+        if (number && std::ranges::any_of(values, [](const glm::vec3& v) { return v != glm::vec3(v.x); }))
+            refuse("its " + attribute + " has three numbers where its material needs one");
+    }
+}
+
+/// Shapes of the same file or detail, of the same flags and attributes, share a mesh.
 class Meshes {
 public:
     Meshes(const PrimitiveDetail& detail, scene::SceneFiles& files) : detail_(detail), files_(files) {}
 
-    std::shared_ptr<const Mesh> of(const ShapeDescription& d) {
+    std::shared_ptr<const Mesh> of(const ShapeDescription& d, const MeshColorNames& colors) {
         if (d.kind == ShapeDescription::Kind::mesh) return d.mesh;
         const double detail = detail_.of(d);
-        const Key key{d.kind,           d.filename,
-                      d.index,          {d.p1.x - d.p0.x, d.p1.y - d.p0.y, d.p1.z - d.p0.z, d.radius, detail},
-                      d.face_normals,   d.flip_normals,
-                      d.flip_tex_coords};
+        const Key key{d.kind,
+                      d.filename,
+                      d.index,
+                      {d.p1.x - d.p0.x, d.p1.y - d.p0.y, d.p1.z - d.p0.z, d.radius, detail},
+                      d.face_normals,
+                      d.flip_normals,
+                      d.flip_tex_coords,
+                      colors};
         std::shared_ptr<const Mesh>& mesh = made_[key];
-        if (!mesh) mesh = std::make_shared<const Mesh>(make(d, detail, files_));
+        if (!mesh) mesh = std::make_shared<const Mesh>(make(d, detail, colors, files_));
         return mesh;
     }
 
 private:
     using Key = std::tuple<ShapeDescription::Kind, std::filesystem::path, std::size_t, std::array<double, 5>,
-                           bool, bool, bool>;
+                           bool, bool, bool, MeshColorNames>;
     PrimitiveDetail detail_;
     scene::SceneFiles& files_;
     std::map<Key, std::shared_ptr<const Mesh>> made_;
@@ -233,9 +266,19 @@ LoadedScene load_scene(const std::filesystem::path& file, const SceneParameters&
     const SceneChannels channels = channels_under(out.scene.environment());
     scene::SceneTextures textures(channels, files);
     const MaterialMaker maker{channels, textures, files};
-    std::vector<MaterialPtr> materials;
+    struct MadeMaterial {
+        MaterialPtr material;
+        NeededAttributes needed;
+    };
+    const auto make_material = [&](const MaterialDescription& material) {
+        return made(file, named("bsdf", material.id), [&] {
+            MaterialPtr out = maker.make(material);
+            return MadeMaterial{std::move(out), textures.take_needed()};
+        });
+    };
+    std::vector<MadeMaterial> materials;
     for (const MaterialDescription& material : description.materials)
-        materials.push_back(made(file, named("bsdf", material.id), [&] { return maker.make(material); }));
+        materials.push_back(make_material(material));
     for (const LightDescription& light : description.lights) {
         budget.step(256);
         made(file, named("emitter", light.id),
@@ -248,17 +291,24 @@ LoadedScene load_scene(const std::filesystem::path& file, const SceneParameters&
     Meshes meshes(PrimitiveDetail(out.camera, {out.width, out.height}), files);
     for (const ShapeDescription& shape : description.shapes) {
         made(file, named("shape", shape.id), [&] {
-            const std::shared_ptr<const Mesh> mesh = meshes.of(shape);
+            textures.set_attributes(&shape.attributes);
+            MadeMaterial surface = shape.attributes.empty()
+                                       ? materials.at(shape.material)
+                                       : make_material(description.materials.at(shape.material));
+            const EmissionPtr emission =
+                shape.emission ? make_emission(*shape.emission, channels, textures) : nullptr;
+            textures.set_attributes(nullptr);
+            surface.needed.merge(textures.take_needed());
+            const std::shared_ptr<const Mesh> mesh = meshes.of(shape, color_names(surface.needed));
+            check_attributes(*mesh, surface.needed);
             budget.take_instance(file, mesh->positions.size(), mesh->triangles.size());
-            if (materials.at(shape.material)->anisotropic() && mesh->texcoords.empty())
+            if (surface.material->anisotropic() && mesh->texcoords.empty())
                 files.notice(
                     "a surface without texture coordinates has a roughness that depends on the direction, "
                     "which "
                     "is any then");
-            const EmissionPtr emission =
-                shape.emission ? make_emission(*shape.emission, channels, textures) : nullptr;
             out.scene.add({.mesh = mesh,
-                           .material = materials.at(shape.material),
+                           .material = surface.material,
                            .to_world = placement(shape),
                            .emission = emission});
         });

@@ -231,6 +231,12 @@ pugi::xml_node Plugin::texture(const std::string& name) {
     return entry == textures_.end() ? pugi::xml_node() : entry->second.node;
 }
 
+std::vector<std::string> Plugin::texture_names() const {
+    std::vector<std::string> names;
+    for (const auto& [name, texture] : textures_) names.push_back(name);
+    return names;
+}
+
 pugi::xml_node Plugin::only_texture() {
     if (textures_.size() != 1)
         fail("", "has " + std::to_string(textures_.size()) + " textures inside; expected one");

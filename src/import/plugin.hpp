@@ -65,6 +65,8 @@ public:
     glm::dmat4 transform(const std::string& name);
     /// The <texture> that the file gives for a parameter, null if it gives none.
     pugi::xml_node texture(const std::string& name);
+    /// Returns the names of all <texture>s.
+    [[nodiscard]] std::vector<std::string> texture_names() const;
     /// The only <texture>, whatever its name.
     pugi::xml_node only_texture();
     /// Known parameters that make no difference here.

@@ -78,8 +78,10 @@ struct ShapeDescription {
     glm::dvec3 p1{0.0, 0.0, 1.0};
     std::shared_ptr<const Mesh> mesh;  ///< mesh: itself, the scene file holds it; validated
     bool flip_normals = false;
-    bool face_normals = false;                    ///< file: hard edges everywhere
-    bool flip_tex_coords = false;                 ///< file: v becomes 1 - v
+    bool face_normals = false;     ///< file: hard edges everywhere
+    bool flip_tex_coords = false;  ///< file: v becomes 1 - v
+    /// Textures in the place of attributes, by the whole name such as "vertex_weight".
+    std::map<std::string, TextureSpecificationPtr> attributes;
     glm::dmat4 to_world{1.0};                     ///< affine and invertible
     std::size_t material = 0;                     ///< index into SceneDescription::materials
     std::optional<EmissionDescription> emission;  ///< none: it emits no light

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "error.hpp"
+#include "geometry/mesh.hpp"
 
 namespace nicol::scene {
 namespace {
@@ -126,7 +127,9 @@ double SceneTextures::aspect(const TextureSpecification& d) const {
 }
 
 TexturePtr SceneTextures::of(const TextureSpecification& description, Use use) {
-    if (description.kind != TextureSpecification::Kind::image) return made(description, use);
+    const bool of_shape = in_place_of_attribute(description) != nullptr;
+    if (description.times_colors_of && !of_shape) need_attribute(description, use);
+    if (of_shape || description.kind != TextureSpecification::Kind::image) return made(description, use);
     std::vector<Made>& made_of_file = made_[description.filename];
     for (const Made& known : made_of_file)
         if (known.use == use && known.description == description) return known.texture;
@@ -146,12 +149,6 @@ glm::vec4 SceneTextures::value(const ColorDescription& color, Use use) const {
 }
 
 TexturePtr SceneTextures::made(const TextureSpecification& d, Use use) {
-    const auto require_rgb = [&](const char* what) {
-        if (use == Use::color && !channels_.rgb())
-            throw Error(ErrorCode::unsupported, std::string(what) + " under light of " +
-                                                    std::to_string(channels_.count) +
-                                                    " other channels; give grey ones");
-    };
     const auto channels_of = [](const glm::vec4& a) { return a.x == a.y && a.y == a.z ? 1 : 3; };
     TexturePtr texture;
     switch (d.kind) {
@@ -171,19 +168,39 @@ TexturePtr SceneTextures::made(const TextureSpecification& d, Use use) {
             TextureImage image = use == Use::number   ? pixels.numbers()
                                  : use == Use::vector ? pixels.vectors()
                                                       : without_repetition(pixels.colors());
-            if (image.channels == 3) require_rgb("an image of red, green and blue");
+            if (image.channels == 3 && use == Use::color) require_rgb("an image of red, green and blue");
             texture = image_texture(std::move(image), d.sampling);
             break;
         }
     }
     if (!d.times_colors_of) return texture;
-    require_rgb("a mesh's colours");
-    if (use == Use::number)
-        throw Error(ErrorCode::unsupported, "a mesh's colours where one number is expected; give an image");
-    TexturePtr colors = mesh_color_texture(*d.times_colors_of);
+    const TextureSpecification* const of_shape = in_place_of_attribute(d);
+    TexturePtr factor = of_shape != nullptr ? of(*of_shape, use) : mesh_color_texture(*d.times_colors_of);
     return texture->constant() && texture->mean() == glm::vec4(1)
-               ? colors
-               : product_texture(std::move(texture), std::move(colors));
+               ? factor
+               : product_texture(std::move(texture), std::move(factor));
+}
+
+const TextureSpecification* SceneTextures::in_place_of_attribute(const TextureSpecification& d) const {
+    if (attributes_ == nullptr || !d.times_colors_of) return nullptr;
+    const std::string_view prefix = *d.times_colors_of == ColorsOf::faces ? kFacePrefix : kVertexPrefix;
+    const auto own = attributes_->find(std::string(prefix) + d.attribute);
+    return own == attributes_->end() ? nullptr : own->second.get();
+}
+
+void SceneTextures::need_attribute(const TextureSpecification& d, Use use) {
+    const bool number = use == Use::number;
+    if (use == Use::color) require_rgb("a mesh's colours");
+    if (number && d.attribute == MeshColorNames().vertices)
+        throw Error(ErrorCode::unsupported, "a mesh's colours where one number is expected; give an image");
+    needed_.insert({.of = *d.times_colors_of, .name = d.attribute, .number = number});
+}
+
+void SceneTextures::require_rgb(const char* what) const {
+    if (!channels_.rgb())
+        throw Error(ErrorCode::unsupported, std::string(what) + " under light of " +
+                                                std::to_string(channels_.count) +
+                                                " other channels; give grey ones");
 }
 
 const TextureImage& SceneTextures::image(const TextureSpecification& d) {

@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <glm/vec4.hpp>
 #include <map>
+#include <set>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -29,12 +31,34 @@ public:
     [[nodiscard]] TexturePtr number(const TextureSpecification& description);
     /// Makes the texture of a normal or another vector: as color(), whatever the scene's channels.
     [[nodiscard]] TexturePtr vector(const TextureSpecification& description);
+
+    /// Textures of a shape that take the place of its attributes, by the attributes' whole names.
+    using Attributes = std::map<std::string, TextureSpecificationPtr>;
+    /// Sets the shape whose material is made next. Null: no shape has textures in the place of attributes.
+    void set_attributes(const Attributes* attributes) { attributes_ = attributes; }
+    /// Attribute of a mesh that a texture needs.
+    struct NeededAttribute {
+        ColorsOf of;
+        std::string name;  ///< see MeshColorNames
+        bool number;       ///< whether it must have one number
+        auto operator<=>(const NeededAttribute&) const = default;
+    };
+    /// Returns the attributes that textures have needed since the last call.
+    [[nodiscard]] std::set<NeededAttribute> take_needed() { return std::exchange(needed_, {}); }
+
     /// Width over height of the image of a texture that one of these has made; 1 where it has none.
     [[nodiscard]] double aspect(const TextureSpecification& description) const;
 
 private:
     enum class Use { color, number, vector };
     [[nodiscard]] TexturePtr of(const TextureSpecification& description, Use use);
+    // Returns the texture of the shape that stands in the place of the attribute that a texture has as a
+    // factor; null if there is none.
+    [[nodiscard]] const TextureSpecification* in_place_of_attribute(
+        const TextureSpecification& description) const;
+    void need_attribute(const TextureSpecification& description, Use use);
+    // Throws Error(unsupported) unless the scene's channels are red, green and blue.
+    void require_rgb(const char* what) const;
     [[nodiscard]] glm::vec4 value(const ColorDescription& color, Use use) const;
     [[nodiscard]] TexturePtr made(const TextureSpecification& description, Use use);
     [[nodiscard]] const TextureImage& image(const TextureSpecification& description);
@@ -49,6 +73,8 @@ private:
         TexturePtr texture;
     };
     std::map<std::filesystem::path, std::vector<Made>> made_;
+    const Attributes* attributes_ = nullptr;
+    std::set<NeededAttribute> needed_;
 };
 
 }  // namespace nicol::scene

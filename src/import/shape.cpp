@@ -63,6 +63,13 @@ ShapeDescription read_shape(const XmlDocument& document, pugi::xml_node node, No
         if (shape.p0 == shape.p1) plugin.fail("p1", "is p0; expected two points that differ");
         shape.radius = plugin.number("radius", shape.radius, 0.0, kNoLimit, true);
     }
+    for (const std::string& name : plugin.texture_names()) {
+        if (!name.starts_with(kVertexPrefix) && !name.starts_with(kFacePrefix)) continue;
+        shape.attributes[name] = read_texture(document, plugin.texture(name));
+        if (shape.attributes[name]->times_colors_of)
+            plugin.fail(name, "is a mesh_attribute; expected another texture in the place of an attribute",
+                        ErrorCode::unsupported);
+    }
     shape.flip_normals = plugin.boolean("flip_normals", false);
     shape.to_world = plugin.transform("to_world");
     // Steers Mitsuba's sampling for derivatives.

@@ -39,13 +39,14 @@ void read_checkerboard(Plugin& plugin, TextureSpecification& texture) {
 
 void read_mesh_attribute(Plugin& plugin, TextureSpecification& texture) {
     const std::string name = plugin.string("name", "");
-    if (name != "vertex_color" && name != "face_color")
-        plugin.fail(
-            "name",
-            "is " + in_quotes(name) + "; of a mesh's attributes vertex_color and face_color are supported",
-            ErrorCode::unsupported);
+    const bool of_faces = name.starts_with(kFacePrefix);
+    const std::string_view prefix = of_faces ? kFacePrefix : kVertexPrefix;
+    if (!name.starts_with(prefix) || name.size() == prefix.size())
+        plugin.fail("name", "is " + in_quotes(name) +
+                                "; expected vertex_ or face_ and the name of an attribute, as vertex_color");
     texture.color0 = plugin.number("scale", 1.0);
-    texture.times_colors_of = name == "face_color" ? ColorsOf::faces : ColorsOf::vertices;
+    texture.times_colors_of = of_faces ? ColorsOf::faces : ColorsOf::vertices;
+    texture.attribute = name.substr(prefix.size());
 }
 
 void read_constant(Plugin& plugin, TextureSpecification& texture) {

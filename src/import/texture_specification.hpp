@@ -7,12 +7,16 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "import/color_description.hpp"
 #include "texture/texture.hpp"
 
 namespace nicol {
+
+/// Beginnings of the names that shapes give their attributes: those of vertices and those of faces.
+inline constexpr std::string_view kVertexPrefix = "vertex_", kFacePrefix = "face_";
 
 struct TextureSpecification {
     enum class Kind { constant, checkerboard, image };
@@ -32,6 +36,7 @@ struct TextureSpecification {
     bool squared = false;    ///< image: after that
     TextureSampling sampling;                 ///< image; checkerboard: to_uv alone
     std::optional<ColorsOf> times_colors_of;  ///< any: these colours of the mesh are a factor
+    std::string attribute = "color";          ///< attribute that becomes the colours, see MeshColorNames
 
     bool operator==(const TextureSpecification&) const = default;
 };

@@ -81,6 +81,56 @@ TEST_CASE("colours of faces are read, and stay with the triangles of theirs") {
     }
 }
 
+TEST_CASE("attributes of PLY files become the colours that are asked for") {
+    const std::string vertex =
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n";
+    const std::string faces = "element face 1\nproperty list uchar int vertex_indices\n";
+    const TemporaryFolder folder;
+    struct Case {
+        std::string properties;  ///< of vertices and, in the place of a list, of faces
+        std::vector<glm::vec3> values;
+    };
+    const std::vector<glm::vec3> one{{1, 1, 1}, {2, 2, 2}, {3, 3, 3}}, none;
+    // Mitsuba 3.9 has the same attributes, but for those that it leaves out with a warning.
+    for (const Case& c :
+         {Case{"property float weight_0\n", one}, Case{"property uchar weight_x\n", one},
+          Case{"property float other_0\nproperty float weight_1\n",
+               {{10, 10, 10}, {20, 20, 20}, {30, 30, 30}}},
+          Case{"property float weight_0\nproperty float weight_1\nproperty float weight_2\n",
+               {{1, 10, 100}, {2, 20, 200}, {3, 30, 300}}},
+          Case{"property float weight_0\nproperty float weight_1\n", none},
+          Case{"property float weight\n", none}, Case{"property float vertex_weight_0\n", none},
+          Case{"property uchar red\nproperty uchar green\nproperty uchar blue\n", none}}) {
+        CAPTURE(c.properties);
+        const auto count = std::ranges::count(c.properties, '\n');
+        const auto row = [&](int i) {
+            std::string text;
+            for (int k = 0, scale = 1; k < count; ++k, scale *= 10)
+                text += " " + std::to_string(std::min(scale * (i + 1), 300));
+            return text + "\n";
+        };
+        const Mesh of_vertices =
+            load_mesh(folder.write("v.ply", vertex + c.properties + faces + "end_header\n0 0 0" + row(0) +
+                                                "1 0 0" + row(1) + "0 1 0" + row(2) + "3 0 1 2\n"),
+                      {}, 0, {}, {.vertices = "weight"});
+        CHECK(of_vertices.colors == c.values);
+        const Mesh of_faces =
+            load_mesh(folder.write("f.ply", vertex + faces + c.properties +
+                                                "end_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2" + row(0)),
+                      {}, 0, {}, {.faces = "weight"});
+        CHECK(of_faces.face_colors == (c.values.empty() ? none : std::vector<glm::vec3>{c.values.front()}));
+    }
+    const std::string rgb = "property float warm_r\nproperty float warm_g\nproperty float warm_b\n";
+    const auto file = folder.write(
+        "c.ply", vertex + rgb + faces + "end_header\n0 0 0 1 2 3\n1 0 0 4 5 6\n0 1 0 " + "7 8 9\n3 0 1 2\n");
+    CHECK(load_mesh(file, {}, 0, {}, {.vertices = "warm_color"}).colors.at(1) == glm::vec3(4, 5, 6));
+    CHECK(load_mesh(file).colors.empty());
+    // Other formats have no other attributes.
+    const auto obj = folder.write("c.obj", "v 0 0 0 1 0 0\nv 1 0 0 1 0 0\nv 0 1 0 1 0 0\nf 1 2 3\n");
+    CHECK(load_mesh(obj).colors.size() == 3);
+    CHECK(load_mesh(obj, {}, 0, {}, {.vertices = "weight"}).colors.empty());
+}
+
 TEST_CASE("colours of some faces, or of some kind") {
     using Colors = std::vector<glm::vec3>;
     const struct {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Tests of textures in Mitsuba's XML: reading, resulting materials, refusals.
+#include <tuple>
+
 #include "image/color.hpp"
 #include "import/described_material.hpp"
 #include "import/load_scene.hpp"
@@ -143,14 +145,16 @@ TEST_CASE("checkerboards, constants and colours of meshes") {
         CHECK(constant.kind == TextureKind::constant);
         CHECK(constant.color0 == ColorDescription(glm::dvec3(0.5, 0.25, 1)));
     }
-    for (const auto& [name, of] :
-         {std::pair("vertex_color", ColorsOf::vertices), {"face_color", ColorsOf::faces}}) {
+    for (const auto& [name, of, attribute_name] : {std::tuple("vertex_color", ColorsOf::vertices, "color"),
+                                                   {"face_color", ColorsOf::faces, "color"},
+                                                   {"face_some_weight", ColorsOf::faces, "some_weight"}}) {
         const std::string attribute = "<string name='name' value='" + std::string(name) + "'/>";
         const TextureSpecification colors =
             *reflectance(material(bsdf("diffuse", texture("reflectance", "mesh_attribute", attribute))));
         CHECK(colors.kind == TextureKind::constant);
         CHECK(colors.color0 == ColorDescription(1.0));
         CHECK(colors.times_colors_of == of);
+        CHECK(colors.attribute == attribute_name);
     }
 }
 
@@ -261,9 +265,13 @@ TEST_CASE("textures and bsdfs that are refused") {
                              "value='cubic'/>"),
                   invalid,
                   {"\"filter_type\"", "bilinear, nearest"}},
-             Case{diffuse_of("mesh_attribute", "<string name='name' value='face_temperature'/>"),
+             Case{diffuse_of("mesh_attribute", "<string name='name' value='temperature'/>"),
+                  invalid,
+                  {"\"name\" is \"temperature\"", "expected vertex_ or face_"}},
+             Case{diffuse_of("mesh_attribute", ""), invalid, {"\"name\" is \"\"", "as vertex_color"}},
+             Case{texture("face_a", "mesh_attribute", "<string name='name' value='face_a'/>"),
                   unsupported,
-                  {"\"name\" is \"face_temperature\"", "vertex_color and face_color are supported"}},
+                  {"\"face_a\" is a mesh_attribute"}},
              Case{diffuse_of("rawconstant", ""), invalid, {"\"value\" is missing"}},
              Case{bsdf("diffuse", bitmap("reflektance")),
                   invalid,
@@ -306,6 +314,70 @@ TEST_CASE("textures and bsdfs that are refused") {
     check_refused(file, invalid, file.scene().string(), {"more than 64"});
     const SceneFile missing(::scene("<texture id='t' type='bitmap'/>" + a_sensor + a_shape));
     check_refused(missing, invalid, missing.scene().string() + ":2: ", {"\"filename\" is missing"});
+}
+
+TEST_CASE("attributes of any name are factors, of the mesh or as textures of the shape") {
+    const TemporaryFolder folder;
+    folder.write("a.png", png_bytes(2, 1, 3, {255, 0, 0, 51, 51, 51}));
+    folder.write("a.ply",
+                 "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+                 "property float z\nproperty float s\nproperty float t\nproperty float rough_0\n"
+                 "property float tint_0\nproperty float tint_1\nproperty float tint_2\nelement face 1\n"
+                 "property list uchar int vertex_indices\nproperty float weight_0\nend_header\n"
+                 "0 0 0 0 0 0.2 1 0 0\n1 0 0 1 0 0.4 0 1 0\n0 1 0 0 1 0.8 0 0 1\n3 0 1 2 0.7\n");
+    const auto load = [&](const std::string& inside) {
+        return load_scene(folder.write("a.xml", ::scene(a_sensor + an_emitter +
+                                                        "<shape type='ply'><string "
+                                                        "name='filename' value='a.ply'/>" +
+                                                        inside + "</shape>")));
+    };
+    const auto attribute = [](const std::string& parameter, const std::string& name,
+                              const std::string& scale = "1") {
+        return texture(
+            parameter, "mesh_attribute",
+            "<string name='name' value='" + name + "'/><float name='scale' value='" + scale + "'/>");
+    };
+    struct Case {
+        std::string inside;
+        glm::vec3 at_first;  ///< at the first vertex, where u = v = 0.25
+    };
+    for (const Case& c :
+         {Case{bsdf("diffuse", attribute("reflectance", "vertex_rough")), glm::vec3(0.2F)},
+          Case{bsdf("diffuse", attribute("reflectance", "vertex_tint", "0.5")), {0.5F, 0, 0}},
+          Case{bsdf("diffuse", attribute("reflectance", "face_weight")), glm::vec3(0.7F)},
+          // A texture of the shape, which the mesh need not have.
+          Case{bsdf("diffuse", attribute("reflectance", "face_other", "0.5")) +
+                   texture("face_other", "bitmap", "<string name='filename' value='a.png'/>"),
+               {0.5F, 0, 0}},
+          Case{bsdf("diffuse", attribute("reflectance", "vertex_tint")) + checkerboard("vertex_tint"),
+               glm::vec3(0.75F)}}) {
+        CAPTURE(c.inside);
+        const LoadedScene loaded = load(c.inside);
+        const Instance& instance = loaded.scene.instances().at(0);
+        const Mesh& mesh = *instance.mesh;
+        TexturePoint point{.uv = {0.25F, 0.25F}};
+        if (!mesh.colors.empty()) point.color = mesh.colors[0];
+        if (!mesh.face_colors.empty()) point.color = mesh.face_colors[0];
+        check_same(*instance.material, point, *diffuse({c.at_first.x, c.at_first.y, c.at_first.z}));
+    }
+    // A number: the roughness is interpolated between materials.
+    const LoadedScene rough = load(bsdf("roughconductor", attribute("alpha", "vertex_rough")));
+    const Instance& instance = rough.scene.instances().at(0);
+    CHECK(instance.mesh->colors[1] == glm::vec3(0.4F));
+    const double expected = evaluate(*rough_conductor({.alpha = 0.4}), 0, a_light, a_viewer)(0, 0);
+    CHECK(reflected(*instance.material, {.color = glm::vec3(0.4F)}, 0, a_light, a_viewer) ==
+          doctest::Approx(expected).epsilon(0.02));
+    for (const auto& [inside, code, part] :
+         {std::tuple(bsdf("diffuse", attribute("reflectance", "vertex_rest")), ErrorCode::invalid_argument,
+                     "no attribute vertex_rest"),
+          {bsdf("roughconductor", attribute("alpha", "vertex_tint")), ErrorCode::invalid_argument,
+           "vertex_tint has three numbers"},
+          {bsdf("roughconductor",
+                attribute("alpha", "vertex_rough") + attribute("specular_reflectance", "vertex_tint")),
+           ErrorCode::unsupported, "the attributes rough and tint"}}) {
+        CAPTURE(inside);
+        CHECK(error_of([&] { static_cast<void>(load(inside)); }, code).find(part) != std::string::npos);
+    }
 }
 
 TEST_CASE("a textured parameter makes the material that its value there would make") {
