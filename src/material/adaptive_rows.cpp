@@ -53,6 +53,11 @@ void fill_adaptively(const AngleTable& table,
     for (const int angle : angles)
         for (const float value : table.row(angle)) largest = std::max(largest, std::abs(value));
 
+    if (largest == 0) {  // the table of a material that reflects nothing
+        std::ranges::fill(table.data, 0.0F);
+        return;
+    }
+
     // Halving the step makes the error of cubics 16 times smaller.
     const float most = 16 * table.tolerance * largest;
     std::vector<bool> rough(static_cast<std::size_t>(table.last) + 1, true);

@@ -10,6 +10,7 @@
 #include "material/key.hpp"
 #include "material/microfacet.hpp"
 #include "material/reflectance.hpp"
+#include "material/shared_terms.hpp"
 #include "material/textured.hpp"
 #include "simd/dispatch.hpp"
 
@@ -36,7 +37,7 @@ template <class Number>
 }
 
 // Rough conductor with one term per index, and with a single term if only the reflectance has colour.
-class RoughConductor final : public Material {
+class RoughConductor final : public Material, public SharedTerms {
 public:
     explicit RoughConductor(RoughConductorParameters parameters)
         : p_(std::move(parameters)), smooth_(take_smooth(p_.alpha.value, p_.distribution)) {
@@ -81,13 +82,9 @@ public:
     }
     [[nodiscard]] bool smooth(int) const noexcept override { return smooth_; }
     [[nodiscard]] std::string content_key() const override {
-        return Key("roughconductor")
-            .add("eta", p_.eta)
-            .add("specular_reflectance", p_.specular_reflectance.values)
-            .add("alpha", isotropic_ ? std::vector{alpha_.x, alpha_.y} : std::vector{alpha_.x})
-            .add("distribution", p_.distribution == Distribution::ggx)
-            .text();
+        return with_terms(Key("roughconductor").add("specular_reflectance", p_.specular_reflectance.values));
     }
+    [[nodiscard]] std::string own_terms_key() const override { return with_terms(Key("roughconductor")); }
 
     [[nodiscard]] Mueller evaluate(int term, const glm::dvec3& towards_light,
                                    const glm::dvec3& towards_viewer) const override {
@@ -112,6 +109,12 @@ public:
     }
 
 private:
+    [[nodiscard]] std::string with_terms(Key key) const {
+        return key.add("eta", p_.eta)
+            .add("alpha", isotropic_ ? std::vector{alpha_.x, alpha_.y} : std::vector{alpha_.x})
+            .add("distribution", p_.distribution == Distribution::ggx)
+            .text();
+    }
     // Returns the part of the reflection that all indices share.
     [[nodiscard]] FacetReflection<double> facet(const glm::dvec3& light, const glm::dvec3& viewer) const {
         return facet_reflection({p_.distribution, alpha_.x, alpha_.y}, components(light), components(viewer));

@@ -8,6 +8,7 @@
 #include "material/key.hpp"
 #include "material/principled_values.hpp"
 #include "material/reflectance.hpp"
+#include "material/shared_terms.hpp"
 #include "simd/dispatch.hpp"
 
 namespace nicol {
@@ -61,7 +62,7 @@ template <class Number>
     }
 }
 
-class PrincipledLobes final : public Material {
+class PrincipledLobes final : public Material, public SharedTerms {
 public:
     PrincipledLobes(const PrincipledShape& shape, std::vector<double> color, const PrincipledMix& mix)
         : shape_(shape), doubles_(shape), lanes_(shape), color_(std::move(color)) {
@@ -101,17 +102,9 @@ public:
         return isotropic_ ? *isotropic_ : *this;
     }
     [[nodiscard]] std::string content_key() const override {
-        Key key("principled");
-        key.add("roughness", shape_.roughness)
-            .add("anisotropic", isotropic_ ? shape_.anisotropic : 0)
-            .add("eta", shape_.eta)
-            .add("clearcoat_gloss", shape_.clearcoat_gloss)
-            .add("color", color_);
-        for (const Term& term : terms_)
-            key.add(term.colored ? "colored" : "white",
-                    std::vector<double>(term.amounts.begin(), term.amounts.end()));
-        return key.text();
+        return with_terms(Key("principled").add("color", color_));
     }
+    [[nodiscard]] std::string own_terms_key() const override { return with_terms(Key("principled")); }
 
     [[nodiscard]] Mueller evaluate(int term, const glm::dvec3& towards_light,
                                    const glm::dvec3& towards_viewer) const override {
@@ -134,6 +127,16 @@ public:
     }
 
 private:
+    [[nodiscard]] std::string with_terms(Key key) const {
+        key.add("roughness", shape_.roughness)
+            .add("anisotropic", isotropic_ ? shape_.anisotropic : 0)
+            .add("eta", shape_.eta)
+            .add("clearcoat_gloss", shape_.clearcoat_gloss);
+        for (const Term& term : terms_)
+            key.add(term.colored ? "colored" : "white",
+                    std::vector<double>(term.amounts.begin(), term.amounts.end()));
+        return key.text();
+    }
     [[nodiscard]] const Term& at(int term) const { return terms_[static_cast<std::size_t>(term)]; }
     [[nodiscard]] PrincipledValues<double> values(const glm::dvec3& light, const glm::dvec3& viewer) const {
         return principled_values(doubles_, wanted_, components(light), components(viewer));

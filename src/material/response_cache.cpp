@@ -135,7 +135,7 @@ struct Cached {
 };
 
 Cached through_cache(const Material& material, const std::string& content, const LightLayout& layout,
-                     int channels, const std::filesystem::path& folder) {
+                     int channels, const std::filesystem::path& folder, ResponseTable::KnownRows* known) {
     const int table_channels = ResponseTable::channels_for(material, channels);
     const std::size_t pairings = material.pairings();
     const CacheFile file(folder, kMagic, kVersion, key_of(content, layout, table_channels, pairings),
@@ -150,7 +150,7 @@ Cached through_cache(const Material& material, const std::string& content, const
     if (outcome.state == CacheFile::State::complete) {
         return {ResponseTable(layout, table_channels, pairings, std::move(data)), {}, {}};
     }
-    Cached built{ResponseTable(material, layout, channels), {}, {}};
+    Cached built{ResponseTable(material, layout, channels, known), {}, {}};
     if (outcome.state == CacheFile::State::unfit) built.unfit = file.path().string() + ": " + outcome.reason;
     built.not_written = file.write(std::array{bytes_of(built.table.data())});
     return built;
@@ -159,10 +159,11 @@ Cached through_cache(const Material& material, const std::string& content, const
 }  // namespace
 
 ResponseTable load_or_build(const Material& material, const LightLayout& layout, int channels,
-                            const std::filesystem::path& folder, const CacheNotice& notice) {
+                            const std::filesystem::path& folder, const CacheNotice& notice,
+                            ResponseTable::KnownRows* known) {
     const std::string content = folder.empty() ? std::string() : material.content_key();
-    if (content.empty()) return {material, layout, channels};
-    Cached cached = through_cache(material, content, layout, channels, folder);
+    if (content.empty()) return {material, layout, channels, known};
+    Cached cached = through_cache(material, content, layout, channels, folder, known);
     if (notice) {
         if (!cached.unfit.empty()) notice(cached.unfit + "; the table is made anew");
         if (!cached.not_written.empty()) notice(cached.not_written);
@@ -172,7 +173,7 @@ ResponseTable load_or_build(const Material& material, const LightLayout& layout,
 
 void store_response_table(const Material& material, const LightLayout& layout, int channels,
                           const std::filesystem::path& folder) {
-    const Cached cached = through_cache(material, material.content_key(), layout, channels, folder);
+    const Cached cached = through_cache(material, material.content_key(), layout, channels, folder, nullptr);
     if (!cached.not_written.empty()) throw Error(ErrorCode::write_failed, cached.not_written);
 }
 

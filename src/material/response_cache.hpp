@@ -19,12 +19,13 @@ using CacheNotice = std::function<void(const std::string&)>;
 ///
 /// A file is used only if format version, content key of the material, order, kind of light, channels,
 /// pairings, length and checksum are right. Otherwise the table is rebuilt and the file replaced, with a
-/// notice. Files are written atomically, so processes may share a folder. A failure to write gives a notice,
-/// not an error. Materials without a content key (Material::content_key()) are not cached. Throws what
-/// ResponseTable's constructor throws.
+/// notice. `known` is that of ResponseTable's constructor. Files are written atomically, so processes may
+/// share a folder. A failure to write gives a notice, not an error. Materials without a content key
+/// (Material::content_key()) are not cached. Throws what ResponseTable's constructor throws.
 [[nodiscard]] ResponseTable load_or_build(const Material& material, const LightLayout& layout, int channels,
                                           const std::filesystem::path& folder = {},
-                                          const CacheNotice& notice = {});
+                                          const CacheNotice& notice = {},
+                                          ResponseTable::KnownRows* known = nullptr);
 
 /// Builds the table and saves it in `folder`, unless it is there already. Throws Error(write_failed), and
 /// what load_or_build() throws. The material must have a content key.

@@ -49,7 +49,8 @@ int ResponseTable::channels_for(const Material& material, int channels) {
     return material.channels() == 1 || is_grey(material, channels) ? 1 : channels;
 }
 
-ResponseTable::ResponseTable(const Material& material, const LightLayout& layout, int channels)
+ResponseTable::ResponseTable(const Material& material, const LightLayout& layout, int channels,
+                             KnownRows* known)
     : pairings_(material.pairings()),
       row_size_(pairings_ * layout.row_size()),
       channels_(channels_for(material, channels)),
@@ -58,7 +59,7 @@ ResponseTable::ResponseTable(const Material& material, const LightLayout& layout
     if (material.matrix(0) != nullptr) {
         rows_of_matrices(material, layout);
     } else {
-        integrate(material, layout);
+        integrate(material, layout, known);
     }
     find_makes();
 }
@@ -111,29 +112,37 @@ ResponseTable ResponseTable::of_outgoing_light(const LightLayout& layout) {
 }
 
 void ResponseTable::find_makes() {
-    for (std::size_t i = 0; i < data_.size(); ++i) {
-        if (data_[i] != 0) makes_[i / row_size_ % 4] = true;
+    for (std::size_t row = 0; (row + 1) * row_size_ <= data_.size(); ++row) {
+        bool& makes = makes_[row % 4];
+        const auto values = std::span(data_).subspan(row * row_size_, row_size_);
+        makes = makes || std::ranges::any_of(values, [](float value) { return value != 0; });
     }
 }
 
-void ResponseTable::integrate(const Material& material, const LightLayout& layout) {
+void ResponseTable::integrate(const Material& material, const LightLayout& layout, KnownRows* known) {
     const AngleTable table{.data = data_,
                            .last = kLast,
                            .widest_step = kWidestStep,
                            .least_step = kStep,
                            .tolerance = kInterpolated};
-    fill_adaptively(table, [&](std::span<const int> angles) { integrate(material, layout, table, angles); });
+    fill_adaptively(table,
+                    [&](std::span<const int> angles) { integrate(material, layout, known, table, angles); });
 }
 
-void ResponseTable::integrate(const Material& material, const LightLayout& layout, const AngleTable& table,
-                              std::span<const int> angles) const {
+void ResponseTable::integrate(const Material& material, const LightLayout& layout, KnownRows* known,
+                              const AngleTable& table, std::span<const int> angles) const {
     const std::size_t set = 4 * row_size_;
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, angles.size()), [&](const auto& range) {
         RowIntegral integral(material, layout);
         for (std::size_t i = range.begin(); i < range.end(); ++i) {
             // Most materials' formulas are 0/0 at 90 degrees, although the rows have a limit there.
             const double theta = std::min(angles[i] * (pi / 2) / kLast, pi / 2 - 1e-6);
-            const double* rows = integral.integrate(theta).data();
+            std::vector<double>* const kept =
+                known == nullptr ? nullptr : &(*known)[static_cast<std::size_t>(angles[i])];
+            const bool is_known = kept != nullptr && !kept->empty();
+            const std::span<const double> of_terms = is_known ? *kept : integral.integrate(theta);
+            if (kept != nullptr && !is_known) kept->assign(of_terms.begin(), of_terms.end());
+            const double* rows = of_terms.data();
             std::ranges::fill(table.row(angles[i]), 0.0F);
             for (int term = 0; term < material.terms(); ++term, rows += set) {
                 float* out = table.row(angles[i]).data();

@@ -31,10 +31,15 @@ public:
     /// Angles of of_outgoing_light(), whose error is below 1e-6 of the largest value up to order 16.
     static constexpr int kOutgoingAngles = 4097;
 
+    /// Rows of all terms, for one layout, [angle] as RowIntegral has them; empty: not integrated yet.
+    using KnownRows = std::array<std::vector<double>, kAngles>;
+
     /// Integrates every term of the material on quadrature nodes that are dense about the mirror direction,
     /// or evaluates the outgoing side of the matrix that defines the material. `channels`: 1 or the scene's;
-    /// a material of one channel fits any. Throws Error(invalid_argument) if the channels do not fit.
-    ResponseTable(const Material& material, const LightLayout& layout, int channels);
+    /// a material of one channel fits any. known: rows that materials with the same terms_key() share; null:
+    /// none. Throws Error(invalid_argument) if the channels do not fit.
+    ResponseTable(const Material& material, const LightLayout& layout, int channels,
+                  KnownRows* known = nullptr);
     /// Takes the data() of another table with this layout, number of channels and pairings. Throws
     /// Error(invalid_argument) if the length does not fit.
     ResponseTable(const LightLayout& layout, int channels, std::size_t pairings, std::vector<float> data);
@@ -71,9 +76,9 @@ private:
     ResponseTable(const LightLayout& layout, int channels, std::size_t pairings, int angles,
                   std::vector<float> data);
     void find_makes();
-    void integrate(const Material& material, const LightLayout& layout);
-    void integrate(const Material& material, const LightLayout& layout, const AngleTable& table,
-                   std::span<const int> angles) const;
+    void integrate(const Material& material, const LightLayout& layout, KnownRows* known);
+    void integrate(const Material& material, const LightLayout& layout, KnownRows* known,
+                   const AngleTable& table, std::span<const int> angles) const;
     void rows_of_matrices(const Material& material, const LightLayout& layout);
 
     std::size_t pairings_;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "material/key.hpp"
+#include "material/shared_terms.hpp"
 #include "material/spatial_variation.hpp"
 #include "simd/work_space.hpp"
 
@@ -13,7 +14,7 @@ namespace nicol {
 namespace {
 
 // Some terms of a material.
-class SomeTerms final : public Material {
+class SomeTerms final : public Material, public SharedTerms {
 public:
     SomeTerms(MaterialPtr material, std::vector<int> terms)
         : material_(std::move(material)), terms_(std::move(terms)) {
@@ -43,6 +44,13 @@ public:
     [[nodiscard]] bool mirror_symmetric() const noexcept override { return material_->mirror_symmetric(); }
     [[nodiscard]] std::string content_key() const override {
         const std::string whole = material_->content_key();
+        if (whole.empty()) return {};
+        Key key("terms");
+        for (const int term : terms_) key.add("term", term);
+        return key.add("of", "(" + whole + ")").text();
+    }
+    [[nodiscard]] std::string own_terms_key() const override {
+        const std::string whole = terms_key(*material_);
         if (whole.empty()) return {};
         Key key("terms");
         for (const int term : terms_) key.add("term", term);

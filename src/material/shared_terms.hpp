@@ -2,6 +2,10 @@
 // Materials whose terms depend on few of their parameters, so that many materials share integrals.
 #pragma once
 
+#include <cstddef>
+#include <map>
+#include <memory>
+#include <span>
 #include <string>
 
 #include "material/material.hpp"
@@ -12,7 +16,7 @@ namespace nicol {
 class SharedTerms {
 public:
     /// Returns the parameters that Material::evaluate() depends on, as text. Materials with equal texts have
-    /// equal terms.
+    /// equal terms. Empty: unknown.
     [[nodiscard]] virtual std::string own_terms_key() const = 0;
 
 protected:
@@ -26,6 +30,7 @@ protected:
     const auto* shared = dynamic_cast<const SharedTerms*>(&material);
     if (shared == nullptr) return {};
     std::string key = shared->own_terms_key();
+    if (key.empty()) return {};
     // Material::evaluate_lanes() may leave out black terms.
     for (int term = 0; term < material.terms(); ++term) {
         bool black = true;
@@ -34,5 +39,31 @@ protected:
     }
     return key;
 }
+
+/// Results for the terms of materials, kept for those that several materials of a list have.
+template <class Known>
+class KnownByTerms {
+public:
+    explicit KnownByTerms(std::span<const MaterialPtr> materials) {
+        for (const MaterialPtr& material : materials) {
+            const std::string key = terms_key(*material);
+            if (!key.empty()) ++entries_[key].materials;
+        }
+    }
+    /// Returns the results for a material's terms; null: no other material has the same terms.
+    [[nodiscard]] Known* of(const Material& material) {
+        const auto entry = entries_.find(terms_key(material));
+        if (entry == entries_.end() || entry->second.materials < 2) return nullptr;
+        if (!entry->second.known) entry->second.known = std::make_unique<Known>();
+        return entry->second.known.get();
+    }
+
+private:
+    struct Entry {
+        std::size_t materials = 0;
+        std::unique_ptr<Known> known;
+    };
+    std::map<std::string, Entry> entries_;
+};
 
 }  // namespace nicol

@@ -5,6 +5,7 @@
 #include <glm/vec2.hpp>
 #include <utility>
 
+#include "material/shared_terms.hpp"
 #include "specular/convolution_kernel.hpp"
 #include "specular/high_order_cache.hpp"
 #include "surfaces/plain_materials.hpp"
@@ -45,24 +46,32 @@ void HighOrderTransfer::fit(const TransferInput& input, const DistantLight& ligh
     Parts parts;
     std::map<MaterialPtr, std::vector<ConvolutionKernel>> kernels;
     const std::vector<MaterialPtr> materials = plain_materials(input.geometry.ranges);
+    std::vector<MaterialPtr> fresh, projected;
     for (const MaterialPtr& material : materials) {
         if (auto kept = kernels_.extract(material)) kernels.insert(std::move(kept));
         if (auto kept = known.extract(material)) {
             parts.insert(std::move(kept));
             continue;
         }
+        fresh.push_back(material);
+        projected.push_back(in_harmonics(material, input.sampled));
+    }
+    KnownByTerms<KnownMoments> moments(projected);
+    std::optional<SplitBasis> basis;
+    if (form == HighOrders::split && !fresh.empty()) basis.emplace(light.low, light.high);
+    for (std::size_t i = 0; i < fresh.size(); ++i) {
+        const MaterialPtr& material = fresh[i];
         run.progress.report("project",
                             static_cast<double>(parts.size()) / static_cast<double>(materials.size()));
         ++run.statistics.materials_projected;
-        const MaterialPtr projected = in_harmonics(material, input.sampled);
         run.workers.run([&] {
             Part part{.factors = HighOrderFactors::mirror(), .convolved = {}, .maps = {}};
             if (form == HighOrders::convolution) {
                 const int channels = material->channels() == 1 ? 1 : input.channels;
-                kernels[material] = mirrored_kernels(*projected, light.high, channels);
+                kernels[material] = mirrored_kernels(*projected[i], light.high, channels);
             } else {
-                part.factors =
-                    load_or_fit(*projected, light.low, light.high, input.channels, folder_, notice_);
+                part.factors = load_or_fit(*projected[i], *basis, input.channels, moments.of(*projected[i]),
+                                           folder_, notice_);
             }
             parts.emplace(material, std::move(part));
         });

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "material/shared_terms.hpp"
 #include "surfaces/plain_materials.hpp"
 
 namespace nicol {
@@ -46,18 +47,23 @@ std::size_t ResponseTables::project(const TransferInput& input, const Choice& ch
         sizing_.run(choice, input.channels, order, layout.kind(), [&] { known.clear(); });
         Map tables;
         const std::vector<MaterialPtr> materials = chosen_materials(input, choice.terms);
+        std::vector<MaterialPtr> fresh, chosen;
         for (const MaterialPtr& material : materials) {
             if (auto kept = known.extract(material)) {
                 tables.insert(std::move(kept));
                 continue;
             }
+            fresh.push_back(material);
+            chosen.push_back(some_terms(material, [&](int term) { return choice.has(*material, term); }));
+        }
+        KnownByTerms<ResponseTable::KnownRows> rows(chosen);
+        for (std::size_t i = 0; i < fresh.size(); ++i) {
             run.progress.report("project",
                                 static_cast<double>(tables.size()) / static_cast<double>(materials.size()));
             ++projected;
             run.workers.run([&] {
-                const MaterialPtr chosen =
-                    some_terms(material, [&](int term) { return choice.has(*material, term); });
-                tables.emplace(material, load_or_build(*chosen, layout, input.channels, folder_, notice_));
+                tables.emplace(fresh[i], load_or_build(*chosen[i], layout, input.channels, folder_, notice_,
+                                                       rows.of(*chosen[i])));
             });
         }
         known = std::move(tables);

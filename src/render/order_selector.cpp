@@ -6,10 +6,10 @@
 #include <optional>
 
 #include "harmonics/energy.hpp"
+#include "material/shared_terms.hpp"
 #include "render/light_projection.hpp"
 #include "render/memory_estimate.hpp"
 #include "render/vertex_weights.hpp"
-#include "specular/split_fit.hpp"
 
 namespace nicol {
 namespace {
@@ -23,10 +23,15 @@ constexpr int kLowestSplit = 3;
 constexpr std::array<SplitStencil, 3> kUsualStencils{{{0, 1, 0.05}, {1, 2, 0.1}, {2, 3, 0.2}}};
 
 // Returns the relative time of a frame in which the light rotates: the cube of low + 1, plus the cost of
-// looking up filtered light (nicol-bench frame).
-double cost(int low, bool split) {
-    return std::pow(low + 1.0, 3) + (split ? 60 : 0);
+// looking up filtered light (nicol-bench frame) and of samples of local lights.
+double cost(int low, bool split, bool local_lights) {
+    // Samples of one lamp take a hundred times as long as an order of 9; much less would do here.
+    constexpr double of_lights = 1000;
+    return std::pow(low + 1.0, 3) + (split ? 60 : 0) + (local_lights ? of_lights : 0);
 }
+
+// Part of a frame's time that better orders may take beyond the cheapest orders.
+constexpr double kNegligible = 0.06;
 
 // Energies by order of the parts of a light, s0, (s1, s2) and s3, for each channel. With s1 and s2 complex,
 // half of their products with a response are real.
@@ -80,7 +85,9 @@ OrderSelector::Orders OrderSelector::choose(const Scene& scene, const Projected&
                   [&] { highest_low_ = highest_low(scene, options, memory_limit); });
     const bool split = options.high_orders == HighOrders::split;
     const double tolerance = options.tolerance * options.order_slack;
-    choosing_.run(tolerance, split, highest_low_, [&] { chosen_ = cheapest(tolerance, split); });
+    const bool lights = scene.has_local_lights() || projected.light != scene.distant_light();
+    choosing_.run(tolerance, split, lights, highest_low_,
+                  [&] { chosen_ = cheapest(tolerance, split, lights); });
     chosen_.rms = values_ > 0 ? std::sqrt(mean_square_ / values_) : 0;
     return chosen_;
 }
@@ -100,20 +107,29 @@ int OrderSelector::highest_low(const Scene& scene, RenderOptions options, std::u
     return least;
 }
 
-OrderSelector::Orders OrderSelector::cheapest(double tolerance, bool split) {
+OrderSelector::Orders OrderSelector::cheapest(double tolerance, bool split, bool local_lights) {
     std::vector<Orders> candidates;
     for (int low = 0; low <= highest_low_; ++low) {
         candidates.push_back({.low = low, .high = low});
         for (const int high : kSplitOrders)
             if (split && low >= kLowestSplit && high > low) candidates.push_back({.low = low, .high = high});
     }
-    std::ranges::stable_sort(candidates, {},
-                             [](const Orders& orders) { return cost(orders.low, orders.high > orders.low); });
+    const auto cost_of = [=](const Orders& orders) {
+        return cost(orders.low, orders.high > orders.low, local_lights);
+    };
+    std::ranges::stable_sort(candidates, {}, cost_of);
     // Fits take most of the time, so only candidates that could be within the tolerance are fitted.
     for (Orders& orders : candidates) {
         if (error(orders.low, orders.high, Fit::perfect) > tolerance) continue;
         orders.error = error(orders.low, orders.high, Fit::made);
-        if (orders.error <= tolerance) return orders;
+        if (orders.error > tolerance) continue;
+        Orders best = orders;
+        for (Orders better : candidates) {
+            if (cost_of(better) > (1 + kNegligible) * cost_of(orders)) break;
+            better.error = error(better.low, better.high, Fit::made);
+            if (better.error < best.error) best = better;
+        }
+        return best;
     }
     for (Orders& orders : candidates) orders.error = error(orders.low, orders.high, Fit::made);
     return *std::ranges::min_element(candidates, {}, &Orders::error);
@@ -145,6 +161,7 @@ void OrderSelector::measure(const Scene& scene, const Projected& projected, cons
 
     const VertexWeights vertices(geometry, surfaces.baked);
     ResponsePower::KnownTerms known_terms;
+    fits_.clear();
     std::erase_if(responses_, [&](const auto& known) { return !vertices.groups().contains(known.first); });
     for (const auto& [material, group] : vertices.groups()) {
         if (harmonics) {
@@ -226,21 +243,25 @@ double OrderSelector::error(int low, int high, Fit fit) {
     return std::sqrt(std::max(sum[0], sum[1] / 2) / mean_square_);
 }
 
-// Returns the missed fractions for natural light, the light of SplitFit::prior().
+// Returns the missed fractions for natural light, the light of SplitBasis::prior().
 const std::array<double, OrderSelector::kOutputs>& OrderSelector::missed(const Share& share, int low,
                                                                          int high) {
     const auto [found, fresh] = share.response->missed.try_emplace({low, high});
     if (!fresh) return found->second;
     constexpr std::size_t angles = 4;
     const ResponsePower& power = share.response->power;
-    const SplitFit fit(*share.response->projected, low, high, power.channels());
+    const Material& material = *share.response->projected;
+    SharedFit& shared = fits_.try_emplace({low, high}, low, high).first->second;
+    const std::string key = terms_key(material);
+    KnownMoments own;
+    const SplitFit fit(material, shared.basis, power.channels(), key.empty() ? own : shared.known[key]);
     std::array<double, kOutputs> total{};
     for (int c = 0; c < power.channels(); ++c) {
         for (std::size_t output = 0; output < kOutputs; ++output)
             for (std::size_t part = 0; part < parts_of(kind_); ++part)
                 for (int l = low + 1; l <= high; ++l)
                     total[output] +=
-                        SplitFit::prior(l) * power.of(c, output, part)[static_cast<std::size_t>(l)];
+                        SplitBasis::prior(l) * power.of(c, output, part)[static_cast<std::size_t>(l)];
     }
     found->second.fill(1);
     std::array<std::array<double, kOutputs>, kUsualStencils.size()> all_caught{};

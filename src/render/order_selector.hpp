@@ -5,6 +5,7 @@
 #include <array>
 #include <map>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include "material/sampled_terms.hpp"
 #include "render/kept_projection.hpp"
 #include "scene/scene.hpp"
+#include "specular/split_fit.hpp"
 #include "stage/options.hpp"
 #include "surfaces/surface_state.hpp"
 #include "versioned.hpp"
@@ -46,7 +48,8 @@ public:
     };
 
     /// Returns the fastest orders for the factored method with a predicted error of at most the options'
-    /// tolerance times order_slack or, if there are none, the orders of least error. High orders are chosen
+    /// tolerance times order_slack, or better ones that take about as long because local lights take most of
+    /// the time. Returns the orders of least error if there are none. High orders are chosen
     /// if their form is split. A low order above the options' needs no more than memory_limit bytes in all,
     /// and no more than kMostBytes of transfer. The error is relative to the reflection of the whole
     /// environment by whole materials. settled: whether the visibility is final. Otherwise a change of
@@ -78,7 +81,7 @@ private:
         std::array<std::array<double, kHighestLow + 1>, kOutputs> left;
     };
 
-    [[nodiscard]] Orders cheapest(double tolerance, bool split);
+    [[nodiscard]] Orders cheapest(double tolerance, bool split, bool local_lights);
     [[nodiscard]] static int highest_low(const Scene& scene, RenderOptions options,
                                          std::uint64_t memory_limit);
     void measure(const Scene& scene, const Projected& projected, const SurfaceState& surfaces,
@@ -91,6 +94,12 @@ private:
     enum class Fit { perfect, made };
     double error(int low, int high, Fit fit);
     const std::array<double, kOutputs>& missed(const Share& share, int low, int high);
+    // Data that the fits of all materials share, for a low and a high order.
+    struct SharedFit {
+        SharedFit(int low, int high) : basis(low, high) {}
+        SplitBasis basis;
+        std::map<std::string, KnownMoments> known;  // by terms_key()
+    };
 
     Stage<EnvironmentPtr, Projected, Version, SurfaceVersions> measuring_;
     SurfaceVersions measured_;              // versions of the last measuring_
@@ -98,6 +107,7 @@ private:
     LightKind kind_ = LightKind::unpolarized;
     Stage<LightKind, SampledTerms, int> responding_;  // kind, sampled terms, channels
     std::map<MaterialPtr, Response> responses_;
+    std::map<std::pair<int, int>, SharedFit> fits_;  // by low and high order
     // Energies by order, of each channel: of the projected light, and of all light.
     using LightPower = std::vector<std::array<Spectrum, ResponsePower::kParts>>;
     Stage<EnvironmentPtr, EnvironmentPtr> projecting_;
@@ -109,7 +119,7 @@ private:
     // Inputs: geometry, light, the options that affect memory, the memory limit.
     Stage<Version, EnvironmentPtr, bool, bool, int, HighOrders, std::uint64_t> limiting_;
     int highest_low_ = kHighestLow;
-    Stage<double, bool, int> choosing_;
+    Stage<double, bool, bool, int> choosing_;  // tolerance, split, local lights, highest_low_
     Orders chosen_;
 };
 

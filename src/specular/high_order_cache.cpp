@@ -29,12 +29,14 @@ std::string key_of(const std::string& content, int l_low, int l_high, int channe
 
 }  // namespace
 
-HighOrderFactors load_or_fit(const Material& material, int l_low, int l_high, int channels,
-                             const std::filesystem::path& folder, const CacheNotice& notice) {
+HighOrderFactors load_or_fit(const Material& material, const SplitBasis& basis, int channels,
+                             KnownMoments* known, const std::filesystem::path& folder,
+                             const CacheNotice& notice) {
     const std::string content = folder.empty() ? std::string() : material.content_key();
-    if (content.empty()) return {material, l_low, l_high, channels};
+    if (content.empty()) return {material, basis, channels, known};
     const int factor_channels = ResponseTable::channels_for(material, channels);
-    const CacheFile file(folder, kMagic, kVersion, key_of(content, l_low, l_high, factor_channels), ".lobes");
+    const CacheFile file(folder, kMagic, kVersion,
+                         key_of(content, basis.l_low(), basis.l_high(), factor_channels), ".lobes");
     std::array<std::int32_t, 3> stencil{};  // central lobe, outer lobe, base
     std::vector<float> data(material.pairings() * HighOrderFactors::kElements * HighOrderFactors::kAngles *
                             static_cast<std::size_t>(factor_channels));
@@ -49,7 +51,7 @@ HighOrderFactors load_or_fit(const Material& material, int l_low, int l_high, in
     if (outcome.state == CacheFile::State::unfit && notice) {
         notice(file.path().string() + ": " + outcome.reason + "; the factors are fitted anew");
     }
-    HighOrderFactors factors(material, l_low, l_high, channels);
+    HighOrderFactors factors(material, basis, channels, known);
     stencil = {factors.central_lobe(), factors.outer_lobe(), factors.has_base() ? 1 : 0};
     const std::string failure =
         file.write(std::array{bytes_of(std::span<const std::int32_t>(stencil)), bytes_of(factors.data())});

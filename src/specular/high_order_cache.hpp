@@ -6,13 +6,15 @@
 
 #include "material/response_cache.hpp"
 #include "specular/high_order_factors.hpp"
+#include "specular/split_fit.hpp"
 
 namespace nicol {
 
-/// Returns the factors of a material for orders l_low + 1 .. l_high, from `folder` or, if they are not there,
+/// Returns the factors of a material for the orders of a basis, from `folder` or, if they are not there,
 /// fitted and stored there. Files, notices and materials without a content key are treated as by
 /// load_or_build() for tables. Throws what HighOrderFactors' constructor throws.
-[[nodiscard]] HighOrderFactors load_or_fit(const Material& material, int l_low, int l_high, int channels,
+[[nodiscard]] HighOrderFactors load_or_fit(const Material& material, const SplitBasis& basis, int channels,
+                                           KnownMoments* known = nullptr,
                                            const std::filesystem::path& folder = {},
                                            const CacheNotice& notice = {});
 

@@ -6,11 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <string>
 #include <utility>
 
-#include "error.hpp"
-#include "harmonics/psh.hpp"
 #include "material/adaptive_rows.hpp"
 #include "material/response_table.hpp"
 #include "specular/split_fit.hpp"
@@ -149,14 +146,11 @@ std::optional<HighOrderFactors> HighOrderFactors::stored(int channels, std::size
     return out;
 }
 
-HighOrderFactors::HighOrderFactors(const Material& material, int l_low, int l_high, int channels)
+HighOrderFactors::HighOrderFactors(const Material& material, const SplitBasis& basis, int channels,
+                                   KnownMoments* known)
     : channels_(ResponseTable::channels_for(material, channels)), pairings_(material.pairings()) {
-    if (l_low < 0 || l_high <= l_low || l_high > kMaxOrder) {
-        throw Error(ErrorCode::invalid_argument,
-                    "high orders from " + std::to_string(l_low) + " to " + std::to_string(l_high) +
-                        "; they must ascend within 0 to " + std::to_string(kMaxOrder));
-    }
-    const SplitFit fit(material, l_low, l_high, channels_);
+    KnownMoments own;
+    const SplitFit fit(material, basis, channels_, known != nullptr ? *known : own);
     const SplitStencil stencil = best_stencil(fit);
     central_lobe_ = stencil.central;
     outer_lobe_ = stencil.outer;

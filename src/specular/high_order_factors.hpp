@@ -13,6 +13,9 @@
 
 namespace nicol {
 
+class KnownMoments;
+class SplitBasis;
+
 /// Widths of the lobes that filter light, radians, as for gaussian_gains(). All materials share them, so a
 /// light is filtered once per lobe.
 inline constexpr std::array<double, 4> kLobeWidths{0.0, 0.05, 0.1, 0.2};
@@ -44,10 +47,11 @@ public:
     /// Returns a perfect mirror: the central tap alone, for light that is convolved with a material's kernel.
     [[nodiscard]] static HighOrderFactors mirror();
 
-    /// Fits the factors to a material, for orders l_low + 1 .. l_high of light whose power falls with l (l +
-    /// 1), by least squares at every angle. channels: 1 or the scene's. Throws Error(invalid_argument) for
-    /// orders out of 0 <= l_low < l_high <= kMaxOrder or channels that do not fit.
-    HighOrderFactors(const Material& material, int l_low, int l_high, int channels);
+    /// Fits the factors to a material, for the orders of the basis and light whose power falls with l (l +
+    /// 1), by least squares at every angle. channels: 1 or the scene's. known: moments that materials with
+    /// the same terms_key() share; null: none. Throws Error(invalid_argument) for channels that do not fit.
+    HighOrderFactors(const Material& material, const SplitBasis& basis, int channels,
+                     KnownMoments* known = nullptr);
 
     /// Returns an object with the values of the members below of another object, or nothing if they are
     /// invalid.

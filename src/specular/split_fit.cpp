@@ -6,9 +6,13 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 #include <span>
+#include <string>
+#include <utility>
 
+#include "error.hpp"
 #include "harmonics/evaluate.hpp"
 #include "harmonics/light_layout.hpp"
+#include "harmonics/psh.hpp"
 #include "material/matrix_rows.hpp"
 #include "specular/high_order_factors.hpp"
 #include "specular/high_order_gains.hpp"
@@ -17,12 +21,11 @@ namespace nicol {
 namespace {
 
 using std::numbers::pi;
-constexpr std::size_t kLobes = kLobeWidths.size() + 1;
 // Regularization relative to the diagonal; it keeps the factors of nearly equal taps small.
 constexpr double kRidge = 1e-4;
 
-// Solves a x = b for symmetric positive definite a (row-major, destroyed) and four right-hand sides.
-void solve(std::vector<double>& a, std::array<SplitVector, 4>& b) {
+// Replaces a symmetric positive definite matrix (row-major) by its Cholesky factor.
+void factorize(std::vector<double>& a) {
     constexpr std::size_t n = kSplitUnknowns;
     for (std::size_t j = 0; j < n; ++j) {
         for (std::size_t k = 0; k < j; ++k) a[j * n + j] -= a[j * n + k] * a[j * n + k];
@@ -32,6 +35,11 @@ void solve(std::vector<double>& a, std::array<SplitVector, 4>& b) {
             a[i * n + j] /= a[j * n + j];
         }
     }
+}
+
+// Solves for four right-hand sides. a: result of factorize().
+void solve(const std::vector<double>& a, std::array<SplitVector, 4>& b) {
+    constexpr std::size_t n = kSplitUnknowns;
     for (SplitVector& x : b) {
         for (std::size_t i = 0; i < n; ++i) {
             for (std::size_t k = 0; k < i; ++k) x[i] -= a[i * n + k] * x[k];
@@ -83,14 +91,12 @@ std::array<Tap, SplitStencil::kCount> SplitStencil::taps(double theta_out) const
             tap({0, 0, -1}, x, static_cast<int>(kLobeWidths.size()))};
 }
 
-SplitFit::SplitFit(const Material& material, int l_low, int l_high, int channels)
-    : material_(material.isotropic()),
-      l_low_(l_low),
-      l_high_(l_high),
-      channels_(channels),
-      half_(material_.matrix(0) == nullptr && material_.mirror_symmetric()) {
+SplitBasis::SplitBasis(int l_low, int l_high) : l_low_(l_low), l_high_(l_high) {
+    if (l_low < 0 || l_high <= l_low || l_high > kMaxOrder)
+        throw Error(ErrorCode::invalid_argument,
+                    "high orders from " + std::to_string(l_low) + " to " + std::to_string(l_high) +
+                        "; they must ascend within 0 to " + std::to_string(kMaxOrder));
     std::vector<std::vector<double>> lobes;
-    lobes.reserve(kLobes);
     for (const double width : kLobeWidths) lobes.push_back(gaussian_gains(width, l_low + 1, l_high));
     lobes.push_back(cosine_gains(l_low + 1, l_high));
     for (const auto& lobe : lobes) {
@@ -106,6 +112,51 @@ SplitFit::SplitFit(const Material& material, int l_low, int l_high, int channels
         }
     }
 }
+
+const std::vector<double>& SplitBasis::factor(const SplitStencil& stencil, double theta_out) const {
+    const std::tuple place(theta_out, stencil.central, stencil.outer, stencil.base);
+    {
+        const std::scoped_lock lock(mutex_);
+        const auto known = factors_.find(place);
+        if (known != factors_.end()) return known->second;
+    }
+    const std::array<Tap, SplitStencil::kCount> taps = stencil.taps(theta_out);
+    constexpr std::size_t n = kSplitUnknowns;
+    std::vector<double> normal(n * n);
+    for (std::size_t i = 0; i < n; i += 4) {
+        for (std::size_t j = 0; j < n; j += 4) {
+            const Tap& a = taps[i / 4];
+            const Tap& b = taps[j / 4];
+            const double cosine = glm::dot(a.frame[2], b.frame[2]);
+            const TapResponse k = tap_response(a, zonal_sum(product(a.lobe, b.lobe), cosine), b.frame);
+            normal[i * n + j] = k.scalar;
+            if (i + 4 > n || j + 4 > n) continue;
+            normal[(i + 1) * n + j + 1] = normal[(i + 2) * n + j + 2] = k.spin2.real();
+            normal[(i + 2) * n + j + 1] = k.spin2.imag();
+            normal[(i + 1) * n + j + 2] = -k.spin2.imag();
+            normal[(i + 3) * n + j + 3] = k.scalar;
+        }
+    }
+    for (std::size_t i = 0; i < n; ++i) {
+        // The diagonal may be 0 for two reasons: a cosine has no odd orders, and spin 2 has no orders below
+        // the second.
+        double& diagonal = normal[i * n + i];
+        diagonal = diagonal > 0 ? diagonal * (1 + kRidge) : 1;
+    }
+    if (!stencil.base) {
+        for (std::size_t i = 0; i + 1 < n; ++i) normal[i * n + n - 1] = normal[(n - 1) * n + i] = 0;
+    }
+    factorize(normal);
+    const std::scoped_lock lock(mutex_);
+    return factors_.try_emplace(place, std::move(normal)).first->second;
+}
+
+SplitFit::SplitFit(const Material& material, const SplitBasis& basis, int channels, KnownMoments& known)
+    : material_(material.isotropic()),
+      basis_(basis),
+      channels_(channels),
+      known_(known),
+      half_(material_.matrix(0) == nullptr && material_.mirror_symmetric()) {}
 
 std::vector<std::vector<SplitFactors>> SplitFit::at(double theta_out,
                                                     std::span<const SplitStencil> stencils) const {
@@ -127,46 +178,18 @@ std::vector<std::vector<SplitFactors>> SplitFit::at(double theta_out,
 
     std::vector<std::vector<SplitFactors>> out;
     for (std::size_t s = 0; s < stencils.size(); ++s) {
-        std::array<Tap, SplitStencil::kCount> own;
         std::array<const std::vector<TapRows>*, SplitStencil::kCount> projections{};
-        for (std::size_t i = 0; i < own.size(); ++i) {
-            own[i] = taps[of_stencils[s][i]];
-            projections[i] = &moments[of_stencils[s][i]];
-        }
-        out.push_back(solved(stencils[s], own, projections));
+        for (std::size_t i = 0; i < projections.size(); ++i) projections[i] = &moments[of_stencils[s][i]];
+        out.push_back(solved(stencils[s], theta_out, projections));
     }
     return out;
 }
 
 std::vector<SplitFactors> SplitFit::solved(
-    const SplitStencil& stencil, const std::array<Tap, SplitStencil::kCount>& taps,
+    const SplitStencil& stencil, double theta_out,
     const std::array<const std::vector<TapRows>*, SplitStencil::kCount>& projections) const {
     constexpr std::size_t n = kSplitUnknowns;
-    std::vector<double> normal(n * n);
-    for (std::size_t i = 0; i < n; i += 4) {
-        for (std::size_t j = 0; j < n; j += 4) {
-            const Tap& a = taps[i / 4];
-            const Tap& b = taps[j / 4];
-            const auto lobes = static_cast<std::size_t>(a.lobe) * kLobes + static_cast<std::size_t>(b.lobe);
-            const double cosine = glm::dot(a.frame[2], b.frame[2]);
-            const TapResponse k = tap_response(a, zonal_sum(products_[lobes], cosine), b.frame);
-            normal[i * n + j] = k.scalar;
-            if (i + 4 > n || j + 4 > n) continue;
-            normal[(i + 1) * n + j + 1] = normal[(i + 2) * n + j + 2] = k.spin2.real();
-            normal[(i + 2) * n + j + 1] = k.spin2.imag();
-            normal[(i + 1) * n + j + 2] = -k.spin2.imag();
-            normal[(i + 3) * n + j + 3] = k.scalar;
-        }
-    }
-    for (std::size_t i = 0; i < n; ++i) {
-        // The diagonal may be 0 for two reasons: a cosine has no odd orders, and spin 2 has no orders below
-        // the second.
-        double& diagonal = normal[i * n + i];
-        diagonal = diagonal > 0 ? diagonal * (1 + kRidge) : 1;
-    }
-    if (!stencil.base) {
-        for (std::size_t i = 0; i + 1 < n; ++i) normal[i * n + n - 1] = normal[(n - 1) * n + i] = 0;
-    }
+    const std::vector<double>& factor = basis_.factor(stencil, theta_out);
     std::vector<SplitFactors> out;
     for (std::size_t c = 0; c < static_cast<std::size_t>(channels_); ++c) {
         std::array<SplitVector, 4> moments{};
@@ -177,8 +200,7 @@ std::vector<SplitFactors> SplitFit::solved(
         if (!stencil.base)
             for (SplitVector& row : moments) row[n - 1] = 0;
         SplitFactors factors{moments, {}};
-        std::vector<double> matrix = normal;
-        solve(matrix, factors.of);
+        solve(factor, factors.of);
         for (std::size_t p = 0; p < 4; ++p)
             for (std::size_t u = 0; u < n; ++u)
                 factors.energy[p][kParts[u % 4]] += factors.of[p][u] * moments[p][u];
@@ -188,7 +210,7 @@ std::vector<SplitFactors> SplitFit::solved(
 }
 
 SplitFit::Moments SplitFit::integrated(double theta_out, std::span<const Tap> taps) const {
-    const Moments of_terms = tap_moments(material_, theta_out, taps, kernels_);
+    const Moments of_terms = known_.at(material_, theta_out, taps, basis_.kernels());
     Moments out(taps.size(), std::vector<TapRows>(static_cast<std::size_t>(channels_)));
     for (std::size_t i = 0; i < taps.size(); ++i)
         for (std::size_t c = 0; c < out[i].size(); ++c)
@@ -204,8 +226,8 @@ SplitFit::Moments SplitFit::of_matrices(double theta_out, std::span<const Tap> t
     Moments out(taps.size(), std::vector<TapRows>(static_cast<std::size_t>(channels_)));
     for (std::size_t c = 0; c < static_cast<std::size_t>(channels_); ++c) {
         const IsotropicMatrix& matrix = *material_.matrix(static_cast<int>(c));
-        const int order = std::min(l_high_, matrix.order_in());
-        if (order <= l_low_) continue;
+        const int order = std::min(basis_.l_high(), matrix.order_in());
+        if (order <= basis_.l_low()) continue;
         const LightLayout layout(order, LightKind::full);
         const std::size_t pairings = material_.pairings();
         std::vector<double> rows(4 * pairings * layout.row_size());
@@ -213,7 +235,7 @@ SplitFit::Moments SplitFit::of_matrices(double theta_out, std::span<const Tap> t
         rows_from_matrix(matrix, theta_out, layout, pairings, rows);
         for (std::size_t p = 0; p < 4; ++p) {
             for (std::size_t i = 0; i < taps.size(); ++i) {
-                const std::vector<double>& gain = gains_[static_cast<std::size_t>(taps[i].lobe)];
+                const std::span<const double> gain = basis_.gains(taps[i].lobe);
                 PshVector field(order, 1);
                 std::ranges::fill(numbers, 0.0);
                 const double* row = &rows[p * pairings * layout.row_size()];

@@ -3,10 +3,15 @@
 #include "material/response_power.hpp"
 #include "harmonics/light_coefficients.hpp"
 
+#include <algorithm>
+#include <functional>
 #include <glm/gtc/quaternion.hpp>
 
 #include "harmonics/rotation.hpp"
+#include "material/conductor.hpp"
+#include "material/principled.hpp"
 #include "material/response_table.hpp"
+#include "material/shared_terms.hpp"
 #include "test.hpp"
 
 using namespace nicol;
@@ -84,6 +89,43 @@ TEST_CASE("energies of what a light lacks are zero, and channels have their own"
     for (const std::size_t part : {1, 2})
         for (const double value : power.of(1, 0, part)) CHECK(value == 0);
     CHECK(ResponsePower(*diffuse({0.5}), 6, LightKind::unpolarized, 3, known).channels() == 1);
+}
+
+TEST_CASE("tables of materials whose terms differ by weights alone share rows") {
+    struct Case {
+        const char* name;
+        std::function<MaterialPtr(const std::vector<double>& color, double shape)> make;
+    };
+    const LightLayout layout(order, LightKind::linear);
+    for (const Case& c :
+         {Case{"pplastic",
+               [](const auto&color, double alpha) {
+                   return pplastic({.diffuse_reflectance = color, .alpha = alpha});
+               }},
+          Case{
+              "roughconductor",
+              [](const auto&color, double alpha) {
+                  return rough_conductor({.eta = {{0.2, -3}}, .specular_reflectance = color, .alpha = alpha});
+              }},
+          Case{"principled", [](const auto&color, double roughness) {
+                   return principled({.base_color = color, .roughness = roughness, .metallic = 0.5});
+               }}}) {
+        CAPTURE(c.name);
+        const MaterialPtr red = c.make({0.9, 0.1, 0.2}, 0.4), green = c.make({0.1, 0.8, 0.3}, 0.4),
+                          rough = c.make({0.1, 0.8, 0.3}, 0.5);
+        CHECK(terms_key(*red) == terms_key(*green));
+        CHECK(terms_key(*rough) != terms_key(*green));
+        const std::vector<MaterialPtr> all{red, rough, green};
+        KnownByTerms<ResponseTable::KnownRows> known(all);
+        CHECK(known.of(*rough) == nullptr);
+        REQUIRE(known.of(*red) != nullptr);
+        CHECK(known.of(*red) == known.of(*green));
+        for (const MaterialPtr& material : all) {
+            const ResponseTable alone(*material, layout, 3);
+            const ResponseTable shared(*material, layout, 3, known.of(*material));
+            CHECK(std::ranges::equal(alone.data(), shared.data()));
+        }
+    }
 }
 
 TEST_CASE("materials whose terms differ by weights alone share their integrals") {

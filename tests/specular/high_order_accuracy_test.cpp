@@ -7,6 +7,7 @@
 #include "specular/convolution_kernel.hpp"
 #include "specular/high_order_light.hpp"
 #include "specular/high_order_scene.hpp"
+#include "specular/split_fit.hpp"
 #include "test.hpp"
 
 using namespace nicol;
@@ -43,7 +44,7 @@ test::Image convolved(const test::SphereView& sphere, const Material& material, 
 
 test::Image split(const test::SphereView& sphere, const Material& material, const PshVector& light,
                   const test::Image& low, int order, bool polarized) {
-    const HighOrderFactors factors(material, l_low, order, light.channels());
+    const HighOrderFactors factors(material, SplitBasis(l_low, order), light.channels());
     HighOrderLight filtered(light, l_low, order, polarized);
     return sphere.with(low, HighOrder(factors, filtered.maps(factors), glm::dmat3(1.0)));
 }

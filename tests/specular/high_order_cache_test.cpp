@@ -24,24 +24,24 @@ TEST_CASE("fitted factors come back from the cache as they were, and files that 
         [](const std::filesystem::path& folder) {
             const Counting material;
             std::vector<std::string> notices;
-            HighOrderFactors factors = load_or_fit(material, 2, 5, 1, folder,
+            HighOrderFactors factors = load_or_fit(material, SplitBasis(2, 5), 1, nullptr, folder,
                                                    [&](const std::string& text) { notices.push_back(text); });
             return test::CacheUse<HighOrderFactors>{std::move(factors), material.calls > 0, notices};
         },
         same);
     const TemporaryFolder scratch;
     const Counting material;
-    const HighOrderFactors fitted = load_or_fit(material, 4, 9, 3, scratch.path());
+    const HighOrderFactors fitted = load_or_fit(material, SplitBasis(4, 9), 3, nullptr, scratch.path());
     CHECK(fitted.has_base());
     CHECK(fitted.spread() > 0);
-    CHECK(same(HighOrderFactors(material, 4, 9, 3), fitted));
+    CHECK(same(HighOrderFactors(material, SplitBasis(4, 9), 3), fitted));
     // Other orders and other materials have separate files.
-    static_cast<void>(load_or_fit(material, 4, 10, 3, scratch.path()));
-    static_cast<void>(load_or_fit(material, 3, 9, 3, scratch.path()));
-    static_cast<void>(load_or_fit(Counting("another"), 4, 9, 3, scratch.path()));
+    static_cast<void>(load_or_fit(material, SplitBasis(4, 10), 3, nullptr, scratch.path()));
+    static_cast<void>(load_or_fit(material, SplitBasis(3, 9), 3, nullptr, scratch.path()));
+    static_cast<void>(load_or_fit(Counting("another"), SplitBasis(4, 9), 3, nullptr, scratch.path()));
     CHECK(files_in(scratch.path()).size() == 4);
-    static_cast<void>(load_or_fit(Counting(""), 4, 9, 3, scratch.path()));
-    static_cast<void>(load_or_fit(material, 4, 9, 3));
+    static_cast<void>(load_or_fit(Counting(""), SplitBasis(4, 9), 3, nullptr, scratch.path()));
+    static_cast<void>(load_or_fit(material, SplitBasis(4, 9), 3));
     CHECK(files_in(scratch.path()).size() == 4);
 }
 

@@ -5,10 +5,12 @@
 #include "harmonics/random_operators.hpp"
 #include "material/chiral_material.hpp"
 #include "material/conductor.hpp"
+#include "material/counting_material.hpp"
 #include "material/material_projection.hpp"
 #include "material/psh_matrix_file.hpp"
 #include "specular/convolution_kernel.hpp"
 #include "specular/high_order_gains.hpp"
+#include "specular/split_fit.hpp"
 #include "test.hpp"
 
 using namespace nicol;
@@ -82,7 +84,7 @@ TEST_CASE("the kernel without a dense matrix is the kernel") {
 
 TEST_CASE("the factors of a mirror that blurs by one of the lobes are the mirror's") {
     const MaterialPtr material = blurring_mirror(gaussian_gains(kLobeWidths[3], 0, 24));
-    const HighOrderFactors factors(*material, 4, 24, 1);
+    const HighOrderFactors factors(*material, SplitBasis(4, 24), 1);
     CHECK(factors.central_lobe() == 3);
     const double expected[4] = {1, 0.8, -0.8, -0.5};
     Elements f{};
@@ -109,8 +111,8 @@ TEST_CASE("factors from samples of a material and from its rows agree") {
     const MaterialPtr plastic = pplastic({.diffuse_reflectance = {0.3}, .alpha = 0.5});
     for (const MaterialPtr& sampled : {plastic, test::chiral(plastic)}) {
         const MaterialPtr by_rows = psh_matrix_material({project_material(*sampled, 0, 24)});
-        const HighOrderFactors a(*sampled, 2, 9, 1);
-        const HighOrderFactors b(*by_rows, 2, 9, 1);
+        const HighOrderFactors a(*sampled, SplitBasis(2, 9), 1);
+        const HighOrderFactors b(*by_rows, SplitBasis(2, 9), 1);
         REQUIRE(a.central_lobe() == b.central_lobe());
         REQUIRE(a.outer_lobe() == b.outer_lobe());
         REQUIRE(a.pairings() == sampled->pairings());
@@ -134,18 +136,18 @@ TEST_CASE("a mirror has one tap, of the whole light, and no base") {
 }
 
 TEST_CASE("lobes follow the roughness, and the base has a tap where there is one") {
-    const HighOrderFactors sharp(*rough_conductor({.alpha = 0.05}), 4, 32, 1);
-    const HighOrderFactors blunt(*rough_conductor({.alpha = 0.25}), 4, 32, 1);
+    const HighOrderFactors sharp(*rough_conductor({.alpha = 0.05}), SplitBasis(4, 32), 1);
+    const HighOrderFactors blunt(*rough_conductor({.alpha = 0.25}), SplitBasis(4, 32), 1);
     CHECK(sharp.outer_lobe() < blunt.outer_lobe());
     CHECK(sharp.spread() == kLobeWidths[static_cast<std::size_t>(sharp.outer_lobe())]);
     CHECK_FALSE(sharp.has_base());
-    CHECK(HighOrderFactors(*pplastic({.alpha = 0.1}), 4, 9, 1).has_base());
+    CHECK(HighOrderFactors(*pplastic({.alpha = 0.1}), SplitBasis(4, 9), 1).has_base());
 }
 
 TEST_CASE("few orders, which some taps do not contain, leave factors finite") {
     const MaterialPtr material = pplastic({.alpha = 0.2});
     for (const auto& [low, high] : {std::array{4, 5}, std::array{0, 1}, std::array{0, 2}, std::array{1, 2}}) {
-        const HighOrderFactors factors(*material, low, high, 1);
+        const HighOrderFactors factors(*material, SplitBasis(low, high), 1);
         CAPTURE(high);
         CHECK(largest(factors.data()) > 0);
         CHECK(largest(factors.data()) < 100);
@@ -154,9 +156,32 @@ TEST_CASE("few orders, which some taps do not contain, leave factors finite") {
 
 TEST_CASE("a grey material has one set of factors, orders and channels are checked") {
     const MaterialPtr grey = pplastic({.diffuse_reflectance = {0.4}, .alpha = 0.3});
-    CHECK(HighOrderFactors(*grey, 4, 9, 3).channels() == 1);
+    CHECK(HighOrderFactors(*grey, SplitBasis(4, 9), 3).channels() == 1);
     for (const auto& [low, high] : {std::pair(9, 9), {-1, 9}, {4, kMaxOrder + 1}})
-        CHECK_THROWS_AS(HighOrderFactors(*grey, low, high, 1), Error);
+        CHECK_THROWS_AS(HighOrderFactors(*grey, SplitBasis(low, high), 1), Error);
     const MaterialPtr two = pplastic({.diffuse_reflectance = {0.4, 0.1}, .alpha = 0.3});
-    CHECK_THROWS_AS(HighOrderFactors(*two, 4, 9, 3), Error);
+    CHECK_THROWS_AS(HighOrderFactors(*two, SplitBasis(4, 9), 3), Error);
+}
+
+TEST_CASE("fits of materials that differ by weights alone share moments") {
+    const auto plastic = [](const std::vector<double>& color) {
+        return pplastic({.diffuse_reflectance = color, .alpha = 0.2});
+    };
+    const SplitBasis basis(4, 16);
+    KnownMoments known;
+    for (const std::vector<double>& color : {std::vector<double>{0.9, 0.1, 0.2}, {0.05, 0.8, 0.3}}) {
+        const HighOrderFactors alone(*plastic(color), basis, 3);
+        const HighOrderFactors shared(*plastic(color), basis, 3, &known);
+        CHECK(alone.central_lobe() == shared.central_lobe());
+        CHECK(std::ranges::equal(alone.data(), shared.data()));
+    }
+    // A material that is not evaluated again has the fit of the first one.
+    const test::Counting counting;
+    KnownMoments counted;
+    const HighOrderFactors first(counting, basis, 1, &counted);
+    const int calls = counting.calls;
+    CHECK(calls > 0);
+    const HighOrderFactors second(counting, basis, 1, &counted);
+    CHECK(counting.calls == calls);
+    CHECK(std::ranges::equal(first.data(), second.data()));
 }

@@ -6,6 +6,7 @@
 #include "specular/high_order_gains.hpp"
 #include "specular/high_order_light.hpp"
 #include "specular/high_order_scene.hpp"
+#include "specular/split_fit.hpp"
 #include "test.hpp"
 
 using namespace nicol;
@@ -21,7 +22,7 @@ constexpr int l_low = 4;
 TEST_CASE("unpolarized light has the same look-up in maps of either kind") {
     const PshVector light = test::random_light(20, 5, 1, 2);
     const test::SphereView sphere(4, 5);
-    const HighOrderFactors factors(*pplastic({.alpha = 0.2}), l_low, 20, 5);
+    const HighOrderFactors factors(*pplastic({.alpha = 0.2}), SplitBasis(l_low, 20), 5);
     HighOrderLight plain(light, l_low, 20, false);
     HighOrderLight full(light, l_low, 20, true);
     const auto black = sphere.black(5);
@@ -38,7 +39,7 @@ TEST_CASE("unpolarized light has the same look-up in maps of either kind") {
     CHECK(difference < 1e-5F * largest);
     CHECK(full.bytes() == 5 * plain.bytes());
     // One light serves materials of several colours.
-    const HighOrderFactors coloured(*gold(0.2), l_low, 20, 3);
+    const HighOrderFactors coloured(*gold(0.2), SplitBasis(l_low, 20), 3);
     HighOrderLight grey(test::random_light(20, 1, 1, 2), l_low, 20, false);
     const auto c = sphere.with(sphere.black(3), HighOrder(coloured, grey.maps(coloured), glm::dmat3(1.0)));
     CHECK(c[0] != c[2]);
@@ -46,7 +47,7 @@ TEST_CASE("unpolarized light has the same look-up in maps of either kind") {
 
 TEST_CASE("shadows dim the lobe and the base, vertices that are not visible are left alone") {
     const PshVector light = test::random_light(12, 1, 1, 4);
-    const HighOrderFactors factors(*pplastic({.alpha = 0.2}), l_low, 12, 1);
+    const HighOrderFactors factors(*pplastic({.alpha = 0.2}), SplitBasis(l_low, 12), 1);
     HighOrderLight filtered(light, l_low, 12, false);
     const HighOrder high(factors, filtered.maps(factors), glm::dmat3(1.0));
     Viewpoint view;
@@ -74,7 +75,7 @@ TEST_CASE("shadows dim the lobe and the base, vertices that are not visible are 
 
 TEST_CASE("maps and channels must fit") {
     const PshVector light = test::random_light(6, 2, 1, 4);
-    const HighOrderFactors factors(*gold(0.3), l_low, 6, 3);
+    const HighOrderFactors factors(*gold(0.3), SplitBasis(l_low, 6), 3);
     HighOrderLight two(light, l_low, 6, false);
     CHECK_THROWS_AS(HighOrder(factors, two.maps(factors), glm::dmat3(1.0)), Error);
     HighOrderLight one(test::random_light(6, 1, 1, 4), l_low, 6, false);

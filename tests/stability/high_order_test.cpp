@@ -7,6 +7,7 @@
 #include "material/conductor.hpp"
 #include "specular/high_order_light.hpp"
 #include "specular/high_order_visibility.hpp"
+#include "specular/split_fit.hpp"
 #include "stability/double_transfer.hpp"
 #include "stability/lights.hpp"
 #include "test.hpp"
@@ -31,7 +32,7 @@ constexpr double bound = 2e-5;
 test::Deviation compare(const test::Vertices& vertices, const Material& material, const PshVector& light,
                         int high) {
     const std::size_t count = vertices.normals.size();
-    const HighOrderFactors factors(material, low, high, 3);
+    const HighOrderFactors factors(material, SplitBasis(low, high), 3);
     HighOrderLight filtered(light, low, high, true);
     const HighOrderMaps maps = filtered.maps(factors);
     const glm::dmat3 rotation = frame_with_x(glm::normalize(glm::dvec3(1, -2, 0.5)), {0.3, 0.1, 1});
