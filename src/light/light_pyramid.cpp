@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdint>
 #include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <numbers>
 #include <span>
@@ -52,13 +53,36 @@ glm::vec3 moved(const glm::vec3& frame, const glm::vec3& from, const glm::vec3& 
     return frame - glm::dot(frame, to) / (1 + glm::dot(from, to)) * (from + to);
 }
 
-// Returns Stokes vectors of light from a unit direction in frames with the x axis `to` instead of `from`.
-glm::vec4 turned(const glm::vec4& stokes, const glm::vec3& direction, const glm::vec3& from,
-                 const glm::vec3& to) {
-    const float cosine = glm::dot(from, to), sine = glm::dot(glm::cross(from, direction), to);
-    const float cosine2 = cosine * cosine - sine * sine, sine2 = 2 * cosine * sine;
-    return {stokes[0], cosine2 * stokes[1] + sine2 * stokes[2], cosine2 * stokes[2] - sine2 * stokes[1],
-            stokes[3]};
+// Direction at which blobs about the texels of a row look up an image. Relative to a texel, it is the same
+// for all columns.
+struct BlobTap {
+    float turn;  // from the texel's column
+    float half_turn;
+    float cosine2, sine2;  // of twice the angle from the frame there to the texel's, moved there
+};
+using BlobTaps = std::array<BlobTap, 6>;
+
+// Returns the taps of a row. along, down: distances in the directions of a parallel and of a meridian.
+BlobTaps taps_around(float half_turn, float along, float down) {
+    const float angle = std::numbers::pi_v<float> * half_turn;
+    const glm::vec3 frame = frame_of(0);
+    const glm::vec3 direction(0, std::cos(angle), -std::sin(angle));
+    const glm::vec3 other = glm::cross(direction, frame);
+    BlobTaps out;
+    for (std::size_t k = 0; k < out.size(); ++k) {
+        const float around = std::numbers::pi_v<float> / 3 * static_cast<float>(k);
+        const glm::vec3 way = along * std::cos(around) * frame + down * std::sin(around) * other;
+        const float radius = glm::length(way);
+        const glm::vec3 there = std::cos(radius) * direction + std::sin(radius) / radius * way;
+        const EquirectPlace<float> place = equirect_place(there.x, there.y, there.z);
+        const glm::vec3 from = frame_of(place.turn), to = moved(frame, direction, there);
+        const float cosine = glm::dot(from, to), sine = glm::dot(glm::cross(from, there), to);
+        out[k] = {.turn = place.turn,
+                  .half_turn = place.half_turn,
+                  .cosine2 = cosine * cosine - sine * sine,
+                  .sine2 = 2 * cosine * sine};
+    }
+    return out;
 }
 
 // first_variance: of level 1.
@@ -167,24 +191,20 @@ EquirectTexels LightPyramid::blurred(const EquirectTexels& image, int width, dou
         const double own = interpolation(width), narrowing = std::sin(static_cast<double>(angle));
         const auto along = static_cast<float>(2 * std::sqrt(variance - own * narrowing * narrowing));
         const auto down = static_cast<float>(2 * std::sqrt(variance - own));
+        const BlobTaps taps = taps_around(half_turn, along, down);
         for (int column = 0; column < width; ++column) {
             const float turn = (static_cast<float>(column) + 0.5F) / static_cast<float>(width);
-            const glm::vec3 frame = frame_of(turn);
-            const glm::vec3 direction(std::sin(angle) * frame.z, std::cos(angle), -std::sin(angle) * frame.x);
-            const glm::vec3 other = glm::cross(direction, frame);
             for (std::size_t plane = 0; plane < planes_; ++plane) {
                 glm::vec4 sum = 0.5F * image.at(plane, turn, half_turn);
-                for (int k = 0; k < 6; ++k) {
-                    const float around = std::numbers::pi_v<float> / 3 * static_cast<float>(k);
-                    const glm::vec3 way = along * std::cos(around) * frame + down * std::sin(around) * other;
-                    const float radius = glm::length(way);
-                    const glm::vec3 there = std::cos(radius) * direction + std::sin(radius) / radius * way;
-                    const EquirectPlace<float> place = equirect_place(there.x, there.y, there.z);
-                    const glm::vec4 light = image.at(plane, place.turn, place.half_turn);
-                    sum += 1 / 12.0F *
-                           (components_ == 1
-                                ? light
-                                : turned(light, there, frame_of(place.turn), moved(frame, direction, there)));
+                for (const BlobTap& tap : taps) {
+                    const float there = turn + tap.turn;
+                    glm::vec4 light = image.at(plane, there < 1 ? there : there - 1, tap.half_turn);
+                    if (components_ > 1) {
+                        const glm::vec2 linear(light[1], light[2]);
+                        light[1] = tap.cosine2 * linear.x + tap.sine2 * linear.y;
+                        light[2] = tap.cosine2 * linear.y - tap.sine2 * linear.x;
+                    }
+                    sum += 1 / 12.0F * light;
                 }
                 const std::size_t line =
                     plane * static_cast<std::size_t>(height) + static_cast<std::size_t>(row);
