@@ -123,9 +123,11 @@ OrderSelector::Orders OrderSelector::cheapest(double tolerance, bool split, bool
         if (error(orders.low, orders.high, Fit::perfect) > tolerance) continue;
         orders.error = error(orders.low, orders.high, Fit::made);
         if (orders.error > tolerance) continue;
+        // Fits of high orders would take longer than they save.
         Orders best = orders;
         for (Orders better : candidates) {
-            if (cost_of(better) > (1 + kNegligible) * cost_of(orders)) break;
+            if (orders.high > orders.low || cost_of(better) > (1 + kNegligible) * cost_of(orders)) break;
+            if (better.high > better.low) continue;
             better.error = error(better.low, better.high, Fit::made);
             if (better.error < best.error) best = better;
         }

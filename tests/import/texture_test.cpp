@@ -326,10 +326,9 @@ TEST_CASE("attributes of any name are factors, of the mesh or as textures of the
                  "property list uchar int vertex_indices\nproperty float weight_0\nend_header\n"
                  "0 0 0 0 0 0.2 1 0 0\n1 0 0 1 0 0.4 0 1 0\n0 1 0 0 1 0.8 0 0 1\n3 0 1 2 0.7\n");
     const auto load = [&](const std::string& inside) {
-        return load_scene(folder.write("a.xml", ::scene(a_sensor + an_emitter +
-                                                        "<shape type='ply'><string "
-                                                        "name='filename' value='a.ply'/>" +
-                                                        inside + "</shape>")));
+        const std::string shape =
+            "<shape type='ply'><string name='filename' value='a.ply'/>" + inside + "</shape>";
+        return load_scene(folder.write("a.xml", ::scene(a_sensor + an_emitter + shape)), {}, LoadLimits{});
     };
     const auto attribute = [](const std::string& parameter, const std::string& name,
                               const std::string& scale = "1") {

@@ -140,6 +140,34 @@ TEST_CASE("diffuse surfaces need few orders, darkness none") {
     CHECK(dark.statistics.order_error == 0);
 }
 
+TEST_CASE("beside local lights, which take most of a frame, better orders are taken") {
+    Scene scene = spheres(diffuse({0.5}), diffuse({0.2}), natural_light(false));
+    const auto choose = [&](double tolerance) {
+        KeptProjection projection;
+        OrderSelector selector;
+        SceneGeometry surfaces;
+        surfaces.update(scene);
+        return selector.choose(scene, {scene.environment(), SampledTerms::none},
+                               {.geometry = surfaces.geometry(),
+                                .visibility = nullptr,
+                                .directions = nullptr,
+                                .versions = {.geometry = surfaces.version()},
+                                .materials = surfaces.material_version(),
+                                .change = {}},
+                               true, {.high_orders = HighOrders::none, .tolerance = tolerance},
+                               MemoryLimit::kNone, projection);
+    };
+    const auto dark = choose(0.1), fine = choose(1e-3);
+    scene.add_light({.kind = LocalLight::Kind::point, .value = {1}});
+    const auto lit = choose(0.1);
+    CHECK(dark.low < 3);
+    CHECK(lit.low > dark.low);
+    CHECK(lit.low <= 3);
+    CHECK(lit.error < dark.error);
+    // Orders that take noticeable time are taken if they are needed, not otherwise.
+    CHECK(choose(1e-3).low == fine.low);
+}
+
 TEST_CASE("a tolerance that cannot be reached is reported, and the least error taken") {
     const Scene scene = spheres(pplastic({.alpha = 0.1}), pplastic({.alpha = 0.1}), natural_light(false, 24));
     KeptProjection projection;
