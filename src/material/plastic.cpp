@@ -11,6 +11,7 @@
 #include "material/key.hpp"
 #include "material/microfacet.hpp"
 #include "material/reflectance.hpp"
+#include "material/shared_terms.hpp"
 #include "material/textured.hpp"
 #include "simd/dispatch.hpp"
 
@@ -54,7 +55,7 @@ PlasticParameters checked(PlasticParameters p) {
 }
 
 // Depolarizing plastic with two terms, the base and the boundary.
-class Plastic final : public Material {
+class Plastic final : public Material, public SharedTerms {
 public:
     explicit Plastic(PlasticParameters parameters)
         : smooth_(take_smooth(parameters.alpha.value, parameters.distribution)),
@@ -79,15 +80,12 @@ public:
     [[nodiscard]] Distribution distribution(int) const noexcept override { return p_.distribution; }
     [[nodiscard]] bool smooth(int term) const noexcept override { return smooth_ && term == 1; }
     [[nodiscard]] std::string content_key() const override {
-        return Key(smooth_ ? "plastic" : "roughplastic")
-            .add("diffuse_reflectance", p_.diffuse_reflectance.values)
-            .add("specular_reflectance", p_.specular_reflectance.values)
-            .add("eta", eta_)
-            .add("alpha", p_.alpha.value)
-            .add("distribution", p_.distribution == Distribution::ggx)
-            .add("nonlinear", p_.nonlinear)
-            .text();
+        return with_terms(named()
+                              .add("diffuse_reflectance", p_.diffuse_reflectance.values)
+                              .add("specular_reflectance", p_.specular_reflectance.values)
+                              .add("nonlinear", p_.nonlinear));
     }
+    [[nodiscard]] std::string own_terms_key() const override { return with_terms(named()); }
 
     [[nodiscard]] Mueller evaluate(int term, const glm::dvec3& towards_light,
                                    const glm::dvec3& towards_viewer) const override {
@@ -116,6 +114,14 @@ public:
     }
 
 private:
+    [[nodiscard]] Key named() const { return Key(smooth_ ? "plastic" : "roughplastic"); }
+    [[nodiscard]] std::string with_terms(Key key) const {
+        return key.add("eta", eta_)
+            .add("alpha", p_.alpha.value)
+            .add("distribution", p_.distribution == Distribution::ggx)
+            .text();
+    }
+
     // Returns 1 / (pi eta^2), because radiance falls by eta^2 on its way out.
     [[nodiscard]] double base_scale() const { return 1 / (eta_ * eta_ * std::numbers::pi); }
 

@@ -4,11 +4,12 @@
 #include "error.hpp"
 #include "material/material.hpp"
 #include "material/mixture.hpp"
+#include "material/shared_terms.hpp"
 
 namespace nicol {
 namespace {
 
-class Twosided final : public Material {
+class Twosided final : public Material, public SharedTerms {
 public:
     explicit Twosided(MaterialPtr front) : front_(std::move(front)) {
         // The front owns its isotropic counterpart.
@@ -35,6 +36,7 @@ public:
     [[nodiscard]] bool mirror_symmetric() const noexcept override { return front_->mirror_symmetric(); }
     [[nodiscard]] bool twosided() const noexcept override { return true; }
     [[nodiscard]] std::string content_key() const override { return front_->content_key(); }
+    [[nodiscard]] std::string own_terms_key() const override { return terms_key(*front_); }
     [[nodiscard]] const IsotropicMatrix* matrix(int channel) const override {
         return front_->matrix(channel);
     }

@@ -9,6 +9,7 @@
 
 #include "harmonics/rotation.hpp"
 #include "material/conductor.hpp"
+#include "material/plastic.hpp"
 #include "material/principled.hpp"
 #include "material/response_table.hpp"
 #include "material/shared_terms.hpp"
@@ -107,6 +108,11 @@ TEST_CASE("tables of materials whose terms differ by weights alone share rows") 
               [](const auto&color, double alpha) {
                   return rough_conductor({.eta = {{0.2, -3}}, .specular_reflectance = color, .alpha = alpha});
               }},
+          Case{"roughplastic, two-sided",
+               [](const auto&color, double alpha) {
+                   return twosided(
+                       plastic({.diffuse_reflectance = color, .alpha = alpha, .nonlinear = true}));
+               }},
           Case{"principled", [](const auto&color, double roughness) {
                    return principled({.base_color = color, .roughness = roughness, .metallic = 0.5});
                }}}) {
