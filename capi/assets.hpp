@@ -6,6 +6,7 @@
 
 #include "geometry/box.hpp"
 #include "handles.hpp"
+#include "light/environment.hpp"
 
 namespace nicol::capi {
 
@@ -72,5 +73,8 @@ inline void require_constant(std::uint32_t value, std::uint32_t last, const char
         refuse(std::string(name) + " is " + std::to_string(value) + "; it must be one of " + constants);
     }
 }
+
+/// Returns the sky that a descriptor describes; the sky itself checks it.
+RayleighSky sky_from(const nicol_sky* sky);
 
 }  // namespace nicol::capi

@@ -73,6 +73,17 @@ EnvironmentPtr from_coefficients(std::uint32_t order, std::uint32_t channels, co
 
 }  // namespace
 
+RayleighSky nicol::capi::sky_from(const nicol_sky* sky) {
+    const nicol_sky given = read_struct(sky, nicol_sky NICOL_SKY_INIT, "sky");
+    RayleighSky out;
+    out.sun_direction = {given.sun_direction[0], given.sun_direction[1], given.sun_direction[2]};
+    out.dop_max = static_cast<double>(given.dop_max);
+    out.radiance = spectrum(given.radiance, 1, 3, "sky->radiance");
+    out.turbidity = static_cast<double>(given.turbidity);
+    out.ground_albedo = {static_cast<double>(given.ground_albedo)};
+    return out;
+}
+
 ImagePixels nicol::capi::read_image(const nicol_image* image) {
     std::shared_ptr<void> user = owned_pixels(image);
     return {view_of(read_struct(image, nicol_image NICOL_IMAGE_INIT, "image")), std::move(user)};
@@ -115,14 +126,7 @@ nicol_result nicol_environment_create_constant(nicol_context context, const nico
 nicol_result nicol_environment_create_sky(nicol_context context, const nicol_sky* sky,
                                           nicol_environment* environment) {
     return create(context, environment, "environment", [&] {
-        const nicol_sky given = read_struct(sky, nicol_sky NICOL_SKY_INIT, "sky");
-        RayleighSky description;
-        description.sun_direction = {given.sun_direction[0], given.sun_direction[1], given.sun_direction[2]};
-        description.dop_max = static_cast<double>(given.dop_max);
-        description.radiance = spectrum(given.radiance, 1, 3, "sky->radiance");
-        description.turbidity = static_cast<double>(given.turbidity);
-        description.ground_albedo = {static_cast<double>(given.ground_albedo)};
-        return rayleigh_sky(description);
+        return rayleigh_sky(sky_from(sky));
     });
 }
 

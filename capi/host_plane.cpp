@@ -38,6 +38,8 @@ HostImage plane_image(Framebuffer& framebuffer, nicol_plane plane, std::uint32_t
     require_made(kind, framebuffer);
     if (plane == NICOL_PLANE_VARIANCE)
         refuse("NICOL_PLANE_VARIANCE is not on the device; nicol_framebuffer_read_plane reads it");
+    if (plane == NICOL_PLANE_POLARIZER)
+        refuse("NICOL_PLANE_POLARIZER has an angle; nicol_framebuffer_draw_observation draws it");
     const bool ids = plane == NICOL_PLANE_INSTANCE;
     HostImage image{.fragment = "plane.frag", .textures = 2};
     if (kind.components == 1) image.formats = ids ? gl::BorrowedFormats::ids : gl::BorrowedFormats::numbers;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "assets.hpp"
+#include "light/sun.hpp"
 
 using namespace nicol;
 using namespace nicol::capi;
@@ -131,6 +132,10 @@ void write_with_texture(const nicol_scene_impl& scene, const Struct& value, Stru
 }
 
 }  // namespace
+
+nicol_result nicol_sky_get_sun(const nicol_sky* sky, nicol_light* light) {
+    return guarded([&] { write_struct(light, light_to(sun_of(sky_from(sky))), "light"); });
+}
 
 nicol_result nicol_scene_add_light(nicol_scene scene, const nicol_light* light, uint32_t* id) {
     return guarded([&] {

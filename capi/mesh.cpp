@@ -79,6 +79,16 @@ nicol_result nicol_mesh_create_sphere(nicol_context context, nicol_mesh* mesh) {
     return create(context, mesh, "mesh", [] { return std::make_shared<const Mesh>(make_sphere()); });
 }
 
+nicol_result nicol_mesh_create_divided_sphere(nicol_context context, uint32_t segments, nicol_mesh* mesh) {
+    return create(context, mesh, "mesh", [&] {
+        if (segments < 2 || segments > kMaxSphereSegments || segments % 2 != 0)
+            refuse("segments is " + std::to_string(segments) + "; it must be even, 2 to " +
+                   std::to_string(kMaxSphereSegments));
+        return std::make_shared<const Mesh>(
+            make_sphere(glm::dvec3(0.0), 1.0, static_cast<double>(segments) / kSphereSegments));
+    });
+}
+
 nicol_result nicol_mesh_create_rectangle(nicol_context context, nicol_mesh* mesh) {
     return create(context, mesh, "mesh", [] { return std::make_shared<const Mesh>(make_rectangle()); });
 }

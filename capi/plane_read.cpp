@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Reading of framebuffer planes into the caller's memory.
+#include <cmath>
+#include <numbers>
 #include <vector>
 
 #include "assets.hpp"
@@ -20,6 +22,7 @@ struct Request {
     nicol_format format;  // never automatic
     int first_channel;
     int channels;
+    double polarizer_angle;  // radians
 };
 
 std::size_t bytes_of(nicol_format format) {
@@ -36,9 +39,12 @@ Request understand(const nicol_plane_buffer& given, int channels) {
         refuse(std::string("the format of ") + kind.name + " must be " +
                (ids ? "NICOL_FORMAT_UINT32" : "NICOL_FORMAT_FLOAT32 or NICOL_FORMAT_FLOAT16"));
     }
-    if (kind.coloured && given.channel == NICOL_ALL_CHANNELS) return {given.plane, format, 0, channels};
+    if (!std::isfinite(given.polarizer_angle)) refuse("polarizer_angle must be finite");
+    const double angle = given.polarizer_angle * std::numbers::pi / 180;
+    if (kind.coloured && given.channel == NICOL_ALL_CHANNELS)
+        return {given.plane, format, 0, channels, angle};
     require_channel(kind, given.channel, channels);
-    return {given.plane, format, static_cast<int>(given.channel), 1};
+    return {given.plane, format, static_cast<int>(given.channel), 1, angle};
 }
 
 // Numbers of a plane, row by row.
@@ -48,7 +54,7 @@ public:
         : components_(plane_kind(request.plane).components), width_(static_cast<std::size_t>(from.width())) {
         if (plane_kind(request.plane).aov != 0) aovs_ = &from.aovs();
         for (int c = 0; c < request.channels; ++c)
-            parts_.push_back(part(from, request.plane, request.first_channel + c));
+            parts_.push_back(part(from, request, request.first_channel + c));
     }
 
     // Reads [column][channel][component].
@@ -93,12 +99,16 @@ private:
         return parts_.front().first + static_cast<std::size_t>(y) * width_ * components_;
     }
 
-    Part part(Framebuffer& from, nicol_plane plane, int channel) {
-        switch (plane) {
+    Part part(Framebuffer& from, const Request& request, int channel) {
+        switch (request.plane) {
             case NICOL_PLANE_DOLP:
                 return {made_.emplace_back(dolp(from.image(), channel)).values.data(), 1};
             case NICOL_PLANE_AOLP:
                 return {made_.emplace_back(aolp(from.image(), channel)).values.data(), 1};
+            case NICOL_PLANE_POLARIZER:
+                return {made_.emplace_back(behind_polarizer(from.image(), request.polarizer_angle, channel))
+                            .values.data(),
+                        1};
             case NICOL_PLANE_DEPTH:
                 return {aovs_->depth.data(), 1};
             case NICOL_PLANE_NORMAL:
@@ -115,7 +125,7 @@ private:
             }
             default: {
                 const float* const stokes = from.image().at(channel, 0, 0).data();
-                return {plane == NICOL_PLANE_STOKES ? stokes : stokes + plane, 4};
+                return {request.plane == NICOL_PLANE_STOKES ? stokes : stokes + request.plane, 4};
             }
         }
     }

@@ -21,7 +21,7 @@ struct PlaneKind {
 
 /// Throws Error(invalid_argument) unless it is a constant NICOL_PLANE_...
 inline const PlaneKind& plane_kind(nicol_plane plane) {
-    static constexpr std::array<PlaneKind, 13> kinds{{{"NICOL_PLANE_S0", 1},
+    static constexpr std::array<PlaneKind, 14> kinds{{{"NICOL_PLANE_S0", 1},
                                                       {"NICOL_PLANE_S1", 1},
                                                       {"NICOL_PLANE_S2", 1},
                                                       {"NICOL_PLANE_S3", 1},
@@ -33,8 +33,9 @@ inline const PlaneKind& plane_kind(nicol_plane plane) {
                                                       {"NICOL_PLANE_POSITION", 3, aov_positions},
                                                       {"NICOL_PLANE_INSTANCE", 1, aov_instances},
                                                       {"NICOL_PLANE_VARIANCE", 4, aov_variance, true},
-                                                      {"NICOL_PLANE_ALPHA", 1, aov_alpha}}};
-    require_constant(plane, NICOL_PLANE_ALPHA, "plane", "NICOL_PLANE_...");
+                                                      {"NICOL_PLANE_ALPHA", 1, aov_alpha},
+                                                      {"NICOL_PLANE_POLARIZER", 1}}};
+    require_constant(plane, NICOL_PLANE_POLARIZER, "plane", "NICOL_PLANE_...");
     return kinds[plane];
 }
 

@@ -13,7 +13,7 @@ layout(binding = 0) uniform sampler2D stokes[CHANNELS];
 
 uniform int kind;        // 0 radiance, 1 signed component, 2 DoLP, 3 AoLP
 uniform vec4 analyzer;   // radiance and signed component: the value is dot(analyzer, s)
-uniform bool encode;     // radiance: sRGB-encoded
+uniform bool encode;     // all but signed components: sRGB-encoded
 uniform bool bottom_up;  // whether the image's last row goes into row 0
 
 vec4 mean(ivec2 at) {
@@ -25,6 +25,10 @@ vec4 mean(ivec2 at) {
 vec3 srgb(vec3 v) {
     v = clamp(v, 0.0, 1.0);
     return mix(1.055 * pow(v, vec3(1.0 / 2.4)) - 0.055, 12.92 * v, lessThanEqual(v, vec3(0.0031308)));
+}
+
+vec3 linear(vec3 v) {
+    return mix(pow((v + 0.055) / 1.055, vec3(2.4)), v / 12.92, lessThanEqual(v, vec3(0.04045)));
 }
 
 vec3 hue(float angle) {
@@ -41,13 +45,14 @@ void main() {
     if (kind == 0) {
         for (int i = 0; i < 3; ++i)
             colour[i] = dot(analyzer, finite_or_zero(texelFetch(stokes[min(i, CHANNELS - 1)], at, 0)));
-        if (encode) colour = srgb(colour);
     } else {
         vec4 s = mean(at);
         float value = dot(analyzer, s);
         if (kind == 1) colour = value < 0.0 ? vec3(-value, 0.0, 0.0) : vec3(0.0, value, 0.0);
         if (kind == 2) colour = vec3(dolp(s));
-        if (kind == 3) colour = dolp(s) * hue(aolp(s) / PI);
+        // The hue is one of encoded colours.
+        if (kind == 3) colour = linear(srgb(vec3(dolp(s))) * hue(aolp(s) / PI));
     }
+    if (encode && kind != 1) colour = srgb(colour);
     pixel = vec4(colour, 1.0);
 }

@@ -907,6 +907,10 @@ NICOL_API nicol_result nicol_mesh_create(nicol_context context, const nicol_mesh
 /* Creates the unit sphere, divided finely enough for per-vertex shading, with the texture coordinates of
  * Mitsuba 3's sphere. */
 NICOL_API nicol_result nicol_mesh_create_sphere(nicol_context context, nicol_mesh* mesh);
+/* Creates the same sphere with a number of segments: the parts into which each edge of an icosahedron is cut,
+ * even, 2 to 512. The sphere has 10 segments^2 + 2 vertices. nicol_mesh_create_sphere has 38 segments. */
+NICOL_API nicol_result nicol_mesh_create_divided_sphere(nicol_context context, uint32_t segments,
+                                                        nicol_mesh* mesh);
 /* Creates the rectangle [-1, 1]^2 in the plane z = 0, facing +z, with the texture coordinates of Mitsuba 3's
  * rectangle. */
 NICOL_API nicol_result nicol_mesh_create_rectangle(nicol_context context, nicol_mesh* mesh);
@@ -1064,6 +1068,12 @@ typedef struct nicol_light {
       NICOL_POLARIZATION_INIT }
 /* clang-format on */
 NICOL_API nicol_result nicol_light_init(nicol_light* descriptor, uint32_t struct_size);
+
+/* Fills a light with the sun of a sky: directional, with an angular_radius of 0.27 degrees, from sun_direction,
+ * in the units of the sky's radiance. Its irradiance is that of a black body of 5778 K and 128 klx beyond the
+ * atmosphere, behind the air, the haze and the ozone of the sky's turbidity (Preetham et al. 1999). A sky of
+ * turbidity 0 gets the sun of turbidity 1.7. A sun below the horizon has an irradiance of 0. */
+NICOL_API nicol_result nicol_sky_get_sun(const nicol_sky* sky, nicol_light* light);
 
 /* Emission of an instance, in addition to its reflection. */
 typedef struct nicol_emission {
@@ -1767,6 +1777,9 @@ typedef uint32_t nicol_plane;
  * from the front or from behind; 1 or 0 with one sample. The Stokes image is not multiplied by the coverage,
  * and has the environment behind the surfaces, weighted by 1 - alpha, or black without an environment. */
 #define NICOL_PLANE_ALPHA 12u
+/* Light behind an ideal linear polarizer at the polarizer_angle of nicol_plane_buffer; nicol_framebuffer_read
+ * takes 0 degrees. Exists always and has colour channels, like the first planes. */
+#define NICOL_PLANE_POLARIZER 13u
 
 /* Copies one plane of one colour channel, first row at the top. row_stride is in bytes; 0: tightly packed.
  * byte_size is the room at pixels, in bytes. Returns NICOL_ERROR_INVALID_ARGUMENT for a plane that does not
@@ -1797,9 +1810,12 @@ typedef struct nicol_plane_buffer {
     /* Bytes from row to row, a multiple of a number's size; 0, the default: tightly packed. */
     uint64_t row_stride;
     uint64_t byte_size; /* room at pixels, bytes; checked */
+    /* NICOL_PLANE_POLARIZER: angle of the polarizer, degrees counter-clockwise from image right, finite,
+     * default 0. */
+    double polarizer_angle;
 } nicol_plane_buffer;
 #define NICOL_PLANE_BUFFER_INIT \
-    { sizeof(nicol_plane_buffer), 0, 0, 0, 0, 0, 0 }
+    { sizeof(nicol_plane_buffer), 0, 0, 0, 0, 0, 0, 0 }
 NICOL_API nicol_result nicol_plane_buffer_init(nicol_plane_buffer* descriptor, uint32_t struct_size);
 
 /* Copies a plane in the format and with the channels of `to`. Bytes between rows are not written. A call that
@@ -1822,8 +1838,8 @@ typedef uint32_t nicol_observation_kind;
 #define NICOL_OBSERVATION_S1 1u        /* s1: red negative, green positive, linear */
 #define NICOL_OBSERVATION_S2 2u        /* s2: red negative, green positive, linear */
 #define NICOL_OBSERVATION_S3 3u        /* s3: red negative, green positive, linear */
-#define NICOL_OBSERVATION_DOLP 4u      /* DoLP: black 0, white 1 */
-#define NICOL_OBSERVATION_AOLP 5u      /* AoLP: hue = angle / 180 degrees, value = DoLP */
+#define NICOL_OBSERVATION_DOLP 4u      /* DoLP: black 0, white 1, with the sRGB curve */
+#define NICOL_OBSERVATION_AOLP 5u      /* AoLP: hue = angle / 180 degrees, value = DoLP with the sRGB curve */
 #define NICOL_OBSERVATION_POLARIZER 6u /* light behind an ideal linear polarizer, tone-mapped as s0 */
 
 typedef struct nicol_observation {
@@ -2107,8 +2123,8 @@ typedef struct nicol_texture_target {
     /* Meaning of row 0. 0, the default: the image's top; 1: the image's bottom, as in OpenGL's own
      * images. */
     uint32_t bottom_up;
-    /* Encoding of the images S0 and POLARIZER, default linear. SRGB8_ALPHA8 gets the encoded numbers
-     * unchanged. */
+    /* Encoding of the images S0, POLARIZER, DOLP and AOLP, default linear: the numbers whose sRGB encoding a
+     * PNG file has. SRGB8_ALPHA8 gets the encoded numbers unchanged. */
     nicol_encoding encoding;
     /* Depth texture of the host's, of the same size and with the same row 0; default 0: none. The image is
      * then drawn only where its surfaces are nearer than the texture's depths, and its depths replace these:
@@ -2128,7 +2144,8 @@ NICOL_API nicol_result nicol_texture_target_init(nicol_texture_target* descripto
  * nicol_framebuffer_read copies, in red, green, blue and alpha; components that the plane does not have are
  * 0, and alpha 1. The texture may also be of GL_R16F or GL_R32F for one component, and is of GL_R32UI for
  * NICOL_PLANE_INSTANCE. Returns NICOL_ERROR_INVALID_ARGUMENT for NICOL_PLANE_VARIANCE, which is not on the
- * device, and NICOL_ERROR_UNSUPPORTED for a framebuffer whose context is not a host's. */
+ * device, and for NICOL_PLANE_POLARIZER, which nicol_framebuffer_draw_observation draws, and
+ * NICOL_ERROR_UNSUPPORTED for a framebuffer whose context is not a host's. */
 NICOL_API nicol_result nicol_framebuffer_draw_plane(nicol_framebuffer framebuffer, nicol_plane plane,
                                                     uint32_t channel, const nicol_texture_target* target);
 /* Draws the plane NICOL_PLANE_STOKES. */

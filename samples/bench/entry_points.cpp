@@ -96,6 +96,7 @@ void make_meshes(const EntryPoints::Watch& watch, nicol_context context, nicol_m
     make<Mesh>(watch, NAMED(nicol_mesh_create_deformed), context, base.get(), &deformation);
     make<Mesh>(watch, NAMED(nicol_mesh_load), context, NICOL_BENCH_ASSETS "/plinth.ply");
     make<Mesh>(watch, NAMED(nicol_mesh_create_sphere), context);
+    make<Mesh>(watch, NAMED(nicol_mesh_create_divided_sphere), context, 4U);
     make<Mesh>(watch, NAMED(nicol_mesh_create_rectangle), context);
     make<Mesh>(watch, NAMED(nicol_mesh_create_cube), context);
     make<Mesh>(watch, NAMED(nicol_mesh_create_disk), context);

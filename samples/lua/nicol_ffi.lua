@@ -447,6 +447,7 @@ typedef struct nicol_plane_buffer {
     void* pixels;
     uint64_t row_stride;
     uint64_t byte_size;
+    double polarizer_angle;
 } nicol_plane_buffer;
 typedef uint32_t nicol_observation_kind;
 typedef struct nicol_observation {
@@ -674,6 +675,7 @@ nicol_result nicol_mesh_data_init(nicol_mesh_data* descriptor, uint32_t struct_s
 nicol_result nicol_mesh_load(nicol_context context, const char* path, nicol_mesh* mesh);
 nicol_result nicol_mesh_create(nicol_context context, const nicol_mesh_data* data, nicol_mesh* mesh);
 nicol_result nicol_mesh_create_sphere(nicol_context context, nicol_mesh* mesh);
+nicol_result nicol_mesh_create_divided_sphere(nicol_context context, uint32_t segments, nicol_mesh* mesh);
 nicol_result nicol_mesh_create_rectangle(nicol_context context, nicol_mesh* mesh);
 nicol_result nicol_mesh_create_cube(nicol_context context, nicol_mesh* mesh);
 nicol_result nicol_mesh_create_disk(nicol_context context, nicol_mesh* mesh);
@@ -691,6 +693,7 @@ nicol_result nicol_camera_get_opencv(const nicol_camera* camera, uint32_t width,
 nicol_result nicol_camera_frame(nicol_camera* camera, const double lower[3], const double upper[3], uint32_t width, uint32_t height);
 nicol_result nicol_polarization_init(nicol_polarization* descriptor, uint32_t struct_size);
 nicol_result nicol_light_init(nicol_light* descriptor, uint32_t struct_size);
+nicol_result nicol_sky_get_sun(const nicol_sky* sky, nicol_light* light);
 nicol_result nicol_emission_init(nicol_emission* descriptor, uint32_t struct_size);
 nicol_result nicol_polarization_element_init(nicol_polarization_element* descriptor, uint32_t struct_size);
 nicol_result nicol_instance_init(nicol_instance* descriptor, uint32_t struct_size);
@@ -937,6 +940,7 @@ return {
         NO_INSTANCE = 4294967295,
         PLANE_VARIANCE = 11,
         PLANE_ALPHA = 12,
+        PLANE_POLARIZER = 13,
         FORMAT_AUTOMATIC = 0,
         FORMAT_FLOAT32 = 1,
         FORMAT_FLOAT16 = 2,
@@ -1017,6 +1021,7 @@ return {
         mesh_load = "nicol_mesh",
         mesh_create = "nicol_mesh",
         mesh_create_sphere = "nicol_mesh",
+        mesh_create_divided_sphere = "nicol_mesh",
         mesh_create_rectangle = "nicol_mesh",
         mesh_create_cube = "nicol_mesh",
         mesh_create_disk = "nicol_mesh",
@@ -1028,6 +1033,7 @@ return {
         camera_set_opencv = true,
         camera_get_opencv = true,
         camera_frame = true,
+        sky_get_sun = true,
         scene_create = "nicol_scene",
         scene_load = "nicol_scene",
         scene_add_instance = true,

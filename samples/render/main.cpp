@@ -3,6 +3,7 @@
 #include <nicol.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -163,6 +164,12 @@ void render(nicol_scene scene, nicol_framebuffer framebuffer, const Options& opt
     progress.clear();
 }
 
+std::string polarizer_name(double angle) {
+    std::array<char, 64> name{};
+    static_cast<void>(std::snprintf(name.data(), name.size(), "polarizer_%g.png", angle));
+    return name.data();
+}
+
 void write_images(nicol_framebuffer framebuffer, const Options& options) {
     const std::filesystem::path folder = options.images;
     std::error_code error;
@@ -179,6 +186,13 @@ void write_images(nicol_framebuffer framebuffer, const Options& options) {
         image.kind = kind;
         if (kind == NICOL_OBSERVATION_S0) image.exposure = static_cast<float>(options.exposure);
         check(nicol_framebuffer_write_png(framebuffer, &image, (folder / name).c_str()));
+    }
+    for (const double angle : options.polarizers) {
+        nicol_observation image = NICOL_OBSERVATION_INIT;
+        image.kind = NICOL_OBSERVATION_POLARIZER;
+        image.exposure = static_cast<float>(options.exposure);
+        image.polarizer_angle = static_cast<float>(angle);
+        check(nicol_framebuffer_write_png(framebuffer, &image, (folder / polarizer_name(angle)).c_str()));
     }
 }
 

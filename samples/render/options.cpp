@@ -24,8 +24,9 @@ const char* const usage =
     "      --look-at X,Y,Z,X,Y,Z[,FOV]   a camera at the first point that looks at the second; field of "
     "view\n"
     "                           in degrees, default that of the scene's camera\n"
-    "      --exposure STOPS     of the s0.png of --images; default 0\n"
+    "      --exposure STOPS     of the s0.png and polarizer_*.png of --images; default 0\n"
     "      --images DIR       also writes s0, s1, s2, s3, dolp and aolp.png into DIR, made when missing\n"
+    "      --polarizers A,... also writes polarizer_A.png, ... into DIR: light behind a polarizer, degrees\n"
     "      --mosaic FILE        also writes what an image sensor gives for the image, as a grey PNG\n"
     "      --sensor FILE        that sensor, as JSON; default: polarizers on the pixels and a little noise\n"
     "      --frame N            gives other noise of the sensor; default 0\n"
@@ -293,6 +294,8 @@ Options parse_options(int argc, const char* const* argv) {
             options.exposure = parse_one(name, value());
         else if (name == "--images")
             options.images = path();
+        else if (name == "--polarizers")
+            options.polarizers = parse_list(name, value());
         else if (name == "--mosaic")
             options.mosaic = path();
         else if (name == "--sensor")
@@ -383,6 +386,8 @@ Options parse_options(int argc, const char* const* argv) {
     if (!suffix.empty() && suffix != ".exr" && suffix != ".EXR")
         throw Failure("--output " + options.output +
                       ": what is written is OpenEXR; the name must end in .exr (--images writes PNG)");
+    if (options.images.empty() && !options.polarizers.empty())
+        throw Failure("--polarizers: add --images DIR, where its images are written");
     if (options.mosaic.empty() && !options.sensor.empty())
         throw Failure("--sensor: add --mosaic OUT.png, where its raw image is written");
     if (options.output == kStandardOutput && options.stats == kStandardOutput)

@@ -25,6 +25,7 @@ struct Options {
     std::vector<double> look_at;  ///< empty, or place and target of the camera, and its fov in degrees
     double exposure = 0;          ///< of --images, stops
     std::string images;           ///< folder; empty: none
+    std::vector<double> polarizers;  ///< angles of polarizer images in that folder, degrees
     std::string mosaic;           ///< file of the raw image; empty: none
     std::string sensor;           ///< file; empty: the library's default
     std::uint64_t frame = 0;      ///< number of the raw image's noise

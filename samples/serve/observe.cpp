@@ -47,6 +47,10 @@ std::uint8_t code(float unit) {
     return static_cast<std::uint8_t>(std::lround(255 * std::clamp(unit, 0.0f, 1.0f)));
 }
 
+float srgb_curve(float unit) {
+    return unit <= 0.0031308f ? 12.92f * unit : 1.055f * std::pow(unit, 1 / 2.4f) - 0.055f;
+}
+
 float finite(float v) {
     return std::isfinite(v) ? v : 0.0f;
 }
@@ -139,10 +143,10 @@ std::vector<std::uint8_t> colours(const FloatImage& image, Observer observer, fl
         else
             for (std::size_t i = 0; i < rgb.size(); ++i) rgb[i] = srgb(data[i]);
     } else if (observer == Observer::dolp) {
-        for (std::size_t i = 0; i < rgb.size(); ++i) rgb[i] = code(data[i / 3 * 2 + 1]);
+        for (std::size_t i = 0; i < rgb.size(); ++i) rgb[i] = srgb(data[i / 3 * 2 + 1]);
     } else if (observer == Observer::aolp) {
         for (std::size_t i = 0; i < pixels; ++i)
-            hue(data[2 * i] / static_cast<float>(std::numbers::pi), data[2 * i + 1], &rgb[3 * i]);
+            hue(data[2 * i] / static_cast<float>(std::numbers::pi), srgb_curve(data[2 * i + 1]), &rgb[3 * i]);
     } else {
         std::vector<float> means(pixels);
         for (std::size_t i = 0; i < pixels; ++i) means[i] = mean(data + i * values, values);

@@ -113,11 +113,14 @@ void flip_normals(Mesh& mesh);
 /// Returns the tangents of transformed(); linear: the transform's first three rows and columns.
 [[nodiscard]] std::vector<glm::vec4> transformed_tangents(const Mesh& mesh, const glm::dmat3& linear);
 
-/// Returns a sphere of 14,442 vertices: an icosahedron whose edges are cut in 38. Vertices lie on the sphere,
+/// Parts of each edge of the icosahedron of make_sphere() at detail 1, and the most that readers accept.
+inline constexpr int kSphereSegments = 38, kMaxSphereSegments = 512;
+
+/// Returns a sphere of 14,442 vertices: an icosahedron whose edges are cut in kSphereSegments. Vertices lie on the sphere,
 /// its points on the coordinate axes among them, and normals are exact. No edge spans more than 2.0 degrees,
 /// so shading interpolated between vertices misses a function of order l by at most 1.6e-4 l^2 of its
-/// amplitude, and the flat triangles lie at most 2.1e-4 radius below the sphere. `detail`, in (0, 1], is the
-/// part of the segments that there are along each direction; the errors grow by 1 / detail^2. u is the
+/// amplitude, and the flat triangles lie at most 2.1e-4 radius below the sphere. `detail`, above 0, times
+/// kSphereSegments is rounded up to an even number of segments; the errors grow by 1 / detail^2. u is the
 /// azimuth about z, from +x towards +y, over 2 pi, and exceeds 1 in triangles that cross the seam; v is the
 /// angle from +z over pi. Throws Error(invalid_argument) unless the centre is finite and the radius positive
 /// and finite.

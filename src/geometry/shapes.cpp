@@ -15,7 +15,7 @@ namespace nicol {
 namespace {
 
 // Half the number of parts of an icosahedron's edge, at full detail.
-constexpr double kHalfEdge = 19;
+constexpr double kHalfEdge = kSphereSegments / 2.0;
 
 constexpr double kGolden = std::numbers::phi;
 
@@ -165,7 +165,8 @@ Mesh make_sphere(const glm::dvec3& center, double radius, double detail) {
     if (!std::isfinite(center.x + center.y + center.z) || !(radius > 0.0) || !std::isfinite(radius))
         throw Error(ErrorCode::invalid_argument,
                     "a sphere needs a finite center and a positive, finite radius");
-    const Icosphere sphere(2 * static_cast<std::uint32_t>(std::ceil(kHalfEdge * detail)));
+    // A whole number of segments stays what it is when its quotient was rounded.
+    const Icosphere sphere(2 * static_cast<std::uint32_t>(std::ceil(kHalfEdge * detail * (1 - 1e-12))));
     Mesh mesh;
     mesh.triangles = sphere.triangles;
     for (const glm::dvec3& p : sphere.points) {

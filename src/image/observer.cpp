@@ -170,10 +170,11 @@ Observation dolp_image(const StokesImage& image, int channel) {
     check_channel(image, channel, "dolp_image");
     const PixelReader pixels(image, channel);
     Observation observation =
-        blank(image, "Degree of linear polarization", "DoLP, linear grey, " + channel_text(image, channel),
+        blank(image, "Degree of linear polarization", "DoLP, grey, sRGB curve, " + channel_text(image, channel),
               "code 255 is DoLP = 1");
+    observation.srgb = true;
     for (std::size_t i = 0; i < pixels.size(); ++i)
-        for (std::size_t c = 0; c < 3; ++c) observation.rgb[3 * i + c] = code(dolp_of(pixels[i]));
+        for (std::size_t c = 0; c < 3; ++c) observation.rgb[3 * i + c] = code(srgb_curve(dolp_of(pixels[i])));
     return observation;
 }
 
@@ -193,7 +194,7 @@ Observation aolp_image(const StokesImage& image, AolpStyle style, int channel) {
             carrier = "saturation is DoLP";
             break;
         case AolpStyle::dark:
-            carrier = "value is DoLP";
+            carrier = "value is DoLP, sRGB curve";
             break;
         case AolpStyle::full:
             carrier = "black where DoLP < 1e-6";
@@ -212,11 +213,27 @@ Observation aolp_image(const StokesImage& image, AolpStyle style, int channel) {
         const double hue = aolp_of(s) / std::numbers::pi;
         std::array<double, 3> rgb{};
         if (style == AolpStyle::light) rgb = hsv(hue, degree, 1);
-        if (style == AolpStyle::dark) rgb = hsv(hue, 1, degree);
+        if (style == AolpStyle::dark) rgb = hsv(hue, 1, srgb_curve(degree));
         if (style == AolpStyle::full && degree >= 1e-6) rgb = hsv(hue, 1, 1);
         for (std::size_t c = 0; c < 3; ++c) observation.rgb[3 * i + c] = code(rgb[c]);
     }
     return observation;
+}
+
+Plane behind_polarizer(const StokesImage& image, double angle, int channel) {
+    check_channel(image, channel, "behind_polarizer");
+    if (!std::isfinite(angle))
+        throw Error(ErrorCode::invalid_argument,
+                    "behind_polarizer: angle must be a finite number of radians");
+    const double c = std::cos(2 * angle);
+    const double s = std::sin(2 * angle);
+    const PixelReader pixels(image, channel);
+    Plane plane{image.width, image.height, std::vector<float>(pixels.size())};
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        const Stokes stokes = pixels[i];
+        plane.values[i] = static_cast<float>(0.5 * (stokes[0] + c * stokes[1] + s * stokes[2]));
+    }
+    return plane;
 }
 
 StokesImage through_polarizer(const StokesImage& image, double angle) {

@@ -49,7 +49,7 @@ struct Plane {
 
 /// Returns the degree of linear polarization sqrt(s1^2 + s2^2) / s0, clipped to 0..1; 0 where s0 <= 0.
 [[nodiscard]] Plane dolp(const StokesImage& image, int channel = kMeanChannel);
-/// Returns dolp() as linear grey, 255 = 1.
+/// Returns dolp() as grey with the sRGB curve, so that weak polarization shows; 255 = 1.
 [[nodiscard]] Observation dolp_image(const StokesImage& image, int channel = kMeanChannel);
 
 /// Returns the angle of linear polarization atan2(s2, s1) / 2 in (-pi/2, pi/2]; 0 where s1 = s2 = 0 or s0 <=
@@ -60,12 +60,14 @@ struct Plane {
 /// vertical cyan, -45 degrees violet.
 enum class AolpStyle : std::int32_t {
     light = 0,  ///< saturation: unpolarized is white
-    dark = 1,   ///< value: unpolarized is black
+    dark = 1,   ///< value, with the sRGB curve: unpolarized is black
     full = 2,   ///< no encoding: full colour wherever DoLP >= 1e-6, black elsewhere
 };
 [[nodiscard]] Observation aolp_image(const StokesImage& image, AolpStyle style = AolpStyle::light,
                                      int channel = kMeanChannel);
 
+/// Returns s0 of through_polarizer() for one channel.
+[[nodiscard]] Plane behind_polarizer(const StokesImage& image, double angle, int channel = kMeanChannel);
 /// Returns the light behind an ideal linear polarizer whose transmission axis is at `angle`:
 /// s0' = (s0 + s1 cos 2a + s2 sin 2a) / 2, fully polarized along the axis.
 [[nodiscard]] StokesImage through_polarizer(const StokesImage& image, double angle);

@@ -20,6 +20,7 @@ void read_sky(Plugin& plugin, EnvironmentDescription& environment) {
         plugin.fail("sun_direction", "has no direction; expected a vector towards the sun");
     environment.sun_direction = sun / length;
     environment.ground_albedo = plugin.color("ground_albedo", environment.ground_albedo, 1.0);
+    environment.sun = plugin.boolean("sun", environment.sun);
     environment.turbidity = plugin.number("turbidity", 0.0);
     if (environment.turbidity == 0.0) return;
     environment.turbidity = plugin.number("turbidity", 0.0, 1.7, 10.0);

@@ -29,6 +29,7 @@
 #include "import/values.hpp"
 #include "light/local_light.hpp"
 #include "light/psh_file.hpp"
+#include "light/sun.hpp"
 #include "scene/rotation.hpp"
 
 namespace nicol {
@@ -46,6 +47,15 @@ auto made(const std::filesystem::path& file, const std::string& object, Make mak
 
 std::string named(const std::string& kind, const std::string& id) {
     return id.empty() ? kind : kind + " \"" + id + "\"";
+}
+
+RayleighSky sky_of(const EnvironmentDescription& d) {
+    const SceneChannels rgb;
+    return {.sun_direction = d.sun_direction,
+            .dop_max = d.dop_max,
+            .radiance = radiance(d.radiance, rgb),
+            .turbidity = d.turbidity,
+            .ground_albedo = reflectance(d.ground_albedo, rgb)};
 }
 
 EnvironmentPtr make(const EnvironmentDescription& d, scene::SceneFiles& files) {
@@ -67,11 +77,14 @@ EnvironmentPtr make(const EnvironmentDescription& d, scene::SceneFiles& files) {
         case EnvironmentDescription::Kind::sky:
             break;
     }
-    return rayleigh_sky({.sun_direction = d.sun_direction,
-                         .dop_max = d.dop_max,
-                         .radiance = radiance(d.radiance, rgb),
-                         .turbidity = d.turbidity,
-                         .ground_albedo = reflectance(d.ground_albedo, rgb)});
+    return rayleigh_sky(sky_of(d));
+}
+
+/// Returns the sun of a sky as a light.
+LocalLight make_sun(const EnvironmentDescription& d) {
+    LocalLight light = sun_of(sky_of(d));
+    light.to_world = glm::dmat4(rotation_of(d.to_world, "the emitter")) * light.to_world;
+    return light;
 }
 
 /// The light says what the channels are; grey light serves any.
@@ -193,7 +206,7 @@ public:
 
     std::shared_ptr<const Mesh> of(const ShapeDescription& d, const MeshColorNames& colors) {
         if (d.kind == ShapeDescription::Kind::mesh) return d.mesh;
-        const double detail = detail_.of(d);
+        const double detail = d.segments > 0 ? d.segments / double(kSphereSegments) : detail_.of(d);
         const Key key{d.kind,
                       d.filename,
                       d.index,
@@ -260,6 +273,7 @@ LoadedScene load_scene(const std::filesystem::path& file, const SceneParameters&
             out.scene.set_environment(make(*description.environment, files),
                                       rotation_of(description.environment->to_world, "the emitter"),
                                       description.environment->scale);
+            if (description.environment->sun) out.scene.add_light(make_sun(*description.environment));
         });
     }
     out.scene.hide_emitters(description.integrator.hide_emitters);

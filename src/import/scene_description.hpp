@@ -74,6 +74,7 @@ struct ShapeDescription {
     std::size_t index = 0;           ///< file: of its meshes, where the format holds several
     glm::dvec3 center{0.0};          ///< sphere
     double radius = 1.0;             ///< sphere, cylinder
+    int segments = 0;                ///< sphere: see make_sphere(); 0: by its size in the picture
     glm::dvec3 p0{0.0};              ///< cylinder: the ends of its axis
     glm::dvec3 p1{0.0, 0.0, 1.0};
     std::shared_ptr<const Mesh> mesh;  ///< mesh: itself, the scene file holds it; validated
@@ -98,6 +99,7 @@ struct EnvironmentDescription {
     double dop_max = 0.8;            ///< sky: degree of polarization at 90 degrees from the sun, in [0, 1]
     double turbidity = 0.0;          ///< sky: 0, light scattered once; or 1.7 to 10, very clear to hazy
     ColorDescription ground_albedo{0.2};  ///< sky with turbidity: 0 to 1
+    bool sun = false;                     ///< sky: whether the sun's own disc lights the scene as well
     glm::dmat4 to_world{1.0};             ///< affine and invertible; only its rotation matters
 };
 

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "files/suffix.hpp"
+#include "geometry/mesh.hpp"
 #include "import/plugin.hpp"
 #include "import/readers.hpp"
 #include "import/text.hpp"
@@ -44,6 +45,12 @@ void read_mesh(Plugin& plugin, ShapeDescription& shape) {
     shape.flip_tex_coords = plugin.boolean("flip_tex_coords", has_upward_texcoords(shape.filename));
 }
 
+void read_segments(Plugin& plugin, ShapeDescription& shape) {
+    shape.segments = plugin.integer("segments", 0, 0, kMaxSphereSegments);
+    if (shape.segments % 2 != 0)
+        plugin.fail("segments", "is " + std::to_string(shape.segments) + "; expected an even number");
+}
+
 }  // namespace
 
 ShapeDescription read_shape(const XmlDocument& document, pugi::xml_node node, Notices& notices,
@@ -57,6 +64,7 @@ ShapeDescription read_shape(const XmlDocument& document, pugi::xml_node node, No
     } else if (shape.kind == ShapeKind::sphere) {
         shape.center = plugin.vector("center", shape.center);
         shape.radius = plugin.number("radius", shape.radius, 0.0, kNoLimit, true);
+        read_segments(plugin, shape);
     } else if (shape.kind == ShapeKind::cylinder) {
         shape.p0 = plugin.vector("p0", shape.p0);
         shape.p1 = plugin.vector("p1", shape.p1);

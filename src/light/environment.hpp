@@ -171,7 +171,10 @@ struct RayleighSky {
     /// Albedo of the ground, used with turbidity: 0..1, one for all channels or one per channel.
     std::vector<double> ground_albedo{0.2};
 };
-/// Throws Error(invalid_argument) that names the member that is out of range.
+/// Returns the unit vector to the sun. Throws Error(invalid_argument) that names the member that is out of
+/// range.
+[[nodiscard]] glm::dvec3 unit_sun(const RayleighSky& sky);
+/// Throws what unit_sun() throws.
 [[nodiscard]] EnvironmentPtr rayleigh_sky(const RayleighSky& sky);
 
 }  // namespace nicol

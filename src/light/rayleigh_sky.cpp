@@ -99,7 +99,7 @@ private:
 
 }  // namespace
 
-EnvironmentPtr rayleigh_sky(const RayleighSky& sky) {
+glm::dvec3 unit_sun(const RayleighSky& sky) {
     // The direction is scaled first, so that the squared length neither overflows nor underflows.
     const glm::dvec3 a = glm::abs(sky.sun_direction);
     const double largest = std::max({a.x, a.y, a.z});
@@ -110,7 +110,7 @@ EnvironmentPtr rayleigh_sky(const RayleighSky& sky) {
     if (!(sky.dop_max >= 0 && sky.dop_max <= 1))
         throw Error(ErrorCode::invalid_argument, "rayleigh_sky: dop_max must be 0 to 1");
     check_radiance("rayleigh_sky", sky.radiance);
-    if (sky.turbidity == 0) return std::make_shared<RayleighEnvironment>(sky, scaled / length);
+    if (sky.turbidity == 0) return scaled / length;
     if (!(sky.turbidity >= 1.7 && sky.turbidity <= 10))
         throw Error(ErrorCode::invalid_argument, "rayleigh_sky: turbidity must be 0, or 1.7 to 10");
     if (sky.ground_albedo.size() != 1 && sky.ground_albedo.size() != sky.radiance.size())
@@ -123,7 +123,13 @@ EnvironmentPtr rayleigh_sky(const RayleighSky& sky) {
     if (scaled.y < 0)
         throw Error(ErrorCode::invalid_argument,
                     "rayleigh_sky: with turbidity, sun_direction must not point below the horizon (y < 0)");
-    return image_environment(turbid_sky_image(sky, scaled / length));
+    return scaled / length;
+}
+
+EnvironmentPtr rayleigh_sky(const RayleighSky& sky) {
+    const glm::dvec3 sun = unit_sun(sky);
+    if (sky.turbidity == 0) return std::make_shared<RayleighEnvironment>(sky, sun);
+    return image_environment(turbid_sky_image(sky, sun));
 }
 
 }  // namespace nicol

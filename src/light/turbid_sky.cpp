@@ -51,6 +51,17 @@ double zenith_chromaticity(const ZenithTable& table, double turbidity, double z)
     return result;
 }
 
+/// Returns PerezSky::at() of a direction on or above the horizon.
+std::array<double, 3> color_at(const PerezSky& perez, const glm::dvec3& sun, const glm::dvec3& view) {
+    // Perez's formula divides by this cosine, so the limit stands for the horizon itself.
+    const double height = std::max(view.y, 1e-4);
+    return perez.at(height, std::atan2(glm::length(glm::cross(sun, view)), glm::dot(sun, view)));
+}
+
+Frame frame_of(int x, int y) {
+    return equirect_frame((x + 0.5) / kWidth, y / (kHeight - 1.0));
+}
+
 }  // namespace
 
 PerezSky::PerezSky(double t, double sun_zenith)
@@ -79,6 +90,13 @@ std::array<double, 3> linear_srgb(const std::array<double, 3>& c) {
     return linear_rgb(x, y, z);
 }
 
+double scale_to_mean_one(const PerezSky& perez, const glm::dvec3& sun) {
+    double luminance = 0;
+    for (int y = 0; y <= kHorizonRow; ++y)
+        for (int x = 0; x < kWidth; ++x) luminance += color_at(perez, sun, -frame_of(x, y)[2])[0] * solid_angle(y);
+    return 2 * pi / luminance;
+}
+
 EquirectImage turbid_sky_image(const RayleighSky& sky, const glm::dvec3& sun) {
     const int channels = static_cast<int>(sky.radiance.size());
     const PerezSky perez(sky.turbidity, std::acos(std::clamp(sun.y, 0.0, 1.0)));
@@ -86,13 +104,11 @@ EquirectImage turbid_sky_image(const RayleighSky& sky, const glm::dvec3& sun) {
     double luminance = 0;
     for (int y = 0; y <= kHorizonRow; ++y) {
         for (int x = 0; x < kWidth; ++x) {
-            const Frame frame = equirect_frame((x + 0.5) / kWidth, y / (kHeight - 1.0));
+            const Frame frame = frame_of(x, y);
             const glm::dvec3 view = -frame[2];
             const glm::dvec3 e = glm::cross(sun, view);
             const double cosine = glm::dot(sun, view);
-            // Perez's formula divides by this cosine, so the limit stands for the horizon itself.
-            const double height = std::max(view.y, 1e-4);
-            const std::array<double, 3> color = perez.at(height, std::atan2(glm::length(e), cosine));
+            const std::array<double, 3> color = color_at(perez, sun, view);
             const std::array<double, 3> rgb = linear_srgb(color);
             luminance += color[0] * solid_angle(y);
 

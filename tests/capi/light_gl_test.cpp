@@ -262,6 +262,38 @@ STAGE_TEST_CASE("a light's channels must fit, and light of red, green and blue m
     CHECK(channels == 5);
 }
 
+TEST_CASE("the sun of a sky is a light from the sky's sun") {
+    nicol_sky sky = NICOL_SKY_INIT;
+    sky.turbidity = 3;
+    const float direction[] = {1, 2, 2};
+    std::copy_n(direction, 3, sky.sun_direction);
+    sky.radiance = spectrum({0.5});
+    nicol_light sun = NICOL_LIGHT_INIT;
+    OK(nicol_sky_get_sun(&sky, &sun));
+    CHECK(sun.kind == NICOL_LIGHT_DIRECTIONAL);
+    CHECK(sun.angular_radius == doctest::Approx(0.27));
+    CHECK(sun.value.count == 3);
+    CHECK(sun.value.values[0] > sun.value.values[2]);
+    // The light travels along its +z, away from the sun.
+    for (int i = 0; i < 3; ++i) CHECK(sun.to_world[4 * i + 2] == doctest::Approx(-direction[i] / 3));
+    sky.sun_direction[1] = -1;
+    REFUSES(nicol_sky_get_sun(&sky, &sun), "below the horizon");
+    REFUSES(nicol_sky_get_sun(&sky, nullptr), "light");
+}
+
+STAGE_TEST_CASE("spheres have as many segments as asked for") {
+    for (const std::uint32_t segments : {2U, 6U, 38U, 76U}) {
+        const Owned ball(make(nicol_mesh_create_divided_sphere, stage.context, segments));
+        std::uint32_t vertices = 0, triangles = 0;
+        OK(nicol_mesh_get_size(ball, &vertices, &triangles));
+        CHECK(vertices == 10 * segments * segments + 2);
+    }
+    nicol_mesh none = marker<nicol_mesh>();
+    for (const std::uint32_t segments : {0U, 3U, 514U})
+        REFUSES(nicol_mesh_create_divided_sphere(stage.context, segments, &none), "it must be even, 2 to 512");
+    CHECK(none == marker<nicol_mesh>());
+}
+
 STAGE_TEST_CASE("the cylinder and the disc") {
     const double p0[] = {0, 0, 0}, p1[] = {0, 0, 2};
     std::uint32_t vertices = 0, triangles = 0;

@@ -137,6 +137,26 @@ STAGE_TEST_CASE("all channels are interleaved, in both formats, with and without
     }
 }
 
+STAGE_TEST_CASE("the plane behind a polarizer is that of an ideal one at its angle") {
+    OK(stage.try_render(plain_options()));
+    std::vector<float> stokes(std::size_t{24} * 16 * 3 * 4), passed(stokes.size() / 4);
+    nicol_plane_buffer to = buffer(NICOL_PLANE_STOKES, NICOL_FORMAT_FLOAT32, NICOL_ALL_CHANNELS,
+                                   stokes.data(), 4 * stokes.size());
+    OK(nicol_framebuffer_read_plane(stage.framebuffer, &to));
+    for (const double angle : {0.0, 45.0, 90.0, 135.0, -30.0, 400.0}) {
+        to = buffer(NICOL_PLANE_POLARIZER, NICOL_FORMAT_FLOAT32, NICOL_ALL_CHANNELS, passed.data(),
+                    4 * passed.size());
+        to.polarizer_angle = angle;
+        OK(nicol_framebuffer_read_plane(stage.framebuffer, &to));
+        const double twice = angle * std::numbers::pi / 90;
+        for (std::size_t i = 0; i < passed.size(); ++i) {
+            const float* const s = stokes.data() + 4 * i;
+            REQUIRE(double(passed[i]) == doctest::Approx(0.5 * (double(s[0]) + std::cos(twice) * double(s[1]) +
+                                                                std::sin(twice) * double(s[2]))));
+        }
+    }
+}
+
 STAGE_TEST_CASE("planes of surfaces come in their formats") {
     nicol_render_options options = plain_options();
     options.aovs = NICOL_AOV_ALL;

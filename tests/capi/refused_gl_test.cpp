@@ -469,7 +469,8 @@ STAGE_TEST_CASE("planes that do not fit are refused and nothing is written") {
     good.byte_size = 4 * pixels.size();
     using B = nicol_plane_buffer;
     check_wrong(good, [&](const B& to) { return nicol_framebuffer_read_plane(stage.framebuffer, &to); },
-                {{"plane is 13", [](B& b) { b.plane = 13; }},
+                {{"plane is 14", [](B& b) { b.plane = 14; }},
+                 {"polarizer_angle", [](B& b) { b.plane = NICOL_PLANE_POLARIZER, b.polarizer_angle = NAN; }},
                  {"plane", [](B& b) { b.plane = UINT32_MAX; }},
                  {"format", [](B& b) { b.format = 4; }},
                  {"NICOL_FORMAT_FLOAT32", [](B& b) { b.format = NICOL_FORMAT_UINT32; }},

@@ -241,6 +241,8 @@ TEST_CASE("skies with turbidity") {
     const EnvironmentDescription plain = emitter(sun + "</emitter>");
     CHECK(plain.turbidity == 0.0);
     CHECK(plain.ground_albedo.rgb == glm::dvec3(0.2));
+    CHECK_FALSE(plain.sun);
+    CHECK(emitter(sun + "<boolean name='sun' value='true'/></emitter>").sun);
     const EnvironmentDescription hazy = emitter(
         sun +
         "<float name='turbidity' value='3'/><rgb name='ground_albedo' value='0.1, 0.2, 0.3'/></emitter>");

@@ -176,6 +176,13 @@ class Success(RenderTest):
         self.assertEqual(a, d)
         self.assertNotEqual(a, c)
 
+    def test_polarizer_images(self):
+        self.assert_succeeds("good.xml", "-o", "out/a.exr", "--images", "out/angles", "--polarizers", "0,45,-22.5")
+        images = [name for name in sorted(os.listdir(self.path("out/angles"))) if name.startswith("polarizer")]
+        self.assertEqual(images, ["polarizer_-22.5.png", "polarizer_0.png", "polarizer_45.png"])
+        self.assert_fails(["--polarizers", "--images"], "good.xml", "-o", "out/a.exr", "--polarizers", "0")
+        self.assert_fails(["--polarizers", "'x'"], "good.xml", "-o", "out/b.exr", "--images", "out/b", "--polarizers", "x")
+
     def test_images_and_statistics(self):
         self.assert_succeeds("good.xml", "-o", "out/a.exr", "--images", "out/deep/er", "--stats", "out/s.json")
         images = sorted(os.listdir(self.path("out/deep/er")))

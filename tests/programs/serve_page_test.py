@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 # Tests of nicol-serve's page in a browser. The command line: the program, then the arguments of unittest.
+import json
 import os
 import struct
 import sys
@@ -165,6 +166,26 @@ class Desktop(Page):
         self.assertAlmostEqual(float(self.text("dolp").rstrip(" %")), degree, delta=0.1)
         self.assertTrue(self.browser.evaluate("document.getElementById('path').getAttribute('d').startsWith('M')"))
         self.assertIn("ms to render and fetch", self.text("time"))
+
+    def test_crosshair_stands_at_the_probe(self):
+        x, y = (a + b for a, b in zip(self.centre(), (40, -30)))
+        self.browser.mouse("mouseMoved", x, y)
+        place = "(() => { const b = document.getElementById('cross').getBoundingClientRect(); return [b.left + b.width / 2, b.top + b.height / 2]; })()"
+        for wanted, found in zip((x, y), self.browser.evaluate(place)):
+            self.assertAlmostEqual(wanted, found, delta=2)
+
+    def test_thumbnails_choose_scenes(self):
+        count = len(json.loads(self.server.get("/scenes").body)["scenes"])
+        self.browser.wait(f"document.querySelectorAll('#scenes img').length === {count} && "
+                          "[...document.querySelectorAll('#scenes img')].every((i) => i.naturalWidth > 0)")  # fmt: skip
+        pressed = "[...document.querySelectorAll('#scenes button')].map((b) => b.getAttribute('aria-pressed'))"
+        self.assertEqual(self.browser.evaluate(pressed), ["true"] + (count - 1) * ["false"])
+        before = self.image()
+        self.browser.evaluate("document.querySelectorAll('#scenes button')[1].click()")
+        self.settle()
+        self.assertEqual(self.browser.evaluate(pressed)[:2], ["false", "true"])
+        self.assertEqual(self.browser.evaluate("document.getElementById('scene').selectedIndex"), 1)
+        self.assertNotEqual(before, self.image())
 
     def test_scenes(self):
         before = self.image()

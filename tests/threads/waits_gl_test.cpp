@@ -30,6 +30,7 @@ Names functions_of_contexts(bool in_host) {
                       "nicol_camera_set_opencv",
                       "nicol_camera_get_opencv",
                       "nicol_camera_frame",
+                      "nicol_sky_get_sun",
                       "nicol_sensor_set_preset",
                       "nicol_sensor_load",
                       "nicol_sensor_add_element",

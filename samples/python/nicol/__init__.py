@@ -226,10 +226,10 @@ def _raw_image(pixels):
 class Framebuffer(_abi.Framebuffer):
     __doc__ = _abi.Framebuffer.__doc__
 
-    def plane(self, plane=_abi.PLANE_STOKES, channel=0, out=None):
+    def plane(self, plane=_abi.PLANE_STOKES, channel=0, out=None, polarizer_angle=0):
         """Returns one plane as an array (height, width), with three numbers per pixel for normals and positions, and four for
         Stokes vectors and their variance. It is a numpy array, or a memoryview without numpy. channel ALL_CHANNELS: (height, width,
-        channels) and so on. Numbers are 32-bit floats, for PLANE_INSTANCE unsigned integers. If `out` is given, the library writes
+        channels) and so on. polarizer_angle: of PLANE_POLARIZER, degrees. Numbers are 32-bit floats, for PLANE_INSTANCE unsigned integers. If `out` is given, the library writes
         into it: it may hold 16-bit floats, and may be part of a larger array if its rows are contiguous."""
         width, height, channels = self.get_size()
         shape = (height, width)
@@ -249,7 +249,7 @@ class Framebuffer(_abi.Framebuffer):
         self.read_plane(
             _abi.PlaneBuffer(
                 plane=plane, format=_FORMATS[kind], channel=channel, pixels=out, row_stride=row_stride,
-                byte_size=row_stride * (height - 1) + view[:1].nbytes,
+                byte_size=row_stride * (height - 1) + view[:1].nbytes, polarizer_angle=polarizer_angle,
             )
         )  # fmt: skip
         return out

@@ -133,6 +133,7 @@ PLANE_INSTANCE = 10
 NO_INSTANCE = 4294967295
 PLANE_VARIANCE = 11
 PLANE_ALPHA = 12
+PLANE_POLARIZER = 13
 FORMAT_AUTOMATIC = 0
 FORMAT_FLOAT32 = 1
 FORMAT_FLOAT16 = 2
@@ -429,6 +430,15 @@ class Sky(Struct):
     radiance: Any
     turbidity: float
     ground_albedo: float
+
+    def get_sun(self) -> Light:
+        """Fills a light with the sun of a sky: directional, with an angular_radius of 0.27 degrees, from sun_direction,
+        in the units of the sky's radiance. Its irradiance is that of a black body of 5778 K and 128 klx beyond the
+        atmosphere, behind the air, the haze and the ozone of the sky's turbidity (Preetham et al. 1999). A sky of
+        turbidity 0 gets the sun of turbidity 1.7. A sun below the horizon has an irradiance of 0."""
+        light = Light()
+        check(_sky_get_sun(byref(self), byref(light)))
+        return light
 
 
 class EnvironmentLoadOptions(Struct):
@@ -1567,7 +1577,9 @@ class PlaneBuffer(Struct):
         without channels need 0.
     pixels: Room for [row][column][channel][component], first row at the top; aligned to its numbers.
     row_stride: Bytes from row to row, a multiple of a number's size; 0, the default: tightly packed.
-    byte_size: room at pixels, bytes; checked"""
+    byte_size: room at pixels, bytes; checked
+    polarizer_angle: NICOL_PLANE_POLARIZER: angle of the polarizer, degrees counter-clockwise from image right, finite,
+        default 0."""
     _fields_ = [
         ("struct_size", c_uint32),
         ("plane", c_uint32),
@@ -1576,6 +1588,7 @@ class PlaneBuffer(Struct):
         ("pixels", c_void_p),
         ("row_stride", c_uint64),
         ("byte_size", c_uint64),
+        ("polarizer_angle", c_double),
     ]
     plane: Any
     format: Any
@@ -1583,6 +1596,7 @@ class PlaneBuffer(Struct):
     pixels: Any
     row_stride: int
     byte_size: int
+    polarizer_angle: float
 
 
 class Observation(Struct):
@@ -1831,8 +1845,8 @@ class TextureTarget(Struct):
     texture: OpenGL's name of the texture
     bottom_up: Meaning of row 0. 0, the default: the image's top; 1: the image's bottom, as in OpenGL's own
         images.
-    encoding: Encoding of the images S0 and POLARIZER, default linear. SRGB8_ALPHA8 gets the encoded numbers
-        unchanged.
+    encoding: Encoding of the images S0, POLARIZER, DOLP and AOLP, default linear: the numbers whose sRGB encoding a
+        PNG file has. SRGB8_ALPHA8 gets the encoded numbers unchanged.
     depth_texture: Depth texture of the host's, of the same size and with the same row 0; default 0: none. The image is
         then drawn only where its surfaces are nearer than the texture's depths, and its depths replace these:
         what the host has drawn hides Nicol's surfaces, and these hide what the host draws next. Pixels without
@@ -2400,6 +2414,14 @@ class Mesh(Handle):
         return mesh
 
     @classmethod
+    def create_divided_sphere(cls, context: Context, segments: int) -> Self:
+        """Creates the same sphere with a number of segments: the parts into which each edge of an icosahedron is cut,
+        even, 2 to 512. The sphere has 10 segments^2 + 2 vertices. nicol_mesh_create_sphere has 38 segments."""
+        mesh = cls()
+        check(_mesh_create_divided_sphere(context, segments, byref(mesh)))
+        return mesh
+
+    @classmethod
     def create_rectangle(cls, context: Context) -> Self:
         """Creates the rectangle [-1, 1]^2 in the plane z = 0, facing +z, with the texture coordinates of Mitsuba 3's
         rectangle."""
@@ -2803,7 +2825,8 @@ class Framebuffer(Handle):
         nicol_framebuffer_read copies, in red, green, blue and alpha; components that the plane does not have are
         0, and alpha 1. The texture may also be of GL_R16F or GL_R32F for one component, and is of GL_R32UI for
         NICOL_PLANE_INSTANCE. Returns NICOL_ERROR_INVALID_ARGUMENT for NICOL_PLANE_VARIANCE, which is not on the
-        device, and NICOL_ERROR_UNSUPPORTED for a framebuffer whose context is not a host's."""
+        device, and for NICOL_PLANE_POLARIZER, which nicol_framebuffer_draw_observation draws, and
+        NICOL_ERROR_UNSUPPORTED for a framebuffer whose context is not a host's."""
         check(_framebuffer_draw_plane(self, plane, channel, byref(target) if target is not None else None))
 
     def draw_stokes(self, channel: int, target: TextureTarget) -> None:
@@ -3208,6 +3231,7 @@ MeshData._init = declare("nicol_mesh_data_init", c_int32, POINTER(MeshData), c_u
 _mesh_load = declare("nicol_mesh_load", c_int32, Context, c_char_p, POINTER(Mesh))
 _mesh_create = declare("nicol_mesh_create", c_int32, Context, POINTER(MeshData), POINTER(Mesh))
 _mesh_create_sphere = declare("nicol_mesh_create_sphere", c_int32, Context, POINTER(Mesh))
+_mesh_create_divided_sphere = declare("nicol_mesh_create_divided_sphere", c_int32, Context, c_uint32, POINTER(Mesh))
 _mesh_create_rectangle = declare("nicol_mesh_create_rectangle", c_int32, Context, POINTER(Mesh))
 _mesh_create_cube = declare("nicol_mesh_create_cube", c_int32, Context, POINTER(Mesh))
 _mesh_create_disk = declare("nicol_mesh_create_disk", c_int32, Context, POINTER(Mesh))
@@ -3224,6 +3248,7 @@ _camera_get_opencv = declare("nicol_camera_get_opencv", c_int32, POINTER(Camera)
 _camera_frame = declare("nicol_camera_frame", c_int32, POINTER(Camera), POINTER(c_double), POINTER(c_double), c_uint32, c_uint32)
 Polarization._init = declare("nicol_polarization_init", c_int32, POINTER(Polarization), c_uint32)
 Light._init = declare("nicol_light_init", c_int32, POINTER(Light), c_uint32)
+_sky_get_sun = declare("nicol_sky_get_sun", c_int32, POINTER(Sky), POINTER(Light))
 Emission._init = declare("nicol_emission_init", c_int32, POINTER(Emission), c_uint32)
 PolarizationElement._init = declare("nicol_polarization_element_init", c_int32, POINTER(PolarizationElement), c_uint32)
 Instance._init = declare("nicol_instance_init", c_int32, POINTER(Instance), c_uint32)
@@ -3488,6 +3513,7 @@ __all__ = [
     "PLANE_DOLP",
     "PLANE_INSTANCE",
     "PLANE_NORMAL",
+    "PLANE_POLARIZER",
     "PLANE_POSITION",
     "PLANE_S0",
     "PLANE_S1",

@@ -138,6 +138,7 @@ pub const NICOL_PLANE_INSTANCE: u32 = 10;
 pub const NICOL_NO_INSTANCE: u32 = 4294967295;
 pub const NICOL_PLANE_VARIANCE: u32 = 11;
 pub const NICOL_PLANE_ALPHA: u32 = 12;
+pub const NICOL_PLANE_POLARIZER: u32 = 13;
 pub const NICOL_FORMAT_AUTOMATIC: u32 = 0;
 pub const NICOL_FORMAT_FLOAT32: u32 = 1;
 pub const NICOL_FORMAT_FLOAT16: u32 = 2;
@@ -1338,10 +1339,11 @@ pub struct nicol_plane_buffer {
     pub pixels: *mut c_void,
     pub row_stride: u64,
     pub byte_size: u64,
+    pub polarizer_angle: f64,
 }
 defaults!(nicol_plane_buffer, nicol_plane_buffer_init);
 const _: () = {
-    assert!(size_of::<nicol_plane_buffer>() == 40);
+    assert!(size_of::<nicol_plane_buffer>() == 48);
     assert!(offset_of!(nicol_plane_buffer, struct_size) == 0);
     assert!(offset_of!(nicol_plane_buffer, plane) == 4);
     assert!(offset_of!(nicol_plane_buffer, format) == 8);
@@ -1349,6 +1351,7 @@ const _: () = {
     assert!(offset_of!(nicol_plane_buffer, pixels) == 16);
     assert!(offset_of!(nicol_plane_buffer, row_stride) == 24);
     assert!(offset_of!(nicol_plane_buffer, byte_size) == 32);
+    assert!(offset_of!(nicol_plane_buffer, polarizer_angle) == 40);
 };
 pub type nicol_observation_kind = u32;
 
@@ -1919,6 +1922,9 @@ extern "C" {
     /// Creates the unit sphere, divided finely enough for per-vertex shading, with the texture coordinates of
     /// Mitsuba 3's sphere.
     pub fn nicol_mesh_create_sphere(context: nicol_context, mesh: *mut nicol_mesh) -> nicol_result;
+    /// Creates the same sphere with a number of segments: the parts into which each edge of an icosahedron is cut,
+    /// even, 2 to 512. The sphere has 10 segments^2 + 2 vertices. nicol_mesh_create_sphere has 38 segments.
+    pub fn nicol_mesh_create_divided_sphere(context: nicol_context, segments: u32, mesh: *mut nicol_mesh) -> nicol_result;
     /// Creates the rectangle [-1, 1]^2 in the plane z = 0, facing +z, with the texture coordinates of Mitsuba 3's
     /// rectangle.
     pub fn nicol_mesh_create_rectangle(context: nicol_context, mesh: *mut nicol_mesh) -> nicol_result;
@@ -1960,6 +1966,11 @@ extern "C" {
     pub fn nicol_camera_frame(camera: *mut nicol_camera, lower: *const [f64; 3], upper: *const [f64; 3], width: u32, height: u32) -> nicol_result;
     pub fn nicol_polarization_init(descriptor: *mut nicol_polarization, struct_size: u32) -> nicol_result;
     pub fn nicol_light_init(descriptor: *mut nicol_light, struct_size: u32) -> nicol_result;
+    /// Fills a light with the sun of a sky: directional, with an angular_radius of 0.27 degrees, from sun_direction,
+    /// in the units of the sky's radiance. Its irradiance is that of a black body of 5778 K and 128 klx beyond the
+    /// atmosphere, behind the air, the haze and the ozone of the sky's turbidity (Preetham et al. 1999). A sky of
+    /// turbidity 0 gets the sun of turbidity 1.7. A sun below the horizon has an irradiance of 0.
+    pub fn nicol_sky_get_sun(sky: *const nicol_sky, light: *mut nicol_light) -> nicol_result;
     pub fn nicol_emission_init(descriptor: *mut nicol_emission, struct_size: u32) -> nicol_result;
     pub fn nicol_polarization_element_init(descriptor: *mut nicol_polarization_element, struct_size: u32) -> nicol_result;
     pub fn nicol_instance_init(descriptor: *mut nicol_instance, struct_size: u32) -> nicol_result;
@@ -2209,7 +2220,8 @@ extern "C" {
     /// nicol_framebuffer_read copies, in red, green, blue and alpha; components that the plane does not have are
     /// 0, and alpha 1. The texture may also be of GL_R16F or GL_R32F for one component, and is of GL_R32UI for
     /// NICOL_PLANE_INSTANCE. Returns NICOL_ERROR_INVALID_ARGUMENT for NICOL_PLANE_VARIANCE, which is not on the
-    /// device, and NICOL_ERROR_UNSUPPORTED for a framebuffer whose context is not a host's.
+    /// device, and for NICOL_PLANE_POLARIZER, which nicol_framebuffer_draw_observation draws, and
+    /// NICOL_ERROR_UNSUPPORTED for a framebuffer whose context is not a host's.
     pub fn nicol_framebuffer_draw_plane(framebuffer: nicol_framebuffer, plane: nicol_plane, channel: u32, target: *const nicol_texture_target) -> nicol_result;
     /// Draws the plane NICOL_PLANE_STOKES.
     pub fn nicol_framebuffer_draw_stokes(framebuffer: nicol_framebuffer, channel: u32, target: *const nicol_texture_target) -> nicol_result;

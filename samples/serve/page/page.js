@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The page: state, requests for images, and display of numbers.
 import { listenToDial, listenToKeys, listenToImage } from "/controls.js";
-import { showProbe } from "/probe.js";
+import { markProbe, showProbe } from "/probe.js";
 import { Stokes } from "/stokes.js";
+import { addThumbnails } from "/thumbnails.js";
 import { VIEWS, View, drawWheel } from "/view.js";
 
 const element = (id) => document.getElementById(id);
@@ -83,6 +84,7 @@ function draw() {
   view.draw(state);
   const sides = [stokes.width, stokes.height];
   showProbe(stokes, ...state.probe.map((part, i) => Math.min(Math.floor(part * sides[i]), sides[i] - 1)));
+  markProbe(canvas, ...state.probe);
 }
 
 // ---------------------------------------------------------------- changes
@@ -127,6 +129,9 @@ function nudge(dx, dy) {
 }
 
 function choose(scene) {
+  element("scene").selectedIndex = scenes.indexOf(scene);
+  element("scenes").dataset.chosen = scene.id;
+  for (const button of element("scenes").children) button.setAttribute("aria-pressed", button.title === scene.id);
   const { azimuth, elevation, distance } = scene;
   // The scene's camera may do things that an orbit cannot, such as roll, so it is used until something moves.
   Object.assign(state, { scene, azimuth, elevation, distance, moved: false });
@@ -150,6 +155,7 @@ function build() {
   element("light").addEventListener("change", (event) => (state.dragLight = event.target.checked));
   element("exposure").addEventListener("input", (event) => change({ exposure: Number(event.target.value) }));
   drawWheel(element("wheel"));
+  new ResizeObserver(() => stokes && markProbe(canvas, ...state.probe)).observe(canvas);
   listenToImage(canvas, { state, move, hover: probe });
   listenToDial(element("dial"), { state, change });
   listenToKeys(canvas, { state, move, change, nudge, views: VIEWS, reset: () => choose(state.scene) });
@@ -169,6 +175,7 @@ async function start() {
     build();
     change({});
     choose(scenes[0]);
+    addThumbnails(element("scenes"), scenes, choose);
   } catch (error) {
     say(error.message);
   }

@@ -18,6 +18,17 @@ function ellipsePath({ aolp, degree, ellipticity }) {
   return `M${points.join("L")}`;
 }
 
+// Puts the crosshair on a place of the image, given in parts of its width and height.
+export function markProbe(canvas, x, y) {
+  const fit = Math.min(canvas.clientWidth / canvas.width, canvas.clientHeight / canvas.height);
+  const place = (start, room, side, part) => `${start + (room - side * fit) / 2 + part * side * fit}px`;
+  Object.assign(element("cross").style, {
+    left: place(canvas.offsetLeft, canvas.clientWidth, canvas.width, x),
+    top: place(canvas.offsetTop, canvas.clientHeight, canvas.height, y),
+    visibility: "visible",
+  });
+}
+
 export function showProbe(stokes, x, y) {
   const vector = stokes.at(x, y), state = polarization(vector);
   element("pixel").textContent = `${x}, ${y}`;

@@ -40,9 +40,9 @@ void main() {
     float value = mean[shown - 1] / scale[shown - 1];
     result = vec3(max(-value, 0.0), max(value, 0.0), 0.0);
   } else if (shown == 5)
-    result = vec3(degree);
+    result = srgb(vec3(degree));
   else
-    result = degree * hue(0.5 * atan(mean.z, mean.y) / 3.14159265);
+    result = srgb(vec3(degree)) * hue(0.5 * atan(mean.z, mean.y) / 3.14159265);
   if (halved && abs(gl_FragCoord.x - 0.5 * size.x) < 1.0) result = vec3(0.6, 0.8, 1.0);
   colour = vec4(result, 1.0);
 }`;
