@@ -3,31 +3,12 @@
 
 import nicol
 import numpy as np
+from shapes import lathe
 
 # Profiles as (radius, height), from the middle of the bottom outwards, up and back inside.
 TUMBLER = [(0, 0), (0.32, 0), (0.34, 0.03), (0.4, 0.95), (0.385, 0.97), (0.37, 0.95), (0.31, 0.12), (0.28, 0.09), (0, 0.08)]
 BOTTLE = [(0, 0), (0.36, 0), (0.4, 0.05), (0.4, 1.1), (0.32, 1.3), (0.15, 1.5), (0.13, 1.9), (0.16, 1.93), (0.16, 2), (0, 2)]
 TRAY = [(0, 0), (1.15, 0), (1.25, 0.1), (1.22, 0.1), (1.13, 0.03), (0, 0.03)]
-
-
-def lathe(context, profile, columns=96):
-    """Returns the mesh of a profile that is rotated about the vertical axis; its corners are rounded."""
-    points = np.array(profile, float)
-    for _ in range(3):  # Chaikin's subdivision
-        cut = np.stack([0.8 * points[:-1] + 0.2 * points[1:], 0.2 * points[:-1] + 0.8 * points[1:]], 1).reshape(-1, 2)
-        points = np.concatenate([points[:1], cut, points[-1:]])
-    points = points[np.concatenate([[True], np.hypot(*np.diff(points, axis=0).T) > 1e-9])]
-    points[[0, -1], 0] = 1e-4
-    angles = 2 * np.pi * np.arange(columns) / columns
-    radius, height = points.T
-    places = np.stack(
-        [np.outer(radius, np.cos(angles)), np.outer(height, np.ones(columns)), np.outer(radius, np.sin(angles))], -1
-    ).reshape(-1, 3)
-    row, column = (i.ravel() for i in np.indices((len(points) - 1, columns)))
-    at = lambda r, c: r * columns + c % columns  # noqa: E731
-    here, above, across, beside = at(row, column), at(row + 1, column), at(row + 1, column + 1), at(row, column + 1)
-    corners = [here, above, across, here, across, beside]
-    return nicol.Mesh.create(context, nicol.mesh_data(places, np.stack(corners, -1).reshape(-1, 3)))
 
 
 def make_scene(context, environment):

@@ -87,6 +87,14 @@ class PictureTest(unittest.TestCase):
             self.assertIsNone(render(self.scene, self.scene.get_camera(), None, framebuffer))
             self.assertGreater(nicol.Picture(framebuffer).s0.max(), 0)
 
+    def test_scenes_that_no_file_describes(self):
+        context = nicol.default_context()
+        scene = nicol.Scene.create(context)
+        scene.set_environment(nicol.Environment.create_constant(context, [0.5, 0.5, 0.5]), None, 1)
+        picture = nicol.render(scene, nicol.Camera(), size=SIZE, quality="realtime")
+        self.assertTrue(numpy.allclose(picture.s0, 0.5, atol=1e-3))
+        self.assertTrue(numpy.allclose(nicol.render(scene, nicol.Camera(), size=SIZE).s0, 0.5, atol=1e-3))
+
     def test_keywords_replace_defaults_of_the_file(self):
         turned = nicol.render(nicol.load(SCENE, light_angle=200), size=SIZE)
         self.assertGreater(numpy.abs(turned.s0 - self.picture.s0).max(), 0.01)

@@ -24,6 +24,7 @@ def default_context() -> Context:
 class Scene(_abi.Scene):
     __doc__ = _abi.Scene.__doc__
     context: Context
+    has_film = False  # whether a file gave the scene a camera, a film and samples
 
     @classmethod
     def create(cls, context: Context) -> Scene:  # type: ignore[override]
@@ -39,6 +40,7 @@ class Scene(_abi.Scene):
         """Loads a scene from a file, see nicol_scene_load."""
         scene = super().load(context, path, definitions)
         scene.context = context
+        scene.has_film = True
         return scene
 
     def get_instance_ids(self, ids: Any = None) -> Any:
@@ -213,15 +215,17 @@ render.__doc__ = str(render.__doc__) + str(_abi.render.__doc__)
 
 
 def _options_of(scene: Scene, quality: str | int | None, fields: dict[str, Any]) -> _abi.RenderOptions:
-    """Returns options as nicol-render has them for a scene."""
+    """Returns options as nicol-render has them for a scene; of a scene that was not loaded, those of a file that says nothing."""
     options = _abi.RenderOptions()
-    options.pixel_samples = min(scene.get_sample_count() or _SAMPLES_WITHOUT_SAMPLER, _MOST_SAMPLES)
+    samples = scene.get_sample_count() if scene.has_film else 0
+    options.pixel_samples = min(samples or _SAMPLES_WITHOUT_SAMPLER, _MOST_SAMPLES)
     if quality is not None:
         options.set_quality(constant("quality", quality))
-    options.filter = scene.get_filter()
+    if scene.has_film:
+        options.filter = scene.get_filter()
     for name, value in fields.items():
         setattr(options, name, value)
-    if "max_depth" not in fields and options.method != _abi.METHOD_DENSE and options.shadows:
+    if scene.has_film and "max_depth" not in fields and options.method != _abi.METHOD_DENSE and options.shadows:
         depth = scene.get_max_depth()
         options.max_depth = 0 if depth == 1 and options.method != _abi.METHOD_REFERENCE else depth
     return options
