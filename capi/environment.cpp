@@ -125,9 +125,7 @@ nicol_result nicol_environment_create_constant(nicol_context context, const nico
 
 nicol_result nicol_environment_create_sky(nicol_context context, const nicol_sky* sky,
                                           nicol_environment* environment) {
-    return create(context, environment, "environment", [&] {
-        return rayleigh_sky(sky_from(sky));
-    });
+    return create(context, environment, "environment", [&] { return rayleigh_sky(sky_from(sky)); });
 }
 
 nicol_result nicol_environment_create_psh(nicol_context context, uint32_t order, uint32_t channels,

@@ -1069,10 +1069,10 @@ typedef struct nicol_light {
 /* clang-format on */
 NICOL_API nicol_result nicol_light_init(nicol_light* descriptor, uint32_t struct_size);
 
-/* Fills a light with the sun of a sky: directional, with an angular_radius of 0.27 degrees, from sun_direction,
- * in the units of the sky's radiance. Its irradiance is that of a black body of 5778 K and 128 klx beyond the
- * atmosphere, behind the air, the haze and the ozone of the sky's turbidity (Preetham et al. 1999). A sky of
- * turbidity 0 gets the sun of turbidity 1.7. A sun below the horizon has an irradiance of 0. */
+/* Fills a light with the sun of a sky: directional, angular_radius 0.27 degrees, from sun_direction, in the
+ * units of the sky's radiance. It is a black body of 5778 K and 128 klx beyond the atmosphere, behind the
+ * air, haze and ozone of the turbidity (Preetham et al. 1999). A sky of turbidity 0 gets the sun of turbidity
+ * 1.7. A sun below the horizon has an irradiance of 0. */
 NICOL_API nicol_result nicol_sky_get_sun(const nicol_sky* sky, nicol_light* light);
 
 /* Emission of an instance, in addition to its reflection. */

@@ -47,7 +47,7 @@ def make_view(context):
     lacquer = nicol.Material.create_pplastic(context, nicol.Pplastic(diffuse_reflectance=[0.02, 0.004, 0.004], alpha=0.12))
     shapes.add(scene, nicol.Mesh.create_rectangle(context), lacquer, shapes.placed(scale=9, axes=shapes.FLOOR))
     shapes.add(scene, hammered(context), gold)
-    for place, size in (((2.35, 0.4, 0.9), 0.4), ((1.85, 0.22, 1.75), 0.22), ((-2.2, 0.3, 1.0), 0.3)):
+    for place, size in (((2.3, 0.42, 0.55), 0.42), ((1.55, 0.24, 1.55), 0.24), ((-2.0, 0.3, 0.75), 0.3)):
         shapes.add(scene, nicol.Mesh.create_sphere(context), gold, shapes.placed(place, size))
-    camera = nicol.Camera(fov=40).look_at((0.9, 3.0, 7.2), (0.1, 0.5, 0), (0, 1, 0))
-    return shapes.View(scene, camera, polarizer=90, exposure=0.2, max_depth=5)
+    camera = nicol.Camera(fov=42).look_at((0.8, 2.7, 7.6), (0.15, 0.5, 0), (0, 1, 0))
+    return shapes.View(scene, camera, polarizer=90, exposure=0.5, max_depth=5)

@@ -22,14 +22,14 @@ struct Options {
     std::vector<std::string> definitions;  ///< "name=value"
     std::string environment;               ///< file; empty: the environment of the scene
     double rotate_environment = 0;         ///< degrees about the world's y, counter-clockwise seen from above
-    std::vector<double> look_at;  ///< empty, or place and target of the camera, and its fov in degrees
-    double exposure = 0;          ///< of --images, stops
-    std::string images;           ///< folder; empty: none
+    std::vector<double> look_at;     ///< empty, or place and target of the camera, and its fov in degrees
+    double exposure = 0;             ///< of --images, stops
+    std::string images;              ///< folder; empty: none
     std::vector<double> polarizers;  ///< angles of polarizer images in that folder, degrees
-    std::string mosaic;           ///< file of the raw image; empty: none
-    std::string sensor;           ///< file; empty: the library's default
-    std::uint64_t frame = 0;      ///< number of the raw image's noise
-    std::string stats;            ///< file or kStandardOutput; empty: none
+    std::string mosaic;              ///< file of the raw image; empty: none
+    std::string sensor;              ///< file; empty: the library's default
+    std::uint64_t frame = 0;         ///< number of the raw image's noise
+    std::string stats;               ///< file or kStandardOutput; empty: none
     nicol_backend backend = NICOL_BACKEND_AUTOMATIC;
     std::uint32_t device = 0;  ///< number in the library's list; 0: any
     std::uint32_t aovs = 0;    ///< NICOL_AOV_...

@@ -116,14 +116,14 @@ void flip_normals(Mesh& mesh);
 /// Parts of each edge of the icosahedron of make_sphere() at detail 1, and the most that readers accept.
 inline constexpr int kSphereSegments = 38, kMaxSphereSegments = 512;
 
-/// Returns a sphere of 14,442 vertices: an icosahedron whose edges are cut in kSphereSegments. Vertices lie on the sphere,
-/// its points on the coordinate axes among them, and normals are exact. No edge spans more than 2.0 degrees,
-/// so shading interpolated between vertices misses a function of order l by at most 1.6e-4 l^2 of its
-/// amplitude, and the flat triangles lie at most 2.1e-4 radius below the sphere. `detail`, above 0, times
-/// kSphereSegments is rounded up to an even number of segments; the errors grow by 1 / detail^2. u is the
-/// azimuth about z, from +x towards +y, over 2 pi, and exceeds 1 in triangles that cross the seam; v is the
-/// angle from +z over pi. Throws Error(invalid_argument) unless the centre is finite and the radius positive
-/// and finite.
+/// Returns a sphere of 14,442 vertices: an icosahedron whose edges are cut in kSphereSegments. Vertices lie
+/// on the sphere, its points on the coordinate axes among them, and normals are exact. No edge spans more
+/// than 2.0 degrees, so shading interpolated between vertices misses a function of order l by at most 1.6e-4
+/// l^2 of its amplitude, and the flat triangles lie at most 2.1e-4 radius below the sphere. `detail`, above
+/// 0, times kSphereSegments is rounded up to an even number of segments; the errors grow by 1 / detail^2. u
+/// is the azimuth about z, from +x towards +y, over 2 pi, and exceeds 1 in triangles that cross the seam; v
+/// is the angle from +z over pi. Throws Error(invalid_argument) unless the centre is finite and the radius
+/// positive and finite.
 [[nodiscard]] Mesh make_sphere(const glm::dvec3& center = glm::dvec3(0.0), double radius = 1.0,
                                double detail = 1.0);
 

@@ -170,8 +170,8 @@ Observation dolp_image(const StokesImage& image, int channel) {
     check_channel(image, channel, "dolp_image");
     const PixelReader pixels(image, channel);
     Observation observation =
-        blank(image, "Degree of linear polarization", "DoLP, grey, sRGB curve, " + channel_text(image, channel),
-              "code 255 is DoLP = 1");
+        blank(image, "Degree of linear polarization",
+              "DoLP, grey, sRGB curve, " + channel_text(image, channel), "code 255 is DoLP = 1");
     observation.srgb = true;
     for (std::size_t i = 0; i < pixels.size(); ++i)
         for (std::size_t c = 0; c < 3; ++c) observation.rgb[3 * i + c] = code(srgb_curve(dolp_of(pixels[i])));

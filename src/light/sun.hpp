@@ -7,11 +7,11 @@
 
 namespace nicol {
 
-/// Returns the sun that lights rayleigh_sky(sky), a directional light of 0.27 degrees in the units of the sky's
-/// radiance: a black body of 5778 K and 128 klx beyond the atmosphere, times the transmittances that Preetham et
-/// al. (1999) give for air, haze and ozone. Channels are those of the sky: linear sRGB for three, else
-/// luminance. A sky of turbidity 0 gets the sun of turbidity 1.7. A sun below the horizon has no irradiance.
-/// Throws what unit_sun() throws.
+/// Returns the sun that lights rayleigh_sky(sky), a directional light of 0.27 degrees in the units of the
+/// sky's radiance: a black body of 5778 K and 128 klx beyond the atmosphere, times the transmittances that
+/// Preetham et al. (1999) give for air, haze and ozone. Channels are those of the sky: linear sRGB for three,
+/// else luminance. A sky of turbidity 0 gets the sun of turbidity 1.7. A sun below the horizon has no
+/// irradiance. Throws what unit_sun() throws.
 [[nodiscard]] LocalLight sun_of(const RayleighSky& sky);
 
 }  // namespace nicol

@@ -93,7 +93,8 @@ std::array<double, 3> linear_srgb(const std::array<double, 3>& c) {
 double scale_to_mean_one(const PerezSky& perez, const glm::dvec3& sun) {
     double luminance = 0;
     for (int y = 0; y <= kHorizonRow; ++y)
-        for (int x = 0; x < kWidth; ++x) luminance += color_at(perez, sun, -frame_of(x, y)[2])[0] * solid_angle(y);
+        for (int x = 0; x < kWidth; ++x)
+            luminance += color_at(perez, sun, -frame_of(x, y)[2])[0] * solid_angle(y);
     return 2 * pi / luminance;
 }
 

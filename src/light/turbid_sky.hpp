@@ -24,8 +24,8 @@ private:
     std::array<double, 3> factor_;       // value at the zenith over the shape's value there
 };
 
-/// Returns the factor that takes a luminance of at(), kcd/m^2, to that of a sky whose mean over the upper half
-/// is 1.
+/// Returns the factor that takes a luminance of at(), kcd/m^2, to that of a sky whose mean over the upper
+/// half is 1.
 [[nodiscard]] double scale_to_mean_one(const PerezSky& perez, const glm::dvec3& sun);
 
 /// Returns the linear sRGB of a luminance and chromaticity, which may be negative outside the gamut.

@@ -290,7 +290,8 @@ STAGE_TEST_CASE("spheres have as many segments as asked for") {
     }
     nicol_mesh none = marker<nicol_mesh>();
     for (const std::uint32_t segments : {0U, 3U, 514U})
-        REFUSES(nicol_mesh_create_divided_sphere(stage.context, segments, &none), "it must be even, 2 to 512");
+        REFUSES(nicol_mesh_create_divided_sphere(stage.context, segments, &none),
+                "it must be even, 2 to 512");
     CHECK(none == marker<nicol_mesh>());
 }
 

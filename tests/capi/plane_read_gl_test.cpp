@@ -151,8 +151,9 @@ STAGE_TEST_CASE("the plane behind a polarizer is that of an ideal one at its ang
         const double twice = angle * std::numbers::pi / 90;
         for (std::size_t i = 0; i < passed.size(); ++i) {
             const float* const s = stokes.data() + 4 * i;
-            REQUIRE(double(passed[i]) == doctest::Approx(0.5 * (double(s[0]) + std::cos(twice) * double(s[1]) +
-                                                                std::sin(twice) * double(s[2]))));
+            REQUIRE(double(passed[i]) ==
+                    doctest::Approx(0.5 * (double(s[0]) + std::cos(twice) * double(s[1]) +
+                                           std::sin(twice) * double(s[2]))));
         }
     }
 }

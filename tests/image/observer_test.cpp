@@ -104,7 +104,8 @@ TEST_CASE("DoLP is 0 to 1 whatever the light") {
     const Observation observation = dolp_image(image);
     CHECK(observation.srgb);
     for (int x = 0; x < 9; ++x) {
-        const int grey = expected[x] == 0.5f ? 188 : static_cast<int>(255 * expected[x]);  // sRGB of a half is 188
+        const int grey =
+            expected[x] == 0.5f ? 188 : static_cast<int>(255 * expected[x]);  // sRGB of a half is 188
         CHECK(pixel(observation, x) == Rgb{grey, grey, grey});
     }
 }
@@ -123,7 +124,9 @@ TEST_CASE("AoLP is counter-clockwise from image right, in (-pi/2, pi/2]") {
     CHECK(plane.values[10] == 0);
 }
 
-TEST_CASE("the AoLP wheel: 0 red, +45 yellow-green, 90 cyan, -45 violet; DoLP is saturation, or value with the sRGB curve") {
+TEST_CASE(
+    "the AoLP wheel: 0 red, +45 yellow-green, 90 cyan, -45 violet; DoLP is saturation, or value with the "
+    "sRGB curve") {
     const StokesImage image = row_of({linear(0),
                                       linear(45),
                                       linear(90),

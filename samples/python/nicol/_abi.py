@@ -432,10 +432,10 @@ class Sky(Struct):
     ground_albedo: float
 
     def get_sun(self) -> Light:
-        """Fills a light with the sun of a sky: directional, with an angular_radius of 0.27 degrees, from sun_direction,
-        in the units of the sky's radiance. Its irradiance is that of a black body of 5778 K and 128 klx beyond the
-        atmosphere, behind the air, the haze and the ozone of the sky's turbidity (Preetham et al. 1999). A sky of
-        turbidity 0 gets the sun of turbidity 1.7. A sun below the horizon has an irradiance of 0."""
+        """Fills a light with the sun of a sky: directional, angular_radius 0.27 degrees, from sun_direction, in the
+        units of the sky's radiance. It is a black body of 5778 K and 128 klx beyond the atmosphere, behind the
+        air, haze and ozone of the turbidity (Preetham et al. 1999). A sky of turbidity 0 gets the sun of turbidity
+        1.7. A sun below the horizon has an irradiance of 0."""
         light = Light()
         check(_sky_get_sun(byref(self), byref(light)))
         return light

@@ -1966,10 +1966,10 @@ extern "C" {
     pub fn nicol_camera_frame(camera: *mut nicol_camera, lower: *const [f64; 3], upper: *const [f64; 3], width: u32, height: u32) -> nicol_result;
     pub fn nicol_polarization_init(descriptor: *mut nicol_polarization, struct_size: u32) -> nicol_result;
     pub fn nicol_light_init(descriptor: *mut nicol_light, struct_size: u32) -> nicol_result;
-    /// Fills a light with the sun of a sky: directional, with an angular_radius of 0.27 degrees, from sun_direction,
-    /// in the units of the sky's radiance. Its irradiance is that of a black body of 5778 K and 128 klx beyond the
-    /// atmosphere, behind the air, the haze and the ozone of the sky's turbidity (Preetham et al. 1999). A sky of
-    /// turbidity 0 gets the sun of turbidity 1.7. A sun below the horizon has an irradiance of 0.
+    /// Fills a light with the sun of a sky: directional, angular_radius 0.27 degrees, from sun_direction, in the
+    /// units of the sky's radiance. It is a black body of 5778 K and 128 klx beyond the atmosphere, behind the
+    /// air, haze and ozone of the turbidity (Preetham et al. 1999). A sky of turbidity 0 gets the sun of turbidity
+    /// 1.7. A sun below the horizon has an irradiance of 0.
     pub fn nicol_sky_get_sun(sky: *const nicol_sky, light: *mut nicol_light) -> nicol_result;
     pub fn nicol_emission_init(descriptor: *mut nicol_emission, struct_size: u32) -> nicol_result;
     pub fn nicol_polarization_element_init(descriptor: *mut nicol_polarization_element, struct_size: u32) -> nicol_result;
