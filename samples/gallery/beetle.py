@@ -1,13 +1,15 @@
 # SPDX-License-Identifier: MIT
-"""A beetle whose cuticle reflects left circular light alone, as that of rose chafers does. A right circular polarizer, shown in place
-of a linear one, leaves only what the clear outer layer reflects.
+"""A beetle whose cuticle reflects left circular light alone, as that of rose chafers does. A right circular polarizer, shown in
+place of a linear one, leaves only what the clear outer layer reflects.
 
-The cuticle is a function in Python: layers whose direction turns with depth (a cholesteric structure) reflect one handedness around the
-wavelength that fits their pitch, which moves to blue as the angle grows; over them lies a smooth clear layer.
+The cuticle is a table in the form of measured materials: layers whose direction turns with depth (a cholesteric structure)
+reflect one handedness around the wavelength that fits their pitch, which moves to blue as the angle grows. Over them lies a clear layer.
 """
 
 import os
+import struct
 import sys
+import tempfile
 
 import nicol
 import numpy as np
@@ -17,39 +19,57 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."
 
 import make_meshes as surfaces  # noqa: E402
 
-WAVELENGTHS = 611.0, 549.0, 464.0  # nm, of red, green and blue
-PITCH, WIDTH = 575.0, 75.0  # nm: wavelength reflected along the normal, and the width of the band
-ROUGHNESS, INDEX = 0.16, 1.56
+WAVELENGTHS = np.arange(420, 701, 40)  # nm
+PITCH, WIDTH = 585.0, 62.0  # nm: wavelength reflected along the normal, and the width of the band
+ROUGHNESS, INDEX = 0.17, 1.56
 
 
-def cuticle(channel, towards_light, towards_viewer):
-    """Returns the Mueller matrix of one colour channel, row by row, 1/sr."""
-    (ax, ay, az), (bx, by, bz) = towards_light, towards_viewer
-    hx, hy, hz = ax + bx, ay + by, az + bz
-    length = (hx * hx + hy * hy + hz * hz) ** 0.5
-    hz /= length
-    cosine = (ax * hx + ay * hy) / length + az * hz
+def cuticle(theta_h, theta_d, phi_d):
+    """Returns Mueller matrices [phi_d][theta_d][theta_h][wavelength][4][4], 1/sr, and NaN below the surface."""
+    phi, d, h = np.meshgrid(phi_d, theta_d, theta_h, indexing="ij")
+    half = np.stack([np.sin(h), 0 * h, np.cos(h)], -1)
+    across = np.array([0.0, 1.0, 0.0])
+    tangent = np.cross(across, half)
+    side = np.sin(d)[..., None] * (np.cos(phi)[..., None] * tangent + np.sin(phi)[..., None] * across)
+    z_light, z_viewer = ((np.cos(d)[..., None] * half + sign * side)[..., 2] for sign in (1, -1))
+    there = (z_light > 0.02) & (z_viewer > 0.02)
     a2 = ROUGHNESS**2
-    facets = a2 / (np.pi * (hz * hz * (a2 - 1) + 1) ** 2)
-    shadow = 1.0
-    for z in (az, bz):
-        shadow *= 2 * z / (z + (a2 + (1 - a2) * z * z) ** 0.5)
-    lobe = facets * shadow / (4 * az * bz)
-    inside = (1 - (1 - cosine * cosine) / INDEX**2) ** 0.5
+    lobe = a2 / (np.pi * (np.cos(h) ** 2 * (a2 - 1) + 1) ** 2)
+    for z in (np.where(there, z_light, 1), np.where(there, z_viewer, 1)):
+        lobe = lobe / (z + np.sqrt(a2 + (1 - a2) * z * z))
+    cosine, inside = np.cos(d), np.sqrt(1 - (np.sin(d) / INDEX) ** 2)
     rs = (cosine - INDEX * inside) / (cosine + INDEX * inside)
     rp = (INDEX * cosine - inside) / (INDEX * cosine + inside)
     mean, split, both = (rs * rs + rp * rp) / 2, (rs * rs - rp * rp) / 2, rs * rp
-    band = np.exp(-(((WAVELENGTHS[channel] - PITCH * inside) / WIDTH) ** 2))
-    left = 0.42 * (1 - mean) ** 2 * band  # half of the light has the other handedness
-    out = [0.0] * 16
-    out[0], out[1], out[4], out[5] = mean, split, split, mean
-    out[10] = out[15] = both
+    matrices = np.zeros((*h.shape, len(WAVELENGTHS), 4, 4))
+    for (row, column), value in {(0, 0): mean, (1, 1): mean, (0, 1): split, (1, 0): split, (2, 2): both, (3, 3): both}.items():
+        matrices[..., row, column] += (lobe * value)[..., None]
     # A reflector of left circular light: what it reflects is left circular again.
-    for at, value in ((0, left), (3, -left), (12, -left), (15, left)):
-        out[at] += value
-    out = [lobe * value for value in out]
-    out[0] += (0.008, 0.012, 0.006)[channel] / np.pi
-    return out
+    band = np.exp(-(((WAVELENGTHS - PITCH * inside[..., None]) / WIDTH) ** 2))
+    left = 0.45 * (lobe * (1 - mean) ** 2)[..., None] * band
+    for (row, column), sign in {(0, 0): 1, (0, 3): -1, (3, 0): -1, (3, 3): 1}.items():
+        matrices[..., row, column] += sign * left
+    matrices[..., 0, 0] += 0.008 / np.pi
+    matrices[~there] = np.nan
+    return matrices.astype(np.float32)
+
+
+def write_table(path):
+    """Writes the cuticle as a .pbsdf file."""
+    theta_h = np.pi / 2 * np.linspace(0, 1, 48) ** 2
+    theta_d = np.linspace(0, np.pi / 2, 31)
+    phi_d = np.linspace(-np.pi, np.pi, 25)
+    fields = {"theta_h": theta_h[None], "theta_d": theta_d[None], "phi_d": phi_d[None], "wvls": WAVELENGTHS[None],
+              "M": cuticle(theta_h, theta_d, phi_d)}  # fmt: skip
+    at = 18 + sum(2 + len(name) + 11 + 8 * values.ndim for name, values in fields.items())
+    head, body = b"tensor_file\0" + struct.pack("<BBI", 1, 0, len(fields)), b""
+    for name, values in fields.items():
+        kind, form = (3, "<u2") if name == "wvls" else (10, "<f4")
+        head += struct.pack("<H", len(name)) + name.encode() + struct.pack("<HBQ", values.ndim, kind, at + len(body))
+        head += struct.pack(f"<{values.ndim}Q", *values.shape)
+        body += values.astype(form).tobytes()
+    with open(path, "wb") as file:
+        file.write(head + body)
 
 
 def halves(p, wing):
@@ -103,7 +123,10 @@ def make_view(context):
         ((0, 0.1, -1), 120, 40, (0.25, 0.35, 0.15)),
     ]  # fmt: skip
     scene.set_environment(shapes.studio(context, light, ambient=0.12), None, 1)
-    shell = nicol.Material.create_callback(context, nicol.CallbackMaterial(mueller=cuticle, channels=3, lobe_width=0.2))
+    with tempfile.TemporaryDirectory() as folder:
+        table = os.path.join(folder, "cuticle.pbsdf")
+        write_table(table)
+        shell = nicol.Material.load_measured(context, table)
     horn = nicol.Material.create_pplastic(context, nicol.Pplastic(diffuse_reflectance=[0.02, 0.012, 0.008], alpha=0.15))
     green = nicol.Material.create_pplastic(context, nicol.Pplastic(diffuse_reflectance=[0.06, 0.16, 0.02], alpha=0.3))
     green = nicol.Material.create_twosided(context, green)

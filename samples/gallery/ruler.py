@@ -19,9 +19,10 @@ WAVELENGTHS = 611, 549, 464  # nm, of red, green and blue
 def stress(x, y):
     """Returns sigma_xx, sigma_yy and sigma_xy of the bent ruler, in orders of interference at 549 nm."""
     half, deep = LENGTH / 2, HEIGHT / 2
-    moment = np.clip(1 - np.abs(x) / (0.92 * half), 0, None)
+    moment = np.logaddexp(0, 14 * (1 - np.hypot(x, 0.15) / (0.92 * half))) / 14
     bending = -4.2 * moment * y / deep
-    shear = 0.75 * np.sign(x) * (np.abs(x) < 0.92 * half) * (1 - (y / deep) ** 2)
+    between = np.tanh((0.92 * half - np.abs(x)) / 0.15) / 2 + 0.5
+    shear = 0.75 * np.tanh(x / 0.2) * between * (1 - (y / deep) ** 2)
     # The load in the middle and the supports press on small places (Flamant): -P cos(angle) / distance, along the distance.
     total = np.array([bending, 0 * x, shear])
     for at, edge, load in ((0.0, deep, 0.62), (-0.92 * half, -deep, 0.36), (0.92 * half, -deep, 0.36)):
@@ -45,7 +46,7 @@ def retarders(channel):
     size = 0.5 * LENGTH / columns, 0.5 * HEIGHT / rows, 1
     for place, axis, retardance in zip(zip(x, y), angle, 360 * order * WAVELENGTHS[1] / WAVELENGTHS[channel]):
         yield nicol.PolarizationElement(
-            kind=nicol.POLARIZATION_ELEMENT_RETARDER, angle=axis, retardance=retardance, transmittance=0.93,
+            kind=nicol.POLARIZATION_ELEMENT_RETARDER, angle=axis, retardance=retardance, transmittance=0.86,
             to_world=list(shapes.placed((*place, 0), size).ravel()),
         )  # fmt: skip
 
@@ -57,7 +58,7 @@ def make_scene(context, channel):
     square, cube, ball = nicol.Mesh.create_rectangle(context), nicol.Mesh.create_cube(context), nicol.Mesh.create_sphere(context)
     glow = (0.98, 0.95, 0.86)[channel]
     panel = nicol.Emission(radiance=[glow], polarization=nicol.Polarization(dolp=1, axis=[1, 1, 0]))
-    shapes.add(scene, square, black, shapes.placed((0, 0, -1.5), (6, 4, 1)), panel)
+    shapes.add(scene, square, black, shapes.placed((0, 0, -1.5), (6, 6, 1)), panel)
     # Marks every tenth of a unit, the load and the supports.
     for i, x in enumerate(np.arange(-3.6, 3.61, 0.1)):
         long = 0.3 if i % 10 == 0 else 0.22 if i % 5 == 0 else 0.14

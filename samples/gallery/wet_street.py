@@ -54,7 +54,7 @@ def make_view(context):
     square, cube, ball = nicol.Mesh.create_rectangle(context), nicol.Mesh.create_cube(context), nicol.Mesh.create_sphere(context)
     black = nicol.Material.create_diffuse(context, 0.02)
     stone = nicol.Material.create_pplastic(context, nicol.Pplastic(diffuse_reflectance=[0.1, 0.085, 0.075], alpha=0.4))
-    x, z = np.meshgrid(np.linspace(-4.6, 4.6, 24), np.linspace(9, -46, 120))
+    x, z = np.meshgrid(np.linspace(4.6, -4.6, 24), np.linspace(9, -46, 120))
     road = shapes.sheet(context, np.stack([x, 0 * x, z], -1), repeats=(5, 1))
     shapes.add(scene, road, asphalt(context))
     for side in (-1, 1):
@@ -65,7 +65,6 @@ def make_view(context):
             shapes.add(scene, cube, stone, shapes.placed((side * 8.8, tall, place[2]), (2.2, tall, wide)))
             rows = int(tall)
             image = nicol.Texture.create_image(context, nicol.texture_image(windows(0.33, random, rows, 5)), nicol.TextureOptions(raw=1))
-            axes = np.array([[0, 0, -side], [0, 1, 0], [side, 0, 0]]).T if side < 0 else np.array([[0, 0, -1], [0, 1, 0], [-1, 0, 0]], float).T
             axes = np.stack([[0, 0, side], [0, 1, 0], [-side, 0, 0]], 1).astype(float)
             front = nicol.Emission(radiance=[0.55], texture=image)
             shapes.add(scene, square, black, shapes.placed((side * 6.58, tall, place[2]), (wide, tall, 1), axes), front)
@@ -76,5 +75,5 @@ def make_view(context):
             colour = [95, 60, 26] if side > 0 else [48, 66, 100]
             lamp = nicol.Emission(radiance=colour, polarization=nicol.Polarization(dolp=1, axis=axis))
             shapes.add(scene, ball, black, shapes.placed(at, 0.17), lamp)
-    camera = nicol.Camera(fov=58).look_at((0.5, 1.5, 8.5), (0, 1.75, -8), (0, 1, 0))
+    camera = nicol.Camera(fov=58).look_at((0.5, 1.7, 8.5), (0, 1.35, -8), (0, 1, 0))
     return shapes.View(scene, camera, polarizer=90, exposure=1.0, max_depth=3)
