@@ -133,5 +133,5 @@ def make_view(context):
     shapes.add(scene, mesh(context, lambda p: halves(p, True), (-2.2, -0.8, -1.0), (1.5, 1.0, 1.0), 0.032), shell)
     shapes.add(scene, mesh(context, legs, (-2.55, -0.7, -2.3), (1.8, 0.4, 2.3), 0.035), horn)
     shapes.add(scene, leaf(context), green)
-    camera = nicol.Camera(fov=34).look_at((-3.4, 3.6, 5.6), (-0.25, -0.15, 0), (0, 1, 0))
+    camera = nicol.Camera(fov=40).look_at((-3.2, 3.7, 5.8), (-0.3, -0.2, 0.05), (0, 1, 0))
     return shapes.View(scene, camera, polarizer=0, exposure=0.2, circular=1)

@@ -22,12 +22,12 @@ def stress(x, y):
     moment = np.logaddexp(0, 14 * (1 - np.hypot(x, 0.15) / (0.92 * half))) / 14
     bending = -4.2 * moment * y / deep
     between = np.tanh((0.92 * half - np.abs(x)) / 0.15) / 2 + 0.5
-    shear = 0.75 * np.tanh(x / 0.2) * between * (1 - (y / deep) ** 2)
+    shear = 0.75 * np.tanh(x / 0.35) * between * (1 - (y / deep) ** 2)
     # The load in the middle and the supports press on small places (Flamant): -P cos(angle) / distance, along the distance.
     total = np.array([bending, 0 * x, shear])
     for at, edge, load in ((0.0, deep, 0.62), (-0.92 * half, -deep, 0.36), (0.92 * half, -deep, 0.36)):
         dx, dy = x - at, edge - y
-        distance = np.hypot(dx, dy) + 0.05
+        distance = np.hypot(dx, dy) + 0.11
         radial = -load * np.abs(dy) / distance**2
         total += radial * np.array([(dx / distance) ** 2, (dy / distance) ** 2, -dx * dy / distance**2])
     # The mould left some stress along the edges.
@@ -55,7 +55,7 @@ def make_scene(context, channel):
     """Returns the scene of one colour, without the ruler's cells."""
     scene = nicol.Scene.create(context)
     black = nicol.Material.create_diffuse(context, 0.0)
-    square, cube, ball = nicol.Mesh.create_rectangle(context), nicol.Mesh.create_cube(context), nicol.Mesh.create_sphere(context)
+    square, cube, ball = nicol.Mesh.create_rectangle(context), nicol.Mesh.create_cube(context), nicol.Mesh.create_divided_sphere(context, 8)
     glow = (0.98, 0.95, 0.86)[channel]
     panel = nicol.Emission(radiance=[glow], polarization=nicol.Polarization(dolp=1, axis=[1, 1, 0]))
     shapes.add(scene, square, black, shapes.placed((0, 0, -1.5), (6, 6, 1)), panel)
@@ -100,5 +100,5 @@ class Ruler(shapes.View):
 
 
 def make_view(context):
-    camera = nicol.Camera(fov=34).look_at((0, 0.1, DISTANCE), (0, 0.1, 0), (0, 1, 0))
+    camera = nicol.Camera(fov=32.5).look_at((0, 0.1, DISTANCE), (0, 0.1, 0), (0, 1, 0))
     return Ruler([make_scene(context, channel) for channel in range(3)], camera, polarizer=-45, shadows=0)

@@ -56,7 +56,7 @@ def main():
             path = os.path.join(given.output, name)
             for kind, image in zip(("s0", "dolp", "polarizer"), images):
                 gallery.write_png(f"{path}_{kind}.png", image)
-            gallery.write_png(path + ".png", gallery.sheet([[smaller(image, 3) for image in images]]))
+            gallery.write_png(path + ".png", gallery.sheet([[smaller(image, max(1, size[0] // 640)) for image in images]]))
 
 
 if __name__ == "__main__":

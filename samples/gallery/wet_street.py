@@ -51,7 +51,7 @@ def make_view(context):
     random = np.random.default_rng(2)
     scene = nicol.Scene.create(context)
     scene.set_environment(nicol.Environment.create_constant(context, [0.006, 0.008, 0.014]), None, 1)
-    square, cube, ball = nicol.Mesh.create_rectangle(context), nicol.Mesh.create_cube(context), nicol.Mesh.create_sphere(context)
+    square, cube, ball = nicol.Mesh.create_rectangle(context), nicol.Mesh.create_cube(context), nicol.Mesh.create_divided_sphere(context, 8)
     black = nicol.Material.create_diffuse(context, 0.02)
     stone = nicol.Material.create_pplastic(context, nicol.Pplastic(diffuse_reflectance=[0.1, 0.085, 0.075], alpha=0.4))
     x, z = np.meshgrid(np.linspace(4.6, -4.6, 24), np.linspace(9, -46, 120))

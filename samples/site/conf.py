@@ -30,13 +30,34 @@ autodoc_member_order = "groupwise"
 autodoc_typehints = "none"
 
 
-def escaped(app, what, name, obj, options, lines):
-    """Docstrings are plain text. Lines that stand under each other stay so."""
-    if any(re.match(r" +\S", line) for line in lines):
-        lines[:] = ["::", "", *("   " + line for line in lines), ""]
+def escaped(line):
+    return re.sub(r"([\\*`|_])", r"\\\1", line)
+
+
+def fields_of(lines):
+    """Returns a list of fields, of lines "name: text" that go on with an indentation."""
+    out = []
+    for line in lines:
+        named = re.match(r"(\w+): (.*)", line)
+        if named:
+            out.append(f":{named[1]}: {escaped(named[2])}")
+        elif out and line.startswith(" "):
+            out[-1] += " " + escaped(line.strip())
+        else:
+            out.append(escaped(line))
+    return out
+
+
+def prepare(app, what, name, obj, options, lines):
+    """Docstrings are plain text: their lines stay where they stand under each other, and structs list their fields."""
+    at = lines.index("Fields:") if "Fields:" in lines else len(lines)
+    text, fields = lines[:at], fields_of(lines[at + 1 :])
+    if any(re.match(r" +\S", line) for line in text):
+        text = ["::", "", *("   " + line for line in text)]
     else:
-        lines[:] = [re.sub(r"([\\*`|_])", r"\\\1", line) for line in lines]
+        text = [escaped(line) for line in text]
+    lines[:] = [*text, "", *fields, ""]
 
 
 def setup(app):
-    app.connect("autodoc-process-docstring", escaped)
+    app.connect("autodoc-process-docstring", prepare)
