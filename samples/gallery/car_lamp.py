@@ -62,5 +62,5 @@ def make_view(context):
     shapes.add(scene, cube, amber, shapes.placed((2.75, 0.0, -0.22), (0.3, 0.34, 0.1), shapes.rotated(1, 18)))
     for y in (-1.55, -1.85, -2.15):
         shapes.add(scene, cube, dark, shapes.placed((0, y, 0.02), (3.4, 0.07, 0.1)))
-    camera = nicol.Camera(fov=33).look_at((2.6, 1.5, 8.6), (0.15, -0.15, 0), (0, 1, 0))
-    return shapes.View(scene, camera, polarizer=90, exposure=0.1, max_depth=4)
+    camera = nicol.Camera(fov=34).look_at((6.4, 1.7, 6.0), (0.2, -0.1, 0), (0, 1, 0))
+    return shapes.View(scene, camera, polarizer=0, exposure=0.1, max_depth=3, bake_directions=512, refine_tolerance=0)

@@ -48,6 +48,7 @@ std::uint8_t code(float unit) {
 }
 
 float srgb_curve(float unit) {
+    if (unit >= 1) return 1;  // the formula rounds to less
     return unit <= 0.0031308f ? 12.92f * unit : 1.055f * std::pow(unit, 1 / 2.4f) - 0.055f;
 }
 

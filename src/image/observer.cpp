@@ -70,6 +70,7 @@ std::uint8_t code(double unit_value) {
 }
 
 double srgb_curve(double v) {
+    if (v >= 1) return 1;  // the formula rounds to less
     return v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1 / 2.4) - 0.055;
 }
 
