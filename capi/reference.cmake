@@ -14,5 +14,7 @@ add_custom_target(reference
   COMMAND ${mark} ${PROJECT_SOURCE_DIR}/include/nicol_psh.h > reference/nicol_psh.h
   COMMAND ${mark} ${PROJECT_SOURCE_DIR}/include/nicol_files.h > reference/nicol_files.h
   COMMAND ${DOXYGEN_EXECUTABLE} ${CMAKE_CURRENT_BINARY_DIR}/reference/Doxyfile
+  COMMAND ${CMAKE_COMMAND} -E copy_directory ${CMAKE_CURRENT_SOURCE_DIR}/reference/drawings reference/html/drawings
+  COMMAND ${CMAKE_COMMAND} -E copy ${PROJECT_SOURCE_DIR}/samples/gallery/conventions.png reference/html/drawings
   WORKING_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}
   COMMENT "Writing ${CMAKE_CURRENT_BINARY_DIR}/reference/html")

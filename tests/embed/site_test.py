@@ -71,6 +71,10 @@ class SiteTest(unittest.TestCase):
     def test_parts(self):
         for path in ("index.html", "c/index.html", "samples/render/README.html", "samples/site/theory.html", "capi/reference/conventions.html"):
             self.assertTrue(os.path.exists(os.path.join(SITE, path)), path)
+        pictures = [link for link in Page(os.path.join(SITE, "c", "index.html")).links if link.endswith((".svg", ".png"))]
+        self.assertGreater(len(pictures), 10)
+        for link in pictures:
+            self.assertTrue(os.path.exists(os.path.join(SITE, "c", link)), link)
         with open(os.path.join(SITE, "samples/site/python.html"), encoding="utf-8") as file:
             self.assertIn('id="nicol.RenderOptions"', file.read())
 
