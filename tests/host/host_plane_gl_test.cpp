@@ -274,7 +274,8 @@ HOST_TEST_CASE("planes and depths that cannot be drawn are refused by name") {
     show.render(NICOL_METHOD_REFERENCE, NICOL_AOV_ALL | NICOL_AOV_VARIANCE);
     OK(draw(NICOL_PLANE_S0, 0, deep));
     check_refused({
-        {"plane is 13", [&] { return draw(13, 0, colours); }},
+        {"plane is 14", [&] { return draw(14, 0, colours); }},
+        {"nicol_framebuffer_draw_observation", [&] { return draw(NICOL_PLANE_POLARIZER, 0, colours); }},
         {"channel is 3", [&] { return draw(NICOL_PLANE_AOLP, 3, colours); }},
         {"channel must be 0", [&] { return draw(NICOL_PLANE_DEPTH, 1, colours); }},
         {"not on the device", [&] { return draw(NICOL_PLANE_VARIANCE, 0, colours); }},
