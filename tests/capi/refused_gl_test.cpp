@@ -507,7 +507,7 @@ STAGE_TEST_CASE("planes that do not fit are refused and nothing is written") {
     check_refused({
         {"byte_size", [&] { return read(NICOL_PLANE_S0, 0, 0, 24 * 16 * 4 - 1); }},
         {"row_stride", [&] { return read(NICOL_PLANE_S0, 0, 92, 6144); }},
-        {"plane is 13", [&] { return read(13, 0, 0, 6144); }},
+        {"plane is 14", [&] { return read(14, 0, 0, 6144); }},
         {"NICOL_FORMAT_UINT32", [&] { return read(NICOL_PLANE_INSTANCE, 0, 0, 6144); }},
         {"channel", [&] { return read(NICOL_PLANE_S0, NICOL_ALL_CHANNELS, 0, 6144); }},
     });
