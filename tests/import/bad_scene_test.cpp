@@ -123,6 +123,9 @@ TEST_CASE("unknown parameters, with the known ones") {
                 {":6: bsdf \"pplastic\": parameter \"alhpa\" is unknown", "alpha"});
     bad_shape("<string name='filename' value='a.obj'/>",
               {"shape \"sphere\": parameter \"filename\" is unknown", "radius"});
+    for (const char* segments : {"7", "514"})
+        bad_shape(std::string("<integer name='segments' value='") + segments + "'/>",
+                  {"\"segments\"", segments});
     bad_sensor("<float name='fov' value='40'/><float name='aperture' value='1'/>", {"\"aperture\"", "fov"});
     bad_film("<integer name='widht' value='40'/>", {"film \"hdrfilm\": parameter \"widht\"", "width"});
     invalid(a_sensor + a_shape +

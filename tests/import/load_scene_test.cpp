@@ -146,6 +146,21 @@ TEST_CASE("what fails while a scene is made names the file and the object") {
     }
 }
 
+TEST_CASE("the sun of a sky is a light that the sky's transform rotates") {
+    const SceneFile file(scene(
+        a_sensor + a_shape +
+        "<emitter type='sky'><vector name='sun_direction' x='1' y='1'/><float name='turbidity' value='3'/>"
+        "<boolean name='sun' value='true'/><transform name='to_world'><rotate y='1' angle='90'/></transform>"
+        "</emitter>"));
+    const LoadedScene loaded = load_scene(file.scene(), {});
+    REQUIRE(loaded.scene.light_ids().size() == 1);
+    const LocalLight& sun = loaded.scene.light(loaded.scene.light_ids().front());
+    CHECK(sun.kind == LocalLight::Kind::directional);
+    // 90 degrees about y take the sun from +x to -z.
+    CHECK(glm::length(glm::dvec3(sun.to_world[2]) - glm::dvec3(0, -1, 1) / std::sqrt(2.0)) < 1e-12);
+    CHECK(sun.value.size() == 3);
+}
+
 TEST_CASE("the pixels of a crop look where they do in the film, by its principal point") {
     const auto projection = [](const std::string& type, const std::string& film) {
         const SceneFile file(

@@ -55,6 +55,8 @@ TEST_CASE("primitives are as fine as their outlines need in the picture") {
         {"a light", wide + sphere("<emitter type='area'/>" + at(-100)), spheres[4]},
         {"a small picture may be drawn larger", sensor("perspective", 16) + sphere(at(-9.7)), spheres[0]},
         {"the same", sensor("perspective", 256) + sphere(at(-9.7)), spheres[0]},
+        {"few segments", wide + sphere("<integer name='segments' value='4'/>" + at(-2)), 162},
+        {"many segments", wide + sphere("<integer name='segments' value='50'/>" + at(-100)), 25002},
         {"parallel", parallel + sphere(at(-1000)), spheres[4]},
         {"parallel, small", parallel + sphere("<float name='radius' value='0.1'/>"), spheres[2]},
         {"disc of 4 rings of 45 and its centre", wide + "<shape type='disk'>" + at(-100) + "</shape>", 181},
