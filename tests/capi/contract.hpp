@@ -368,6 +368,7 @@ private:
             {"height", 4},
             {"channels", 1},
             {"device", 1},
+            {"segments", 4},
             {"vectors", 2},
             {"count", 128},
             {"coefficient_count", 128},
