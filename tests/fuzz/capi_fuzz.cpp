@@ -53,10 +53,10 @@ bool is_left_out(const std::string& name) {
 }
 /// Returns whether objects of this maker render quickly. Other objects are released as soon as they are made.
 bool is_quick(const std::string& maker) {
-    return maker != "nicol_mesh_create_rectangle" && maker != "nicol_mesh_create_cube" &&
-           maker != "nicol_material_create_pplastic" && maker != "nicol_material_create_plastic" &&
-           maker != "nicol_material_create_conductor" && maker != "nicol_material_create_callback" &&
-           maker != "nicol_environment_create_sky";
+    return maker != "nicol_mesh_create_divided_sphere" && maker != "nicol_mesh_create_rectangle" &&
+           maker != "nicol_mesh_create_cube" && maker != "nicol_material_create_pplastic" &&
+           maker != "nicol_material_create_plastic" && maker != "nicol_material_create_conductor" &&
+           maker != "nicol_material_create_callback" && maker != "nicol_environment_create_sky";
 }
 
 /// Chooses a number that is small or beyond every limit. Numbers in between are slow and test nothing new.
@@ -68,6 +68,7 @@ Slot whole_number(const std::string& name, Bytes& bytes) {
     // A length beyond the caller's own memory is the caller's fault, not a defect of the library.
     if (name.ends_with("count") && value > kMemoryDoubles) return UINT64_MAX;
     if (name == "executor" && value == NICOL_EXECUTOR_COMPUTE) return NICOL_EXECUTOR_CPU;
+    if (name == "segments" && value > 4 && value <= 512) return 4;
     if (name == "samples" && value > 64 && value <= 65537) return 1;
     if (name == "max_vertices" && (value == 0 || value > kMaxVertices)) return kMaxVertices;
     return value;
