@@ -5,6 +5,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <span>
+#include <vector>
 
 namespace nicol {
 
@@ -20,8 +21,10 @@ void VertexBuffers::update(const WorldGeometry& geometry, Version geometry_versi
             if (geometry.triangles.empty()) return;
             positions_ = std::make_shared<gl::Buffer>(context_, gl::BufferUse::vertex,
                                                       std::as_bytes(std::span(geometry.positions)));
+            std::vector<glm::uvec3> room;
+            const std::span triangles = shown_triangles(geometry, room);
             indices_ = std::make_shared<gl::IndexBuffer>(
-                context_, std::span(&geometry.triangles.front().x, 3 * geometry.triangles.size()));
+                context_, std::span(&triangles.front().x, 3 * triangles.size()));
         });
         for (int c = 0; !empty() && c < channels; ++c) {
             stokes_.push_back(std::make_shared<gl::Buffer>(context_, gl::BufferUse::vertex,

@@ -56,7 +56,7 @@ PathTracer::PathTracer(const TracedScene& scene, const SceneLights& lights, int 
 
 bool PathTracer::add(const Ray& ray, const Frame& received, const LowDiscrepancy& points, std::uint32_t index,
                      std::span<Stokes> sum, PathWorkspace& workspace) const {
-    const std::optional<RayHit> found = scene_.rays().intersect(ray);
+    const std::optional<RayHit> found = scene_.visible().intersect(ray);
     Ray seen_along = ray;
     if (found) seen_along.farthest = found->distance;
     begin(seen_along, received, sum.size(), workspace);
@@ -116,6 +116,7 @@ bool PathTracer::scatter(Path& path, const SurfaceHit& hit, const VertexPoints& 
     absorb(next->distance, workspace);
     path.found = *next;
     path.direction = vertex.in_world(towards_light);
+    path.seen = false;
     path.received = vertex.incident_frame(towards_light);
     return true;
 }
@@ -126,13 +127,16 @@ bool PathTracer::pass(Path& path, const SmoothBoundary& boundary, const SurfaceH
         sample_boundary(boundary, hit, path.received, points.at(lights_.streams()).x, workspace);
     if (!event) return false;
     workspace.body = event->body;
-    const std::optional<RayHit> next = lights_.add_arriving(event->ray, event->incident, workspace, sum);
+    const bool seen = path.seen;
+    const std::optional<RayHit> next =
+        lights_.add_arriving(event->ray, event->incident, seen, workspace, sum);
     if (!next) return false;
     absorb(next->distance, workspace);
     path = {.found = *next,
             .direction = event->ray.direction,
             .received = event->incident,
-            .radiance_scale = path.radiance_scale * event->radiance_scale};
+            .radiance_scale = path.radiance_scale * event->radiance_scale,
+            .seen = seen};
     return true;
 }
 

@@ -37,6 +37,7 @@ private:
         glm::dvec3 direction;       ///< direction of the ray that has met the surface
         Frame received;             ///< frame of the light that travels against the ray
         double radiance_scale = 1;  ///< product of BoundaryEvent::radiance_scale
+        bool seen = true;           ///< whether the camera sees the surface, directly or through smooth ones
     };
     /// Points that choose what happens at one vertex.
     struct VertexPoints {

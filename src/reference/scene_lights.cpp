@@ -97,14 +97,18 @@ void SceneLights::add_sampled(const PathVertex& vertex, const LowDiscrepancy& po
 }
 
 template <class Visit>
-bool SceneLights::visit_surfaces(Ray ray, PathWorkspace& workspace, std::optional<RayHit>& first,
-                                 const Visit& visit) const {
+bool SceneLights::visit_surfaces(Ray ray, Hiding hiding, PathWorkspace& workspace,
+                                 std::optional<RayHit>& first, const Visit& visit) const {
     if (shadows_) ++workspace.shadow_rays;
-    first = surfaces_.rays().intersect(ray);
-    for (std::optional<RayHit> found = first; found; found = surfaces_.rays().intersect(ray)) {
+    const bool seen = hiding == Hiding::visible;
+    const RayScene& rays = seen ? surfaces_.visible() : surfaces_.rays();
+    while (const std::optional<RayHit> found = rays.intersect(ray)) {
+        const TracedSurface& surface = surfaces_.surfaces()[found->surface];
+        const bool hides = seen || (hiding == Hiding::blockers && surface.blocks());
+        if (!first && (hides || !shadows_)) first = found;
         visit(*found);
-        if (shadows_) return false;
-        ray.nearest = found->distance + surfaces_.surfaces()[found->surface].ray_offset(*found);
+        if (shadows_ && hides) return false;
+        ray.nearest = found->distance + surface.ray_offset(*found);
     }
     return true;
 }
@@ -113,20 +117,23 @@ std::optional<RayHit> SceneLights::add_along(const PathVertex& vertex, const glm
                                              std::span<Stokes> sum) const {
     const Reflection at{.vertex = vertex, .workspace = vertex.workspace(), .sum = sum};
     std::optional<RayHit> first;
-    const bool sky = visit_surfaces(vertex.ray(towards_light), at.workspace, first, [&](const RayHit& found) {
+    const Hiding hiding = vertex.hit().receives_shadows ? Hiding::blockers : Hiding::none;
+    const auto visit = [&](const RayHit& found) {
         if (along()) add_area_light(at, towards_light, found);
-    });
+    };
+    const bool sky = visit_surfaces(vertex.ray(towards_light), hiding, at.workspace, first, visit);
+    if (hiding == Hiding::none) first.reset();
     if (!sky || !along()) return first;
     if (environment_ != nullptr) add_environment(at, towards_light);
     for (const SkyDisc& disc : discs_) add_disc(at, disc, towards_light);
     return first;
 }
 
-std::optional<RayHit> SceneLights::add_arriving(const Ray& ray, const Frame& received,
+std::optional<RayHit> SceneLights::add_arriving(const Ray& ray, const Frame& received, bool seen,
                                                 PathWorkspace& workspace, std::span<Stokes> sum) const {
     std::optional<RayHit> first;
-    const bool sky = visit_surfaces(
-        ray, workspace, first, [&](const RayHit& found) { add_emission(found, received, workspace, sum); });
+    const auto visit = [&](const RayHit& found) { add_emission(found, received, workspace, sum); };
+    const bool sky = visit_surfaces(ray, seen ? Hiding::visible : Hiding::blockers, workspace, first, visit);
     if (!sky) return first;
     add_sky(ray.direction, received, workspace, sum);
     for (const SkyDisc& disc : discs_) {
@@ -229,11 +236,11 @@ void SceneLights::add_area_light(const Reflection& at, const glm::dvec3& towards
 }
 
 bool SceneLights::hidden(const Reflection& at, const glm::dvec3& towards_light, double distance) const {
-    if (!shadows_) return false;
+    if (!shadows_ || !at.vertex.hit().receives_shadows) return false;
     ++at.workspace.shadow_rays;
     Ray ray = at.vertex.ray(towards_light);
     ray.farthest = std::max(0.0, distance);
-    return surfaces_.rays().occluded(ray);
+    return surfaces_.blockers().occluded(ray);
 }
 
 // Returns the density, per steradian, of the area lights' samples at a place.

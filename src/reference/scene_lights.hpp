@@ -47,13 +47,14 @@ public:
     void add_sampled(const PathVertex& vertex, const LowDiscrepancy& points, std::uint32_t index,
                      std::uint32_t stream, std::span<Stokes> sum) const;
     /// Adds the vertex's reflection of the lights with a size in a direction that PathVertex::sample() has
-    /// chosen. Returns the first surface in this direction.
+    /// chosen. Returns the first surface in this direction whose light reaches the vertex.
     std::optional<RayHit> add_along(const PathVertex& vertex, const glm::dvec3& towards_light,
                                     std::span<Stokes> sum) const;
     /// Adds the light of the lights with a size that arrives against a ray, in the frame `received` at the
-    /// path's end, as a smooth boundary shows it. Returns the first surface on the ray.
-    std::optional<RayHit> add_arriving(const Ray& ray, const Frame& received, PathWorkspace& workspace,
-                                       std::span<Stokes> sum) const;
+    /// path's end, as a smooth boundary shows it. seen: whether the camera sees the boundary, so that visible
+    /// surfaces hide light; otherwise those that cast shadows do. Returns the first of them on the ray.
+    std::optional<RayHit> add_arriving(const Ray& ray, const Frame& received, bool seen,
+                                       PathWorkspace& workspace, std::span<Stokes> sum) const;
 
 private:
     /// Light that add functions add to, at a vertex.
@@ -69,10 +70,13 @@ private:
     [[nodiscard]] double area_light_pdf(const Reflection& at, const RayHit& place) const;
     [[nodiscard]] bool hidden(const Reflection& at, const glm::dvec3& towards_light, double distance) const;
     [[nodiscard]] Stokes radiance(int channel, const glm::dvec3& towards_light) const;
-    /// Calls visit(hit) for the first surface on a ray, or for all surfaces if they hide no light. Sets
-    /// `first` to the first one. Returns whether light of the sky arrives.
+    /// Surfaces that hide what is behind them.
+    enum class Hiding { none, blockers, visible };
+    /// Calls visit(hit) for the surfaces on a ray up to the first one that hides light, or for all of them.
+    /// Sets `first` to that one, or to the first of all if nothing casts shadows. Returns whether light of
+    /// the sky arrives.
     template <class Visit>
-    bool visit_surfaces(Ray ray, PathWorkspace& workspace, std::optional<RayHit>& first,
+    bool visit_surfaces(Ray ray, Hiding hiding, PathWorkspace& workspace, std::optional<RayHit>& first,
                         const Visit& visit) const;
 
     // Each function adds, as the public functions, but also if the camera does not see emitters.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "reference/traced_scene.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 
@@ -44,7 +45,8 @@ TracedScene::TracedScene(const Scene& scene) : channels_(scene.channels()), ids_
             surfaces_.emplace_back(TracedSurface{.mesh = std::move(meshes[i]),
                                                  .front = traced(*instance.material),
                                                  .back = traced(behind ? *behind : *instance.material),
-                                                 .emission = instance.emission.get()});
+                                                 .emission = instance.emission.get(),
+                                                 .roles = instance.roles});
         if (surface.emission != nullptr)
             surface.emission_axis = axis_in_world(instance.to_world, surface.emission->state);
         triangles.push_back({.positions = surface.mesh.positions,
@@ -52,7 +54,17 @@ TracedScene::TracedScene(const Scene& scene) : channels_(scene.channels()), ids_
                              .present = surface.presence()});
         triangles_ += surface.mesh.triangles.size();
     }
-    rays_ = std::make_unique<RayScene>(triangles);
+    rays_ = std::make_shared<const RayScene>(triangles);
+    // Returns the scene of some surfaces. The others keep their numbers and have no triangles.
+    const auto only = [&](const auto& chosen) -> std::shared_ptr<const RayScene> {
+        if (std::ranges::all_of(surfaces_, chosen)) return rays_;
+        std::vector<RaySurface> some = triangles;
+        for (std::size_t i = 0; i < some.size(); ++i)
+            if (!chosen(surfaces_[i])) some[i].triangles = {};
+        return std::make_shared<const RayScene>(some);
+    };
+    visible_ = only([](const TracedSurface& surface) { return surface.roles.visible; });
+    blockers_ = only([](const TracedSurface& surface) { return surface.blocks(); });
 }
 
 TracedMaterial TracedScene::traced(const Material& material) {
@@ -70,7 +82,7 @@ TracedMaterial TracedScene::traced(const Material& material) {
 }
 
 std::optional<TracedScene::Surfel> TracedScene::first_surface(const Ray& ray) const {
-    const std::optional<RayHit> found = rays_->intersect(ray);
+    const std::optional<RayHit> found = visible_->intersect(ray);
     if (!found) return std::nullopt;
     const SurfaceHit hit = surface_at(*found, ray.direction);
     return Surfel{.instance = ids_[found->surface], .position = hit.position, .normal = hit.frame[2]};

@@ -35,7 +35,13 @@ public:
     [[nodiscard]] std::uint64_t triangles() const noexcept { return triangles_; }
     /// Returns the surfaces, one per instance, by the index in RayHit.
     [[nodiscard]] std::span<const TracedSurface> surfaces() const noexcept { return surfaces_; }
+    /// Returns all surfaces.
     [[nodiscard]] const RayScene& rays() const noexcept { return *rays_; }
+    /// Returns the surfaces that the camera sees, directly, in mirrors and through glass. RayHit::surface is
+    /// that of surfaces().
+    [[nodiscard]] const RayScene& visible() const noexcept { return *visible_; }
+    /// Returns the surfaces that hide lights.
+    [[nodiscard]] const RayScene& blockers() const noexcept { return *blockers_; }
     [[nodiscard]] const ElementsOnRay& elements() const noexcept { return elements_; }
 
     /// Returns the point where a ray along `direction` has met a surface.
@@ -64,7 +70,7 @@ private:
     std::vector<std::uint32_t> ids_;  // ids of the surfaces' instances
     std::map<const Material*, SurfaceSampler> samplers_;
     ElementsOnRay elements_;
-    std::unique_ptr<RayScene> rays_;
+    std::shared_ptr<const RayScene> rays_, visible_, blockers_;
 };
 
 }  // namespace nicol

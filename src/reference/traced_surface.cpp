@@ -118,6 +118,7 @@ SurfaceHit surface_hit(const TracedSurface& surface, const RayHit& hit, const gl
     const bool back = behind && surface.front.material->twosided();
     if (back) shading_normal = -shading_normal;
     SurfaceHit out{.side = back ? surface.back : surface.front,
+                   .receives_shadows = surface.roles.receives_shadows,
                    .position = surface.position(hit),
                    .geometric_normal = surface.geometric_normal(hit),
                    .ray_offset = surface.ray_offset(hit),

@@ -28,6 +28,12 @@ struct TracedSurface {
     TracedMaterial back;         ///< for a material that is not two-sided: as `front`
     const Emission* emission;    ///< null: the surface emits no light
     glm::dvec3 emission_axis{};  ///< axis of the emission's polarization, in the world
+    InstanceRoles roles{};
+
+    /// Returns whether the surface hides lights. Glass that the camera does not see dims nothing.
+    [[nodiscard]] bool blocks() const {
+        return roles.casts_shadows && (roles.visible || front.material->smooth_boundary() == nullptr);
+    }
 
     /// Returns the alpha mask, or none if the surface has no alpha mask. Valid as long as the surface stays
     /// at its address.
@@ -49,6 +55,7 @@ struct TracedSurface {
 /// Point of a surface where light is reflected.
 struct SurfaceHit {
     const TracedMaterial& side;  ///< material of the side that the viewer sees
+    bool receives_shadows;       ///< InstanceRoles::receives_shadows
     glm::dvec3 position;
     glm::dvec3 geometric_normal;
     double ray_offset;    ///< distance between the surface and the start of rays that leave it

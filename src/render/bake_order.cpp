@@ -27,10 +27,13 @@ float part_of_sky(const glm::vec3& point, const Disturbances& change) {
     return most;
 }
 
-std::vector<std::uint32_t> bake_order(const WorldGeometry& geometry, const Projection& projection,
+std::vector<std::uint32_t> bake_order(const WorldGeometry& geometry, std::span<const Projection> views,
                                       std::span<const float> parts, std::span<const std::uint8_t> waits) {
-    std::vector<std::uint8_t> seen;
-    find_visible(geometry, projection, seen);
+    std::vector<std::uint8_t> seen(parts.size(), 0), in_view;
+    for (const Projection& view : views) {
+        find_visible(geometry, view, in_view);
+        for (std::size_t v = 0; v < seen.size(); ++v) seen[v] |= in_view[v];
+    }
     std::vector<float> weights((parts.size() + kLanes - 1) / kLanes, 0.0F);
     for (std::size_t v = 0; v < parts.size(); ++v) {
         const float weight = (seen[v] != 0 ? 1 : kUnseen) * parts[v] * (1 + static_cast<float>(waits[v]));

@@ -20,11 +20,11 @@ inline constexpr std::uint8_t kLongestWait = 255;
 [[nodiscard]] float part_of_sky(const glm::vec3& point, const Disturbances& change);
 
 /// Returns the blocks of sixteen vertices, those to be traced first first: by the largest part of a vertex in
-/// it, far less if an image cannot show the vertex, times one more than the number of changes that the vertex
+/// it, far less if no view can show the vertex, times one more than the number of changes that the vertex
 /// has waited for. In a scene that changes in every image, each vertex therefore has its turn. parts:
 /// part_of_sky() of each vertex. waits: number of changes, up to kLongestWait.
 [[nodiscard]] std::vector<std::uint32_t> bake_order(const WorldGeometry& geometry,
-                                                    const Projection& projection,
+                                                    std::span<const Projection> views,
                                                     std::span<const float> parts,
                                                     std::span<const std::uint8_t> waits);
 

@@ -48,10 +48,8 @@ double pixel_at_nearest(const WorldGeometry& geometry, const Projection& project
     return side * std::max(nearest, projection.near_clip);
 }
 
-}  // namespace
-
-NeededVertices needed_vertices(const WorldGeometry& geometry, const Projection& projection,
-                               SurfaceRays& rays) {
+// Returns the vertices that an image needs, but not the sample of the others.
+NeededVertices needed_by(const WorldGeometry& geometry, const Projection& projection, SurfaceRays& rays) {
     Projection wide = projection;
     wide.pixel *= kMargin;
     std::vector<std::uint8_t> needed;
@@ -66,19 +64,42 @@ NeededVertices needed_vertices(const WorldGeometry& geometry, const Projection& 
     if (seen > kLeastSpared + kVerticesOfRay * pixels)
         remove_hidden(geometry, *rays.get(), projection, needed);
     const double pixel = pixel_at_nearest(geometry, projection, needed);
-    for (const VertexRange& range : geometry.ranges) {
-        const std::size_t step = std::max<std::size_t>(1, (range.last - range.first) / kSampledVertices);
-        for (std::size_t v = range.first; v < range.last; v += step) needed[v] = 1;
-    }
-    if (static_cast<std::size_t>(std::ranges::count(needed, 0)) < kLeastSpared) needed.clear();
     return {.flags = std::move(needed), .seen = std::move(facing), .pixel = pixel};
 }
 
-bool need_the_same(const Projection& a, const Projection& b) {
+void add_flags(std::vector<std::uint8_t>& sum, const std::vector<std::uint8_t>& flags) {
+    for (std::size_t v = 0; v < sum.size(); ++v) sum[v] |= flags[v];
+}
+
+bool need_the_same_vertices(const Projection& a, const Projection& b) {
     const glm::dvec2 moved = glm::abs(a.shift - b.shift);
     return a.view == b.view && a.near_clip == b.near_clip && a.far_clip == b.far_clip &&
            a.half_width == b.half_width && a.half_height == b.half_height && a.pixel == b.pixel &&
            moved.x <= a.pixel.x && moved.y <= a.pixel.y;
+}
+
+}  // namespace
+
+NeededVertices needed_vertices(const WorldGeometry& geometry, std::span<const Projection> views,
+                               SurfaceRays& rays) {
+    NeededVertices all = needed_by(geometry, views.front(), rays);
+    for (const Projection& view : views.subspan(1)) {
+        const NeededVertices more = needed_by(geometry, view, rays);
+        add_flags(all.flags, more.flags);
+        add_flags(all.seen, more.seen);
+        if (more.pixel > 0 && (all.pixel == 0 || more.pixel < all.pixel)) all.pixel = more.pixel;
+    }
+    if (all.pixel == 0) return all;  // nothing is seen
+    for (const VertexRange& range : geometry.ranges) {
+        const std::size_t step = std::max<std::size_t>(1, (range.last - range.first) / kSampledVertices);
+        for (std::size_t v = range.first; v < range.last; v += step) all.flags[v] = 1;
+    }
+    if (static_cast<std::size_t>(std::ranges::count(all.flags, 0)) < kLeastSpared) all.flags.clear();
+    return all;
+}
+
+bool need_the_same(std::span<const Projection> a, std::span<const Projection> b) {
+    return std::ranges::equal(a, b, need_the_same_vertices);
 }
 
 bool shows_others(const WorldGeometry& geometry, bool lobes) {

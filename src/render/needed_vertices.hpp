@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "surfaces/geometry.hpp"
@@ -18,17 +19,17 @@ struct NeededVertices {
     double pixel = 0;  ///< side of a pixel at the nearest vertex that is seen; 0 if none is
 };
 
-/// Returns what an image needs for direct light: vertices of triangles that can be seen and reflect light,
-/// and a sample of the other vertices of each instance, whose shadows say where triangles are refined. All
-/// flags are 0 if no triangle is seen that reflects light. `flags` is empty if so few vertices can be
-/// spared that all are needed. rays: of the geometry, which rays from pixels use if they spare more than they
-/// cost. The sample does not depend on the view. Runs on the calling thread's TBB arena.
-[[nodiscard]] NeededVertices needed_vertices(const WorldGeometry& geometry, const Projection& projection,
+/// Returns what the images of some views need for direct light: vertices of triangles that can be seen and
+/// reflect light, and a sample of the other vertices of each instance, whose shadows say where triangles are
+/// refined. All flags are 0 if no triangle is seen that reflects light. `flags` is empty if so few vertices
+/// can be spared that all are needed. rays: of the geometry, which rays from pixels use if they spare more
+/// than they cost. The sample does not depend on the views. Runs on the calling thread's TBB arena.
+[[nodiscard]] NeededVertices needed_vertices(const WorldGeometry& geometry, std::span<const Projection> views,
                                              SurfaceRays& rays);
 
-/// Returns whether two images, each of one sample per pixel or more, need the same vertices because their
-/// views differ by no more than a pixel's side, as those of jittered cameras do.
-[[nodiscard]] bool need_the_same(const Projection& a, const Projection& b);
+/// Returns whether two sets of images, each of one sample per pixel or more, need the same vertices because
+/// their views differ by no more than a pixel's side, as those of jittered cameras do.
+[[nodiscard]] bool need_the_same(std::span<const Projection> a, std::span<const Projection> b);
 
 /// Returns whether rays of pixels go on from a surface, so that an image needs vertices which it does not
 /// show. lobes: whether rays follow lobes, see follows_lobes().

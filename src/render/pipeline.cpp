@@ -21,6 +21,20 @@ constexpr double kBouncesOfTolerance = 4;
 // their bounced light, of which receivers, dense where much light bounces, have twice the share.
 constexpr double kErrorOfBounces = 0.05;
 
+// Returns whether surfaces light each other. That needs the bake whatever the light, because light bounces
+// where surfaces hide others.
+bool light_bounces(const RenderOptions& options) {
+    return options.max_depth > kDirectLightDepth;
+}
+
+// Returns whether the bake finds out what light reaches. An instance that receives no shadows needs it for
+// local lights, because rays are spared where nothing is occluded.
+bool needs_bake(const Scene& scene, const RenderOptions& options) {
+    return scene.distant_light() != nullptr || light_bounces(options) ||
+           std::ranges::any_of(scene.instances(),
+                               [](const Instance& instance) { return !instance.roles.receives_shadows; });
+}
+
 // Returns whether rays are followed from pixels that show smooth surfaces.
 bool follows_rays(Method method, const RenderExecutor& executor) {
     return method == Method::factored && executor.follows_rays();
@@ -67,20 +81,23 @@ void Pipeline::set_cache(const std::filesystem::path& folder, const CacheNotice&
     high_orders_.set_cache(folder, notice);
 }
 
+void Pipeline::bake(const Scene& scene, std::span<const Projection> views, const RenderOptions& options,
+                    RenderRun& run) {
+    surfaces_.update(scene);
+    std::vector<Projection> of_surfaces;
+    for (const Projection& view : views) of_surfaces.push_back(in_axes(view, surfaces_.to_world()));
+    const bool needs_part = needs_seen_alone(shows_seen_alone(surfaces_.geometry(), options), options);
+    visibility_.update(surfaces_, rays_, needs_bake(scene, options), needs_part, of_surfaces, options,
+                       run.workers, run.progress, run.statistics);
+}
+
 void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderOptions& given,
                    RenderExecutor& executor, RenderRun& run, const DrawHits& draw_hits) {
     TransferMethod& method = method_for(given.method);
-
-    // Light bounces where surfaces hide others, so bounces need the bake whatever the light.
-    const bool bouncing = given.max_depth > kDirectLightDepth;
-
-    // First half of bake, because the choice of orders may depend on it.
-    surfaces_.update(scene);
+    const bool bouncing = light_bounces(given);
     const Projection projection = in_axes(of_world, surfaces_.to_world());
     const bool seen_alone = shows_seen_alone(surfaces_.geometry(), given);
-    visibility_.update(surfaces_, rays_, scene.distant_light() != nullptr || bouncing,
-                       needs_seen_alone(seen_alone, given), projection, given, run.workers, run.progress,
-                       run.statistics);
+    visibility_.count(surfaces_, run.statistics);
     const SurfaceState surfaces = visibility_.state();
 
     // project: a rotation of the whole scene is the opposite rotation of light and camera.
@@ -105,8 +122,7 @@ void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderO
                   projection_, run.statistics);
     // Local lights need no shadow rays if the bake found that nothing is occluded. The bake knows no glass.
     RenderOptions lighting = options;
-    if ((scene.distant_light() != nullptr || bouncing) && surfaces.visibility == nullptr &&
-        !scene.transmits())
+    if (needs_bake(scene, given) && surfaces.visibility == nullptr && !scene.transmits())
         lighting.shadows = false;
     // Where nothing hides anything, lobes reflect no other surface.
     const bool follows_lobes = follows_rays && bounces > 0 && wants_lobes(options);

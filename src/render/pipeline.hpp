@@ -47,8 +47,13 @@ public:
     /// needs the hits as well, whatever the executor.
     using DrawHits = std::function<const VisibilityBuffer&(bool on_host)>;
 
+    /// Takes over changes of the scene, and bakes what the images of some views of the world need: the first
+    /// half of bake, on which the choice of orders depends.
+    void bake(const Scene& scene, std::span<const Projection> views, const RenderOptions& options,
+              RenderRun& run);
     /// Shades every vertex that can be seen, or every pixel that shows a surface. `executor` keeps the
-    /// results. projection: of the world. Adds times and counts to the statistics. After an exception, the
+    /// results. projection: of the world, one of the views of the last bake(), whose scene and options are
+    /// those of this call. Adds times and counts to the statistics. After an exception, the
     /// next call computes everything that was not completed.
     void run(const Scene& scene, const Projection& projection, const RenderOptions& options,
              RenderExecutor& executor, RenderRun& run, const DrawHits& draw_hits);

@@ -184,7 +184,7 @@ void ProgressiveBake::find_order(const Input& input) {
     tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t v) {
         if (states_[v] != 0) parts[v] = part_of_sky(geometry.positions[v], change);
     });
-    order_ = bake_order(geometry, input.projection, parts, waits_);
+    order_ = bake_order(geometry, input.views, parts, waits_);
     next_ = 0;
 }
 
@@ -216,6 +216,10 @@ void ProgressiveBake::trace(const Input& input, std::span<const std::uint32_t> v
         const std::uint32_t v = vertices[i];
         const std::uint32_t state = states_[v];
         if (state == state_) return;  // an earlier call traced it, which ended with an exception
+        if (!receivers_.empty() && receivers_[v] == 0) {
+            states_[v] = state_;
+            return;
+        }
         const glm::vec3 normal(glm::normalize(glm::dvec3(geometry.normals[v])));
         DisturbedBundles bundles;
         if (state != 0) {
@@ -271,7 +275,10 @@ void ProgressiveBake::advance(const Input& input, SurfaceRays& rays, double mill
             for (std::uint32_t v = begin; v < end; ++v) vertices.push_back(v);
         }
         workers.run([&] {
-            if (origins_.empty()) find_origins(input);
+            if (origins_.empty()) {
+                find_origins(input);
+                receivers_ = receivers_of(refined_ ? *refined_ : input.surfaces.geometry());
+            }
             if (!since_last) {
                 since_last.emplace(input.directions, last_.disturbances());
                 since_all.emplace(input.directions, all_.disturbances());
@@ -307,6 +314,7 @@ void ProgressiveBake::begin_refinement(const Input& input) {
     for (std::size_t i = 0; i < given_; ++i)
         refining_visibility_.set_unoccluded(i, unoccluded_[given[i]] != 0);
     refining_ = input.surfaces.shared_geometry();
+    refining_receivers_ = receivers_of(*refining_);
     const RefineOptions wanted{.tolerance = tolerance_, .max_vertices = most_vertices_};
     if (!(tolerance_ > 0) || !can_refine(refining_visibility_, wanted)) return end_refinement(input, {});
     former_points_ = std::make_unique<FormerRefinement>(
@@ -315,7 +323,8 @@ void ProgressiveBake::begin_refinement(const Input& input) {
                                                                     .normals = refining_->normals,
                                                                     .triangles = refining_->triangles,
                                                                     .present = presence_of(*refining_),
-                                                                    .rays = [this] { return rays_; }},
+                                                                    .rays = [this] { return rays_; },
+                                                                    .needed = refining_receivers_},
                                                        input.directions, refining_visibility_, wanted,
                                                        points_.size() > 0 ? former_points_.get() : nullptr);
 }
@@ -385,6 +394,7 @@ void ProgressiveBake::count_later_steps(double milliseconds) {
     // Fewer vertices would say more of what every frame costs.
     if (changed_ < kVerticesAtATime) return;
     later_ms_ = (later_ms_ + milliseconds / static_cast<double>(changed_)) / 2;
+    changed_ = 0;
 }
 
 }  // namespace nicol

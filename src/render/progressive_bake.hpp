@@ -31,7 +31,7 @@ public:
         const DirectionSet& directions;
         Version axes;  ///< version of the directions
         const RenderOptions& options;
-        const Projection& projection;  ///< of the surfaces' axes
+        std::span<const Projection> views;  ///< of the surfaces' axes
     };
     /// A bake of the surfaces' version `surfaces`.
     struct Baked {
@@ -106,6 +106,8 @@ private:
     // By vertex: the state of the scene that its visibility belongs to; 0: none. state_ is the current one.
     std::vector<std::uint32_t> states_;
     std::uint32_t state_ = 1;
+    std::vector<std::uint8_t> receivers_;           // receivers_of() the vertices
+    std::vector<std::uint8_t> refining_receivers_;  // receivers_of() what refinement_ uses
     std::vector<std::uint8_t> waits_;  // by vertex: changes since it was traced, up to kLongestWait
     // A vertex that counts as occluded does so until the end, because blocks of unoccluded vertices are kept
     // apart in later steps.

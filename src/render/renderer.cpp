@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "render/renderer.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <string>
 #include <utility>
 
@@ -44,6 +46,15 @@ RenderOptions used(const RenderOptions& options) {
 // second time, which blurs; nearly nothing is left between the squares by the samples' places. Measured.
 constexpr double kTextureShare = 0.5;
 
+// Returns whether the framebuffer receives the luminance of the scene.
+bool is_grey_of(const Scene& scene, const Framebuffer& target) {
+    return target.channels() == 1 && scene.channels() == 3;
+}
+
+std::int64_t pixels(const View& view) {
+    return std::int64_t{view.target->width()} * view.target->height();
+}
+
 }  // namespace
 
 Renderer::Renderer(std::shared_ptr<gl::Context> context, WorkerOptions workers)
@@ -70,24 +81,44 @@ RenderExecutor& Renderer::executor_for(const Scene& scene, const RenderOptions& 
 
 Statistics Renderer::render(const Scene& scene, const Camera& camera, const RenderOptions& options,
                             Framebuffer& target) {
-    if (target.context() != context_) refuse("the framebuffer is of another context than the scene");
-    const bool grey = target.channels() == 1 && scene.channels() == 3;
-    if (target.channels() != scene.channels() && !grey) {
-        refuse("the framebuffer has " + std::to_string(target.channels()) +
-               " colour channels and the scene " + std::to_string(scene.channels()) +
-               "; they must agree, or be 1 and 3 for the luminance");
-    }
-    check(options, scene, target.width(), target.height());
-    memory_limit_.check(scene, options, target.width(), target.height());
-    if (!grey || options.method == Method::reference) return render_into(scene, camera, options, target);
+    const View view{.camera = camera, .target = &target};
+    return render(scene, {&view, 1}, options).front();
+}
 
+std::vector<Statistics> Renderer::render(const Scene& scene, std::span<const View> views,
+                                         const RenderOptions& options) {
+    CommonBake common;
+    for (const View& view : views) {
+        const Framebuffer& target = *view.target;
+        if (target.context() != context_) refuse("the framebuffer is of another context than the scene");
+        if (target.channels() != scene.channels() && !is_grey_of(scene, target)) {
+            refuse("the framebuffer has " + std::to_string(target.channels()) +
+                   " colour channels and the scene " + std::to_string(scene.channels()) +
+                   "; they must agree, or be 1 and 3 for the luminance");
+        }
+        check(options, scene, target.width(), target.height());
+        common.views.push_back(project(view.camera, target.width(), target.height()));
+    }
+    const Framebuffer& largest = *std::ranges::max_element(views, {}, pixels)->target;
+    memory_limit_.check(scene, options, largest.width(), largest.height());
+    std::vector<Statistics> statistics;
+    for (const View& view : views) {
+        const bool grey = is_grey_of(scene, *view.target) && options.method != Method::reference;
+        statistics.push_back(grey ? render_grey(scene, view.camera, options, *view.target, common)
+                                  : render_into(scene, view.camera, options, *view.target, common));
+    }
+    return statistics;
+}
+
+Statistics Renderer::render_grey(const Scene& scene, const Camera& camera, const RenderOptions& options,
+                                 Framebuffer& target, CommonBake& common) {
     // Lights and materials of three channels multiply before the luminance is taken, so the image is drawn in
     // three channels first.
     if (!colours_ || colours_->width() != target.width() || colours_->height() != target.height()) {
         colours_.reset();
         colours_ = std::make_unique<Framebuffer>(context_, target.width(), target.height(), 3);
     }
-    render_into(scene, camera, options, *colours_);
+    render_into(scene, camera, options, *colours_, common);
     const Stopwatch watch;
     StokesImage grey_image = luminance(colours_->image());
     const Aovs& aovs = colours_->aovs();
@@ -100,7 +131,7 @@ Statistics Renderer::render(const Scene& scene, const Camera& camera, const Rend
 }
 
 Statistics Renderer::render_into(const Scene& scene, const Camera& camera, const RenderOptions& options,
-                                 Framebuffer& target) {
+                                 Framebuffer& target, CommonBake& common) {
     const auto content = [&target] {
         const std::lock_guard lock(target.mutex());
         return target.content();
@@ -111,18 +142,33 @@ Statistics Renderer::render_into(const Scene& scene, const Camera& camera, const
         (realtime && (pipeline_.pending() > 0 || (pipeline_.sampled() && sampling != sampling_)))) {
         rendering_.reset();
     }
+    RenderWork baking;
     const bool rendered = rendering_.run(
         scene.geometry_version(), scene.material_version(), scene.light_version(), scene.emission_version(),
         scene.local_light_version(), scene.element_version(), camera, used(options), [&] {
-            if (!realtime) return trace(scene, camera, options, target);
+            const Projection projection = project(camera, target.width(), target.height());
+            if (!realtime) return trace(scene, projection, options, target);
             sampling_ = sampling;
             workers_.run([&] {
-                draw_within_budget(scene, project(camera, target.width(), target.height()), options, target);
+                baking = bake(scene, options, common);
+                draw_within_budget(scene, projection, options, target);
             });
         });
     const std::lock_guard lock(target.mutex());
     if (!rendered) target.statistics().nothing_ran();
+    target.statistics() += baking;
     return target.statistics();
+}
+
+RenderWork Renderer::bake(const Scene& scene, const RenderOptions& options, CommonBake& common) {
+    Statistics statistics;
+    if (std::exchange(common.done, true)) return statistics;
+    Progress progress(options.progress);
+    RenderOptions within_limit = options;
+    within_limit.max_vertices = memory_limit_.max_vertices(options);
+    RenderRun run{.workers = workers_, .progress = progress, .statistics = statistics};
+    pipeline_.bake(scene, common.views, within_limit, run);
+    return statistics;
 }
 
 void Renderer::draw_within_budget(const Scene& scene, const Projection& projection,
@@ -165,13 +211,11 @@ void Renderer::put(Framebuffer& target, StokesImage image, const Statistics& sta
     });
 }
 
-void Renderer::trace(const Scene& scene, const Camera& camera, const RenderOptions& options,
+void Renderer::trace(const Scene& scene, const Projection& projection, const RenderOptions& options,
                      Framebuffer& target) {
-    const int width = target.width();
-    const int height = target.height();
     ReferenceStatistics traced;
     Aovs aovs;
-    StokesImage image = render_reference(scene, project(camera, width, height), width, height,
+    StokesImage image = render_reference(scene, projection, target.width(), target.height(),
                                          {.samples = options.samples,
                                           .max_depth = options.max_depth,
                                           .shadows = options.shadows,
@@ -273,7 +317,6 @@ void Renderer::draw(const Scene& scene, const Projection& projection, const Rend
     RenderExecutor& executor = executor_for(scene, options);
     statistics.compute = device_->executor == Executor::compute;
     RenderOptions chosen = options;
-    chosen.max_vertices = memory_limit_.max_vertices(options);
     const bool elements = !scene.elements().empty();
     if (elements) chosen.components = 4;  // elements may turn any component into any other
     RenderRun run{.workers = workers_,

@@ -7,7 +7,9 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <utility>
+#include <vector>
 
 #include "devices/device.hpp"
 #include "draw/drawn_hits.hpp"
@@ -21,6 +23,12 @@
 #include "worker_pool.hpp"
 
 namespace nicol {
+
+/// An image to render: a camera, and the framebuffer that receives the image.
+struct View {
+    Camera camera;
+    Framebuffer* target;
+};
 
 class Renderer {
 public:
@@ -44,11 +52,27 @@ public:
     /// the framebuffer's statistics.
     Statistics render(const Scene& scene, const Camera& camera, const RenderOptions& options,
                       Framebuffer& target);
+    /// Renders images of some views, at least one, one after the other. The first of them that is drawn bakes
+    /// what all of them need. Invalid arguments are refused before any of them is rendered; after another
+    /// error, the framebuffers of the views before it have their images.
+    std::vector<Statistics> render(const Scene& scene, std::span<const View> views,
+                                   const RenderOptions& options);
 
 private:
+    // Bake of the views of one call.
+    struct CommonBake {
+        std::vector<Projection> views;
+        bool done = false;
+    };
+
     // Renders into a framebuffer of the scene's channels or, with the reference method, of their luminance.
     Statistics render_into(const Scene& scene, const Camera& camera, const RenderOptions& options,
-                           Framebuffer& target);
+                           Framebuffer& target, CommonBake& common);
+    // Renders the luminance of a scene of three channels.
+    Statistics render_grey(const Scene& scene, const Camera& camera, const RenderOptions& options,
+                           Framebuffer& target, CommonBake& common);
+    // Bakes unless it is done. Returns the work.
+    RenderWork bake(const Scene& scene, const RenderOptions& options, CommonBake& common);
     // Draws with what the options' time budget affords.
     void draw_within_budget(const Scene& scene, const Projection& projection, const RenderOptions& options,
                             Framebuffer& target);
@@ -56,7 +80,8 @@ private:
     void put(Framebuffer& target, const std::function<void()>& draw);
     void put(Framebuffer& target, StokesImage image, const Statistics& statistics, Aovs aovs);
     // Traces an image by the reference method.
-    void trace(const Scene& scene, const Camera& camera, const RenderOptions& options, Framebuffer& target);
+    void trace(const Scene& scene, const Projection& projection, const RenderOptions& options,
+               Framebuffer& target);
     void draw(const Scene& scene, const Projection& projection, const RenderOptions& options,
               Framebuffer& target);
     // Draws as many images as the options have samples per pixel, and averages the images.

@@ -17,6 +17,17 @@ constexpr double kNearer = 0.01;
 // Length in pixels of edges that are not split. Shadows are interpolated along them.
 constexpr double kPixelsOfEdge = 2;
 
+// Returns flags that are 0 for the vertices whose visibility an image does not need (empty: none) and for
+// those that receive no shadows. `room` holds the result if there are any of the latter.
+std::span<const std::uint8_t> traced_of(const WorldGeometry& geometry, std::span<const std::uint8_t> needed,
+                                        std::vector<std::uint8_t>& room) {
+    const std::vector<std::uint8_t> shadowed = receivers_of(geometry);
+    if (shadowed.empty()) return needed;
+    room = shadowed;
+    for (std::size_t v = 0; v < needed.size(); ++v) room[v] &= needed[v];
+    return room;
+}
+
 BakeGeometry bake_geometry(const SceneGeometry& surfaces, SurfaceRays& rays,
                            std::span<const std::uint8_t> needed, const RenderOptions& options) {
     const WorldGeometry& world = surfaces.geometry();
@@ -50,33 +61,23 @@ void SceneVisibility::set_cache(std::filesystem::path folder, CacheNotice notice
 }
 
 void SceneVisibility::update(const SceneGeometry& surfaces, SurfaceRays& rays, bool lit, bool part,
-                             const Projection& projection, const RenderOptions& options, Workers& workers,
-                             Progress& progress, Statistics& statistics) {
+                             std::span<const Projection> views, const RenderOptions& options,
+                             Workers& workers, Progress& progress, Statistics& statistics) {
     if (!options.shadows || !lit) progressive_.reset();
     if (options.shadows && lit && (options.bake_budget_ms > 0 || progressive_))
-        return update_progressively(surfaces, rays, projection, options, workers, progress, statistics);
+        return update_progressively(surfaces, rays, views, options, workers, progress, statistics);
     const SurfaceVersions former = versions_;
     const std::shared_ptr<const Visibility> visible_before = *visible_;
     const bool had_bake = former.visibility == visible_.version();
-    const bool carried = options.shadows && lit &&
-                         bake(surfaces, rays, part, projection, options, workers, progress, statistics);
-    const bool baked = options.shadows && baked_geometry_ == surfaces.version();
-    if (baked) refine(surfaces, rays, options, workers, progress, statistics);
-    surfaces_.update(surfaces, baked ? refined_ : nullptr, parts_, numbers_.numbers);
+    const bool carried =
+        options.shadows && lit && bake(surfaces, rays, part, views, options, workers, progress, statistics);
+    uses_bake_ = options.shadows && baked_geometry_ == surfaces.version();
+    if (uses_bake_) refine(surfaces, rays, options, workers, progress, statistics);
+    surfaces_.update(surfaces, uses_bake_ ? refined_ : nullptr, parts_, numbers_.numbers);
 
     const std::size_t vertices = surfaces_.geometry().positions.size();
-    const std::size_t unoccluded = baked ? (*visible_)->unoccluded_count() : vertices;
-    const std::size_t unbaked = baked ? static_cast<std::size_t>(std::ranges::count(needed_, 0)) : 0;
-    const bool shadowed = unoccluded < vertices;
+    const bool shadowed = uses_bake_ && (*visible_)->unoccluded_count() < vertices;
     versions_ = {.geometry = surfaces_.version(), .visibility = shadowed ? visible_.version() : 0};
-    statistics.vertices_unoccluded = unoccluded - unbaked;
-    statistics.vertices_unbaked = unbaked;
-    statistics.vertices_added = vertices - surfaces.geometry().positions.size();
-    if (baked) {
-        statistics.visibility_bytes = (*visible_)->bytes();
-        if (*baked_ != *visible_) statistics.visibility_bytes += (*baked_)->bytes();
-        statistics.visibility_bytes += points_.bytes();
-    }
     if (versions_ == former) return;
     before_.reset();
     if (former.geometry == 0 || former.geometry != surfaces_.change().before) return;
@@ -90,6 +91,22 @@ void SceneVisibility::update(const SceneGeometry& surfaces, SurfaceRays& rays, b
         const std::uint32_t before = former_[v];
         if (before != kNoVertex && !std::ranges::equal((*visible_)->at(v), visible_before->at(before)))
             former_[v] = kNoVertex;
+    }
+}
+
+void SceneVisibility::count(const SceneGeometry& surfaces, Statistics& statistics) const {
+    const std::size_t vertices = surfaces_.geometry().positions.size();
+    statistics.vertices_added = vertices - surfaces.geometry().positions.size();
+    statistics.vertices_unoccluded = vertices;
+    if (progressive_) {
+        statistics.vertices_unoccluded = progressive_->visibility().unoccluded_count();
+        statistics.vertices_pending = progressive_->pending();
+        statistics.visibility_bytes = progressive_->bytes();
+    } else if (uses_bake_) {
+        statistics.vertices_unbaked = static_cast<std::uint64_t>(std::ranges::count(needed_, 0));
+        statistics.vertices_unoccluded = (*visible_)->unoccluded_count() - statistics.vertices_unbaked;
+        statistics.visibility_bytes = (*visible_)->bytes() + points_.bytes();
+        if (*baked_ != *visible_) statistics.visibility_bytes += (*baked_)->bytes();
     }
 }
 
@@ -164,17 +181,14 @@ void SceneVisibility::begin_progressively(const SceneGeometry& surfaces, const R
 }
 
 void SceneVisibility::update_progressively(const SceneGeometry& surfaces, SurfaceRays& rays,
-                                           const Projection& projection, const RenderOptions& options,
+                                           std::span<const Projection> views, const RenderOptions& options,
                                            Workers& workers, Progress& progress, Statistics& statistics) {
     const Stopwatch watch;
     find_directions(surfaces, options);
     if (!progressive_) begin_progressively(surfaces, options);
     const SurfaceVersions former = versions_;
-    const ProgressiveBake::Input input{.surfaces = surfaces,
-                                       .directions = *directions_,
-                                       .axes = axes_,
-                                       .options = options,
-                                       .projection = projection};
+    const ProgressiveBake::Input input{
+        .surfaces = surfaces, .directions = *directions_, .axes = axes_, .options = options, .views = views};
     workers.run([&] { progressive_->follow(input); });
     BakeStatistics baked;
     if (progressive_->pending() > 0) {
@@ -190,10 +204,6 @@ void SceneVisibility::update_progressively(const SceneGeometry& surfaces, Surfac
     versions_.geometry = surfaces_.version();
     if (progressive_->any_changed() || former.visibility == 0) versions_.visibility = new_version();
     count_bake(baked, watch, statistics);
-    statistics.vertices_unoccluded = visible.unoccluded_count();
-    statistics.vertices_added = vertices - surfaces.geometry().positions.size();
-    statistics.vertices_pending = progressive_->pending();
-    statistics.visibility_bytes = progressive_->bytes();
     progressive_->published();
     if (versions_ == former) return;
     before_.reset();
@@ -213,7 +223,7 @@ void SceneVisibility::count_later_steps(double milliseconds) {
 }
 
 bool SceneVisibility::bake(const SceneGeometry& surfaces, SurfaceRays& rays, bool part,
-                           const Projection& projection, const RenderOptions& options, Workers& workers,
+                           std::span<const Projection> views, const RenderOptions& options, Workers& workers,
                            Progress& progress, Statistics& statistics) {
     const int count = options.bake_directions;
     const glm::dmat3& axes = surfaces.own_axes();
@@ -225,10 +235,10 @@ bool SceneVisibility::bake(const SceneGeometry& surfaces, SurfaceRays& rays, boo
     NeededVertices needed;
     // A scene that changes is baked as a whole from its first change on, so that bakes can be carried over.
     if (part && !carry && !(is_part && follows) && !(same && needed_.empty())) {
-        if (seen_from_ && !need_the_same(*seen_from_, projection)) seeing_.reset();
+        if (!need_the_same(seen_from_, views)) seeing_.reset();
         seeing_.run(surfaces.version(), surfaces.material_version(), [&] {
-            workers.run([&] { seen_ = needed_vertices(surfaces.geometry(), projection, rays); });
-            seen_from_ = projection;
+            workers.run([&] { seen_ = needed_vertices(surfaces.geometry(), views, rays); });
+            seen_from_.assign(views.begin(), views.end());
         });
         needed = seen_;
     }
@@ -240,7 +250,7 @@ bool SceneVisibility::bake(const SceneGeometry& surfaces, SurfaceRays& rays, boo
         rest = !enough && is_part;
         if (!enough) baking_.reset();
     }
-    const bool another = !part || (seen_from_ && !need_the_same(*seen_from_, projection));
+    const bool another = !part || (!seen_from_.empty() && !need_the_same(seen_from_, views));
     if (shortest_edge_ > 0 && (carry || rest || (needed_.empty() && another))) {
         shortest_edge_ = 0;
         wanted_.clear();
@@ -256,7 +266,9 @@ bool SceneVisibility::bake(const SceneGeometry& surfaces, SurfaceRays& rays, boo
         const auto report = [&](double fraction) { progress.report("bake", share * fraction); };
         BakeStatistics baked;
         workers.run([&] {
-            const BakeGeometry geometry = bake_geometry(surfaces, rays, needed.flags, options);
+            std::vector<std::uint8_t> room;
+            const BakeGeometry geometry =
+                bake_geometry(surfaces, rays, traced_of(surfaces.geometry(), needed.flags, room), options);
             Visibility visibility;
             if (carry) {
                 const FormerBake former{.visibility = **baked_,
@@ -264,7 +276,7 @@ bool SceneVisibility::bake(const SceneGeometry& surfaces, SurfaceRays& rays, boo
                                         .disturbances = {change.added, change.removed}};
                 visibility = nicol::bake(geometry, *directions_, report, &baked, &former);
             } else if (rest) {
-                visibility = bake_rest(geometry, report, baked);
+                visibility = bake_rest(surfaces, geometry, report, baked);
                 needed = {};
             } else {
                 visibility = load_or_bake(geometry, *directions_, folder_, notice_, report, &baked);
@@ -280,11 +292,11 @@ bool SceneVisibility::bake(const SceneGeometry& surfaces, SurfaceRays& rays, boo
     return ran && (carry || rest);
 }
 
-Visibility SceneVisibility::bake_rest(BakeGeometry geometry, const BakeProgress& report,
-                                      BakeStatistics& baked) const {
-    std::vector<std::uint8_t> rest;
+Visibility SceneVisibility::bake_rest(const SceneGeometry& surfaces, BakeGeometry geometry,
+                                      const BakeProgress& report, BakeStatistics& baked) const {
+    std::vector<std::uint8_t> rest, room;
     for (const std::uint8_t done : needed_) rest.push_back(done != 0 ? 0 : 1);
-    geometry.needed = rest;
+    geometry.needed = traced_of(surfaces.geometry(), rest, room);
     Visibility visibility = nicol::bake(geometry, *directions_, report, &baked);
     for (std::size_t v = 0; v < rest.size(); ++v) {
         if (rest[v] != 0) continue;
@@ -309,7 +321,9 @@ void SceneVisibility::refine(const SceneGeometry& surfaces, SurfaceRays& rays, c
         std::shared_ptr<const Visibility> visible = *baked_;
         workers.run([&] {
             if (!(options.refine_tolerance > 0)) return;
-            Refinement refinement = refinement_of(surfaces, bake_geometry(surfaces, rays, needed_, options),
+            std::vector<std::uint8_t> room;
+            const std::span traced = traced_of(surfaces.geometry(), needed_, room);
+            Refinement refinement = refinement_of(surfaces, bake_geometry(surfaces, rays, traced, options),
                                                   *visible, options, report, baked);
             points_ = std::move(refinement.points);
             points_bake_ = baked_.version();

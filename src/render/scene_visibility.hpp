@@ -10,6 +10,7 @@
 #include <glm/vec2.hpp>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "material/response_cache.hpp"
@@ -34,12 +35,14 @@ public:
     void set_cache(std::filesystem::path folder, CacheNotice notice);
 
     /// Bakes and refines the surfaces, unless nothing casts shadows or `lit` is false; repeats only what
-    /// changes require, within the options' budget. rays: of the surfaces; projection: of their axes. part:
-    /// whether the vertices that the image needs are enough (needed_vertices()); all are baked once an image
-    /// needs more. Adds times and counts to `statistics`.
+    /// changes require, within the options' budget. rays: of the surfaces; views: of their axes. part:
+    /// whether the vertices that the images of these views need are enough (needed_vertices()); all are baked
+    /// once an image needs more. Adds times and counts to `statistics`.
     void update(const SceneGeometry& surfaces, SurfaceRays& rays, bool lit, bool part,
-                const Projection& projection, const RenderOptions& options, Workers& workers,
+                std::span<const Projection> views, const RenderOptions& options, Workers& workers,
                 Progress& progress, Statistics& statistics);
+    /// Sets numbers of vertices and bytes in `statistics`. surfaces: of the last update().
+    void count(const SceneGeometry& surfaces, Statistics& statistics) const;
     /// Tells how long later steps took for the vertices that update() changed.
     void count_later_steps(double milliseconds);
     /// Returns the number of vertices whose visibility is not final.
@@ -52,17 +55,17 @@ public:
 private:
     void find_directions(const SceneGeometry& surfaces, const RenderOptions& options);
     /// Updates by slices: as much as the budget allows.
-    void update_progressively(const SceneGeometry& surfaces, SurfaceRays& rays, const Projection& projection,
-                              const RenderOptions& options, Workers& workers, Progress& progress,
-                              Statistics& statistics);
+    void update_progressively(const SceneGeometry& surfaces, SurfaceRays& rays,
+                              std::span<const Projection> views, const RenderOptions& options,
+                              Workers& workers, Progress& progress, Statistics& statistics);
     /// Hands the current bake to progressive_.
     void begin_progressively(const SceneGeometry& surfaces, const RenderOptions& options);
     /// Bakes the surfaces before refinement. Returns whether the former bake was carried over.
-    bool bake(const SceneGeometry& surfaces, SurfaceRays& rays, bool part, const Projection& projection,
+    bool bake(const SceneGeometry& surfaces, SurfaceRays& rays, bool part, std::span<const Projection> views,
               const RenderOptions& options, Workers& workers, Progress& progress, Statistics& statistics);
     /// Bakes the vertices that the bake of a part has left out.
-    [[nodiscard]] Visibility bake_rest(BakeGeometry geometry, const BakeProgress& report,
-                                       BakeStatistics& baked) const;
+    [[nodiscard]] Visibility bake_rest(const SceneGeometry& surfaces, BakeGeometry geometry,
+                                       const BakeProgress& report, BakeStatistics& baked) const;
     void refine(const SceneGeometry& surfaces, SurfaceRays& rays, const RenderOptions& options,
                 Workers& workers, Progress& progress, Statistics& statistics);
     /// Refines the surfaces, whose bake is `visible`; from the points of the former refinement if they
@@ -83,11 +86,11 @@ private:
     // Inputs: geometry, number of directions, their axes.
     Stage<Version, int, glm::dmat3> baking_;
     Versioned<std::shared_ptr<const Visibility>> baked_;
-    Version baked_geometry_ = 0;      // version of the geometry that baked_ belongs to
-    Version carried_ = 0;             // version of the bake that baked_ was made from; 0: none
-    Stage<Version, Version> seeing_;  // inputs: geometry, materials
-    NeededVertices seen_;             // needed_vertices() of the last image that was searched
-    std::optional<Projection> seen_from_;
+    Version baked_geometry_ = 0;         // version of the geometry that baked_ belongs to
+    Version carried_ = 0;                // version of the bake that baked_ was made from; 0: none
+    Stage<Version, Version> seeing_;     // inputs: geometry, materials
+    NeededVertices seen_;                // needed_vertices() of the last views that were searched
+    std::vector<Projection> seen_from_;  // views of that search
     // 1 for each vertex of baked_ that was baked; empty: all were. And the same of the vertices of surfaces_.
     std::vector<std::uint8_t> needed_, baked_vertices_;
     double shortest_edge_ = 0;  // RefineOptions::shortest_edge of a bake's first image; 0 for later ones
@@ -103,6 +106,7 @@ private:
     VertexNumbers numbers_;                                 // numbers of its vertices
     Versioned<std::shared_ptr<const Visibility>> visible_;  // visibility of the vertices of surfaces_
     RefinedSurfaces surfaces_;
+    bool uses_bake_ = false;  // whether the last update() ended with the bake in the members above
 
     SurfaceVersions versions_;
     std::optional<SurfaceVersions> before_;  // versions that former_ refers to

@@ -173,6 +173,13 @@ void Scene::set_emission(std::uint32_t id, EmissionPtr emission) {
     emission_version_ = new_version();
 }
 
+void Scene::set_roles(std::uint32_t id, const InstanceRoles& roles) {
+    Instance& instance = instances_[instances_.index_of(id)];
+    if (instance.roles == roles) return;
+    instance.roles = roles;
+    geometry_version_ = new_version();
+}
+
 std::uint32_t Scene::add_light(LocalLight light) {
     const std::uint32_t id = lights_.next();
     check(light);

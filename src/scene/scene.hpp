@@ -104,11 +104,21 @@ private:
     std::uint32_t next_ = 0;
 };
 
+/// Roles of an instance.
+struct InstanceRoles {
+    bool casts_shadows = true;     ///< false: no surface receives less or more light because of the instance
+    bool receives_shadows = true;  ///< false: light reaches the instance as if it were alone
+    bool visible = true;           ///< false: the camera does not see it, nor in mirrors and through glass
+
+    bool operator==(const InstanceRoles&) const = default;
+};
+
 struct Instance {
     std::shared_ptr<const Mesh> mesh;  ///< validated
     MaterialPtr material;
     glm::dmat4 to_world{1.0};
     EmissionPtr emission = nullptr;  ///< null: no emission
+    InstanceRoles roles{};
 };
 
 /// Scene with a version of each state, so that a renderer can decide what to compute again. Not for
@@ -126,6 +136,7 @@ public:
     void set_transform(std::uint32_t id, const glm::dmat4& to_world);
     void set_mesh(std::uint32_t id, std::shared_ptr<const Mesh> mesh);
     void set_material(std::uint32_t id, MaterialPtr material);
+    void set_roles(std::uint32_t id, const InstanceRoles& roles);
     /// Sets the emission of an instance. Null: no emission.
     void set_emission(std::uint32_t id, EmissionPtr emission);
     [[nodiscard]] const Instance& at(std::uint32_t id) const { return instances_.at(id); }
@@ -183,8 +194,8 @@ public:
     /// Returns whether light passes a material, see Material::smooth_boundary().
     [[nodiscard]] bool transmits() const;
 
-    /// Returns the version of the triangles' positions, of the sides that reflect, of alpha masks,
-    /// and of what light passes.
+    /// Returns the version of the triangles' positions, of the sides that reflect, of alpha masks, of what
+    /// light passes, and of the instances' roles.
     [[nodiscard]] Version geometry_version() const noexcept { return geometry_version_; }
     /// Returns the version of the materials and their assignment to instances.
     [[nodiscard]] Version material_version() const noexcept { return material_version_; }

@@ -3,6 +3,7 @@
 
 #include <span>
 #include <utility>
+#include <vector>
 
 namespace nicol {
 namespace {
@@ -20,7 +21,8 @@ Presence presence_from(const WorldGeometry& geometry, std::uint32_t first) {
 
 DrawnTriangles::DrawnTriangles(const WorldGeometry& geometry, Masks masks)
     : one_sided_(static_cast<std::uint32_t>(geometry.one_sided)) {
-    const std::span triangles(geometry.triangles);
+    std::vector<glm::uvec3> room;
+    const std::span triangles = shown_triangles(geometry, room);
     const bool pass = masks == Masks::pass;
     const RaySurface sides[] = {{.positions = geometry.positions,
                                  .triangles = triangles.first(one_sided_),

@@ -11,7 +11,7 @@
 
 namespace nicol {
 
-/// Triangles of a geometry, the added ones of a refinement included. Rays pass the backs of two-sided
+/// Visible triangles of a geometry, the added ones of a refinement included. Rays pass the backs of two-sided
 /// surfaces because their other side has triangles of its own. Immutable.
 class DrawnTriangles {
 public:

@@ -105,6 +105,29 @@ Presence presence_of(const WorldGeometry& geometry, std::span<const TriangleNumb
         };
 }
 
+std::vector<std::uint8_t> receivers_of(const WorldGeometry& geometry) {
+    const auto receives = [](const VertexRange& range) { return range.roles.receives_shadows; };
+    if (std::ranges::all_of(geometry.ranges, receives)) return {};
+    std::vector<std::uint8_t> out(geometry.positions.size(), 1);
+    for (const VertexRange& range : geometry.ranges)
+        if (!receives(range))
+            std::fill(out.begin() + static_cast<std::ptrdiff_t>(range.first),
+                      out.begin() + static_cast<std::ptrdiff_t>(range.last), std::uint8_t{0});
+    return out;
+}
+
+std::span<const glm::uvec3> shown_triangles(const WorldGeometry& geometry, std::vector<glm::uvec3>& room) {
+    const auto visible = [](const VertexRange& range) { return range.roles.visible; };
+    if (std::ranges::all_of(geometry.ranges, visible)) return geometry.triangles;
+    room = geometry.triangles;
+    for (const TriangleBatch& batch : triangle_batches(geometry)) {
+        if (visible(geometry.ranges[batch.range])) continue;
+        for (glm::uvec3& triangle : std::span(room).subspan(batch.first, batch.last - batch.first))
+            triangle = glm::uvec3(triangle.x);
+    }
+    return room;
+}
+
 std::size_t find_visible(const WorldGeometry& geometry, const Projection& projection,
                          std::vector<std::uint8_t>& visible) {
     using Range = tbb::blocked_range<std::size_t>;
@@ -147,6 +170,10 @@ std::size_t find_visible(const WorldGeometry& geometry, const Projection& projec
             }
         }
     });
+    for (const VertexRange& range : geometry.ranges)
+        if (!range.roles.visible)
+            std::fill(visible.begin() + static_cast<std::ptrdiff_t>(range.first),
+                      visible.begin() + static_cast<std::ptrdiff_t>(range.last), std::uint8_t{0});
     return static_cast<std::size_t>(std::count(visible.begin(), visible.end(), std::uint8_t{0}));
 }
 

@@ -24,6 +24,7 @@ struct VertexRange {
     MaterialPtr material;
     std::uint32_t instance;          ///< id of the instance
     EmissionPtr emission = nullptr;  ///< null: the instance emits no light
+    InstanceRoles roles{};
     bool operator==(const VertexRange&) const = default;
 };
 
@@ -93,10 +94,18 @@ struct TriangleBatch {
 [[nodiscard]] Presence presence_of(const WorldGeometry& geometry, std::span<const TriangleNumbers> numbers,
                                    std::size_t triangles);
 
-/// Sets visible[v] to 1 for each vertex of a triangle that faces the viewpoint and is not wholly outside one
-/// side of the view by more than half a pixel, the distance of samples from pixel centres. Sets visible[v] to
-/// 0 for the other vertices, which cannot reach the image. Resizes `visible`. Returns the number of zeros.
-/// Runs on the calling thread's TBB arena.
+/// Returns 1 for each vertex of an instance that receives shadows, else 0; empty if all do.
+[[nodiscard]] std::vector<std::uint8_t> receivers_of(const WorldGeometry& geometry);
+
+/// Returns the geometry's triangles, with those of invisible instances collapsed to a corner. `room` holds
+/// the result if there are such instances.
+[[nodiscard]] std::span<const glm::uvec3> shown_triangles(const WorldGeometry& geometry,
+                                                          std::vector<glm::uvec3>& room);
+
+/// Sets visible[v] to 1 for each vertex of a visible triangle that faces the viewpoint and is not wholly
+/// outside one side of the view by more than half a pixel, the distance of samples from pixel centres. Sets
+/// visible[v] to 0 for the other vertices, which cannot reach the image. Resizes `visible`. Returns the
+/// number of zeros. Runs on the calling thread's TBB arena.
 std::size_t find_visible(const WorldGeometry& geometry, const Projection& projection,
                          std::vector<std::uint8_t>& visible);
 

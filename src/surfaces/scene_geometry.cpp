@@ -83,6 +83,7 @@ std::vector<SceneGeometry::Piece> SceneGeometry::place(const Scene& scene) {
             pieces.emplace_back(Piece{.id = scene.ids()[i],
                                       .twosided = instance.material->twosided(),
                                       .transmits = instance.material->smooth_boundary() != nullptr,
+                                      .roles = instance.roles,
                                       .divided = false,
                                       .mesh = instance.mesh,
                                       .mask = alpha_mask_of(*instance.material),
@@ -95,7 +96,8 @@ std::vector<SceneGeometry::Piece> SceneGeometry::place(const Scene& scene) {
                                       .former = kNone});
         const auto former = std::ranges::lower_bound(pieces_, piece.id, {}, &Piece::id);
         if (former == pieces_.end() || former->id != piece.id || former->twosided != piece.twosided ||
-            former->mask != piece.mask || former->transmits != piece.transmits) {
+            former->mask != piece.mask || former->transmits != piece.transmits ||
+            former->roles != piece.roles) {
             continue;
         }
         if (former->mesh != piece.mesh) {
@@ -192,7 +194,8 @@ void SceneGeometry::build(const Scene& scene, std::vector<Piece>& pieces) {
                                    .last = first + count,
                                    .material = equal_materials_.first_of(material_of(instance, side == 1)),
                                    .instance = piece.id,
-                                   .emission = emission_of(scene, instance, side == 1)});
+                                   .emission = emission_of(scene, instance, side == 1),
+                                   .roles = piece.roles});
         }
     }
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
@@ -203,10 +206,10 @@ void SceneGeometry::build(const Scene& scene, std::vector<Piece>& pieces) {
         if (piece.twosided) piece.first_triangle += next.one_sided;
     follow_pieces(pieces, change);
     next.triangles.insert(next.triangles.end(), two_sided.begin(), two_sided.end());
-    if (std::ranges::any_of(pieces, &Piece::transmits)) {
+    if (!std::ranges::all_of(pieces, &Piece::blocks)) {
         next.blocking = next.triangles;
         for (const Piece& piece : pieces) {
-            if (!piece.transmits) continue;
+            if (piece.blocks()) continue;
             for (glm::uvec3& triangle :
                  std::span(next.blocking).subspan(piece.first_triangle, piece.triangles()))
                 triangle = glm::uvec3(triangle.x);
@@ -237,7 +240,7 @@ void SceneGeometry::find_blockers() {
             piece.batch = batch;
             triangles += count;
         }
-        if (piece.transmits || count == 0) continue;
+        if (!piece.blocks() || count == 0) continue;
         blockers_.push_back({.placed = piece.placed,
                              .batch = piece.batch,
                              .first = piece.first,

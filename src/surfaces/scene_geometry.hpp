@@ -88,7 +88,8 @@ private:
         std::uint32_t id;
         bool twosided;
         bool transmits;  // whether light passes the material, and shadow rays do
-        bool divided;    // whether triangles of in_place are parts of those of `mesh`
+        InstanceRoles roles;
+        bool divided;  // whether triangles of in_place are parts of those of `mesh`
         std::shared_ptr<const Mesh> mesh;
         AlphaMask mask;        // shadows depend on it
         glm::dmat4 placement;  // in geometry()'s axes
@@ -105,6 +106,7 @@ private:
 
         // Returns the mesh whose vertices and triangles are drawn, and whether the placement mirrors it.
         [[nodiscard]] const Mesh& parts() const { return divided ? *in_place : *mesh; }
+        [[nodiscard]] bool blocks() const { return !transmits && roles.casts_shadows; }
         [[nodiscard]] std::size_t triangles() const { return (twosided ? 2 : 1) * parts().triangles.size(); }
         [[nodiscard]] bool mirrored() const {
             return !divided && glm::determinant(glm::dmat3(placement)) < 0;

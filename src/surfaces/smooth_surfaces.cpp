@@ -39,13 +39,21 @@ std::vector<Smoothness> of_triangles(const WorldGeometry& geometry, bool lobes) 
 GlassShadows::FirstCrossing first_crossing(const WorldGeometry& geometry,
                                            std::shared_ptr<const DrawnTriangles> rays) {
     std::vector<const SmoothBoundary*> boundaries(geometry.triangles.size());
-    for (const TriangleBatch& batch : triangle_batches(geometry))
-        std::fill(boundaries.begin() + static_cast<std::ptrdiff_t>(batch.first),
-                  boundaries.begin() + static_cast<std::ptrdiff_t>(batch.last),
-                  geometry.ranges[batch.range].material->smooth_boundary());
-    return [&geometry, rays = std::move(rays),
-            boundaries = std::move(boundaries)](const Ray& ray) -> std::optional<GlassShadows::Crossing> {
-        const std::optional<RayHit> hit = rays->intersect(ray);
+    std::vector<std::uint8_t> passed(geometry.triangles.size());  // 1: of instances that cast no shadows
+    for (const TriangleBatch& batch : triangle_batches(geometry)) {
+        const VertexRange& range = geometry.ranges[batch.range];
+        const auto first = static_cast<std::ptrdiff_t>(batch.first);
+        const auto last = static_cast<std::ptrdiff_t>(batch.last);
+        std::fill(boundaries.begin() + first, boundaries.begin() + last, range.material->smooth_boundary());
+        std::fill(passed.begin() + first, passed.begin() + last, range.roles.casts_shadows ? 0 : 1);
+    }
+    return [&geometry, rays = std::move(rays), boundaries = std::move(boundaries),
+            passed = std::move(passed)](Ray ray) -> std::optional<GlassShadows::Crossing> {
+        std::optional<RayHit> hit = rays->intersect(ray);
+        while (hit && passed[hit->triangle] != 0) {
+            ray.nearest = hit->distance * (1 + kRayOffset);
+            hit = rays->intersect(ray);
+        }
         if (!hit) return std::nullopt;
         const glm::uvec3& corners = geometry.triangles[hit->triangle];
         const glm::dvec3 normal = (1 - hit->b1 - hit->b2) * glm::dvec3(geometry.normals[corners.x]) +

@@ -22,7 +22,7 @@ struct BallInView {
     }
 
     [[nodiscard]] std::vector<std::uint32_t> order() const {
-        return bake_order(surfaces.geometry(), projection, parts, waits);
+        return bake_order(surfaces.geometry(), {&projection, 1}, parts, waits);
     }
 
     /// Returns whether an image shows a vertex of the block.

@@ -56,7 +56,8 @@ struct Surfaces {
     void update(const Scene& scene, double tolerance) {
         geometry.update(scene);
         SurfaceRays rays(geometry);
-        visibility.update(geometry, rays, true, false, project(Camera(), 8, 8),
+        const Projection view = project(Camera(), 8, 8);
+        visibility.update(geometry, rays, true, false, {&view, 1},
                           {.bake_directions = 512, .refine_tolerance = tolerance, .max_vertices = 4096},
                           workers, progress, statistics);
     }

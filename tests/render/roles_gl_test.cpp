@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+// Tests of instances that cast or receive no shadows or are invisible: against scenes without them.
+#include <string_view>
+
+#include "gl/contexts.hpp"
+#include "image_difference.hpp"
+#include "render/scenes.hpp"
+
+using namespace nicol;
+using test::Studio;
+
+namespace {
+
+constexpr std::uint32_t kFloor = 0, kBall = 1;
+const InstanceRoles kCastsNone{.casts_shadows = false};
+const InstanceRoles kReceivesNone{.receives_shadows = false};
+const InstanceRoles kInvisible{.visible = false};
+const InstanceRoles kAbsent{.casts_shadows = false, .visible = false};
+
+/// A ball above a floor and under a roof, which the camera does not see.
+Scene room(bool lamp) {
+    Scene scene;
+    scene.add({.mesh = test::rectangle(24), .material = diffuse({0.5}), .to_world = test::plate_at(-1, 3)});
+    scene.add({.mesh = test::coarse_sphere(6), .material = diffuse({0.8})});
+    scene.add({.mesh = std::make_shared<const Mesh>(make_cube(4)),
+               .material = diffuse({0.3}),
+               .to_world = test::at(0, 2.5, -1, 0.7)});
+    if (lamp) {
+        scene.add_light({.value = {20}, .to_world = look_at({0.5, 4, 1}, {0, 0, 0}, {0, 1, 0.1})});
+    } else {
+        scene.set_environment(test::falling_light(4, true), glm::dmat3(1), 1);
+    }
+    return scene;
+}
+
+/// Returns the largest difference at pixels of an instance (or of all others), over the RMS of an image.
+double difference(const StokesImage& a, const StokesImage& b, const Aovs& shown, std::uint32_t instance,
+                  bool others = false) {
+    double most = 0;
+    const StokesImage between = test::minus(a, b);
+    for (int y = 0; y < a.height; ++y)
+        for (int x = 0; x < a.width; ++x) {
+            const auto pixel =
+                static_cast<std::size_t>(y) * static_cast<std::size_t>(a.width) + static_cast<std::size_t>(x);
+            if ((shown.instances[pixel] == instance) == others) continue;
+            for (int c = 0; c < a.channels; ++c)
+                for (int p = 0; p < 4; ++p)
+                    most = std::max(most, std::abs(static_cast<double>(between.at(c, y, x)[p])));
+        }
+    return most / test::rms(a);
+}
+
+}  // namespace
+
+IMAGE_TEST_CASE("instances have the roles that they are given, by every method") {
+    struct Case {
+        const char* name;
+        Method method;
+        ShadeAt shade_at;
+        int max_depth;
+        bool lamp;
+        double budget;
+    };
+    constexpr int direct = kDirectLightDepth;
+    for (const Case& c : {Case{"vertices", Method::factored, ShadeAt::vertices, direct, false, 0},
+                          Case{"pixels", Method::factored, ShadeAt::pixels, direct, false, 0},
+                          Case{"a lamp", Method::factored, ShadeAt::pixels, direct, true, 0},
+                          Case{"bounces", Method::factored, ShadeAt::pixels, 4, false, 0},
+                          Case{"a budget", Method::factored, ShadeAt::pixels, direct, false, 1e6},
+                          Case{"dense", Method::dense, ShadeAt::vertices, direct, false, 0},
+                          Case{"rays", Method::reference, ShadeAt::automatic, direct, false, 0},
+                          Case{"rays, a lamp", Method::reference, ShadeAt::automatic, direct, true, 0},
+                          Case{"rays, bounces", Method::reference, ShadeAt::automatic, 4, false, 0}}) {
+        CAPTURE(c.name);
+        RenderOptions options{.method = c.method, .executor = Executor::cpu, .bake_directions = 512};
+        options.refine_tolerance = 0;
+        options.bake_budget_ms = c.budget;
+        options.order_high = 4;
+        options.shade_at = c.shade_at;
+        options.samples = 16;
+        options.max_depth = c.max_depth;
+        options.aovs = aov_instances;
+        Aovs shown;
+        const auto picture = [&](const Scene& scene) {
+            Framebuffer target(context, 48, 36, scene.channels());
+            Renderer(context).render(scene, test::some_camera(), options, target);
+            shown = target.aovs();
+            return target.image();
+        };
+        const auto with_ball = [&](const InstanceRoles& roles) {
+            Scene scene = room(c.lamp);
+            scene.set_roles(kBall, roles);
+            return scene;
+        };
+        Scene without = room(c.lamp), alone = room(c.lamp);
+        without.remove(kBall);
+        alone.remove(kFloor);
+        alone.remove(2);
+        const StokesImage no_ball = picture(without), of_alone = picture(alone);
+        const StokesImage casting_none = picture(with_ball(kCastsNone));
+        const StokesImage receiving_none = picture(with_ball(kReceivesNone));
+        const StokesImage invisible = picture(with_ball(kInvisible));
+        CHECK(std::ranges::count(shown.instances, kBall) == 0);
+        const StokesImage absent = picture(with_ball(kAbsent));
+        const StokesImage full = picture(with_ball({}));
+        REQUIRE(std::ranges::count(shown.instances, kBall) > 100);
+
+        constexpr double same = 2e-3;
+        // The picture has shadows by and on the ball, or nothing would be tested.
+        CHECK(difference(full, no_ball, shown, kBall, true) > 0.1);
+        CHECK(difference(full, of_alone, shown, kBall) > 0.1);
+        CHECK(difference(casting_none, no_ball, shown, kBall, true) < same);
+        CHECK(difference(receiving_none, of_alone, shown, kBall) < same);
+        CHECK(difference(receiving_none, full, shown, kBall, true) < (c.max_depth == direct ? same : 0.1));
+        CHECK(difference(invisible, full, shown, kBall, true) < same);
+        CHECK(difference(invisible, full, shown, kBall) > 0.1);
+        CHECK(test::rms_difference(absent, no_ball) < same * test::rms(no_ball));
+        if (c.max_depth == direct) CHECK(difference(casting_none, full, shown, kBall) < same);
+    }
+}
+
+IMAGE_TEST_CASE("a change of roles is taken over as by a fresh start") {
+    for (const double budget : {0.0, 1e6}) {
+        CAPTURE(budget);
+        RenderOptions options{.executor = Executor::cpu, .bake_directions = 512};
+        options.bake_budget_ms = budget;
+        options.order_high = 4;
+        options.shade_at = ShadeAt::pixels;
+        options.disabled_optimisations = skip_rays;
+        Studio kept(context);
+        Scene scene = room(false);
+        for (const InstanceRoles& roles : {InstanceRoles{}, kCastsNone, kReceivesNone, kInvisible, kAbsent}) {
+            scene.set_roles(kBall, roles);
+            Studio fresh(context);
+            const StokesImage expected = fresh(scene, options);
+            CHECK(test::rms_difference(kept(scene, options), expected) < 1e-5 * test::rms(expected));
+        }
+    }
+}
