@@ -9,6 +9,33 @@
 #include "scene/camera.hpp"
 
 namespace nicol::scene {
+
+void GltfBounds::add(const GltfBounds& box, const glm::dmat4& to_world) {
+    for (int i = 0; i < 8; ++i) {
+        const glm::dvec3 corner((i & 1) != 0 ? box.upper.x : box.lower.x,
+                                (i & 2) != 0 ? box.upper.y : box.lower.y,
+                                (i & 4) != 0 ? box.upper.z : box.lower.z);
+        const glm::dvec3 p(to_world * glm::dvec4(corner, 1));
+        lower = empty ? p : glm::min(lower, p);
+        upper = empty ? p : glm::max(upper, p);
+        empty = false;
+    }
+}
+
+GltfBounds bounds_of(const Mesh& mesh) {
+    glm::vec3 lower = mesh.positions.front(), upper = lower;
+    for (const glm::vec3& p : mesh.positions) {
+        lower = glm::min(lower, p);
+        upper = glm::max(upper, p);
+    }
+    return {.lower = lower, .upper = upper, .empty = false};
+}
+
+bool is_gltf_placement(const glm::dmat4& m) {
+    const glm::dmat3 linear(m);
+    const double box = glm::length(linear[0]) * glm::length(linear[1]) * glm::length(linear[2]);
+    return std::abs(glm::determinant(linear)) > 1e-12 * box;
+}
 namespace {
 
 constexpr double kDefaultHeight = 45;  // degrees

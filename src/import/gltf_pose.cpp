@@ -8,17 +8,10 @@
 #include <string>
 
 #include "arguments.hpp"
+#include "import/gltf_readers.hpp"
 #include "import/gltf_track.hpp"
 
 namespace nicol::scene {
-namespace {
-
-std::string node_name(std::size_t node) {
-    return "nodes[" + std::to_string(node) + "]";
-}
-
-}  // namespace
-
 GltfPose::GltfPose(const GltfDocument& document, const std::optional<GltfMoment>& moment,
                    const LoadBudget& budget, GltfNotices& notices)
     : document_(document), budget_(budget), animated_(document.model().nodes.size()) {

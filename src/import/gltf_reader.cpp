@@ -5,12 +5,14 @@
 #include <glm/matrix.hpp>
 #include <limits>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <tuple>
 #include <utility>
 
 #include "arguments.hpp"
+#include "import/gltf_animation.hpp"
 #include "import/gltf_readers.hpp"
 #include "import/values.hpp"
 
@@ -25,13 +27,6 @@ std::string name_of(const char* list, std::size_t index) {
 /// Returns the name of a primitive.
 std::string name_of(int mesh, std::size_t primitive) {
     return name_of("meshes", static_cast<std::size_t>(mesh)) + "." + name_of("primitives", primitive);
-}
-
-/// Returns whether a matrix is invertible, which a mesh's transform must be.
-bool is_invertible(const glm::dmat4& m) {
-    const glm::dmat3 linear(m);
-    const double box = glm::length(linear[0]) * glm::length(linear[1]) * glm::length(linear[2]);
-    return std::abs(glm::determinant(linear)) > 1e-12 * box;
 }
 
 std::optional<GltfMoment> moment_from(const std::filesystem::path& file, const SceneParameters& parameters) {
@@ -56,14 +51,18 @@ std::optional<GltfMoment> moment_from(const std::filesystem::path& file, const S
 /// One scene. Materials are numbered in the order in which its shapes use them.
 class GltfReader {
 public:
-    GltfReader(const GltfDocument& document, const std::optional<GltfMoment>& moment,
+    GltfReader(std::shared_ptr<const GltfDocument> document, const std::optional<GltfMoment>& moment,
                const LoadBudget& budget)
-        : document_(document),
-          model_(document.model()),
+        : document_(*document),
+          model_(document_.model()),
           budget_(budget),
-          notices_(document.path()),
-          pose_(document, moment, budget, notices_),
-          textures_(document, notices_) {}
+          notices_(document_.path()),
+          pose_(document_, moment, budget, notices_),
+          textures_(document_, notices_) {
+        if (!model_.animations.empty())
+            animation_ = std::make_shared<GltfAnimation>(std::move(document),
+                                                         moment ? moment->animation : std::string());
+    }
 
     SceneDescription run() {
         read_nodes();
@@ -72,6 +71,8 @@ public:
         scene_.sensor =
             camera_ ? read_gltf_camera(document_, *camera_->node, camera_->where, camera_->to_world, bounds_)
                     : gltf_camera_in_front(bounds_);
+        if (animation_ && camera_) animation_->set_camera(camera_->index);
+        scene_.animation = std::move(animation_);
         scene_.files = document_.files();
         scene_.notices = notices_.take();
         if (std::string text = left_out_.notice(document_.path().string()); !text.empty())
@@ -143,8 +144,10 @@ private:
             notices_.add("EXT_mesh_gpu_instancing is not followed; such a node is drawn once");
         if (node.camera >= 0 && camera_) notices_.add("only the first of several cameras is used");
         if (node.camera >= 0 && !camera_) camera_ = placed;
-        if (auto light = read_gltf_light(document_, node, placed.where, placed.to_world, notices_))
+        if (auto light = read_gltf_light(document_, node, placed.where, placed.to_world, notices_)) {
             scene_.lights.push_back(std::move(*light));
+            if (animation_) animation_->add_light(placed.index);
+        }
         if (node.mesh >= 0) add_mesh(placed);
     }
 
@@ -156,10 +159,10 @@ private:
             if (!made.mesh) continue;
             // Vertices that follow joints have places in the scene.
             const glm::dmat4 to_world = node.skin < 0 ? placed.to_world : glm::dmat4(1.0);
-            if (!is_invertible(to_world)) {
-                left_out_.add("instances that their transform makes flat");
-                continue;
-            }
+            const bool present = is_gltf_placement(to_world);
+            if (!present) left_out_.add("instances that their transform makes flat");
+            // An instance may be flat at one time only.
+            if (!present && !animation_) continue;
             if (scene_.shapes.size() == kMaxShapes)
                 document_.fail(placed.where, "more than " + std::to_string(kMaxShapes) + " shapes",
                                ErrorCode::unsupported);
@@ -167,13 +170,29 @@ private:
             shape.kind = ShapeDescription::Kind::mesh;
             shape.id = node.name.empty() ? mesh.name : node.name;
             shape.mesh = made.mesh;
-            shape.to_world = to_world;
+            shape.present = present;
+            if (present) shape.to_world = to_world;
             ReadMaterial& of = material(mesh.primitives[p], name_of(node.mesh, p));
             shape.material = index_of(of);
             shape.emission = of.material.emission;
-            extend(made.bounds, to_world);
+            if (present) bounds_.add(made.bounds, to_world);
+            if (animation_) add_to_animation(placed, made, mesh.primitives[p], name_of(node.mesh, p));
             scene_.shapes.push_back(std::move(shape));
         }
+    }
+
+    void add_to_animation(const PlacedNode& placed, const Made& made, const tinygltf::Primitive& primitive,
+                          const std::string& where) {
+        GltfAnimation::Part part{.node = placed.index,
+                                 .skinned = placed.node->skin >= 0,
+                                 .mesh = made.mesh,
+                                 .bounds = made.bounds,
+                                 .primitive = &primitive,
+                                 .where = where,
+                                 .deforming = std::nullopt};
+        if (GltfDeformation::deforms(*placed.node, primitive))
+            part.deforming = material(primitive, where).material;
+        animation_->add_part(std::move(part));
     }
 
     const Made& primitive(const PlacedNode& placed, std::size_t index) {
@@ -215,27 +234,6 @@ private:
         return *read.index;
     }
 
-    static GltfBounds bounds_of(const Mesh& mesh) {
-        glm::vec3 lower = mesh.positions.front(), upper = lower;
-        for (const glm::vec3& p : mesh.positions) {
-            lower = glm::min(lower, p);
-            upper = glm::max(upper, p);
-        }
-        return {lower, upper};
-    }
-
-    void extend(const GltfBounds& box, const glm::dmat4& to_world) {
-        for (int i = 0; i < 8; ++i) {
-            const glm::dvec3 corner((i & 1) != 0 ? box.upper.x : box.lower.x,
-                                    (i & 2) != 0 ? box.upper.y : box.lower.y,
-                                    (i & 4) != 0 ? box.upper.z : box.lower.z);
-            const glm::dvec3 p(to_world * glm::dvec4(corner, 1));
-            const bool first = scene_.shapes.empty() && i == 0;
-            bounds_.lower = first ? p : glm::min(bounds_.lower, p);
-            bounds_.upper = first ? p : glm::max(bounds_.upper, p);
-        }
-    }
-
     const GltfDocument& document_;
     const tinygltf::Model& model_;
     const LoadBudget& budget_;
@@ -246,6 +244,7 @@ private:
     SceneDescription scene_;
     GltfBounds bounds_;
     std::optional<PlacedNode> camera_;
+    std::shared_ptr<GltfAnimation> animation_;  // null: the file has no animations
     // By mesh, primitive and the node that deforms it, or kNoNode.
     std::map<std::tuple<int, std::size_t, std::size_t>, Made> made_;
     std::map<GltfSurface, ReadMaterial> materials_;
@@ -258,8 +257,7 @@ private:
 SceneDescription read_gltf_scene(const std::filesystem::path& file, const SceneParameters& parameters,
                                  const LoadBudget& budget) {
     const std::optional<scene::GltfMoment> moment = scene::moment_from(file, parameters);
-    const scene::GltfDocument document(file, budget);
-    return scene::GltfReader(document, moment, budget).run();
+    return scene::GltfReader(std::make_shared<const scene::GltfDocument>(file, budget), moment, budget).run();
 }
 
 }  // namespace nicol

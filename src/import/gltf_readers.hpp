@@ -26,7 +26,20 @@ namespace nicol::scene {
 struct GltfBounds {
     glm::dvec3 lower{0.0};
     glm::dvec3 upper{0.0};
+    bool empty = true;
+
+    /// Adds a box of other axes.
+    void add(const GltfBounds& box, const glm::dmat4& to_world);
 };
+[[nodiscard]] GltfBounds bounds_of(const Mesh& mesh);
+
+/// Returns whether a matrix is invertible, which a mesh's transform must be.
+[[nodiscard]] bool is_gltf_placement(const glm::dmat4& m);
+
+/// Returns the name of a node in the file.
+[[nodiscard]] inline std::string node_name(std::size_t node) {
+    return "nodes[" + std::to_string(node) + "]";
+}
 
 // Each throws as read_gltf_scene does.
 

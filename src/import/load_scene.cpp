@@ -146,8 +146,7 @@ LocalLight make_light(const LightDescription& d, const SceneChannels& channels,
     light.kind = d.kind;
     light.value = radiance(d.value, channels);
     for (double& value : light.value) value *= d.scale;
-    light.to_world = glm::dmat4(rotation_of(d.to_world, "a light"));
-    light.to_world[3] = d.to_world[3];
+    light.to_world = light_placement(d.to_world);
     light.angular_radius = d.angular_radius;
     light.cutoff_angle = d.cutoff_angle;
     light.beam_width = d.beam_width;
@@ -239,7 +238,9 @@ SceneDescription read_scene(const std::filesystem::path& file, const SceneParame
     return read_mitsuba_scene(file, parameters, budget);
 }
 
-Camera make(const SensorDescription& d) {
+}  // namespace
+
+Camera camera_of(const SensorDescription& d) {
     Camera camera;
     camera.orthographic = d.kind == SensorDescription::Kind::orthographic;
     camera.to_world = d.to_world;
@@ -260,7 +261,11 @@ Camera make(const SensorDescription& d) {
     return camera;
 }
 
-}  // namespace
+glm::dmat4 light_placement(const glm::dmat4& to_world) {
+    glm::dmat4 out(rotation_of(to_world, "a light"));
+    out[3] = to_world[3];
+    return out;
+}
 
 LoadedScene load_scene(const std::filesystem::path& file, const SceneParameters& parameters,
                        const LoadBudget& budget) {
@@ -298,11 +303,12 @@ LoadedScene load_scene(const std::filesystem::path& file, const SceneParameters&
         made(file, named("emitter", light.id),
              [&] { return out.scene.add_light(make_light(light, channels, textures)); });
     }
-    out.camera = make(description.sensor);
+    out.camera = camera_of(description.sensor);
     const SensorDescription& sensor = description.sensor;
     out.width = sensor.crop ? sensor.crop->size.x : sensor.width;
     out.height = sensor.crop ? sensor.crop->size.y : sensor.height;
     Meshes meshes(PrimitiveDetail(out.camera, {out.width, out.height}), files);
+    std::vector<MovingInstance> instances;
     for (const ShapeDescription& shape : description.shapes) {
         made(file, named("shape", shape.id), [&] {
             textures.set_attributes(&shape.attributes);
@@ -321,16 +327,22 @@ LoadedScene load_scene(const std::filesystem::path& file, const SceneParameters&
                     "a surface without texture coordinates has a roughness that depends on the direction, "
                     "which "
                     "is any then");
-            out.scene.add({.mesh = mesh,
-                           .material = surface.material,
-                           .to_world = placement(shape),
-                           .emission = emission});
+            Instance instance{.mesh = mesh,
+                              .material = surface.material,
+                              .to_world = placement(shape),
+                              .emission = emission};
+            MovingInstance& moving = instances.emplace_back();
+            if (shape.present)
+                moving.id = out.scene.add(std::move(instance));
+            else
+                moving.absent = std::move(instance);
         });
     }
     for (const PolarizationElement& element : description.elements)
         made(file, "shape", [&] { return out.scene.add_element(element); });
     scene::put_elements_before_lights(description, out.scene, files);
     std::ranges::copy(files.notices(), std::back_inserter(out.notices));
+    if (description.animation) out.animation.emplace(description.animation, std::move(instances));
     out.files = files.records();
     out.luminance = sensor.luminance;
     out.sample_count = sensor.sample_count;

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <filesystem>
+#include <glm/mat4x4.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,13 +21,14 @@ struct LoadedScene {
     Camera camera;
     int width = 0;  ///< of the film or its crop, pixels
     int height = 0;
-    bool luminance = false;            ///< the film has one channel
-    std::uint32_t sample_count = 0;    ///< samples of a pixel that the file asks for; 0: it does not say
-    ReconstructionFilter filter;       ///< of the film
-    int max_depth = 0;                 ///< as in IntegratorDescription
-    std::uint32_t aovs = 0;            ///< bits of AovBit that the file asks for
-    std::vector<FileRecord> files;     ///< all that were read, as they were then; the scene file first
-    std::vector<std::string> notices;  ///< what has no effect or was assumed, one line each
+    bool luminance = false;                ///< the film has one channel
+    std::uint32_t sample_count = 0;        ///< samples of a pixel that the file asks for; 0: it does not say
+    ReconstructionFilter filter;           ///< of the film
+    int max_depth = 0;                     ///< as in IntegratorDescription
+    std::uint32_t aovs = 0;                ///< bits of AovBit that the file asks for
+    std::optional<MovingScene> animation;  ///< none: nothing moves
+    std::vector<FileRecord> files;         ///< all that were read, as they were then; the scene file first
+    std::vector<std::string> notices;      ///< what has no effect or was assumed, one line each
 };
 
 /// Reads a scene file, glTF where its suffix is .gltf or .glb and else Mitsuba's XML, and everything it
@@ -35,5 +38,11 @@ struct LoadedScene {
 /// read_gltf_scene() and the readers of images, meshes and materials throw, and what LoadBudget throws.
 [[nodiscard]] LoadedScene load_scene(const std::filesystem::path& file, const SceneParameters& parameters,
                                      const LoadBudget& budget = {});
+
+/// Returns the camera of a sensor.
+[[nodiscard]] Camera camera_of(const SensorDescription& sensor);
+/// Returns the transform of a light without what has no effect. Throws Error(unsupported) unless the matrix
+/// has a rotation.
+[[nodiscard]] glm::dmat4 light_placement(const glm::dmat4& to_world);
 
 }  // namespace nicol

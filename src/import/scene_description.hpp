@@ -21,6 +21,7 @@
 #include "image/reconstruction_filter.hpp"
 #include "import/color_description.hpp"
 #include "import/material_description.hpp"
+#include "import/scene_animation.hpp"
 #include "import/texture_specification.hpp"
 #include "light/local_light.hpp"
 #include "polarization/element.hpp"
@@ -84,6 +85,7 @@ struct ShapeDescription {
     /// Textures in the place of attributes, by the whole name such as "vertex_weight".
     std::map<std::string, TextureSpecificationPtr> attributes;
     glm::dmat4 to_world{1.0};                     ///< affine and invertible
+    bool present = true;                          ///< false: an animation leaves nothing of it to draw
     std::size_t material = 0;                     ///< index into SceneDescription::materials
     std::optional<EmissionDescription> emission;  ///< none: it emits no light
 };
@@ -147,8 +149,9 @@ struct SceneDescription {
     std::optional<EnvironmentDescription> environment;
     std::vector<LightDescription> lights;
     std::vector<ElementDescription> elements;
-    std::vector<FileRecord> files;     ///< the scene file and those that it includes
-    std::vector<std::string> notices;  ///< what was read and not followed, one sentence each
+    std::shared_ptr<const SceneAnimation> animation;  ///< null: nothing moves
+    std::vector<FileRecord> files;                    ///< the scene file and those that it includes
+    std::vector<std::string> notices;                 ///< what was read and not followed, one sentence each
 };
 
 /// Most of one scene, instances counted: memory for them is not bounded by the size of its files.

@@ -10,4 +10,8 @@ LoadedScene load_scene(const std::filesystem::path& file, const SceneParameters&
     refuse_left_out_format(file, "scene files", "NICOL_SCENE_FILES");
 }
 
+// No scene has been loaded.
+void MovingScene::set_time(double /*time*/, const LoadBudget& /*budget*/, Scene& /*scene*/,
+                           Camera& /*camera*/) {}
+
 }  // namespace nicol
