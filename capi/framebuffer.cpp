@@ -2,7 +2,9 @@
 // Framebuffers, and files of their content.
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numbers>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -97,6 +99,38 @@ nicol_result nicol_framebuffer_get_size(nicol_framebuffer framebuffer, uint32_t*
         *width = static_cast<uint32_t>(self.content->width());
         *height = static_cast<uint32_t>(self.content->height());
         *channels = static_cast<uint32_t>(self.content->channels());
+    });
+}
+
+nicol_result nicol_framebuffer_blend(nicol_framebuffer framebuffer, nicol_framebuffer other, double weight) {
+    return guarded([&] {
+        const nicol_framebuffer_impl& self = resolve(framebuffer);
+        const nicol_framebuffer_impl& from = resolve(other);
+        require_same_context(self, from);
+        Framebuffer& target = *self.content;
+        if (self.content == from.content) refuse("other is the framebuffer itself");
+        if (target.width() != from.content->width() || target.height() != from.content->height() ||
+            target.channels() != from.content->channels())
+            refuse("other has another size or other channels; both framebuffers must have the same");
+        if (!(weight >= 0 && weight <= 1))
+            refuse("weight is " + std::to_string(weight) + "; it must lie in 0 to 1");
+        const auto image_of = [](const nicol_framebuffer_impl& of) {
+            const Access access(of);
+            StokesImage image;
+            of.session->gl->visit([&] { image = of.content->image(); });
+            return image;
+        };
+        const StokesImage added = image_of(from);
+        const Access access(self);
+        self.session->gl->visit([&] {
+            StokesImage mixed = target.image();
+            for (std::size_t i = 0; i < mixed.data.size(); ++i)
+                mixed.data[i] =
+                    static_cast<float>(std::lerp(double{mixed.data[i]}, double{added.data[i]}, weight));
+            const Statistics statistics = target.statistics();
+            Aovs aovs = target.aovs();
+            target.show(std::move(mixed), statistics, std::move(aovs));
+        });
     });
 }
 

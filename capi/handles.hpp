@@ -18,6 +18,7 @@
 #include "geometry/mesh.hpp"
 #include "gl/context.hpp"
 #include "gl/lending_mutex.hpp"
+#include "import/scene_animation.hpp"
 #include "job.hpp"
 #include "light/environment.hpp"
 #include "material/material.hpp"
@@ -121,9 +122,11 @@ struct SceneState {
     Renderer renderer;
     bool darkness_noticed = false;
     bool error_noticed = false;
-    // The film and the files come from the scene file and never change.
+    // The film and the files come from the scene file. They never change, but for the film's camera, which
+    // `edit` protects.
     std::optional<Film> film;
     std::vector<FileRecord> files;
+    std::optional<MovingScene> animation;  ///< none: the scene's file has none
 };
 
 /// Content of every handle: a session, the object and a reference count.

@@ -2,12 +2,15 @@
 // Renders, directly and as jobs.
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <functional>
 #include <iomanip>
 #include <memory>
+#include <span>
 #include <sstream>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "assets.hpp"
 #include "camera.hpp"
@@ -166,19 +169,54 @@ RenderOptions options_from(const nicol_render_options& given) {
     return options;
 }
 
-// Arguments of nicol_render, checked as far as possible without a scene.
+// Options of nicol_render, checked as far as possible without a scene.
 struct RenderCall {
-    Camera camera;
     RenderOptions options;
     bool fail_if_busy;
 };
 
-RenderCall read_render_call(const nicol_camera* camera, const nicol_render_options* options) {
+RenderCall read_render_call(const nicol_render_options* options) {
     const auto given = read_options(options, nicol_render_options NICOL_RENDER_OPTIONS_INIT);
     if (given.reserved != 0) refuse("reserved must be 0");
-    return {.camera = camera_from(read_struct(camera, nicol_camera NICOL_CAMERA_INIT, "camera")),
-            .options = options_from(given),
-            .fail_if_busy = switch_from(given.fail_if_busy, "fail_if_busy")};
+    return {.options = options_from(given), .fail_if_busy = switch_from(given.fail_if_busy, "fail_if_busy")};
+}
+
+Camera read_camera(const nicol_camera* camera, const char* name) {
+    return camera_from(read_struct(camera, nicol_camera NICOL_CAMERA_INIT, name));
+}
+
+// Returns the cameras of an array whose elements have the size that the first one states.
+std::vector<Camera> read_cameras(const nicol_camera* cameras, std::uint32_t count) {
+    require(cameras, "cameras");
+    const std::uint32_t size = cameras->struct_size;
+    std::vector<Camera> out;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const std::string name = "cameras[" + std::to_string(i) + "]";
+        const auto* const camera = reinterpret_cast<const nicol_camera*>(
+            reinterpret_cast<const std::byte*>(cameras) + std::size_t{i} * size);
+        if (camera->struct_size != size)
+            refuse(name + ".struct_size is " + std::to_string(camera->struct_size) +
+                   "; it must be that of cameras[0], " + std::to_string(size));
+        out.push_back(read_camera(camera, name.c_str()));
+    }
+    return out;
+}
+
+// Returns the framebuffers of an array, which stay alive as long as the copies.
+std::vector<nicol_framebuffer_impl> read_framebuffers(const nicol_framebuffer* framebuffers,
+                                                      std::uint32_t count, const nicol_scene_impl& scene) {
+    require(framebuffers, "framebuffers");
+    std::vector<nicol_framebuffer_impl> out;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const nicol_framebuffer_impl target = resolve(framebuffers[i]);
+        require_same_context(scene, target);
+        for (std::uint32_t k = 0; k < i; ++k)
+            if (out[k].content == target.content)
+                refuse("framebuffers[" + std::to_string(i) + "] is framebuffers[" + std::to_string(k) +
+                       "] again; each view needs its own");
+        out.push_back(target);
+    }
+    return out;
 }
 
 // Returns a function that reports to the job and to the caller's progress callback.
@@ -223,6 +261,24 @@ void notice_error(const Statistics& statistics, const RenderOptions& options, Sc
     session.notice(text.str());
 }
 
+// Renders at least one view on the caller's thread.
+void render_views(const nicol_scene_impl& self, std::span<const View> views, const RenderCall& call) {
+    refuse_in_callback(*self.session);
+    SceneState& state = *self.content;
+    std::unique_lock rendering(state.rendering, std::defer_lock);
+    if (!call.fail_if_busy)
+        rendering.lock();
+    else if (!rendering.try_lock())
+        throw Error(ErrorCode::busy, "another render of the scene runs, and fail_if_busy is 1");
+    // A host's context is asked for before baking, which may take minutes.
+    self.session->gl->visit([&] {
+        const Edit edit(self);
+        notice_darkness(state.scene, state, *self.session);
+        for (const Statistics& statistics : state.renderer.render(state.scene, views, call.options))
+            notice_error(statistics, call.options, state, *self.session);
+    });
+}
+
 // Throws Error(cancelled) if a job that waits for the host's context was cancelled or nobody can lend it.
 void require_awaited(const Job& job, const Session& session) {
     job.check();
@@ -240,22 +296,26 @@ nicol_result nicol_render(nicol_scene scene, const nicol_camera* camera, const n
         const nicol_scene_impl& self = resolve(scene);
         const nicol_framebuffer_impl& target = resolve(framebuffer);
         require_same_context(self, target);
-        const RenderCall call = read_render_call(camera, options);
-        refuse_in_callback(*self.session);
-        SceneState& state = *self.content;
-        std::unique_lock rendering(state.rendering, std::defer_lock);
-        if (!call.fail_if_busy)
-            rendering.lock();
-        else if (!rendering.try_lock())
-            throw Error(ErrorCode::busy, "another render of the scene runs, and fail_if_busy is 1");
-        // A host's context is asked for before baking, which may take minutes.
-        self.session->gl->visit([&] {
-            const Edit edit(self);
-            notice_darkness(state.scene, state, *self.session);
-            const Statistics statistics =
-                state.renderer.render(state.scene, call.camera, call.options, *target.content);
-            notice_error(statistics, call.options, state, *self.session);
-        });
+        const RenderCall call = read_render_call(options);
+        const View view{.camera = read_camera(camera, "camera"), .target = target.content.get()};
+        render_views(self, {&view, 1}, call);
+    });
+}
+
+nicol_result nicol_render_views(nicol_scene scene, const nicol_camera* cameras,
+                                const nicol_framebuffer* framebuffers, uint32_t count,
+                                const nicol_render_options* options) {
+    return guarded([&] {
+        const nicol_scene_impl& self = resolve(scene);
+        if (count < 1 || count > NICOL_MAX_VIEWS)
+            refuse("count is " + std::to_string(count) + "; it must lie in 1 to " +
+                   std::to_string(NICOL_MAX_VIEWS));
+        const std::vector<nicol_framebuffer_impl> targets = read_framebuffers(framebuffers, count, self);
+        const RenderCall call = read_render_call(options);
+        std::vector<View> views;
+        for (const Camera& camera : read_cameras(cameras, count))
+            views.push_back({.camera = camera, .target = targets[views.size()].content.get()});
+        render_views(self, views, call);
     });
 }
 
@@ -267,7 +327,8 @@ nicol_result nicol_render_async(nicol_scene scene, const nicol_camera* camera,
         const nicol_scene_impl& self = resolve(scene);
         const nicol_framebuffer_impl& target = resolve(framebuffer);
         require_same_context(self, target);
-        const RenderCall call = read_render_call(camera, options);
+        const RenderCall call = read_render_call(options);
+        const Camera from = read_camera(camera, "camera");
         refuse_in_callback(*self.session);
         Scene snapshot;
         {
@@ -275,7 +336,7 @@ nicol_result nicol_render_async(nicol_scene scene, const nicol_camera* camera,
             snapshot = self.content->scene;
         }
         auto made = std::make_shared<Job>(
-            [call, snapshot = std::move(snapshot), session = self.session, state = self.content,
+            [call, from, snapshot = std::move(snapshot), session = self.session, state = self.content,
              target = target.content](Job& running) {
                 Call::concerns(session);
                 const std::lock_guard rendering(state->rendering);
@@ -284,7 +345,7 @@ nicol_result nicol_render_async(nicol_scene scene, const nicol_camera* camera,
                 RenderOptions options = call.options;
                 options.progress = job_progress(running, call.options);
                 notice_darkness(snapshot, *state, *session);
-                const Statistics statistics = state->renderer.render(snapshot, call.camera, options, *target);
+                const Statistics statistics = state->renderer.render(snapshot, from, options, *target);
                 notice_error(statistics, options, *state, *session);
             },
             [session = self.session] { session->gl->wake(); });

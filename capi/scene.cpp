@@ -2,6 +2,7 @@
 // Cameras and scenes.
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "assets.hpp"
@@ -29,6 +30,23 @@ SceneParameters parameters_from(const char* const* definitions, std::uint32_t co
         parameters[text.substr(0, equals)] = text.substr(equals + 1);
     }
     return parameters;
+}
+
+InstanceRoles roles_from(std::uint32_t flags, const char* name) {
+    constexpr std::uint32_t all =
+        NICOL_INSTANCE_CASTS_NO_SHADOWS | NICOL_INSTANCE_RECEIVES_NO_SHADOWS | NICOL_INSTANCE_INVISIBLE;
+    if ((flags & ~all) != 0)
+        refuse(std::string(name) + " is " + std::to_string(flags) +
+               "; it must be a sum of NICOL_INSTANCE_...");
+    return {.casts_shadows = (flags & NICOL_INSTANCE_CASTS_NO_SHADOWS) == 0,
+            .receives_shadows = (flags & NICOL_INSTANCE_RECEIVES_NO_SHADOWS) == 0,
+            .visible = (flags & NICOL_INSTANCE_INVISIBLE) == 0};
+}
+
+std::uint32_t flags_of(const InstanceRoles& roles) {
+    return (roles.casts_shadows ? 0 : NICOL_INSTANCE_CASTS_NO_SHADOWS) |
+           (roles.receives_shadows ? 0 : NICOL_INSTANCE_RECEIVES_NO_SHADOWS) |
+           (roles.visible ? 0 : NICOL_INSTANCE_INVISIBLE);
 }
 
 const Film& film_of(const SceneState& scene) {
@@ -73,7 +91,20 @@ nicol_result nicol_scene_load(nicol_context context, const char* path, const cha
                        .max_depth = loaded.max_depth,
                        .aovs = loaded.aovs};
         state->files = std::move(loaded.files);
+        state->animation = std::move(loaded.animation);
         *scene = make_handle<nicol_scene_impl>(session, state);
+    });
+}
+
+nicol_result nicol_scene_set_time(nicol_scene scene, double time) {
+    return guarded([&] {
+        const nicol_scene_impl& self = resolve(scene);
+        SceneState& state = *self.content;
+        const Edit edit(self);
+        if (!state.animation)
+            throw Error(ErrorCode::unsupported,
+                        "only a scene loaded from a glTF file with animations has times");
+        state.animation->set_time(time, self.session->load_limits, state.scene, state.film->camera);
     });
 }
 
@@ -81,14 +112,16 @@ nicol_result nicol_scene_add_instance(nicol_scene scene, const nicol_instance* i
     return guarded([&] {
         const nicol_scene_impl& self = resolve(scene);
         const nicol_instance given = read_struct(instance, nicol_instance NICOL_INSTANCE_INIT, "instance");
-        if (given.reserved != 0) refuse("instance->reserved must be 0");
+        const InstanceRoles roles = roles_from(given.flags, "instance->flags");
         const nicol_mesh_impl& mesh = resolve(given.mesh);
         const nicol_material_impl& material = resolve(given.material);
         require_same_context(self, mesh);
         require_same_context(self, material);
         const Edit edit(self);
-        const std::uint32_t added = self.content->scene.add(
-            {.mesh = mesh.content, .material = material.content, .to_world = matrix(given.to_world)});
+        const std::uint32_t added = self.content->scene.add({.mesh = mesh.content,
+                                                             .material = material.content,
+                                                             .to_world = matrix(given.to_world),
+                                                             .roles = roles});
         if (id != nullptr) *id = added;
     });
 }
@@ -119,6 +152,24 @@ nicol_result nicol_scene_set_material(nicol_scene scene, uint32_t id, nicol_mate
         require_same_context(self, given);
         const Edit edit(self);
         self.content->scene.set_material(id, given.content);
+    });
+}
+
+nicol_result nicol_scene_set_instance_flags(nicol_scene scene, uint32_t id, uint32_t flags) {
+    return guarded([&] {
+        const nicol_scene_impl& self = resolve(scene);
+        const InstanceRoles roles = roles_from(flags, "flags");
+        const Edit edit(self);
+        self.content->scene.set_roles(id, roles);
+    });
+}
+
+nicol_result nicol_scene_get_instance_flags(nicol_scene scene, uint32_t id, uint32_t* flags) {
+    return guarded([&] {
+        const nicol_scene_impl& self = resolve(scene);
+        require(flags, "flags");
+        const Edit edit(self);
+        *flags = flags_of(self.content->scene.at(id).roles);
     });
 }
 
@@ -225,6 +276,8 @@ nicol_result nicol_scene_get_bounds(nicol_scene scene, double lower[3], double u
 nicol_result nicol_scene_get_camera(nicol_scene scene, nicol_camera* camera) {
     return guarded([&] {
         const nicol_scene_impl& self = resolve(scene);
+        std::optional<Edit> edit;  // only a scene with an animation changes its camera
+        if (self.content->animation) edit.emplace(self);
         const Camera& from = film_of(*self.content).camera;
         write_struct(camera, camera_to(from), "camera");
     });

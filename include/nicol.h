@@ -1147,9 +1147,16 @@ NICOL_API nicol_result nicol_polarization_element_init(nicol_polarization_elemen
 
 /* ---------------------------------------------------------------- scene */
 
+/* Roles that an instance does not have. */
+#define NICOL_INSTANCE_CASTS_NO_SHADOWS 1u    /* no surface receives less or more light because of it */
+#define NICOL_INSTANCE_RECEIVES_NO_SHADOWS 2u /* light reaches it as if it were alone in the scene */
+#define NICOL_INSTANCE_INVISIBLE 4u           /* the camera does not see it, nor in mirrors and through glass */
+
 typedef struct nicol_instance {
     uint32_t struct_size;
-    uint32_t reserved; /* 0 */
+    /* Sum of NICOL_INSTANCE_..., default 0: it casts and receives shadows and is visible. The emission of an
+     * instance lights the scene whatever the flags. Smooth glass that is invisible dims no light. */
+    uint32_t flags;
     nicol_mesh mesh;
     nicol_material material;
     /* Transform from the mesh's axes to the world: affine, invertible, last row 0 0 0 1; default the
@@ -1173,6 +1180,13 @@ NICOL_API nicol_result nicol_scene_create(nicol_context context, nicol_scene* sc
 NICOL_API nicol_result nicol_scene_load(nicol_context context, const char* path,
                                         const char* const* definitions, uint32_t definition_count,
                                         nicol_scene* scene);
+/* Moves a scene that was loaded from a glTF file with animations to a time in seconds: instances, deformed
+ * meshes, lights and camera (nicol_scene_get_camera) become those of nicol_scene_load with the definition
+ * time, and of its animation, or the first one. Meshes, transforms and lights that were set since are
+ * replaced; what was removed stays removed. An instance that its animation scales to nothing is removed, and
+ * comes back under another id. The next render bakes what has moved. Returns NICOL_ERROR_INVALID_ARGUMENT for
+ * a time that is not finite, and NICOL_ERROR_UNSUPPORTED for other scenes. */
+NICOL_API nicol_result nicol_scene_set_time(nicol_scene scene, double time);
 /* Adds an instance. id may be NULL; ids count up from 0, past those of removed instances too. The mesh must
  * have the texture coordinates and colours that the material needs. Materials and environment of a scene must
  * have one colour channel or the same number of channels. */
@@ -1190,6 +1204,11 @@ NICOL_API nicol_result nicol_scene_set_mesh(nicol_scene scene, uint32_t id, nico
 /* Sets the material of an instance, under the conditions of nicol_scene_add_instance. The next render
  * projects the material, if it is new to the scene, and shades the instance. */
 NICOL_API nicol_result nicol_scene_set_material(nicol_scene scene, uint32_t id, nicol_material material);
+/* Sets the flags of an instance, as in nicol_instance. The next render bakes again the instance and the
+ * vertices that it may shadow. Returns NICOL_ERROR_INVALID_ARGUMENT for unknown flags. */
+NICOL_API nicol_result nicol_scene_set_instance_flags(nicol_scene scene, uint32_t id, uint32_t flags);
+/* Gets the flags of an instance. */
+NICOL_API nicol_result nicol_scene_get_instance_flags(nicol_scene scene, uint32_t id, uint32_t* flags);
 /* Removes an instance. The id is not used again; other instances keep their ids. */
 NICOL_API nicol_result nicol_scene_remove_instance(nicol_scene scene, uint32_t id);
 /* Gets the parts of an instance: mesh and material as handles to release, and the transform. Each of the
@@ -1592,6 +1611,12 @@ NICOL_API nicol_result nicol_framebuffer_resize(nicol_framebuffer framebuffer, u
 /* Gets the width, height and channels of the framebuffer. */
 NICOL_API nicol_result nicol_framebuffer_get_size(nicol_framebuffer framebuffer, uint32_t* width,
                                                   uint32_t* height, uint32_t* channels);
+/* Replaces the framebuffer's image by (1 - weight) times itself plus weight times that of another one, of the
+ * same size and channels; weight is 0 to 1. Stokes vectors are mixed in each component, as light is. Motion
+ * blur is the mean of pictures while the shutter is open: blend picture k, counted from 1, with weight 1 / k.
+ * AOVs and statistics stay. */
+NICOL_API nicol_result nicol_framebuffer_blend(nicol_framebuffer framebuffer, nicol_framebuffer other,
+                                               double weight);
 NICOL_API nicol_result nicol_framebuffer_retain(nicol_framebuffer framebuffer);
 NICOL_API nicol_result nicol_framebuffer_release(nicol_framebuffer framebuffer);
 
@@ -1605,6 +1630,20 @@ NICOL_API nicol_result nicol_framebuffer_release(nicol_framebuffer framebuffer);
  * NICOL_ERROR_OUT_OF_MEMORY also beyond the context's memory_limit. */
 NICOL_API nicol_result nicol_render(nicol_scene scene, const nicol_camera* camera,
                                     const nicol_render_options* options, nicol_framebuffer framebuffer);
+
+#define NICOL_MAX_VIEWS 1024u /* largest number of views of nicol_render_views */
+
+/* Renders several views of a scene, such as the faces of a cube or the cameras of a rig: view i is that of
+ * cameras[i] in framebuffers[i]. The images are those of nicol_render, one view after the other, but the views
+ * share one bake of what all of them need, and the light of every vertex. count is the number of views, 1 to
+ * NICOL_MAX_VIEWS. All cameras have the struct_size of cameras[0]. The framebuffers may differ in size and
+ * must be different ones. options are those of each view, NULL: all defaults; bake_budget_ms is the time of
+ * all views together, and the statistics of the first view that is drawn include it. Invalid arguments are
+ * refused before anything is rendered; after another failure or cancellation, the views before it have their
+ * images. Returns what nicol_render does. */
+NICOL_API nicol_result nicol_render_views(nicol_scene scene, const nicol_camera* cameras,
+                                          const nicol_framebuffer* framebuffers, uint32_t count,
+                                          const nicol_render_options* options);
 
 /* Asynchronous render. Jobs of one context run one after another, in the order of submission, on a thread of
  * the context. Only nicol_render of the same scene waits for a running job, unless fail_if_busy is set. Other

@@ -136,6 +136,14 @@ class Call:
         self.before.append(f"{item}, {other} = {self.made(parameter, item)}, {self.made(parameter, other)}")
         self.arguments += [f"{item}.pointer", f"{other}.pointer", f"counted({item}, {other})"]
 
+    def paired(self, parameter, item, partners):
+        """Adds an array of structs and one of as many handles."""
+        other = variable_name(partners[0].name)
+        struct, handle = class_name(parameter.type.base), class_name(partners[0].type.base)
+        self.takes += [f"{item}: Sequence[{struct}]", f"{other}: Sequence[{handle}]"]
+        self.before.append(f"{item}, {other} = paired({item}, {struct}, {other}, {handle})")
+        self.arguments += [item, other, f"len({item})"]
+
     def rows(self, parameter, item, partners):
         self.take(parameter, item)
         self.before.append(f"{item} = {self.made(parameter, item, ', rows=True')}")

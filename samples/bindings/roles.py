@@ -21,6 +21,8 @@ def roles_of(header, function):
             role, partners = "buffer", 1
         elif type_.pointers and names[1:2] == ["count"] and rest[0].type == type_:
             role, partners = "buffers", 2
+        elif type_.pointers and names[1:2] == ["count"] and type_.base in header.structs and rest[0].type.base in header.handles:
+            role, partners = "paired", 2
         elif type_.pointers and type_.base in header.structs:
             role, partners = ("struct" if type_.const or at == 0 else "result"), 0
         elif type_.pointers:

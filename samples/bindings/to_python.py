@@ -10,11 +10,12 @@ HEAD = '''# SPDX-License-Identifier: MIT
 from __future__ import annotations
 
 import os
+from collections.abc import Sequence
 from ctypes import POINTER, byref, c_char_p, c_double, c_float, c_int32, c_uint32, c_uint64, c_void_p
 from typing import TYPE_CHECKING, Any
 
 from ._runtime import (
-    Buffer, Callback, Handle, Struct, array, as_is, check, counted, declare, decoded, lend, pointee, text, texts,
+    Buffer, Callback, Handle, Struct, array, as_is, check, counted, declare, decoded, lend, paired, pointee, text, texts,
 )  # fmt: skip
 
 if TYPE_CHECKING:

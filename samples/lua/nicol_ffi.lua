@@ -310,7 +310,7 @@ typedef struct nicol_polarization_element {
 } nicol_polarization_element;
 typedef struct nicol_instance {
     uint32_t struct_size;
-    uint32_t reserved;
+    uint32_t flags;
     nicol_mesh mesh;
     nicol_material material;
     double to_world[16];
@@ -699,10 +699,13 @@ nicol_result nicol_polarization_element_init(nicol_polarization_element* descrip
 nicol_result nicol_instance_init(nicol_instance* descriptor, uint32_t struct_size);
 nicol_result nicol_scene_create(nicol_context context, nicol_scene* scene);
 nicol_result nicol_scene_load(nicol_context context, const char* path, const char* const* definitions, uint32_t definition_count, nicol_scene* scene);
+nicol_result nicol_scene_set_time(nicol_scene scene, double time);
 nicol_result nicol_scene_add_instance(nicol_scene scene, const nicol_instance* instance, uint32_t* id);
 nicol_result nicol_scene_set_transform(nicol_scene scene, uint32_t id, const double to_world[16]);
 nicol_result nicol_scene_set_mesh(nicol_scene scene, uint32_t id, nicol_mesh mesh);
 nicol_result nicol_scene_set_material(nicol_scene scene, uint32_t id, nicol_material material);
+nicol_result nicol_scene_set_instance_flags(nicol_scene scene, uint32_t id, uint32_t flags);
+nicol_result nicol_scene_get_instance_flags(nicol_scene scene, uint32_t id, uint32_t* flags);
 nicol_result nicol_scene_remove_instance(nicol_scene scene, uint32_t id);
 nicol_result nicol_scene_get_instance(nicol_scene scene, uint32_t id, nicol_mesh* mesh, nicol_material* material, double to_world[16]);
 nicol_result nicol_scene_get_bounds(nicol_scene scene, double lower[3], double upper[3]);
@@ -743,9 +746,11 @@ nicol_result nicol_render_options_set_quality(nicol_render_options* options, nic
 nicol_result nicol_framebuffer_create(nicol_context context, uint32_t width, uint32_t height, uint32_t channels, nicol_framebuffer* framebuffer);
 nicol_result nicol_framebuffer_resize(nicol_framebuffer framebuffer, uint32_t width, uint32_t height);
 nicol_result nicol_framebuffer_get_size(nicol_framebuffer framebuffer, uint32_t* width, uint32_t* height, uint32_t* channels);
+nicol_result nicol_framebuffer_blend(nicol_framebuffer framebuffer, nicol_framebuffer other, double weight);
 nicol_result nicol_framebuffer_retain(nicol_framebuffer framebuffer);
 nicol_result nicol_framebuffer_release(nicol_framebuffer framebuffer);
 nicol_result nicol_render(nicol_scene scene, const nicol_camera* camera, const nicol_render_options* options, nicol_framebuffer framebuffer);
+nicol_result nicol_render_views(nicol_scene scene, const nicol_camera* cameras, const nicol_framebuffer* framebuffers, uint32_t count, const nicol_render_options* options);
 nicol_result nicol_render_async(nicol_scene scene, const nicol_camera* camera, const nicol_render_options* options, nicol_framebuffer framebuffer, nicol_job* job);
 nicol_result nicol_job_status_init(nicol_job_status* descriptor, uint32_t struct_size);
 nicol_result nicol_job_poll(nicol_job job, nicol_job_status* status);
@@ -877,6 +882,9 @@ return {
         POLARIZATION_ELEMENT_LEFT_CIRCULAR = 3,
         POLARIZATION_ELEMENT_RECTANGLE = 0,
         POLARIZATION_ELEMENT_DISK = 1,
+        INSTANCE_CASTS_NO_SHADOWS = 1,
+        INSTANCE_RECEIVES_NO_SHADOWS = 2,
+        INSTANCE_INVISIBLE = 4,
         METHOD_FACTORED = 0,
         METHOD_DENSE = 1,
         METHOD_REFERENCE = 2,
@@ -921,6 +929,7 @@ return {
         QUALITY_REALTIME = 0,
         QUALITY_PREVIEW = 1,
         QUALITY_FINAL = 2,
+        MAX_VIEWS = 1024,
         MAX_JOBS = 256,
         JOB_WAITING = 0,
         JOB_RUNNING = 1,
@@ -1036,10 +1045,13 @@ return {
         sky_get_sun = true,
         scene_create = "nicol_scene",
         scene_load = "nicol_scene",
+        scene_set_time = true,
         scene_add_instance = true,
         scene_set_transform = true,
         scene_set_mesh = true,
         scene_set_material = true,
+        scene_set_instance_flags = true,
+        scene_get_instance_flags = true,
         scene_remove_instance = true,
         scene_get_instance = true,
         scene_get_bounds = true,
@@ -1075,7 +1087,9 @@ return {
         framebuffer_create = "nicol_framebuffer",
         framebuffer_resize = true,
         framebuffer_get_size = true,
+        framebuffer_blend = true,
         render = true,
+        render_views = true,
         render_async = "nicol_job",
         job_poll = true,
         job_wait = true,

@@ -16,6 +16,7 @@ using Slot = std::uint64_t;
 enum class Kind : std::uint8_t {
     handle,
     new_handle,
+    handles,
     struct_in,
     struct_out,
     input,
@@ -125,7 +126,8 @@ Parameter parameter_of() {
         } else if constexpr (std::is_void_v<Target>) {
             return {.kind = Kind::user};
         } else if constexpr (IsHandle<Plain>) {
-            return {.kind = Kind::new_handle, .type = handle_type<Plain>()};
+            return {.kind = std::is_const_v<Target> ? Kind::handles : Kind::new_handle,
+                    .type = handle_type<Plain>()};
         } else if constexpr (Sized<Plain>) {
             const auto bytes_of = [](const Plain& made) {
                 std::vector<std::byte> bytes(sizeof made);
@@ -290,6 +292,10 @@ public:
                 case Kind::new_handle:
                     point(i, std::vector<std::byte>(sizeof(Slot), unwritten));
                     break;
+                case Kind::handles:
+                    point(i, std::vector<std::byte>(sizeof(Slot)));
+                    std::memcpy(memory_[i].data(), &all.handles[parameter.type], sizeof(Slot));
+                    break;
                 case Kind::struct_in:
                 case Kind::struct_out:
                     point(i, parameter.good);
@@ -356,6 +362,7 @@ private:
             {"nicol_scene_get_instance_ids.count", 0},
             {"nicol_scene_get_light_ids.count", 0},
             {"nicol_scene_get_polarization_element_ids.count", 0},
+            {"nicol_render_views.count", 1},
             {"nicol_environment_create_psh.channels", 2},
             {"nicol_psh_project_image.count", 64},
             {"nicol_psh_project_environment.count", 64},

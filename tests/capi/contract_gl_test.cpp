@@ -41,6 +41,7 @@ const std::set<std::string> optional = {
     "nicol_scene_get_environment.scale",
     "nicol_render.options",
     "nicol_render_async.options",
+    "nicol_render_views.options",
     "nicol_psh_project_file.channels",
     "nicol_file_describe_light.options",
     "nicol_file_describe_material.options",

@@ -336,10 +336,12 @@ STAGE_TEST_CASE("scenes refuse transforms, instances and lights that do not fit,
     for (const double bad : {-1.0, not_a_number, HUGE_VAL})
         REFUSES(nicol_scene_set_environment(stage.scene, stage.environment, nullptr, bad), "scale");
     std::copy_n(identity, 16, instance.to_world);
-    instance.reserved = 1;
+    instance.flags = 8;
     std::array<std::uint32_t, 2> ids = {7, 7};
     check_refused({
-        {"reserved", [&] { return nicol_scene_add_instance(stage.scene, &instance, &id); }},
+        {"instance->flags is 8", [&] { return nicol_scene_add_instance(stage.scene, &instance, &id); }},
+        {"flags is 9", [&] { return nicol_scene_set_instance_flags(stage.scene, 0, 9); }},
+        {"instance 4", [&] { return nicol_scene_set_instance_flags(stage.scene, 4, 0); }},
         {"instance 4", [&] { return nicol_scene_set_transform(stage.scene, 4, identity); }},
         {"instance", [&] { return nicol_scene_set_transform(stage.scene, UINT32_MAX, identity); }},
         {"count is 2", [&] { return nicol_scene_get_instance_ids(stage.scene, ids.data(), 2); }},

@@ -4,11 +4,12 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Sequence
 from ctypes import POINTER, byref, c_char_p, c_double, c_float, c_int32, c_uint32, c_uint64, c_void_p
 from typing import TYPE_CHECKING, Any
 
 from ._runtime import (
-    Buffer, Callback, Handle, Struct, array, as_is, check, counted, declare, decoded, lend, pointee, text, texts,
+    Buffer, Callback, Handle, Struct, array, as_is, check, counted, declare, decoded, lend, paired, pointee, text, texts,
 )  # fmt: skip
 
 if TYPE_CHECKING:
@@ -70,6 +71,9 @@ POLARIZATION_ELEMENT_RIGHT_CIRCULAR = 2
 POLARIZATION_ELEMENT_LEFT_CIRCULAR = 3
 POLARIZATION_ELEMENT_RECTANGLE = 0
 POLARIZATION_ELEMENT_DISK = 1
+INSTANCE_CASTS_NO_SHADOWS = 1
+INSTANCE_RECEIVES_NO_SHADOWS = 2
+INSTANCE_INVISIBLE = 4
 METHOD_FACTORED = 0
 METHOD_DENSE = 1
 METHOD_REFERENCE = 2
@@ -114,6 +118,7 @@ MAX_SPLIT_LIGHTS = 64
 QUALITY_REALTIME = 0
 QUALITY_PREVIEW = 1
 QUALITY_FINAL = 2
+MAX_VIEWS = 1024
 MAX_JOBS = 256
 JOB_WAITING = 0
 JOB_RUNNING = 1
@@ -1144,15 +1149,18 @@ class PolarizationElement(Struct):
 
 class Instance(Struct):
     """Fields:
+    flags: Sum of NICOL_INSTANCE_..., default 0: it casts and receives shadows and is visible. The emission of an
+        instance lights the scene whatever the flags. Smooth glass that is invisible dims no light.
     to_world: Transform from the mesh's axes to the world: affine, invertible, last row 0 0 0 1; default the
         identity."""
     _fields_ = [
         ("struct_size", c_uint32),
-        ("reserved", c_uint32),
+        ("flags", c_uint32),
         ("mesh", c_void_p),
         ("material", c_void_p),
         ("to_world", c_double * 16),
     ]
+    flags: int
     mesh: Mesh
     material: Material
     to_world: Any
@@ -2500,6 +2508,15 @@ class Scene(Handle):
         check(_scene_load(context, text(path), definitions, len(definitions), byref(scene)))
         return scene
 
+    def set_time(self, time: float) -> None:
+        """Moves a scene that was loaded from a glTF file with animations to a time in seconds: instances, deformed
+        meshes, lights and camera (nicol_scene_get_camera) become those of nicol_scene_load with the definition
+        time, and of its animation, or the first one. Meshes, transforms and lights that were set since are
+        replaced; what was removed stays removed. An instance that its animation scales to nothing is removed, and
+        comes back under another id. The next render bakes what has moved. Returns NICOL_ERROR_INVALID_ARGUMENT for
+        a time that is not finite, and NICOL_ERROR_UNSUPPORTED for other scenes."""
+        check(_scene_set_time(self, time))
+
     def add_instance(self, instance: Instance | None) -> int:
         """Adds an instance. id may be NULL; ids count up from 0, past those of removed instances too. The mesh must
         have the texture coordinates and colours that the material needs. Materials and environment of a scene must
@@ -2525,6 +2542,17 @@ class Scene(Handle):
         """Sets the material of an instance, under the conditions of nicol_scene_add_instance. The next render
         projects the material, if it is new to the scene, and shades the instance."""
         check(_scene_set_material(self, id, material))
+
+    def set_instance_flags(self, id: int, flags: int) -> None:
+        """Sets the flags of an instance, as in nicol_instance. The next render bakes again the instance and the
+        vertices that it may shadow. Returns NICOL_ERROR_INVALID_ARGUMENT for unknown flags."""
+        check(_scene_set_instance_flags(self, id, flags))
+
+    def get_instance_flags(self, id: int) -> int:
+        """Gets the flags of an instance."""
+        flags = c_uint32()
+        check(_scene_get_instance_flags(self, id, byref(flags)))
+        return flags.value
 
     def remove_instance(self, id: int) -> None:
         """Removes an instance. The id is not used again; other instances keep their ids."""
@@ -2758,6 +2786,13 @@ class Framebuffer(Handle):
         check(_framebuffer_get_size(self, byref(width), byref(height), byref(channels)))
         return width.value, height.value, channels.value
 
+    def blend(self, other: Framebuffer, weight: float) -> None:
+        """Replaces the framebuffer's image by (1 - weight) times itself plus weight times that of another one, of the
+        same size and channels; weight is 0 to 1. Stokes vectors are mixed in each component, as light is. Motion
+        blur is the mean of pictures while the shutter is open: blend picture k, counted from 1, with weight 1 / k.
+        AOVs and statistics stay."""
+        check(_framebuffer_blend(self, other, weight))
+
     def get_statistics(self) -> Statistics:
         """Gets the statistics of the last render into a framebuffer: all zeros before the first render."""
         statistics = Statistics()
@@ -2956,6 +2991,19 @@ def render(scene: Scene | None, camera: Camera | None, options: RenderOptions | 
     NICOL_ERROR_CANCELLED if a callback returned 0, NICOL_ERROR_BUSY as fail_if_busy says, and
     NICOL_ERROR_OUT_OF_MEMORY also beyond the context's memory_limit."""
     check(_render(scene, byref(camera) if camera is not None else None, byref(options) if options is not None else None, framebuffer))
+
+
+def render_views(scene: Scene | None, cameras: Sequence[Camera], framebuffers: Sequence[Framebuffer], options: RenderOptions | None = None) -> None:
+    """Renders several views of a scene, such as the faces of a cube or the cameras of a rig: view i is that of
+    cameras[i] in framebuffers[i]. The images are those of nicol_render, one view after the other, but the views
+    share one bake of what all of them need, and the light of every vertex. count is the number of views, 1 to
+    NICOL_MAX_VIEWS. All cameras have the struct_size of cameras[0]. The framebuffers may differ in size and
+    must be different ones. options are those of each view, NULL: all defaults; bake_budget_ms is the time of
+    all views together, and the statistics of the first view that is drawn include it. Invalid arguments are
+    refused before anything is rendered; after another failure or cancellation, the views before it have their
+    images. Returns what nicol_render does."""
+    cameras, framebuffers = paired(cameras, Camera, framebuffers, Framebuffer)
+    check(_render_views(scene, cameras, framebuffers, len(cameras), byref(options) if options is not None else None))
 
 
 def render_async(scene: Scene, camera: Camera, options: Any, framebuffer: Framebuffer) -> Job:
@@ -3254,10 +3302,13 @@ PolarizationElement._init = declare("nicol_polarization_element_init", c_int32, 
 Instance._init = declare("nicol_instance_init", c_int32, POINTER(Instance), c_uint32)
 _scene_create = declare("nicol_scene_create", c_int32, Context, POINTER(Scene))
 _scene_load = declare("nicol_scene_load", c_int32, Context, c_char_p, POINTER(c_char_p), c_uint32, POINTER(Scene))
+_scene_set_time = declare("nicol_scene_set_time", c_int32, Scene, c_double)
 _scene_add_instance = declare("nicol_scene_add_instance", c_int32, Scene, POINTER(Instance), POINTER(c_uint32))
 _scene_set_transform = declare("nicol_scene_set_transform", c_int32, Scene, c_uint32, POINTER(c_double))
 _scene_set_mesh = declare("nicol_scene_set_mesh", c_int32, Scene, c_uint32, Mesh)
 _scene_set_material = declare("nicol_scene_set_material", c_int32, Scene, c_uint32, Material)
+_scene_set_instance_flags = declare("nicol_scene_set_instance_flags", c_int32, Scene, c_uint32, c_uint32)
+_scene_get_instance_flags = declare("nicol_scene_get_instance_flags", c_int32, Scene, c_uint32, POINTER(c_uint32))
 _scene_remove_instance = declare("nicol_scene_remove_instance", c_int32, Scene, c_uint32)
 _scene_get_instance = declare("nicol_scene_get_instance", c_int32, Scene, c_uint32, POINTER(Mesh), POINTER(Material), POINTER(c_double))
 _scene_get_bounds = declare("nicol_scene_get_bounds", c_int32, Scene, POINTER(c_double), POINTER(c_double))
@@ -3297,8 +3348,10 @@ _render_options_set_quality = declare("nicol_render_options_set_quality", c_int3
 _framebuffer_create = declare("nicol_framebuffer_create", c_int32, Context, c_uint32, c_uint32, c_uint32, POINTER(Framebuffer))
 _framebuffer_resize = declare("nicol_framebuffer_resize", c_int32, Framebuffer, c_uint32, c_uint32)
 _framebuffer_get_size = declare("nicol_framebuffer_get_size", c_int32, Framebuffer, POINTER(c_uint32), POINTER(c_uint32), POINTER(c_uint32))
+_framebuffer_blend = declare("nicol_framebuffer_blend", c_int32, Framebuffer, Framebuffer, c_double)
 Framebuffer._release = declare("nicol_framebuffer_release", c_int32, c_void_p)
 _render = declare("nicol_render", c_int32, Scene, POINTER(Camera), POINTER(RenderOptions), Framebuffer)
+_render_views = declare("nicol_render_views", c_int32, Scene, POINTER(Camera), POINTER(Framebuffer), c_uint32, POINTER(RenderOptions))
 _render_async = declare("nicol_render_async", c_int32, Scene, POINTER(Camera), POINTER(RenderOptions), Framebuffer, POINTER(Job))
 JobStatus._init = declare("nicol_job_status_init", c_int32, POINTER(JobStatus), c_uint32)
 _job_poll = declare("nicol_job_poll", c_int32, Job, POINTER(JobStatus))
@@ -3454,6 +3507,9 @@ __all__ = [
     "HOST_SETS_STATE",
     "HOST_VALIDATE",
     "Host",
+    "INSTANCE_CASTS_NO_SHADOWS",
+    "INSTANCE_INVISIBLE",
+    "INSTANCE_RECEIVES_NO_SHADOWS",
     "Image",
     "Instance",
     "JOB_DONE",
@@ -3475,6 +3531,7 @@ __all__ = [
     "MAX_ORDER",
     "MAX_SIZE",
     "MAX_SPLIT_LIGHTS",
+    "MAX_VIEWS",
     "METHOD_DENSE",
     "METHOD_FACTORED",
     "METHOD_REFERENCE",
@@ -3611,6 +3668,7 @@ __all__ = [
     "psh_synthesize",
     "psh_write_file",
     "render_async",
+    "render_views",
     "result_name",
     "version",
     "version_string",

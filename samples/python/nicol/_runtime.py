@@ -103,6 +103,16 @@ class Handle(ctypes.c_void_p):
         return f"<nicol.{type(self).__name__} {hex(self.value) if self.value else 'released'}>"
 
 
+def paired(structs, struct, handles, handle):
+    """Returns an array of structs and one of as many handles."""
+    if len(structs) != len(handles):
+        raise ValueError(f"{len(structs)} of nicol.{struct.__name__} and {len(handles)} of nicol.{handle.__name__}; give as many")
+    numbers = [getattr(handle.from_param(one), "value", None) for one in handles]
+    # An array of handles would release those that are read from it.
+    numbers = (ctypes.c_void_p * len(numbers))(*numbers)
+    return (struct * len(structs))(*structs), ctypes.cast(numbers, ctypes.POINTER(handle))
+
+
 class Callback:
     """A type of C function that a Python function can implement. The Python function is called without C's `user`; arrays
     arrive as arrays, strings as str. The return value None or True means to continue."""

@@ -132,18 +132,20 @@ def _resampled(scene, camera, lens, options, aovs, sharpness):
     _, R, t = camera.to_opencv(lens.size)
     seen = numpy.nan_to_num(lens.directions)
     nearest = numpy.where(numpy.isnan(lens.directions[..., 0]), -1, numpy.argmax(seen @ _FACES[:, 2].T, axis=2))
+    masks = {face: nearest == face for face in range(len(_FACES)) if (nearest == face).any()}
+    parts = {face: _Part(camera, lens, seen[mask] @ _FACES[face].T, sharpness) for face, mask in masks.items()}
+    views = [part.view(_FACES[face] @ R, _FACES[face] @ t) for face, part in parts.items()]
+    framebuffers = [nicol.Framebuffer.create(scene.context, *part.size, scene.get_channels()) for part in parts.values()]
+    nicol.render_views(scene, views, framebuffers, options)
     picture = {}
-    for face, axes in enumerate(_FACES):
-        mask = nearest == face
-        if mask.any():
-            part = _Part(camera, lens, seen[mask] @ axes.T, sharpness)
-            planes = part.render(scene, axes @ R, axes @ t, options, aovs)
-            if face >= 4:
-                angle = _between(seen[mask], -axes[1])
-                planes["stokes"] = conventions.rotated(planes["stokes"], angle[:, None])
-            for name, values in planes.items():
-                empty = nicol.NO_INSTANCE if name == "instance" else numpy.inf if name == "distance" else 0
-                picture.setdefault(name, numpy.full((*mask.shape, *values.shape[1:]), empty, values.dtype))[mask] = values
+    for (face, mask), framebuffer in zip(masks.items(), framebuffers):
+        planes = parts[face].planes(nicol.Picture(framebuffer), aovs)
+        if face >= 4:
+            angle = _between(seen[mask], -_FACES[face][1])
+            planes["stokes"] = conventions.rotated(planes["stokes"], angle[:, None])
+        for name, values in planes.items():
+            empty = nicol.NO_INSTANCE if name == "instance" else numpy.inf if name == "distance" else 0
+            picture.setdefault(name, numpy.full((*mask.shape, *values.shape[1:]), empty, values.dtype))[mask] = values
     return picture
 
 
@@ -170,12 +172,13 @@ class _Part:
         self.K = [[focal, 0, 1 - focal * lower[0]], [0, focal, 1 - focal * lower[1]], [0, 0, 1]]
         self.pixels = focal * (plane - lower) + 1
 
-    def render(self, scene, R, t, options, aovs):
+    def view(self, R, t):
         view = nicol.Camera.from_opencv(self.K, R, t, self.size)
         view.near_clip, view.far_clip = self.camera.near_clip, self.camera.far_clip
-        framebuffer = nicol.Framebuffer.create(scene.context, *self.size, scene.get_channels())
-        nicol.render(scene, view, options, framebuffer)
-        shown = nicol.Picture(framebuffer)
+        return view
+
+    def planes(self, shown, aovs):
+        """Returns the planes of a picture of the view, at the part's directions."""
         planes = {"stokes": self._linear(shown.stokes)}
         column, row = numpy.rint(self.pixels).astype(int).T
         for name in aovs:

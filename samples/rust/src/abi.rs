@@ -75,6 +75,9 @@ pub const NICOL_POLARIZATION_ELEMENT_RIGHT_CIRCULAR: u32 = 2;
 pub const NICOL_POLARIZATION_ELEMENT_LEFT_CIRCULAR: u32 = 3;
 pub const NICOL_POLARIZATION_ELEMENT_RECTANGLE: u32 = 0;
 pub const NICOL_POLARIZATION_ELEMENT_DISK: u32 = 1;
+pub const NICOL_INSTANCE_CASTS_NO_SHADOWS: u32 = 1;
+pub const NICOL_INSTANCE_RECEIVES_NO_SHADOWS: u32 = 2;
+pub const NICOL_INSTANCE_INVISIBLE: u32 = 4;
 pub const NICOL_METHOD_FACTORED: u32 = 0;
 pub const NICOL_METHOD_DENSE: u32 = 1;
 pub const NICOL_METHOD_REFERENCE: u32 = 2;
@@ -119,6 +122,7 @@ pub const NICOL_MAX_SPLIT_LIGHTS: u32 = 64;
 pub const NICOL_QUALITY_REALTIME: u32 = 0;
 pub const NICOL_QUALITY_PREVIEW: u32 = 1;
 pub const NICOL_QUALITY_FINAL: u32 = 2;
+pub const NICOL_MAX_VIEWS: u32 = 1024;
 pub const NICOL_MAX_JOBS: u32 = 256;
 pub const NICOL_JOB_WAITING: u32 = 0;
 pub const NICOL_JOB_RUNNING: u32 = 1;
@@ -1034,7 +1038,7 @@ const _: () = {
 #[derive(Clone, Copy)]
 pub struct nicol_instance {
     pub struct_size: u32,
-    pub reserved: u32,
+    pub flags: u32,
     pub mesh: nicol_mesh,
     pub material: nicol_material,
     pub to_world: [f64; 16],
@@ -1043,7 +1047,7 @@ defaults!(nicol_instance, nicol_instance_init);
 const _: () = {
     assert!(size_of::<nicol_instance>() == 152);
     assert!(offset_of!(nicol_instance, struct_size) == 0);
-    assert!(offset_of!(nicol_instance, reserved) == 4);
+    assert!(offset_of!(nicol_instance, flags) == 4);
     assert!(offset_of!(nicol_instance, mesh) == 8);
     assert!(offset_of!(nicol_instance, material) == 16);
     assert!(offset_of!(nicol_instance, to_world) == 24);
@@ -1983,6 +1987,13 @@ extern "C" {
     /// polarization elements of the file cover get the polarization state and the brightness that their light has
     /// behind the elements.
     pub fn nicol_scene_load(context: nicol_context, path: *const c_char, definitions: *const *const c_char, definition_count: u32, scene: *mut nicol_scene) -> nicol_result;
+    /// Moves a scene that was loaded from a glTF file with animations to a time in seconds: instances, deformed
+    /// meshes, lights and camera (nicol_scene_get_camera) become those of nicol_scene_load with the definition
+    /// time, and of its animation, or the first one. Meshes, transforms and lights that were set since are
+    /// replaced; what was removed stays removed. An instance that its animation scales to nothing is removed, and
+    /// comes back under another id. The next render bakes what has moved. Returns NICOL_ERROR_INVALID_ARGUMENT for
+    /// a time that is not finite, and NICOL_ERROR_UNSUPPORTED for other scenes.
+    pub fn nicol_scene_set_time(scene: nicol_scene, time: f64) -> nicol_result;
     /// Adds an instance. id may be NULL; ids count up from 0, past those of removed instances too. The mesh must
     /// have the texture coordinates and colours that the material needs. Materials and environment of a scene must
     /// have one colour channel or the same number of channels.
@@ -1999,6 +2010,11 @@ extern "C" {
     /// Sets the material of an instance, under the conditions of nicol_scene_add_instance. The next render
     /// projects the material, if it is new to the scene, and shades the instance.
     pub fn nicol_scene_set_material(scene: nicol_scene, id: u32, material: nicol_material) -> nicol_result;
+    /// Sets the flags of an instance, as in nicol_instance. The next render bakes again the instance and the
+    /// vertices that it may shadow. Returns NICOL_ERROR_INVALID_ARGUMENT for unknown flags.
+    pub fn nicol_scene_set_instance_flags(scene: nicol_scene, id: u32, flags: u32) -> nicol_result;
+    /// Gets the flags of an instance.
+    pub fn nicol_scene_get_instance_flags(scene: nicol_scene, id: u32, flags: *mut u32) -> nicol_result;
     /// Removes an instance. The id is not used again; other instances keep their ids.
     pub fn nicol_scene_remove_instance(scene: nicol_scene, id: u32) -> nicol_result;
     /// Gets the parts of an instance: mesh and material as handles to release, and the transform. Each of the
@@ -2110,6 +2126,11 @@ extern "C" {
     pub fn nicol_framebuffer_resize(framebuffer: nicol_framebuffer, width: u32, height: u32) -> nicol_result;
     /// Gets the width, height and channels of the framebuffer.
     pub fn nicol_framebuffer_get_size(framebuffer: nicol_framebuffer, width: *mut u32, height: *mut u32, channels: *mut u32) -> nicol_result;
+    /// Replaces the framebuffer's image by (1 - weight) times itself plus weight times that of another one, of the
+    /// same size and channels; weight is 0 to 1. Stokes vectors are mixed in each component, as light is. Motion
+    /// blur is the mean of pictures while the shutter is open: blend picture k, counted from 1, with weight 1 / k.
+    /// AOVs and statistics stay.
+    pub fn nicol_framebuffer_blend(framebuffer: nicol_framebuffer, other: nicol_framebuffer, weight: f64) -> nicol_result;
     pub fn nicol_framebuffer_retain(framebuffer: nicol_framebuffer) -> nicol_result;
     pub fn nicol_framebuffer_release(framebuffer: nicol_framebuffer) -> nicol_result;
     /// Renders a scene into a framebuffer. options may be NULL: all defaults. Results that a change of the scene,
@@ -2121,6 +2142,15 @@ extern "C" {
     /// NICOL_ERROR_CANCELLED if a callback returned 0, NICOL_ERROR_BUSY as fail_if_busy says, and
     /// NICOL_ERROR_OUT_OF_MEMORY also beyond the context's memory_limit.
     pub fn nicol_render(scene: nicol_scene, camera: *const nicol_camera, options: *const nicol_render_options, framebuffer: nicol_framebuffer) -> nicol_result;
+    /// Renders several views of a scene, such as the faces of a cube or the cameras of a rig: view i is that of
+    /// cameras[i] in framebuffers[i]. The images are those of nicol_render, one view after the other, but the views
+    /// share one bake of what all of them need, and the light of every vertex. count is the number of views, 1 to
+    /// NICOL_MAX_VIEWS. All cameras have the struct_size of cameras[0]. The framebuffers may differ in size and
+    /// must be different ones. options are those of each view, NULL: all defaults; bake_budget_ms is the time of
+    /// all views together, and the statistics of the first view that is drawn include it. Invalid arguments are
+    /// refused before anything is rendered; after another failure or cancellation, the views before it have their
+    /// images. Returns what nicol_render does.
+    pub fn nicol_render_views(scene: nicol_scene, cameras: *const nicol_camera, framebuffers: *const nicol_framebuffer, count: u32, options: *const nicol_render_options) -> nicol_result;
     /// Submits nicol_render as a job. The job copies the scene's state: later changes affect later renders only.
     /// The framebuffer keeps its content until the job puts its image there. Scene, framebuffer and all they need
     /// are kept alive. The caller may release them, and the job too, which runs all the same. The progress
