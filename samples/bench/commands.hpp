@@ -28,6 +28,7 @@ Report bench_dataset(const Options& options);
 /// Measures what a change of objects, materials or light costs the frame after it.
 Report bench_edit(const Options& options);
 Report bench_motion(const Options& options);
+Report bench_views(const Options& options);
 
 /// Measures the distance from the reference method, by order.
 Report bench_error(const Options& options);

@@ -66,6 +66,42 @@ double relative_difference(const Image& image, const Image& truth) {
     return std::sqrt(sum / power);
 }
 
+/// The six faces of a cube around a place, rendered with default options.
+class CubeFaces {
+public:
+    CubeFaces(nicol_context context, nicol_scene scene, std::uint32_t size) : scene_(scene) {
+        for (int i = 0; i < 6; ++i)
+            framebuffers_.push_back(
+                create<Framebuffer>(nicol_framebuffer_create, context, size, size, Film::kChannels));
+    }
+
+    /// Renders the first `count` faces, `at_once` in each call, and returns the processor time in
+    /// milliseconds. shift: of the cube to the right.
+    double render(double shift, std::uint32_t count, std::uint32_t at_once) {
+        std::vector<nicol_camera> cameras;
+        std::vector<nicol_framebuffer> targets;
+        for (std::uint32_t face = 0; face < count; ++face) {
+            const double sign = face % 2 == 0 ? 1 : -1;
+            const double origin[3] = {shift, 1.2, 0.5};
+            double target[3] = {shift, 1.2, 0.5};
+            target[face / 2] += sign;
+            const double up[3] = {0, face / 2 == 1 ? 0.0 : 1.0, face / 2 == 1 ? 1.0 : 0.0};
+            nicol_camera& camera = cameras.emplace_back(nicol_camera NICOL_CAMERA_INIT);
+            camera.fov = 90;
+            check(nicol_camera_look_at(&camera, origin, target, up));
+            targets.push_back(framebuffers_[face].get());
+        }
+        const std::clock_t spent = std::clock();
+        for (std::uint32_t i = 0; i < count; i += at_once)
+            check(nicol_render_views(scene_, &cameras[i], &targets[i], at_once, nullptr));
+        return 1e3 * static_cast<double>(std::clock() - spent) / CLOCKS_PER_SEC;
+    }
+
+private:
+    nicol_scene scene_;
+    std::vector<Framebuffer> framebuffers_;
+};
+
 /// Measures edits of one scene, one after the other.
 class Edits {
 public:
@@ -120,7 +156,36 @@ public:
         measure_motion(among_pebbles, [this](int round) { move(1, round); });
     }
 
+    /// Measures the faces of a cube around a place among the balls.
+    void run_views() {
+        const std::uint32_t size = std::min(size_, 256U);
+        const auto from_nothing = [&](std::uint32_t count, std::uint32_t at_once) {
+            const Film same = film_.copy(size);
+            return CubeFaces(context_.get(), same.scene(), size).render(0, count, at_once);
+        };
+        add_views("first picture", from_nothing(1, 1), from_nothing(6, 6), from_nothing(6, 1));
+        CubeFaces faces(context_.get(), film_.scene(), size);
+        const auto measure_views = [&](const std::string& name, const std::function<void(int)>& edit) {
+            std::vector<double> times[3];
+            int round = 0;
+            for (int i = 0; i < kRounds; ++i)
+                for (const std::uint32_t k : {0U, 1U, 2U}) {
+                    edit(round);
+                    times[k].push_back(faces.render(0.01 * ++round, k == 0 ? 1 : 6, k == 1 ? 6 : 1));
+                }
+            add_views(name, median(times[0]), median(times[1]), median(times[2]));
+        };
+        faces.render(0, 6, 6);
+        measure_views("move the camera", [](int) {});
+        measure_views("rotate the light", [&](int round) { film_.rotate_light(0.1 * (round + 1)); });
+        measure_views("move 1 of 50", [&](int round) { move(1, round); });
+    }
+
 private:
+    void add_views(const std::string& name, double one, double six, double apart) {
+        report_.add(name, {one, six, six / one, apart});
+    }
+
     void move(std::uint32_t count, int round) {
         for (std::uint32_t i = 0; i < count; ++i) {
             const std::uint32_t ball = (24 + 7 * i) % kBalls;
@@ -292,5 +357,14 @@ Report bench_motion(const Options& options) {
         "as "
         "RMS over the RMS of s0. Then the scene stands still: frames until nothing is pending, and the "
         "difference of the last one.");
+    return report;
+}
+
+Report bench_views(const Options& options) {
+    Report report({"after", "one face, ms", "six faces, ms", "six / one", "six calls, ms"});
+    Edits(options, report).run_views();
+    report.note(
+        "The scene of nicol-bench edit, from a place among the balls: processor time of one face of a cube "
+        "around it, of all six by nicol_render_views, and of all six by one call each.");
     return report;
 }

@@ -187,6 +187,9 @@ void edit_instances(const EntryPoints::Watch& watch, nicol_scene scene, std::uin
     call(watch, NAMED(nicol_scene_set_transform), scene, id, placed.to_world);
     call(watch, NAMED(nicol_scene_set_mesh), scene, id, mesh);
     call(watch, NAMED(nicol_scene_set_material), scene, id, material);
+    std::uint32_t flags = 0;
+    call(watch, NAMED(nicol_scene_set_instance_flags), scene, id, NICOL_INSTANCE_INVISIBLE);
+    call(watch, NAMED(nicol_scene_get_instance_flags), scene, id, &flags);
     call(watch, NAMED(nicol_scene_get_instance), scene, id, nullptr, nullptr, placed.to_world);
     auto emission = defaults(nicol_emission_init);
     call(watch, NAMED(nicol_scene_set_emission), scene, id, &emission);
@@ -232,6 +235,10 @@ void ask_scene(const EntryPoints::Watch& watch, nicol_scene loaded) {
     auto camera = defaults(nicol_camera_init);
     auto file = defaults(nicol_scene_file_init);
     call(watch, NAMED(nicol_scene_get_camera), loaded, &camera);
+    watch("nicol_scene_set_time", [&] {
+        const nicol_result result = nicol_scene_set_time(loaded, 1);
+        if (result != NICOL_ERROR_UNSUPPORTED) check(result);  // the file has no animation
+    });
     call(watch, NAMED(nicol_scene_get_film_size), loaded, &number, &other);
     call(watch, NAMED(nicol_scene_get_sample_count), loaded, &number);
     call(watch, NAMED(nicol_scene_get_filter), loaded, &filter);
@@ -280,10 +287,15 @@ void EntryPoints::images(const Watch& watch) {
     ask_scene(watch, o.loaded.get());
     make<Framebuffer>(watch, NAMED(nicol_framebuffer_create), o.context, size(), size(), 3U);
     keep(watch, NAMED(nicol_framebuffer_retain), NAMED(nicol_framebuffer_release), o.framebuffer.get());
+    const auto other = create<Framebuffer>(nicol_framebuffer_create, o.context, size(), size(), 1U);
+    call(watch, NAMED(nicol_framebuffer_blend), o.framebuffer.get(), other.get(), 0.5);
     call(watch, NAMED(nicol_framebuffer_resize), o.framebuffer.get(), size(), size() + 1);
     check(nicol_framebuffer_resize(o.framebuffer.get(), size(), size()));
     o.camera.shift[0] += 0.001;
     call(watch, NAMED(nicol_render), o.scene.get(), &o.camera, nullptr, o.framebuffer.get());
+    o.camera.shift[0] += 0.001;
+    const nicol_framebuffer framebuffers[] = {o.framebuffer.get()};
+    call(watch, NAMED(nicol_render_views), o.scene.get(), &o.camera, framebuffers, 1U, nullptr);
     reads(watch, o.framebuffer.get());
 }
 

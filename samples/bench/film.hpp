@@ -39,6 +39,12 @@ public:
 
     /// Renders the same scene from nothing.
     [[nodiscard]] Film fresh(std::uint32_t size) const {
+        Film other = copy(size);
+        other.frame([] {});
+        return other;
+    }
+    /// Returns the same scene, of which nothing is rendered.
+    [[nodiscard]] Film copy(std::uint32_t size) const {
         Film other(context_, size);
         other.camera_ = camera_;
         for (const std::uint32_t id : ids()) {
@@ -56,7 +62,6 @@ public:
         check(nicol_scene_get_environment(scene(), &light, to_world, &scale));
         other.set_light(Environment(light));
         other.set_light_scale(scale);
-        other.frame([] {});
         return other;
     }
 
@@ -90,6 +95,12 @@ public:
     }
     void set_light_scale(double scale) {
         check(nicol_scene_set_environment(scene(), light_.get(), nullptr, scale));
+    }
+    /// Rotates the light around the vertical axis by an angle in radians.
+    void rotate_light(double angle) {
+        const double c = std::cos(angle), s = std::sin(angle);
+        const double to_world[16] = {c, 0, s, 0, 0, 1, 0, 0, -s, 0, c, 0, 0, 0, 0, 1};
+        check(nicol_scene_set_environment(scene(), light_.get(), to_world, 1));
     }
     void orbit() {
         angle_ += 0.01;
