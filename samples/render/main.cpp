@@ -123,11 +123,15 @@ void frame_all(nicol_scene scene, nicol_framebuffer framebuffer, nicol_camera& c
     check(nicol_camera_frame(&camera, lower, upper, width, height));
 }
 
-void render(nicol_scene scene, nicol_framebuffer framebuffer, const Options& options, ProgressBar& progress) {
+nicol_camera camera_of(nicol_scene scene, nicol_framebuffer framebuffer, const Options& options) {
     nicol_camera camera = NICOL_CAMERA_INIT;
     check(nicol_scene_get_camera(scene, &camera));
     if (!options.look_at.empty()) look_at(options.look_at, camera);
     if (options.frame_all) frame_all(scene, framebuffer, camera);
+    return camera;
+}
+
+nicol_render_options render_options(nicol_scene scene, const Options& options, ProgressBar& progress) {
     nicol_render_options wanted = NICOL_RENDER_OPTIONS_INIT;
     wanted.pixel_samples = samples_of(scene);
     if (options.quality) check(nicol_render_options_set_quality(&wanted, *options.quality));
@@ -160,7 +164,27 @@ void render(nicol_scene scene, nicol_framebuffer framebuffer, const Options& opt
     wanted.seed = options.seed;
     wanted.progress = ProgressBar::update;
     wanted.progress_user = &progress;
+    return wanted;
+}
+
+// Renders the scene as it is, and what the shutter sees after that.
+void render(nicol_context context, nicol_scene scene, nicol_framebuffer framebuffer, const Options& options,
+            ProgressBar& progress) {
+    nicol_render_options wanted = render_options(scene, options, progress);
+    nicol_camera camera = camera_of(scene, framebuffer, options);
     check(nicol_render(scene, &camera, &wanted, framebuffer));
+    const std::uint32_t pictures = options.shutter ? options.shutter->samples : 1;
+    if (pictures > 1) {
+        const Framebuffer next = make_framebuffer(context, scene, options);
+        wanted.aovs = 0;
+        for (std::uint32_t i = 1; i < pictures; ++i) {
+            check(nicol_scene_set_time(scene, options.shutter->time_of(i)));
+            if (!options.frame_all) camera = camera_of(scene, framebuffer, options);
+            ++wanted.seed;
+            check(nicol_render(scene, &camera, &wanted, next.get()));
+            check(nicol_framebuffer_blend(framebuffer, next.get(), 1.0 / (i + 1)));
+        }
+    }
     progress.clear();
 }
 
@@ -258,7 +282,7 @@ void run(const Options& options) {
     if (!options.environment.empty()) light(context.get(), scene.get(), options.environment);
     if (options.rotate_environment != 0) rotate_environment(scene.get(), options.rotate_environment);
     const Framebuffer framebuffer = make_framebuffer(context.get(), scene.get(), options);
-    render(scene.get(), framebuffer.get(), options, progress);
+    render(context.get(), scene.get(), framebuffer.get(), options, progress);
     const char* const output = options.output == kStandardOutput ? "/proc/self/fd/1" : options.output.c_str();
     check(nicol_framebuffer_write_exr(framebuffer.get(), output));
     if (!options.images.empty()) write_images(framebuffer.get(), options);

@@ -19,6 +19,9 @@ const char* const usage =
     "  -D, --define NAME=VALUE  replaces the value of a <default> of the scene; may be repeated\n"
     "      --time SECONDS       the time of a glTF file's animation; without it nothing is animated\n"
     "      --animation NAME     name or number of that animation; default the first\n"
+    "      --shutter OPEN,CLOSE[,COUNT]   motion blur in place of --time: the mean of COUNT pictures (16) "
+    "between\n"
+    "                           these times in seconds\n"
     "      --environment FILE   an environment map that lights the scene, in place of the scene's own\n"
     "      --rotate-environment DEGREES  rotates it about the world's y, counter-clockwise seen from above\n"
     "      --look-at X,Y,Z,X,Y,Z[,FOV]   a camera at the first point that looks at the second; field of "
@@ -241,6 +244,21 @@ nicol_components parse_components(std::string_view text) {
     throw Failure("--components: '" + std::string(text) + "' is none of: s0, linear, all");
 }
 
+Options::Shutter parse_shutter(std::string_view text) {
+    const std::vector<double> numbers = parse_list("--shutter", text);
+    if (numbers.size() != 2 && numbers.size() != 3)
+        throw Failure("--shutter: '" + std::string(text) + "' is not OPEN,CLOSE or OPEN,CLOSE,COUNT");
+    Options::Shutter shutter{.open = numbers[0], .close = numbers[1]};
+    if (!(shutter.close >= shutter.open))
+        throw Failure("--shutter: '" + std::string(text) + "' closes before it opens");
+    if (numbers.size() == 3) {
+        if (!(numbers[2] >= 1 && numbers[2] <= 65536) || numbers[2] != std::floor(numbers[2]))
+            throw Failure("--shutter: '" + std::string(text) + "' has a COUNT that is not in 1 to 65536");
+        shutter.samples = static_cast<std::uint32_t>(numbers[2]);
+    }
+    return shutter;
+}
+
 std::string parse_definition(std::string_view text) {
     const std::size_t equals = text.find('=');
     if (equals == std::string_view::npos || equals == 0)
@@ -284,6 +302,8 @@ Options parse_options(int argc, const char* const* argv) {
             options.definitions.push_back(parse_definition(value()));
         else if (name == "--time" || name == "--animation")
             options.definitions.push_back(std::string(name.substr(2)) + "=" + std::string(value()));
+        else if (name == "--shutter")
+            options.shutter = parse_shutter(value());
         else if (name == "--environment")
             options.environment = path();
         else if (name == "--rotate-environment")
@@ -388,6 +408,14 @@ Options parse_options(int argc, const char* const* argv) {
                       ": what is written is OpenEXR; the name must end in .exr (--images writes PNG)");
     if (options.images.empty() && !options.polarizers.empty())
         throw Failure("--polarizers: add --images DIR, where its images are written");
+    if (options.shutter) {
+        for (const std::string& definition : options.definitions)
+            if (definition.starts_with("time="))
+                throw Failure("--shutter and a time are both given; one of them says what is drawn");
+        char text[32];
+        const auto end = std::to_chars(text, text + sizeof text, options.shutter->time_of(0)).ptr;
+        options.definitions.push_back("time=" + std::string(text, end));
+    }
     if (options.mosaic.empty() && !options.sensor.empty())
         throw Failure("--sensor: add --mosaic OUT.png, where its raw image is written");
     if (options.output == kStandardOutput && options.stats == kStandardOutput)

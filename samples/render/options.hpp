@@ -20,8 +20,18 @@ struct Options {
     std::string scene;
     std::string output;                    ///< file or kStandardOutput
     std::vector<std::string> definitions;  ///< "name=value"
-    std::string environment;               ///< file; empty: the environment of the scene
-    double rotate_environment = 0;         ///< degrees about the world's y, counter-clockwise seen from above
+    struct Shutter {
+        double open = 0, close = 0;  ///< times of the scene's animation, seconds
+        std::uint32_t samples = 16;  ///< number of pictures
+
+        /// Returns the time of a picture, counted from 0.
+        [[nodiscard]] double time_of(std::uint32_t picture) const {
+            return open + (close - open) * (picture + 0.5) / samples;
+        }
+    };
+    std::optional<Shutter> shutter;  ///< none: a picture of one moment
+    std::string environment;         ///< file; empty: the environment of the scene
+    double rotate_environment = 0;   ///< degrees about the world's y, counter-clockwise seen from above
     std::vector<double> look_at;     ///< empty, or place and target of the camera, and its fov in degrees
     double exposure = 0;             ///< of --images, stops
     std::string images;              ///< folder; empty: none

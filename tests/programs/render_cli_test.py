@@ -153,6 +153,51 @@ class Success(RenderTest):
                                    "--size", "96x64", "--order-low", "4")
         self.assertEqual(run.stderr, "")
 
+    def test_shutter(self):
+        numbers = struct.pack("<9f", 0, 0, 0, 1, 0, 0, 0, 1, 0) + struct.pack("<8f", 0, 2, -0.5, 0, 0, 0.5, 0.5, 0)
+        self.write("a.bin", numbers)
+        views = [(0, 36), (36, 8), (44, 24)]
+        self.write("a.gltf", json.dumps({
+            "asset": {"version": "2.0"},
+            "buffers": [{"uri": "a.bin", "byteLength": len(numbers)}],
+            "bufferViews": [{"buffer": 0, "byteOffset": at, "byteLength": size} for at, size in views],
+            "accessors": [
+                {"bufferView": view, "type": kind, "componentType": 5126, "count": count}
+                for view, kind, count in ((0, "VEC3", 3), (1, "SCALAR", 2), (2, "VEC3", 2))
+            ],
+            "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+            "nodes": [{"mesh": 0}, {"mesh": 0, "translation": [0, 0, -1], "scale": [4, 4, 1]}],
+            "animations": [{
+                "name": "slide",
+                "channels": [{"sampler": 0, "target": {"node": 0, "path": "translation"}}],
+                "samplers": [{"input": 1, "output": 2}],
+            }],
+        }))  # fmt: skip
+        self.write("light.exr", exr(16, 8, 3))
+        given = ("a.gltf", "-o", "out/a.exr", "--environment", "light.exr", "--size", "24x16", "--order-low", "4",
+                 "--look-at", "0.5,0.5,4,0.5,0.5,0")  # fmt: skip
+
+        def picture(*more):
+            self.assert_succeeds(*given, *more)
+            with open(self.path("out/a.exr"), "rb") as file:
+                return file.read()
+
+        still = picture("--time", "1")
+        self.assertEqual(picture("--shutter", "1,1,1"), still)
+        self.assertEqual(picture("--shutter", "1,1,3", "--animation", "slide"), still)
+        self.assertEqual(picture("--shutter", "0,2,1"), still)  # the time in the middle
+        self.assertNotEqual(picture("--shutter", "0,2,4"), still)
+        for said, more in (
+            ("'1' is not OPEN,CLOSE", ["--shutter", "1"]),
+            ("closes before it opens", ["--shutter", "2,1"]),
+            ("COUNT", ["--shutter", "0,1,0"]),
+            ("COUNT", ["--shutter", "0,1,2.5"]),
+            ("is not a number", ["--shutter", "0,one"]),
+            ("--shutter and a time", ["--shutter", "0,1", "--time", "0"]),
+        ):
+            self.assert_fails([said], *given, *more)
+        self.assert_fails(["no animation"], *given, "--shutter", "0,1", "--animation", "walk")
+
     def test_mosaic(self):
         self.write("sensor.json", '{"preset": "imx250myr", "seed": 5}')
         files = []
