@@ -1150,7 +1150,7 @@ NICOL_API nicol_result nicol_polarization_element_init(nicol_polarization_elemen
 /* Roles that an instance does not have. */
 #define NICOL_INSTANCE_CASTS_NO_SHADOWS 1u    /* no surface receives less or more light because of it */
 #define NICOL_INSTANCE_RECEIVES_NO_SHADOWS 2u /* light reaches it as if it were alone in the scene */
-#define NICOL_INSTANCE_INVISIBLE 4u           /* the camera does not see it, nor in mirrors and through glass */
+#define NICOL_INSTANCE_INVISIBLE 4u /* the camera does not see it, nor in mirrors and through glass */
 
 typedef struct nicol_instance {
     uint32_t struct_size;
@@ -1634,11 +1634,11 @@ NICOL_API nicol_result nicol_render(nicol_scene scene, const nicol_camera* camer
 #define NICOL_MAX_VIEWS 1024u /* largest number of views of nicol_render_views */
 
 /* Renders several views of a scene, such as the faces of a cube or the cameras of a rig: view i is that of
- * cameras[i] in framebuffers[i]. The images are those of nicol_render, one view after the other, but the views
- * share one bake of what all of them need, and the light of every vertex. count is the number of views, 1 to
- * NICOL_MAX_VIEWS. All cameras have the struct_size of cameras[0]. The framebuffers may differ in size and
- * must be different ones. options are those of each view, NULL: all defaults; bake_budget_ms is the time of
- * all views together, and the statistics of the first view that is drawn include it. Invalid arguments are
+ * cameras[i] in framebuffers[i]. The images are those of nicol_render, one view after the other, but the
+ * views share one bake of what all of them need, and the light of every vertex. count is the number of views,
+ * 1 to NICOL_MAX_VIEWS. All cameras have the struct_size of cameras[0]. The framebuffers may differ in size
+ * and must be different ones. options are those of each view, NULL: all defaults; bake_budget_ms is the time
+ * of all views together, and the statistics of the first view that is drawn include it. Invalid arguments are
  * refused before anything is rendered; after another failure or cancellation, the views before it have their
  * images. Returns what nicol_render does. */
 NICOL_API nicol_result nicol_render_views(nicol_scene scene, const nicol_camera* cameras,

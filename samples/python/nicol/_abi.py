@@ -2995,11 +2995,11 @@ def render(scene: Scene | None, camera: Camera | None, options: RenderOptions | 
 
 def render_views(scene: Scene | None, cameras: Sequence[Camera], framebuffers: Sequence[Framebuffer], options: RenderOptions | None = None) -> None:
     """Renders several views of a scene, such as the faces of a cube or the cameras of a rig: view i is that of
-    cameras[i] in framebuffers[i]. The images are those of nicol_render, one view after the other, but the views
-    share one bake of what all of them need, and the light of every vertex. count is the number of views, 1 to
-    NICOL_MAX_VIEWS. All cameras have the struct_size of cameras[0]. The framebuffers may differ in size and
-    must be different ones. options are those of each view, NULL: all defaults; bake_budget_ms is the time of
-    all views together, and the statistics of the first view that is drawn include it. Invalid arguments are
+    cameras[i] in framebuffers[i]. The images are those of nicol_render, one view after the other, but the
+    views share one bake of what all of them need, and the light of every vertex. count is the number of views,
+    1 to NICOL_MAX_VIEWS. All cameras have the struct_size of cameras[0]. The framebuffers may differ in size
+    and must be different ones. options are those of each view, NULL: all defaults; bake_budget_ms is the time
+    of all views together, and the statistics of the first view that is drawn include it. Invalid arguments are
     refused before anything is rendered; after another failure or cancellation, the views before it have their
     images. Returns what nicol_render does."""
     cameras, framebuffers = paired(cameras, Camera, framebuffers, Framebuffer)
