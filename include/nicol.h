@@ -1631,7 +1631,7 @@ NICOL_API nicol_result nicol_framebuffer_release(nicol_framebuffer framebuffer);
 NICOL_API nicol_result nicol_render(nicol_scene scene, const nicol_camera* camera,
                                     const nicol_render_options* options, nicol_framebuffer framebuffer);
 
-#define NICOL_MAX_VIEWS 1024u /* largest number of views of nicol_render_views */
+#define NICOL_MAX_VIEWS 1024 /* largest number of views of nicol_render_views */
 
 /* Renders several views of a scene, such as the faces of a cube or the cameras of a rig: view i is that of
  * cameras[i] in framebuffers[i]. The images are those of nicol_render, one view after the other, but the
