@@ -1149,7 +1149,7 @@ NICOL_API nicol_result nicol_polarization_element_init(nicol_polarization_elemen
 
 /* Roles that an instance does not have. */
 #define NICOL_INSTANCE_CASTS_NO_SHADOWS 1u    /* no surface receives less or more light because of it */
-#define NICOL_INSTANCE_RECEIVES_NO_SHADOWS 2u /* light reaches it as if it were alone in the scene */
+#define NICOL_INSTANCE_RECEIVES_NO_SHADOWS 2u /* nothing hides lights from it, not even itself */
 #define NICOL_INSTANCE_INVISIBLE 4u /* the camera does not see it, nor in mirrors and through glass */
 
 typedef struct nicol_instance {

@@ -107,7 +107,7 @@ private:
 /// Roles of an instance.
 struct InstanceRoles {
     bool casts_shadows = true;     ///< false: no surface receives less or more light because of the instance
-    bool receives_shadows = true;  ///< false: light reaches the instance as if it were alone
+    bool receives_shadows = true;  ///< false: nothing hides lights from it, not even itself
     bool visible = true;           ///< false: the camera does not see it, nor in mirrors and through glass
 
     bool operator==(const InstanceRoles&) const = default;
