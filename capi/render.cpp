@@ -191,7 +191,7 @@ std::vector<Camera> read_cameras(const nicol_camera* cameras, std::uint32_t coun
     const std::uint32_t size = cameras->struct_size;
     std::vector<Camera> out;
     for (std::uint32_t i = 0; i < count; ++i) {
-        const std::string name = "cameras[" + std::to_string(i) + "]";
+        const std::string name = i == 0 ? "cameras" : "cameras[" + std::to_string(i) + "]";
         const auto* const camera = reinterpret_cast<const nicol_camera*>(
             reinterpret_cast<const std::byte*>(cameras) + std::size_t{i} * size);
         if (camera->struct_size != size)

@@ -119,7 +119,7 @@ CONTEXT_TEST_CASE("what others removed stays removed, and times that are none ar
     OK(nicol_scene_remove_instance(moving.scene, 1));
     OK(nicol_scene_remove_light(moving.scene, 0));
     const std::vector<float> before = moving.picture();
-    for (const double bad : {not_a_number, HUGE_VAL})
+    for (const double bad : {std::nan(""), HUGE_VAL})
         REFUSES(nicol_scene_set_time(moving.scene, bad), "time is");
     CHECK(moving.picture() == before);
     OK(nicol_scene_set_time(moving.scene, 3));
@@ -155,6 +155,6 @@ CONTEXT_TEST_CASE("blended pictures are their mean, in each component") {
          {"channels", [&] { return nicol_framebuffer_blend(mean, grey, 0.5); }},
          {"itself", [&] { return nicol_framebuffer_blend(mean, mean, 0.5); }},
          {"weight is 1.5", [&] { return nicol_framebuffer_blend(mean, moving.framebuffer, 1.5); }},
-         {"weight is", [&] { return nicol_framebuffer_blend(mean, moving.framebuffer, not_a_number); }}});
+         {"weight is", [&] { return nicol_framebuffer_blend(mean, moving.framebuffer, std::nan("")); }}});
     CHECK(read_all(mean) == found);
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Tests of several views of a scene in one call.
+#include <cmath>
 #include <deque>
+#include <utility>
 
 #include "capi.hpp"
 
@@ -133,10 +135,15 @@ CONTEXT_TEST_CASE("views before a cancelled one have their images") {
     nicol_render_options options = with_shadows();
     options.method = NICOL_METHOD_REFERENCE;
     options.samples = 4;
-    int views = 0;
+    struct Views {
+        int begun = 0;
+        double fraction = HUGE_VAL;
+    } views;
     options.progress_user = &views;
     options.progress = [](void* user, const char*, double fraction) -> std::int32_t {
-        return fraction > 0 || ++*static_cast<int*>(user) < 2;
+        auto& seen = *static_cast<Views*>(user);
+        if (fraction <= std::exchange(seen.fraction, fraction)) ++seen.begun;
+        return seen.begun < 2;
     };
     FAILS(ring.render(options), NICOL_ERROR_CANCELLED, "progress");
     CHECK(statistics_of(ring.framebuffers[0]).camera_rays > 0);
