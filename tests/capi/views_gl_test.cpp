@@ -82,6 +82,13 @@ CONTEXT_TEST_CASE("the first view bakes what all need") {
     }
     CHECK(statistics_of(together.framebuffers[0]).bake_rays < rays_apart);
     CHECK(statistics_of(together.framebuffers[0]).vertices_unbaked > 0);
+    const std::vector<float> images = together.images(), expected = apart.images();
+    double difference = 0, power = 0;
+    for (std::size_t i = 0; i < images.size(); ++i) {
+        difference += std::pow(double{images[i]} - double{expected[i]}, 2);
+        power += std::pow(double{expected[i]}, 2);
+    }
+    CHECK(std::sqrt(difference / power) < 0.01);
 }
 
 CONTEXT_TEST_CASE("a bake budget is one for all views") {
