@@ -60,6 +60,7 @@ struct Surfaces {
         visibility.update(geometry, rays, true, false, {&view, 1},
                           {.bake_directions = 512, .refine_tolerance = tolerance, .max_vertices = 4096},
                           workers, progress, statistics);
+        visibility.count(geometry, statistics);
     }
     [[nodiscard]] const WorldGeometry& world() const { return visibility.surfaces().geometry(); }
 
