@@ -6,6 +6,7 @@
 
 #include "geometry/box.hpp"
 #include "handles.hpp"
+#include "input_file.hpp"
 #include "light/environment.hpp"
 
 namespace nicol::capi {
@@ -23,17 +24,17 @@ nicol_result create(nicol_context context, Impl** out, const char* name, Make&& 
         function);
 }
 
-/// Loads an asset from a file: make(budget, session) gets the context's limits and its log.
-template <class Impl, class Make>
-nicol_result load(nicol_context context, const char* path, Impl** out, const char* name, Make&& make,
+/// Loads an asset from `file`, a path or a nicol_memory_file: make(name, budget, session) gets the file's
+/// name, the context's limits with the source of the file, and the context, whose log it may write.
+template <class Impl, class File, class Make>
+nicol_result load(nicol_context context, const File* file, Impl** out, const char* name, Make&& make,
                   const char* function = __builtin_FUNCTION()) {
     return guarded(
         [&] {
             require(out, name);
             const SessionPtr session = resolve(context).session;
-            require(path, "path");
-            const LoadBudget budget(session->load_limits);
-            *out = make_handle<Impl>(session, make(budget, *session));
+            const InputFile input = input_file(file, session->load_limits);
+            *out = make_handle<Impl>(session, make(input.name, input.budget, session));
         },
         function);
 }

@@ -47,12 +47,12 @@ EquirectView view_of(const nicol_image& image) {
             .pixel_stride = std::size_t{image.channels} * image.components};
 }
 
-void tell_negative(const Session& session, const Environment& light, const char* name) {
+void tell_negative(const Session& session, const Environment& light, const std::string& name) {
     const std::string negative = notice_of_negative(light, name);
     if (!negative.empty()) session.notice(negative);
 }
 
-EnvironmentPtr from_file(const char* path, const nicol_environment_load_options* options,
+EnvironmentPtr from_file(const std::filesystem::path& path, const nicol_environment_load_options* options,
                          const LoadBudget& budget) {
     const auto given =
         read_options(options, nicol_environment_load_options NICOL_ENVIRONMENT_LOAD_OPTIONS_INIT);
@@ -60,6 +60,20 @@ EnvironmentPtr from_file(const char* path, const nicol_environment_load_options*
     return load_environment(path, given.scale, spectrum(given.wavelengths, 0, 0, "options->wavelengths"),
                             budget);
 }
+
+/// Loads an environment, for load().
+struct EnvironmentLoader {
+    const nicol_environment_load_options* options;
+
+    EnvironmentPtr operator()(const std::filesystem::path& path, const LoadBudget& budget,
+                              const SessionPtr& session) const {
+        for (const std::filesystem::path& file : environment_files(path, budget.files()))
+            budget.take_file(file);
+        EnvironmentPtr light = session->on_workers([&] { return from_file(path, options, budget); });
+        tell_negative(*session, *light, path.string());
+        return light;
+    }
+};
 
 EnvironmentPtr from_coefficients(std::uint32_t order, std::uint32_t channels, const double* coefficients,
                                  std::uint64_t count) {
@@ -92,13 +106,13 @@ ImagePixels nicol::capi::read_image(const nicol_image* image) {
 nicol_result nicol_environment_load(nicol_context context, const char* path,
                                     const nicol_environment_load_options* options,
                                     nicol_environment* environment) {
-    return load(
-        context, path, environment, "environment", [&](const LoadBudget& budget, const Session& session) {
-            for (const std::filesystem::path& file : environment_files(path)) budget.take_file(file);
-            EnvironmentPtr light = session.on_workers([&] { return from_file(path, options, budget); });
-            tell_negative(session, *light, path);
-            return light;
-        });
+    return load(context, path, environment, "environment", EnvironmentLoader{options});
+}
+
+nicol_result nicol_environment_load_memory(nicol_context context, const nicol_memory_file* file,
+                                           const nicol_environment_load_options* options,
+                                           nicol_environment* environment) {
+    return load(context, file, environment, "environment", EnvironmentLoader{options});
 }
 
 nicol_result nicol_environment_create_image(nicol_context context, const nicol_image* image,

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include "files/memory_output.hpp"
 #include "files/suffix.hpp"
 #include "image/observer.hpp"
 #include "planes.hpp"
@@ -47,6 +48,45 @@ std::shared_ptr<Framebuffer> make_framebuffer(const Session& session, std::uint3
     refuse_in_callback(session);
     return std::make_shared<Framebuffer>(session.gl, static_cast<int>(width), static_cast<int>(height),
                                          static_cast<int>(channels));
+}
+
+constexpr const char* kSinkName = "the image in memory";
+
+/// Calls write(image, options) with the image of a framebuffer, locked, as nicol_framebuffer_write_exr has
+/// it.
+template <class Write>
+void write_exr_by(const nicol_framebuffer_impl& self, const Write& write) {
+    const Access access(self);
+    const StokesImage* image = nullptr;
+    const Aovs* aovs = nullptr;
+    self.session->gl->visit([&] {
+        image = &self.content->image();
+        if (self.content->aov_mask() != 0) aovs = &self.content->aovs();
+    });
+    const Stopwatch watch;
+    write(*image, ExrOptions{.aovs = aovs});
+    self.content->statistics().observe_ms += watch.milliseconds();
+}
+
+/// Calls write(png) with the observation of a framebuffer, locked.
+template <class Write>
+void write_png_by(const nicol_framebuffer_impl& self, const nicol_observation& given, const Write& write) {
+    const Access access(self);
+    const StokesImage& image = self.content->image();
+    const Stopwatch watch;
+    const Observation observation = observe(image, given);
+    write(png_of(observation));
+    self.content->statistics().observe_ms += watch.milliseconds();
+}
+
+/// Gives bytes to a sink, in parts that a caller can handle one after another.
+void give(std::string_view bytes, nicol_sink_callback sink, void* user) {
+    constexpr std::size_t most = std::size_t{1} << 20;
+    for (; !bytes.empty(); bytes.remove_prefix(std::min(most, bytes.size()))) {
+        const std::string_view part = bytes.substr(0, most);
+        if (sink(user, part.data(), part.size()) == 0)
+            throw Error(ErrorCode::write_failed, "the sink returned 0");
+    }
 }
 
 }  // namespace
@@ -146,16 +186,22 @@ nicol_result nicol_framebuffer_write_exr(nicol_framebuffer framebuffer, const ch
         const nicol_framebuffer_impl& self = resolve(framebuffer);
         require(path, "path");
         require_suffix(path, ".exr");
-        const Access access(self);
-        const StokesImage* image = nullptr;
-        const Aovs* aovs = nullptr;
-        self.session->gl->visit([&] {
-            image = &self.content->image();
-            if (self.content->aov_mask() != 0) aovs = &self.content->aovs();
+        write_exr_by(self, [&](const StokesImage& image, const ExrOptions& options) {
+            write_exr(path, image, options);
         });
-        const Stopwatch watch;
-        write_exr(path, *image, {.aovs = aovs});
-        self.content->statistics().observe_ms += watch.milliseconds();
+    });
+}
+
+nicol_result nicol_framebuffer_encode_exr(nicol_framebuffer framebuffer, nicol_sink_callback sink,
+                                          void* user) {
+    return guarded([&] {
+        const nicol_framebuffer_impl& self = resolve(framebuffer);
+        require(sink, "sink");
+        MemoryOutput file;
+        write_exr_by(self, [&](const StokesImage& image, const ExrOptions& options) {
+            encode_exr(file.handle(), kSinkName, image, options);
+        });
+        give(file.bytes(), sink, user);
     });
 }
 
@@ -167,10 +213,20 @@ nicol_result nicol_framebuffer_write_png(nicol_framebuffer framebuffer, const ni
             read_struct(observation, nicol_observation NICOL_OBSERVATION_INIT, "observation");
         require(path, "path");
         require_suffix(path, ".png");
-        const Access access(self);
-        const StokesImage& image = self.content->image();
-        const Stopwatch watch;
-        write_png(path, observe(image, given));
-        self.content->statistics().observe_ms += watch.milliseconds();
+        write_png_by(self, given, [&](const PngImage& image) { write_png(path, image); });
+    });
+}
+
+nicol_result nicol_framebuffer_encode_png(nicol_framebuffer framebuffer, const nicol_observation* observation,
+                                          nicol_sink_callback sink, void* user) {
+    return guarded([&] {
+        const nicol_framebuffer_impl& self = resolve(framebuffer);
+        const nicol_observation given =
+            read_struct(observation, nicol_observation NICOL_OBSERVATION_INIT, "observation");
+        require(sink, "sink");
+        MemoryOutput file;
+        write_png_by(self, given,
+                     [&](const PngImage& image) { encode_png(file.handle(), kSinkName, image); });
+        give(file.bytes(), sink, user);
     });
 }

@@ -176,18 +176,39 @@ nicol_result create_textured(nicol_context context, nicol_material base, nicol_t
         function);
 }
 
-MaterialPtr measured(const char* path, const nicol_measured* options, const Session& session,
-                     const LoadBudget& budget) {
-    const auto given = read_options(options, nicol_measured NICOL_MEASURED_INIT);
-    require_constant(given.sampling, NICOL_WAVELENGTH_NEAREST, "options->sampling", "NICOL_WAVELENGTH_...");
-    return load_measured(
-        path,
-        {.wavelengths = spectrum(given.wavelengths, 0, 0, "options->wavelengths"),
-         .sampling = given.sampling == NICOL_WAVELENGTH_NEAREST ? WavelengthSampling::nearest
-                                                                : WavelengthSampling::linear,
-         .symmetrize = switch_from(given.symmetrize, "options->symmetrize")},
-        [&](const std::string& text) { session.notice(text); }, budget);
-}
+/// Loads a measured material, for load().
+struct MeasuredLoader {
+    const nicol_measured* options;
+
+    MaterialPtr operator()(const std::filesystem::path& path, const LoadBudget& budget,
+                           const SessionPtr& session) const {
+        budget.take_file(path);
+        const auto given = read_options(options, nicol_measured NICOL_MEASURED_INIT);
+        require_constant(given.sampling, NICOL_WAVELENGTH_NEAREST, "options->sampling",
+                         "NICOL_WAVELENGTH_...");
+        return load_measured(
+            path,
+            {.wavelengths = spectrum(given.wavelengths, 0, 0, "options->wavelengths"),
+             .sampling = given.sampling == NICOL_WAVELENGTH_NEAREST ? WavelengthSampling::nearest
+                                                                    : WavelengthSampling::linear,
+             .symmetrize = switch_from(given.symmetrize, "options->symmetrize")},
+            [&](const std::string& text) { session->notice(text); }, budget);
+    }
+};
+
+/// Loads a material of PSH matrices, for load().
+struct PshLoader {
+    const nicol_psh_matrix* options;
+
+    MaterialPtr operator()(const std::filesystem::path& path, const LoadBudget& budget,
+                           const SessionPtr& /*session*/) const {
+        budget.take_file(path);
+        const auto given = read_options(options, nicol_psh_matrix NICOL_PSH_MATRIX_INIT);
+        const std::vector<double> scale = spectrum(given.scale, 1, 1, "options->scale");
+        return psh_matrix_material(read_psh_matrix(path, budget), scale,
+                                   switch_from(given.symmetrize, "options->symmetrize"));
+    }
+};
 
 // A caller's function as the function of a material.
 class MuellerFunction {
@@ -264,21 +285,22 @@ nicol_result nicol_material_create_dielectric(nicol_context context, const nicol
 
 nicol_result nicol_material_load_measured(nicol_context context, const char* path,
                                           const nicol_measured* options, nicol_material* material) {
-    return load(context, path, material, "material", [&](const LoadBudget& budget, const Session& session) {
-        budget.take_file(path);
-        return measured(path, options, session, budget);
-    });
+    return load(context, path, material, "material", MeasuredLoader{options});
+}
+
+nicol_result nicol_material_load_measured_memory(nicol_context context, const nicol_memory_file* file,
+                                                 const nicol_measured* options, nicol_material* material) {
+    return load(context, file, material, "material", MeasuredLoader{options});
 }
 
 nicol_result nicol_material_load_psh(nicol_context context, const char* path, const nicol_psh_matrix* options,
                                      nicol_material* material) {
-    return load(context, path, material, "material", [&](const LoadBudget& budget, const Session&) {
-        budget.take_file(path);
-        const auto given = read_options(options, nicol_psh_matrix NICOL_PSH_MATRIX_INIT);
-        const std::vector<double> scale = spectrum(given.scale, 1, 1, "options->scale");
-        return psh_matrix_material(read_psh_matrix(path, budget), scale,
-                                   switch_from(given.symmetrize, "options->symmetrize"));
-    });
+    return load(context, path, material, "material", PshLoader{options});
+}
+
+nicol_result nicol_material_load_psh_memory(nicol_context context, const nicol_memory_file* file,
+                                            const nicol_psh_matrix* options, nicol_material* material) {
+    return load(context, file, material, "material", PshLoader{options});
 }
 
 nicol_result nicol_material_create_twosided(nicol_context context, nicol_material front,

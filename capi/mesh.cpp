@@ -45,17 +45,25 @@ Mesh mesh_of(const nicol_mesh_data& given) {
     return out;
 }
 
+/// Loads a mesh, for load().
+std::shared_ptr<const Mesh> load_mesh_file(const std::filesystem::path& path, const LoadBudget& budget,
+                                           const SessionPtr& session) {
+    budget.take_file(path);
+    const auto mesh = std::make_shared<Mesh>(load_mesh(
+        path, [&](const std::string& text) { session->notice(text); }, 0, budget));
+    if (has_upward_texcoords(path)) flip_texcoords(*mesh);
+    budget.take_instance(path, mesh->positions.size(), mesh->triangles.size());
+    return mesh;
+}
+
 }  // namespace
 
 nicol_result nicol_mesh_load(nicol_context context, const char* path, nicol_mesh* mesh) {
-    return load(context, path, mesh, "mesh", [&](const LoadBudget& budget, const Session& session) {
-        budget.take_file(path);
-        const auto loaded = std::make_shared<Mesh>(load_mesh(
-            path, [&](const std::string& text) { session.notice(text); }, 0, budget));
-        if (has_upward_texcoords(path)) flip_texcoords(*loaded);
-        budget.take_instance(path, loaded->positions.size(), loaded->triangles.size());
-        return std::shared_ptr<const Mesh>(loaded);
-    });
+    return load(context, path, mesh, "mesh", load_mesh_file);
+}
+
+nicol_result nicol_mesh_load_memory(nicol_context context, const nicol_memory_file* file, nicol_mesh* mesh) {
+    return load(context, file, mesh, "mesh", load_mesh_file);
 }
 
 nicol_result nicol_mesh_create(nicol_context context, const nicol_mesh_data* data, nicol_mesh* mesh) {

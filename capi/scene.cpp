@@ -60,6 +60,32 @@ glm::dmat4 matrix_or_identity(const double* rows) {
     return matrix(rows);
 }
 
+/// Loads a scene, for load().
+struct SceneLoader {
+    const char* const* definitions;
+    std::uint32_t definition_count;
+
+    std::shared_ptr<SceneState> operator()(const std::filesystem::path& path, const LoadBudget& budget,
+                                           const SessionPtr& session) const {
+        LoadedScene loaded = session->on_workers(
+            [&] { return load_scene(path, parameters_from(definitions, definition_count), budget); });
+        for (const std::string& notice : loaded.notices) session->notice(notice);
+        auto state = std::make_shared<SceneState>(session);
+        state->scene = std::move(loaded.scene);
+        state->film = {.camera = loaded.camera,
+                       .width = static_cast<std::uint32_t>(loaded.width),
+                       .height = static_cast<std::uint32_t>(loaded.height),
+                       .luminance = loaded.luminance,
+                       .sample_count = loaded.sample_count,
+                       .filter = loaded.filter,
+                       .max_depth = loaded.max_depth,
+                       .aovs = loaded.aovs};
+        state->files = std::move(loaded.files);
+        state->animation = std::move(loaded.animation);
+        return state;
+    }
+};
+
 }  // namespace
 
 nicol_result nicol_scene_create(nicol_context context, nicol_scene* scene) {
@@ -72,28 +98,13 @@ nicol_result nicol_scene_create(nicol_context context, nicol_scene* scene) {
 
 nicol_result nicol_scene_load(nicol_context context, const char* path, const char* const* definitions,
                               uint32_t definition_count, nicol_scene* scene) {
-    return guarded([&] {
-        require(scene, "scene");
-        const SessionPtr session = resolve(context).session;
-        require(path, "path");
-        LoadedScene loaded = session->on_workers([&] {
-            return load_scene(path, parameters_from(definitions, definition_count), session->load_limits);
-        });
-        for (const std::string& notice : loaded.notices) session->notice(notice);
-        auto state = std::make_shared<SceneState>(session);
-        state->scene = std::move(loaded.scene);
-        state->film = {.camera = loaded.camera,
-                       .width = static_cast<uint32_t>(loaded.width),
-                       .height = static_cast<uint32_t>(loaded.height),
-                       .luminance = loaded.luminance,
-                       .sample_count = loaded.sample_count,
-                       .filter = loaded.filter,
-                       .max_depth = loaded.max_depth,
-                       .aovs = loaded.aovs};
-        state->files = std::move(loaded.files);
-        state->animation = std::move(loaded.animation);
-        *scene = make_handle<nicol_scene_impl>(session, state);
-    });
+    return load(context, path, scene, "scene", SceneLoader{definitions, definition_count});
+}
+
+nicol_result nicol_scene_load_memory(nicol_context context, const nicol_memory_file* file,
+                                     const char* const* definitions, uint32_t definition_count,
+                                     nicol_scene* scene) {
+    return load(context, file, scene, "scene", SceneLoader{definitions, definition_count});
 }
 
 nicol_result nicol_scene_set_time(nicol_scene scene, double time) {

@@ -83,6 +83,21 @@ TextureImage image_of(const nicol_texture_image& given, bool raw) {
     return image;
 }
 
+/// Loads a texture, for load().
+struct TextureLoader {
+    const nicol_texture_options* options;
+
+    TexturePtr operator()(const std::filesystem::path& path, const LoadBudget& budget,
+                          const SessionPtr& /*session*/) const {
+        const Options how = read(options);
+        budget.take_file(path);
+        TextureImage image = load_texture_image(path, how.raw, budget);
+        budget.take_pixels(
+            path, static_cast<std::uint64_t>(image.width) * static_cast<std::uint64_t>(image.height));
+        return image_texture(std::move(image), how.sampling);
+    }
+};
+
 /// Returns three values, equal if only one is given. `channels` becomes the given number if that is larger.
 glm::vec3 color_of(const nicol_spectrum* given, double fallback, const char* name, int& channels) {
     static constexpr nicol_spectrum unset = NICOL_SPECTRUM_INIT;
@@ -106,14 +121,12 @@ nicol_result nicol_texture_create_image(nicol_context context, const nicol_textu
 
 nicol_result nicol_texture_load(nicol_context context, const char* path, const nicol_texture_options* options,
                                 nicol_texture* texture) {
-    return load(context, path, texture, "texture", [&](const LoadBudget& budget, const Session&) {
-        const Options how = read(options);
-        budget.take_file(path);
-        TextureImage image = load_texture_image(path, how.raw, budget);
-        budget.take_pixels(
-            path, static_cast<std::uint64_t>(image.width) * static_cast<std::uint64_t>(image.height));
-        return image_texture(std::move(image), how.sampling);
-    });
+    return load(context, path, texture, "texture", TextureLoader{options});
+}
+
+nicol_result nicol_texture_load_memory(nicol_context context, const nicol_memory_file* file,
+                                       const nicol_texture_options* options, nicol_texture* texture) {
+    return load(context, file, texture, "texture", TextureLoader{options});
 }
 
 nicol_result nicol_texture_create_checkerboard(nicol_context context, const nicol_spectrum* color0,

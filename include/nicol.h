@@ -310,6 +310,50 @@ NICOL_API nicol_result nicol_context_release(nicol_context context);
 /* Gets the properties of the OpenGL context, and the limits in effect. */
 NICOL_API nicol_result nicol_context_get_info(nicol_context context, nicol_context_info* info);
 
+/* ---------------------------------------------------------------- files in memory */
+
+/* Content of a file that a resolver returns. */
+typedef struct nicol_file_content {
+    uint32_t struct_size;
+    uint32_t reserved;  /* 0 */
+    const void* bytes;  /* content; stays valid and unchanged until the loading call returns; default NULL */
+    uint64_t byte_size; /* size of the content, bytes, default 0 */
+} nicol_file_content;
+#define NICOL_FILE_CONTENT_INIT \
+    { sizeof(nicol_file_content), 0, 0, 0 }
+NICOL_API nicol_result nicol_file_content_init(nicol_file_content* descriptor, uint32_t struct_size);
+
+/* Resolves the name of a file that a file in memory names: sets bytes and byte_size of content, which has its
+ * defaults, and returns 1; or returns 0 if there is no such file. The name is as the file writes it, joined
+ * to the folder of the naming file's own name, without "." and "folder/..": "maps/wood.png" in
+ * "rooms/hall.xml" is "rooms/maps/wood.png". It may begin with "/" or "..". The callback is called once per
+ * name, on the calling thread, and must not call Nicol with objects of the same context. */
+typedef int32_t (*nicol_resolve_callback)(void* user, const char* name, nicol_file_content* content);
+
+/* A file in memory. The ..._load_memory functions read it as the ..._load functions read a file, within the
+ * same limits, and with the same result. They read nothing from the file system: a file that the resolver
+ * does not have is NICOL_ERROR_FILE_NOT_FOUND, and the message has its name. */
+typedef struct nicol_memory_file {
+    uint32_t struct_size;
+    uint32_t reserved; /* 0 */
+    /* Name for messages and for the format: a name's suffix says the format, as of files. The content says it
+     * if the name has no suffix, and if the name is NULL, the default; only TGA images need a suffix. */
+    const char* name;
+    const void* bytes;  /* content; the call does not use it once it returns */
+    uint64_t byte_size; /* size of the content, bytes */
+    /* Resolver of the files that this one names; NULL, the default: there are none. */
+    nicol_resolve_callback resolve;
+    void* resolve_user;
+} nicol_memory_file;
+#define NICOL_MEMORY_FILE_INIT \
+    { sizeof(nicol_memory_file), 0, 0, 0, 0, 0, 0 }
+NICOL_API nicol_result nicol_memory_file_init(nicol_memory_file* descriptor, uint32_t struct_size);
+
+/* Receives the next bytes of a file that is written to memory, on the calling thread. bytes live as long as
+ * the call. Returns 1 to continue, or 0 to end the writing call, which then returns
+ * NICOL_ERROR_WRITE_FAILED. The callback must not call Nicol with objects of the same context. */
+typedef int32_t (*nicol_sink_callback)(void* user, const void* bytes, uint64_t byte_size);
+
 /* ---------------------------------------------------------------- environment */
 
 /* Equirectangular image over the directions that light comes FROM, in Mitsuba 3's layout: column u = atan2(x,
@@ -388,6 +432,10 @@ NICOL_API nicol_result nicol_environment_load_options_init(nicol_environment_loa
 NICOL_API nicol_result nicol_environment_load(nicol_context context, const char* path,
                                               const nicol_environment_load_options* options,
                                               nicol_environment* environment);
+/* Loads an environment from memory. The resolver has the other files of a cube map. */
+NICOL_API nicol_result nicol_environment_load_memory(nicol_context context, const nicol_memory_file* file,
+                                                     const nicol_environment_load_options* options,
+                                                     nicol_environment* environment);
 /* Creates an environment from an image in memory. */
 NICOL_API nicol_result nicol_environment_create_image(nicol_context context, const nicol_image* image,
                                                       nicol_environment* environment);
@@ -491,6 +539,10 @@ NICOL_API nicol_result nicol_texture_create_image(nicol_context context, const n
  * coverage. options may be NULL: all defaults. */
 NICOL_API nicol_result nicol_texture_load(nicol_context context, const char* path,
                                           const nicol_texture_options* options, nicol_texture* texture);
+/* Loads a texture from memory. */
+NICOL_API nicol_result nicol_texture_load_memory(nicol_context context, const nicol_memory_file* file,
+                                                 const nicol_texture_options* options,
+                                                 nicol_texture* texture);
 /* Creates Mitsuba 3's checkerboard of colours: four squares per unit square of u and v, color0 at u = v = 0.
  * Colours have 1 or 3 values; NULL or not given: 0.4 and 0.2. to_uv is that of nicol_texture_options; NULL:
  * identity. */
@@ -768,6 +820,11 @@ NICOL_API nicol_result nicol_measured_init(nicol_measured* descriptor, uint32_t 
  * symmetrized. options may be NULL: all defaults. Only the front side reflects. */
 NICOL_API nicol_result nicol_material_load_measured(nicol_context context, const char* path,
                                                     const nicol_measured* options, nicol_material* material);
+/* Loads a measured material from memory. */
+NICOL_API nicol_result nicol_material_load_measured_memory(nicol_context context,
+                                                           const nicol_memory_file* file,
+                                                           const nicol_measured* options,
+                                                           nicol_material* material);
 
 typedef struct nicol_psh_matrix {
     uint32_t struct_size;
@@ -783,6 +840,10 @@ NICOL_API nicol_result nicol_psh_matrix_init(nicol_psh_matrix* descriptor, uint3
  * above the matrix's. options may be NULL: all defaults. Only the front side reflects. */
 NICOL_API nicol_result nicol_material_load_psh(nicol_context context, const char* path,
                                                const nicol_psh_matrix* options, nicol_material* material);
+/* Loads a material of PSH matrices from memory. */
+NICOL_API nicol_result nicol_material_load_psh_memory(nicol_context context, const nicol_memory_file* file,
+                                                      const nicol_psh_matrix* options,
+                                                      nicol_material* material);
 /* Creates a material whose back side reflects as its front side. `front` may be released afterwards. */
 NICOL_API nicol_result nicol_material_create_twosided(nicol_context context, nicol_material front,
                                                       nicol_material* material);
@@ -900,6 +961,9 @@ NICOL_API nicol_result nicol_mesh_data_init(nicol_mesh_data* descriptor, uint32_
  * vertices and faces are kept. v of OBJ, which points up, becomes 1 - v. The message of
  * NICOL_ERROR_INVALID_FILE names the line, vertex or face. */
 NICOL_API nicol_result nicol_mesh_load(nicol_context context, const char* path, nicol_mesh* mesh);
+/* Loads a mesh from memory. */
+NICOL_API nicol_result nicol_mesh_load_memory(nicol_context context, const nicol_memory_file* file,
+                                              nicol_mesh* mesh);
 /* Creates a mesh from arrays and copies the arrays. A render adds vertices where shadows need them, see
  * refine_tolerance of nicol_render_options. */
 NICOL_API nicol_result nicol_mesh_create(nicol_context context, const nicol_mesh_data* data,
@@ -1187,6 +1251,10 @@ NICOL_API nicol_result nicol_scene_load(nicol_context context, const char* path,
  * comes back under another id. The next render bakes what has moved. Returns NICOL_ERROR_INVALID_ARGUMENT for
  * a time that is not finite, and NICOL_ERROR_UNSUPPORTED for other scenes. */
 NICOL_API nicol_result nicol_scene_set_time(nicol_scene scene, double time);
+/* Loads a scene from memory: XML, glTF as JSON, or GLB. The resolver has the files that the scene names. */
+NICOL_API nicol_result nicol_scene_load_memory(nicol_context context, const nicol_memory_file* file,
+                                               const char* const* definitions, uint32_t definition_count,
+                                               nicol_scene* scene);
 /* Adds an instance. id may be NULL; ids count up from 0, past those of removed instances too. The mesh must
  * have the texture coordinates and colours that the material needs. Materials and environment of a scene must
  * have one colour channel or the same number of channels. */
@@ -1871,6 +1939,10 @@ NICOL_API nicol_result nicol_framebuffer_read_plane(nicol_framebuffer framebuffe
  * environment) and, for each Stokes channel, variance.S0.R ... variance.S3.B. */
 /* clang-format on */
 NICOL_API nicol_result nicol_framebuffer_write_exr(nicol_framebuffer framebuffer, const char* path);
+/* Gives the bytes of the file that nicol_framebuffer_write_exr writes to a sink, after all of them are made.
+ * user is passed on to the sink. */
+NICOL_API nicol_result nicol_framebuffer_encode_exr(nicol_framebuffer framebuffer, nicol_sink_callback sink,
+                                                    void* user);
 
 typedef uint32_t nicol_observation_kind;
 #define NICOL_OBSERVATION_S0 0u        /* s0, tone-mapped with the sRGB curve */
@@ -1899,6 +1971,11 @@ NICOL_API nicol_result nicol_observation_init(nicol_observation* descriptor, uin
  * show the mean of the channels. */
 NICOL_API nicol_result nicol_framebuffer_write_png(nicol_framebuffer framebuffer,
                                                    const nicol_observation* observation, const char* path);
+/* Gives the bytes of the file that nicol_framebuffer_write_png writes to a sink, after all of them are made.
+ * user is passed on to the sink. */
+NICOL_API nicol_result nicol_framebuffer_encode_png(nicol_framebuffer framebuffer,
+                                                    const nicol_observation* observation,
+                                                    nicol_sink_callback sink, void* user);
 
 /* ---------------------------------------------------------------- sensor */
 

@@ -4,6 +4,8 @@
 #include <nicol_files.h>
 
 #include <array>
+#include <fstream>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -64,6 +66,19 @@ void keep(const EntryPoints::Watch& watch, const char* retain_name, nicol_result
     call(watch, release_name, release, handle);
 }
 
+/// A file of the assets in memory.
+struct MemoryFile {
+    std::string bytes;
+    nicol_memory_file file = defaults(nicol_memory_file_init);
+
+    explicit MemoryFile(const std::string& path) {
+        std::ifstream in(path, std::ios::binary);
+        bytes.assign(std::istreambuf_iterator<char>(in), {});
+        file.bytes = bytes.data();
+        file.byte_size = bytes.size();
+    }
+};
+
 void make_textures(const EntryPoints::Watch& watch, nicol_context context, nicol_texture texture) {
     constexpr std::array<std::uint8_t, 4> texels{0, 85, 170, 255};
     auto image = defaults(nicol_texture_image_init);
@@ -74,6 +89,8 @@ void make_textures(const EntryPoints::Watch& watch, nicol_context context, nicol
     image.type = NICOL_TEXEL_UINT8;
     make<Texture>(watch, NAMED(nicol_texture_create_image), context, &image, nullptr);
     make<Texture>(watch, NAMED(nicol_texture_load), context, NICOL_BENCH_ASSETS "/bands_color.png", nullptr);
+    const MemoryFile png(NICOL_BENCH_ASSETS "/bands_color.png");
+    make<Texture>(watch, NAMED(nicol_texture_load_memory), context, &png.file, nullptr);
     make<Texture>(watch, NAMED(nicol_texture_create_checkerboard), context, nullptr, nullptr, nullptr);
     make<Texture>(watch, NAMED(nicol_texture_create_vertex_colors), context);
     make<Texture>(watch, NAMED(nicol_texture_create_face_colors), context);
@@ -95,6 +112,8 @@ void make_meshes(const EntryPoints::Watch& watch, nicol_context context, nicol_m
     deformation.positions = positions;
     make<Mesh>(watch, NAMED(nicol_mesh_create_deformed), context, base.get(), &deformation);
     make<Mesh>(watch, NAMED(nicol_mesh_load), context, NICOL_BENCH_ASSETS "/plinth.ply");
+    const MemoryFile ply(NICOL_BENCH_ASSETS "/plinth.ply");
+    make<Mesh>(watch, NAMED(nicol_mesh_load_memory), context, &ply.file);
     make<Mesh>(watch, NAMED(nicol_mesh_create_sphere), context);
     make<Mesh>(watch, NAMED(nicol_mesh_create_divided_sphere), context, 4U);
     make<Mesh>(watch, NAMED(nicol_mesh_create_rectangle), context);
@@ -128,6 +147,8 @@ void make_environments(const EntryPoints::Watch& watch, nicol_context context, n
     make<Environment>(watch, NAMED(nicol_environment_create_image), context, &image);
     make<Environment>(watch, NAMED(nicol_environment_load), context, NICOL_BENCH_ASSETS "/forest_blurred.exr",
                       nullptr);
+    const MemoryFile exr(NICOL_BENCH_ASSETS "/forest_blurred.exr");
+    make<Environment>(watch, NAMED(nicol_environment_load_memory), context, &exr.file, nullptr);
     auto info = defaults(nicol_environment_info_init);
     call(watch, NAMED(nicol_environment_get_info), light, &info);
     call(watch, NAMED(nicol_environment_write), light, nullptr, file.c_str());
@@ -168,6 +189,8 @@ void make_materials(const EntryPoints::Watch& watch, nicol_context context, nico
     make<Material>(watch, NAMED(nicol_material_create_mask), context, base, texture);
     call(watch, NAMED(nicol_material_write), base, nullptr, file.c_str());
     make<Material>(watch, NAMED(nicol_material_load_psh), context, file.c_str(), nullptr);
+    const MemoryFile npz(file);
+    make<Material>(watch, NAMED(nicol_material_load_psh_memory), context, &npz.file, nullptr);
     keep(watch, NAMED(nicol_material_retain), NAMED(nicol_material_release), base);
 }
 
@@ -281,6 +304,8 @@ void EntryPoints::images(const Watch& watch) {
     Objects& o = *objects_;
     make<Scene>(watch, NAMED(nicol_scene_create), o.context);
     make<Scene>(watch, NAMED(nicol_scene_load), o.context, NICOL_BENCH_ASSETS "/solids.gltf", nullptr, 0U);
+    const MemoryFile gltf(NICOL_BENCH_ASSETS "/solids.gltf");
+    make<Scene>(watch, NAMED(nicol_scene_load_memory), o.context, &gltf.file, nullptr, 0U);
     edit_instances(watch, o.scene.get(), o.instance, o.mesh.get(), o.material.get());
     edit_lights(watch, o.scene.get(), o.light.get());
     edit_elements(watch, o.scene.get());
@@ -324,6 +349,9 @@ void EntryPoints::reads(const Watch& watch, nicol_framebuffer framebuffer) {
     const auto shown = defaults(nicol_observation_init);
     call(watch, NAMED(nicol_framebuffer_write_exr), framebuffer, o.file("image.exr").c_str());
     call(watch, NAMED(nicol_framebuffer_write_png), framebuffer, &shown, o.file("image.png").c_str());
+    const nicol_sink_callback sink = [](void*, const void*, std::uint64_t) { return std::int32_t{1}; };
+    call(watch, NAMED(nicol_framebuffer_encode_exr), framebuffer, sink, nullptr);
+    call(watch, NAMED(nicol_framebuffer_encode_png), framebuffer, &shown, sink, nullptr);
 }
 
 void EntryPoints::jobs(const Watch& watch) {

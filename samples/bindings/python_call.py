@@ -111,10 +111,11 @@ class Call:
         self.arguments.append(f"byref({item}) if {item} is not None else None")
 
     def is_lent(self, struct):
-        """Returns whether the library continues to use the memory that the struct points to."""
+        """Returns whether the library continues to use the memory that the struct points to. Loading from memory does not."""
         fields = self.header.structs[struct].fields
         callback = any(f.type.base in self.header.callbacks for f in fields)
-        return callback and (self.creates or any(f.name == "release" for f in fields))
+        creates = self.creates and "_load_" not in self.function.name
+        return callback and (creates or any(f.name == "release" for f in fields))
 
     def texts(self, parameter, item, partners):
         self.take(parameter, item, "()")

@@ -63,8 +63,10 @@ class Python:
         parameters = []
         for parameter in function.parameters:
             type_ = parameter.type
-            if type_.base == "void":
+            if type_.base == "void" and not type_.const:  # void* user
                 parameters.append("(c_void_p, None)")
+            elif type_.base == "void" or type_.base in self.header.structs:  # an address
+                parameters.append("(c_void_p, as_is)")
             elif type_.count:
                 parameters.append(f"(POINTER({CTYPES[type_.base]} * {type_.count}), pointee)")
             elif type_.pointers:

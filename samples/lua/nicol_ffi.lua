@@ -69,6 +69,23 @@ typedef struct nicol_context_info {
     const char* driver_uuid;
     uint64_t device_bytes;
 } nicol_context_info;
+typedef struct nicol_file_content {
+    uint32_t struct_size;
+    uint32_t reserved;
+    const void* bytes;
+    uint64_t byte_size;
+} nicol_file_content;
+typedef int32_t (*nicol_resolve_callback)(void* user, const char* name, nicol_file_content* content);
+typedef struct nicol_memory_file {
+    uint32_t struct_size;
+    uint32_t reserved;
+    const char* name;
+    const void* bytes;
+    uint64_t byte_size;
+    nicol_resolve_callback resolve;
+    void* resolve_user;
+} nicol_memory_file;
+typedef int32_t (*nicol_sink_callback)(void* user, const void* bytes, uint64_t byte_size);
 typedef void (*nicol_release_callback)(void* user);
 typedef struct nicol_image {
     uint32_t struct_size;
@@ -624,10 +641,13 @@ nicol_result nicol_context_create(const nicol_context_options* options, nicol_co
 nicol_result nicol_context_retain(nicol_context context);
 nicol_result nicol_context_release(nicol_context context);
 nicol_result nicol_context_get_info(nicol_context context, nicol_context_info* info);
+nicol_result nicol_file_content_init(nicol_file_content* descriptor, uint32_t struct_size);
+nicol_result nicol_memory_file_init(nicol_memory_file* descriptor, uint32_t struct_size);
 nicol_result nicol_image_init(nicol_image* descriptor, uint32_t struct_size);
 nicol_result nicol_sky_init(nicol_sky* descriptor, uint32_t struct_size);
 nicol_result nicol_environment_load_options_init(nicol_environment_load_options* descriptor, uint32_t struct_size);
 nicol_result nicol_environment_load(nicol_context context, const char* path, const nicol_environment_load_options* options, nicol_environment* environment);
+nicol_result nicol_environment_load_memory(nicol_context context, const nicol_memory_file* file, const nicol_environment_load_options* options, nicol_environment* environment);
 nicol_result nicol_environment_create_image(nicol_context context, const nicol_image* image, nicol_environment* environment);
 nicol_result nicol_environment_create_constant(nicol_context context, const nicol_spectrum* radiance, nicol_environment* environment);
 nicol_result nicol_environment_create_sky(nicol_context context, const nicol_sky* sky, nicol_environment* environment);
@@ -640,6 +660,7 @@ nicol_result nicol_texture_image_init(nicol_texture_image* descriptor, uint32_t 
 nicol_result nicol_texture_options_init(nicol_texture_options* descriptor, uint32_t struct_size);
 nicol_result nicol_texture_create_image(nicol_context context, const nicol_texture_image* image, const nicol_texture_options* options, nicol_texture* texture);
 nicol_result nicol_texture_load(nicol_context context, const char* path, const nicol_texture_options* options, nicol_texture* texture);
+nicol_result nicol_texture_load_memory(nicol_context context, const nicol_memory_file* file, const nicol_texture_options* options, nicol_texture* texture);
 nicol_result nicol_texture_create_checkerboard(nicol_context context, const nicol_spectrum* color0, const nicol_spectrum* color1, const double to_uv[9], nicol_texture* texture);
 nicol_result nicol_texture_create_vertex_colors(nicol_context context, nicol_texture* texture);
 nicol_result nicol_texture_create_face_colors(nicol_context context, nicol_texture* texture);
@@ -658,8 +679,10 @@ nicol_result nicol_dielectric_init(nicol_dielectric* descriptor, uint32_t struct
 nicol_result nicol_material_create_dielectric(nicol_context context, const nicol_dielectric* parameters, nicol_material* material);
 nicol_result nicol_measured_init(nicol_measured* descriptor, uint32_t struct_size);
 nicol_result nicol_material_load_measured(nicol_context context, const char* path, const nicol_measured* options, nicol_material* material);
+nicol_result nicol_material_load_measured_memory(nicol_context context, const nicol_memory_file* file, const nicol_measured* options, nicol_material* material);
 nicol_result nicol_psh_matrix_init(nicol_psh_matrix* descriptor, uint32_t struct_size);
 nicol_result nicol_material_load_psh(nicol_context context, const char* path, const nicol_psh_matrix* options, nicol_material* material);
+nicol_result nicol_material_load_psh_memory(nicol_context context, const nicol_memory_file* file, const nicol_psh_matrix* options, nicol_material* material);
 nicol_result nicol_material_create_twosided(nicol_context context, nicol_material front, nicol_material* material);
 nicol_result nicol_material_create_scaled(nicol_context context, nicol_material base, nicol_texture scale, nicol_material* material);
 nicol_result nicol_material_create_blend(nicol_context context, nicol_material first, nicol_material second, nicol_texture weight, nicol_material* material);
@@ -673,6 +696,7 @@ nicol_result nicol_material_retain(nicol_material material);
 nicol_result nicol_material_release(nicol_material material);
 nicol_result nicol_mesh_data_init(nicol_mesh_data* descriptor, uint32_t struct_size);
 nicol_result nicol_mesh_load(nicol_context context, const char* path, nicol_mesh* mesh);
+nicol_result nicol_mesh_load_memory(nicol_context context, const nicol_memory_file* file, nicol_mesh* mesh);
 nicol_result nicol_mesh_create(nicol_context context, const nicol_mesh_data* data, nicol_mesh* mesh);
 nicol_result nicol_mesh_create_sphere(nicol_context context, nicol_mesh* mesh);
 nicol_result nicol_mesh_create_divided_sphere(nicol_context context, uint32_t segments, nicol_mesh* mesh);
@@ -700,6 +724,7 @@ nicol_result nicol_instance_init(nicol_instance* descriptor, uint32_t struct_siz
 nicol_result nicol_scene_create(nicol_context context, nicol_scene* scene);
 nicol_result nicol_scene_load(nicol_context context, const char* path, const char* const* definitions, uint32_t definition_count, nicol_scene* scene);
 nicol_result nicol_scene_set_time(nicol_scene scene, double time);
+nicol_result nicol_scene_load_memory(nicol_context context, const nicol_memory_file* file, const char* const* definitions, uint32_t definition_count, nicol_scene* scene);
 nicol_result nicol_scene_add_instance(nicol_scene scene, const nicol_instance* instance, uint32_t* id);
 nicol_result nicol_scene_set_transform(nicol_scene scene, uint32_t id, const double to_world[16]);
 nicol_result nicol_scene_set_mesh(nicol_scene scene, uint32_t id, nicol_mesh mesh);
@@ -764,8 +789,10 @@ nicol_result nicol_framebuffer_read(nicol_framebuffer framebuffer, nicol_plane p
 nicol_result nicol_plane_buffer_init(nicol_plane_buffer* descriptor, uint32_t struct_size);
 nicol_result nicol_framebuffer_read_plane(nicol_framebuffer framebuffer, const nicol_plane_buffer* to);
 nicol_result nicol_framebuffer_write_exr(nicol_framebuffer framebuffer, const char* path);
+nicol_result nicol_framebuffer_encode_exr(nicol_framebuffer framebuffer, nicol_sink_callback sink, void* user);
 nicol_result nicol_observation_init(nicol_observation* descriptor, uint32_t struct_size);
 nicol_result nicol_framebuffer_write_png(nicol_framebuffer framebuffer, const nicol_observation* observation, const char* path);
+nicol_result nicol_framebuffer_encode_png(nicol_framebuffer framebuffer, const nicol_observation* observation, nicol_sink_callback sink, void* user);
 nicol_result nicol_sensor_init(nicol_sensor* descriptor, uint32_t struct_size);
 nicol_result nicol_sensor_set_preset(nicol_sensor* sensor, nicol_sensor_preset preset);
 nicol_result nicol_sensor_load(nicol_sensor* sensor, const char* path);
@@ -1001,6 +1028,7 @@ return {
         context_create = "nicol_context",
         context_get_info = true,
         environment_load = "nicol_environment",
+        environment_load_memory = "nicol_environment",
         environment_create_image = "nicol_environment",
         environment_create_constant = "nicol_environment",
         environment_create_sky = "nicol_environment",
@@ -1008,6 +1036,7 @@ return {
         environment_get_info = true,
         texture_create_image = "nicol_texture",
         texture_load = "nicol_texture",
+        texture_load_memory = "nicol_texture",
         texture_create_checkerboard = "nicol_texture",
         texture_create_vertex_colors = "nicol_texture",
         texture_create_face_colors = "nicol_texture",
@@ -1018,7 +1047,9 @@ return {
         material_create_conductor = "nicol_material",
         material_create_dielectric = "nicol_material",
         material_load_measured = "nicol_material",
+        material_load_measured_memory = "nicol_material",
         material_load_psh = "nicol_material",
+        material_load_psh_memory = "nicol_material",
         material_create_twosided = "nicol_material",
         material_create_scaled = "nicol_material",
         material_create_blend = "nicol_material",
@@ -1028,6 +1059,7 @@ return {
         material_create_mask = "nicol_material",
         material_create_callback = "nicol_material",
         mesh_load = "nicol_mesh",
+        mesh_load_memory = "nicol_mesh",
         mesh_create = "nicol_mesh",
         mesh_create_sphere = "nicol_mesh",
         mesh_create_divided_sphere = "nicol_mesh",
@@ -1046,6 +1078,7 @@ return {
         scene_create = "nicol_scene",
         scene_load = "nicol_scene",
         scene_set_time = true,
+        scene_load_memory = "nicol_scene",
         scene_add_instance = true,
         scene_set_transform = true,
         scene_set_mesh = true,
@@ -1098,7 +1131,9 @@ return {
         framebuffer_read = true,
         framebuffer_read_plane = true,
         framebuffer_write_exr = true,
+        framebuffer_encode_exr = true,
         framebuffer_write_png = true,
+        framebuffer_encode_png = true,
         sensor_set_preset = true,
         sensor_load = true,
         sensor_add_element = true,
@@ -1149,6 +1184,8 @@ return {
         device_info = true,
         context_options = true,
         context_info = true,
+        file_content = true,
+        memory_file = true,
         image = true,
         sky = true,
         environment_load_options = true,

@@ -15,6 +15,7 @@
 
 #include "framing.hpp"
 #include "query.hpp"
+#include "upload.hpp"
 #include "visitors.hpp"
 
 namespace asio = boost::asio;
@@ -144,6 +145,10 @@ void Connection::read_header(std::size_t searched) {
 }
 
 void Connection::finish_header(std::size_t length) {
+    const bool is_upload =
+        around_.options.uploads && !around_.status_alone && sends_scene(content_of(buffer_));
+    // The parser compares Content-Length when it reads the header.
+    if (is_upload) parser_->body_limit(around_.options.upload_bytes);
     error_code error;
     parser_->put(asio::buffer(buffer_.data(), length), error);
     if (failed(error)) return;
@@ -151,6 +156,14 @@ void Connection::finish_header(std::size_t length) {
         refused_header(content_of(buffer_).substr(0, length), parser_->get().base());
     buffer_.consume(length);
     if (refused) return answer(around_.service.respond(*refused), false);
+    if (is_upload) {
+        upload_room_ = around_.service.upload_room();
+        // A small body is read all the same, so that the connection can continue.
+        const auto size = parser_->content_length();
+        const bool is_small = size && *size <= around_.options.body_bytes;
+        if (const auto response = around_.service.refused_upload(request()); response && !is_small)
+            return answer(*response, false);
+    }
     if (parser_->is_done()) return handle();
     if (expects_continue(parser_->get().base()) && buffer_.size() == 0) return go_on();
     read_body();
@@ -160,7 +173,7 @@ void Connection::finish_header(std::size_t length) {
 /// needed.
 void Connection::go_on() {
     const http::verb method = parser_->get().method();
-    if (method != http::verb::get && method != http::verb::head) return handle();
+    if (method != http::verb::get && method != http::verb::head && !upload_room_) return handle();
     static constexpr std::string_view text = "HTTP/1.1 100 Continue\r\n\r\n";
     asio::async_write(stream_, asio::buffer(text),
                       [self = shared_from_this()](const error_code& error, std::size_t) {
@@ -206,22 +219,32 @@ void Connection::unlimit() {
     deadline_.cancel();
 }
 
+/// Returns the request as far as it was read.
+Request Connection::request() const {
+    const auto& message = parser_->get();
+    return {.method = text_of(message.method_string()),
+            .target = origin_form(text_of(message.target())),
+            .if_none_match = text_of(message[http::field::if_none_match]),
+            .range = text_of(message[http::field::range]),
+            .if_range = text_of(message[http::field::if_range]),
+            .accept_encoding = text_of(message[http::field::accept_encoding]),
+            .host = text_of(message[http::field::host]),
+            .authority = std::string(authority_of(text_of(message.target()))),
+            .origin = text_of(message[http::field::origin]),
+            .local = local_,
+            .accept = text_of(message[http::field::accept]),
+            .content_type = text_of(message[http::field::content_type]),
+            .body = message.body(),
+            .has_upload_room = upload_room_ != nullptr,
+            .status_alone = around_.status_alone};
+}
+
 void Connection::handle() {
     unlimit();
     waiting_since_.reset();
+    std::variant<Response, Render> outcome = around_.service.handle(request());
+    upload_room_.reset();
     const auto& message = parser_->get();
-    std::variant<Response, Render> outcome =
-        around_.service.handle({.method = text_of(message.method_string()),
-                                .target = origin_form(text_of(message.target())),
-                                .if_none_match = text_of(message[http::field::if_none_match]),
-                                .range = text_of(message[http::field::range]),
-                                .if_range = text_of(message[http::field::if_range]),
-                                .accept_encoding = text_of(message[http::field::accept_encoding]),
-                                .host = text_of(message[http::field::host]),
-                                .authority = std::string(authority_of(text_of(message.target()))),
-                                .origin = text_of(message[http::field::origin]),
-                                .local = local_,
-                                .status_alone = around_.status_alone});
     if (const auto* wanted = std::get_if<Render>(&outcome)) return render(*wanted);
     // An unread body must not be parsed as a request.
     answer(std::get<Response>(outcome), message.keep_alive() && parser_->is_done());
@@ -229,15 +252,23 @@ void Connection::handle() {
 
 void Connection::render(const Render& render) {
     asked_ = std::chrono::steady_clock::now();
+    const std::shared_ptr<EventStream> events = render.events_url.empty() ? nullptr : make_events();
+    Dispatcher::Progressed progressed;
+    if (events) progressed = [events](const RenderProgress& progress) { events->progress(progress); };
     ticket_ = around_.dispatcher.submit(
-        render.tag, render.request, [self = shared_from_this(), render](const AnswerPtr& made) {
+        render.tag, render.request,
+        [self = shared_from_this(), render, events](const AnswerPtr& made) {
             self->ticket_.reset();
             self->unlimit();
             self->stop_watching();
             const Seconds waited = std::chrono::steady_clock::now() - self->asked_;
             self->around_.metrics.waited.add(waited.count());
-            self->answer(self->around_.service.respond(render, made), self->parser_->get().keep_alive());
-        });
+            const Response response = self->around_.service.respond(render, made);
+            if (!events) return self->answer(response, self->parser_->get().keep_alive());
+            events->finish(response.status == 200 ? done_event(render.events_url)
+                                                  : failed_event(response.content));
+        },
+        progressed);
     if (!ticket_) {
         ++around_.metrics.refused_queue;
         return answer(around_.service.respond(Problem{.status = 503,
@@ -247,12 +278,30 @@ void Connection::render(const Render& render) {
     }
     around_.metrics.hits_flight += ticket_->joined ? 1 : 0;
     stream_.expires_never();
-    limit(around_.options.deadline, [this] {
+    limit(around_.options.deadline, [this, events] {
         leave();
-        answer(around_.service.respond(Problem{.status = 504, .detail = "The image was not done in time."}),
-               parser_->get().keep_alive());
+        const Response late =
+            around_.service.respond(Problem{.status = 504, .detail = "The image was not done in time."});
+        if (events) return events->finish(failed_event(late.content));
+        answer(late, parser_->get().keep_alive());
     });
+    if (events) {
+        ++around_.metrics.requests[200];
+        std::string lines;
+        const std::string origin = text_of(parser_->get()[http::field::origin]);
+        for (const auto& [name, value] : origin_headers(origin, around_.options.allowed_origins))
+            lines.append(name).append(": ").append(value).append("\r\n");
+        events->begin(lines);
+    }
     watch();
+}
+
+/// Returns the events of a request, after which the connection closes.
+std::shared_ptr<EventStream> Connection::make_events() {
+    return std::make_shared<EventStream>(stream_, around_.options.write_limit, [self = shared_from_this()] {
+        if (self->ticket_) self->leave();
+        self->close();
+    });
 }
 
 /// Watches for the end of the stream, which means that the client left. Nothing is read while an image is

@@ -14,6 +14,7 @@
 #include <set>
 #include <string>
 
+#include "events.hpp"
 #include "options.hpp"
 #include "service.hpp"
 
@@ -64,8 +65,10 @@ private:
     void go_on();
     void read_body();
     bool failed(const boost::system::error_code& error);
+    [[nodiscard]] Request request() const;
     void handle();
     void render(const Render& render);
+    std::shared_ptr<EventStream> make_events();
     void watch();
     bool client_left();
     void stop_watching();
@@ -88,6 +91,7 @@ private:
     std::optional<Dispatcher::Ticket> ticket_;  ///< set while an image is under way
     std::chrono::steady_clock::time_point asked_;
     std::optional<std::chrono::steady_clock::time_point> waiting_since_;
-    bool late_ = false;  ///< the request took too long to arrive
+    std::shared_ptr<void> upload_room_;  ///< set while an uploaded scene is read
+    bool late_ = false;                  ///< the request took too long to arrive
     bool in_request_ = false, draining_ = false;
 };

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 namespace {
 
@@ -21,10 +22,10 @@ Dispatcher::Dispatcher(std::size_t queue_limit, Workers workers)
     : queue_limit_(queue_limit), workers_(std::move(workers)) {}
 
 std::optional<Dispatcher::Ticket> Dispatcher::submit(const std::string& key, const ImageRequest& request,
-                                                     Done done) {
+                                                     Done done, Progressed progressed) {
     if (const auto known = by_key_.find(key); known != by_key_.end()) {
         const JobPtr& job = known->second;
-        job->waiters.emplace(++last_id_, std::move(done));
+        job->waiters.emplace(++last_id_, Waiter{std::move(done), std::move(progressed)});
         return Ticket{.job = job->id, .waiter = last_id_, .joined = true};
     }
     // An idle worker takes the job at once; otherwise the job is queued.
@@ -34,7 +35,7 @@ std::optional<Dispatcher::Ticket> Dispatcher::submit(const std::string& key, con
     job->key = key;
     job->request = request;
     job->generation = generation_;
-    job->waiters.emplace(++last_id_, std::move(done));
+    job->waiters.emplace(++last_id_, Waiter{std::move(done), std::move(progressed)});
     by_key_.emplace(key, job);
     by_id_.emplace(job->id, job);
     queue_.push_back(job);
@@ -61,6 +62,17 @@ void Dispatcher::worker_idle(int worker) {
     dispatch();
 }
 
+void Dispatcher::worker_progress(int worker, std::uint64_t id, const RenderProgress& progress) {
+    const auto found = running_.find(worker);
+    if (found == running_.end() || found->second->id != id) return;
+    // A callback may leave, which must not invalidate the list.
+    const JobPtr job = found->second;
+    std::vector<Progressed> all;
+    for (const auto& [waiter, entry] : job->waiters)
+        if (entry.progressed) all.push_back(entry.progressed);
+    for (const Progressed& progressed : all) progressed(progress);
+}
+
 void Dispatcher::worker_done(int worker, std::uint64_t id, const AnswerPtr& answer) {
     const auto found = running_.find(worker);
     if (found == running_.end() || found->second->id != id) return;
@@ -78,7 +90,7 @@ void Dispatcher::worker_lost(int worker) {
     running_.erase(found);
     job->worker = -1;
     if (job->waiters.empty()) return;
-    if (job->generation != generation_) return finish(job, unavailable(kOutdated));
+    if (job->generation != generation_ || job->retired) return finish(job, unavailable(kOutdated));
     if (job->attempts >= 2) return finish(job, unavailable("The renderer failed on this request twice."));
     queue_.push_front(job);
     dispatch();
@@ -88,6 +100,14 @@ void Dispatcher::begin_generation() {
     ++generation_;
     by_key_.clear();
     for (const JobPtr& job : std::exchange(queue_, {})) finish(job, unavailable(kOutdated));
+}
+
+void Dispatcher::retire_scene(std::uint32_t scene) {
+    for (const auto& [worker, job] : running_)
+        if (job->request.view.scene == scene) job->retired = true;
+    // Workers no longer hold these views.
+    std::erase_if(last_view_, [&](const auto& entry) { return entry.second.scene == scene; });
+    refuse_scene(scene);
 }
 
 void Dispatcher::refuse_scene(std::uint32_t scene) {
@@ -140,5 +160,5 @@ void Dispatcher::forget(const Job& job) {
 void Dispatcher::finish(const JobPtr& job, const AnswerPtr& answer) {
     forget(*job);
     // A callback may submit again, which must not invalidate the list.
-    for (auto& [waiter, done] : std::exchange(job->waiters, {})) done(answer);
+    for (auto& [waiter, entry] : std::exchange(job->waiters, {})) entry.done(answer);
 }

@@ -31,6 +31,7 @@ public:
         std::function<bool(int worker, const ImageRequest&)> can = {};
     };
     using Done = std::function<void(const AnswerPtr&)>;
+    using Progressed = std::function<void(const RenderProgress&)>;
     struct Ticket {
         std::uint64_t job = 0, waiter = 0;
         bool joined = false;  ///< an equal request was under way
@@ -39,8 +40,10 @@ public:
     Dispatcher(std::size_t queue_limit, Workers workers);
 
     /// Adds a request. `key` is equal for equal requests. Returns nothing if the queue is full. `done` is
-    /// called once, later, unless leave() is called first.
-    std::optional<Ticket> submit(const std::string& key, const ImageRequest& request, Done done);
+    /// called once, later, unless leave() is called first; `progressed`, which may be empty, any number of
+    /// times before.
+    std::optional<Ticket> submit(const std::string& key, const ImageRequest& request, Done done,
+                                 Progressed progressed = {});
     /// Removes a client that left. Without other clients the job leaves the queue or is cancelled.
     void leave(const Ticket& ticket);
 
@@ -48,6 +51,8 @@ public:
     void worker_idle(int worker);
     /// Marks the worker as busy with other work until worker_idle().
     void worker_away(int worker) { idle_.erase(worker); }
+    /// Tells all waiting requests of a job how far it is.
+    void worker_progress(int worker, std::uint64_t job, const RenderProgress& progress);
     /// Answers all waiting requests. The worker gets no other job before worker_idle().
     void worker_done(int worker, std::uint64_t job, const AnswerPtr& answer);
     /// Handles a worker that crashed or was killed: its job is retried once by another worker, and then
@@ -55,6 +60,8 @@ public:
     void worker_lost(int worker);
     /// Answers all queued requests for the scene 503, because no worker has it any more.
     void refuse_scene(std::uint32_t scene);
+    /// Marks earlier requests for the scene as outdated, as begin_generation() does for all.
+    void retire_scene(std::uint32_t scene);
     /// Marks earlier requests as outdated: queued ones are answered 503, running ones are not retried.
     void begin_generation();
 
@@ -62,14 +69,19 @@ public:
     [[nodiscard]] std::size_t running() const { return running_.size(); }
 
 private:
+    struct Waiter {
+        Done done;
+        Progressed progressed;
+    };
     struct Job {
         std::uint64_t id = 0;
         std::string key;
         ImageRequest request;
         std::uint64_t generation = 0;
         int attempts = 0;
-        int worker = -1;  ///< -1: in the queue
-        std::map<std::uint64_t, Done> waiters;
+        int worker = -1;       ///< -1: in the queue
+        bool retired = false;  ///< not tried again
+        std::map<std::uint64_t, Waiter> waiters;
     };
     using JobPtr = std::shared_ptr<Job>;
 

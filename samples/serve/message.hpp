@@ -13,13 +13,14 @@
 #include "image_request.hpp"
 
 enum class MessageKind : std::uint32_t {
-    hello,   ///< worker: has a context; the ids of its scenes follow
-    failed,  ///< worker: cannot start; the reason follows
-    load,    ///< front: load the scene with this index; nothing follows
-    loaded,  ///< worker: the scene, or the reason why it cannot be loaded, follows
-    job,     ///< front: an ImageRequest follows
-    cancel,  ///< front: the job's clients left; nothing follows
-    result   ///< worker: a ResultHead and the answer's content or the failure follow
+    hello,     ///< worker: has a context; the ids of its scenes follow
+    failed,    ///< worker: cannot start; the reason follows
+    load,      ///< front: load the scene with this index; an Upload follows unless it is one of the folder
+    loaded,    ///< worker: the scene, or the reason why it cannot be loaded, follows
+    job,       ///< front: an ImageRequest follows
+    cancel,    ///< front: the job's clients left; nothing follows
+    progress,  ///< worker: a RenderProgress of the job follows
+    result     ///< worker: a ResultHead and the answer's content or the failure follow
 };
 
 struct Head {
@@ -34,6 +35,13 @@ constexpr std::uint32_t kMaxMessageBytes = 0x7fffffff;
 /// Verbs with reported times, in this order.
 constexpr std::array<const char*, 6> kVerbs = {"project", "bake", "relight", "shade", "draw", "encode"};
 
+/// Progress of a render.
+struct RenderProgress {
+    std::uint32_t verb = 0;  ///< index in kVerbs
+    std::uint32_t reserved = 0;
+    double fraction = 0;  ///< done of this verb, 0 to 1
+};
+
 struct ResultHead {
     std::int32_t status = 500;     ///< 200, or status of the problem; 499: cancelled
     std::uint32_t unchanged = 0;   ///< 1: the worker had rendered this view before
@@ -42,7 +50,8 @@ struct ResultHead {
     std::uint32_t components = 0;  ///< number in stokes.planes
 };
 
-static_assert(std::is_trivially_copyable_v<ImageRequest> && std::is_trivially_copyable_v<ResultHead>);
+static_assert(std::is_trivially_copyable_v<ImageRequest> && std::is_trivially_copyable_v<ResultHead> &&
+              std::is_trivially_copyable_v<RenderProgress>);
 
 template <typename T>
 std::string_view bytes_of(const T& value) {

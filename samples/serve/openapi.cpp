@@ -75,6 +75,10 @@ constexpr const char* kSchemas = R"("schemas":{
 "broken":{"type":"array","items":{"type":"string"},"description":"Scenes that cannot be loaded."},
 "signed":{"type":"boolean","description":"Whether targets of images need a signature."},
 "max_side":{"type":"integer"},"max_pixels":{"type":"integer"}}},
+"SceneState":{"type":"object","required":["id","state"],"properties":{
+"id":{"type":"string"},"state":{"type":"string","enum":["ready","preparing","broken"]},
+"scene":{"$ref":"#/components/schemas/Scene"},
+"reason":{"type":"string","description":"Why an uploaded scene cannot be loaded."}}},
 "State":{"type":"object","required":["alive","ready","draining","scenes"],"properties":{
 "alive":{"type":"boolean"},"ready":{"type":"boolean"},"draining":{"type":"boolean"},
 "scenes":{"type":"object","additionalProperties":{"type":"string","enum":["ready","preparing","broken"]}}}}})";
@@ -85,6 +89,7 @@ constexpr const char* kHeaders = R"("headers":{
 "Nicol-Scale":{"description":"Value at full colour, of s1, s2 and s3.","schema":{"type":"number"}},
 "Nicol-Components":{"description":"Stokes components in stokes.planes: 3 where s3 is 0 everywhere, else 4.","schema":{"type":"integer"}},
 "Retry-After":{"description":"Seconds after which to come again.","schema":{"type":"integer"}},
+"Location":{"description":"Target of the scene's state.","schema":{"type":"string"}},
 "Allow":{"description":"The methods that there are.","schema":{"type":"string"}},
 "Content-Range":{"description":"The bytes that were sent, of how many.","schema":{"type":"string"}}})";
 
@@ -103,10 +108,17 @@ std::string problem_response(int status, const std::string& description, const c
 
 /// Returns the responses that every path may give.
 std::string common_responses() {
-    return problem_response(405, "There is GET, HEAD and OPTIONS alone", "Allow") +
+    return problem_response(405, "The method is none of those that there are", "Allow") +
            problem_response(421, "The service does not answer for this host") +
            problem_response(429, "All connections of this address are taken");
 }
+
+constexpr const char* kEvents =
+    "To clients whose Accept names text/event-stream: server-sent events. `progress` has verb, percent of "
+    "the verb, "
+    "and, once it can be told, seconds_left of the verb; then comes `done` with the url of the image, or "
+    "`failed` with "
+    "a problem, and the connection closes.";
 
 /// Returns what an image's bytes are.
 const char* layout(Format format) {
@@ -128,15 +140,20 @@ std::string image_path(const Options& options, const Resource& resource) {
     const bool planes = resource.format == Format::stokes_planes;
     std::string operation = "get_" + std::string(resource.name);
     std::ranges::replace(operation, '.', '_');
-    const std::string content = ",\"content\":{" + json_string(resource.type) +
-                                R"(:{"schema":{"type":"string","format":"binary"}}}})";
+    const std::string image =
+        json_string(resource.type) + R"(:{"schema":{"type":"string","format":"binary"}})";
+    const std::string content = ",\"content\":{" + image + "}}";
+    const std::string content_or_events =
+        ",\"content\":{" + image + R"(,"text/event-stream":{"schema":{"type":"string","description":)" +
+        json_string(kEvents) + "}}}}";
     std::string text = ",\"/scenes/{id}/" + std::string(resource.name) +
                        "\":{\"get\":{\"operationId\":" + json_string(operation) + ",\"summary\":";
     text += json_string(has_observer(resource.format) ? "An image of an observer"
                                                       : "The Stokes vector of every pixel");
     text += ",\"parameters\":[" + image_parameters(options, resource.format) + "],\"responses\":{";
     text += "\"200\":{\"description\":" + json_string(layout(resource.format)) + ",";
-    text += header_references({"ETag", "Nicol-Size", planes ? "Nicol-Components" : "Nicol-Scale"}) + content;
+    text += header_references({"ETag", "Nicol-Size", planes ? "Nicol-Components" : "Nicol-Scale"}) +
+            content_or_events;
     if (!planes) {
         text += R"(,"206":{"description":"The bytes that Range asks for",)" +
                 header_references({"ETag", "Content-Range"}) + content;
@@ -152,10 +169,45 @@ std::string image_path(const Options& options, const Resource& resource) {
     return text + problem_response(504, "Not done within the deadline") + "}}}";
 }
 
-std::string plain_path(const std::string& name, const char* summary, const char* type, const char* schema) {
+/// Returns the path of one scene.
+std::string scene_path() {
+    const std::string state =
+        R"("content":{"application/json":{"schema":{"$ref":"#/components/schemas/SceneState"}}}})";
+    return R"(,"/scenes/{id}":{"get":{"operationId":"get_scene","summary":"Whether a scene is ready, and its description",)"
+           R"("parameters":[{"name":"id","in":"path","required":true,"schema":{"type":"string"}}],"responses":{"200":{"description":"OK",)" +
+           state + problem_response(404, "There is no such scene") + common_responses() + "}}}";
+}
+
+/// Returns the operation that takes scenes.
+std::string upload_operation(const Options& options) {
+    const std::string binary = R"({"schema":{"type":"string","format":"binary"}})";
+    std::string text =
+        R"(,"post":{"operationId":"post_scene","summary":"Takes a scene: GLB, glTF, XML, or files as multipart/form-data, the scene first",)"
+        R"("requestBody":{"required":true,"content":{"application/octet-stream":)" +
+        binary;
+    for (const char* const type : {"model/gltf-binary", "model/gltf+json", "application/xml"})
+        text += "," + json_string(type) + ":" + binary;
+    text +=
+        R"(,"multipart/form-data":{"schema":{"type":"object","additionalProperties":{"type":"string","format":"binary"}}}}},)"
+        R"("responses":{"202":{"description":"Taken; the scene becomes ready or broken",)" +
+        header_references({"Location"}) +
+        R"(,"content":{"application/json":{"schema":{"$ref":"#/components/schemas/SceneState"}}}})";
+    text += problem_response(400, "The parts are not those of a scene");
+    text += problem_response(403, options.keys.empty() ? "Pages of this origin may not send scenes"
+                                                       : "The signature is missing, wrong or expired");
+    text += problem_response(413, "The body is longer than --max-upload");
+    text += problem_response(415, "The Content-Type is not that of a scene");
+    text += problem_response(429, "Too many scenes are being sent or prepared", "Retry-After");
+    text += problem_response(503, "The service is not ready", "Retry-After");
+    return text + "}}";
+}
+
+/// Returns a path without parameters. further: other operations than get.
+std::string plain_path(const std::string& name, const char* summary, const char* type, const char* schema,
+                       const std::string& further = "") {
     return ",\"/" + name + R"(":{"get":{"operationId":"get_)" + name + R"(","summary":")" + summary +
            R"(","responses":{"200":{"description":"OK","content":{")" + type + "\":{\"schema\":" + schema +
-           "}}}" + common_responses() + "}}}";
+           "}}}" + common_responses() + "}}" + further + "}";
 }
 
 }  // namespace
@@ -167,7 +219,9 @@ std::string openapi(const Options& options) {
     text += R"(,"description":"Images of polarized light.","license":{"name":"MIT","identifier":"MIT"}},)";
     text += R"("servers":[{"url":"/v1"}],"paths":{)";
     std::string paths = plain_path("scenes", "The scenes and their previews", "application/json",
-                                   R"({"$ref":"#/components/schemas/Scenes"})");
+                                   R"({"$ref":"#/components/schemas/Scenes"})",
+                                   options.uploads ? upload_operation(options) : "") +
+                        scene_path();
     for (const Resource& resource : resources) paths += image_path(options, resource);
     paths += plain_path("health", "Whether the service is alive", "application/json", state);
     paths +=

@@ -32,6 +32,8 @@ const char* const usage =
     "                          where empty none, else the user's cache folder\n"
     "  --read DIR              that workers may read beside that of the scenes; may come several times\n"
     "  --no-sandbox            does not confine workers to these folders and OpenGL's (Landlock)\n"
+    "  --allow-upload          lets clients send scenes (POST /v1/scenes), which read no files of this "
+    "machine\n"
     "  --keys FILE             keys in hexadecimal, one a line: images then need a signature in their URL\n"
     "  --sign TARGET           prints TARGET (/scenes/...) signed with the first key of --keys, and ends\n"
     "\n"
@@ -51,6 +53,10 @@ const char* const usage =
     "                          proxy, for any number\n"
     "  --max-header BYTES      of a request, 256 to 1048576, default 8192\n"
     "  --max-body BYTES        of a request, default 1024; bodies are ignored\n"
+    "  --max-upload MIB        of an uploaded scene with all its files, 1 to 1024, default 32\n"
+    "  --uploads N             uploaded scenes that are kept, 1 to 1000, default 8; a further one takes the "
+    "place\n"
+    "                          of that which was asked for least recently\n"
     "  --results MIB           of answers kept for equal requests, default 64\n"
     "  --answers MIB           of answers under way or not yet sent; images beyond are refused, default 512\n"
     "  --max-age S             that clients may keep an image without asking, default 0\n"
@@ -174,6 +180,10 @@ bool parse_limit(Options& o, std::string_view name, std::string_view text) {
         o.header_bytes = parse_count(name, text, 256, 1u << 20u);
     else if (name == "--max-body")
         o.body_bytes = parse_count(name, text, 0, 1u << 20u);
+    else if (name == "--max-upload")
+        o.upload_bytes = parse_count(name, text, 1, 1024) << 20u;
+    else if (name == "--uploads")
+        o.upload_places = parse_count(name, text, 1, 1000);
     else if (name == "--results")
         o.result_bytes = parse_mib(name, text);
     else if (name == "--answers")
@@ -243,8 +253,8 @@ Options parse_options(int argc, const char* const* argv) {
             options.action = argument == "--help" ? Options::Action::help : Options::Action::version;
             return options;
         }
-        if (argument == "--no-sandbox") {
-            options.sandbox = false;
+        if (argument == "--no-sandbox" || argument == "--allow-upload") {
+            (argument == "--no-sandbox" ? options.sandbox : options.uploads) = argument == "--allow-upload";
             continue;
         }
         if (!argument.starts_with("--"))

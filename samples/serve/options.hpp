@@ -34,9 +34,10 @@ struct Options {
     std::string cache;                         ///< folder; empty: NICOL_CACHE decides, or none
     std::vector<std::string> readable;         ///< folders besides that of the scenes
     bool sandbox = true;
-    std::string keys;    ///< file; empty: requests need no signature
-    std::string target;  ///< target to sign
-    int socket = -1;     ///< socket of a worker
+    bool uploads = false;  ///< whether clients may send scenes
+    std::string keys;      ///< file; empty: requests need no signature
+    std::string target;    ///< target to sign
+    int socket = -1;       ///< socket of a worker
 
     Limits limits;
     nicol_context_options load_limits = NICOL_CONTEXT_OPTIONS_INIT;  ///< only its limits of loading are used
@@ -46,6 +47,8 @@ struct Options {
     std::uint32_t connections_per_address = 64;  ///< 0: unlimited
     std::uint32_t header_bytes = 8192;
     std::uint32_t body_bytes = 1024;
+    std::uint32_t upload_bytes = 32u << 20u;   ///< largest body of an uploaded scene
+    std::uint32_t upload_places = 8;           ///< uploaded scenes that are kept
     std::uint32_t result_bytes = 64u << 20u;   ///< answers kept in the cache
     std::uint32_t answer_bytes = 512u << 20u;  ///< answers under way or not yet sent
     Seconds max_age{0};        ///< time that clients may keep an image without asking; 0: ask each time

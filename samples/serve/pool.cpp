@@ -57,6 +57,7 @@ Pool::Pool(boost::asio::io_context& io, const Options& options, std::vector<std:
                                                             request.view.scene);
                                       }}),
       loads_(worker_count(options) + 1),
+      places_(options.uploads ? options.upload_places : 0),
       child_ended_(io, SIGCHLD) {
     for (std::size_t i = 0; i <= worker_count(options); ++i) slots_.push_back(std::make_unique<Slot>(io));
     wait_for_children();
@@ -125,6 +126,7 @@ void Pool::launch(std::size_t index) {
 void Pool::receive(std::size_t index, const Head& head, std::string content) {
     if (head.kind == MessageKind::hello) return receive_hello(index, content);
     if (head.kind == MessageKind::loaded) return receive_loaded(index, head.job, content);
+    if (head.kind == MessageKind::progress) return receive_progress(index, head.job, content);
     if (head.kind == MessageKind::result) return receive_result(index, head, std::move(content));
     // Before any worker has started, the service cannot continue.
     if (loads_.scenes().empty()) return failed_(content);
@@ -141,7 +143,7 @@ void Pool::receive_hello(std::size_t index, const std::string& content) {
     if (hello_ != hello) {
         const bool first = hello_ == Hello();
         hello_ = std::move(hello);
-        loads_.begin(hello_.scenes);
+        begin_scenes();
         if (!first) {
             say("the scenes have changed; all workers are replaced");
             for (std::size_t i = 0; i < slots_.size(); ++i)
@@ -153,6 +155,13 @@ void Pool::receive_hello(std::size_t index, const std::string& content) {
         }
     }
     go_on(index);
+}
+
+void Pool::receive_progress(std::size_t index, std::uint64_t job, const std::string& content) {
+    std::string_view rest = content;
+    RenderProgress progress;
+    if (!take(rest, progress) || progress.verb >= kVerbs.size()) return lose(index, false);
+    dispatcher_.worker_progress(static_cast<int>(index), job, progress);
 }
 
 void Pool::receive_loaded(std::size_t index, std::size_t scene, const std::string& content) {
@@ -204,7 +213,8 @@ void Pool::settle() {
         return found;
     };
     const auto failed = std::ranges::find_if(scenes, [](const auto& scene) { return !scene.reason.empty(); });
-    if (count(SceneLoads::Condition::broken) == scenes.size() && failed != scenes.end())
+    if (count(SceneLoads::Condition::broken) + count(SceneLoads::Condition::vacant) == scenes.size() &&
+        failed != scenes.end())
         return failed_(failed->reason);
     if (count(SceneLoads::Condition::ready) == 0) return;
     through_ = true;
@@ -296,6 +306,8 @@ void Pool::lose(std::size_t index, bool hung) {
         const auto& scene = loads_.scenes()[*slot.loading];
         say("it was loading the scene " + scene.info.id);
         loads_.blame(*slot.loading, Clock::now() + pause_after(scene.failures + 1));
+        if (is_upload(*slot.loading) && scene.failures > 1)
+            loads_.give_up(*slot.loading, "Its load ended the processes that tried it.");
     }
     end(index);
     if (index == loads_.spare()) return tend_spare();
@@ -348,9 +360,14 @@ void Pool::begin_load(std::size_t index, std::size_t scene) {
     slot.loading = scene;
     slot.load_since = Clock::now();
     // A single scene delays no other scene.
-    const bool alone = loads_.scenes().size() == 1 || index == loads_.spare();
+    const bool alone = hello_.scenes.size() + places_.size() == 1 || index == loads_.spare();
     limit(index, alone ? options_.start_limit : options_.slow_scene);
-    slot.process->send({.kind = MessageKind::load, .length = 0, .job = scene}, {});
+    const std::string_view content = is_upload(scene)
+                                         ? std::string_view(places_[scene - hello_.scenes.size()].content)
+                                         : std::string_view();
+    slot.process->send(
+        {.kind = MessageKind::load, .length = static_cast<std::uint32_t>(content.size()), .job = scene},
+        content);
 }
 
 void Pool::begin_job(std::size_t index, std::uint64_t job, const ImageRequest& request) {

@@ -16,6 +16,7 @@
 #include "metrics.hpp"
 #include "options.hpp"
 #include "scene_loads.hpp"
+#include "upload.hpp"
 #include "worker_process.hpp"
 
 class Pool {
@@ -46,6 +47,13 @@ public:
     [[nodiscard]] const std::string& renderer() const { return hello_.renderer; }
     [[nodiscard]] std::vector<WorkerState> states() const;
 
+    /// Lets the workers load an uploaded scene, in the place of the one that was asked for least recently if
+    /// all places are taken. Returns false if the scenes in all places are still being loaded.
+    bool keep_upload(const Upload& upload);
+    /// Notes that a scene was asked for.
+    void touch(std::size_t scene);
+    [[nodiscard]] bool is_upload(std::size_t scene) const { return scene >= hello_.scenes.size(); }
+
     /// Callback for the first time that the service is ready.
     std::function<void()> warm;
     /// Callback for changed scenes on disk, which outdate earlier answers.
@@ -64,10 +72,19 @@ private:
         std::chrono::steady_clock::time_point since;  ///< time of its hello
     };
 
+    /// A place of an uploaded scene.
+    struct Place {
+        std::string id, content;  ///< id and pack() of the upload; empty: free
+        std::uint64_t asked = 0;  ///< increases with each request for any place
+    };
+
+    [[nodiscard]] bool is_loading(std::size_t scene) const;
+    void begin_scenes();
     void launch(std::size_t index);
     void receive(std::size_t index, const Head& head, std::string content);
     void receive_hello(std::size_t index, const std::string& content);
     void receive_loaded(std::size_t index, std::size_t scene, const std::string& content);
+    void receive_progress(std::size_t index, std::uint64_t job, const std::string& content);
     void receive_result(std::size_t index, const Head& head, std::string content);
     void go_on(std::size_t index, bool rendered = false);
     void go_on_all();
@@ -91,6 +108,8 @@ private:
     Dispatcher dispatcher_;
     std::vector<std::unique_ptr<Slot>> slots_;
     SceneLoads loads_;
+    std::vector<Place> places_;  ///< their scenes come after those of the folder
+    std::uint64_t asked_ = 0;
     Hello hello_;
     bool through_ = false;  ///< the first worker has loaded all scenes that load quickly
     std::function<void(const std::string&)> failed_;

@@ -17,6 +17,8 @@ const char* status_title(int status) {
             return "Request Timeout";
         case 413:
             return "Content Too Large";
+        case 415:
+            return "Unsupported Media Type";
         case 416:
             return "Range Not Satisfiable";
         case 417:

@@ -9,6 +9,18 @@ void SceneLoads::begin(const std::vector<std::string>& ids) {
     for (auto& held : held_) held.assign(ids.size(), Held::nothing);
 }
 
+void SceneLoads::put(std::size_t scene, const std::string& id) {
+    scenes_[scene] = {};
+    scenes_[scene].info.id = id;
+    for (auto& held : held_) held[scene] = Held::nothing;
+}
+
+void SceneLoads::give_up(std::size_t scene, const std::string& reason) {
+    put(scene, std::string(scenes_[scene].info.id));
+    scenes_[scene].reported = scenes_[scene].given_up = true;
+    scenes_[scene].reason = reason;
+}
+
 void SceneLoads::forget(std::size_t worker) {
     held_[worker].assign(scenes_.size(), Held::nothing);
 }
@@ -16,7 +28,7 @@ void SceneLoads::forget(std::size_t worker) {
 std::optional<std::size_t> SceneLoads::next(std::size_t worker, Time now) const {
     const bool spare = worker == spare_;
     const auto wanted = [&](std::size_t scene, bool aside) {
-        return held_[worker][scene] == Held::nothing && scenes_[scene].aside == aside;
+        return held_[worker][scene] == Held::nothing && scenes_[scene].aside == aside && is_wanted(scene);
     };
     for (std::size_t i = 0; i < scenes_.size(); ++i)
         if (wanted(i, false) || (spare && wanted(i, true) && is_ready(i))) return i;
@@ -61,6 +73,10 @@ bool SceneLoads::serves(std::size_t worker) const {
     return worker != spare_ && std::ranges::count(held_[worker], Held::scene) > 0;
 }
 
+bool SceneLoads::is_wanted(std::size_t scene) const {
+    return !scenes_[scene].info.id.empty() && !scenes_[scene].given_up;
+}
+
 bool SceneLoads::is_ready(std::size_t scene) const {
     for (std::size_t worker = 0; worker < held_.size(); ++worker)
         if (worker != spare_ && has(worker, scene)) return true;
@@ -69,6 +85,7 @@ bool SceneLoads::is_ready(std::size_t scene) const {
 
 SceneLoads::Condition SceneLoads::condition(std::size_t scene) const {
     const Scene& known = scenes_[scene];
+    if (known.info.id.empty()) return Condition::vacant;
     const bool loaded = known.reported && !known.info.digest.empty();
     // While a worker is replaced, requests for scenes that load quickly may wait.
     if (is_ready(scene) || (loaded && !known.aside)) return Condition::ready;

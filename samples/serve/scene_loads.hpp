@@ -15,21 +15,24 @@
 class SceneLoads {
 public:
     using Time = std::chrono::steady_clock::time_point;
-    enum class Condition { preparing, ready, broken };
+    enum class Condition { preparing, ready, broken, vacant };
     struct Scene {
-        SceneInfo info;         ///< description by the latest load; before the first one only the id
+        SceneInfo info;  ///< description by the latest load; before the first one only the id, "" if vacant
         bool reported = false;  ///< a load has ended, successfully or not
         bool aside = false;     ///< left to the spare worker
         unsigned failures = 0;  ///< consecutive loads that ended their worker
         Time next_try;          ///< time after a failure
         std::string reason;     ///< cause of a failed load
+        bool given_up = false;  ///< not loaded again
     };
 
     /// Makes the loads of `workers` workers, among them the spare one, initially the last.
     explicit SceneLoads(std::size_t workers) : spare_(workers - 1), held_(workers) {}
 
-    /// Forgets everything and starts with these scenes, which no worker has.
+    /// Forgets everything and starts with these scenes, which no worker has. Empty ids are vacant places.
     void begin(const std::vector<std::string>& ids);
+    /// Puts another scene into a place. No worker has it.
+    void put(std::size_t scene, const std::string& id);
     /// Forgets the scenes of a worker that ended.
     void forget(std::size_t worker);
     /// Returns the scene that the worker loads next, if any.
@@ -43,6 +46,9 @@ public:
     /// Records that loading the scene ended its worker. The second time in a row sets it aside until
     /// `next_try`.
     void blame(std::size_t scene, Time next_try);
+
+    /// Counts the scene as broken for this reason, and never loads it again.
+    void give_up(std::size_t scene, const std::string& reason);
 
     [[nodiscard]] bool has(std::size_t worker, std::size_t scene) const;
     /// Returns whether the worker renders: it has a scene and is not the spare one.
@@ -60,6 +66,7 @@ public:
 
 private:
     enum class Held : char { nothing, scene, failure };
+    [[nodiscard]] bool is_wanted(std::size_t scene) const;
     [[nodiscard]] bool is_ready(std::size_t scene) const;
 
     std::size_t spare_;

@@ -11,6 +11,7 @@
 #include "coding.hpp"
 #include "common/failure.hpp"
 #include "digest.hpp"
+#include "events.hpp"
 #include "json.hpp"
 #include "openapi.hpp"
 #include "query.hpp"
@@ -21,6 +22,8 @@ namespace {
 
 constexpr int kNotReadySeconds = 2;
 constexpr int kBrokenSceneSeconds = 60;
+/// Largest number of uploads whose bodies are in memory.
+constexpr int kUploadRooms = 4;
 
 [[noreturn]] void refuse(int status, const std::string& detail, int retry_after = 0) {
     throw Refusal({.status = status, .detail = detail, .retry_after = retry_after});
@@ -96,20 +99,25 @@ std::variant<Response, Render> Service::route(const Request& request) {
         if (!host.empty() && !answers_for(host, request.local, options_.allowed_hosts))
             refuse(421,
                    "This service does not answer for the host '" + host + "'; --allow-host allows hosts.");
+    Target target = parse_target(request.target);
+    // Without a version the paths are those of the first one.
+    if (target.segments.size() > 1 && target.segments.front() == "v1")
+        target.segments.erase(target.segments.begin());
+    const bool takes_scenes =
+        options_.uploads && !request.status_alone && target.segments == std::vector<std::string>{"scenes"};
+    if (takes_scenes && request.method == "POST") return upload(request);
     if (request.method != "GET" && request.method != "HEAD") {
         const bool asks = request.method == "OPTIONS";
-        Response response = asks ? Response{.status = 204, .type = ""}
-                                 : respond(Problem{.status = 405, .detail = "There is GET and HEAD alone."});
-        response.headers.emplace_back("Allow", "GET, HEAD, OPTIONS");
+        const std::string methods = takes_scenes ? "GET, HEAD, POST, OPTIONS" : "GET, HEAD, OPTIONS";
+        Response response =
+            asks ? Response{.status = 204, .type = ""}
+                 : respond(Problem{.status = 405, .detail = "The methods here are " + methods + "."});
+        response.headers.emplace_back("Allow", methods);
         if (asks)
             for (auto& header : preflight_headers(request.origin, options_.allowed_origins))
                 response.headers.push_back(std::move(header));
         return response;
     }
-    Target target = parse_target(request.target);
-    // Without a version the paths are those of the first one.
-    if (target.segments.size() > 1 && target.segments.front() == "v1")
-        target.segments.erase(target.segments.begin());
     const std::vector<std::string>& path = target.segments;
     const std::string& name = path.front();
     const bool alone = path.size() == 1;
@@ -117,6 +125,7 @@ std::variant<Response, Render> Service::route(const Request& request) {
     if (alone && name == "ready") return state(true);
     if (alone && name == "metrics") return text("text/plain; version=0.0.4", metrics_text());
     if (request.status_alone) refuse(404, "Here are /health, /ready and /metrics alone.");
+    if (path.size() == 2 && name == "scenes") return scene(path[1]);
     if (!alone && name == "scenes") return image(request, target);
     if (alone && name == "scenes") return scenes();
     if (alone && name == "openapi.json") return text("application/json", openapi_);
@@ -131,16 +140,14 @@ std::variant<Response, Render> Service::image(const Request& request, const Targ
         refuse(404,
                "A scene has image.png, image.exr, stokes.exr, stokes.planes, stokes.f16 and stokes.f32.");
     if (!keys_.empty()) check_signature(request.target, keys_, std::time(nullptr));
-    const std::vector<SceneLoads::Scene>& known = scenes_known();
-    const auto found = std::ranges::find(known, path[1], [](const auto& one) { return one.info.id; });
-    if (found == known.end()) refuse(404, "There is no scene of this name; /scenes lists them.");
-    const auto index = static_cast<std::size_t>(found - known.begin());
+    const std::size_t index = scene_index(path[1]);
+    pool_.touch(index);
     const SceneLoads::Condition condition = pool_.loads().condition(index);
     if (condition == SceneLoads::Condition::broken)
         refuse(503, "This scene cannot be loaded; the service's log says why.", kBrokenSceneSeconds);
     if (condition == SceneLoads::Condition::preparing)
         refuse(503, "This scene is still being prepared.", kNotReadySeconds);
-    const SceneInfo* const scene = &found->info;
+    const SceneInfo* const scene = &scenes_known()[index].info;
     Render render{.request = parse_image(target, resource->format, static_cast<std::uint32_t>(index), *scene,
                                          options_.limits)};
     render.range = request.range;
@@ -149,7 +156,10 @@ std::variant<Response, Render> Service::image(const Request& request, const Targ
         resource->format == Format::stokes_planes && accepts_coding(request.accept_encoding, "deflate");
     render.tag = entity_tag(build_ + '\n' + pool_.renderer() + '\n' + scene->digest + '\n' +
                             canonical(render.request, *scene));
-    if (matches(request.if_none_match, render.tag)) {
+    if (accepts_events(request.accept) && request.method == "GET") {
+        render.events_url = request.target;
+        render.range.clear();
+    } else if (matches(request.if_none_match, render.tag)) {
         ++metrics_.hits_tag;
         return tagged(304, render);
     }
@@ -158,10 +168,69 @@ std::variant<Response, Render> Service::image(const Request& request, const Targ
     if (!render.room) refuse(503, "Too many answers are unread.", retry_after());
     if (const AnswerPtr kept = render.room->answer() ? render.room->answer() : cache_.find(render.tag)) {
         ++metrics_.hits_result;
-        return respond(render, kept);
+        Response response = respond(render, kept);
+        if (render.events_url.empty()) return response;
+        return text("text/event-stream", done_event(render.events_url));
     }
     if (draining) refuse(503, "The service is about to end.", kNotReadySeconds);
     return render;
+}
+
+std::size_t Service::scene_index(const std::string& id) const {
+    const std::vector<SceneLoads::Scene>& known = scenes_known();
+    const auto found = std::ranges::find(known, id, [](const auto& one) { return one.info.id; });
+    if (id.empty() || found == known.end())
+        refuse(404, "There is no scene of this name; /scenes lists those of the folder.");
+    return static_cast<std::size_t>(found - known.begin());
+}
+
+Response Service::scene(const std::string& id) const {
+    const std::size_t index = scene_index(id);
+    const SceneLoads::Scene& known = scenes_known()[index];
+    const SceneLoads::Condition condition = pool_.loads().condition(index);
+    std::string json = "{\"id\":" + json_string(id) + ",\"state\":" + json_string(name_of(condition));
+    if (condition == SceneLoads::Condition::ready) json += ",\"scene\":" + scene_json(known.info);
+    // Paths of the folder's files go only to the log.
+    if (condition == SceneLoads::Condition::broken && pool_.is_upload(index))
+        json += ",\"reason\":" + json_string(known.reason);
+    return text("application/json", json + "}\n");
+}
+
+std::shared_ptr<void> Service::upload_room() {
+    if (*upload_rooms_ >= kUploadRooms) return nullptr;
+    ++*upload_rooms_;
+    return {upload_rooms_.get(), [count = upload_rooms_](int*) { --*count; }};
+}
+
+/// Throws Refusal unless an upload may be made. Reads no body.
+void Service::check_upload(const Request& request) const {
+    if (!keys_.empty()) check_signature(request.target, keys_, std::time(nullptr));
+    // Pages elsewhere must not fill the service of the user who visits them.
+    if (!may_send(request.origin, request.host, options_.allowed_origins))
+        refuse(403, "Pages of this origin may not send scenes; --allow-origin allows origins.");
+    require_upload_type(request.content_type);
+    if (draining) refuse(503, "The service is about to end.", kNotReadySeconds);
+    if (!pool_.ready()) refuse(503, "The service is not ready yet.", kNotReadySeconds);
+    if (!request.has_upload_room) refuse(429, "Too many scenes are being sent.", kNotReadySeconds);
+}
+
+std::optional<Response> Service::refused_upload(const Request& request) {
+    try {
+        check_upload(request);
+        return {};
+    } catch (const Refusal& refusal) {
+        return respond(refusal.problem);
+    }
+}
+
+Response Service::upload(const Request& request) {
+    check_upload(request);
+    const Upload upload = parse_upload(request.content_type, request.body);
+    if (!pool_.keep_upload(upload)) refuse(429, "Too many scenes are being prepared.", kNotReadySeconds);
+    Response response = scene(upload.id);
+    response.status = 202;
+    response.headers.emplace_back("Location", "/v1/scenes/" + upload.id);
+    return response;
 }
 
 /// Returns an answer without content, from what is known before the image exists.
@@ -246,6 +315,7 @@ Response Service::scenes() const {
     std::string ready, preparing, broken;
     const std::vector<SceneLoads::Scene>& known = scenes_known();
     for (std::size_t i = 0; i < known.size(); ++i) {
+        if (pool_.is_upload(i)) continue;  // only the client who sent a scene knows its id
         const SceneLoads::Condition condition = pool_.loads().condition(i);
         const bool is_ready = condition == SceneLoads::Condition::ready;
         std::string& to = is_ready ? ready : condition == SceneLoads::Condition::broken ? broken : preparing;
@@ -263,8 +333,9 @@ Response Service::state(bool must_be_ready) const {
     const bool ready = pool_.ready() && !draining;
     std::string scenes;
     for (std::size_t i = 0; i < pool_.loads().scenes().size(); ++i)
-        scenes += (scenes.empty() ? "" : ",") + json_string(pool_.loads().scenes()[i].info.id) + ":\"" +
-                  name_of(pool_.loads().condition(i)) + "\"";
+        if (!pool_.is_upload(i))
+            scenes += (scenes.empty() ? "" : ",") + json_string(pool_.loads().scenes()[i].info.id) + ":\"" +
+                      name_of(pool_.loads().condition(i)) + "\"";
     Response response =
         text("application/json", std::string("{\"alive\":true,\"ready\":") + (ready ? "true" : "false") +
                                      ",\"draining\":" + (draining ? "true" : "false") + ",\"scenes\":{" +

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
@@ -18,11 +19,14 @@
 /// The parts of a request that the service uses.
 struct Request {
     std::string method, target, if_none_match, range, if_range, accept_encoding;
-    std::string host;           ///< Host header; empty if there is none
-    std::string authority;      ///< host in the target, if any
-    std::string origin;         ///< Origin header, sent by pages
-    std::string local;          ///< numeric address of the connection's local end
-    bool status_alone = false;  ///< from a listener that serves only the status
+    std::string host;       ///< Host header; empty if there is none
+    std::string authority;  ///< host in the target, if any
+    std::string origin;     ///< Origin header, sent by pages
+    std::string local;      ///< numeric address of the connection's local end
+    std::string accept = {}, content_type = {};
+    std::string_view body = {};
+    bool has_upload_room = false;  ///< holds a room of upload_room()
+    bool status_alone = false;     ///< from a listener that serves only the status
 };
 
 struct Response {
@@ -39,6 +43,7 @@ struct Render {
     std::string tag = {};                   ///< entity tag, quotes included; equal for equal requests
     std::string range = {}, if_range = {};  ///< headers that ask for a part of the answer
     std::shared_ptr<AnswerRoom> room = {};  ///< memory reserved for the answer
+    std::string events_url = {};            ///< address of the image if events of its render are wanted
 };
 
 class Service {
@@ -50,6 +55,10 @@ public:
     /// Returns the answer to an image's request.
     Response respond(const Render& render, const AnswerPtr& answer);
     Response respond(const Problem& problem) const;
+    /// Returns the answer to a request whose body would be an uploaded scene but is refused without it.
+    std::optional<Response> refused_upload(const Request& request);
+    /// Returns room for one body of an upload, which lasts as long as the pointer; null if there is none.
+    std::shared_ptr<void> upload_room();
     /// Returns when to retry, in seconds: about when the present queue is finished.
     [[nodiscard]] int retry_after() const;
 
@@ -62,6 +71,10 @@ private:
 
     std::variant<Response, Render> route(const Request& request);
     std::variant<Response, Render> image(const Request& request, const Target& target);
+    void check_upload(const Request& request) const;
+    Response upload(const Request& request);
+    [[nodiscard]] Response scene(const std::string& id) const;
+    [[nodiscard]] std::size_t scene_index(const std::string& id) const;
     [[nodiscard]] static Response tagged(int status, const Render& render);
     [[nodiscard]] Response text(std::string type, std::string content) const;
     [[nodiscard]] Response scenes() const;
@@ -78,4 +91,5 @@ private:
     std::string build_;  ///< build of the library, part of every entity tag
     std::string openapi_;
     AnswerRooms rooms_;
+    std::shared_ptr<int> upload_rooms_ = std::make_shared<int>(0);  ///< number in use
 };

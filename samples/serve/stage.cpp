@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "stage.hpp"
 
-#include <sys/mman.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
 #include <chrono>
 #include <cmath>
-#include <cstring>
+#include <new>
 
 #include "camera.hpp"
 #include "common/failure.hpp"
@@ -63,8 +59,10 @@ std::string digest_of(nicol_scene scene) {
 }
 
 /// Lights a scene of glTF, which has no environments, evenly from all around if the file has no lights.
-void light_if_dark(nicol_context context, nicol_scene scene, const std::filesystem::path& path) {
-    if (path.extension() == ".xml") return;
+void light_if_dark(nicol_context context, nicol_scene scene) {
+    nicol_scene_file first = NICOL_SCENE_FILE_INIT;
+    check(nicol_scene_get_file(scene, 0, &first));
+    if (!std::filesystem::path(first.path).extension().string().starts_with(".gl")) return;
     std::uint32_t lights = 0;
     check(nicol_scene_get_light_count(scene, &lights));
     if (lights > 0) return;
@@ -74,30 +72,30 @@ void light_if_dark(nicol_context context, nicol_scene scene, const std::filesyst
     check(nicol_scene_set_environment(scene, even, nullptr, 1));
 }
 
-/// Returns the bytes of the OpenEXR file with Stokes vectors. The library writes only files, so it writes to
-/// one in memory, which has no name that another user could open.
+/// Returns the bytes of the OpenEXR file with Stokes vectors.
 std::string exr_file(nicol_framebuffer framebuffer) {
-    struct MemoryFile {
-        int descriptor = ::memfd_create("nicol-serve", MFD_CLOEXEC);
-        MemoryFile() {
-            if (descriptor < 0) throw Failure(std::string("memfd_create: ") + std::strerror(errno));
+    std::string content;
+    const nicol_sink_callback append = [](void* user, const void* bytes, std::uint64_t size) {
+        // Exceptions must not pass through the library.
+        try {
+            static_cast<std::string*>(user)->append(static_cast<const char*>(bytes), size);
+            return std::int32_t{1};
+        } catch (const std::bad_alloc&) {
+            return std::int32_t{0};
         }
-        ~MemoryFile() { ::close(descriptor); }
-        MemoryFile(const MemoryFile&) = delete;
-        MemoryFile& operator=(const MemoryFile&) = delete;
     };
-    const MemoryFile file;
-    const std::string name = "/proc/self/fd/" + std::to_string(file.descriptor);
-    check(nicol_framebuffer_write_exr(framebuffer, name.c_str()));
-    const off_t size = ::lseek(file.descriptor, 0, SEEK_END);
-    std::string content(static_cast<std::size_t>(std::max<off_t>(size, 0)), '\0');
-    for (std::size_t read = 0; read < content.size();) {
-        const ssize_t got =
-            ::pread(file.descriptor, content.data() + read, content.size() - read, static_cast<off_t>(read));
-        if (got <= 0) throw Failure("the memory file cannot be read back");
-        read += static_cast<std::size_t>(got);
-    }
+    check(nicol_framebuffer_encode_exr(framebuffer, append, &content));
     return content;
+}
+
+/// Resolves the names in an uploaded scene.
+std::int32_t find_uploaded(void* user, const char* name, nicol_file_content* content) {
+    const auto& files = static_cast<const Upload*>(user)->files;
+    const auto found = std::ranges::find(files, std::string_view(name), &UploadedFile::name);
+    if (found == files.end()) return 0;
+    content->bytes = found->bytes.data();
+    content->byte_size = found->bytes.size();
+    return 1;
 }
 
 }  // namespace
@@ -106,9 +104,27 @@ Stage::Stage(nicol_context context, const std::filesystem::path& path) : context
     info_.id = path.stem();
     nicol_scene scene = nullptr;
     check(nicol_scene_load(context, path.c_str(), nullptr, 0, &scene));
+    prepare(scene);
+}
+
+Stage::Stage(nicol_context context, const Upload& upload) : context_(context) {
+    info_.id = upload.id;
+    const UploadedFile& first = upload.files.front();
+    nicol_memory_file file = NICOL_MEMORY_FILE_INIT;
+    file.name = first.name.c_str();
+    file.bytes = first.bytes.data();
+    file.byte_size = first.bytes.size();
+    file.resolve = find_uploaded;
+    file.resolve_user = const_cast<Upload*>(&upload);  // find_uploaded() only reads it
+    nicol_scene scene = nullptr;
+    check(nicol_scene_load_memory(context, &file, nullptr, 0, &scene));
+    prepare(scene);
+}
+
+void Stage::prepare(nicol_scene scene) {
     scene_.reset(scene);
     info_.digest = digest_of(scene);
-    light_if_dark(context, scene, path);
+    light_if_dark(context_, scene);
     check(nicol_scene_get_camera(scene, &camera_));
     check(nicol_scene_get_film_size(scene, &info_.width, &info_.height));
     check(nicol_scene_get_channels(scene, &info_.channels));

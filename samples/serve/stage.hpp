@@ -9,6 +9,7 @@
 #include "common/handles.hpp"
 #include "image_request.hpp"
 #include "message.hpp"
+#include "upload.hpp"
 
 /// Callback asked about ten times a second whether to continue; 0 ends the render.
 struct Progress {
@@ -18,8 +19,10 @@ struct Progress {
 
 class Stage {
 public:
-    /// Loads and renders the scene, which bakes it or reads the bake from the cache. Throws Failure.
+    /// Loads and renders a scene, which bakes it or reads the bake from the cache. An upload reads only its
+    /// own files. Both throw Failure.
     Stage(nicol_context context, const std::filesystem::path& path);
+    Stage(nicol_context context, const Upload& upload);
 
     [[nodiscard]] const SceneInfo& info() const { return info_; }
 
@@ -27,6 +30,7 @@ public:
     std::string render(const ImageRequest& request, const Progress& progress, ResultHead& head);
 
 private:
+    void prepare(nicol_scene scene);
     void draw(const View& view, const Progress& progress, ResultHead& head);
     void make_framebuffer(std::uint32_t width, std::uint32_t height);
     [[nodiscard]] double centre_depth() const;

@@ -33,6 +33,12 @@ bool answers_for(std::string_view host, std::string_view local, const std::vecto
            contains(allowed, name);
 }
 
+bool may_send(std::string_view origin, std::string_view host, const std::vector<std::string>& allowed) {
+    const std::string name(host);
+    return origin.empty() || origin == "http://" + name || origin == "https://" + name ||
+           contains(allowed, origin);
+}
+
 std::vector<std::pair<std::string, std::string>> origin_headers(std::string_view origin,
                                                                 const std::vector<std::string>& allowed) {
     std::vector<std::pair<std::string, std::string>> headers = {

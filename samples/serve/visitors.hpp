@@ -13,6 +13,10 @@
 /// resolves to this machine (DNS rebinding).
 bool answers_for(std::string_view host, std::string_view local, const std::vector<std::string>& allowed);
 
+/// Returns whether a request from a page of `origin` (empty: from no page) may send data: a page of the
+/// service itself, which has this host, or of an allowed origin.
+bool may_send(std::string_view origin, std::string_view host, const std::vector<std::string>& allowed);
+
 /// Returns headers of every answer to a request from a page of `origin` (empty if the browser sends none).
 std::vector<std::pair<std::string, std::string>> origin_headers(std::string_view origin,
                                                                 const std::vector<std::string>& allowed);

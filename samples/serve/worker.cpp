@@ -8,6 +8,7 @@
 #include <sys/uio.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
@@ -48,15 +49,14 @@ public:
     template <typename T>
     [[nodiscard]] T receive() const {
         T value{};
-        auto* at = reinterpret_cast<char*>(&value);
-        for (std::size_t left = sizeof value; left > 0;) {
-            const ssize_t got = ::recv(socket_, at, left, 0);
-            if (got < 0 && errno == EINTR) continue;
-            if (got <= 0) throw Gone();
-            at += got;
-            left -= static_cast<std::size_t>(got);
-        }
+        receive(reinterpret_cast<char*>(&value), sizeof value);
         return value;
+    }
+
+    [[nodiscard]] std::string receive(std::uint32_t size) const {
+        std::string bytes(size, '\0');
+        receive(bytes.data(), bytes.size());
+        return bytes;
     }
 
     [[nodiscard]] bool readable() const {
@@ -65,15 +65,25 @@ public:
     }
 
 private:
+    void receive(char* at, std::size_t left) const {
+        while (left > 0) {
+            const ssize_t got = ::recv(socket_, at, left, 0);
+            if (got < 0 && errno == EINTR) continue;
+            if (got <= 0) throw Gone();
+            at += got;
+            left -= static_cast<std::size_t>(got);
+        }
+    }
+
     int socket_;
 };
 
-/// Check during a render whether its job was cancelled or the front process ended.
+/// Reports a render's progress, and checks whether its job was cancelled or the front process ended.
 struct Watch {
     const Channel& channel;
     std::uint64_t job;
 
-    static std::int32_t poll(void* user, const char*, double) {
+    static std::int32_t poll(void* user, const char* verb, double fraction) {
         const auto& watch = *static_cast<const Watch*>(user);
         while (watch.channel.readable()) {
             // Exceptions must not pass through the library. The main loop finds the end of the stream again.
@@ -83,7 +93,20 @@ struct Watch {
                 return 0;
             }
         }
-        return 1;
+        return watch.report(verb, fraction) ? 1 : 0;
+    }
+
+    [[nodiscard]] bool report(std::string_view verb, double fraction) const {
+        const auto known = std::ranges::find(kVerbs, verb);
+        if (known == kVerbs.end()) return true;
+        const RenderProgress progress{.verb = static_cast<std::uint32_t>(known - kVerbs.begin()),
+                                      .fraction = fraction};
+        try {
+            channel.send({.kind = MessageKind::progress, .length = 0, .job = job}, bytes_of(progress));
+            return true;
+        } catch (const Gone&) {
+            return false;
+        }
     }
 };
 
@@ -152,15 +175,17 @@ void limit_memory(std::uint64_t bytes) {
 #endif
 }
 
-void load(const Channel& channel, nicol_context context, const std::filesystem::path& path,
+/// Loads a scene from a path or an Upload.
+template <class Source>
+void load(const Channel& channel, nicol_context context, const std::string& id, const Source& source,
           std::uint64_t index, std::optional<Stage>& stage) {
     Loaded loaded;
     stage.reset();
     try {
-        stage.emplace(context, path);
+        stage.emplace(context, source);
         loaded.info = stage->info();
     } catch (const std::exception& error) {
-        loaded.info.id = path.stem();
+        loaded.info.id = id;
         loaded.reason = one_line(error.what());
     }
     channel.send({.kind = MessageKind::loaded, .length = 0, .job = index}, pack(loaded));
@@ -169,7 +194,7 @@ void load(const Channel& channel, nicol_context context, const std::filesystem::
 void serve(const Channel& channel, const Options& options) {
     const Context context = make_context(options);
     const std::vector<std::filesystem::path> paths = find_scenes(options.scenes);
-    std::vector<std::optional<Stage>> stages(paths.size());
+    std::vector<std::optional<Stage>> stages(paths.size() + options.upload_places);
     nicol_context_info info = NICOL_CONTEXT_INFO_INIT;
     check(nicol_context_get_info(context.get(), &info));
     Hello hello{.renderer = std::string(info.renderer) + ", " + info.version, .scenes = {}};
@@ -177,8 +202,14 @@ void serve(const Channel& channel, const Options& options) {
     channel.send({.kind = MessageKind::hello, .length = 0, .job = 0}, pack(hello));
     for (;;) {
         const Head head = channel.receive<Head>();
-        if (head.kind == MessageKind::load)
-            load(channel, context.get(), paths.at(head.job), head.job, stages.at(head.job));
+        if (head.kind == MessageKind::load && head.length == 0) {
+            const std::filesystem::path& path = paths.at(head.job);
+            load(channel, context.get(), path.stem(), path, head.job, stages.at(head.job));
+        } else if (head.kind == MessageKind::load) {
+            Upload upload;
+            if (!unpack(channel.receive(head.length), upload)) throw Failure("an upload is not whole");
+            load(channel, context.get(), upload.id, upload, head.job, stages.at(head.job));
+        }
         // A cancel received here belongs to a finished job.
         if (head.kind == MessageKind::job) render(channel, head.job, channel.receive<ImageRequest>(), stages);
     }

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "files/file_record.hpp"
 
-#include <sys/stat.h>
-
 #include <array>
-#include <fstream>
 
 #include "files/content_hash.hpp"
 #include "files/file_error.hpp"
@@ -14,32 +11,23 @@ namespace {
 
 constexpr int kReadAttempts = 3;
 
-/// Returns a text that changes when the file changes; empty if there is no such file. The text contains the
-/// time of the last status change, because that time cannot be set back, unlike the time of the last
-/// modification.
-std::string identity_of(const std::filesystem::path& file) {
-    struct stat status = {};
-    if (::stat(file.c_str(), &status) != 0) return {};
-    std::string text;
-    for (const auto part :
-         {static_cast<long long>(status.st_dev), static_cast<long long>(status.st_ino),
-          static_cast<long long>(status.st_size), static_cast<long long>(status.st_ctim.tv_sec),
-          static_cast<long long>(status.st_ctim.tv_nsec)})
-        text += std::to_string(part) + ' ';
-    return text;
+/// Returns a text that changes when the file changes; empty if there is no such file.
+std::string identity_of(const FileSource& files, const std::filesystem::path& file) {
+    const auto found = files.find(file);
+    return found ? found->identity : std::string();
 }
 
 }  // namespace
 
 FileRecord record_of(const std::filesystem::path& file, const LoadBudget& budget) {
-    std::ifstream in(file, std::ios::binary);
+    const auto in = budget.files().open(file);
     if (!in) throw Error(ErrorCode::file_not_found, file.string() + ": cannot be read");
     FileRecord record;
     record.path = file;
     ContentHash hash;
     std::array<char, 1 << 16> buffer;
-    while (in.read(buffer.data(), buffer.size()), in.gcount() > 0) {
-        const auto count = static_cast<std::size_t>(in.gcount());
+    while (in->read(buffer.data(), buffer.size()), in->gcount() > 0) {
+        const auto count = static_cast<std::size_t>(in->gcount());
         hash.add({reinterpret_cast<const unsigned char*>(buffer.data()), count});
         record.bytes += count;
         budget.step(count);
@@ -55,18 +43,16 @@ FileRecord record_of(const std::filesystem::path& file, const std::string& bytes
 FileRecorder::State FileRecorder::state_of(std::span<const std::filesystem::path> files) const {
     State state;
     for (const std::filesystem::path& file : files) {
-        std::error_code status;
         Seen& seen = state.emplace_back();
-        seen.identity = identity_of(file);
-        // A device or a pipe is not read, because it may never end.
-        if (std::filesystem::is_regular_file(file, status)) seen.record = record_of(file, budget_);
+        seen.identity = identity_of(budget_.files(), file);
+        if (!seen.identity.empty()) seen.record = record_of(file, budget_);
     }
     return state;
 }
 
 bool FileRecorder::keep(std::span<const std::filesystem::path> files, const State& before, int attempt) {
     for (std::size_t i = 0; i < files.size(); ++i) {
-        if (identity_of(files[i]) == before[i].identity) continue;
+        if (identity_of(budget_.files(), files[i]) == before[i].identity) continue;
         if (attempt == kReadAttempts) invalid_file(files[i], "changes while it is read");
         return false;
     }

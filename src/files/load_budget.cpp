@@ -54,12 +54,14 @@ struct LoadBudget::Account {
 LoadBudget::LoadBudget(const LoadLimits& limits)
     : account_(std::make_shared<Account>(limits)), steps_(&account_->steps) {}
 
+const FileSource& LoadBudget::files() const {
+    return account_->limits.files ? *account_->limits.files : file_system();
+}
+
 void LoadBudget::take_file(const std::filesystem::path& file) const {
     account_->file = file;
-    std::error_code error;
-    const std::uintmax_t size = std::filesystem::file_size(file, error);
     // A file that cannot be read is left to its reader to report.
-    if (!error) account_->take_bytes(size);
+    if (const auto found = files().find(file)) account_->take_bytes(found->bytes);
     check();
 }
 

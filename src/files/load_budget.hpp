@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Limits of loading: bytes, vertices, triangles and time, regardless of the sizes that files claim.
+// Limits of loading: bytes, vertices, triangles and time, regardless of the sizes that files claim; and the
+// source of the files.
 #pragma once
 
 #include <cstdint>
 #include <filesystem>
 #include <memory>
 
+#include "files/file_source.hpp"
 #include "progress.hpp"
 
 namespace nicol {
@@ -20,6 +22,8 @@ struct LoadLimits {
     /// Callback that is called about ten times a second on the loading thread, with "load" and 0. Returning
     /// false cancels the load.
     Progress::Callback progress{};
+    /// Source of all files of the load; null: the file system.
+    std::shared_ptr<const FileSource> files{};
 };
 
 /// Account of one load against its limits. Every reader receives the budget, takes each resource before using
@@ -29,6 +33,9 @@ struct LoadLimits {
 class LoadBudget {
 public:
     LoadBudget(const LoadLimits& limits = {});  // implicit, so that readers can be called with limits
+
+    /// Returns the source of the load's files. Readers open files only through it.
+    [[nodiscard]] const FileSource& files() const;
 
     /// Takes the size of a file before the file is read. The messages of step() and take_memory() name the
     /// last file.

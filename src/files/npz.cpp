@@ -20,9 +20,9 @@ static_assert(std::endian::native == std::endian::little, "files are little-endi
 constexpr std::string_view kSuffix = ".npy";
 constexpr std::size_t kMaxCharacters = 1024;
 
-ZipEntry find_member(const path& file, std::string_view name) {
+ZipEntry find_member(const path& file, std::string_view name, const FileSource& files) {
     std::string there;
-    for (const ZipEntry& entry : read_zip_directory(file)) {
+    for (const ZipEntry& entry : read_zip_directory(file, files)) {
         if (entry.name == std::string(name).append(kSuffix)) return entry;
         // A few names are enough to identify the kind of file.
         if (there.size() < 200) there += (there.empty() ? "" : ", ") + entry.name;
@@ -33,10 +33,10 @@ ZipEntry find_member(const path& file, std::string_view name) {
 
 /// Archive member whose size agrees with its header.
 struct Member {
-    Member(const path& file, std::string_view member_name)
+    Member(const path& file, std::string_view member_name, const FileSource& files)
         : name(file.string() + ": member " + std::string(member_name) + ".npy"),
-          entry(find_member(file, member_name)),
-          stream(file, entry),
+          entry(find_member(file, member_name, files)),
+          stream(file, entry, files),
           header(read_npy_header(stream, name)) {}
 
     std::size_t check_size(std::size_t value_bytes, std::size_t most) const {
@@ -77,9 +77,9 @@ void read_values(Member& member, std::size_t count, const LoadBudget& budget, st
 
 }  // namespace
 
-std::vector<std::string> npz_members(const path& file) {
+std::vector<std::string> npz_members(const path& file, const LoadBudget& budget) {
     std::vector<std::string> names;
-    for (const ZipEntry& entry : read_zip_directory(file))
+    for (const ZipEntry& entry : read_zip_directory(file, budget.files()))
         if (entry.name.ends_with(kSuffix))
             names.push_back(entry.name.substr(0, entry.name.size() - kSuffix.size()));
     return names;
@@ -87,7 +87,7 @@ std::vector<std::string> npz_members(const path& file) {
 
 NpyArray read_npz_member(const path& file, std::string_view name, std::size_t most_values,
                          const LoadBudget& budget) {
-    Member member(file, name);
+    Member member(file, name, budget.files());
     const std::string& type = member.header.type;
     if (type.ends_with('O'))
         throw Error(ErrorCode::unsupported, member.name + " is an object array; it must hold numbers");
@@ -108,8 +108,8 @@ NpyArray read_npz_member(const path& file, std::string_view name, std::size_t mo
     return array;
 }
 
-std::string read_npz_text(const path& file, std::string_view name) {
-    Member member(file, name);
+std::string read_npz_text(const path& file, std::string_view name, const LoadBudget& budget) {
+    Member member(file, name, budget.files());
     const std::string& type = member.header.type;
     const bool wide = type.starts_with("<U");
     if (!wide && !type.starts_with("|S"))

@@ -25,7 +25,8 @@ inline constexpr std::size_t kMaxNpyValues = std::size_t{1} << 27;
 
 /// Returns the names in the archive without their ".npy", in the archive's order. Throws what
 /// read_npz_member() throws.
-[[nodiscard]] std::vector<std::string> npz_members(const std::filesystem::path& path);
+[[nodiscard]] std::vector<std::string> npz_members(const std::filesystem::path& path,
+                                                   const LoadBudget& budget = {});
 
 /// Reads the array called `name` (without ".npy"): little-endian float32, float64, int32 or int64 in C order,
 /// stored or deflated. Memory use is proportional to the actual data, whatever a header claims. Throws
@@ -40,7 +41,8 @@ inline constexpr std::size_t kMaxNpyValues = std::size_t{1} << 27;
 
 /// Reads the single text called `name` (NumPy type U or S, ASCII, at most 1024 characters). Throws what
 /// read_npz_member() throws.
-[[nodiscard]] std::string read_npz_text(const std::filesystem::path& path, std::string_view name);
+[[nodiscard]] std::string read_npz_text(const std::filesystem::path& path, std::string_view name,
+                                        const LoadBudget& budget = {});
 
 /// Member to write: numbers (as float64) or one ASCII text.
 struct NpzMember {

@@ -32,7 +32,7 @@ std::uint32_t u32(const unsigned char* p) {
     return u16(p) | u16(p + 2) << 16;
 }
 
-std::vector<unsigned char> read_at(std::ifstream& in, const path& file, std::uint64_t offset,
+std::vector<unsigned char> read_at(std::istream& in, const path& file, std::uint64_t offset,
                                    std::uint64_t size) {
     std::vector<unsigned char> bytes(size);
     in.clear();
@@ -43,7 +43,7 @@ std::vector<unsigned char> read_at(std::ifstream& in, const path& file, std::uin
 }
 
 /// Finds the record that closes the archive. A comment of up to 64 KiB may follow the record.
-std::vector<unsigned char> find_end(std::ifstream& in, const path& file, std::uint64_t file_size) {
+std::vector<unsigned char> find_end(std::istream& in, const path& file, std::uint64_t file_size) {
     const std::uint64_t tail = std::min<std::uint64_t>(file_size, kEndSize + 0xffff);
     std::vector<unsigned char> bytes = read_at(in, file, file_size - tail, tail);
     for (std::size_t i = bytes.size() < kEndSize ? 0 : bytes.size() - kEndSize + 1; i-- > 0;) {
@@ -72,13 +72,13 @@ ZipEntry parse_entry(const path& file, const unsigned char* p, const std::string
 
 }  // namespace
 
-std::vector<ZipEntry> read_zip_directory(const path& file) {
-    std::error_code error;
-    const bool regular = std::filesystem::is_regular_file(file, error);
-    std::ifstream in(file, std::ios::binary);
-    if (!regular || !in)
+std::vector<ZipEntry> read_zip_directory(const path& file, const FileSource& files) {
+    const auto found = files.find(file);
+    const auto opened = files.open(file);
+    if (!found || !opened)
         throw Error(ErrorCode::file_not_found, file.string() + ": cannot be opened for reading");
-    const std::uint64_t file_size = std::filesystem::file_size(file, error);
+    std::istream& in = *opened;
+    const std::uint64_t file_size = found->bytes;
 
     const std::vector<unsigned char> end = find_end(in, file, file_size);
     const std::uint64_t count = u16(&end[10]);
@@ -113,20 +113,21 @@ std::vector<ZipEntry> read_zip_directory(const path& file) {
     return entries;
 }
 
-ZipStream::ZipStream(const path& file, const ZipEntry& entry)
+ZipStream::ZipStream(const path& file, const ZipEntry& entry, const FileSource& files)
     : name_(file.string() + ", member " + entry.name),
-      file_(file, std::ios::binary),
+      file_(files.open(file)),
       entry_(entry),
       left_(entry.size),
       stored_left_(entry.stored_size),
       buffer_(entry.deflated ? std::min<std::uint64_t>(entry.stored_size, kBufferBytes) : 0) {
+    if (!file_) throw Error(ErrorCode::file_not_found, file.string() + ": cannot be opened for reading");
     std::array<unsigned char, kLocalSize> head{};
-    file_.seekg(static_cast<std::streamoff>(entry.offset));
-    file_.read(reinterpret_cast<char*>(head.data()), kLocalSize);
-    if (!file_ || u32(head.data()) != kLocalMagic) invalid("has no local header where the directory says");
+    file_->seekg(static_cast<std::streamoff>(entry.offset));
+    file_->read(reinterpret_cast<char*>(head.data()), kLocalSize);
+    if (!*file_ || u32(head.data()) != kLocalMagic) invalid("has no local header where the directory says");
     // Sizes may be missing in the local header (they may follow the data), so only the directory's sizes
     // count.
-    file_.seekg(static_cast<std::streamoff>(entry.offset + kLocalSize + u16(&head[26]) + u16(&head[28])));
+    file_->seekg(static_cast<std::streamoff>(entry.offset + kLocalSize + u16(&head[26]) + u16(&head[28])));
     if (entry.deflated && inflateInit2(&inflate_, -MAX_WBITS) != Z_OK) throw std::bad_alloc();
 }
 
@@ -142,8 +143,8 @@ void ZipStream::invalid(const std::string& what) const {
 void ZipStream::fill() {
     const auto size = static_cast<std::size_t>(std::min<std::uint64_t>(stored_left_, buffer_.size()));
     if (size == 0) invalid("is truncated");
-    file_.read(reinterpret_cast<char*>(buffer_.data()), static_cast<std::streamsize>(size));
-    if (!file_) invalid("is truncated");
+    file_->read(reinterpret_cast<char*>(buffer_.data()), static_cast<std::streamsize>(size));
+    if (!*file_) invalid("is truncated");
     stored_left_ -= size;
     inflate_.next_in = buffer_.data();
     inflate_.avail_in = static_cast<uInt>(size);
@@ -164,8 +165,8 @@ void ZipStream::read(std::span<unsigned char> bytes) {
             if (result != Z_OK && result != Z_STREAM_END) invalid("is damaged: it cannot be inflated");
         }
     } else {
-        file_.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-        if (!file_) invalid("is truncated");
+        file_->read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+        if (!*file_) invalid("is truncated");
     }
     left_ -= bytes.size();
     crc_ = static_cast<std::uint32_t>(crc32(crc_, bytes.data(), static_cast<uInt>(bytes.size())));

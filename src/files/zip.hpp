@@ -7,10 +7,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
+
+#include "files/file_source.hpp"
 
 namespace nicol {
 
@@ -27,13 +29,15 @@ struct ZipEntry {
 /// volumes, with ZIP64 sizes, with encrypted members or with compression other than deflate, and
 /// Error(invalid_file) if the archive is damaged. Every returned entry lies inside the file, names are
 /// unique, and no size exceeds the size that deflate can make of the stored bytes.
-[[nodiscard]] std::vector<ZipEntry> read_zip_directory(const std::filesystem::path& path);
+[[nodiscard]] std::vector<ZipEntry> read_zip_directory(const std::filesystem::path& path,
+                                                       const FileSource& files = file_system());
 
 /// Stream of one member's content from its beginning. Uses a few tens of KiB of memory.
 class ZipStream {
 public:
     /// Throws Error(invalid_file) if there is no such member at the entry's offset.
-    ZipStream(const std::filesystem::path& path, const ZipEntry& entry);
+    ZipStream(const std::filesystem::path& path, const ZipEntry& entry,
+              const FileSource& files = file_system());
     ~ZipStream();
     ZipStream(const ZipStream&) = delete;
     ZipStream& operator=(const ZipStream&) = delete;
@@ -49,7 +53,7 @@ private:
     [[noreturn]] void invalid(const std::string& what) const;
 
     std::string name_;
-    std::ifstream file_;
+    std::unique_ptr<std::istream> file_;
     ZipEntry entry_;
     std::uint64_t left_;
     std::uint64_t stored_left_;

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "image/exr_input.hpp"
 
+#include <Iex.h>
 #include <ImfHeader.h>
+#include <ImfIO.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <exception>
-#include <fstream>
+#include <istream>
 #include <new>
 #include <string_view>
 
@@ -16,23 +18,43 @@
 #include "image/exr_structure.hpp"
 
 namespace nicol {
+namespace {
+
+/// Input stream of OpenEXR.
+class InputStream : public Imf::IStream {
+public:
+    InputStream(std::istream& in, const char* name) : IStream(name), in_(in) {}
+
+    bool read(char* bytes, int count) override {
+        in_.read(bytes, count);
+        if (!in_) throw Iex::InputExc("Early end of file.");
+        return true;
+    }
+    std::uint64_t tellg() override { return static_cast<std::uint64_t>(in_.tellg()); }
+    void seekg(std::uint64_t position) override { in_.seekg(static_cast<std::streamoff>(position)); }
+    void clear() override { in_.clear(); }
+
+private:
+    std::istream& in_;
+};
+
+}  // namespace
 
 void read_exr_input(const std::filesystem::path& file, const LoadBudget& budget,
                     const std::function<void(Imf::MultiPartInputFile& input)>& read) {
-    std::error_code error;
-    const std::uintmax_t size =
-        std::filesystem::is_directory(file, error) ? 0 : std::filesystem::file_size(file, error);
-    if (error || size == 0 || !std::ifstream(file)) {
-        if (!error && std::filesystem::is_regular_file(file, error) && size == 0)
-            invalid_file(file, "is empty");
-        throw Error(ErrorCode::file_not_found, file.string() + ": cannot be opened for reading" +
-                                                   (error ? " (" + error.message() + ")" : ""));
-    }
+    const auto found = budget.files().find(file);
+    const auto in = budget.files().open(file);
+    if (!found || !in)
+        throw Error(ErrorCode::file_not_found, file.string() + ": cannot be opened for reading");
+    if (found->bytes == 0) invalid_file(file, "is empty");
     try {
-        check_exr_structure(file, size, budget);
+        check_exr_structure(file, *in, found->bytes, budget);
+        in->clear();
+        in->seekg(0);
+        InputStream stream(*in, file.c_str());
         // No OpenEXR threads (0), because OpenEXR's thread pool exists once per process and belongs to the
         // host.
-        Imf::MultiPartInputFile input(file.c_str(), 0);
+        Imf::MultiPartInputFile input(stream, 0);
         read(input);
     } catch (const Error&) {
         throw;

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
-#include <fstream>
+#include <istream>
 #include <memory>
 #include <new>
 #include <set>
@@ -122,9 +122,8 @@ bool is_whole(std::string_view type, std::string_view bytes) {
 /// end elsewhere than its size says, because the C++ library would take other bytes for the next attribute
 /// and its size. No attribute may occur twice in a header, because the two libraries take different values.
 /// Other errors in the header are left to the libraries.
-void check_attributes(const path& file, std::uintmax_t file_size) {
+void check_attributes(const path& file, std::istream& in, std::uintmax_t file_size) {
     constexpr std::uint32_t magic = 20000630, several_parts_flag = 0x1000;
-    std::ifstream in(file, std::ios::binary);
     if (header_number(in) != magic) return;
     const bool several_parts = (header_number(in) & several_parts_flag) != 0;
     // An empty name ends a header. The header of a further part may follow, or one more empty name.
@@ -192,8 +191,26 @@ std::uint64_t check_chunks(const path& file, exr_const_context_t context, const 
 /// Flag for a failed allocation of the C library on this thread, which the library does not always report.
 thread_local bool lacked_memory = false;
 
-void check_structure(const path& file, std::uintmax_t file_size, const LoadBudget& budget) {
-    check_attributes(file, file_size);
+/// Input of the C library, its user pointer.
+struct Input {
+    std::istream& stream;
+    std::uintmax_t size;
+
+    static std::int64_t read(exr_const_context_t, void* user, void* buffer, std::uint64_t size,
+                             std::uint64_t offset, exr_stream_error_func_ptr_t) {
+        std::istream& stream = static_cast<Input*>(user)->stream;
+        stream.clear();
+        stream.seekg(static_cast<std::streamoff>(offset));
+        stream.read(static_cast<char*>(buffer), static_cast<std::streamsize>(size));
+        return stream.gcount();
+    }
+    static std::int64_t total(exr_const_context_t, void* user) {
+        return static_cast<std::int64_t>(static_cast<Input*>(user)->size);
+    }
+};
+
+void check_structure(const path& file, std::istream& in, std::uintmax_t file_size, const LoadBudget& budget) {
+    check_attributes(file, in, file_size);
     exr_context_initializer_t options = EXR_DEFAULT_CONTEXT_INITIALIZER;
     options.alloc_fn = [](std::size_t size) {
         void* const block = std::malloc(size);
@@ -201,6 +218,10 @@ void check_structure(const path& file, std::uintmax_t file_size, const LoadBudge
         return block;
     };
     options.free_fn = std::free;
+    Input input{in, file_size};
+    options.user_data = &input;
+    options.read_fn = Input::read;
+    options.size_fn = Input::total;
     options.error_handler_fn = [](exr_const_context_t, exr_result_t, const char*) {};
     exr_context_t context = nullptr;
     const exr_result_t opened = exr_start_read(&context, file.c_str(), &options);
@@ -248,10 +269,11 @@ void check_structure(const path& file, std::uintmax_t file_size, const LoadBudge
 
 }  // namespace
 
-void check_exr_structure(const path& file, std::uintmax_t file_size, const LoadBudget& budget) {
+void check_exr_structure(const path& file, std::istream& in, std::uintmax_t file_size,
+                         const LoadBudget& budget) {
     lacked_memory = false;
     try {
-        check_structure(file, file_size, budget);
+        check_structure(file, in, file_size, budget);
     } catch (const Error&) {
         if (lacked_memory) throw std::bad_alloc();
         throw;

@@ -100,6 +100,13 @@ void insert_aovs(const Aovs& aovs, const std::vector<std::string>& colours, Imf:
 }  // namespace
 
 void write_exr(const std::filesystem::path& path, const StokesImage& image, const ExrOptions& options) {
+    AtomicFile file(path);
+    encode_exr(file.handle(), path.string(), image, options);
+    file.commit();
+}
+
+void encode_exr(std::FILE* file, const std::string& name, const StokesImage& image,
+                const ExrOptions& options) {
     image.check("write_exr: image");
     if (image.channels > kMaxFileChannels)
         throw Error(ErrorCode::invalid_argument, "write_exr: image has " + std::to_string(image.channels) +
@@ -152,8 +159,7 @@ void write_exr(const std::filesystem::path& path, const StokesImage& image, cons
 
     if (options.aovs != nullptr) insert_aovs(*options.aovs, colours, header, buffer);
 
-    AtomicFile file(path);
-    FileStream stream(file.handle(), path.c_str());
+    FileStream stream(file, name.c_str());
     try {
         // No OpenEXR threads (0), because OpenEXR's thread pool exists once per process and belongs to the
         // host.
@@ -170,10 +176,9 @@ void write_exr(const std::filesystem::path& path, const StokesImage& image, cons
     } catch (const std::exception& e) {
         // OpenEXR reports a lack of memory as "output failed".
         if (!stream.failed()) throw std::bad_alloc();
-        throw Error(ErrorCode::write_failed, path.string() + ": cannot be written (" + e.what() +
+        throw Error(ErrorCode::write_failed, name + ": cannot be written (" + e.what() +
                                                  "); the disk may be full or the folder not writable");
     }
-    file.commit();
 }
 
 }  // namespace nicol

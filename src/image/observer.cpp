@@ -268,4 +268,12 @@ StokesImage luminance(const StokesImage& rgb) {
     return grey;
 }
 
+PngImage png_of(const Observation& observation) {
+    return {.width = observation.width,
+            .height = observation.height,
+            .bytes = observation.rgb,
+            .text = observation.text,
+            .srgb = observation.srgb};
+}
+
 }  // namespace nicol

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "image/png.hpp"
 #include "image/stokes_image.hpp"
 
 namespace nicol {
@@ -77,9 +78,8 @@ enum class AolpStyle : std::int32_t {
 /// image must have three channels.
 [[nodiscard]] StokesImage luminance(const StokesImage& rgb);
 
-/// Writes a PNG with the observation's text as tEXt chunks, and an sRGB chunk if `srgb`. The file appears
-/// under its name only when it is complete. Throws Error(invalid_argument) if the sizes do not fit, or if a
-/// keyword or text is not fit for tEXt (keyword 1 to 79 bytes); Error(write_failed) that names the path.
-void write_png(const std::filesystem::path& path, const Observation& observation);
+/// Returns the observation as write_png() and encode_png() take it, with its text as tEXt chunks. The
+/// observation must outlive the result.
+[[nodiscard]] PngImage png_of(const Observation& observation);
 
 }  // namespace nicol

@@ -10,7 +10,6 @@
 
 #include "error.hpp"
 #include "files/atomic_file.hpp"
-#include "image/observer.hpp"
 #include "image/png.hpp"
 
 namespace nicol {
@@ -64,15 +63,13 @@ bool write_rows(png_structp png, png_infop info, std::FILE* file, const PngImage
 
 }  // namespace
 
-void write_png(const std::filesystem::path& path, const Observation& observation) {
-    write_png(path, PngImage{.width = observation.width,
-                             .height = observation.height,
-                             .bytes = observation.rgb,
-                             .text = observation.text,
-                             .srgb = observation.srgb});
+void write_png(const std::filesystem::path& path, const PngImage& image) {
+    AtomicFile file(path);
+    encode_png(file.handle(), path.string(), image);
+    file.commit();
 }
 
-void write_png(const std::filesystem::path& path, const PngImage& image) {
+void encode_png(std::FILE* file, const std::string& name, const PngImage& image) {
     check(image);
     std::vector<std::pair<std::string, std::string>> entries(image.text.begin(), image.text.end());
     entries.emplace_back("Software", "Nicol " NICOL_VERSION_STRING);
@@ -84,7 +81,6 @@ void write_png(const std::filesystem::path& path, const PngImage& image) {
         text[i].text_length = entries[i].second.size();
     }
 
-    AtomicFile file(path);
     const auto quiet = [](png_structp, png_const_charp) {};
     // libpng prints errors if the error function is null. An error function must not return, but may longjmp.
     const auto leave = [](png_structp png, png_const_charp) { png_longjmp(png, 1); };
@@ -98,14 +94,12 @@ void write_png(const std::filesystem::path& path, const PngImage& image) {
     png_structp png = png_create_write_struct_2(PNG_LIBPNG_VER_STRING, nullptr, leave, quiet, &memory_short,
                                                 allocate, release);
     png_infop info = png != nullptr ? png_create_info_struct(png) : nullptr;
-    const bool written = info != nullptr && write_rows(png, info, file.handle(), image, text.data(),
-                                                       static_cast<int>(text.size()));
+    const bool written =
+        info != nullptr && write_rows(png, info, file, image, text.data(), static_cast<int>(text.size()));
     png_destroy_write_struct(&png, &info);
     if (memory_short) throw std::bad_alloc();
     if (!written)
-        throw Error(ErrorCode::write_failed,
-                    path.string() + ": cannot be written as PNG; the disk may be full");
-    file.commit();
+        throw Error(ErrorCode::write_failed, name + ": cannot be written as PNG; the disk may be full");
 }
 
 }  // namespace nicol

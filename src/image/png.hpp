@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <cstdio>
 #include <filesystem>
 #include <span>
 #include <string>
@@ -27,9 +28,11 @@ struct PngImage {
     bool noisy = false;
 };
 
-/// Writes a PNG. The file appears under its name only when it is complete. Throws Error(invalid_argument) if
-/// the sizes do not fit, or if a keyword or text is not fit for tEXt (keyword 1 to 79 bytes);
-/// Error(write_failed) that names the path.
+/// Writes a PNG to an open file, which messages call `name`. Throws Error(invalid_argument) if the sizes do
+/// not fit, or if a keyword or text is not fit for tEXt (keyword 1 to 79 bytes); Error(write_failed).
+void encode_png(std::FILE* file, const std::string& name, const PngImage& image);
+
+/// Writes a PNG. The file appears under its name only when it is complete. Throws what encode_png() throws.
 void write_png(const std::filesystem::path& path, const PngImage& image);
 
 }  // namespace nicol

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdio>
 #include <filesystem>
 #include <span>
 #include <string>
@@ -76,9 +77,13 @@ struct ExrOptions {
 /// - channels with increasing wavelengths in the layout of Fichet et al. (2021): S<p>.550,000000nm with the
 ///   attributes spectralLayoutVersion "1.0", emissiveUnits and polarisationHandedness "right";
 /// - any other number of channels up to kMaxFileChannels as S<p>.0 S<p>.1 ...
-/// The file appears under its name only when it is complete; a failure leaves the previous file. Throws
-/// Error(invalid_argument) for more channels, unordered wavelengths or an empty image, and
-/// Error(write_failed) that names the path.
+/// `file` is open for writing and positioned; messages call it `name`. Throws Error(invalid_argument) for
+/// more channels, unordered wavelengths or an empty image, and Error(write_failed).
+void encode_exr(std::FILE* file, const std::string& name, const StokesImage& image,
+                const ExrOptions& options = {});
+
+/// Writes what encode_exr() writes. The file appears under its name only when it is complete; a failure
+/// leaves the previous file. Throws what encode_exr() throws.
 void write_exr(const std::filesystem::path& path, const StokesImage& image, const ExrOptions& options = {});
 
 /// Reads the channels that write_exr() writes, as float, half or uint, in scan lines or tiles, in any

@@ -2,7 +2,6 @@
 // Bitmaps in builds without their files.
 #include "files/left_out_format.hpp"
 #include "image/bitmap.hpp"
-#include "image/observer.hpp"
 #include "image/png.hpp"
 
 namespace nicol {
@@ -27,8 +26,8 @@ void write_png(const std::filesystem::path& path, const PngImage& /*image*/) {
     refuse_bitmap(path);
 }
 
-void write_png(const std::filesystem::path& path, const Observation& /*observation*/) {
-    refuse_bitmap(path);
+void encode_png(std::FILE* /*file*/, const std::string& name, const PngImage& /*image*/) {
+    refuse_bitmap(name);
 }
 
 }  // namespace nicol

@@ -18,6 +18,11 @@ void write_exr(const std::filesystem::path& path, const StokesImage& /*image*/,
     refuse_exr(path);
 }
 
+void encode_exr(std::FILE* /*file*/, const std::string& name, const StokesImage& /*image*/,
+                const ExrOptions& /*options*/) {
+    refuse_exr(name);
+}
+
 StokesImage read_exr(const std::filesystem::path& path, std::span<const double> /*wavelengths*/,
                      const LoadBudget& /*budget*/) {
     refuse_exr(path);

@@ -135,8 +135,7 @@ struct Buffers {
 
     std::string read(const std::string& uri) {
         const std::filesystem::path file = gltf_file(scene, uri, "a buffer");
-        std::error_code status;
-        if (!std::filesystem::is_regular_file(file, status))
+        if (!budget.files().find(file))
             throw Error(ErrorCode::file_not_found,
                         scene.string() + ": the buffer " + in_quotes(uri) + ": no such file");
         budget.take_file(file);

@@ -62,7 +62,7 @@ EnvironmentPtr make(const EnvironmentDescription& d, scene::SceneFiles& files) {
     const SceneChannels rgb;
     switch (d.kind) {
         case EnvironmentDescription::Kind::envmap: {
-            EnvironmentPtr light = files.read(environment_files(d.filename), [&] {
+            EnvironmentPtr light = files.read(environment_files(d.filename, files.budget().files()), [&] {
                 return load_environment(d.filename, 1, {}, files.budget());
             });
             const std::string negative = notice_of_negative(*light, d.filename.string());
@@ -231,7 +231,7 @@ SceneDescription read_scene(const std::filesystem::path& file, const SceneParame
                             const LoadBudget& budget) {
     const std::string suffix = suffix_of(file);
     if (suffix == ".gltf" || suffix == ".glb") return read_gltf_scene(file, parameters, budget);
-    const std::string other = scene::kind_of_other_file(file);
+    const std::string other = scene::kind_of_other_file(file, budget.files());
     if (!other.empty())
         throw Error(ErrorCode::invalid_file, file.string() + ": " + other +
                                                  "; a scene is a Mitsuba 3 XML file, a .gltf or a .glb file");

@@ -2,7 +2,6 @@
 #include "import/other_file.hpp"
 
 #include <array>
-#include <fstream>
 #include <string_view>
 
 #include "files/suffix.hpp"
@@ -39,13 +38,12 @@ constexpr std::array kSuffixes{Suffix{".obj", "an OBJ mesh"}, Suffix{".stl", "an
 
 }  // namespace
 
-std::string kind_of_other_file(const std::filesystem::path& file) {
-    std::error_code error;
-    if (!std::filesystem::is_regular_file(file, error)) return {};
+std::string kind_of_other_file(const std::filesystem::path& file, const FileSource& files) {
+    const auto in = files.open(file);
+    if (!in) return {};
     std::array<char, 16> first{};
-    std::ifstream in(file, std::ios::binary);
-    in.read(first.data(), first.size());
-    const std::string_view bytes(first.data(), static_cast<std::size_t>(in.gcount()));
+    in->read(first.data(), first.size());
+    const std::string_view bytes(first.data(), static_cast<std::size_t>(in->gcount()));
     for (const Beginning& beginning : kBeginnings)
         if (bytes.starts_with(beginning.bytes)) return beginning.kind;
     const std::string suffix = suffix_of(file);

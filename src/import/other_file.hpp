@@ -5,10 +5,12 @@
 #include <filesystem>
 #include <string>
 
+#include "files/file_source.hpp"
+
 namespace nicol::scene {
 
 /// Returns what a file is that its first bytes or its suffix tell to be no scene, such as "a PNG image";
 /// empty for all others, and for files that cannot be read.
-[[nodiscard]] std::string kind_of_other_file(const std::filesystem::path& file);
+[[nodiscard]] std::string kind_of_other_file(const std::filesystem::path& file, const FileSource& files);
 
 }  // namespace nicol::scene

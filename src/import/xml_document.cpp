@@ -65,8 +65,9 @@ std::string spectrum_value(const std::string& name, std::string_view bytes) {
 }  // namespace
 
 struct XmlDocument::Source {
-    Source(const std::filesystem::path& file, std::size_t& budget, pugi::xml_node included_by)
-        : xml(file, budget), include(included_by), folders{file.parent_path()} {}
+    Source(const std::filesystem::path& file, std::size_t& bytes_left, const LoadBudget& budget,
+           pugi::xml_node included_by)
+        : xml(file, bytes_left, budget), include(included_by), folders{file.parent_path()} {}
 
     XmlFile xml;
     pugi::xml_node include;  ///< null for the outermost file
@@ -157,7 +158,7 @@ std::vector<FileRecord> XmlDocument::files() const {
 
 void XmlDocument::load(const std::filesystem::path& file, pugi::xml_node include) {
     try {
-        sources_.push_back(std::make_unique<Source>(file, bytes_left_, include));
+        sources_.push_back(std::make_unique<Source>(file, bytes_left_, budget_, include));
     } catch (const Error& e) {
         throw Error(e.code(), e.what() + chain(include));
     }
@@ -195,8 +196,8 @@ void XmlDocument::include(pugi::xml_node node) {
     const std::string name = node.attribute("filename").value();
     if (name.empty()) fail(node, "<include> needs a filename");
     const std::filesystem::path file = resolved(node, name);
-    std::error_code ignored;
-    if (!std::filesystem::is_regular_file(file, ignored))
+    const auto found = budget_.files().find(file);
+    if (!found)
         fail(node, "<include> of " + in_quotes(file.string()) + ": no such file", ErrorCode::file_not_found);
     const Source* including = &source_of(node);
     if (including->depth == kMaxIncludeDepth)
@@ -204,7 +205,8 @@ void XmlDocument::include(pugi::xml_node node) {
     if (sources_.size() == kMaxFiles)
         fail(node, "more than " + std::to_string(kMaxFiles) + " included files", ErrorCode::unsupported);
     for (const Source* open = including; open; open = open->include ? &source_of(open->include) : nullptr)
-        if (std::filesystem::equivalent(open->xml.path(), file, ignored))
+        if (const auto other = budget_.files().find(open->xml.path());
+            other && other->identity == found->identity)
             fail(node, "<include> of " + in_quotes(name) + " goes in a circle");
     load(file, node);
 }
@@ -214,9 +216,10 @@ void XmlDocument::add_folder(pugi::xml_node node) {
     if (!is(node.parent(), "scene"))
         fail(node, "<path> in " + tag(node.parent()) + "; it belongs in <scene>");
     const std::string name = node.attribute("value").value();
-    const std::filesystem::path folder = resolved(node, name);
-    std::error_code ignored;
-    if (name.empty() || !std::filesystem::is_directory(folder, ignored))
+    const FileSource& files = budget_.files();
+    const std::filesystem::path folder =
+        resolved(node, name, [&](const std::filesystem::path& there) { return files.has_folder(there); });
+    if (name.empty() || !files.has_folder(folder))
         fail(node, "<path>: " + in_quotes(name) + " is no folder", ErrorCode::file_not_found);
     std::vector<std::filesystem::path>& folders = source_of(node).folders;
     if (folders.size() > kMaxFolders)
@@ -229,12 +232,11 @@ void XmlDocument::read_spectrum(pugi::xml_node node) {
     check_attributes(*this, node, {"name", "id", "filename"});
     const std::string name = node.attribute("filename").value();
     const std::filesystem::path file = resolved(node, name);
-    std::error_code ignored;
-    if (!std::filesystem::is_regular_file(file, ignored))
+    if (!budget_.files().find(file))
         fail(node, "<spectrum> of " + in_quotes(file.string()) + ": no such file", ErrorCode::file_not_found);
     if (spectra_.size() == kMaxFiles)
         fail(node, "more than " + std::to_string(kMaxFiles) + " spectra in files", ErrorCode::unsupported);
-    const std::string bytes = read_text(file, bytes_left_);
+    const std::string bytes = read_text(file, bytes_left_, budget_);
     node.append_attribute("value") = spectrum_value(file.string(), bytes).c_str();
     node.remove_attribute("filename");
     if (std::ranges::find(spectra_, file, &FileRecord::path) == spectra_.end())
@@ -300,12 +302,17 @@ pugi::xml_node XmlDocument::with_id(const std::string& id) const {
 }
 
 std::filesystem::path XmlDocument::resolved(pugi::xml_node node, const std::string& filename) const {
+    return resolved(node, filename, [this](const std::filesystem::path& there) {
+        return budget_.files().find(there).has_value();
+    });
+}
+
+template <class IsThere>
+std::filesystem::path XmlDocument::resolved(pugi::xml_node node, const std::string& filename,
+                                            IsThere is_there) const {
     const Source& source = source_of(node);
-    for (const std::filesystem::path& folder : source.folders) {
-        std::error_code ignored;
-        if (std::filesystem::exists(folder / filename, ignored))
-            return (folder / filename).lexically_normal();
-    }
+    for (const std::filesystem::path& folder : source.folders)
+        if (is_there(folder / filename)) return (folder / filename).lexically_normal();
     return (source.xml.path().parent_path() / filename).lexically_normal();
 }
 

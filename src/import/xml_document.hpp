@@ -52,6 +52,10 @@ private:
     void add_folder(pugi::xml_node node);
     /// Puts what the file of a <spectrum> holds in place of its name.
     void read_spectrum(pugi::xml_node node);
+    /// Returns the first of the folders' files that is_there() finds.
+    template <class IsThere>
+    [[nodiscard]] std::filesystem::path resolved(pugi::xml_node node, const std::string& filename,
+                                                 IsThere is_there) const;
     void add_alias(pugi::xml_node node);
     void replace_parameters(pugi::xml_node node, pugi::xml_attribute attribute);
     void add_id(const std::string& id, pugi::xml_node node, pugi::xml_node target);

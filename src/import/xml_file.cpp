@@ -3,29 +3,21 @@
 #include "import/xml_file.hpp"
 
 #include <algorithm>
-#include <fstream>
 #include <new>
 
 #include "error.hpp"
+#include "files/read_bytes.hpp"
 
 namespace nicol::scene {
 
-std::string read_text(const std::filesystem::path& file, std::size_t& budget) {
-    std::error_code status;
-    // A device or a pipe may never end.
-    if (!std::filesystem::is_regular_file(file, status))
-        throw Error(ErrorCode::file_not_found, file.string() + ": no such file");
-    const auto size = std::filesystem::file_size(file, status);
-    if (!status && size > budget)
+std::string read_text(const std::filesystem::path& file, std::size_t& bytes_left, const LoadBudget& budget) {
+    const auto found = budget.files().find(file);
+    if (found && found->bytes > bytes_left)
         throw Error(ErrorCode::unsupported,
                     file.string() +
                         ": a scene of more than 16 MiB, includes counted; keep meshes in files of their own");
-    std::ifstream in(file, std::ios::binary);
-    if (!in || status) throw Error(ErrorCode::file_not_found, file.string() + ": cannot be read");
-    std::string bytes(size, '\0');
-    in.read(bytes.data(), static_cast<std::streamsize>(size));
-    if (!in) throw Error(ErrorCode::file_not_found, file.string() + ": cannot be read to its end");
-    budget -= size;
+    std::string bytes = read_bytes(file, budget);
+    bytes_left -= std::min(bytes.size(), bytes_left);
     return bytes;
 }
 
@@ -50,8 +42,9 @@ std::string tag(pugi::xml_node node) {
     return "<" + harmless(node.name(), 40) + ">";
 }
 
-XmlFile::XmlFile(const std::filesystem::path& file, std::size_t& budget) : file_(file) {
-    const std::string bytes = read_text(file, budget);
+XmlFile::XmlFile(const std::filesystem::path& file, std::size_t& bytes_left, const LoadBudget& budget)
+    : file_(file) {
+    const std::string bytes = read_text(file, bytes_left, budget);
     record_ = record_of(file, bytes);
     line_starts_.push_back(0);
     for (std::size_t at = bytes.find('\n'); at != std::string::npos; at = bytes.find('\n', at + 1))

@@ -19,13 +19,14 @@ namespace nicol::scene {
 /// "<name>" of an element for a message, as harmless.
 [[nodiscard]] std::string tag(pugi::xml_node node);
 
-/// A whole file, whose size is taken off `budget`, in bytes. Throws as read_mitsuba_scene does.
-[[nodiscard]] std::string read_text(const std::filesystem::path& file, std::size_t& budget);
+/// A whole file, whose size is taken off `bytes_left`. Throws as read_mitsuba_scene does.
+[[nodiscard]] std::string read_text(const std::filesystem::path& file, std::size_t& bytes_left,
+                                    const LoadBudget& budget);
 
 class XmlFile {
 public:
-    /// Takes the size of the file off `budget`, in bytes. Throws as read_mitsuba_scene does.
-    XmlFile(const std::filesystem::path& file, std::size_t& budget);
+    /// Takes the size of the file off `bytes_left`. Throws as read_mitsuba_scene does.
+    XmlFile(const std::filesystem::path& file, std::size_t& bytes_left, const LoadBudget& budget);
 
     /// The outermost element.
     [[nodiscard]] pugi::xml_node root() const { return document_.document_element(); }

@@ -32,8 +32,7 @@ CubeCross read_cube_cross(const path& given, const LoadBudget& budget) {
     CubeCross cross;
     for (int p = 0; p < 4; ++p) {
         const path file = cube_cross_file(stem, p);
-        std::error_code ignored;
-        if (!std::filesystem::exists(file, ignored))
+        if (!budget.files().find(file))
             throw Error(ErrorCode::file_not_found,
                         file.string() + ": is missing; a cube map has four files, _s0.exr to _s3.exr");
         const StokesImage part = read_exr(file, {}, budget);

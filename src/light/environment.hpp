@@ -91,7 +91,8 @@ using EnvironmentPtr = std::shared_ptr<const Environment>;
 
 /// Returns the files that load_environment() reads for this path: the file itself, or the four files of a
 /// cube map.
-[[nodiscard]] std::vector<std::filesystem::path> environment_files(const std::filesystem::path& path);
+[[nodiscard]] std::vector<std::filesystem::path> environment_files(const std::filesystem::path& path,
+                                                                   const FileSource& files = file_system());
 
 /// Loads light from a file and multiplies its values by `scale`:
 /// - `.npz`: coefficients, see read_psh_vector() and psh_environment();

@@ -21,10 +21,9 @@ const std::vector<double>& Environment::wavelengths() const noexcept {
 
 namespace {
 
-bool is_cube(const path& file) {
-    std::error_code ignored;  // errors about a name that is too long
-    return cube_cross_stem(file) || (!file.empty() && !std::filesystem::exists(file, ignored) &&
-                                     std::filesystem::exists(cube_cross_file(file, 0), ignored));
+bool is_cube(const path& file, const FileSource& files) {
+    return cube_cross_stem(file) ||
+           (!file.empty() && !files.find(file) && files.find(cube_cross_file(file, 0)));
 }
 
 /// Returns the light of a bitmap's colours. Takes the memory of the image from `budget`.
@@ -37,15 +36,15 @@ StokesImage light_of(const Bitmap& bitmap, const LoadBudget& budget) {
 
 }  // namespace
 
-std::vector<path> environment_files(const path& file) {
-    if (!is_cube(file)) return {file};
+std::vector<path> environment_files(const path& file, const FileSource& files) {
+    if (!is_cube(file, files)) return {file};
     const path stem = cube_cross_stem(file).value_or(file);
     constexpr int components = 4;
-    std::vector<path> files;
-    files.reserve(components);
+    std::vector<path> all;
+    all.reserve(components);
     for (int component = 0; component < components; ++component)
-        files.push_back(cube_cross_file(stem, component));
-    return files;
+        all.push_back(cube_cross_file(stem, component));
+    return all;
 }
 
 EnvironmentPtr load_environment(const path& file, double scale, std::span<const double> wavelengths,
@@ -53,7 +52,7 @@ EnvironmentPtr load_environment(const path& file, double scale, std::span<const 
     const std::string name = file.string();
     check_scale(name, scale);
     const bool coefficients = file.extension() == ".npz";
-    const bool cube = is_cube(file);
+    const bool cube = is_cube(file, budget.files());
     const bool bitmap = is_bitmap(file);
     if (!wavelengths.empty() && (coefficients || cube || bitmap))
         throw Error(ErrorCode::invalid_argument,

@@ -29,10 +29,10 @@ std::string shape_text(const std::vector<std::size_t>& shape) {
 }  // namespace
 
 PshVector read_psh_vector(const path& file, const LoadBudget& budget) {
-    const std::string basis = read_npz_text(file, "sh_type");
+    const std::string basis = read_npz_text(file, "sh_type", budget);
     if (basis != "REAL")
         throw Error(ErrorCode::unsupported, file.string() + ": sh_type is " + basis + "; it must be REAL");
-    const std::string codomain = read_npz_text(file, "cod_type");
+    const std::string codomain = read_npz_text(file, "cod_type", budget);
     if (codomain != "POLAR4" && codomain != "SCALAR")
         throw Error(ErrorCode::unsupported,
                     file.string() + ": cod_type is " + codomain + "; it must be POLAR4 or SCALAR");

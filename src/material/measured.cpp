@@ -76,7 +76,7 @@ MaterialPtr load_measured(const std::filesystem::path& path, const MeasuredParam
     for (const double wanted : parameters.wavelengths) check_range(wanted, 100, 5000, "a wavelength");
     const bool nearest = parameters.sampling == WavelengthSampling::nearest;
 
-    TensorFile file(path);
+    TensorFile file(path, budget.files());
     const std::vector<double> measured = MeasuredTable::wavelengths(file);
     const ChannelWeights weights = !parameters.wavelengths.empty()
                                        ? (nearest ? nearest_weights(measured, parameters.wavelengths)

@@ -124,9 +124,9 @@ void for_each_pair(int order, const Visit& visit) {
 }
 
 void require_text(const std::filesystem::path& path, const std::vector<std::string>& members,
-                  const std::string& name, const std::string& wanted) {
+                  const std::string& name, const std::string& wanted, const LoadBudget& budget) {
     if (std::ranges::find(members, name) == members.end()) return;
-    const std::string text = read_npz_text(path, name);
+    const std::string text = read_npz_text(path, name, budget);
     if (text == wanted) return;
     throw Error(ErrorCode::invalid_file,
                 path.string() + ": member " + name + ".npy says \"" + text + "\"; it must be " + wanted);
@@ -135,9 +135,9 @@ void require_text(const std::filesystem::path& path, const std::vector<std::stri
 }  // namespace
 
 std::vector<IsotropicMatrix> read_psh_matrix(const std::filesystem::path& path, const LoadBudget& budget) {
-    const std::vector<std::string> members = npz_members(path);
-    require_text(path, members, "cod_type", "POLAR4");
-    require_text(path, members, "sh_type", "REAL");
+    const std::vector<std::string> members = npz_members(path, budget);
+    require_text(path, members, "cod_type", "POLAR4", budget);
+    require_text(path, members, "sh_type", "REAL", budget);
     const NpyArray coeff = read_npz_member(path, "coeff", kMaxNpyValues, budget);
     const std::string name = path.string() + ": member coeff.npy";
     if (coeff.shape.size() != 4 || coeff.shape[2] != 4 || coeff.shape[3] != 4)

@@ -25,17 +25,16 @@ std::uint64_t bytes_of(TensorFile::Type type) {
 
 }  // namespace
 
-TensorFile::TensorFile(std::filesystem::path path) : path_(std::move(path)) {
-    std::error_code error;
-    const bool regular = std::filesystem::is_regular_file(path_, error);
-    file_.open(path_, std::ios::binary);
-    if (!regular || !file_)
+TensorFile::TensorFile(std::filesystem::path path, const FileSource& files)
+    : path_(std::move(path)), file_(files.open(path_)) {
+    const auto found = files.find(path_);
+    if (!found || !file_)
         throw Error(ErrorCode::file_not_found, path_.string() + ": cannot be opened for reading");
-    const std::uint64_t size = std::filesystem::file_size(path_, error);
+    const std::uint64_t size = found->bytes;
 
     std::array<char, 12> head{};
-    file_.read(head.data(), head.size());
-    if (!file_ || std::string_view(head.data(), head.size()) != kSignature)
+    file_->read(head.data(), head.size());
+    if (!*file_ || std::string_view(head.data(), head.size()) != kSignature)
         invalid("is no .pbsdf file: it must begin with \"tensor_file\"");
     const auto major = next<std::uint8_t>();
     const auto minor = next<std::uint8_t>();
@@ -61,8 +60,8 @@ void TensorFile::invalid(const std::string& what) const {
 template <class T>
 T TensorFile::next() {
     std::array<char, sizeof(T)> bytes{};
-    file_.read(bytes.data(), bytes.size());
-    if (!file_) invalid("is truncated within its list of fields");
+    file_->read(bytes.data(), bytes.size());
+    if (!*file_) invalid("is truncated within its list of fields");
     return std::bit_cast<T>(bytes);
 }
 
@@ -71,8 +70,8 @@ TensorFile::Field TensorFile::next_field(std::uint64_t file_size) {
     const auto length = next<std::uint16_t>();
     if (length > kMaxNameBytes) invalid("has a field whose name is longer than 1000 bytes");
     field.name.resize(length);
-    file_.read(field.name.data(), length);
-    if (!file_) invalid("is truncated within its list of fields");
+    file_->read(field.name.data(), length);
+    if (!*file_) invalid("is truncated within its list of fields");
     // Messages contain the name, so it must be printable.
     if (!std::ranges::all_of(field.name, [](char c) { return c > 32 && c < 127; }))
         invalid("has a field whose name is not plain ASCII");
@@ -114,10 +113,10 @@ const TensorFile::Field& TensorFile::field(std::string_view name,
 }
 
 void TensorFile::read(const Field& field, std::uint64_t first, std::span<unsigned char> bytes) {
-    file_.clear();
-    file_.seekg(static_cast<std::streamoff>(field.offset + first));
-    file_.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-    if (!file_) invalid("field " + field.name + " cannot be read to its end");
+    file_->clear();
+    file_->seekg(static_cast<std::streamoff>(field.offset + first));
+    file_->read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+    if (!*file_) invalid("field " + field.name + " cannot be read to its end");
 }
 
 std::vector<double> TensorFile::values(const Field& field, std::uint64_t most) {

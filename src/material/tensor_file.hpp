@@ -4,11 +4,13 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "files/file_source.hpp"
 
 namespace nicol {
 
@@ -26,7 +28,7 @@ public:
 
     /// Opens a file. Throws Error(file_not_found), Error(invalid_file) that names file and field if malformed
     /// or if a field does not lie inside the file, and Error(unsupported) for another version.
-    explicit TensorFile(std::filesystem::path path);
+    explicit TensorFile(std::filesystem::path path, const FileSource& files = file_system());
 
     /// Returns the field called `name`. Throws Error(invalid_file) if there is no such field, or if its
     /// number of dimensions is not in `dimensions` or its type not in `types`.
@@ -47,7 +49,7 @@ private:
     Field next_field(std::uint64_t file_size);
 
     std::filesystem::path path_;
-    std::ifstream file_;
+    std::unique_ptr<std::istream> file_;
     std::vector<Field> fields_;
 };
 

@@ -67,6 +67,11 @@ inline void make_good(nicol_mesh_data& data) {
     data.positions = positions;
     data.indices = indices;
 }
+inline void make_good(nicol_memory_file& file) {
+    static const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+    file.bytes = triangle.data();
+    file.byte_size = triangle.size();
+}
 inline void make_good(nicol_deformation& deformation) {
     static const float positions[12] = {};
     deformation.vertex_count = 4;
@@ -359,6 +364,7 @@ private:
     static Slot good_number(const std::string& function, const std::string& name) {
         static const std::map<std::string, Slot> numbers = {
             {"nicol_scene_load.definition_count", 0},
+            {"nicol_scene_load_memory.definition_count", 0},
             {"nicol_scene_get_instance_ids.count", 0},
             {"nicol_scene_get_light_ids.count", 0},
             {"nicol_scene_get_polarization_element_ids.count", 0},

@@ -49,6 +49,48 @@ class PictureTest(unittest.TestCase):
         self.assertIn(picture.instance[seen][0], self.scene.get_instance_ids())
         self.assertGreater(picture.statistics.predicted_error, 0)
 
+    def test_bytes_give_the_picture_of_the_file(self):
+        folder, asked = os.path.dirname(SCENE), []
+        with open(SCENE, "rb") as file:
+            scene = file.read()
+
+        def find(name):
+            asked.append(name)
+            path = os.path.join(folder, name)
+            if os.path.isfile(path):
+                with open(path, "rb") as file:
+                    return file.read()
+
+        loaded = nicol.load(scene, files=find)
+        self.assertGreater(len(asked), 0)
+        mapping = {name: find(name) for name in list(asked) if find(name) is not None}
+        for again in (loaded, nicol.load(bytearray(scene), files=mapping)):
+            self.assertTrue((nicol.render(again, size=SIZE).stokes == self.picture.stokes).all())
+        with self.assertRaises(nicol.Error) as raised:
+            nicol.load(scene, files={})
+        self.assertEqual(raised.exception.code, nicol.ERROR_FILE_NOT_FOUND)
+        with self.assertRaises(TypeError):
+            nicol.load(SCENE, files=mapping)
+
+        def breaks(name):
+            raise KeyError(name)
+
+        with self.assertRaises(KeyError):
+            nicol.load(scene, files=breaks)
+        triangle = b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"
+        mesh = nicol.Mesh.load_memory(nicol.default_context(), nicol.memory_file(triangle, "a.obj"))
+        self.assertEqual(mesh.get_size(), (3, 1))
+
+    def test_images_in_memory_have_the_bytes_of_files(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for name, made in {"a.exr": self.picture.exr(), "a.png": self.picture.png()}.items():
+                self.picture.save(os.path.join(folder, name))
+                with open(os.path.join(folder, name), "rb") as file:
+                    self.assertEqual(file.read(), made)
+        with self.assertRaises(nicol.Error) as raised:
+            self.picture.framebuffer.encode_exr(lambda address, size: False)
+        self.assertEqual(raised.exception.code, nicol.ERROR_WRITE_FAILED)
+
     def test_other_libraries_take_it(self):
         self.assertTrue((numpy.from_dlpack(self.picture) == self.picture.stokes).all())
         self.assertTrue((numpy.asarray(self.picture) == self.picture.stokes).all())

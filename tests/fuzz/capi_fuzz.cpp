@@ -23,6 +23,8 @@ public:
     [[nodiscard]] bool empty() const { return at_ == end_; }
     std::size_t next() { return empty() ? 0 : *at_++; }
     std::size_t below(std::size_t count) { return next() % count; }
+    /// Returns the bytes that are left.
+    [[nodiscard]] std::span<const std::uint8_t> rest() const { return {at_, end_}; }
 
 private:
     const std::uint8_t* at_;
@@ -48,7 +50,9 @@ const std::vector<Field>& fields_of(const std::string& parameter) {
 bool is_left_out(const std::string& name) {
     return name.starts_with("nicol_context_create") || name.starts_with("nicol_file_") ||
            name.ends_with("_load") || name.find("_write") != std::string::npos ||
-           name.find("_load_") != std::string::npos || name == "nicol_mesh_create_sphere" ||
+           (name.find("_load_") != std::string::npos && !name.ends_with("_memory")) ||
+           name == "nicol_scene_load_memory" ||  // fuzz_scene and fuzz_gltf read scenes from memory name ==
+                                                 // "nicol_mesh_create_sphere" ||
            name == "nicol_psh_project_file";
 }
 /// Returns whether objects of this maker render quickly. Other objects are released as soon as they are made.
@@ -208,6 +212,12 @@ void call(const Function& function, const Everything& all, Handles& handles, Byt
             if (function.name.starts_with("nicol_render") && parameter.name == std::string_view("options"))
                 std::memcpy(arguments.memory(i).data() + offsetof(nicol_render_options, max_vertices),
                             &kMaxVertices, sizeof kMaxVertices);
+            if (function.name.ends_with("_memory") && parameter.name == std::string_view("file")) {
+                nicol_memory_file file = NICOL_MEMORY_FILE_INIT;
+                file.bytes = bytes.rest().data();
+                file.byte_size = bytes.rest().size();
+                std::memcpy(arguments.memory(i).data(), &file, sizeof file);
+            }
             const auto& fields = fields_of(function.name + "." + parameter.name);
             for (std::size_t changes = bytes.below(4); changes > 0 && !fields.empty(); --changes)
                 change_field(arguments.memory(i), fields, function.name, bytes);

@@ -4,10 +4,10 @@
 #include "memory_file.hpp"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
-    static nicol::fuzz::MemoryFile memory;
-    const std::filesystem::path& file = memory.hold(nicol::fuzz::text_of(bytes, size));
+    const std::filesystem::path file = "input.exr";
+    const nicol::LoadLimits limits = nicol::fuzz::in_memory(file, nicol::fuzz::text_of(bytes, size));
     nicol::fuzz::may_refuse(file, [&] {
-        const nicol::StokesImage image = nicol::read_exr(file);
+        const nicol::StokesImage image = nicol::read_exr(file, {}, limits);
         image.check("the image");
     });
     return 0;

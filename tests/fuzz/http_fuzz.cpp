@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Fuzzer of HTTP requests to nicol-serve. The input holds the bytes of one or more requests, as read from a
 // connection.
+#include <algorithm>
 #include <boost/beast/http/parser.hpp>
 #include <boost/beast/http/string_body.hpp>
 #include <optional>
@@ -10,6 +11,7 @@
 #include "options.hpp"
 #include "problem.hpp"
 #include "signature.hpp"
+#include "upload.hpp"
 
 namespace http = boost::beast::http;
 using nicol::fuzz::require;
@@ -60,6 +62,22 @@ void handle(std::string_view target) {
     }
 }
 
+/// Reads the input as the body of an upload: a Content-Type, a line's end and the content.
+void receive(std::string_view bytes) {
+    const std::size_t line = std::min(bytes.find('\n'), bytes.size());
+    for (const std::string_view type :
+         {bytes.substr(0, line), std::string_view("multipart/form-data; boundary=b")}) {
+        try {
+            const Upload upload = parse_upload(type, bytes.substr(std::min(line + 1, bytes.size())));
+            Upload again;
+            require(unpack(pack(upload), again) && pack(again) == pack(upload),
+                    "an upload survives its packing");
+        } catch (const Refusal& refusal) {
+            require(refusal.problem.status == 400 || refusal.problem.status == 415, "the client is to blame");
+        }
+    }
+}
+
 }  // namespace
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
@@ -77,5 +95,6 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
         handle({target.data(), target.size()});
     }
     handle(nicol::fuzz::text_of(bytes, size));
+    receive(nicol::fuzz::text_of(bytes, size));
     return 0;
 }

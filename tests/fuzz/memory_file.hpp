@@ -2,40 +2,24 @@
 // Shared helpers of the reader fuzzers: a file in memory, and the check of errors.
 #pragma once
 
-#include <sys/mman.h>
-#include <unistd.h>
-
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <string_view>
 
 #include "error.hpp"
+#include "files/load_budget.hpp"
+#include "files/memory_files.hpp"
 
 namespace nicol::fuzz {
 
-/// A file in memory with a path, for readers that take a path. One object serves all inputs.
-class MemoryFile {
-public:
-    MemoryFile()
-        : file_(memfd_create("input", MFD_CLOEXEC)), path_("/proc/self/fd/" + std::to_string(file_)) {}
-    ~MemoryFile() { ::close(file_); }
-    MemoryFile(const MemoryFile&) = delete;
-    MemoryFile& operator=(const MemoryFile&) = delete;
-
-    const std::filesystem::path& hold(std::string_view bytes) {
-        if (::ftruncate(file_, 0) != 0 ||
-            ::pwrite(file_, bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size()))
-            std::abort();
-        return path_;
-    }
-
-private:
-    int file_;
-    std::filesystem::path path_;
-};
+/// Returns limits of a load that reads one file, which has this name, from memory, and no other file.
+inline LoadLimits in_memory(const std::filesystem::path& name, std::string_view bytes) {
+    return {.files = std::make_shared<const MemoryFiles>(name, bytes, nullptr)};
+}
 
 inline void require(bool condition, const char* what) {
     if (condition) return;

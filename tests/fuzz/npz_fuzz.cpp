@@ -26,13 +26,14 @@ std::string archive_of(std::string_view input) {
 }  // namespace
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
-    static nicol::fuzz::MemoryFile memory;
-    const std::filesystem::path& file = memory.hold(archive_of(nicol::fuzz::text_of(bytes, size)));
-    nicol::fuzz::may_refuse(file, [&] { static_cast<void>(nicol::read_psh_vector(file)); });
-    nicol::fuzz::may_refuse(file, [&] { static_cast<void>(nicol::read_psh_matrix(file)); });
+    const std::filesystem::path file = "input.npz";
+    const std::string archive = archive_of(nicol::fuzz::text_of(bytes, size));
+    const nicol::LoadLimits limits = nicol::fuzz::in_memory(file, archive);
+    nicol::fuzz::may_refuse(file, [&] { static_cast<void>(nicol::read_psh_vector(file, limits)); });
+    nicol::fuzz::may_refuse(file, [&] { static_cast<void>(nicol::read_psh_matrix(file, limits)); });
     nicol::fuzz::may_refuse(file, [&] {
-        for (const std::string& name : nicol::npz_members(file))
-            static_cast<void>(nicol::read_npz_text(file, name));
+        for (const std::string& name : nicol::npz_members(file, limits))
+            static_cast<void>(nicol::read_npz_text(file, name, limits));
     });
     return 0;
 }

@@ -22,12 +22,12 @@ bool is_quick(const nicol::SceneDescription& scene, std::string_view text) {
 }  // namespace
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
-    static nicol::fuzz::MemoryFile memory;
+    const std::filesystem::path file = "input.xml";
     const std::string_view text = nicol::fuzz::text_of(bytes, size);
-    const std::filesystem::path& file = memory.hold(text);
+    const nicol::LoadLimits limits = nicol::fuzz::in_memory(file, text);
     nicol::fuzz::may_refuse(file, [&] {
-        if (is_quick(nicol::read_mitsuba_scene(file, {}), text))
-            static_cast<void>(nicol::load_scene(file, {}));
+        if (is_quick(nicol::read_mitsuba_scene(file, {}, limits), text))
+            static_cast<void>(nicol::load_scene(file, {}, limits));
     });
     return 0;
 }

@@ -320,6 +320,8 @@ def requests():
     yield f"GET {TARGETS[0]} HTTP/1.1\r\nHost: a\r\nIf-None-Match: \"x\"\r\n\r\nHEAD /scenes HTTP/1.1\r\n\r\n"
     yield "POST /health HTTP/1.1\r\nContent-Length: 3\r\n\r\nabcGET / HTTP/1.0\r\nConnection: close\r\n\r\n"
     yield "PUT /x HTTP/1.1\r\nTransfer-Encoding: chunked\r\n\r\n3;a=b\r\nabc\r\n0\r\nT: 1\r\n\r\n"
+    part = '--b\r\nContent-Disposition: form-data; name="a"; filename="c/d.xml"\r\n\r\n<scene/>\r\n'
+    yield "multipart/form-data; boundary=b\n" + part + part.replace("d.xml", "e") + "--b--\r\n"
 
 
 SENSOR = """{"preset": "imx250myr", "seed": 3, "bits": 10, "quantum_efficiency": [0.5, 0.6, 0.4], "shot_noise": false,

@@ -159,7 +159,7 @@ TEST_CASE("what is written as PNG is read again") {
     Observation image{.width = 33, .height = 17, .rgb = {}};
     for (int i = 0; i < 33 * 17 * 3; ++i) image.rgb.push_back(static_cast<std::uint8_t>(random()));
     const auto file = folder.path() / "a.png";
-    write_png(file, image);
+    write_png(file, png_of(image));
     const Bitmap found = read_bitmap(file);
     REQUIRE(found.values.size() == image.rgb.size());
     for (std::size_t i = 0; i < found.values.size(); ++i)

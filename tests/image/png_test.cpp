@@ -62,7 +62,7 @@ TEST_CASE("a PNG holds the pixels and the text of its observation") {
                                   {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 250, 251, 252, 253, 254, 255},
                                   {{"Title", "A test"}, {"Nicol:Scale", "code 255 is 3"}},
                                   false};
-    write_png(folder / "a.png", observation);
+    write_png(folder / "a.png", png_of(observation));
     const Decoded back = decode(folder / "a.png");
     CHECK(back.width == 3);
     CHECK(back.height == 2);
@@ -79,11 +79,11 @@ TEST_CASE("only tone-mapped images claim a transfer curve") {
     const TemporaryFolder folder;
     StokesImage image(4, 4, 1);
     for (std::size_t i = 0; i < image.data.size(); ++i) image.data[i] = 1.0F / static_cast<float>(1 + i % 4);
-    write_png(folder / "a.png", tone_mapped(image));
+    write_png(folder / "a.png", png_of(tone_mapped(image)));
     CHECK(decode(folder / "a.png").srgb);
     for (const Observation& observation :
          {signed_component(image, 1), dolp_image(image), aolp_image(image)}) {
-        write_png(folder / "a.png", observation);
+        write_png(folder / "a.png", png_of(observation));
         const Decoded back = decode(folder / "a.png");
         CHECK_FALSE(back.srgb);
         CHECK_FALSE(back.gamma);
@@ -96,21 +96,23 @@ TEST_CASE("only tone-mapped images claim a transfer curve") {
 TEST_CASE("what cannot be written is an error and leaves nothing behind") {
     const TemporaryFolder folder;
     const Observation good{1, 1, {1, 2, 3}, {}, false};
-    check_error(ErrorCode::write_failed, CALL(write_png(folder / "none" / "a.png", good)), "none/a.png");
+    check_error(ErrorCode::write_failed, CALL(write_png(folder / "none" / "a.png", png_of(good))),
+                "none/a.png");
     std::filesystem::create_directories(folder / "taken.png" / "inside");
-    check_error(ErrorCode::write_failed, CALL(write_png(folder / "taken.png", good)), "taken.png");
+    check_error(ErrorCode::write_failed, CALL(write_png(folder / "taken.png", png_of(good))), "taken.png");
     CHECK(folder.names().size() == 1);
 
-    write_png(folder / "whole.png", good);
+    write_png(folder / "whole.png", png_of(good));
     const auto size = std::filesystem::file_size(folder / "whole.png");
     for (const auto limit : {std::uintmax_t{0}, size / 2, size - 1}) {
         const FileSizeLimit full(limit);
-        check_error(ErrorCode::write_failed, CALL(write_png(folder / "a.png", good)), "a.png");
+        check_error(ErrorCode::write_failed, CALL(write_png(folder / "a.png", png_of(good))), "a.png");
     }
     CHECK(folder.names().size() == 2);
 
     const auto refuse = [&](Observation observation, const char* what) {
-        check_error(ErrorCode::invalid_argument, CALL(write_png(folder / "a.png", observation)), what);
+        check_error(ErrorCode::invalid_argument, CALL(write_png(folder / "a.png", png_of(observation))),
+                    what);
     };
     refuse({}, "0 x 0");
     refuse({2, 1, {1, 2, 3}, {}, false}, "3 bytes");

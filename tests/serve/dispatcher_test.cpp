@@ -219,3 +219,42 @@ TEST_CASE("a request waits for a worker that has its scene, and others pass it")
     CHECK(ask("d", 1));
     CHECK(dispatcher.queued() == 1);
 }
+
+TEST_CASE("all who wait for a render are told how far it is, until they leave") {
+    Fixture f;
+    std::vector<std::string> told;
+    const auto ask = [&](const std::string& who) {
+        return f.dispatcher.submit(
+            "a", {}, [](const AnswerPtr&) {},
+            [&told, who](const RenderProgress& progress) {
+                told.push_back(who + std::to_string(static_cast<int>(100 * progress.fraction)));
+            });
+    };
+    const auto first = ask("first"), second = ask("second");
+    f.ask("a", "silent");
+    f.dispatcher.worker_idle(0);
+    const auto [worker, job] = f.started.at(0);
+    f.dispatcher.worker_progress(worker, job, {.fraction = 0.25});
+    CHECK(told == std::vector<std::string>{"first25", "second25"});
+    f.dispatcher.leave(*first);
+    f.dispatcher.worker_progress(worker, job, {.fraction = 0.5});
+    f.dispatcher.worker_progress(worker, job + 1, {.fraction = 0.75});
+    f.done(0);
+    f.dispatcher.worker_progress(worker, job, {.fraction = 1});
+    CHECK(told == std::vector<std::string>{"first25", "second25", "second50"});
+    CHECK(f.answers == Answers{{"silent", 200}});
+    CHECK(second->joined);
+}
+
+TEST_CASE("requests for a retired scene are not tried again") {
+    Fixture f;
+    f.ask("a", "a");
+    f.ask("b", "b");
+    f.dispatcher.worker_idle(0);
+    f.dispatcher.retire_scene(1);
+    CHECK(f.answers.empty());
+    f.dispatcher.retire_scene(0);
+    CHECK(f.answers == Answers{{"b", 503}});
+    f.dispatcher.worker_lost(0);
+    CHECK(f.answers == Answers{{"b", 503}, {"a", 503}});
+}

@@ -103,3 +103,29 @@ TEST_CASE("a scene that has changed is loaded again by all") {
     f.loaded(f.second, kSlow, "2");
     CHECK(f.next(f.second) == kQuick);
 }
+
+TEST_CASE("another scene may take a place, and a vacant one is never loaded") {
+    SceneLoads loads(2);
+    loads.begin({"a", ""});
+    const SceneLoads::Time now;
+    CHECK(loads.condition(1) == Condition::vacant);
+    CHECK(loads.next(0, now) == std::size_t{0});
+    loads.report(0, 0, info_of("a", "1"), "");
+    CHECK(!loads.next(0, now));
+    loads.put(1, "b");
+    CHECK(loads.condition(1) == Condition::preparing);
+    CHECK(loads.next(0, now) == std::size_t{1});
+    CHECK(!loads.report(0, 1, info_of("b", "1"), ""));
+    CHECK(loads.condition(1) == Condition::ready);
+    loads.put(1, "c");
+    CHECK(!loads.has(0, 1));
+    CHECK(!loads.report(0, 1, info_of("c", "2"), ""));
+    loads.give_up(1, "why");
+    CHECK(loads.condition(1) == Condition::broken);
+    CHECK(loads.scenes()[1].reason == "why");
+    CHECK(loads.scenes()[1].info.id == "c");
+    loads.forget(0);
+    CHECK(loads.next(0, now) == std::size_t{0});
+    loads.report(0, 0, info_of("a", "1"), "");
+    CHECK(!loads.next(0, now));
+}

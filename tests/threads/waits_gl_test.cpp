@@ -42,7 +42,8 @@ Names functions_of_contexts(bool in_host) {
                       "nicol_device_get_info",
                       "nicol_context_create",
                       "nicol_context_create_host",
-                      "nicol_material_load_measured"};
+                      "nicol_material_load_measured",
+                      "nicol_material_load_measured_memory"};
     const Names for_hosts{"nicol_framebuffer_create_textures", "nicol_framebuffer_draw_observation",
                           "nicol_framebuffer_draw_plane", "nicol_framebuffer_draw_stokes",
                           "nicol_framebuffer_get_texture"};

@@ -189,6 +189,8 @@ ProgressCallback = Callback(c_int32, (c_void_p, None), (c_char_p, decoded), (c_d
 Task = Callback(None, (c_void_p, None))
 StartTasks = Callback(c_void_p, (c_void_p, None), (c_uint32, as_is), (Task.type, as_is), (c_void_p, None))
 FinishTasks = Callback(None, (c_void_p, None), (c_void_p, None))
+ResolveCallback = Callback(c_int32, (c_void_p, None), (c_char_p, decoded), (c_void_p, as_is))
+SinkCallback = Callback(c_int32, (c_void_p, None), (c_void_p, as_is), (c_uint64, as_is))
 ReleaseCallback = Callback(None, (c_void_p, None))
 MuellerCallback = Callback(c_int32, (c_void_p, None), (c_uint32, as_is), (POINTER(c_double * 3), pointee), (POINTER(c_double * 3), pointee), (POINTER(c_double * 16), pointee))
 GetProcAddressCallback = Callback(c_void_p, (c_void_p, None), (c_char_p, decoded))
@@ -361,6 +363,52 @@ class ContextInfo(Struct):
     device_uuid: str | None
     driver_uuid: str | None
     device_bytes: int
+
+
+class FileContent(Struct):
+    """Content of a file that a resolver returns.
+
+    Fields:
+    bytes: content; stays valid and unchanged until the loading call returns; default NULL
+    byte_size: size of the content, bytes, default 0"""
+    _read_only_ = {"bytes"}
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("reserved", c_uint32),
+        ("bytes", c_void_p),
+        ("byte_size", c_uint64),
+    ]
+    bytes: Any
+    byte_size: int
+
+
+class MemoryFile(Struct):
+    """A file in memory. The ..._load_memory functions read it as the ..._load functions read a file, within the
+    same limits, and with the same result. They read nothing from the file system: a file that the resolver
+    does not have is NICOL_ERROR_FILE_NOT_FOUND, and the message has its name.
+
+    Fields:
+    name: Name for messages and for the format: a name's suffix says the format, as of files. The content says it
+        if the name has no suffix, and if the name is NULL, the default; only TGA images need a suffix.
+    bytes: content; the call does not use it once it returns
+    byte_size: size of the content, bytes
+    resolve: Resolver of the files that this one names; NULL, the default: there are none."""
+    _callbacks_ = {"resolve": ResolveCallback}
+    _read_only_ = {"bytes"}
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("reserved", c_uint32),
+        ("name", c_char_p),
+        ("bytes", c_void_p),
+        ("byte_size", c_uint64),
+        ("resolve", ResolveCallback.type),
+        ("resolve_user", c_void_p),
+    ]
+    name: str | None
+    bytes: Any
+    byte_size: int
+    resolve: Any
+    resolve_user: Any
 
 
 class Image(Struct):
@@ -2152,6 +2200,13 @@ class Environment(Handle):
         return environment
 
     @classmethod
+    def load_memory(cls, context: Context, file: MemoryFile, options: EnvironmentLoadOptions | None = None) -> Self:
+        """Loads an environment from memory. The resolver has the other files of a cube map."""
+        environment = cls()
+        check(_environment_load_memory(context, byref(file) if file is not None else None, byref(options) if options is not None else None, byref(environment)))
+        return environment
+
+    @classmethod
     def create_image(cls, context: Context, image: Any) -> Self:
         """Creates an environment from an image in memory."""
         image = lend(image)
@@ -2214,6 +2269,13 @@ class Texture(Handle):
         coverage. options may be NULL: all defaults."""
         texture = cls()
         check(_texture_load(context, text(path), byref(options) if options is not None else None, byref(texture)))
+        return texture
+
+    @classmethod
+    def load_memory(cls, context: Context, file: MemoryFile, options: TextureOptions | None = None) -> Self:
+        """Loads a texture from memory."""
+        texture = cls()
+        check(_texture_load_memory(context, byref(file) if file is not None else None, byref(options) if options is not None else None, byref(texture)))
         return texture
 
     @classmethod
@@ -2305,12 +2367,26 @@ class Material(Handle):
         return material
 
     @classmethod
+    def load_measured_memory(cls, context: Context, file: MemoryFile, options: Measured | None = None) -> Self:
+        """Loads a measured material from memory."""
+        material = cls()
+        check(_material_load_measured_memory(context, byref(file) if file is not None else None, byref(options) if options is not None else None, byref(material)))
+        return material
+
+    @classmethod
     def load_psh(cls, context: Context | None, path: str | os.PathLike[str] | None, options: PshMatrix | None = None) -> Self:
         """Loads an isotropic material from one PSH coefficient matrix per channel, cosine included: the .npz files of
         the Python package polarsh (SHMat in the layout ISOBI2). The material does not reflect light of orders
         above the matrix's. options may be NULL: all defaults. Only the front side reflects."""
         material = cls()
         check(_material_load_psh(context, text(path), byref(options) if options is not None else None, byref(material)))
+        return material
+
+    @classmethod
+    def load_psh_memory(cls, context: Context, file: MemoryFile, options: PshMatrix | None = None) -> Self:
+        """Loads a material of PSH matrices from memory."""
+        material = cls()
+        check(_material_load_psh_memory(context, byref(file) if file is not None else None, byref(options) if options is not None else None, byref(material)))
         return material
 
     @classmethod
@@ -2403,6 +2479,13 @@ class Mesh(Handle):
         NICOL_ERROR_INVALID_FILE names the line, vertex or face."""
         mesh = cls()
         check(_mesh_load(context, text(path), byref(mesh)))
+        return mesh
+
+    @classmethod
+    def load_memory(cls, context: Context, file: MemoryFile) -> Self:
+        """Loads a mesh from memory."""
+        mesh = cls()
+        check(_mesh_load_memory(context, byref(file) if file is not None else None, byref(mesh)))
         return mesh
 
     @classmethod
@@ -2516,6 +2599,14 @@ class Scene(Handle):
         comes back under another id. The next render bakes what has moved. Returns NICOL_ERROR_INVALID_ARGUMENT for
         a time that is not finite, and NICOL_ERROR_UNSUPPORTED for other scenes."""
         check(_scene_set_time(self, time))
+
+    @classmethod
+    def load_memory(cls, context: Context, file: MemoryFile, definitions: Any = ()) -> Self:
+        """Loads a scene from memory: XML, glTF as JSON, or GLB. The resolver has the files that the scene names."""
+        definitions = texts(definitions)
+        scene = cls()
+        check(_scene_load_memory(context, byref(file) if file is not None else None, definitions, len(definitions), byref(scene)))
+        return scene
 
     def add_instance(self, instance: Instance | None) -> int:
         """Adds an instance. id may be NULL; ids count up from 0, past those of removed instances too. The mesh must
@@ -2821,11 +2912,21 @@ class Framebuffer(Handle):
         environment) and, for each Stokes channel, variance.S0.R ... variance.S3.B."""
         check(_framebuffer_write_exr(self, text(path)))
 
+    def encode_exr(self, sink: Any) -> None:
+        """Gives the bytes of the file that nicol_framebuffer_write_exr writes to a sink, after all of them are made.
+        user is passed on to the sink."""
+        check(_framebuffer_encode_exr(self, SinkCallback(sink), None))
+
     def write_png(self, observation: Observation, path: str | os.PathLike[str]) -> None:
         """Writes a PNG file of 8-bit RGB; a path that ends as the names of another kind of image do, such as .jpg, is
         refused. S0 and POLARIZER need a framebuffer of 1 or 3 channels; the other kinds
         show the mean of the channels."""
         check(_framebuffer_write_png(self, byref(observation) if observation is not None else None, text(path)))
+
+    def encode_png(self, observation: Observation, sink: Any) -> None:
+        """Gives the bytes of the file that nicol_framebuffer_write_png writes to a sink, after all of them are made.
+        user is passed on to the sink."""
+        check(_framebuffer_encode_png(self, byref(observation) if observation is not None else None, SinkCallback(sink), None))
 
     def expose(self, sensor: Sensor, frame: int, to: RawImage) -> None:
         """Exposes the sensor to the last image of a framebuffer."""
@@ -3231,10 +3332,13 @@ ContextInfo._init = declare("nicol_context_info_init", c_int32, POINTER(ContextI
 _context_create = declare("nicol_context_create", c_int32, POINTER(ContextOptions), POINTER(Context))
 Context._release = declare("nicol_context_release", c_int32, c_void_p)
 _context_get_info = declare("nicol_context_get_info", c_int32, Context, POINTER(ContextInfo))
+FileContent._init = declare("nicol_file_content_init", c_int32, POINTER(FileContent), c_uint32)
+MemoryFile._init = declare("nicol_memory_file_init", c_int32, POINTER(MemoryFile), c_uint32)
 Image._init = declare("nicol_image_init", c_int32, POINTER(Image), c_uint32)
 Sky._init = declare("nicol_sky_init", c_int32, POINTER(Sky), c_uint32)
 EnvironmentLoadOptions._init = declare("nicol_environment_load_options_init", c_int32, POINTER(EnvironmentLoadOptions), c_uint32)
 _environment_load = declare("nicol_environment_load", c_int32, Context, c_char_p, POINTER(EnvironmentLoadOptions), POINTER(Environment))
+_environment_load_memory = declare("nicol_environment_load_memory", c_int32, Context, POINTER(MemoryFile), POINTER(EnvironmentLoadOptions), POINTER(Environment))
 _environment_create_image = declare("nicol_environment_create_image", c_int32, Context, POINTER(Image), POINTER(Environment))
 _environment_create_constant = declare("nicol_environment_create_constant", c_int32, Context, POINTER(Spectrum), POINTER(Environment))
 _environment_create_sky = declare("nicol_environment_create_sky", c_int32, Context, POINTER(Sky), POINTER(Environment))
@@ -3246,6 +3350,7 @@ TextureImage._init = declare("nicol_texture_image_init", c_int32, POINTER(Textur
 TextureOptions._init = declare("nicol_texture_options_init", c_int32, POINTER(TextureOptions), c_uint32)
 _texture_create_image = declare("nicol_texture_create_image", c_int32, Context, POINTER(TextureImage), POINTER(TextureOptions), POINTER(Texture))
 _texture_load = declare("nicol_texture_load", c_int32, Context, c_char_p, POINTER(TextureOptions), POINTER(Texture))
+_texture_load_memory = declare("nicol_texture_load_memory", c_int32, Context, POINTER(MemoryFile), POINTER(TextureOptions), POINTER(Texture))
 _texture_create_checkerboard = declare("nicol_texture_create_checkerboard", c_int32, Context, POINTER(Spectrum), POINTER(Spectrum), POINTER(c_double), POINTER(Texture))
 _texture_create_vertex_colors = declare("nicol_texture_create_vertex_colors", c_int32, Context, POINTER(Texture))
 _texture_create_face_colors = declare("nicol_texture_create_face_colors", c_int32, Context, POINTER(Texture))
@@ -3263,8 +3368,10 @@ Dielectric._init = declare("nicol_dielectric_init", c_int32, POINTER(Dielectric)
 _material_create_dielectric = declare("nicol_material_create_dielectric", c_int32, Context, POINTER(Dielectric), POINTER(Material))
 Measured._init = declare("nicol_measured_init", c_int32, POINTER(Measured), c_uint32)
 _material_load_measured = declare("nicol_material_load_measured", c_int32, Context, c_char_p, POINTER(Measured), POINTER(Material))
+_material_load_measured_memory = declare("nicol_material_load_measured_memory", c_int32, Context, POINTER(MemoryFile), POINTER(Measured), POINTER(Material))
 PshMatrix._init = declare("nicol_psh_matrix_init", c_int32, POINTER(PshMatrix), c_uint32)
 _material_load_psh = declare("nicol_material_load_psh", c_int32, Context, c_char_p, POINTER(PshMatrix), POINTER(Material))
+_material_load_psh_memory = declare("nicol_material_load_psh_memory", c_int32, Context, POINTER(MemoryFile), POINTER(PshMatrix), POINTER(Material))
 _material_create_twosided = declare("nicol_material_create_twosided", c_int32, Context, Material, POINTER(Material))
 _material_create_scaled = declare("nicol_material_create_scaled", c_int32, Context, Material, Texture, POINTER(Material))
 _material_create_blend = declare("nicol_material_create_blend", c_int32, Context, Material, Material, Texture, POINTER(Material))
@@ -3277,6 +3384,7 @@ _material_create_callback = declare("nicol_material_create_callback", c_int32, C
 Material._release = declare("nicol_material_release", c_int32, c_void_p)
 MeshData._init = declare("nicol_mesh_data_init", c_int32, POINTER(MeshData), c_uint32)
 _mesh_load = declare("nicol_mesh_load", c_int32, Context, c_char_p, POINTER(Mesh))
+_mesh_load_memory = declare("nicol_mesh_load_memory", c_int32, Context, POINTER(MemoryFile), POINTER(Mesh))
 _mesh_create = declare("nicol_mesh_create", c_int32, Context, POINTER(MeshData), POINTER(Mesh))
 _mesh_create_sphere = declare("nicol_mesh_create_sphere", c_int32, Context, POINTER(Mesh))
 _mesh_create_divided_sphere = declare("nicol_mesh_create_divided_sphere", c_int32, Context, c_uint32, POINTER(Mesh))
@@ -3303,6 +3411,7 @@ Instance._init = declare("nicol_instance_init", c_int32, POINTER(Instance), c_ui
 _scene_create = declare("nicol_scene_create", c_int32, Context, POINTER(Scene))
 _scene_load = declare("nicol_scene_load", c_int32, Context, c_char_p, POINTER(c_char_p), c_uint32, POINTER(Scene))
 _scene_set_time = declare("nicol_scene_set_time", c_int32, Scene, c_double)
+_scene_load_memory = declare("nicol_scene_load_memory", c_int32, Context, POINTER(MemoryFile), POINTER(c_char_p), c_uint32, POINTER(Scene))
 _scene_add_instance = declare("nicol_scene_add_instance", c_int32, Scene, POINTER(Instance), POINTER(c_uint32))
 _scene_set_transform = declare("nicol_scene_set_transform", c_int32, Scene, c_uint32, POINTER(c_double))
 _scene_set_mesh = declare("nicol_scene_set_mesh", c_int32, Scene, c_uint32, Mesh)
@@ -3364,8 +3473,10 @@ _framebuffer_read = declare("nicol_framebuffer_read", c_int32, Framebuffer, c_ui
 PlaneBuffer._init = declare("nicol_plane_buffer_init", c_int32, POINTER(PlaneBuffer), c_uint32)
 _framebuffer_read_plane = declare("nicol_framebuffer_read_plane", c_int32, Framebuffer, POINTER(PlaneBuffer))
 _framebuffer_write_exr = declare("nicol_framebuffer_write_exr", c_int32, Framebuffer, c_char_p)
+_framebuffer_encode_exr = declare("nicol_framebuffer_encode_exr", c_int32, Framebuffer, SinkCallback.type, c_void_p)
 Observation._init = declare("nicol_observation_init", c_int32, POINTER(Observation), c_uint32)
 _framebuffer_write_png = declare("nicol_framebuffer_write_png", c_int32, Framebuffer, POINTER(Observation), c_char_p)
+_framebuffer_encode_png = declare("nicol_framebuffer_encode_png", c_int32, Framebuffer, POINTER(Observation), SinkCallback.type, c_void_p)
 Sensor._init = declare("nicol_sensor_init", c_int32, POINTER(Sensor), c_uint32)
 _sensor_set_preset = declare("nicol_sensor_set_preset", c_int32, POINTER(Sensor), c_uint32)
 _sensor_load = declare("nicol_sensor_load", c_int32, POINTER(Sensor), c_char_p)
@@ -3498,6 +3609,7 @@ __all__ = [
     "FORMAT_FLOAT16",
     "FORMAT_FLOAT32",
     "FORMAT_UINT32",
+    "FileContent",
     "FileOptions",
     "Filter",
     "GlTexture",
@@ -3541,6 +3653,7 @@ __all__ = [
     "Material",
     "MaterialReport",
     "Measured",
+    "MemoryFile",
     "Mesh",
     "MeshData",
     "NO_INSTANCE",

@@ -5,11 +5,11 @@ from __future__ import annotations
 
 import functools
 import os
-import tempfile
 from collections.abc import Sequence
 from typing import Any, overload
 
 from . import Context, Framebuffer, _abi, numpy
+from ._memory import Files, collected, memory_file
 from ._runtime import constant
 
 _SAMPLES_WITHOUT_SAMPLER, _MOST_SAMPLES = 8, 64
@@ -43,6 +43,15 @@ class Scene(_abi.Scene):
         scene.has_film = True
         return scene
 
+    @classmethod
+    def load_memory(  # type: ignore[override]
+        cls, context: Context, file: _abi.MemoryFile, definitions: Any = ()
+    ) -> Scene:
+        """Loads a scene from memory_file(), see nicol_scene_load_memory."""
+        scene = super().load_memory(context, file, definitions)
+        scene.context = context
+        return scene
+
     def get_instance_ids(self, ids: Any = None) -> Any:
         """Returns the ids of all instances, ascending, or writes them into `ids`."""
         return _ids(super().get_instance_ids, self.get_instance_count, ids)
@@ -64,11 +73,23 @@ def _ids(get: Any, count: Any, ids: Any) -> Any:
     return room.tolist()
 
 
-def load(path: str | os.PathLike[str], context: Context | None = None, **definitions: Any) -> Scene:
-    """Loads a scene, Mitsuba 3's .xml or glTF's .gltf or .glb. Keywords replace the values of the scene's <default>s:
-    load("scene.xml", light_angle=30)."""
+def load(
+    path: str | os.PathLike[str] | bytes | bytearray | memoryview,
+    context: Context | None = None,
+    *,
+    files: Files | None = None,
+    **definitions: Any,
+) -> Scene:
+    """Loads a scene, Mitsuba 3's .xml or glTF's .gltf or .glb, from a file, or from its bytes. The bytes' `files` are those that
+    the scene names: a mapping from names to bytes, or a function; nothing is read from the file system. Keywords replace the
+    values of the scene's <default>s: load("scene.xml", light_angle=30)."""
     words = [f"{name}={value}" for name, value in definitions.items()]
-    return Scene.load(default_context() if context is None else context, path, words)
+    context = default_context() if context is None else context
+    if isinstance(path, (bytes, bytearray, memoryview)):
+        return Scene.load_memory(context, memory_file(path, files=files), words)
+    if files is not None:
+        raise TypeError("`files` belong to a scene in memory, which is given as bytes")
+    return Scene.load(context, path, words)
 
 
 class Picture:
@@ -134,15 +155,18 @@ class Picture:
         else:
             raise ValueError(f"{os.fspath(path)}: the name must end in .exr, .png, or, with numpy, .npy")
 
+    def png(self, show: str = "s0", **observation: Any) -> bytes:
+        """Returns the bytes of the file that save() writes to a name in .png."""
+        shown = _abi.Observation(kind=show, **observation)
+        return collected(lambda sink: self.framebuffer.encode_png(shown, sink))
+
+    def exr(self) -> bytes:
+        """Returns the bytes of the file that save() writes to a name in .exr."""
+        return collected(self.framebuffer.encode_exr)
+
     def _repr_png_(self) -> bytes | None:
         """Returns s0 as PNG, which notebooks show."""
-        if self.channels not in (1, 3):
-            return None
-        with tempfile.TemporaryDirectory() as folder:
-            path = os.path.join(folder, "picture.png")
-            self.save(path)
-            with open(path, "rb") as file:
-                return file.read()
+        return self.png() if self.channels in (1, 3) else None
 
     def __array__(self, dtype: Any = None, copy: bool | None = None) -> Any:
         return numpy.array(self.stokes, dtype, copy=bool(copy) or dtype is not None)

@@ -46,14 +46,14 @@ class Error(Exception):
         return type(self), (self.code, str(self))
 
 
-_raised: list[BaseException] = []  # exceptions of callbacks, whose calls then end with ERROR_CANCELLED
-_cancelled = 9
+_raised: list[BaseException] = []  # exceptions of callbacks, which then return 0
+_ended_by_callbacks = (4, 6, 9)  # results of a call whose callback returned 0
 _last_error = declare("nicol_last_error", ctypes.c_char_p)
 
 
 def check(result):
     """Raises the exception of a callback, or the library's error."""
-    if result == _cancelled and _raised:
+    if result in _ended_by_callbacks and _raised:
         error = _raised[0]
         _raised.clear()
         raise error

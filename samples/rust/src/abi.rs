@@ -390,6 +390,62 @@ const _: () = {
     assert!(offset_of!(nicol_context_info, device_bytes) == 104);
 };
 
+/// Content of a file that a resolver returns.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct nicol_file_content {
+    pub struct_size: u32,
+    pub reserved: u32,
+    pub bytes: *const c_void,
+    pub byte_size: u64,
+}
+defaults!(nicol_file_content, nicol_file_content_init);
+const _: () = {
+    assert!(size_of::<nicol_file_content>() == 24);
+    assert!(offset_of!(nicol_file_content, struct_size) == 0);
+    assert!(offset_of!(nicol_file_content, reserved) == 4);
+    assert!(offset_of!(nicol_file_content, bytes) == 8);
+    assert!(offset_of!(nicol_file_content, byte_size) == 16);
+};
+
+/// Resolves the name of a file that a file in memory names: sets bytes and byte_size of content, which has its
+/// defaults, and returns 1; or returns 0 if there is no such file. The name is as the file writes it, joined
+/// to the folder of the naming file's own name, without "." and "folder/..": "maps/wood.png" in
+/// "rooms/hall.xml" is "rooms/maps/wood.png". It may begin with "/" or "..". The callback is called once per
+/// name, on the calling thread, and must not call Nicol with objects of the same context.
+pub type nicol_resolve_callback = Option<unsafe extern "C" fn(user: *mut c_void, name: *const c_char, content: *mut nicol_file_content) -> i32>;
+
+/// A file in memory. The ..._load_memory functions read it as the ..._load functions read a file, within the
+/// same limits, and with the same result. They read nothing from the file system: a file that the resolver
+/// does not have is NICOL_ERROR_FILE_NOT_FOUND, and the message has its name.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct nicol_memory_file {
+    pub struct_size: u32,
+    pub reserved: u32,
+    pub name: *const c_char,
+    pub bytes: *const c_void,
+    pub byte_size: u64,
+    pub resolve: nicol_resolve_callback,
+    pub resolve_user: *mut c_void,
+}
+defaults!(nicol_memory_file, nicol_memory_file_init);
+const _: () = {
+    assert!(size_of::<nicol_memory_file>() == 48);
+    assert!(offset_of!(nicol_memory_file, struct_size) == 0);
+    assert!(offset_of!(nicol_memory_file, reserved) == 4);
+    assert!(offset_of!(nicol_memory_file, name) == 8);
+    assert!(offset_of!(nicol_memory_file, bytes) == 16);
+    assert!(offset_of!(nicol_memory_file, byte_size) == 24);
+    assert!(offset_of!(nicol_memory_file, resolve) == 32);
+    assert!(offset_of!(nicol_memory_file, resolve_user) == 40);
+};
+
+/// Receives the next bytes of a file that is written to memory, on the calling thread. bytes live as long as
+/// the call. Returns 1 to continue, or 0 to end the writing call, which then returns
+/// NICOL_ERROR_WRITE_FAILED. The callback must not call Nicol with objects of the same context.
+pub type nicol_sink_callback = Option<unsafe extern "C" fn(user: *mut c_void, bytes: *const c_void, byte_size: u64) -> i32>;
+
 pub type nicol_release_callback = Option<unsafe extern "C" fn(user: *mut c_void)>;
 
 /// Equirectangular image over the directions that light comes FROM, in Mitsuba 3's layout: column u = atan2(x,
@@ -1797,6 +1853,8 @@ extern "C" {
     pub fn nicol_context_release(context: nicol_context) -> nicol_result;
     /// Gets the properties of the OpenGL context, and the limits in effect.
     pub fn nicol_context_get_info(context: nicol_context, info: *mut nicol_context_info) -> nicol_result;
+    pub fn nicol_file_content_init(descriptor: *mut nicol_file_content, struct_size: u32) -> nicol_result;
+    pub fn nicol_memory_file_init(descriptor: *mut nicol_memory_file, struct_size: u32) -> nicol_result;
     pub fn nicol_image_init(descriptor: *mut nicol_image, struct_size: u32) -> nicol_result;
     pub fn nicol_sky_init(descriptor: *mut nicol_sky, struct_size: u32) -> nicol_result;
     pub fn nicol_environment_load_options_init(descriptor: *mut nicol_environment_load_options, struct_size: u32) -> nicol_result;
@@ -1811,6 +1869,8 @@ extern "C" {
     ///   NAME.npz      PSH coefficients as polarsh writes them (SHVec).
     /// options may be NULL: all defaults.
     pub fn nicol_environment_load(context: nicol_context, path: *const c_char, options: *const nicol_environment_load_options, environment: *mut nicol_environment) -> nicol_result;
+    /// Loads an environment from memory. The resolver has the other files of a cube map.
+    pub fn nicol_environment_load_memory(context: nicol_context, file: *const nicol_memory_file, options: *const nicol_environment_load_options, environment: *mut nicol_environment) -> nicol_result;
     /// Creates an environment from an image in memory.
     pub fn nicol_environment_create_image(context: nicol_context, image: *const nicol_image, environment: *mut nicol_environment) -> nicol_result;
     /// Creates an environment of unpolarized light that is equal from all directions. radiance is finite and not
@@ -1835,6 +1895,8 @@ extern "C" {
     /// Loads a texture from a file of PNG, JPEG, BMP, TGA, Radiance HDR, or OpenEXR with R G B or Y; A is the
     /// coverage. options may be NULL: all defaults.
     pub fn nicol_texture_load(context: nicol_context, path: *const c_char, options: *const nicol_texture_options, texture: *mut nicol_texture) -> nicol_result;
+    /// Loads a texture from memory.
+    pub fn nicol_texture_load_memory(context: nicol_context, file: *const nicol_memory_file, options: *const nicol_texture_options, texture: *mut nicol_texture) -> nicol_result;
     /// Creates Mitsuba 3's checkerboard of colours: four squares per unit square of u and v, color0 at u = v = 0.
     /// Colours have 1 or 3 values; NULL or not given: 0.4 and 0.2. to_uv is that of nicol_texture_options; NULL:
     /// identity.
@@ -1874,11 +1936,15 @@ extern "C" {
     /// file is streamed: about 102 MB per channel stay in memory at the data set's resolution, or half as much if
     /// symmetrized. options may be NULL: all defaults. Only the front side reflects.
     pub fn nicol_material_load_measured(context: nicol_context, path: *const c_char, options: *const nicol_measured, material: *mut nicol_material) -> nicol_result;
+    /// Loads a measured material from memory.
+    pub fn nicol_material_load_measured_memory(context: nicol_context, file: *const nicol_memory_file, options: *const nicol_measured, material: *mut nicol_material) -> nicol_result;
     pub fn nicol_psh_matrix_init(descriptor: *mut nicol_psh_matrix, struct_size: u32) -> nicol_result;
     /// Loads an isotropic material from one PSH coefficient matrix per channel, cosine included: the .npz files of
     /// the Python package polarsh (SHMat in the layout ISOBI2). The material does not reflect light of orders
     /// above the matrix's. options may be NULL: all defaults. Only the front side reflects.
     pub fn nicol_material_load_psh(context: nicol_context, path: *const c_char, options: *const nicol_psh_matrix, material: *mut nicol_material) -> nicol_result;
+    /// Loads a material of PSH matrices from memory.
+    pub fn nicol_material_load_psh_memory(context: nicol_context, file: *const nicol_memory_file, options: *const nicol_psh_matrix, material: *mut nicol_material) -> nicol_result;
     /// Creates a material whose back side reflects as its front side. `front` may be released afterwards.
     pub fn nicol_material_create_twosided(context: nicol_context, front: nicol_material, material: *mut nicol_material) -> nicol_result;
     /// Creates the product of a material and a texture: a diffuse material of reflectance 1 gets the texture's
@@ -1920,6 +1986,8 @@ extern "C" {
     /// vertices and faces are kept. v of OBJ, which points up, becomes 1 - v. The message of
     /// NICOL_ERROR_INVALID_FILE names the line, vertex or face.
     pub fn nicol_mesh_load(context: nicol_context, path: *const c_char, mesh: *mut nicol_mesh) -> nicol_result;
+    /// Loads a mesh from memory.
+    pub fn nicol_mesh_load_memory(context: nicol_context, file: *const nicol_memory_file, mesh: *mut nicol_mesh) -> nicol_result;
     /// Creates a mesh from arrays and copies the arrays. A render adds vertices where shadows need them, see
     /// refine_tolerance of nicol_render_options.
     pub fn nicol_mesh_create(context: nicol_context, data: *const nicol_mesh_data, mesh: *mut nicol_mesh) -> nicol_result;
@@ -1994,6 +2062,8 @@ extern "C" {
     /// comes back under another id. The next render bakes what has moved. Returns NICOL_ERROR_INVALID_ARGUMENT for
     /// a time that is not finite, and NICOL_ERROR_UNSUPPORTED for other scenes.
     pub fn nicol_scene_set_time(scene: nicol_scene, time: f64) -> nicol_result;
+    /// Loads a scene from memory: XML, glTF as JSON, or GLB. The resolver has the files that the scene names.
+    pub fn nicol_scene_load_memory(context: nicol_context, file: *const nicol_memory_file, definitions: *const *const c_char, definition_count: u32, scene: *mut nicol_scene) -> nicol_result;
     /// Adds an instance. id may be NULL; ids count up from 0, past those of removed instances too. The mesh must
     /// have the texture coordinates and colours that the material needs. Materials and environment of a scene must
     /// have one colour channel or the same number of channels.
@@ -2192,11 +2262,17 @@ extern "C" {
     /// AOVs of the last render are Z (depth), N.X N.Y N.Z, P.X P.Y P.Z, id (32-bit unsigned), A (alpha; R G B still have the
     /// environment) and, for each Stokes channel, variance.S0.R ... variance.S3.B.
     pub fn nicol_framebuffer_write_exr(framebuffer: nicol_framebuffer, path: *const c_char) -> nicol_result;
+    /// Gives the bytes of the file that nicol_framebuffer_write_exr writes to a sink, after all of them are made.
+    /// user is passed on to the sink.
+    pub fn nicol_framebuffer_encode_exr(framebuffer: nicol_framebuffer, sink: nicol_sink_callback, user: *mut c_void) -> nicol_result;
     pub fn nicol_observation_init(descriptor: *mut nicol_observation, struct_size: u32) -> nicol_result;
     /// Writes a PNG file of 8-bit RGB; a path that ends as the names of another kind of image do, such as .jpg, is
     /// refused. S0 and POLARIZER need a framebuffer of 1 or 3 channels; the other kinds
     /// show the mean of the channels.
     pub fn nicol_framebuffer_write_png(framebuffer: nicol_framebuffer, observation: *const nicol_observation, path: *const c_char) -> nicol_result;
+    /// Gives the bytes of the file that nicol_framebuffer_write_png writes to a sink, after all of them are made.
+    /// user is passed on to the sink.
+    pub fn nicol_framebuffer_encode_png(framebuffer: nicol_framebuffer, observation: *const nicol_observation, sink: nicol_sink_callback, user: *mut c_void) -> nicol_result;
     pub fn nicol_sensor_init(descriptor: *mut nicol_sensor, struct_size: u32) -> nicol_result;
     /// Sets the fields of a preset.
     pub fn nicol_sensor_set_preset(sensor: *mut nicol_sensor, preset: nicol_sensor_preset) -> nicol_result;
