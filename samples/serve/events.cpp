@@ -17,7 +17,14 @@ std::string event(std::string_view name, std::string_view data) {
 }  // namespace
 
 bool accepts_events(std::string_view accept) {
-    return accept.find("text/event-stream") != std::string_view::npos;
+    while (!accept.empty()) {
+        const std::string_view range = accept.substr(0, accept.find(','));
+        accept.remove_prefix(std::min(range.size() + 1, accept.size()));
+        std::string_view type = range.substr(0, range.find(';'));
+        type.remove_prefix(std::min(type.find_first_not_of(" \t"), type.size()));
+        if (type.substr(0, type.find_first_of(" \t")) == "text/event-stream") return true;
+    }
+    return false;
 }
 
 std::string done_event(std::string_view url) {

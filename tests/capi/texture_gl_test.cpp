@@ -114,7 +114,7 @@ CONTEXT_TEST_CASE("a file is the texture that its numbers are") {
     for (const float value : color_values())
         png.rgb.push_back(static_cast<std::uint8_t>(std::lround(value * 255)));
     const std::string path = folder.file("a.png");
-    nicol::write_png(path, png);
+    nicol::write_png(path, nicol::png_of(png));
     nicol_texture_options options = nearest();
     options.raw = 1;
     const Owned mesh(rectangle(context));

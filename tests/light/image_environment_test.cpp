@@ -286,7 +286,7 @@ TEST_CASE("photographs in Radiance HDR and in eight bits are light") {
             CHECK(radiance->image().at(c, i / 2, i % 2)[0] == 2 * std::ldexp(0.5F, i - c));
     Observation colours{.width = 2, .height = 2, .rgb = {}};
     for (int i = 0; i < 4; ++i) colours.rgb.insert(colours.rgb.end(), {255, 128, 0});
-    write_png(folder.path() / "a.png", colours);
+    write_png(folder.path() / "a.png", png_of(colours));
     const EnvironmentPtr photo = load_environment(folder.path() / "a.png");
     CHECK(photo->image().at(0, 0, 0)[0] == 1);
     CHECK(photo->image().at(1, 0, 0)[0] == doctest::Approx(0.215861));

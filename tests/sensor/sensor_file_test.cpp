@@ -104,7 +104,7 @@ TEST_CASE("numbers beyond the bits, colours and files without a sensor are refus
     raw = {3, 1, {0, 0, 0}};
     check_error(ErrorCode::invalid_argument, CALL(write_mosaic(file, sensor, raw)), "3 x 1 pixels");
     const std::filesystem::path colours = folder / "colours.png";
-    write_png(colours, tone_mapped(even_light(2, 2, 3, {1, 0, 0, 0})));
+    write_png(colours, png_of(tone_mapped(even_light(2, 2, 3, {1, 0, 0, 0}))));
     check_error(ErrorCode::invalid_file, CALL(read_mosaic(colours, sensor)), "3 channels; a mosaic is grey");
     check_error(ErrorCode::invalid_file, CALL(read_sensor(colours, {})), "has no text Nicol:Sensor");
     check_error(ErrorCode::file_not_found, CALL(read_sensor(folder / "none.json", {})), "none.json");

@@ -66,7 +66,7 @@ TEST_CASE("PNG and EXR of the same values are the same texture") {
         numbers.push_back(static_cast<float>(encoded));
         linear.push_back(static_cast<float>(linear_from_srgb(encoded)));
     }
-    write_png(folder / "a.png", png);
+    write_png(folder / "a.png", png_of(png));
     for (const bool raw : {true, false}) {
         CAPTURE(raw);
         write_channels(folder / "a.exr", 16, 16, {"R", "G", "B"}, raw ? numbers : linear);
