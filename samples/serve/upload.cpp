@@ -77,7 +77,7 @@ std::optional<std::string> parameter_of(std::string_view field, std::string_view
 
 /// Throws Refusal unless the name is relative and stays in its folder.
 void check_name(std::string_view name) {
-    bool good = !name.empty() && name.size() <= kMostNameBytes && name.front() != '/' &&
+    bool good = !name.empty() && name.size() <= kMostNameBytes && name.front() != '/' && name.back() != '/' &&
                 std::ranges::none_of(name, [](char c) {
                     return static_cast<unsigned char>(c) < 0x20 || c == 0x7f || c == '\\';
                 });

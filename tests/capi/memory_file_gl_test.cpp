@@ -52,7 +52,8 @@ std::vector<float> image_of(nicol_context context, nicol_scene scene) {
     std::uint32_t channels = 0;
     OK(nicol_scene_get_channels(scene, &channels));
     const Owned framebuffer(framebuffer_of(context, 24, 16, channels));
-    const nicol_render_options options = plain_options();
+    nicol_render_options options = plain_options();
+    options.shade_at = NICOL_SHADE_AT_AUTOMATIC;
     OK(nicol_render(scene, &camera, &options, framebuffer));
     return read_all(framebuffer);
 }
@@ -229,7 +230,9 @@ TEST_CASE("nothing is read from the file system, and what is missing is named wi
         scene_with("<emitter type='envmap'><string name='filename' value='/etc/hostname.exr'/></emitter>" +
                    obj_shape("there.obj")),
         "/etc/hostname.exr");
-    const nicol_memory_file gltf = Bundle().of(asset("textured.gltf"), NICOL_TEST_ASSETS "/textured.gltf");
+    const std::string textured = asset("textured.gltf");
+    Bundle nothing;
+    const nicol_memory_file gltf = nothing.of(textured, NICOL_TEST_ASSETS "/textured.gltf");
     FAILS(nicol_scene_load_memory(context, &gltf, nullptr, 0, &scene), NICOL_ERROR_FILE_NOT_FOUND,
           "textured.bin");
     CHECK(scene == nullptr);
