@@ -99,12 +99,7 @@ std::variant<Response, Render> Service::route(const Request& request) {
         if (!host.empty() && !answers_for(host, request.local, options_.allowed_hosts))
             refuse(421,
                    "This service does not answer for the host '" + host + "'; --allow-host allows hosts.");
-    Target target = parse_target(request.target);
-    // Without a version the paths are those of the first one.
-    if (target.segments.size() > 1 && target.segments.front() == "v1")
-        target.segments.erase(target.segments.begin());
-    const bool takes_scenes =
-        options_.uploads && !request.status_alone && target.segments == std::vector<std::string>{"scenes"};
+    const bool takes_scenes = options_.uploads && !request.status_alone && is_path_of_scenes(request.target);
     if (takes_scenes && request.method == "POST") return upload(request);
     if (request.method != "GET" && request.method != "HEAD") {
         const bool asks = request.method == "OPTIONS";
@@ -118,6 +113,10 @@ std::variant<Response, Render> Service::route(const Request& request) {
                 response.headers.push_back(std::move(header));
         return response;
     }
+    Target target = parse_target(request.target);
+    // Without a version the paths are those of the first one.
+    if (target.segments.size() > 1 && target.segments.front() == "v1")
+        target.segments.erase(target.segments.begin());
     const std::vector<std::string>& path = target.segments;
     const std::string& name = path.front();
     const bool alone = path.size() == 1;

@@ -158,12 +158,16 @@ bool take_text(std::string_view& from, std::string& into) {
 
 }  // namespace
 
+bool is_path_of_scenes(std::string_view target) {
+    const std::string_view path = target.substr(0, target.find('?'));
+    return path == "/v1/scenes" || path == "/scenes";
+}
+
 bool sends_scene(std::string_view request) {
     constexpr std::string_view method = "POST ";
     if (!request.starts_with(method)) return false;
     request.remove_prefix(method.size());
-    const std::string_view path = request.substr(0, request.find_first_of(" ?\r"));
-    return path == "/v1/scenes" || path == "/scenes";
+    return is_path_of_scenes(request.substr(0, request.find_first_of(" \r")));
 }
 
 void require_upload_type(std::string_view content_type) {

@@ -18,8 +18,10 @@ struct Upload {
     std::vector<UploadedFile> files;
 };
 
-/// Returns whether a request's first line asks to take a scene. Other spellings of its target are refused
-/// where their bodies are large.
+/// Returns whether a target is that of all scenes, which takes scenes, with or without a query.
+bool is_path_of_scenes(std::string_view target);
+
+/// Returns whether a request's first line asks to take a scene.
 bool sends_scene(std::string_view request);
 
 /// Throws Refusal (415) unless a body of this Content-Type can be a scene.

@@ -97,7 +97,7 @@ class Resources(ServeTest):
         self.assertEqual(beyond.headers["content-range"], f"bytes */{len(whole.body)}")
 
     def test_what_is_not_there(self):
-        for target in ("/none", "/scenes/none/image.png", "/scenes/square", "/scenes/square/image.gif", "/scenes/../secret/image.png",
+        for target in ("/none", "/scenes/none/image.png", "/scenes/circle", "/scenes/square/image.gif", "/scenes/../secret/image.png",
                        "/scenes%2fsquare/image.png", "/scenes/square%2Fimage.png", "/%2fhealth", "/health/", "//health"):  # fmt: skip
             self.assert_problem(self.server.get(target), 404)
         answer = self.server.get(IMAGE, method="POST")
