@@ -183,10 +183,8 @@ std::string upload_operation(const Options& options) {
     const std::string binary = R"({"schema":{"type":"string","format":"binary"}})";
     std::string text =
         R"(,"post":{"operationId":"post_scene","summary":"Takes a scene: GLB, glTF, XML, or files as multipart/form-data, the scene first",)"
-        R"("requestBody":{"required":true,"content":{"application/octet-stream":)" +
+        R"("requestBody":{"required":true,"description":"One file also as model/gltf-binary, model/gltf+json, application/xml or text/xml; the content of application/octet-stream says its format","content":{"application/octet-stream":)" +
         binary;
-    for (const char* const type : {"model/gltf-binary", "model/gltf+json", "application/xml"})
-        text += "," + json_string(type) + ":" + binary;
     text +=
         R"(,"multipart/form-data":{"schema":{"type":"object","additionalProperties":{"type":"string","format":"binary"}}}}},)"
         R"("responses":{"202":{"description":"Taken; the scene becomes ready or broken",)" +

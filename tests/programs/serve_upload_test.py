@@ -223,7 +223,7 @@ class UploadTest(ServeTest):
             self.assertTrue(0 <= data["percent"] <= 100)
             self.assertGreaterEqual(data.get("seconds_left", 0), 0)
         self.assertEqual(read_png(self.server.get(target).body)[:2], (512, 512))
-        # What is known already is told at once.
+        # A kept answer is announced at once.
         self.assertEqual(self.events(target)[1], [("done", {"url": target})])
         self.assertEqual(self.server.get(IMAGE, Accept="text/event-streams").headers["content-type"], "image/png")
 
