@@ -178,15 +178,16 @@ std::string scene_path() {
            state + problem_response(404, "There is no such scene") + common_responses() + "}}}";
 }
 
-/// Returns the operation that takes scenes.
+/// Returns the operation that takes scenes. Its body has one media type, because generators of clients make
+/// no working code of several.
 std::string upload_operation(const Options& options) {
-    const std::string binary = R"({"schema":{"type":"string","format":"binary"}})";
     std::string text =
-        R"(,"post":{"operationId":"post_scene","summary":"Takes a scene: GLB, glTF, XML, or files as multipart/form-data, the scene first",)"
-        R"("requestBody":{"required":true,"description":"One file also as model/gltf-binary, model/gltf+json, application/xml or text/xml; the content of application/octet-stream says its format","content":{"application/octet-stream":)" +
-        binary;
-    text +=
-        R"(,"multipart/form-data":{"schema":{"type":"object","additionalProperties":{"type":"string","format":"binary"}}}}},)"
+        R"(,"post":{"operationId":"post_scene","summary":"Takes a scene: GLB, glTF or XML","requestBody":{"required":true,"description":)" +
+        json_string(
+            "The content says the format, and so may the types model/gltf-binary, model/gltf+json, "
+            "application/xml and text/xml. multipart/form-data has several files by their filenames, the "
+            "scene first.") +
+        R"(,"content":{"application/octet-stream":{"schema":{"type":"string","format":"binary"}}}},)"
         R"("responses":{"202":{"description":"Taken; the scene becomes ready or broken",)" +
         header_references({"Location"}) +
         R"(,"content":{"application/json":{"schema":{"$ref":"#/components/schemas/SceneState"}}}})";
