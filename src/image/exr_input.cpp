@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "image/exr_input.hpp"
 
-#include <Iex.h>
 #include <ImfHeader.h>
 #include <ImfIO.h>
 
@@ -11,6 +10,7 @@
 #include <exception>
 #include <istream>
 #include <new>
+#include <stdexcept>
 #include <string_view>
 
 #include "error.hpp"
@@ -27,7 +27,7 @@ public:
 
     bool read(char* bytes, int count) override {
         in_.read(bytes, count);
-        if (!in_) throw Iex::InputExc("Early end of file.");
+        if (!in_) throw std::runtime_error("early end of file");
         return true;
     }
     std::uint64_t tellg() override { return static_cast<std::uint64_t>(in_.tellg()); }
