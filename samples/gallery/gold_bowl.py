@@ -38,14 +38,22 @@ def hammered(context, rows=150, columns=260):
     return shapes.sheet(context, places - 0.013 * (depth * calm)[..., None] * outward, wraps=True)
 
 
+def floor(context, size=9, count=121):
+    """Returns a square whose grid is denser near the bowl, because light from other surfaces is kept at vertices."""
+    along = np.linspace(-1, 1, count)
+    along = size * (0.3 * along + 0.7 * along**3)
+    x, z = np.meshgrid(along, along)
+    return shapes.sheet(context, np.stack([x, 0 * x, z], -1))
+
+
 def make_view(context):
     scene = nicol.Scene.create(context)
     forest = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "assets", "forest.exr")
     light = nicol.Environment.load(context, forest)
     scene.set_environment(light, list(shapes.placed(axes=shapes.rotated(1, 200)).ravel()), 1.2)
     gold = nicol.Material.create_conductor(context, nicol.Conductor(metal=b"Au"))
-    lacquer = nicol.Material.create_pplastic(context, nicol.Pplastic(diffuse_reflectance=[0.02, 0.004, 0.004], alpha=0.12))
-    shapes.add(scene, nicol.Mesh.create_rectangle(context), lacquer, shapes.placed(scale=9, axes=shapes.FLOOR))
+    lacquer = nicol.Material.create_pplastic(context, nicol.Pplastic(diffuse_reflectance=[0.02, 0.004, 0.004], alpha=0.08))
+    shapes.add(scene, floor(context), lacquer)
     shapes.add(scene, hammered(context), gold)
     for place, size in (((2.3, 0.42, 0.55), 0.42), ((1.55, 0.24, 1.55), 0.24), ((-2.0, 0.3, 0.75), 0.3)):
         shapes.add(scene, nicol.Mesh.create_sphere(context), gold, shapes.placed(place, size))
