@@ -135,7 +135,10 @@ TEST_CASE("every parser of meshes is asked to stop while it works") {
              static_cast<void>(geometry::triangulated(polygons, name, left_out, budget));
              return polygons;
          }},
-        {"a.ply", ply + repeated("0.25 0.5 1\n", many) + "3 0 1 2\n", geometry::parse_ply},
+        {"a.ply", ply + repeated("0.25 0.5 1\n", many) + "3 0 1 2\n",
+         [](auto name, auto bytes, auto& left_out, const auto& budget) {
+             return geometry::parse_ply(name, bytes, left_out, budget);
+         }},
         {"a.off", "OFF\n" + std::to_string(many) + " 1 0\n" + repeated("0.25 0.5 1\n", many) + "3 0 1 2\n",
          geometry::parse_off},
         {"a.stl", "solid\n" + repeated(facet, many / 4) + "endsolid\n", geometry::parse_stl},
