@@ -323,34 +323,34 @@ typedef struct nicol_file_content {
     { sizeof(nicol_file_content), 0, 0, 0 }
 NICOL_API nicol_result nicol_file_content_init(nicol_file_content* descriptor, uint32_t struct_size);
 
-/* Resolves the name of a file that a file in memory names: sets bytes and byte_size of content, which has its
- * defaults, and returns 1; or returns 0 if there is no such file. The name is as the file writes it, joined
- * to the folder of the naming file's own name, without "." and "folder/..": "maps/wood.png" in
- * "rooms/hall.xml" is "rooms/maps/wood.png". It may begin with "/" or "..". The callback is called once per
- * name, on the calling thread, and must not call Nicol with objects of the same context. */
+/* Finds a file that a file in memory names. Sets bytes and byte_size of content, which has its defaults, and
+ * returns 1; or returns 0 if there is no such file. The name is joined to the folder of the naming file,
+ * without "." and "folder/..": "maps/wood.png" in "rooms/hall.xml" is "rooms/maps/wood.png". The name may
+ * begin with "/" or "..". The callback is called once per name, on the calling thread, and must not call
+ * Nicol with objects of the same context. */
 typedef int32_t (*nicol_resolve_callback)(void* user, const char* name, nicol_file_content* content);
 
 /* A file in memory. The ..._load_memory functions read it as the ..._load functions read a file, within the
- * same limits, and with the same result. They read nothing from the file system: a file that the resolver
- * does not have is NICOL_ERROR_FILE_NOT_FOUND, and the message has its name. */
+ * same limits, and with the same result. They read nothing from the file system. If the resolver does not
+ * have a file, they return NICOL_ERROR_FILE_NOT_FOUND, and the message has the file's name. */
 typedef struct nicol_memory_file {
     uint32_t struct_size;
     uint32_t reserved; /* 0 */
-    /* Name for messages and for the format: a name's suffix says the format, as of files. The content says it
-     * if the name has no suffix, and if the name is NULL, the default; only TGA images need a suffix. */
+    /* Name for messages. Its suffix determines the format, as for files on disk. Without a suffix, or if the
+     * name is NULL, the default, the content determines the format; only TGA images need a suffix. */
     const char* name;
-    const void* bytes;  /* content; the call does not use it once it returns */
-    uint64_t byte_size; /* size of the content, bytes */
-    /* Resolver of the files that this one names; NULL, the default: there are none. */
+    const void* bytes;  /* content, not used after the call; default NULL */
+    uint64_t byte_size; /* size of the content, bytes, default 0 */
+    /* Resolver of the files that this file names; NULL, the default: there are none. */
     nicol_resolve_callback resolve;
-    void* resolve_user;
+    void* resolve_user; /* first argument of resolve, default NULL */
 } nicol_memory_file;
 #define NICOL_MEMORY_FILE_INIT \
     { sizeof(nicol_memory_file), 0, 0, 0, 0, 0, 0 }
 NICOL_API nicol_result nicol_memory_file_init(nicol_memory_file* descriptor, uint32_t struct_size);
 
-/* Receives the next bytes of a file that is written to memory, on the calling thread. bytes live as long as
- * the call. Returns 1 to continue, or 0 to end the writing call, which then returns
+/* Receives the next bytes of a file that is written to memory, on the calling thread. bytes are valid until
+ * the callback returns. Returns 1 to continue, or 0 to end the writing call, which then returns
  * NICOL_ERROR_WRITE_FAILED. The callback must not call Nicol with objects of the same context. */
 typedef int32_t (*nicol_sink_callback)(void* user, const void* bytes, uint64_t byte_size);
 
@@ -432,7 +432,7 @@ NICOL_API nicol_result nicol_environment_load_options_init(nicol_environment_loa
 NICOL_API nicol_result nicol_environment_load(nicol_context context, const char* path,
                                               const nicol_environment_load_options* options,
                                               nicol_environment* environment);
-/* Loads an environment from memory. The resolver has the other files of a cube map. */
+/* Loads an environment from memory. The resolver returns the other files of a cube map. */
 NICOL_API nicol_result nicol_environment_load_memory(nicol_context context, const nicol_memory_file* file,
                                                      const nicol_environment_load_options* options,
                                                      nicol_environment* environment);
@@ -971,8 +971,9 @@ NICOL_API nicol_result nicol_mesh_create(nicol_context context, const nicol_mesh
 /* Creates the unit sphere, divided finely enough for per-vertex shading, with the texture coordinates of
  * Mitsuba 3's sphere. */
 NICOL_API nicol_result nicol_mesh_create_sphere(nicol_context context, nicol_mesh* mesh);
-/* Creates the same sphere with a number of segments: the parts into which each edge of an icosahedron is cut,
- * even, 2 to 512. The sphere has 10 segments^2 + 2 vertices. nicol_mesh_create_sphere has 38 segments. */
+/* Creates the unit sphere with a chosen number of vertices: 10 segments^2 + 2. The sphere is an icosahedron
+ * whose edges are each cut into `segments` parts; segments is even, 2 to 512. nicol_mesh_create_sphere has 38
+ * segments. */
 NICOL_API nicol_result nicol_mesh_create_divided_sphere(nicol_context context, uint32_t segments,
                                                         nicol_mesh* mesh);
 /* Creates the rectangle [-1, 1]^2 in the plane z = 0, facing +z, with the texture coordinates of Mitsuba 3's
@@ -1133,10 +1134,11 @@ typedef struct nicol_light {
 /* clang-format on */
 NICOL_API nicol_result nicol_light_init(nicol_light* descriptor, uint32_t struct_size);
 
-/* Fills a light with the sun of a sky: directional, angular_radius 0.27 degrees, from sun_direction, in the
- * units of the sky's radiance. It is a black body of 5778 K and 128 klx beyond the atmosphere, behind the
- * air, haze and ozone of the turbidity (Preetham et al. 1999). A sky of turbidity 0 gets the sun of turbidity
- * 1.7. A sun below the horizon has an irradiance of 0. */
+/* Fills a light with the sun of a sky: a directional light that comes from sun_direction, with an
+ * angular_radius of 0.27 degrees. Its value is an irradiance in the units of the sky's radiance. The sun is a
+ * black body of 5778 K and 128 klx above the atmosphere, attenuated by the air, haze and ozone of the sky's
+ * turbidity (Preetham et al. 1999). A sky of turbidity 0 gets the sun of turbidity 1.7. A sun below the
+ * horizon has a value of 0. */
 NICOL_API nicol_result nicol_sky_get_sun(const nicol_sky* sky, nicol_light* light);
 
 /* Emission of an instance, in addition to its reflection. */
@@ -1145,8 +1147,8 @@ typedef struct nicol_emission {
     uint32_t two_sided;      /* whether both sides emit: 1, or 0, the default: the front alone */
     nicol_spectrum radiance; /* radiance, finite and not negative, default 1 */
     uint32_t reserved;       /* 0 */
-    /* Factor on radiance: 1 or 3 channels, not negative; NULL, the default: 1. Colours of the mesh are of its
-     * vertices or of its triangles, whichever the material uses as well. */
+    /* Factor on radiance: 1 or 3 channels, not negative; NULL, the default: 1. If both the texture and the
+     * material use colours of the mesh, both use those of its vertices, or both those of its triangles. */
     nicol_texture texture;
     nicol_polarization polarization; /* polarization of the emission, whose axis is in the mesh's axes */
 } nicol_emission;
@@ -1211,15 +1213,15 @@ NICOL_API nicol_result nicol_polarization_element_init(nicol_polarization_elemen
 
 /* ---------------------------------------------------------------- scene */
 
-/* Roles that an instance does not have. */
-#define NICOL_INSTANCE_CASTS_NO_SHADOWS 1u    /* no surface receives less or more light because of it */
-#define NICOL_INSTANCE_RECEIVES_NO_SHADOWS 2u /* nothing hides lights from it, not even itself */
-#define NICOL_INSTANCE_INVISIBLE 4u /* the camera does not see it, nor in mirrors and through glass */
+/* Flags of an instance. */
+#define NICOL_INSTANCE_CASTS_NO_SHADOWS 1u    /* other surfaces are lit as if it were absent */
+#define NICOL_INSTANCE_RECEIVES_NO_SHADOWS 2u /* nothing blocks its light, not even itself */
+#define NICOL_INSTANCE_INVISIBLE 4u /* images do not show it, neither in mirrors nor through glass */
 
 typedef struct nicol_instance {
     uint32_t struct_size;
-    /* Sum of NICOL_INSTANCE_..., default 0: it casts and receives shadows and is visible. The emission of an
-     * instance lights the scene whatever the flags. Smooth glass that is invisible dims no light. */
+    /* Sum of NICOL_INSTANCE_...; 0, the default: the instance casts and receives shadows and is visible. Its
+     * emission lights the scene with any flags. Invisible smooth glass dims no light. */
     uint32_t flags;
     nicol_mesh mesh;
     nicol_material material;
@@ -1244,14 +1246,15 @@ NICOL_API nicol_result nicol_scene_create(nicol_context context, nicol_scene* sc
 NICOL_API nicol_result nicol_scene_load(nicol_context context, const char* path,
                                         const char* const* definitions, uint32_t definition_count,
                                         nicol_scene* scene);
-/* Moves a scene that was loaded from a glTF file with animations to a time in seconds: instances, deformed
- * meshes, lights and camera (nicol_scene_get_camera) become those of nicol_scene_load with the definition
- * time, and of its animation, or the first one. Meshes, transforms and lights that were set since are
- * replaced; what was removed stays removed. An instance that its animation scales to nothing is removed, and
- * comes back under another id. The next render bakes what has moved. Returns NICOL_ERROR_INVALID_ARGUMENT for
- * a time that is not finite, and NICOL_ERROR_UNSUPPORTED for other scenes. */
+/* Moves a scene that was loaded from a glTF file with animations to a time, in seconds. Instances, deformed
+ * meshes, lights and camera (nicol_scene_get_camera) become those that nicol_scene_load gives for the
+ * definition time. The animation is that of the scene's definition animation, or the first one. Meshes,
+ * transforms and lights that were set after loading are replaced; removed instances and lights stay removed.
+ * An instance that the animation scales to 0 is removed, and returns under another id. The next render bakes
+ * what has moved. Returns NICOL_ERROR_INVALID_ARGUMENT for a time that is not finite, and
+ * NICOL_ERROR_UNSUPPORTED for a scene without animations. */
 NICOL_API nicol_result nicol_scene_set_time(nicol_scene scene, double time);
-/* Loads a scene from memory: XML, glTF as JSON, or GLB. The resolver has the files that the scene names. */
+/* Loads a scene from memory: XML, glTF as JSON, or GLB. The resolver returns the scene's other files. */
 NICOL_API nicol_result nicol_scene_load_memory(nicol_context context, const nicol_memory_file* file,
                                                const char* const* definitions, uint32_t definition_count,
                                                nicol_scene* scene);
@@ -1272,8 +1275,8 @@ NICOL_API nicol_result nicol_scene_set_mesh(nicol_scene scene, uint32_t id, nico
 /* Sets the material of an instance, under the conditions of nicol_scene_add_instance. The next render
  * projects the material, if it is new to the scene, and shades the instance. */
 NICOL_API nicol_result nicol_scene_set_material(nicol_scene scene, uint32_t id, nicol_material material);
-/* Sets the flags of an instance, as in nicol_instance. The next render bakes again the instance and the
- * vertices that it may shadow. Returns NICOL_ERROR_INVALID_ARGUMENT for unknown flags. */
+/* Sets the flags of an instance, as in nicol_instance. The next render repeats the bake of the instance
+ * and of the vertices that it may shadow. Returns NICOL_ERROR_INVALID_ARGUMENT for unknown flags. */
 NICOL_API nicol_result nicol_scene_set_instance_flags(nicol_scene scene, uint32_t id, uint32_t flags);
 /* Gets the flags of an instance. */
 NICOL_API nicol_result nicol_scene_get_instance_flags(nicol_scene scene, uint32_t id, uint32_t* flags);
@@ -1617,8 +1620,8 @@ typedef struct nicol_render_options {
      * the factored method have max_depth - 1 reflections and refractions, at most 64, but eight for 0 and 2,
      * because direct light would not leave a body of glass. */
     int32_t max_depth;
-    /* Behaviour of nicol_render while another render of the scene runs, such as a job. 0, the default: it
-     * waits; 1: it returns NICOL_ERROR_BUSY. No effect on nicol_render_async. */
+    /* Behaviour of nicol_render and nicol_render_views while another render of the scene runs, such as a job.
+     * 0, the default: they wait; 1: they return NICOL_ERROR_BUSY. No effect on nicol_render_async. */
     uint32_t fail_if_busy;
     uint32_t reserved; /* 0 */
     /* Time that a render of a real-time method spends on shadows, bake and relight of changed vertices, in
@@ -1679,10 +1682,10 @@ NICOL_API nicol_result nicol_framebuffer_resize(nicol_framebuffer framebuffer, u
 /* Gets the width, height and channels of the framebuffer. */
 NICOL_API nicol_result nicol_framebuffer_get_size(nicol_framebuffer framebuffer, uint32_t* width,
                                                   uint32_t* height, uint32_t* channels);
-/* Replaces the framebuffer's image by (1 - weight) times itself plus weight times that of another one, of the
- * same size and channels; weight is 0 to 1. Stokes vectors are mixed in each component, as light is. Motion
- * blur is the mean of pictures while the shutter is open: blend picture k, counted from 1, with weight 1 / k.
- * AOVs and statistics stay. */
+/* Replaces the image of a framebuffer by (1 - weight) times this image plus weight times the image of
+ * `other`, in each Stokes component. weight is 0 to 1. AOVs and statistics do not change. For motion blur,
+ * the mean of n pictures, blend picture k, counted from 1, with weight 1 / k. Returns
+ * NICOL_ERROR_INVALID_ARGUMENT if the framebuffers are the same one, or differ in size or channels. */
 NICOL_API nicol_result nicol_framebuffer_blend(nicol_framebuffer framebuffer, nicol_framebuffer other,
                                                double weight);
 NICOL_API nicol_result nicol_framebuffer_retain(nicol_framebuffer framebuffer);
@@ -1701,24 +1704,24 @@ NICOL_API nicol_result nicol_render(nicol_scene scene, const nicol_camera* camer
 
 #define NICOL_MAX_VIEWS 1024 /* largest number of views of nicol_render_views */
 
-/* Renders several views of a scene, such as the faces of a cube or the cameras of a rig: view i is that of
- * cameras[i] in framebuffers[i]. The images are those of nicol_render, one view after the other, but the
- * views share one bake of what all of them need, and the light of every vertex. count is the number of views,
- * 1 to NICOL_MAX_VIEWS. All cameras have the struct_size of cameras[0]. The framebuffers may differ in size
- * and must be different ones. options are those of each view, NULL: all defaults; bake_budget_ms is the time
- * of all views together, and the statistics of the first view that is drawn include it. Invalid arguments are
- * refused before anything is rendered; after another failure or cancellation, the views before it have their
- * images. Returns what nicol_render does. */
+/* Renders several views of a scene, such as the faces of a cube or the cameras of a rig: the view of
+ * cameras[i] into framebuffers[i]. The images are those of nicol_render, called for one view after the other,
+ * but the views share one bake of what all of them need, and the light of each vertex. count is the number of
+ * views, 1 to NICOL_MAX_VIEWS. All cameras have the struct_size of cameras[0]. The framebuffers are different
+ * ones and may differ in size. options apply to each view, NULL: all defaults; bake_budget_ms is the time for
+ * all views together. The statistics of the first view that is drawn include the bake. Invalid arguments are
+ * refused before anything is rendered. After another failure or cancellation, the views before it have their
+ * images. Returns the results of nicol_render. */
 NICOL_API nicol_result nicol_render_views(nicol_scene scene, const nicol_camera* cameras,
                                           const nicol_framebuffer* framebuffers, uint32_t count,
                                           const nicol_render_options* options);
 
 /* Asynchronous render. Jobs of one context run one after another, in the order of submission, on a thread of
- * the context. Only nicol_render of the same scene waits for a running job, unless fail_if_busy is set. Other
- * functions return while it runs: those that use OpenGL wait at most for the step that the job gives to
- * OpenGL, and those that use its framebuffer for the step that puts the image there. A job may be used from
- * any thread; nicol_job_poll and nicol_job_cancel may also be called from callbacks. "Inside a host's OpenGL"
- * says how jobs differ there. */
+ * the context. Only nicol_render and nicol_render_views of the same scene wait for a running job, unless
+ * fail_if_busy is set. Other functions return while it runs: those that use OpenGL wait at most for the step
+ * that the job gives to OpenGL, and those that use its framebuffer for the step that puts the image there. A
+ * job may be used from any thread; nicol_job_poll and nicol_job_cancel may also be called from callbacks.
+ * "Inside a host's OpenGL" says how jobs differ there. */
 typedef struct nicol_job_impl* nicol_job;
 
 #define NICOL_MAX_JOBS 256 /* largest number of queued jobs of a context */
@@ -1884,8 +1887,8 @@ typedef uint32_t nicol_plane;
  * from the front or from behind; 1 or 0 with one sample. The Stokes image is not multiplied by the coverage,
  * and has the environment behind the surfaces, weighted by 1 - alpha, or black without an environment. */
 #define NICOL_PLANE_ALPHA 12u
-/* Light behind an ideal linear polarizer at the polarizer_angle of nicol_plane_buffer; nicol_framebuffer_read
- * takes 0 degrees. Exists always and has colour channels, like the first planes. */
+/* Light behind an ideal linear polarizer at the polarizer_angle of nicol_plane_buffer, or at 0 degrees with
+ * nicol_framebuffer_read. The plane always exists and has the colour channels of the framebuffer. */
 #define NICOL_PLANE_POLARIZER 13u
 
 /* Copies one plane of one colour channel, first row at the top. row_stride is in bytes; 0: tightly packed.
@@ -1917,8 +1920,8 @@ typedef struct nicol_plane_buffer {
     /* Bytes from row to row, a multiple of a number's size; 0, the default: tightly packed. */
     uint64_t row_stride;
     uint64_t byte_size; /* room at pixels, bytes; checked */
-    /* NICOL_PLANE_POLARIZER: angle of the polarizer, degrees counter-clockwise from image right, finite,
-     * default 0. */
+    /* NICOL_PLANE_POLARIZER: angle of the polarizer's transmission axis, counter-clockwise from image right,
+     * degrees, finite, default 0. */
     double polarizer_angle;
 } nicol_plane_buffer;
 #define NICOL_PLANE_BUFFER_INIT \
@@ -1939,8 +1942,8 @@ NICOL_API nicol_result nicol_framebuffer_read_plane(nicol_framebuffer framebuffe
  * environment) and, for each Stokes channel, variance.S0.R ... variance.S3.B. */
 /* clang-format on */
 NICOL_API nicol_result nicol_framebuffer_write_exr(nicol_framebuffer framebuffer, const char* path);
-/* Gives the bytes of the file that nicol_framebuffer_write_exr writes to a sink, after all of them are made.
- * user is passed on to the sink. */
+/* Passes the bytes of the file that nicol_framebuffer_write_exr writes to a sink. The sink is called after
+ * all bytes are made; user is its first argument. */
 NICOL_API nicol_result nicol_framebuffer_encode_exr(nicol_framebuffer framebuffer, nicol_sink_callback sink,
                                                     void* user);
 
@@ -1971,8 +1974,8 @@ NICOL_API nicol_result nicol_observation_init(nicol_observation* descriptor, uin
  * show the mean of the channels. */
 NICOL_API nicol_result nicol_framebuffer_write_png(nicol_framebuffer framebuffer,
                                                    const nicol_observation* observation, const char* path);
-/* Gives the bytes of the file that nicol_framebuffer_write_png writes to a sink, after all of them are made.
- * user is passed on to the sink. */
+/* Passes the bytes of the file that nicol_framebuffer_write_png writes to a sink. The sink is called after
+ * all bytes are made; user is its first argument. */
 NICOL_API nicol_result nicol_framebuffer_encode_png(nicol_framebuffer framebuffer,
                                                     const nicol_observation* observation,
                                                     nicol_sink_callback sink, void* user);

@@ -384,15 +384,16 @@ class FileContent(Struct):
 
 class MemoryFile(Struct):
     """A file in memory. The ..._load_memory functions read it as the ..._load functions read a file, within the
-    same limits, and with the same result. They read nothing from the file system: a file that the resolver
-    does not have is NICOL_ERROR_FILE_NOT_FOUND, and the message has its name.
+    same limits, and with the same result. They read nothing from the file system. If the resolver does not
+    have a file, they return NICOL_ERROR_FILE_NOT_FOUND, and the message has the file's name.
 
     Fields:
-    name: Name for messages and for the format: a name's suffix says the format, as of files. The content says it
-        if the name has no suffix, and if the name is NULL, the default; only TGA images need a suffix.
-    bytes: content; the call does not use it once it returns
-    byte_size: size of the content, bytes
-    resolve: Resolver of the files that this one names; NULL, the default: there are none."""
+    name: Name for messages. Its suffix determines the format, as for files on disk. Without a suffix, or if the
+        name is NULL, the default, the content determines the format; only TGA images need a suffix.
+    bytes: content, not used after the call; default NULL
+    byte_size: size of the content, bytes, default 0
+    resolve: Resolver of the files that this file names; NULL, the default: there are none.
+    resolve_user: first argument of resolve, default NULL"""
     _callbacks_ = {"resolve": ResolveCallback}
     _read_only_ = {"bytes"}
     _fields_ = [
@@ -485,10 +486,11 @@ class Sky(Struct):
     ground_albedo: float
 
     def get_sun(self) -> Light:
-        """Fills a light with the sun of a sky: directional, angular_radius 0.27 degrees, from sun_direction, in the
-        units of the sky's radiance. It is a black body of 5778 K and 128 klx beyond the atmosphere, behind the
-        air, haze and ozone of the turbidity (Preetham et al. 1999). A sky of turbidity 0 gets the sun of turbidity
-        1.7. A sun below the horizon has an irradiance of 0."""
+        """Fills a light with the sun of a sky: a directional light that comes from sun_direction, with an
+        angular_radius of 0.27 degrees. Its value is an irradiance in the units of the sky's radiance. The sun is a
+        black body of 5778 K and 128 klx above the atmosphere, attenuated by the air, haze and ozone of the sky's
+        turbidity (Preetham et al. 1999). A sky of turbidity 0 gets the sun of turbidity 1.7. A sun below the
+        horizon has a value of 0."""
         light = Light()
         check(_sky_get_sun(byref(self), byref(light)))
         return light
@@ -1135,8 +1137,8 @@ class Emission(Struct):
     Fields:
     two_sided: whether both sides emit: 1, or 0, the default: the front alone
     radiance: radiance, finite and not negative, default 1
-    texture: Factor on radiance: 1 or 3 channels, not negative; NULL, the default: 1. Colours of the mesh are of its
-        vertices or of its triangles, whichever the material uses as well.
+    texture: Factor on radiance: 1 or 3 channels, not negative; NULL, the default: 1. If both the texture and the
+        material use colours of the mesh, both use those of its vertices, or both those of its triangles.
     polarization: polarization of the emission, whose axis is in the mesh's axes"""
     _fields_ = [
         ("struct_size", c_uint32),
@@ -1197,8 +1199,8 @@ class PolarizationElement(Struct):
 
 class Instance(Struct):
     """Fields:
-    flags: Sum of NICOL_INSTANCE_..., default 0: it casts and receives shadows and is visible. The emission of an
-        instance lights the scene whatever the flags. Smooth glass that is invisible dims no light.
+    flags: Sum of NICOL_INSTANCE_...; 0, the default: the instance casts and receives shadows and is visible. Its
+        emission lights the scene with any flags. Invisible smooth glass dims no light.
     to_world: Transform from the mesh's axes to the world: affine, invertible, last row 0 0 0 1; default the
         identity."""
     _fields_ = [
@@ -1330,8 +1332,8 @@ class RenderOptions(Struct):
         NICOL_ERROR_UNSUPPORTED. More than 2 needs shadows. Smooth glass and mirrors count as well: the rays of
         the factored method have max_depth - 1 reflections and refractions, at most 64, but eight for 0 and 2,
         because direct light would not leave a body of glass.
-    fail_if_busy: Behaviour of nicol_render while another render of the scene runs, such as a job. 0, the default: it
-        waits; 1: it returns NICOL_ERROR_BUSY. No effect on nicol_render_async.
+    fail_if_busy: Behaviour of nicol_render and nicol_render_views while another render of the scene runs, such as a job.
+        0, the default: they wait; 1: they return NICOL_ERROR_BUSY. No effect on nicol_render_async.
     bake_budget_ms: Time that a render of a real-time method spends on shadows, bake and relight of changed vertices, in
         milliseconds: about that much, and at least one step. 0, the default: as long as the final picture
         takes. Above 0, a render uses the shadows that are there, and the next renders, also of an unchanged
@@ -1634,8 +1636,8 @@ class PlaneBuffer(Struct):
     pixels: Room for [row][column][channel][component], first row at the top; aligned to its numbers.
     row_stride: Bytes from row to row, a multiple of a number's size; 0, the default: tightly packed.
     byte_size: room at pixels, bytes; checked
-    polarizer_angle: NICOL_PLANE_POLARIZER: angle of the polarizer, degrees counter-clockwise from image right, finite,
-        default 0."""
+    polarizer_angle: NICOL_PLANE_POLARIZER: angle of the polarizer's transmission axis, counter-clockwise from image right,
+        degrees, finite, default 0."""
     _fields_ = [
         ("struct_size", c_uint32),
         ("plane", c_uint32),
@@ -2201,7 +2203,7 @@ class Environment(Handle):
 
     @classmethod
     def load_memory(cls, context: Context, file: MemoryFile, options: EnvironmentLoadOptions | None = None) -> Self:
-        """Loads an environment from memory. The resolver has the other files of a cube map."""
+        """Loads an environment from memory. The resolver returns the other files of a cube map."""
         environment = cls()
         check(_environment_load_memory(context, byref(file) if file is not None else None, byref(options) if options is not None else None, byref(environment)))
         return environment
@@ -2506,8 +2508,9 @@ class Mesh(Handle):
 
     @classmethod
     def create_divided_sphere(cls, context: Context, segments: int) -> Self:
-        """Creates the same sphere with a number of segments: the parts into which each edge of an icosahedron is cut,
-        even, 2 to 512. The sphere has 10 segments^2 + 2 vertices. nicol_mesh_create_sphere has 38 segments."""
+        """Creates the unit sphere with a chosen number of vertices: 10 segments^2 + 2. The sphere is an icosahedron
+        whose edges are each cut into `segments` parts; segments is even, 2 to 512. nicol_mesh_create_sphere has 38
+        segments."""
         mesh = cls()
         check(_mesh_create_divided_sphere(context, segments, byref(mesh)))
         return mesh
@@ -2592,17 +2595,18 @@ class Scene(Handle):
         return scene
 
     def set_time(self, time: float) -> None:
-        """Moves a scene that was loaded from a glTF file with animations to a time in seconds: instances, deformed
-        meshes, lights and camera (nicol_scene_get_camera) become those of nicol_scene_load with the definition
-        time, and of its animation, or the first one. Meshes, transforms and lights that were set since are
-        replaced; what was removed stays removed. An instance that its animation scales to nothing is removed, and
-        comes back under another id. The next render bakes what has moved. Returns NICOL_ERROR_INVALID_ARGUMENT for
-        a time that is not finite, and NICOL_ERROR_UNSUPPORTED for other scenes."""
+        """Moves a scene that was loaded from a glTF file with animations to a time, in seconds. Instances, deformed
+        meshes, lights and camera (nicol_scene_get_camera) become those that nicol_scene_load gives for the
+        definition time. The animation is that of the scene's definition animation, or the first one. Meshes,
+        transforms and lights that were set after loading are replaced; removed instances and lights stay removed.
+        An instance that the animation scales to 0 is removed, and returns under another id. The next render bakes
+        what has moved. Returns NICOL_ERROR_INVALID_ARGUMENT for a time that is not finite, and
+        NICOL_ERROR_UNSUPPORTED for a scene without animations."""
         check(_scene_set_time(self, time))
 
     @classmethod
     def load_memory(cls, context: Context, file: MemoryFile, definitions: Any = ()) -> Self:
-        """Loads a scene from memory: XML, glTF as JSON, or GLB. The resolver has the files that the scene names."""
+        """Loads a scene from memory: XML, glTF as JSON, or GLB. The resolver returns the scene's other files."""
         definitions = texts(definitions)
         scene = cls()
         check(_scene_load_memory(context, byref(file) if file is not None else None, definitions, len(definitions), byref(scene)))
@@ -2635,8 +2639,8 @@ class Scene(Handle):
         check(_scene_set_material(self, id, material))
 
     def set_instance_flags(self, id: int, flags: int) -> None:
-        """Sets the flags of an instance, as in nicol_instance. The next render bakes again the instance and the
-        vertices that it may shadow. Returns NICOL_ERROR_INVALID_ARGUMENT for unknown flags."""
+        """Sets the flags of an instance, as in nicol_instance. The next render repeats the bake of the instance
+        and of the vertices that it may shadow. Returns NICOL_ERROR_INVALID_ARGUMENT for unknown flags."""
         check(_scene_set_instance_flags(self, id, flags))
 
     def get_instance_flags(self, id: int) -> int:
@@ -2878,10 +2882,10 @@ class Framebuffer(Handle):
         return width.value, height.value, channels.value
 
     def blend(self, other: Framebuffer, weight: float) -> None:
-        """Replaces the framebuffer's image by (1 - weight) times itself plus weight times that of another one, of the
-        same size and channels; weight is 0 to 1. Stokes vectors are mixed in each component, as light is. Motion
-        blur is the mean of pictures while the shutter is open: blend picture k, counted from 1, with weight 1 / k.
-        AOVs and statistics stay."""
+        """Replaces the image of a framebuffer by (1 - weight) times this image plus weight times the image of
+        `other`, in each Stokes component. weight is 0 to 1. AOVs and statistics do not change. For motion blur,
+        the mean of n pictures, blend picture k, counted from 1, with weight 1 / k. Returns
+        NICOL_ERROR_INVALID_ARGUMENT if the framebuffers are the same one, or differ in size or channels."""
         check(_framebuffer_blend(self, other, weight))
 
     def get_statistics(self) -> Statistics:
@@ -2913,8 +2917,8 @@ class Framebuffer(Handle):
         check(_framebuffer_write_exr(self, text(path)))
 
     def encode_exr(self, sink: Any) -> None:
-        """Gives the bytes of the file that nicol_framebuffer_write_exr writes to a sink, after all of them are made.
-        user is passed on to the sink."""
+        """Passes the bytes of the file that nicol_framebuffer_write_exr writes to a sink. The sink is called after
+        all bytes are made; user is its first argument."""
         check(_framebuffer_encode_exr(self, SinkCallback(sink), None))
 
     def write_png(self, observation: Observation, path: str | os.PathLike[str]) -> None:
@@ -2924,8 +2928,8 @@ class Framebuffer(Handle):
         check(_framebuffer_write_png(self, byref(observation) if observation is not None else None, text(path)))
 
     def encode_png(self, observation: Observation, sink: Any) -> None:
-        """Gives the bytes of the file that nicol_framebuffer_write_png writes to a sink, after all of them are made.
-        user is passed on to the sink."""
+        """Passes the bytes of the file that nicol_framebuffer_write_png writes to a sink. The sink is called after
+        all bytes are made; user is its first argument."""
         check(_framebuffer_encode_png(self, byref(observation) if observation is not None else None, SinkCallback(sink), None))
 
     def expose(self, sensor: Sensor, frame: int, to: RawImage) -> None:
@@ -2978,11 +2982,11 @@ class Framebuffer(Handle):
 
 class Job(Handle):
     """Asynchronous render. Jobs of one context run one after another, in the order of submission, on a thread of
-    the context. Only nicol_render of the same scene waits for a running job, unless fail_if_busy is set. Other
-    functions return while it runs: those that use OpenGL wait at most for the step that the job gives to
-    OpenGL, and those that use its framebuffer for the step that puts the image there. A job may be used from
-    any thread; nicol_job_poll and nicol_job_cancel may also be called from callbacks. "Inside a host's OpenGL"
-    says how jobs differ there."""
+    the context. Only nicol_render and nicol_render_views of the same scene wait for a running job, unless
+    fail_if_busy is set. Other functions return while it runs: those that use OpenGL wait at most for the step
+    that the job gives to OpenGL, and those that use its framebuffer for the step that puts the image there. A
+    job may be used from any thread; nicol_job_poll and nicol_job_cancel may also be called from callbacks.
+    "Inside a host's OpenGL" says how jobs differ there."""
 
     def poll(self) -> JobStatus:
         """Gets the job's progress, and never waits for the job."""
@@ -3095,14 +3099,14 @@ def render(scene: Scene | None, camera: Camera | None, options: RenderOptions | 
 
 
 def render_views(scene: Scene | None, cameras: Sequence[Camera], framebuffers: Sequence[Framebuffer], options: RenderOptions | None = None) -> None:
-    """Renders several views of a scene, such as the faces of a cube or the cameras of a rig: view i is that of
-    cameras[i] in framebuffers[i]. The images are those of nicol_render, one view after the other, but the
-    views share one bake of what all of them need, and the light of every vertex. count is the number of views,
-    1 to NICOL_MAX_VIEWS. All cameras have the struct_size of cameras[0]. The framebuffers may differ in size
-    and must be different ones. options are those of each view, NULL: all defaults; bake_budget_ms is the time
-    of all views together, and the statistics of the first view that is drawn include it. Invalid arguments are
-    refused before anything is rendered; after another failure or cancellation, the views before it have their
-    images. Returns what nicol_render does."""
+    """Renders several views of a scene, such as the faces of a cube or the cameras of a rig: the view of
+    cameras[i] into framebuffers[i]. The images are those of nicol_render, called for one view after the other,
+    but the views share one bake of what all of them need, and the light of each vertex. count is the number of
+    views, 1 to NICOL_MAX_VIEWS. All cameras have the struct_size of cameras[0]. The framebuffers are different
+    ones and may differ in size. options apply to each view, NULL: all defaults; bake_budget_ms is the time for
+    all views together. The statistics of the first view that is drawn include the bake. Invalid arguments are
+    refused before anything is rendered. After another failure or cancellation, the views before it have their
+    images. Returns the results of nicol_render."""
     cameras, framebuffers = paired(cameras, Camera, framebuffers, Framebuffer)
     check(_render_views(scene, cameras, framebuffers, len(cameras), byref(options) if options is not None else None))
 

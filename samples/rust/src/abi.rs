@@ -408,16 +408,16 @@ const _: () = {
     assert!(offset_of!(nicol_file_content, byte_size) == 16);
 };
 
-/// Resolves the name of a file that a file in memory names: sets bytes and byte_size of content, which has its
-/// defaults, and returns 1; or returns 0 if there is no such file. The name is as the file writes it, joined
-/// to the folder of the naming file's own name, without "." and "folder/..": "maps/wood.png" in
-/// "rooms/hall.xml" is "rooms/maps/wood.png". It may begin with "/" or "..". The callback is called once per
-/// name, on the calling thread, and must not call Nicol with objects of the same context.
+/// Finds a file that a file in memory names. Sets bytes and byte_size of content, which has its defaults, and
+/// returns 1; or returns 0 if there is no such file. The name is joined to the folder of the naming file,
+/// without "." and "folder/..": "maps/wood.png" in "rooms/hall.xml" is "rooms/maps/wood.png". The name may
+/// begin with "/" or "..". The callback is called once per name, on the calling thread, and must not call
+/// Nicol with objects of the same context.
 pub type nicol_resolve_callback = Option<unsafe extern "C" fn(user: *mut c_void, name: *const c_char, content: *mut nicol_file_content) -> i32>;
 
 /// A file in memory. The ..._load_memory functions read it as the ..._load functions read a file, within the
-/// same limits, and with the same result. They read nothing from the file system: a file that the resolver
-/// does not have is NICOL_ERROR_FILE_NOT_FOUND, and the message has its name.
+/// same limits, and with the same result. They read nothing from the file system. If the resolver does not
+/// have a file, they return NICOL_ERROR_FILE_NOT_FOUND, and the message has the file's name.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct nicol_memory_file {
@@ -441,8 +441,8 @@ const _: () = {
     assert!(offset_of!(nicol_memory_file, resolve_user) == 40);
 };
 
-/// Receives the next bytes of a file that is written to memory, on the calling thread. bytes live as long as
-/// the call. Returns 1 to continue, or 0 to end the writing call, which then returns
+/// Receives the next bytes of a file that is written to memory, on the calling thread. bytes are valid until
+/// the callback returns. Returns 1 to continue, or 0 to end the writing call, which then returns
 /// NICOL_ERROR_WRITE_FAILED. The callback must not call Nicol with objects of the same context.
 pub type nicol_sink_callback = Option<unsafe extern "C" fn(user: *mut c_void, bytes: *const c_void, byte_size: u64) -> i32>;
 
@@ -1238,11 +1238,11 @@ pub struct nicol_job_impl {
     _private: [u8; 0],
 }
 /// Asynchronous render. Jobs of one context run one after another, in the order of submission, on a thread of
-/// the context. Only nicol_render of the same scene waits for a running job, unless fail_if_busy is set. Other
-/// functions return while it runs: those that use OpenGL wait at most for the step that the job gives to
-/// OpenGL, and those that use its framebuffer for the step that puts the image there. A job may be used from
-/// any thread; nicol_job_poll and nicol_job_cancel may also be called from callbacks. "Inside a host's OpenGL"
-/// says how jobs differ there.
+/// the context. Only nicol_render and nicol_render_views of the same scene wait for a running job, unless
+/// fail_if_busy is set. Other functions return while it runs: those that use OpenGL wait at most for the step
+/// that the job gives to OpenGL, and those that use its framebuffer for the step that puts the image there. A
+/// job may be used from any thread; nicol_job_poll and nicol_job_cancel may also be called from callbacks.
+/// "Inside a host's OpenGL" says how jobs differ there.
 pub type nicol_job = *mut nicol_job_impl;
 pub type nicol_job_state = u32;
 
@@ -1869,7 +1869,7 @@ extern "C" {
     ///   NAME.npz      PSH coefficients as polarsh writes them (SHVec).
     /// options may be NULL: all defaults.
     pub fn nicol_environment_load(context: nicol_context, path: *const c_char, options: *const nicol_environment_load_options, environment: *mut nicol_environment) -> nicol_result;
-    /// Loads an environment from memory. The resolver has the other files of a cube map.
+    /// Loads an environment from memory. The resolver returns the other files of a cube map.
     pub fn nicol_environment_load_memory(context: nicol_context, file: *const nicol_memory_file, options: *const nicol_environment_load_options, environment: *mut nicol_environment) -> nicol_result;
     /// Creates an environment from an image in memory.
     pub fn nicol_environment_create_image(context: nicol_context, image: *const nicol_image, environment: *mut nicol_environment) -> nicol_result;
@@ -1994,8 +1994,9 @@ extern "C" {
     /// Creates the unit sphere, divided finely enough for per-vertex shading, with the texture coordinates of
     /// Mitsuba 3's sphere.
     pub fn nicol_mesh_create_sphere(context: nicol_context, mesh: *mut nicol_mesh) -> nicol_result;
-    /// Creates the same sphere with a number of segments: the parts into which each edge of an icosahedron is cut,
-    /// even, 2 to 512. The sphere has 10 segments^2 + 2 vertices. nicol_mesh_create_sphere has 38 segments.
+    /// Creates the unit sphere with a chosen number of vertices: 10 segments^2 + 2. The sphere is an icosahedron
+    /// whose edges are each cut into `segments` parts; segments is even, 2 to 512. nicol_mesh_create_sphere has 38
+    /// segments.
     pub fn nicol_mesh_create_divided_sphere(context: nicol_context, segments: u32, mesh: *mut nicol_mesh) -> nicol_result;
     /// Creates the rectangle [-1, 1]^2 in the plane z = 0, facing +z, with the texture coordinates of Mitsuba 3's
     /// rectangle.
@@ -2038,10 +2039,11 @@ extern "C" {
     pub fn nicol_camera_frame(camera: *mut nicol_camera, lower: *const [f64; 3], upper: *const [f64; 3], width: u32, height: u32) -> nicol_result;
     pub fn nicol_polarization_init(descriptor: *mut nicol_polarization, struct_size: u32) -> nicol_result;
     pub fn nicol_light_init(descriptor: *mut nicol_light, struct_size: u32) -> nicol_result;
-    /// Fills a light with the sun of a sky: directional, angular_radius 0.27 degrees, from sun_direction, in the
-    /// units of the sky's radiance. It is a black body of 5778 K and 128 klx beyond the atmosphere, behind the
-    /// air, haze and ozone of the turbidity (Preetham et al. 1999). A sky of turbidity 0 gets the sun of turbidity
-    /// 1.7. A sun below the horizon has an irradiance of 0.
+    /// Fills a light with the sun of a sky: a directional light that comes from sun_direction, with an
+    /// angular_radius of 0.27 degrees. Its value is an irradiance in the units of the sky's radiance. The sun is a
+    /// black body of 5778 K and 128 klx above the atmosphere, attenuated by the air, haze and ozone of the sky's
+    /// turbidity (Preetham et al. 1999). A sky of turbidity 0 gets the sun of turbidity 1.7. A sun below the
+    /// horizon has a value of 0.
     pub fn nicol_sky_get_sun(sky: *const nicol_sky, light: *mut nicol_light) -> nicol_result;
     pub fn nicol_emission_init(descriptor: *mut nicol_emission, struct_size: u32) -> nicol_result;
     pub fn nicol_polarization_element_init(descriptor: *mut nicol_polarization_element, struct_size: u32) -> nicol_result;
@@ -2055,14 +2057,15 @@ extern "C" {
     /// polarization elements of the file cover get the polarization state and the brightness that their light has
     /// behind the elements.
     pub fn nicol_scene_load(context: nicol_context, path: *const c_char, definitions: *const *const c_char, definition_count: u32, scene: *mut nicol_scene) -> nicol_result;
-    /// Moves a scene that was loaded from a glTF file with animations to a time in seconds: instances, deformed
-    /// meshes, lights and camera (nicol_scene_get_camera) become those of nicol_scene_load with the definition
-    /// time, and of its animation, or the first one. Meshes, transforms and lights that were set since are
-    /// replaced; what was removed stays removed. An instance that its animation scales to nothing is removed, and
-    /// comes back under another id. The next render bakes what has moved. Returns NICOL_ERROR_INVALID_ARGUMENT for
-    /// a time that is not finite, and NICOL_ERROR_UNSUPPORTED for other scenes.
+    /// Moves a scene that was loaded from a glTF file with animations to a time, in seconds. Instances, deformed
+    /// meshes, lights and camera (nicol_scene_get_camera) become those that nicol_scene_load gives for the
+    /// definition time. The animation is that of the scene's definition animation, or the first one. Meshes,
+    /// transforms and lights that were set after loading are replaced; removed instances and lights stay removed.
+    /// An instance that the animation scales to 0 is removed, and returns under another id. The next render bakes
+    /// what has moved. Returns NICOL_ERROR_INVALID_ARGUMENT for a time that is not finite, and
+    /// NICOL_ERROR_UNSUPPORTED for a scene without animations.
     pub fn nicol_scene_set_time(scene: nicol_scene, time: f64) -> nicol_result;
-    /// Loads a scene from memory: XML, glTF as JSON, or GLB. The resolver has the files that the scene names.
+    /// Loads a scene from memory: XML, glTF as JSON, or GLB. The resolver returns the scene's other files.
     pub fn nicol_scene_load_memory(context: nicol_context, file: *const nicol_memory_file, definitions: *const *const c_char, definition_count: u32, scene: *mut nicol_scene) -> nicol_result;
     /// Adds an instance. id may be NULL; ids count up from 0, past those of removed instances too. The mesh must
     /// have the texture coordinates and colours that the material needs. Materials and environment of a scene must
@@ -2080,8 +2083,8 @@ extern "C" {
     /// Sets the material of an instance, under the conditions of nicol_scene_add_instance. The next render
     /// projects the material, if it is new to the scene, and shades the instance.
     pub fn nicol_scene_set_material(scene: nicol_scene, id: u32, material: nicol_material) -> nicol_result;
-    /// Sets the flags of an instance, as in nicol_instance. The next render bakes again the instance and the
-    /// vertices that it may shadow. Returns NICOL_ERROR_INVALID_ARGUMENT for unknown flags.
+    /// Sets the flags of an instance, as in nicol_instance. The next render repeats the bake of the instance
+    /// and of the vertices that it may shadow. Returns NICOL_ERROR_INVALID_ARGUMENT for unknown flags.
     pub fn nicol_scene_set_instance_flags(scene: nicol_scene, id: u32, flags: u32) -> nicol_result;
     /// Gets the flags of an instance.
     pub fn nicol_scene_get_instance_flags(scene: nicol_scene, id: u32, flags: *mut u32) -> nicol_result;
@@ -2196,10 +2199,10 @@ extern "C" {
     pub fn nicol_framebuffer_resize(framebuffer: nicol_framebuffer, width: u32, height: u32) -> nicol_result;
     /// Gets the width, height and channels of the framebuffer.
     pub fn nicol_framebuffer_get_size(framebuffer: nicol_framebuffer, width: *mut u32, height: *mut u32, channels: *mut u32) -> nicol_result;
-    /// Replaces the framebuffer's image by (1 - weight) times itself plus weight times that of another one, of the
-    /// same size and channels; weight is 0 to 1. Stokes vectors are mixed in each component, as light is. Motion
-    /// blur is the mean of pictures while the shutter is open: blend picture k, counted from 1, with weight 1 / k.
-    /// AOVs and statistics stay.
+    /// Replaces the image of a framebuffer by (1 - weight) times this image plus weight times the image of
+    /// `other`, in each Stokes component. weight is 0 to 1. AOVs and statistics do not change. For motion blur,
+    /// the mean of n pictures, blend picture k, counted from 1, with weight 1 / k. Returns
+    /// NICOL_ERROR_INVALID_ARGUMENT if the framebuffers are the same one, or differ in size or channels.
     pub fn nicol_framebuffer_blend(framebuffer: nicol_framebuffer, other: nicol_framebuffer, weight: f64) -> nicol_result;
     pub fn nicol_framebuffer_retain(framebuffer: nicol_framebuffer) -> nicol_result;
     pub fn nicol_framebuffer_release(framebuffer: nicol_framebuffer) -> nicol_result;
@@ -2212,14 +2215,14 @@ extern "C" {
     /// NICOL_ERROR_CANCELLED if a callback returned 0, NICOL_ERROR_BUSY as fail_if_busy says, and
     /// NICOL_ERROR_OUT_OF_MEMORY also beyond the context's memory_limit.
     pub fn nicol_render(scene: nicol_scene, camera: *const nicol_camera, options: *const nicol_render_options, framebuffer: nicol_framebuffer) -> nicol_result;
-    /// Renders several views of a scene, such as the faces of a cube or the cameras of a rig: view i is that of
-    /// cameras[i] in framebuffers[i]. The images are those of nicol_render, one view after the other, but the
-    /// views share one bake of what all of them need, and the light of every vertex. count is the number of views,
-    /// 1 to NICOL_MAX_VIEWS. All cameras have the struct_size of cameras[0]. The framebuffers may differ in size
-    /// and must be different ones. options are those of each view, NULL: all defaults; bake_budget_ms is the time
-    /// of all views together, and the statistics of the first view that is drawn include it. Invalid arguments are
-    /// refused before anything is rendered; after another failure or cancellation, the views before it have their
-    /// images. Returns what nicol_render does.
+    /// Renders several views of a scene, such as the faces of a cube or the cameras of a rig: the view of
+    /// cameras[i] into framebuffers[i]. The images are those of nicol_render, called for one view after the other,
+    /// but the views share one bake of what all of them need, and the light of each vertex. count is the number of
+    /// views, 1 to NICOL_MAX_VIEWS. All cameras have the struct_size of cameras[0]. The framebuffers are different
+    /// ones and may differ in size. options apply to each view, NULL: all defaults; bake_budget_ms is the time for
+    /// all views together. The statistics of the first view that is drawn include the bake. Invalid arguments are
+    /// refused before anything is rendered. After another failure or cancellation, the views before it have their
+    /// images. Returns the results of nicol_render.
     pub fn nicol_render_views(scene: nicol_scene, cameras: *const nicol_camera, framebuffers: *const nicol_framebuffer, count: u32, options: *const nicol_render_options) -> nicol_result;
     /// Submits nicol_render as a job. The job copies the scene's state: later changes affect later renders only.
     /// The framebuffer keeps its content until the job puts its image there. Scene, framebuffer and all they need
@@ -2262,16 +2265,16 @@ extern "C" {
     /// AOVs of the last render are Z (depth), N.X N.Y N.Z, P.X P.Y P.Z, id (32-bit unsigned), A (alpha; R G B still have the
     /// environment) and, for each Stokes channel, variance.S0.R ... variance.S3.B.
     pub fn nicol_framebuffer_write_exr(framebuffer: nicol_framebuffer, path: *const c_char) -> nicol_result;
-    /// Gives the bytes of the file that nicol_framebuffer_write_exr writes to a sink, after all of them are made.
-    /// user is passed on to the sink.
+    /// Passes the bytes of the file that nicol_framebuffer_write_exr writes to a sink. The sink is called after
+    /// all bytes are made; user is its first argument.
     pub fn nicol_framebuffer_encode_exr(framebuffer: nicol_framebuffer, sink: nicol_sink_callback, user: *mut c_void) -> nicol_result;
     pub fn nicol_observation_init(descriptor: *mut nicol_observation, struct_size: u32) -> nicol_result;
     /// Writes a PNG file of 8-bit RGB; a path that ends as the names of another kind of image do, such as .jpg, is
     /// refused. S0 and POLARIZER need a framebuffer of 1 or 3 channels; the other kinds
     /// show the mean of the channels.
     pub fn nicol_framebuffer_write_png(framebuffer: nicol_framebuffer, observation: *const nicol_observation, path: *const c_char) -> nicol_result;
-    /// Gives the bytes of the file that nicol_framebuffer_write_png writes to a sink, after all of them are made.
-    /// user is passed on to the sink.
+    /// Passes the bytes of the file that nicol_framebuffer_write_png writes to a sink. The sink is called after
+    /// all bytes are made; user is its first argument.
     pub fn nicol_framebuffer_encode_png(framebuffer: nicol_framebuffer, observation: *const nicol_observation, sink: nicol_sink_callback, user: *mut c_void) -> nicol_result;
     pub fn nicol_sensor_init(descriptor: *mut nicol_sensor, struct_size: u32) -> nicol_result;
     /// Sets the fields of a preset.
