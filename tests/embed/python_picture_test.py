@@ -77,6 +77,17 @@ class PictureTest(unittest.TestCase):
 
         with self.assertRaises(KeyError):
             nicol.load(scene, files=breaks)
+        film = b"""<scene version="3.0.0"><integrator type="path"><integer name="max_depth" value="3"/></integrator>
+            <sensor type="perspective"><sampler type="independent"><integer name="sample_count" value="2"/></sampler>
+            <film type="hdrfilm"><rfilter type="gaussian"/></film></sensor><emitter type="constant"/>
+            <shape type="sphere"><point name="center" x="0.1" y="0" z="5"/></shape></scene>"""
+        with tempfile.TemporaryDirectory() as out:
+            path = os.path.join(out, "film.xml")
+            with open(path, "wb") as file:
+                file.write(film)
+            of_file, of_bytes = (nicol.render(nicol.load(scene), size=SIZE) for scene in (path, film))
+        self.assertEqual(of_bytes.statistics.pixel_samples, 2)
+        self.assertTrue((of_bytes.stokes == of_file.stokes).all())
         triangle = b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"
         mesh = nicol.Mesh.load_memory(nicol.default_context(), nicol.memory_file(triangle, "a.obj"))
         self.assertEqual(mesh.get_size(), (3, 1))

@@ -50,6 +50,7 @@ class Scene(_abi.Scene):
         """Loads a scene from memory_file(), see nicol_scene_load_memory."""
         scene = super().load_memory(context, file, definitions)
         scene.context = context
+        scene.has_film = True
         return scene
 
     def get_instance_ids(self, ids: Any = None) -> Any:
