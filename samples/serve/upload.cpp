@@ -10,6 +10,7 @@
 #include "digest.hpp"
 #include "message.hpp"
 #include "problem.hpp"
+#include "query.hpp"
 
 namespace {
 
@@ -167,7 +168,7 @@ bool sends_scene(std::string_view request) {
     constexpr std::string_view method = "POST ";
     if (!request.starts_with(method)) return false;
     request.remove_prefix(method.size());
-    return is_path_of_scenes(request.substr(0, request.find_first_of(" \r")));
+    return is_path_of_scenes(origin_form(request.substr(0, request.find_first_of(" \r"))));
 }
 
 void require_upload_type(std::string_view content_type) {

@@ -48,7 +48,7 @@ std::vector<std::pair<std::string, std::string>> origin_headers(std::string_view
     if (origin.empty() || !contains(allowed, origin)) return headers;
     headers.emplace_back("Access-Control-Allow-Origin", origin);
     headers.emplace_back("Access-Control-Expose-Headers",
-                         "ETag, Nicol-Components, Nicol-Scale, Nicol-Size, Retry-After");
+                         "ETag, Location, Nicol-Components, Nicol-Scale, Nicol-Size, Retry-After");
     return headers;
 }
 
@@ -57,8 +57,8 @@ std::vector<std::pair<std::string, std::string>> preflight_headers(std::string_v
     if (origin.empty() || !contains(allowed, origin)) return {};
     // A page of the public network may request a service of a private network, for which browsers ask
     // separately.
-    return {{"Access-Control-Allow-Methods", "GET, HEAD"},
-            {"Access-Control-Allow-Headers", "If-None-Match"},
+    return {{"Access-Control-Allow-Methods", "GET, HEAD, POST"},
+            {"Access-Control-Allow-Headers", "Content-Type, If-None-Match"},
             {"Access-Control-Allow-Private-Network", "true"},
             {"Access-Control-Max-Age", "600"}};
 }

@@ -47,7 +47,7 @@ LightingTally PixelLights::add(const PixelBatch& batch, std::span<const std::spa
     const std::span points = batch.points();
     const SurfacePoint& any = points.front();
     const VertexRange& range = input_.geometry.ranges[any.range];
-    const bool shadowed = input_.visibility == nullptr || any.occluded != 0;
+    const bool shadowed = range.roles.receives_shadows && (input_.visibility == nullptr || any.occluded != 0);
     const std::vector<const Material*> layers = layers_of(*range.material);
     const bool anisotropic = range.material->anisotropic() && !input_.geometry.texcoords.empty();
     const SpatialVariation* const variation = range.material->variation();

@@ -68,7 +68,8 @@ LightingTally VertexLights::add(const VertexRange& range, std::span<const std::u
                                 .mirrored = nullptr,
                                 .parts = {},
                                 .seeds = vertices,
-                                .shadowed = shadowed},
+                                .shadowed = shadowed,
+                                .receives_shadows = range.roles.receives_shadows},
                                {.layers = {&material, 1}, .weights = {}}, channels);
     if (range.emission != nullptr) {
         add_emitted(*range.emission, lights_.axis_of(range.instance), input_.view,

@@ -27,7 +27,8 @@ struct Observation {
     std::vector<std::uint8_t> rgb;
     /// Keyword and text of PNG tEXt chunks: Title, Nicol:Observer, Nicol:Scale, Nicol:Frame ...
     std::vector<std::pair<std::string, std::string>> text;
-    /// Whether the values are sRGB-encoded (tone-mapped radiance); else they encode data linearly.
+    /// Whether the values are sRGB-encoded (tone-mapped radiance, DoLP, AoLP); else they encode data
+    /// linearly.
     bool srgb = false;
 };
 

@@ -18,13 +18,14 @@ SceneAnimation::Moment GltfAnimation::at(double time, const LoadBudget& budget) 
         Shape& shape = out.shapes.emplace_back();
         if (!part.skinned) shape.to_world = pose.world(part.node);
         GltfBounds bounds = part.bounds;
+        shape.mesh = part.mesh;
         if (part.deforming) {
             const GltfDeformation deformation(document, pose, part.node, *part.primitive, part.where);
             shape.mesh = read_gltf_primitive(document, *part.primitive, part.where, *part.deforming,
                                              &deformation, budget, left_out);
             if (shape.mesh) bounds = bounds_of(*shape.mesh);
         }
-        shape.present = is_gltf_placement(shape.to_world) && (shape.mesh || !part.deforming);
+        shape.present = is_gltf_placement(shape.to_world) && shape.mesh;
         if (shape.present) all.add(bounds, shape.to_world);
     }
     for (const std::size_t node : lights_) {

@@ -125,7 +125,8 @@ SensorDescription gltf_camera_in_front(const GltfBounds& bounds) {
     sensor.fov = kDefaultHeight;
     sensor.fov_axis = SensorDescription::FovAxis::y;
     const glm::dvec3 center = 0.5 * (bounds.lower + bounds.upper);
-    const double radius = 0.5 * glm::distance(bounds.lower, bounds.upper);
+    // Nothing may be there to draw at one time of an animation.
+    const double radius = bounds.empty ? 1 : 0.5 * glm::distance(bounds.lower, bounds.upper);
     // The cone of the image's height touches the sphere around the scene; the image is wider than high.
     const double distance = radius / std::sin(kDefaultHeight * std::numbers::pi / 360);
     const glm::dvec3 eye = center + glm::dvec3(0, 0, distance);

@@ -53,15 +53,15 @@ class GltfReader {
 public:
     GltfReader(std::shared_ptr<const GltfDocument> document, const std::optional<GltfMoment>& moment,
                const LoadBudget& budget)
-        : document_(*document),
+        : kept_(std::move(document)),
+          document_(*kept_),
           model_(document_.model()),
           budget_(budget),
           notices_(document_.path()),
           pose_(document_, moment, budget, notices_),
           textures_(document_, notices_) {
         if (!model_.animations.empty())
-            animation_ = std::make_shared<GltfAnimation>(std::move(document),
-                                                         moment ? moment->animation : std::string());
+            animation_ = std::make_shared<GltfAnimation>(kept_, moment ? moment->animation : std::string());
     }
 
     SceneDescription run() {
@@ -156,11 +156,14 @@ private:
         const tinygltf::Mesh& mesh = document_.at(model_.meshes, "meshes", node.mesh, placed.where);
         for (std::size_t p = 0; p < mesh.primitives.size(); ++p) {
             const Made& made = primitive(placed, p);
-            if (!made.mesh) continue;
+            const bool deforms = GltfDeformation::deforms(node, mesh.primitives[p]);
+            // Nothing of a mesh that deforms may be left at one time only.
+            if (!made.mesh && !(animation_ && deforms)) continue;
             // Vertices that follow joints have places in the scene.
             const glm::dmat4 to_world = node.skin < 0 ? placed.to_world : glm::dmat4(1.0);
-            const bool present = is_gltf_placement(to_world);
-            if (!present) left_out_.add("instances that their transform makes flat");
+            const bool placed_well = is_gltf_placement(to_world);
+            if (!placed_well) left_out_.add("instances that their transform makes flat");
+            const bool present = placed_well && made.mesh;
             // An instance may be flat at one time only.
             if (!present && !animation_) continue;
             if (scene_.shapes.size() == kMaxShapes)
@@ -234,6 +237,7 @@ private:
         return *read.index;
     }
 
+    std::shared_ptr<const GltfDocument> kept_;
     const GltfDocument& document_;
     const tinygltf::Model& model_;
     const LoadBudget& budget_;

@@ -278,7 +278,6 @@ LoadedScene load_scene(const std::filesystem::path& file, const SceneParameters&
             out.scene.set_environment(make(*description.environment, files),
                                       rotation_of(description.environment->to_world, "the emitter"),
                                       description.environment->scale);
-            if (description.environment->sun) out.scene.add_light(make_sun(*description.environment));
         });
     }
     out.scene.hide_emitters(description.integrator.hide_emitters);
@@ -303,6 +302,9 @@ LoadedScene load_scene(const std::filesystem::path& file, const SceneParameters&
         made(file, named("emitter", light.id),
              [&] { return out.scene.add_light(make_light(light, channels, textures)); });
     }
+    // After the file's lights, whose ids count up from 0.
+    if (description.environment && description.environment->sun)
+        made(file, "emitter", [&] { out.scene.add_light(make_sun(*description.environment)); });
     out.camera = camera_of(description.sensor);
     const SensorDescription& sensor = description.sensor;
     out.width = sensor.crop ? sensor.crop->size.x : sensor.width;
@@ -320,9 +322,11 @@ LoadedScene load_scene(const std::filesystem::path& file, const SceneParameters&
             textures.set_attributes(nullptr);
             surface.needed.merge(textures.take_needed());
             const std::shared_ptr<const Mesh> mesh = meshes.of(shape, color_names(surface.needed));
-            check_attributes(*mesh, surface.needed);
-            budget.take_instance(file, mesh->positions.size(), mesh->triangles.size());
-            if (surface.material->anisotropic() && mesh->texcoords.empty())
+            if (mesh) {  // nothing may be left of a mesh that deforms
+                check_attributes(*mesh, surface.needed);
+                budget.take_instance(file, mesh->positions.size(), mesh->triangles.size());
+            }
+            if (surface.material->anisotropic() && mesh && mesh->texcoords.empty())
                 files.notice(
                     "a surface without texture coordinates has a roughness that depends on the direction, "
                     "which "

@@ -24,7 +24,7 @@ public:
     struct Shape {
         glm::dmat4 to_world{1.0};
         bool present = true;               ///< false: there is nothing to draw
-        std::shared_ptr<const Mesh> mesh;  ///< null: the mesh does not deform
+        std::shared_ptr<const Mesh> mesh;  ///< null if there is nothing to draw
     };
     /// The state at one time, in the order of SceneDescription::shapes and lights.
     struct Moment {

@@ -56,7 +56,7 @@ public:
         reflected_.set(views, points.positions, points.normals, points.tangents);
         if (points.mirrored != nullptr) set_pixels(*points.mirrored);
         // The bake, which says what is shadowed, knows no glass.
-        if (rays != nullptr && (points.shadowed || lights.glass != nullptr))
+        if (rays != nullptr && points.receives_shadows && (points.shadowed || lights.glass != nullptr))
             shadows_.emplace(*rays, lights.glass.get(), positions_, origins_);
         if (lights.before_mirrors != nullptr && any_layer_has(true))
             before_mirrors_.emplace(*lights.before_mirrors, nullptr, positions_, origins_);

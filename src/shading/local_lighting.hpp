@@ -48,7 +48,8 @@ struct LitPoints {
     /// Light that other surfaces reflect to the points, for sampled terms. Null: none.
     const BouncedLight* bounced = nullptr;
     std::span<const std::uint32_t> seeds;
-    bool shadowed;  ///< whether light may be occluded; false: no ray is traced
+    bool shadowed;                 ///< whether light may be occluded; false: no ray is traced, but for glass
+    bool receives_shadows = true;  ///< InstanceRoles::receives_shadows; false: glass dims nothing, either
 };
 
 /// The material's layers, and one weight per layer if the material is textured.

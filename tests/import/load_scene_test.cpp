@@ -148,13 +148,15 @@ TEST_CASE("what fails while a scene is made names the file and the object") {
 
 TEST_CASE("the sun of a sky is a light that the sky's transform rotates") {
     const SceneFile file(scene(
-        a_sensor + a_shape +
+        a_sensor + a_shape + "<emitter type='point'/>" +
         "<emitter type='sky'><vector name='sun_direction' x='1' y='1'/><float name='turbidity' value='3'/>"
         "<boolean name='sun' value='true'/><transform name='to_world'><rotate y='1' angle='90'/></transform>"
         "</emitter>"));
     const LoadedScene loaded = load_scene(file.scene(), {});
-    REQUIRE(loaded.scene.light_ids().size() == 1);
-    const LocalLight& sun = loaded.scene.light(loaded.scene.light_ids().front());
+    REQUIRE(loaded.scene.light_ids().size() == 2);
+    // The file's lights come first, because elements before lights are found by their ids.
+    CHECK(loaded.scene.light(0).kind == LocalLight::Kind::point);
+    const LocalLight& sun = loaded.scene.light(1);
     CHECK(sun.kind == LocalLight::Kind::directional);
     // 90 degrees about y take the sun from +x to -z.
     CHECK(glm::length(glm::dvec3(sun.to_world[2]) - glm::dvec3(0, -1, 1) / std::sqrt(2.0)) < 1e-12);

@@ -65,6 +65,27 @@ TEST_CASE("a scene at a time is that of a file loaded at this time") {
     check_equal(later, load_scene(file.scene(), {{"time", "1"}}));
 }
 
+TEST_CASE("a mesh that its deformation makes flat when it is loaded is drawn at other times") {
+    GltfBuffer buffer = triangle_buffer();
+    std::vector<glm::vec3> to_origin;
+    for (const glm::vec3& corner : a_gltf_triangle) to_origin.push_back(-corner);
+    buffer.vectors(to_origin);
+    for (const std::vector<float>& values : {std::vector<float>{0, 1}, {1, 0}})
+        buffer.accessor("SCALAR", gltf_float, 2, GltfBuffer::of(buffer.view(values)));
+    const GltfFile file(
+        buffer,
+        "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0},\"targets\":[{\"POSITION\":1}]}]}],"
+        "\"nodes\":[{\"mesh\":0}],\"animations\":[{\"channels\":[{\"sampler\":0,\"target\":{\"node\":0,"
+        "\"path\":\"weights\"}}],\"samplers\":[{\"input\":2,\"output\":3}]}]");
+    LoadedScene moving = load_scene(file.scene(), {{"time", "0"}});
+    CHECK(moving.scene.instances().empty());
+    CHECK(moving.camera.near_clip > 0);
+    moving.animation->set_time(1, {}, moving.scene, moving.camera);
+    check_equal(moving, load_scene(file.scene(), {{"time", "1"}}));
+    moving.animation->set_time(0, {}, moving.scene, moving.camera);
+    CHECK(moving.scene.instances().empty());
+}
+
 TEST_CASE("what does not deform keeps its mesh, and a scene that rests changes nothing") {
     const GltfFile file = moving_file();
     LoadedScene moving = load_scene(file.scene(), {{"time", "0"}});
@@ -72,6 +93,9 @@ TEST_CASE("what does not deform keeps its mesh, and a scene that rests changes n
     moving.animation->set_time(1, {}, moving.scene, moving.camera);
     CHECK(moving.scene.at(0).mesh == mesh);
     CHECK_THROWS_AS(moving.animation->set_time(std::nan(""), {}, moving.scene, moving.camera), Error);
+    moving.scene.set_mesh(0, std::make_shared<const Mesh>(*mesh));
+    moving.animation->set_time(1, {}, moving.scene, moving.camera);
+    CHECK(moving.scene.at(0).mesh == mesh);
     const GltfFile still(triangle_buffer(), one_mesh() + ",\"nodes\":[{\"mesh\":0}]");
     CHECK_FALSE(load_scene(still.scene(), {}).animation);
 }

@@ -4,6 +4,7 @@
 
 #include "gl/contexts.hpp"
 #include "image_difference.hpp"
+#include "material/dielectric.hpp"
 #include "render/scenes.hpp"
 
 using namespace nicol;
@@ -17,14 +18,18 @@ const InstanceRoles kReceivesNone{.receives_shadows = false};
 const InstanceRoles kInvisible{.visible = false};
 const InstanceRoles kAbsent{.casts_shadows = false, .visible = false};
 
-/// A ball above a floor and under a roof, which the camera does not see.
-Scene room(bool lamp) {
+/// A ball above a floor and under a roof, which the camera does not see. pane: whether glass covers the roof.
+Scene room(bool lamp, bool pane = false) {
     Scene scene;
     scene.add({.mesh = test::rectangle(24), .material = diffuse({0.5}), .to_world = test::plate_at(-1, 3)});
     scene.add({.mesh = test::coarse_sphere(6), .material = diffuse({0.8})});
     scene.add({.mesh = std::make_shared<const Mesh>(make_cube(4)),
                .material = diffuse({0.3}),
                .to_world = test::at(0, 2.5, -1, 0.7)});
+    if (pane)
+        scene.add({.mesh = test::rectangle(1),
+                   .material = thin_dielectric({.int_ior = 1.5, .ext_ior = 1}),
+                   .to_world = test::plate_at(3.6, 3)});
     if (lamp) {
         for (const glm::dvec3& place : {glm::dvec3(0.5, 4, 1), glm::dvec3(0, 4.5, -1.8)})
             scene.add_light({.value = {20}, .to_world = look_at(place, {0, 0, 0}, {0, 1, 0.1})});
@@ -77,19 +82,22 @@ IMAGE_TEST_CASE("instances have the roles that they are given, by every method")
         int max_depth;
         bool lamp;
         double budget;
+        bool pane = false;
         double same = 2e-3;  ///< largest difference of equal light, over the RMS: approximations of bounces,
                              ///< and for rays the facets of the ball, which hide light from each other
     };
     constexpr int direct = kDirectLightDepth;
-    for (const Case& c : {Case{"vertices", Method::factored, ShadeAt::vertices, direct, false, 0},
-                          Case{"pixels", Method::factored, ShadeAt::pixels, direct, false, 0},
-                          Case{"a lamp", Method::factored, ShadeAt::pixels, direct, true, 0},
-                          Case{"bounces", Method::factored, ShadeAt::pixels, 4, false, 0, 0.05},
-                          Case{"a budget", Method::factored, ShadeAt::pixels, direct, false, 1e6},
-                          Case{"dense", Method::dense, ShadeAt::vertices, direct, false, 0},
-                          Case{"rays", Method::reference, ShadeAt::automatic, direct, false, 0, 0.07},
-                          Case{"rays, a lamp", Method::reference, ShadeAt::automatic, direct, true, 0, 0.07},
-                          Case{"rays, bounces", Method::reference, ShadeAt::automatic, 4, false, 0, 0.07}}) {
+    for (const Case& c :
+         {Case{"vertices", Method::factored, ShadeAt::vertices, direct, false, 0},
+          Case{"pixels", Method::factored, ShadeAt::pixels, direct, false, 0},
+          Case{"a lamp", Method::factored, ShadeAt::pixels, direct, true, 0},
+          Case{"a pane", Method::factored, ShadeAt::pixels, direct, true, 0, true},
+          Case{"bounces", Method::factored, ShadeAt::pixels, 4, false, 0, false, 0.05},
+          Case{"a budget", Method::factored, ShadeAt::pixels, direct, false, 1e6},
+          Case{"dense", Method::dense, ShadeAt::vertices, direct, false, 0},
+          Case{"rays", Method::reference, ShadeAt::automatic, direct, false, 0, false, 0.07},
+          Case{"rays, a lamp", Method::reference, ShadeAt::automatic, direct, true, 0, false, 0.07},
+          Case{"rays, bounces", Method::reference, ShadeAt::automatic, 4, false, 0, false, 0.07}}) {
         CAPTURE(std::string(c.name));
         RenderOptions options{.method = c.method, .executor = Executor::cpu, .bake_directions = 512};
         options.refine_tolerance = 0;
@@ -107,11 +115,11 @@ IMAGE_TEST_CASE("instances have the roles that they are given, by every method")
             return target.image();
         };
         const auto with_ball = [&](const InstanceRoles& roles) {
-            Scene scene = room(c.lamp);
+            Scene scene = room(c.lamp, c.pane);
             scene.set_roles(kBall, roles);
             return scene;
         };
-        Scene without = room(c.lamp), alone = room(c.lamp);
+        Scene without = room(c.lamp, c.pane), alone = room(c.lamp);
         without.remove(kBall);
         alone.remove(kFloor);
         alone.remove(2);

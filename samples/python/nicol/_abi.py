@@ -2598,9 +2598,9 @@ class Scene(Handle):
         """Moves a scene that was loaded from a glTF file with animations to a time, in seconds. Instances, deformed
         meshes, lights and camera (nicol_scene_get_camera) become those that nicol_scene_load gives for the
         definition time. The animation is that of the scene's definition animation, or the first one. Meshes,
-        transforms and lights that were set after loading are replaced; removed instances and lights stay removed.
-        An instance that the animation scales to 0 is removed, and returns under another id. The next render bakes
-        what has moved. Returns NICOL_ERROR_INVALID_ARGUMENT for a time that is not finite, and
+        transforms and places of lights that were set after loading are replaced; removed instances and lights stay
+        removed. An instance that the animation scales to 0 is removed, and returns under another id. The next
+        render bakes what has moved. Returns NICOL_ERROR_INVALID_ARGUMENT for a time that is not finite, and
         NICOL_ERROR_UNSUPPORTED for a scene without animations."""
         check(_scene_set_time(self, time))
 

@@ -2060,9 +2060,9 @@ extern "C" {
     /// Moves a scene that was loaded from a glTF file with animations to a time, in seconds. Instances, deformed
     /// meshes, lights and camera (nicol_scene_get_camera) become those that nicol_scene_load gives for the
     /// definition time. The animation is that of the scene's definition animation, or the first one. Meshes,
-    /// transforms and lights that were set after loading are replaced; removed instances and lights stay removed.
-    /// An instance that the animation scales to 0 is removed, and returns under another id. The next render bakes
-    /// what has moved. Returns NICOL_ERROR_INVALID_ARGUMENT for a time that is not finite, and
+    /// transforms and places of lights that were set after loading are replaced; removed instances and lights stay
+    /// removed. An instance that the animation scales to 0 is removed, and returns under another id. The next
+    /// render bakes what has moved. Returns NICOL_ERROR_INVALID_ARGUMENT for a time that is not finite, and
     /// NICOL_ERROR_UNSUPPORTED for a scene without animations.
     pub fn nicol_scene_set_time(scene: nicol_scene, time: f64) -> nicol_result;
     /// Loads a scene from memory: XML, glTF as JSON, or GLB. The resolver returns the scene's other files.
