@@ -106,27 +106,27 @@ struct Film {
 
 struct SceneState {
     explicit SceneState(const SessionPtr& session)
-        : rendering(session->gl), renderer(session->gl, session->workers) {
+        : renderer(session->gl, session->workers), rendering(session->gl) {
         // The owner pointer stays valid, because renders happen inside a call that holds the session.
         renderer.set_cache(session->cache,
                            [owner = session.get()](const std::string& message) { owner->notice(message); });
         renderer.set_memory_limit(session->memory_limit);
     }
 
+    Renderer renderer;  ///< only renders use it
+    // The files, the animation and the film come from the scene file. They never change, but for the film's
+    // camera, which `edit` protects.
+    std::vector<FileRecord> files;
     /// Mutex of readers and writers of the scene. Jobs do not hold it, because they have copies.
     std::mutex edit;
-    Scene scene;
+    std::optional<MovingScene> animation;  ///< none: the scene's file has none
     /// Mutex of renders, held through each, before `edit` and the mutex of the framebuffer.
     gl::LendingMutex rendering;
-    // Members that only renders use.
-    Renderer renderer;
+    std::optional<Film> film;
+    Scene scene;
+    // Only renders use these.
     bool darkness_noticed = false;
     bool error_noticed = false;
-    // The film and the files come from the scene file. They never change, but for the film's camera, which
-    // `edit` protects.
-    std::optional<Film> film;
-    std::vector<FileRecord> files;
-    std::optional<MovingScene> animation;  ///< none: the scene's file has none
 };
 
 /// Content of every handle: a session, the object and a reference count.

@@ -32,7 +32,7 @@ inline int differing_pixels(const StokesImage& a, const StokesImage& b, double m
         for (int x = 0; x < a.width; ++x) {
             bool differs = false;
             for (int c = 0; c < a.channels; ++c)
-                for (int p = 0; p < 4; ++p)
+                for (std::size_t p = 0; p < 4; ++p)
                     differs = differs || std::abs(static_cast<double>(difference.at(c, y, x)[p])) > most;
             count += differs ? 1 : 0;
         }

@@ -28,6 +28,7 @@ namespace {
 constexpr std::size_t kReadBytes = 65536;  // most bytes per read
 /// Interval of checks whether the client left, used while unread bytes hide the end of the stream.
 constexpr std::chrono::milliseconds kLookInterval(100);
+constexpr std::chrono::seconds kLinger(2);
 
 std::chrono::steady_clock::duration duration(Seconds seconds) {
     return std::chrono::duration_cast<std::chrono::steady_clock::duration>(seconds);
@@ -380,9 +381,30 @@ void Connection::answer(const Response& response, bool keep_alive) {
     stream_.expires_after(duration(around_.options.write_limit));
     http::async_write(stream_, out->message,
                       [self = shared_from_this(), out, keep_alive](const error_code& error, std::size_t) {
+                          const bool unread = self->parser_ && !self->parser_->is_done();
+                          if (!error && unread && !keep_alive) return self->linger();
                           if (error || !keep_alive || self->draining_) return self->close();
                           self->wait_for_request();
                       });
+}
+
+/// Ends the connection after an answer to a request that was not read to its end. A socket that closes with
+/// bytes unread resets the connection, and a client that still sends may lose the answer. What comes is
+/// therefore dropped until the client ends the connection or kLinger is over.
+void Connection::linger() {
+    error_code ignored;
+    stream_.socket().shutdown(asio::ip::tcp::socket::shutdown_send, ignored);
+    stream_.expires_after(kLinger);
+    drop();
+}
+
+void Connection::drop() {
+    buffer_.consume(buffer_.size());
+    stream_.async_read_some(buffer_.prepare(beast::read_size(buffer_, kReadBytes)),
+                            [self = shared_from_this()](const error_code& error, std::size_t) {
+                                if (error) return self->close();
+                                self->drop();
+                            });
 }
 
 void Connection::close() {

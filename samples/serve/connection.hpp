@@ -77,6 +77,8 @@ private:
     void limit(Seconds time, std::function<void()> over);
     void unlimit();
     void close();
+    void linger();
+    void drop();
 
     boost::beast::tcp_stream stream_;
     const std::string network_;

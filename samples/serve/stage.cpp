@@ -18,6 +18,8 @@
 
 namespace {
 
+/// Optimisation with which an image depends on the images before it. An address always has the same bytes.
+constexpr std::uint32_t kHistoryShows = NICOL_OPTIMISATION_RAYS;
 constexpr std::uint32_t kProbeSide = 33;  // odd, so that a pixel lies in the middle
 
 double milliseconds_since(std::chrono::steady_clock::time_point start) {
@@ -145,6 +147,7 @@ double Stage::centre_depth() const {
     check(nicol_framebuffer_create(context_, kProbeSide, kProbeSide, info_.channels, &framebuffer));
     const Framebuffer owner(framebuffer);
     nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
+    options.disabled_optimisations = kHistoryShows;
     options.aovs = NICOL_AOV_DEPTH;
     check(nicol_render(scene_.get(), &camera_, &options, framebuffer));
     std::vector<float> depth(std::size_t{kProbeSide} * kProbeSide);
@@ -183,6 +186,7 @@ void Stage::draw(const View& view, const Progress& progress, ResultHead& head) {
         light_tilt_ = view.light_tilt;
     }
     nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
+    options.disabled_optimisations = kHistoryShows;
     if (view.order_low >= 0) options.order_low = static_cast<std::uint32_t>(view.order_low);
     if (view.order_high >= 0) options.order_high = static_cast<std::uint32_t>(view.order_high);
     if (view.tolerance > 0) options.tolerance = view.tolerance;

@@ -127,7 +127,8 @@ LightingTally PixelLights::add(const PixelBatch& batch, std::span<const std::spa
                                     .places = spread ? &places : nullptr,
                                     .bounced = bounced ? &*bounced : nullptr,
                                     .seeds = std::span(seeds).first(count),
-                                    .shadowed = shadowed},
+                                    .shadowed = shadowed,
+                                    .receives_shadows = range.roles.receives_shadows},
                                    {.layers = layers, .weights = weights}, channels);
         if (range.emission != nullptr && batch.emits()) add_emission(range, batch, first, channels);
     }

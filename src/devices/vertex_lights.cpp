@@ -57,6 +57,7 @@ LightingTally VertexLights::add(const VertexRange& range, std::span<const std::u
     const std::vector<std::span<glm::vec4>> channels = channel_spans(sums, out.size(), count);
 
     const Material* const material = range.material.get();
+    const bool receives = range.roles.receives_shadows;
     const LightingTally tally =
         lights_.lighting().add(input_.view,
                                {.positions = std::span(positions).first(count),
@@ -68,8 +69,8 @@ LightingTally VertexLights::add(const VertexRange& range, std::span<const std::u
                                 .mirrored = nullptr,
                                 .parts = {},
                                 .seeds = vertices,
-                                .shadowed = shadowed,
-                                .receives_shadows = range.roles.receives_shadows},
+                                .shadowed = shadowed && receives,
+                                .receives_shadows = receives},
                                {.layers = {&material, 1}, .weights = {}}, channels);
     if (range.emission != nullptr) {
         add_emitted(*range.emission, lights_.axis_of(range.instance), input_.view,

@@ -21,7 +21,7 @@ protected:
         const off_type base = from == std::ios_base::beg   ? 0
                               : from == std::ios_base::cur ? gptr() - eback()
                                                            : egptr() - eback();
-        if (offset < -base || offset > egptr() - eback() - base) return pos_type(off_type(-1));
+        if (offset < -base || offset > egptr() - eback() - base) return off_type{-1};
         setg(eback(), eback() + base + offset, egptr());
         return base + offset;
     }

@@ -45,6 +45,7 @@ struct Mesh {
 struct MeshColorNames {
     std::string vertices = "color";
     std::string faces = "color";
+    // NOLINTNEXTLINE(modernize-use-nullptr): the zero is the comparison's own
     auto operator<=>(const MeshColorNames&) const = default;
 };
 

@@ -41,6 +41,7 @@ public:
         ColorsOf of;
         std::string name;  ///< see MeshColorNames
         bool number;       ///< whether it must have one number
+        // NOLINTNEXTLINE(modernize-use-nullptr): the zero is the comparison's own
         auto operator<=>(const NeededAttribute&) const = default;
     };
     /// Returns the attributes that textures have needed since the last call.

@@ -33,7 +33,7 @@ double cost(int low, bool split, bool local_lights) {
 // Part of a frame's time that better orders may take beyond the cheapest orders.
 constexpr double kNegligible = 0.06;
 // Error, relative to the tolerance, below which no better orders are looked for.
-constexpr double kUnseen = 0.1;
+constexpr double kSmallError = 0.1;
 
 // Energies by order of the parts of a light, s0, (s1, s2) and s3, for each channel. With s1 and s2 complex,
 // half of their products with a response are real.
@@ -125,7 +125,7 @@ OrderSelector::Orders OrderSelector::cheapest(double tolerance, bool split, bool
         if (error(orders.low, orders.high, Fit::perfect) > tolerance) continue;
         orders.error = error(orders.low, orders.high, Fit::made);
         if (orders.error > tolerance) continue;
-        if (orders.high > orders.low || orders.error <= kUnseen * tolerance) return orders;
+        if (orders.high > orders.low || orders.error <= kSmallError * tolerance) return orders;
         // Fits of high orders would take longer than they save.
         Orders best = orders;
         for (Orders better : candidates) {

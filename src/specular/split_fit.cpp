@@ -97,6 +97,7 @@ SplitBasis::SplitBasis(int l_low, int l_high) : l_low_(l_low), l_high_(l_high) {
                     "high orders from " + std::to_string(l_low) + " to " + std::to_string(l_high) +
                         "; they must ascend within 0 to " + std::to_string(kMaxOrder));
     std::vector<std::vector<double>> lobes;
+    lobes.reserve(kLobeWidths.size() + 1);
     for (const double width : kLobeWidths) lobes.push_back(gaussian_gains(width, l_low + 1, l_high));
     lobes.push_back(cosine_gains(l_low + 1, l_high));
     for (const auto& lobe : lobes) {

@@ -375,15 +375,20 @@ CONTEXT_TEST_CASE("instances need the texture coordinates and colours that their
         return nicol_scene_add_instance(scene, &instance, nullptr);
     };
     REFUSES(add_with(textured), "instance 0: the material has textures, which need texture coordinates");
-    REFUSES(add_with(painted), "instance 0: the material has the colours of vertices, and the mesh has none");
-    REFUSES(add_with(faceted), "instance 0: the material has the colours of faces, and the mesh has none");
-    REFUSES(add_with(both), "instance 0: the material has the colours of vertices and those of faces");
+    REFUSES(add_with(painted),
+            "instance 0: the material or the radiance has the colours of vertices, and the mesh has none");
+    REFUSES(add_with(faceted),
+            "instance 0: the material or the radiance has the colours of faces, and the mesh has none");
+    REFUSES(add_with(both),
+            "instance 0: the material or the radiance has the colours of vertices and those of faces");
     instance.mesh = with_face_colors;
-    REFUSES(add_with(painted), "instance 0: the material has the colours of vertices, and the mesh has none");
+    REFUSES(add_with(painted),
+            "instance 0: the material or the radiance has the colours of vertices, and the mesh has none");
     instance.mesh = bare;
     OK(add_with(grey));
     REFUSES(nicol_scene_set_material(scene, 0, textured), "instance 0: the material has textures");
-    REFUSES(nicol_scene_set_material(scene, 0, painted), "instance 0: the material has the colours");
+    REFUSES(nicol_scene_set_material(scene, 0, painted),
+            "instance 0: the material or the radiance has the colours");
     // An alpha mask needs texture coordinates, too.
     const Owned cut(make(nicol_material_create_mask, context, grey, texture));
     REFUSES(add_with(cut), "instance 1: the material has textures");

@@ -134,7 +134,7 @@ HOST_TEST_CASE("an image and the application's surfaces hide each other by depth
     // The application's surface is a plane before a part of the body, which is 2.2 to 3.8 away.
     constexpr double wall = 2.9;
     for (const DepthCase& c : kDepths)
-        for (const GLenum format : {GL_DEPTH_COMPONENT32F, GL_DEPTH24_STENCIL8})
+        for (const GLenum format : {GLenum{GL_DEPTH_COMPONENT32F}, GLenum{GL_DEPTH24_STENCIL8}})
             for (const bool bottom_up : {false, true}) {
                 CAPTURES(c.mapping, c.far, format, bottom_up);
                 nicol_texture_target target = into(texture_of(gl, GL_RGBA32F));

@@ -87,7 +87,7 @@ TEST_CASE("energies of what a light lacks are zero, and channels have their own"
     CHECK(power.of(0, 0, 0)[1] > 2 * power.of(2, 0, 0)[1]);
     CHECK(power.of(0, 1, 0)[3] ==
           doctest::Approx(power.of(2, 1, 0)[3]).epsilon(0.05));  // the gloss is colourless
-    for (const std::size_t part : {1, 2})
+    for (const std::size_t part : {1U, 2U})
         for (const double value : power.of(1, 0, part)) CHECK(value == 0);
     CHECK(ResponsePower(*diffuse({0.5}), 6, LightKind::unpolarized, 3, known).channels() == 1);
 }

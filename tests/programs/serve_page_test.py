@@ -45,14 +45,18 @@ class Page(unittest.TestCase):
         self.browser.open(f"http://127.0.0.1:{self.server.port}/?samples={samples}")
 
     def settle(self):
-        """Waits until the last requested image is drawn with all its samples."""
+        """Waits until the last requested image is drawn with all its samples, and the row of thumbnails has its size."""
+        self.browser.wait("(() => { const all = [...document.querySelectorAll('#scenes img')], list = document.getElementById('scene');"
+                          "return list && (list.options.length < 2 || "
+                          "(all.length === list.options.length && all.every((one) => one.complete))); })()")  # fmt: skip
         self.browser.wait("document.body !== null && 'shown' in document.body.dataset && "
                           "document.body.dataset.shown === document.body.dataset.wanted && "
                           f"document.body.dataset.samples === '{self.samples}'")  # fmt: skip
         self.browser.evaluate("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))")
 
     def image(self):
-        """Returns a small screenshot of the canvas."""
+        """Returns a small screenshot of the canvas, without the crosshair of the probe."""
+        self.browser.evaluate("document.getElementById('cross').style.visibility = 'hidden'")
         return self.browser.screenshot(*self.box(), 0.25)
 
     def rows(self):

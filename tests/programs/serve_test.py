@@ -230,7 +230,7 @@ class Visitors(ServeTest):
                     self.assertEqual(answer.headers.get("access-control-allow-origin"), allowed)
                     self.assertIn("Origin", answer.headers["vary"])
                     asked = answer.headers.get("access-control-allow-methods")
-                    self.assertEqual(asked, "GET, HEAD" if allowed and method == "OPTIONS" else None)
+                    self.assertEqual(asked, "GET, HEAD, POST" if allowed and method == "OPTIONS" else None)
         self.assertIn("ETag", self.server.get(IMAGE, Origin=self.PAGE).headers["access-control-expose-headers"])
 
 

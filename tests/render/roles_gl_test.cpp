@@ -63,7 +63,7 @@ double differing(const StokesImage& a, const StokesImage& b, double most, const 
             if (!all_show(shown, x, y, instance, others)) continue;
             bool differs = false;
             for (int c = 0; c < a.channels; ++c)
-                for (int p = 0; p < 4; ++p)
+                for (std::size_t p = 0; p < 4; ++p)
                     differs = differs || std::abs(static_cast<double>(between.at(c, y, x)[p])) > limit;
             count += differs ? 1 : 0;
             ++all;
