@@ -248,7 +248,8 @@ void Connection::handle() {
     const auto& message = parser_->get();
     if (const auto* wanted = std::get_if<Render>(&outcome)) return render(*wanted);
     // An unread body must not be parsed as a request.
-    answer(std::get<Response>(outcome), message.keep_alive() && parser_->is_done());
+    const Response& response = std::get<Response>(outcome);
+    answer(response, message.keep_alive() && parser_->is_done() && !response.is_last);
 }
 
 void Connection::render(const Render& render) {

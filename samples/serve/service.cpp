@@ -169,7 +169,9 @@ std::variant<Response, Render> Service::image(const Request& request, const Targ
         ++metrics_.hits_result;
         Response response = respond(render, kept);
         if (render.events_url.empty()) return response;
-        return text("text/event-stream", done_event(render.events_url));
+        Response events = text("text/event-stream", done_event(render.events_url));
+        events.is_last = true;
+        return events;
     }
     if (draining) refuse(503, "The service is about to end.", kNotReadySeconds);
     return render;

@@ -35,6 +35,7 @@ struct Response {
     std::vector<std::pair<std::string, std::string>> headers = {};
     std::shared_ptr<const void> owner = {};  ///< owner of the content
     std::string_view content = {};
+    bool is_last = false;  ///< the connection closes after it
 };
 
 /// An image to be rendered.
