@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "field.hpp"
 #include "json.hpp"
 
 namespace {
@@ -18,11 +19,8 @@ std::string event(std::string_view name, std::string_view data) {
 
 bool accepts_events(std::string_view accept) {
     while (!accept.empty()) {
-        const std::string_view range = accept.substr(0, accept.find(','));
-        accept.remove_prefix(std::min(range.size() + 1, accept.size()));
-        std::string_view type = range.substr(0, range.find(';'));
-        type.remove_prefix(std::min(type.find_first_not_of(" \t"), type.size()));
-        if (type.substr(0, type.find_first_of(" \t")) == "text/event-stream") return true;
+        std::string_view range = take_part(accept, ',');
+        if (take_part(range, ';') == "text/event-stream") return true;
     }
     return false;
 }

@@ -9,7 +9,9 @@ struct PackedScene {
     Orbit orbit;
 };
 
-void put(std::string& to, const std::string& text) {
+}  // namespace
+
+void put_text(std::string& to, const std::string& text) {
     to += bytes_of(static_cast<std::uint32_t>(text.size()));
     to += text;
 }
@@ -22,12 +24,10 @@ bool take_text(std::string_view& from, std::string& into) {
     return true;
 }
 
-}  // namespace
-
 std::string pack(const Hello& hello) {
     std::string bytes;
-    put(bytes, hello.renderer);
-    for (const std::string& id : hello.scenes) put(bytes, id);
+    put_text(bytes, hello.renderer);
+    for (const std::string& id : hello.scenes) put_text(bytes, id);
     return bytes;
 }
 
@@ -42,9 +42,9 @@ bool unpack(std::string_view bytes, Hello& hello) {
 std::string pack(const Loaded& loaded) {
     const SceneInfo& scene = loaded.info;
     std::string bytes;
-    put(bytes, scene.id);
-    put(bytes, scene.digest);
-    put(bytes, loaded.reason);
+    put_text(bytes, scene.id);
+    put_text(bytes, scene.digest);
+    put_text(bytes, loaded.reason);
     return bytes +=
            bytes_of(PackedScene{scene.channels, scene.width, scene.height, scene.up, scene.fov, scene.orbit});
 }

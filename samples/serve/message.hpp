@@ -69,6 +69,11 @@ bool take(std::string_view& from, T& into) {
     return true;
 }
 
+/// Appends a text and its length.
+void put_text(std::string& to, const std::string& text);
+/// Removes a text of put_text() from the front. Returns false if it is not whole.
+bool take_text(std::string_view& from, std::string& into);
+
 /// Description of a worker, sent in its hello.
 struct Hello {
     std::string renderer;             ///< name and version of OpenGL

@@ -13,8 +13,10 @@ namespace {
 /// Number of steps, so large that at most one 8-bit code begins within a step.
 constexpr std::size_t kTableSize = 4096;
 
-double srgb_curve(double v) {
-    return v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1 / 2.4) - 0.055;
+template <class Real>
+Real srgb_curve(Real v) {
+    if (v >= 1) return 1;  // in single precision the formula rounds to less
+    return v <= Real(0.0031308) ? Real(12.92) * v : Real(1.055) * std::pow(v, 1 / Real(2.4)) - Real(0.055);
 }
 
 /// Exact 8-bit code of linear values without branches: the code at the beginning of the table's step, or the
@@ -45,11 +47,6 @@ private:
 
 std::uint8_t code(float unit) {
     return static_cast<std::uint8_t>(std::lround(255 * std::clamp(unit, 0.0f, 1.0f)));
-}
-
-float srgb_curve(float unit) {
-    if (unit >= 1) return 1;  // the formula rounds to less
-    return unit <= 0.0031308f ? 12.92f * unit : 1.055f * std::pow(unit, 1 / 2.4f) - 0.055f;
 }
 
 float finite(float v) {

@@ -12,6 +12,7 @@
 #include "deflate.hpp"
 #include "digest.hpp"
 #include "exr.hpp"
+#include "field.hpp"
 #include "observe.hpp"
 #include "planes.hpp"
 #include "png.hpp"
@@ -64,9 +65,7 @@ std::string digest_of(nicol_scene scene) {
 void light_if_dark(nicol_context context, nicol_scene scene) {
     nicol_scene_file first = NICOL_SCENE_FILE_INIT;
     check(nicol_scene_get_file(scene, 0, &first));
-    // Suffixes of formats have any case.
-    const std::string suffix = std::filesystem::path(first.path).extension().string();
-    if (suffix.size() < 3 || (suffix[1] | 0x20) != 'g' || (suffix[2] | 0x20) != 'l') return;
+    if (!lower_case(std::filesystem::path(first.path).extension().string()).starts_with(".gl")) return;
     std::uint32_t lights = 0;
     check(nicol_scene_get_light_count(scene, &lights));
     if (lights > 0) return;

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "digest.hpp"
+#include "field.hpp"
 #include "message.hpp"
 #include "problem.hpp"
 #include "query.hpp"
@@ -33,22 +34,9 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 7> kTypes = 
     throw Refusal({.status = status, .detail = detail});
 }
 
-std::string lower_case(std::string_view text) {
-    std::string lower(text);
-    std::ranges::transform(lower, lower.begin(),
-                           [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-    return lower;
-}
-
-std::string_view trimmed(std::string_view text) {
-    const auto first = text.find_first_not_of(" \t");
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
-
 /// Returns the value before the first ';'.
 std::string main_value(std::string_view field) {
-    return lower_case(trimmed(field.substr(0, field.find(';'))));
+    return lower_case(take_part(field, ';'));
 }
 
 /// Returns a parameter such as boundary=x or filename="a b" of a header field, unquoted.
@@ -144,19 +132,6 @@ std::vector<UploadedFile> parts_of(std::string_view content_type, std::string_vi
     return files;
 }
 
-void put(std::string& to, const std::string& text) {
-    to += bytes_of(static_cast<std::uint64_t>(text.size()));
-    to += text;
-}
-
-bool take_text(std::string_view& from, std::string& into) {
-    std::uint64_t length = 0;
-    if (!take(from, length) || from.size() < length) return false;
-    into = from.substr(0, length);
-    from.remove_prefix(length);
-    return true;
-}
-
 }  // namespace
 
 bool is_path_of_scenes(std::string_view target) {
@@ -196,10 +171,10 @@ Upload parse_upload(std::string_view content_type, std::string_view body) {
 
 std::string pack(const Upload& upload) {
     std::string bytes;
-    put(bytes, upload.id);
+    put_text(bytes, upload.id);
     for (const UploadedFile& file : upload.files) {
-        put(bytes, file.name);
-        put(bytes, file.bytes);
+        put_text(bytes, file.name);
+        put_text(bytes, file.bytes);
     }
     return bytes;
 }
