@@ -113,6 +113,7 @@ struct SceneState {
         renderer.set_memory_limit(session->memory_limit);
     }
 
+    // In the order of alignment, which leaves little room between the members.
     Renderer renderer;  ///< only renders use it
     // The files, the animation and the film come from the scene file. They never change, but for the film's
     // camera, which `edit` protects.

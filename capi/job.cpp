@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Jobs and the queue that runs them.
+// Jobs, the queue that runs them, and the functions of jobs.
 #include "job.hpp"
 
 #include <algorithm>
@@ -10,6 +10,7 @@
 #include "forked.hpp"
 #include "geometry/embree.hpp"
 #include "gl/worker.hpp"
+#include "handles.hpp"
 
 namespace nicol::capi {
 
@@ -214,3 +215,50 @@ void JobQueue::add(std::shared_ptr<Job> job) {
 }
 
 }  // namespace nicol::capi
+
+using namespace nicol;
+using namespace nicol::capi;
+
+nicol_result nicol_job_poll(nicol_job job, nicol_job_status* status) {
+    return guarded([&] {
+        const nicol_job_impl& self = resolve(job);
+        self.session->gl->lend();
+        write_struct(status, self.content->status(), "status");
+    });
+}
+
+nicol_result nicol_job_wait(nicol_job job, uint32_t timeout_ms) {
+    nicol_result result = NICOL_OK;
+    const nicol_result called = guarded([&] {
+        const nicol_job_impl& self = resolve(job);
+        refuse_in_callback(*self.session);
+        auto at_most = timeout_ms == NICOL_WAIT_FOREVER
+                           ? std::nullopt
+                           : std::optional(std::chrono::milliseconds(timeout_ms));
+        if (self.session->in_host()) {
+            std::optional<std::chrono::steady_clock::time_point> until;
+            if (at_most) until = std::chrono::steady_clock::now() + *at_most;
+            static_cast<void>(self.session->gl->lend_until(
+                [&] { return self.content->status().state == NICOL_JOB_DONE; }, until));
+            at_most = std::chrono::milliseconds(0);
+        }
+        const std::optional<nicol_result> done = self.content->wait(at_most);
+        if (!done) {
+            throw Error(ErrorCode::timeout,
+                        "the job is not done after " + std::to_string(timeout_ms) + " milliseconds");
+        }
+        result = *done;
+    });
+    return called == NICOL_OK ? result : called;
+}
+
+nicol_result nicol_job_cancel(nicol_job job) {
+    return guarded([&] { resolve(job).content->cancel(); });
+}
+
+nicol_result nicol_job_retain(nicol_job job) {
+    return retain(job);
+}
+nicol_result nicol_job_release(nicol_job job) {
+    return release(job);
+}
