@@ -114,8 +114,16 @@ struct Parameter {
     std::size_t size = 0;              ///< bytes of the struct pointed to; 0: no struct
     std::vector<std::byte> initial{};  ///< bytes of the struct with its defaults
     std::vector<std::byte> good{};     ///< bytes of a struct that the call accepts
+    Slot agreeing = 0;                 ///< function of the callback's own type, which returns 1
     const char* name = "";
 };
+
+/// Returns a function of this type that does nothing and returns 1.
+template <class R, class... A>
+Slot agreeing(R (*)(A...)) {
+    R (*const agrees)(A...) = [](A...) { return R{1}; };
+    return static_cast<Slot>(reinterpret_cast<std::uintptr_t>(agrees));
+}
 
 template <class T>
 Parameter parameter_of() {
@@ -127,7 +135,7 @@ Parameter parameter_of() {
         using Target = std::remove_pointer_t<T>;
         using Plain = std::remove_const_t<Target>;
         if constexpr (std::is_function_v<Target>) {
-            return {.kind = Kind::callback};
+            return {.kind = Kind::callback, .agreeing = agreeing(T{})};
         } else if constexpr (std::is_void_v<Target>) {
             return {.kind = Kind::user};
         } else if constexpr (IsHandle<Plain>) {
@@ -319,7 +327,7 @@ public:
                     point(i, std::vector<std::byte>(std::size_t{1} << 16, unwritten));
                     break;
                 case Kind::callback:
-                    slots_[i] = Everything::slot(+[](void*, double, double*) { return std::int32_t{1}; });
+                    slots_[i] = parameter.agreeing;
                     break;
                 case Kind::user:
                     break;

@@ -51,9 +51,8 @@ bool is_left_out(const std::string& name) {
     return name.starts_with("nicol_context_create") || name.starts_with("nicol_file_") ||
            name.ends_with("_load") || name.find("_write") != std::string::npos ||
            (name.find("_load_") != std::string::npos && !name.ends_with("_memory")) ||
-           name == "nicol_scene_load_memory" ||  // fuzz_scene and fuzz_gltf read scenes from memory name ==
-                                                 // "nicol_mesh_create_sphere" ||
-           name == "nicol_psh_project_file";
+           name == "nicol_mesh_create_sphere" || name == "nicol_psh_project_file" ||
+           name == "nicol_scene_load_memory";  // fuzz_scene and fuzz_gltf read scenes from memory
 }
 /// Returns whether objects of this maker render quickly. Other objects are released as soon as they are made.
 bool is_quick(const std::string& maker) {
