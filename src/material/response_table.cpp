@@ -21,11 +21,11 @@ namespace {
 using std::numbers::pi;
 constexpr int kLast = ResponseTable::kAngles - 1;
 // Steps between the angles that are always integrated, and between the closest that are.
-constexpr int kWidestStep = 64;
-constexpr int kStep = 4;
+constexpr int kWidestStep = 32;
+constexpr int kStep = 2;
 // Error of an interpolated row, relative to the table's largest number, up to which the row is not
 // integrated.
-constexpr float kInterpolated = 1e-5F;
+constexpr float kInterpolated = 1e-4F;
 
 bool is_grey(const Material& material, int channels) {
     if (material.matrix(0) != nullptr) return false;

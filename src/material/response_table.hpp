@@ -24,10 +24,10 @@ struct AngleTable;
 /// interpolated linearly between angles.
 class ResponseTable {
 public:
-    /// Number of zenith angles, evenly from 0 to pi/2. At most every fourth angle is integrated, and the
-    /// others are cubic interpolations: all of them where rows vary slowly. The linear interpolation at run
-    /// time then has an error below 1e-4 of a row up to order 16.
-    static constexpr int kAngles = 1024 + 1;
+    /// Number of zenith angles, evenly from 0 to pi/2. At most every second angle is integrated, and
+    /// the others are cubic interpolations: all of them where rows vary slowly. The linear interpolation at
+    /// run time then has an error below 4e-4 of a row up to order 16.
+    static constexpr int kAngles = 512 + 1;
     /// Angles of of_outgoing_light(), whose error is below 1e-6 of the largest value up to order 16.
     static constexpr int kOutgoingAngles = 4097;
 

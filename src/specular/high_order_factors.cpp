@@ -19,7 +19,7 @@ using std::numbers::pi;
 // Fraction of the s0 energy that is negligible: two percent in amplitude.
 constexpr double kNegligible = 4e-4;
 // Error of interpolated factors, relative to the largest factor.
-constexpr float kInterpolated = 3e-4F;
+constexpr float kInterpolated = 1e-3F;
 constexpr auto kAngleCount = static_cast<std::size_t>(HighOrderFactors::kAngles);
 
 double zenith(std::size_t angle) {

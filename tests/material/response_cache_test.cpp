@@ -110,7 +110,7 @@ TEST_CASE("a file of the cache is read by its name alone") {
     refuse(with(" channels=1", " channels=0"), ErrorCode::invalid_file);
     refuse(with(" pairings=1", " pairings=2"), ErrorCode::invalid_file);
     refuse(with(" pairings=1", " pairings=3"), ErrorCode::invalid_file);
-    refuse(with(" angles=1025", " angles=1024"), ErrorCode::invalid_file);
+    refuse(with(" angles=513", " angles=512"), ErrorCode::invalid_file);
     std::string bytes = good;
     bytes[8] = static_cast<char>(bytes[8] + 1);
     refuse(bytes, ErrorCode::unsupported);

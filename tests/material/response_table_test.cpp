@@ -49,7 +49,7 @@ TEST_CASE("rows times light equals the reflection integral in the angular domain
             const ResponseTable table(*c.material, layout, 1);
             CHECK(table.data().size() ==
                   ResponseTable::kAngles * 4 * c.material->pairings() * layout.row_size());
-            for (const int angle : {0, 1, 90 * 4, 200 * 4 + 1, 250 * 4 + 2}) {
+            for (const int angle : {0, 1, 90 * 2, 200 * 2 + 1, 250 * 2 + 1}) {
                 CAPTURES(c.name, angle);
                 const double theta = angle * pi / 2 / (ResponseTable::kAngles - 1);
                 const glm::dvec3 viewer(std::sin(theta), 0, std::cos(theta));
@@ -67,7 +67,7 @@ TEST_CASE("a narrow lobe is resolved: constant light gives the directional albed
             pplastic({.diffuse_reflectance = {0}, .alpha = alpha, .distribution = Distribution::ggx});
         const LightLayout layout(0, LightKind::unpolarized);
         const ResponseTable table(*material, layout, 1);
-        for (const int angle : {0, 13, 128 * 4, 240 * 4 + 3}) {
+        for (const int angle : {0, 7, 128 * 2, 240 * 2 + 1}) {
             const double theta = angle * pi / 2 / (ResponseTable::kAngles - 1);
             const glm::dvec3 viewer(std::sin(theta), 0, std::cos(theta));
             double albedo = 0;
@@ -114,7 +114,7 @@ TEST_CASE("between its angles the table's interpolation error is small") {
             error = std::max(error, std::abs(before - 2 * here + after) / 8);
         }
     }
-    CHECK(error < 4e-5 * largest);
+    CHECK(error < 1.6e-4 * largest);
 }
 
 TEST_CASE("grey materials share one set of rows, coloured ones do not, and impossible components are known") {
