@@ -3,13 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <string>
 #include <utility>
 
 #include "arguments.hpp"
 #include "error.hpp"
 #include "material/reflectance.hpp"
+#include "material/texture_numbers.hpp"
 
 namespace nicol {
 namespace {
@@ -19,9 +19,7 @@ constexpr double kLeastAlpha = 0.01;
 /// Ratio of neighbouring roughnesses. Interpolation half-way between two alphas of this ratio has an error of
 /// about 1 % in the rows of a response.
 constexpr double kAlphaRatio = 1.2;
-/// Most values of a texture that get a layer each. kMostOfPair limits the values of each of two textures,
-/// interpolated ones included, because every pair of values gets a layer.
-constexpr std::size_t kMostValues = 16;
+/// Most numbers of each of two textures, because every pair of numbers gets a layer.
 constexpr std::size_t kMostOfPair = 8;
 
 bool is_anisotropic(const MaterialLayer& layer) {
@@ -87,26 +85,6 @@ void append(const SpatialVariation& from, SpatialVariation& to, const char* of) 
             factor.texture = index_of(from.textures[factor.texture], to);
         to.layers.push_back(std::move(layer));
     }
-}
-
-/// Returns the values between which a number is interpolated, at most `most` of them if that is given.
-std::vector<double> numbers_for(const Texture& texture, double least, double ratio,
-                                std::optional<std::size_t> most = {}) {
-    const auto inside = [least](float value) { return std::clamp(static_cast<double>(value), least, 1.0); };
-    std::vector<double> out;
-    for (const float value : texture.values()) out.push_back(inside(value));
-    if (out.empty() || out.size() > most.value_or(kMostValues)) {
-        out.clear();
-        const double low = inside(texture.range().x);
-        const double high = inside(texture.range().y);
-        int steps = static_cast<int>(std::ceil(std::log(high / low) / std::log(ratio)));
-        if (most) steps = std::min(steps, static_cast<int>(*most) - 1);
-        for (int i = 0; i < steps; ++i)
-            out.push_back(low * std::pow(high / low, i / static_cast<double>(steps)));
-        out.push_back(high);
-    }
-    out.erase(std::unique(out.begin(), out.end()), out.end());
-    return out;
 }
 
 /// Returns make(t) for each of the numbers, interpolated by the texture's value at a point.
@@ -184,7 +162,7 @@ MaterialPtr blend(const MaterialPtr& first, const MaterialPtr& second, const Tex
 MaterialPtr with_number(const std::function<MaterialPtr(double t)>& make, const TexturePtr& texture,
                         double least, double ratio) {
     require_texture(texture, "with_number");
-    return interpolated(make, texture, numbers_for(*texture, least, ratio));
+    return interpolated(make, texture, texture_numbers(*texture, least, ratio));
 }
 
 MaterialPtr with_roughness(const std::function<MaterialPtr(double u, double v)>& make,
@@ -192,7 +170,7 @@ MaterialPtr with_roughness(const std::function<MaterialPtr(double u, double v)>&
     require_texture(alpha_u, "with_roughness");
     require_texture(alpha_v, "with_roughness");
     const auto alphas = [](const Texture& texture) {
-        return numbers_for(texture, kLeastAlpha, kAlphaRatio, kMostOfPair);
+        return texture_numbers(texture, kLeastAlpha, kAlphaRatio, kMostOfPair);
     };
     const std::vector<double> alphas_v = alphas(*alpha_v);
     const auto along_v = [&](double u) {

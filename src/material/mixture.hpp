@@ -32,7 +32,7 @@ namespace nicol {
 [[nodiscard]] MaterialPtr blend(const MaterialPtr& first, const MaterialPtr& second,
                                 const TexturePtr& weight);
 /// Returns make(t) for a texture's first channel t, clamped to least..1 with least above 0. Interpolates
-/// linearly in 1 / t between values whose ratio is at most `ratio`; exact for a texture of up to 16 values.
+/// linearly in 1 / t between texture_numbers(); exact for a texture of up to 16 values.
 [[nodiscard]] MaterialPtr with_number(const std::function<MaterialPtr(double t)>& make,
                                       const TexturePtr& texture, double least, double ratio);
 /// Returns with_number() for a roughness alpha, clamped to 0.01..1, with a ratio of 1.2.

@@ -19,6 +19,14 @@ struct NeededVertices {
     double pixel = 0;  ///< side of a pixel at the nearest vertex that is seen; 0 if none is
 };
 
+/// What images need of the vertices.
+enum class ImageNeeds : std::uint8_t {
+    seen,    ///< the vertices that they show: needed_vertices()
+    pixels,  ///< all vertices, and shadows as fine as pixels, since smooth surfaces and bounced light may
+             ///< show any of them, but none nearer than what is seen
+    all      ///< all vertices, and shadows of any detail
+};
+
 /// Returns what the images of some views need for direct light: vertices of triangles that can be seen and
 /// reflect light, and a sample of the other vertices of each instance, whose shadows say where triangles are
 /// refined. All flags are 0 if no triangle is seen that reflects light. `flags` is empty if so few vertices

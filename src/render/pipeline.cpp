@@ -55,10 +55,13 @@ bool shows_seen_alone(const WorldGeometry& geometry, const RenderOptions& option
            !shows_others(geometry, wants_lobes(options));
 }
 
-// Returns whether an image shows vertices by their own light alone, so that it needs those that it shows.
-bool needs_seen_alone(bool shows_alone, const RenderOptions& options) {
-    return shows_alone && options.max_depth == kDirectLightDepth &&
-           (options.disabled_optimisations & skip_rays) == 0;
+// Returns what an image needs of the vertices: those that it shows, if it shows them by their own light
+// alone.
+ImageNeeds needs_of(bool shows_alone, const RenderOptions& options) {
+    if (options.method != Method::factored ||
+        (options.disabled_optimisations & (skip_rays | skip_hidden)) != 0)
+        return ImageNeeds::all;
+    return shows_alone && !light_bounces(options) ? ImageNeeds::seen : ImageNeeds::pixels;
 }
 
 // Returns the terms that do not reflect harmonics. Light that is given as harmonics has no detail that narrow
@@ -86,9 +89,9 @@ void Pipeline::bake(const Scene& scene, std::span<const Projection> views, const
     surfaces_.update(scene);
     std::vector<Projection> of_surfaces;
     for (const Projection& view : views) of_surfaces.push_back(in_axes(view, surfaces_.to_world()));
-    const bool needs_part = needs_seen_alone(shows_seen_alone(surfaces_.geometry(), options), options);
-    visibility_.update(surfaces_, rays_, needs_bake(scene, options), needs_part, of_surfaces, options,
-                       run.workers, run.progress, run.statistics);
+    const ImageNeeds needs = needs_of(shows_seen_alone(surfaces_.geometry(), options), options);
+    visibility_.update(surfaces_, rays_, needs_bake(scene, options), needs, of_surfaces, options, run.workers,
+                       run.progress, run.statistics);
 }
 
 void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderOptions& given,

@@ -60,7 +60,7 @@ void SceneVisibility::set_cache(std::filesystem::path folder, CacheNotice notice
     notice_ = std::move(notice);
 }
 
-void SceneVisibility::update(const SceneGeometry& surfaces, SurfaceRays& rays, bool lit, bool part,
+void SceneVisibility::update(const SceneGeometry& surfaces, SurfaceRays& rays, bool lit, ImageNeeds needs,
                              std::span<const Projection> views, const RenderOptions& options,
                              Workers& workers, Progress& progress, Statistics& statistics) {
     if (!options.shadows || !lit) progressive_.reset();
@@ -70,7 +70,7 @@ void SceneVisibility::update(const SceneGeometry& surfaces, SurfaceRays& rays, b
     const std::shared_ptr<const Visibility> visible_before = *visible_;
     const bool had_bake = former.visibility == visible_.version();
     const bool carried =
-        options.shadows && lit && bake(surfaces, rays, part, views, options, workers, progress, statistics);
+        options.shadows && lit && bake(surfaces, rays, needs, views, options, workers, progress, statistics);
     uses_bake_ = options.shadows && baked_geometry_ == surfaces.version();
     if (uses_bake_) refine(surfaces, rays, options, workers, progress, statistics);
     surfaces_.update(surfaces, uses_bake_ ? refined_ : nullptr, parts_, numbers_.numbers);
@@ -222,7 +222,7 @@ void SceneVisibility::count_later_steps(double milliseconds) {
     if (progressive_) progressive_->count_later_steps(milliseconds);
 }
 
-bool SceneVisibility::bake(const SceneGeometry& surfaces, SurfaceRays& rays, bool part,
+bool SceneVisibility::bake(const SceneGeometry& surfaces, SurfaceRays& rays, ImageNeeds needs,
                            std::span<const Projection> views, const RenderOptions& options, Workers& workers,
                            Progress& progress, Statistics& statistics) {
     const int count = options.bake_directions;
@@ -234,13 +234,14 @@ bool SceneVisibility::bake(const SceneGeometry& surfaces, SurfaceRays& rays, boo
     const bool carry = !change.kept.empty() && needed_.empty() && follows;
     NeededVertices needed;
     // A scene that changes is baked as a whole from its first change on, so that bakes can be carried over.
-    if (part && !carry && !(is_part && follows) && !(same && needed_.empty())) {
+    if (needs != ImageNeeds::all && !carry && !(is_part && follows) && !(same && needed_.empty())) {
         if (!need_the_same(seen_from_, views)) seeing_.reset();
         seeing_.run(surfaces.version(), surfaces.material_version(), [&] {
             workers.run([&] { seen_ = needed_vertices(surfaces.geometry(), views, rays); });
             seen_from_.assign(views.begin(), views.end());
         });
-        needed = seen_;
+        needed =
+            needs == ImageNeeds::seen ? seen_ : NeededVertices{.flags = {}, .seen = {}, .pixel = seen_.pixel};
     }
     bool rest = false;
     if (same && !needed_.empty()) {
@@ -250,7 +251,8 @@ bool SceneVisibility::bake(const SceneGeometry& surfaces, SurfaceRays& rays, boo
         rest = !enough && is_part;
         if (!enough) baking_.reset();
     }
-    const bool another = !part || (!seen_from_.empty() && !need_the_same(seen_from_, views));
+    const bool another =
+        needs == ImageNeeds::all || (!seen_from_.empty() && !need_the_same(seen_from_, views));
     if (shortest_edge_ > 0 && (carry || rest || (needed_.empty() && another))) {
         shortest_edge_ = 0;
         wanted_.clear();

@@ -35,10 +35,10 @@ public:
     void set_cache(std::filesystem::path folder, CacheNotice notice);
 
     /// Bakes and refines the surfaces, unless nothing casts shadows or `lit` is false; repeats only what
-    /// changes require, within the options' budget. rays: of the surfaces; views: of their axes. part:
-    /// whether the vertices that the images of these views need are enough (needed_vertices()); all are baked
-    /// once an image needs more. Adds times and counts to `statistics`.
-    void update(const SceneGeometry& surfaces, SurfaceRays& rays, bool lit, bool part,
+    /// changes require, within the options' budget. rays: of the surfaces; views: of their axes. needs:
+    /// of the images of these views; more is baked once an image needs it. Adds times and counts to
+    /// `statistics`.
+    void update(const SceneGeometry& surfaces, SurfaceRays& rays, bool lit, ImageNeeds needs,
                 std::span<const Projection> views, const RenderOptions& options, Workers& workers,
                 Progress& progress, Statistics& statistics);
     /// Sets numbers of vertices and bytes in `statistics`. surfaces: of the last update().
@@ -61,8 +61,9 @@ private:
     /// Hands the current bake to progressive_.
     void begin_progressively(const SceneGeometry& surfaces, const RenderOptions& options);
     /// Bakes the surfaces before refinement. Returns whether the former bake was carried over.
-    bool bake(const SceneGeometry& surfaces, SurfaceRays& rays, bool part, std::span<const Projection> views,
-              const RenderOptions& options, Workers& workers, Progress& progress, Statistics& statistics);
+    bool bake(const SceneGeometry& surfaces, SurfaceRays& rays, ImageNeeds needs,
+              std::span<const Projection> views, const RenderOptions& options, Workers& workers,
+              Progress& progress, Statistics& statistics);
     /// Bakes the vertices that the bake of a part has left out.
     [[nodiscard]] Visibility bake_rest(const SceneGeometry& surfaces, BakeGeometry geometry,
                                        const BakeProgress& report, BakeStatistics& baked) const;

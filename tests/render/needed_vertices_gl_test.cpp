@@ -117,6 +117,13 @@ IMAGE_TEST_CASE("what a camera first sees is baked then, and all the rest with i
 IMAGE_TEST_CASE("edges below two pixels are not split until a camera comes nearer") {
     Scene scene = scene_of(bumpy_sphere(), 0.5, 1);
     scene.add({.mesh = test::rectangle(32), .material = diffuse({0.5}), .to_world = test::plate_at(-1, 3)});
+    // Images with a mirror need all vertices, but what it shows is no nearer than the mirror.
+    SUBCASE("of a scene without smooth surfaces") {}
+    SUBCASE("of a scene with a mirror") {
+        scene.add({.mesh = test::coarse_sphere(4),
+                   .material = conductor({{0.2, -3.0}}),
+                   .to_world = test::at(1, 0, 1, 0.3)});
+    }
     RenderOptions options = options_with(0);
     options.refine_tolerance = 0.005;
     options.max_vertices = 100000;
