@@ -31,12 +31,14 @@ constexpr float kLongBlob = 1.15F;
 // Widest blob, in radians, for which nodes are spent: the pBRDF of wide lobes changes within it.
 constexpr float kWidest = 0.25F;
 
-// Beckmann's slopes are normally distributed. GGX's slopes are a mixture of normal distributions: of two,
-// these keep the number of slopes beyond 0.5, 1, 2, 3 and 4 alpha within a fiftieth.
+// Beckmann's slopes are normally distributed. GGX's slopes are a mixture of normal distributions: of three,
+// these keep the number of slopes beyond any steepness within a two-hundredth, the long tail included.
 constexpr std::array<SlopePart, 1> kBeckmann{
     {{.deviation = std::numbers::sqrt2_v<float> / 2, .share = 1, .nodes = 1, .blob = 1}}};
-constexpr std::array<SlopePart, 2> kGgx{{{.deviation = 0.6455F, .share = 0.68F, .nodes = 1, .blob = 1},
-                                         {.deviation = 2.041F, .share = 0.32F, .nodes = 0.5F, .blob = 0.9F}}};
+constexpr std::array<SlopePart, 3> kGgx{
+    {{.deviation = 0.5508F, .share = 0.4804F, .nodes = 1, .blob = 1},
+     {.deviation = 1.272F, .share = 0.432F, .nodes = 0.5F, .blob = 0.9F},
+     {.deviation = 4.2117F, .share = 0.0876F, .nodes = 0.25F, .blob = 0.9F}}};
 
 // Normal distribution of slopes, in standard deviations of the facets' own.
 template <class Number>

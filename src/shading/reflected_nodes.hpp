@@ -45,8 +45,8 @@ struct SlopePart {
     float blob;
 };
 
-/// Returns the parts of a distribution of facets. GGX has two, which leave about a fiftieth of the slopes
-/// out, the steepest ones.
+/// Returns the parts of a distribution of facets. The three of GGX leave a two-hundredth of the slopes out,
+/// the steepest ones.
 [[nodiscard]] std::span<const SlopePart> slope_parts(Distribution distribution);
 
 /// Directions of sixteen points, in their surfaces' frames.
