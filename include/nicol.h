@@ -1809,8 +1809,10 @@ typedef struct nicol_statistics {
     uint32_t compute;               /* 1 if compute shaders relit and shaded, 0 if threads did */
     uint32_t order_low;             /* order_low of the rendered light, as the option says or as it was chosen */
     double predicted_error;         /* predicted error of the orders left out, if a tolerance was given, of shadows
-                                       between baked vertices, of interpolation between shaded vertices, and of the
-                                       samples of lights and lobes; without outlines, which are pixel_samples' */
+                                       between baked vertices, of interpolation between shaded vertices, of the samples
+                                       of lights and lobes, and of bounced light: of surfaces, relative to the RMS of
+                                       their s0, without edges of objects, shadows and textures, which are
+                                       pixel_samples' */
     /* Counts of recomputed work, up to pixels_shaded; 0 if all was kept from the render before. */
     uint64_t lights_projected;      /* environments projected to coefficients */
     uint64_t materials_projected;   /* tables, matrices and sets of lobes of materials, also from the cache folder */

@@ -10,6 +10,7 @@
 #include <functional>
 #include <utility>
 
+#include "methods/lit_receivers.hpp"
 #include "simd/lane_transpose.hpp"
 #include "surfaces/local_lights.hpp"
 
@@ -72,7 +73,7 @@ void Bounces::clear() {
     lighting_.reset();
     relighting_.reset();
     covering_.reset();
-    coverage_ = at_receivers_ = {};
+    coverage_ = at_receivers_ = local_ = {};
     rows_ = VertexLight();
     share_ = left_ = 0;
 }
@@ -124,6 +125,7 @@ void Bounces::light_links(const TransferInput& input, RenderRun& run) {
     lighting_.run(columns_.version(), any ? input.local_lights->version() : 0, [&] {
         LitSeries& lit = lit_.change();
         lit.clear();
+        local_.clear();
         if (!any || links_->receivers() == 0) return;
         LinkStokes stokes(static_cast<std::size_t>(input.channels),
                           std::vector<glm::vec4>(links_->links().size(), glm::vec4(0)));
@@ -137,6 +139,7 @@ void Bounces::light_links(const TransferInput& input, RenderRun& run) {
                                             .rays;
             });
         run.statistics.light_rays += rays.combine(std::plus<>());
+        local_ = local_light_at_receivers(input, *links_, run);
         lit = columns_->sum({input, *links_, *tables_.tables(), *layout_}, stokes, run);
     });
 }
@@ -161,7 +164,8 @@ void Bounces::combine(const TransferInput& input) {
                     row[columns_->groups()[g][k] * numbers + j] += (*lit_)[g].light.value(r, j, k);
         for (std::size_t c = 0; c < channels; ++c) {
             const auto own = double{row[c * numbers]};
-            const double both = own + columns_->direct(r, light.data() + c * lights);
+            const double local = local_.empty() ? 0.0 : double{local_[r * channels + c]};
+            const double both = own + local + columns_->direct(r, light.data() + c * lights);
             bounced += own * own;
             all += both * both;
         }
@@ -242,7 +246,7 @@ void Bounces::count(Statistics& statistics) const {
     statistics.bounced_left = left_;
     for (const auto& [material, table] : *tables_.tables()) statistics.response_bytes += table.bytes();
     statistics.transfer_bytes += links_->bytes() + columns_->bytes() + light_->bytes() + rows_.bytes() +
-                                 (coverage_.size() + at_receivers_.size()) * sizeof(float);
+                                 (coverage_.size() + at_receivers_.size() + local_.size()) * sizeof(float);
     for (const BounceSeries& series : *lit_) statistics.transfer_bytes += series.light.bytes();
 }
 

@@ -72,6 +72,7 @@ private:
     Versioned<BounceColumns> columns_;
     Stage<Version, Version> lighting_;  // links and tables with the columns, local lights
     Versioned<LitSeries> lit_;          // bounced light of local lights
+    std::vector<float> local_;          // local_light_at_receivers(); empty: there is none
     bool makes_rows_ = false;           // whether rows() is made
     // Inputs: columns, distant light, lit_, whether pixels are shaded, makes_rows_, whether bounced light
     // stays apart.

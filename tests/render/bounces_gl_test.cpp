@@ -92,6 +92,8 @@ IMAGE_TEST_CASE("a closed box whose walls emit 1 and reflect a has the radiance 
     const StokesImage image = render(scene, options, test::camera_at({0.3, 0.2, 0.6}, {-0.5, -0.4, -0.9}));
     CHECK(mean_s0(image) == doctest::Approx(1 / (1 - albedo)).epsilon(0.01));
     CHECK(distance_from(image, 5) < 0.4);
+    // The walls' own light irradiates them with 1 - a of all light.
+    CHECK(render.statistics.bounced_light == doctest::Approx(albedo).epsilon(0.03));
 }
 
 IMAGE_TEST_CASE("light of a lamp bounces in sixteen channels as in one") {

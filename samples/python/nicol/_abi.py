@@ -1485,8 +1485,10 @@ class Statistics(Struct):
     compute: 1 if compute shaders relit and shaded, 0 if threads did
     order_low: order_low of the rendered light, as the option says or as it was chosen
     predicted_error: predicted error of the orders left out, if a tolerance was given, of shadows
-                                               between baked vertices, of interpolation between shaded vertices, and of the
-                                               samples of lights and lobes; without outlines, which are pixel_samples'
+                                               between baked vertices, of interpolation between shaded vertices, of the samples
+                                               of lights and lobes, and of bounced light: of surfaces, relative to the RMS of
+                                               their s0, without edges of objects, shadows and textures, which are
+                                               pixel_samples'
     lights_projected: environments projected to coefficients
     materials_projected: tables, matrices and sets of lobes of materials, also from the cache folder
     vertices_traced: vertices whose shadows the bake found, by rays or because nothing can block them
