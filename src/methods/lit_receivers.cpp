@@ -28,7 +28,8 @@ std::vector<float> local_light_at_receivers(const TransferInput& input, const Li
     std::vector<glm::vec3> unit_normals;
     unit_normals.reserve(geometry.normals.size());
     for (const glm::vec3& normal : geometry.normals) unit_normals.push_back(glm::normalize(normal));
-    const std::vector<glm::vec3> all_origins = bake_origins(
+    // A vertex at the border of a lamp lies in the lamp's plane, from which it gets no light.
+    const std::vector<glm::vec3> origins = bake_origins(
         {.positions = geometry.positions, .normals = geometry.normals, .triangles = geometry.triangles},
         unit_normals);
     // Such a surface reflects even light as it is, whose first number is the square root of 4 pi.
@@ -37,7 +38,7 @@ std::vector<float> local_light_at_receivers(const TransferInput& input, const Li
     const auto first_number = static_cast<float>(std::sqrt(4 * std::numbers::pi));
     run.workers.for_blocks(
         surfaces.blocks(), "relight", run.progress, [&](std::size_t first, std::size_t last) {
-            std::array<glm::vec3, kLanes> positions, normals, origins;
+            std::array<glm::vec3, kLanes> positions, normals;
             std::array<std::uint32_t, kLanes> seeds;
             std::array<Viewpoint, kLanes> views;
             std::vector<glm::vec4> sums;
@@ -46,9 +47,8 @@ std::vector<float> local_light_at_receivers(const TransferInput& input, const Li
                 const std::size_t count = std::min(kLanes, surfaces.receivers() - begin);
                 for (std::size_t i = 0; i < count; ++i) {
                     const std::uint32_t v = surfaces.vertices()[begin + i];
-                    positions[i] = geometry.positions[v];
+                    positions[i] = origins[v];
                     normals[i] = unit_normals[v];
-                    origins[i] = all_origins[v];
                     seeds[i] = sample_seed(static_cast<std::uint32_t>(begin + i), 0);
                     views[i] = link_frames();
                     views[i].orthographic = true;
@@ -62,7 +62,7 @@ std::vector<float> local_light_at_receivers(const TransferInput& input, const Li
                                                            .tangents = {},
                                                            .facets = {},
                                                            .unperturbed = {},
-                                                           .origins = std::span(origins).first(count),
+                                                           .origins = std::span(positions).first(count),
                                                            .mirrored = nullptr,
                                                            .parts = {},
                                                            .seeds = std::span(seeds).first(count),

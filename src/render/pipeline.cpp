@@ -2,6 +2,7 @@
 #include "render/pipeline.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/matrix.hpp>
 #include <vector>
 
@@ -20,6 +21,13 @@ constexpr double kBouncesOfTolerance = 4;
 // order and of the interpolation between receivers. Measured by nicol-bench bounces; pictures err by 0.1 of
 // their bounced light, of which receivers, dense where much light bounces, have twice the share.
 constexpr double kErrorOfBounces = 0.05;
+
+// Returns the error of bounced light whose share of all light is `share`. The error comes from differences of
+// bounced light between places and directions, and these come from direct light: where nearly all light has
+// bounced, as in a box with a small opening, it is even.
+double error_of_bounces(double share) {
+    return kErrorOfBounces * share * std::sqrt(std::max(0.0, 1 - share * share));
+}
 
 // Returns whether surfaces light each other. That needs the bake whatever the light, because light bounces
 // where surfaces hide others.
@@ -192,7 +200,7 @@ void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderO
 
     method.count(input, run.statistics);
     run.statistics.bounce_error =
-        std::hypot(kErrorOfBounces * run.statistics.bounced_light, run.statistics.bounced_left);
+        std::hypot(error_of_bounces(run.statistics.bounced_light), run.statistics.bounced_left);
     PredictedError predicted = predicted_error(run, projection);
     predicted.add_relative(run.statistics.bounce_error);
     run.statistics.predicted_error = predicted.relative();
