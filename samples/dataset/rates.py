@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: MIT
 """Prints how many pictures of 512 x 512 a minute nicol-dataset makes, and the processor time of each: of a scene whose shadows
 are known, with files (mosaic PNG, Stokes EXR) and without, and with a new object and light in each. --nodes: instead, new
-objects by one program and by two, each on a core of its own, as a cluster's nodes of one core are.
-usage: rates.py [--frames N] [--nodes]"""
+objects by one program and by two, each on a core of its own, as a cluster's nodes of one core are. --memory: instead, N pictures
+of 32 x 32 as arrays, with a new object, material and light every 100, and the memory of the process after each tenth of them.
+usage: rates.py [--frames N] [--nodes | --memory]"""
 
 import argparse
 import os
@@ -12,7 +13,7 @@ import sys
 import tempfile
 import time
 
-from nicol.dataset import Recipe, Renderer
+from nicol.dataset import Dataset, Recipe, Renderer
 from nicol.dataset.folder import Folder
 from nicol.dataset.program import render
 
@@ -59,14 +60,33 @@ def compare_nodes(count):
     print(f"two nodes over twice one node: {two[0] / one[0] / 2:.2f}, by processor time {two[1] / one[1] / 2:.2f}")
 
 
+def resident():
+    """Returns the memory of this process in MB."""
+    with open("/proc/self/statm") as file:
+        return int(file.read().split()[1]) * resource.getpagesize() / 1e6
+
+
+def watch_memory(count):
+    dataset = Dataset(os.path.join(HERE, "small.json"), range(count), ["mosaic", "stokes", "normals"])
+    step = max(1, count // 10)
+    for number, _ in enumerate(dataset, 1):
+        if number % step == 0:
+            print(f"{number:8,} pictures {resident():7.1f} MB", flush=True)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--frames", type=int, default=200)
-    parser.add_argument("--nodes", action="store_true")
+    instead = parser.add_mutually_exclusive_group()
+    instead.add_argument("--nodes", action="store_true")
+    instead.add_argument("--memory", action="store_true")
     given = parser.parse_args()
     count = given.frames
     if given.nodes:
         compare_nodes(max(1, count // 10))
+        return
+    if given.memory:
+        watch_memory(count)
         return
     recipe = Recipe(os.path.join(HERE, "orbit.json"))
     renderer = Renderer(recipe)

@@ -124,6 +124,8 @@ class DemoTest(DataSetTest):
     def test_rates(self):
         out = self.script("rates.py", "--frames", "2")
         self.assertEqual(len(re.findall(r" [\d,]+ a minute +[\d,]+ ms of processor time each", out)), 3, out)
+        out = self.script("rates.py", "--frames", "20", "--memory")
+        self.assertEqual(re.findall(r"(\d+) pictures +[\d.]+ MB", out), [str(i) for i in range(2, 21, 2)])
         if len(os.sched_getaffinity(0)) > 1:
             out = self.script("rates.py", "--frames", "2", "--nodes")
             self.assertRegex(out, r"two nodes over twice one node: [\d.]+, by processor time [\d.]+")
