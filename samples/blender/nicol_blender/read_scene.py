@@ -61,11 +61,17 @@ def read_mesh(mesh) -> list[tuple[int, Mesh]]:
     uv = numpy.zeros((len(mesh.loops), 2), numpy.float32)  # Blender's coordinates without a map
     if mesh.uv_layers.active is not None:
         uv = _numbers(mesh.uv_layers.active.data, "uv", 2 * len(mesh.loops)).reshape(-1, 2)
-    normals = _numbers(mesh.corner_normals, "vector", 3 * len(mesh.loops)).reshape(-1, 3)
-    columns = [positions[vertices], normals, numpy.stack([uv[:, 0], 1 - uv[:, 1]], 1)]
+    columns = [positions[vertices], _corner_normals(mesh), numpy.stack([uv[:, 0], 1 - uv[:, 1]], 1)]
     corners = numpy.concatenate(columns, 1)
     loops = loops.reshape(-1, 3)
     return [(int(slot), _merged(corners[loops[slots == slot].ravel()])) for slot in numpy.unique(slots)]
+
+
+def _corner_normals(mesh) -> numpy.ndarray:
+    if hasattr(mesh, "corner_normals"):
+        return _numbers(mesh.corner_normals, "vector", 3 * len(mesh.loops)).reshape(-1, 3)
+    mesh.calc_normals_split()  # before Blender 4.1
+    return _numbers(mesh.loops, "normal", 3 * len(mesh.loops)).reshape(-1, 3)
 
 
 def _numbers(collection, name: str, count: int, kind=numpy.float32) -> numpy.ndarray:
