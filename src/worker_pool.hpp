@@ -7,9 +7,11 @@
 
 #include <exception>
 #include <functional>
+#include <memory>
 #include <thread>
 #include <utility>
 
+#include "idle_arenas.hpp"
 #include "worker_count.hpp"
 
 namespace nicol {
@@ -33,6 +35,11 @@ class WorkerPool {
 public:
     explicit WorkerPool(WorkerOptions options)
         : count_(worker_count(options.threads)), tasks_(std::move(options.tasks)) {}
+    ~WorkerPool() {
+        if (arena_) IdleArenas::of_process().give_back(size(), std::move(arena_));
+    }
+    WorkerPool(const WorkerPool&) = delete;
+    WorkerPool& operator=(const WorkerPool&) = delete;
 
     [[nodiscard]] int count() const { return count_; }
 
@@ -85,19 +92,24 @@ private:
         if (failure) std::rethrow_exception(failure);
     }
 
-    /// Returns the arena, initialised here because an arena that execute() initialises waits forever in the
-    /// next execute() if memory ran out in the first. With a host's task system, every place in it is kept
-    /// for threads of the host.
+    /// Returns the size of the arena. With a host's task system, every place in it is kept for threads of the
+    /// host.
+    [[nodiscard]] ArenaSize size() const {
+        return {count_, tasks_.start ? static_cast<unsigned>(count_) : 1U};
+    }
+
+    /// Returns the arena, initialised by take() because an arena that execute() initialises waits forever in
+    /// the next execute() if memory ran out in the first.
     tbb::task_arena& arena() {
-        if (!arena_.is_active()) arena_.initialize(count_, tasks_.start ? static_cast<unsigned>(count_) : 1U);
-        return arena_;
+        if (!arena_) arena_ = IdleArenas::of_process().take(size());
+        return *arena_;
     }
 
     static inline thread_local const WorkerPool* inside_ = nullptr;
 
     int count_;
     TaskSystem tasks_;
-    tbb::task_arena arena_;
+    std::unique_ptr<tbb::task_arena> arena_;
 };
 
 }  // namespace nicol
