@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Makes nicol_blender.zip, which Blender 4.2 and later install as an extension. usage: make_zip.py WHEEL [-o FILE]
+"""Makes nicol_blender.zip. usage: make_zip.py [WHEEL] [-o FILE]
 
-WHEEL is Nicol's Python package, as .ci/wheel.sh makes it; Blender installs it with the add-on."""
+WHEEL is Nicol's Python package, as .ci/wheel.sh makes it; Blender 4.2 and later install it with the add-on, as an extension.
+Without WHEEL the zip is an add-on for earlier versions, whose Python must have the module nicol."""
 
 import argparse
 import pathlib
@@ -11,7 +12,7 @@ import zipfile
 FOLDER = pathlib.Path(__file__).resolve().parent / "nicol_blender"
 
 
-def make(wheel: pathlib.Path, target: pathlib.Path) -> None:
+def make_extension(wheel: pathlib.Path, target: pathlib.Path) -> None:
     manifest = (FOLDER / "blender_manifest.toml").read_text(encoding="utf-8")
     # Keys after a table belong to the table.
     manifest = manifest.replace("\n[permissions]", f'wheels = ["./wheels/{wheel.name}"]\n\n[permissions]')
@@ -22,12 +23,21 @@ def make(wheel: pathlib.Path, target: pathlib.Path) -> None:
         zipped.write(wheel, f"wheels/{wheel.name}", zipfile.ZIP_STORED)
 
 
+def make_add_on(target: pathlib.Path) -> None:
+    with zipfile.ZipFile(target, "w", zipfile.ZIP_DEFLATED) as zipped:
+        for path in sorted(FOLDER.glob("*.py")):
+            zipped.write(path, f"{FOLDER.name}/{path.name}")
+
+
 def main() -> None:
     parser = argparse.ArgumentParser(description="Makes the zip of the add-on for Blender.")
-    parser.add_argument("wheel", type=pathlib.Path)
+    parser.add_argument("wheel", type=pathlib.Path, nargs="?")
     parser.add_argument("-o", "--output", type=pathlib.Path, default=pathlib.Path("nicol_blender.zip"))
     options = parser.parse_args()
-    make(options.wheel, options.output)
+    if options.wheel is None:
+        make_add_on(options.output)
+    else:
+        make_extension(options.wheel, options.output)
     print(f"{options.output}: {options.output.stat().st_size} bytes")
 
 

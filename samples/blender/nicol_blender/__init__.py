@@ -5,7 +5,7 @@ bl_info = {
     "name": "Nicol",
     "description": "Renders polarized light as Stokes images",
     "version": (0, 1, 0),
-    "blender": (4, 2, 0),
+    "blender": (3, 4, 0),
     "category": "Render",
 }
 
