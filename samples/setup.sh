@@ -1,12 +1,17 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Installs missing Debian 12 packages that Nicol is built with and runs on.
+# Installs missing packages of Debian 12 or later that Nicol is built with and runs on.
 set -eu
+
+embree=libembree4-4
+if [ "$(. /etc/os-release 2>/dev/null && echo "${ID:-} ${VERSION_ID:-}")" = "debian 12" ]; then
+    embree=libembree3-3
+fi
 
 packages="cmake g++ ninja-build python3 python3-glad python3-numpy
   luajit pkg-config doxygen
   libosmesa6-dev libosmesa6 libegl-dev libegl-mesa0 libgl1-mesa-dri
-  libglm-dev libopenmesh-dev libopenexr-dev libembree3-3 libtbb-dev libpugixml-dev libpng-dev libstb-dev libturbojpeg0-dev
+  libglm-dev libopenmesh-dev libopenexr-dev $embree libtbb-dev libpugixml-dev libpng-dev libstb-dev libturbojpeg0-dev
   libtinygltf-dev nlohmann-json3-dev
   libboost-dev libssl-dev libdeflate-dev zlib1g-dev doctest-dev libsdl2-dev xvfb xauth"
 
