@@ -65,6 +65,7 @@ nicol_result nicol_framebuffer_get_statistics(nicol_framebuffer framebuffer, nic
         out.light_samples = static_cast<uint32_t>(s.light_samples);
         out.bsdf_samples = static_cast<uint32_t>(s.bsdf_samples);
         out.order_tolerance = s.order_tolerance;
+        out.light_rays_skipped = s.light_rays_skipped;
         write_struct(statistics, out, "statistics");
     });
 }

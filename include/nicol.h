@@ -756,9 +756,9 @@ NICOL_API nicol_result nicol_material_create_conductor(nicol_context context,
  * light, polarized as Fresnel's formulas say. The factored method follows light through it by rays at pixels,
  * the reference method by its paths; max_depth of nicol_render_options limits how often. By the factored
  * method the light of lamps passes glass straight on to other surfaces, dimmed in each channel as unpolarized
- * light is; the light of the environment is not dimmed, and nothing is focused. The dense method and shading
- * at vertices return NICOL_ERROR_UNSUPPORTED. The surface of a body must be closed, its normals pointing
- * outwards, and bodies must not overlap. */
+ * light is; the light of the environment is dimmed equally in all channels, by their mean, and nothing is
+ * focused. The dense method and shading at vertices return NICOL_ERROR_UNSUPPORTED. The surface of a body
+ * must be closed, its normals pointing outwards, and bodies must not overlap. */
 typedef struct nicol_dielectric {
     uint32_t struct_size;
     /* 0, the default: the surface bounds a body, and refracts the light that it transmits. 1: the surface is
@@ -1450,7 +1450,7 @@ typedef uint32_t nicol_executor;
  * default. */
 #define NICOL_OPTIMISATION_UNCHANGED 1u        /* everything, if nothing changed */
 #define NICOL_OPTIMISATION_LIGHT_COMPONENTS 2u /* Stokes components that the light lacks */
-#define NICOL_OPTIMISATION_CHANNELS 4u         /* colour channels of light that equal another */
+#define NICOL_OPTIMISATION_CHANNELS 4u         /* colour channels of light, if all are multiples of one */
 #define NICOL_OPTIMISATION_ORDERS 8u           /* orders that the light lacks */
 #define NICOL_OPTIMISATION_RESPONSE_ROWS 16u   /* Stokes components that a material never reflects */
 #define NICOL_OPTIMISATION_HIDDEN 32u          /* vertices that face away or lie outside the view */
@@ -1462,7 +1462,10 @@ typedef uint32_t nicol_executor;
  * Later images, of other views or of a scene that has changed, refine all. They differ from a first image of
  * theirs by about 0.01 of the RMS of s0; without this optimisation they are equal. */
 #define NICOL_OPTIMISATION_RAYS 128u
-#define NICOL_OPTIMISATION_ALL 255u
+/* Shadow rays to local lights that are so dim that all of them together add less than a hundredth of the
+ * tolerance to a point's light; such lights are added without shadows. Images differ by less than that. */
+#define NICOL_OPTIMISATION_DIM_LIGHTS 256u
+#define NICOL_OPTIMISATION_ALL 511u
 
 /* AOVs that a render makes beside the image, with any method; see NICOL_PLANE_DEPTH, _NORMAL, _POSITION,
  * _INSTANCE and _ALPHA. AOVs of surfaces describe the first surface on the ray through a pixel's centre. With
@@ -1795,7 +1798,7 @@ typedef struct nicol_statistics {
                                        pixels are not counted */
     uint64_t light_columns_skipped; /* Stokes components of the light that are zero everywhere, times channels */
     uint64_t response_rows_skipped; /* Stokes components that no material reflects, times channels */
-    uint64_t channels_shared;       /* colour channels of light that equal another and are not computed again */
+    uint64_t channels_shared;       /* colour channels of light that are multiples of one and are not computed again */
     uint64_t response_bytes;        /* bytes of material tables */
     uint64_t visibility_bytes;      /* bytes of visibility by direction at each vertex */
     uint64_t transfer_bytes;        /* bytes kept for relight and shade: light, shadows, matrices and geometry per vertex,
@@ -1843,12 +1846,13 @@ typedef struct nicol_statistics {
     uint32_t bsdf_samples;          /* real-time methods: bsdf_samples of the image */
     double order_tolerance;         /* tolerance for which the orders were chosen: the option's, or more by time_budget_ms;
                                        0 if they were not chosen */
+    uint64_t light_rays_skipped;    /* rays to dim lights that were not traced (NICOL_OPTIMISATION_DIM_LIGHTS), beside light_rays */
 } nicol_statistics;
 /* clang-format on */
 #define NICOL_STATISTICS_INIT                                                                                \
     {                                                                                                        \
         sizeof(nicol_statistics), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, \
-            0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0            \
+            0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0         \
     }
 NICOL_API nicol_result nicol_statistics_init(nicol_statistics* descriptor, uint32_t struct_size);
 

@@ -453,6 +453,7 @@ typedef struct nicol_statistics {
     uint32_t light_samples;
     uint32_t bsdf_samples;
     double order_tolerance;
+    uint64_t light_rays_skipped;
 } nicol_statistics;
 typedef uint32_t nicol_plane;
 typedef uint32_t nicol_format;
@@ -932,7 +933,8 @@ return {
         OPTIMISATION_HIDDEN = 32,
         OPTIMISATION_UNOCCLUDED = 64,
         OPTIMISATION_RAYS = 128,
-        OPTIMISATION_ALL = 255,
+        OPTIMISATION_DIM_LIGHTS = 256,
+        OPTIMISATION_ALL = 511,
         AOV_DEPTH = 1,
         AOV_NORMAL = 2,
         AOV_POSITION = 4,

@@ -91,6 +91,7 @@ std::string stats_json(const nicol_context_info& context, std::uint32_t width, s
          << "    \"camera\": " << s.camera_rays << ",\n"
          << "    \"shadow\": " << s.shadow_rays << ",\n"
          << "    \"light\": " << s.light_rays << ",\n"
+         << "    \"light_skipped\": " << s.light_rays_skipped << ",\n"
          << "    \"smooth\": " << s.smooth_rays << "\n"
          << "  },\n"
          << "  \"unphysical\": " << s.vertices_unphysical << ",\n"

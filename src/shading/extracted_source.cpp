@@ -64,6 +64,7 @@ ExtractedSource::ExtractedSource(std::shared_ptr<const ExtractedLight> extracted
     std::vector<float> scales;
     for (std::size_t c = 0; c < channels_; ++c)
         scales.push_back(static_cast<float>(few[c] > 0 ? scale * many[c] / few[c] : 0));
+    brightness_ = static_cast<float>(scale * std::ranges::max(many));
     for_samples(*extracted_light_, kAcross, [&](const LaneLight& light, std::size_t lane) {
         samples_.push_back(
             {.towards = axes_ * of_lane(light.towards, lane), .x = axes_ * of_lane(light.x, lane)});

@@ -21,6 +21,7 @@ public:
                     double scale);
 
     [[nodiscard]] float angular_radius(const glm::vec3& /*from*/) const noexcept override { return radius_; }
+    [[nodiscard]] float brightness(const glm::vec3& /*from*/) const noexcept override { return brightness_; }
     void sample(const LaneVectors& points, const Lanes& u, const Lanes& v, LaneLight& out) const override;
     void intersect(const LaneVectors& points, const LaneVectors& directions, LaneLight& out) const override;
 
@@ -36,6 +37,7 @@ private:
     glm::mat3 axes_;
     float scale_;
     float radius_;
+    float brightness_ = 0;  // of the brightest channel
     std::size_t components_;
     std::size_t channels_;
     std::vector<Sample> samples_;    // [row][column]

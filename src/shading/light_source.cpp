@@ -49,6 +49,7 @@ SourceColor::SourceColor(const std::vector<double>& value, TexturePtr texture, c
                   : state.polarized() ? 3
                                       : 1) {
     constexpr double least = 1e-8;  // keeps the quotient in the range of float
+    brightest_ = static_cast<float>(std::ranges::max(value));
     largest_factor_ = static_cast<float>(kBrightestLight / std::max(std::ranges::max(value), least));
     const int of_texture = texture_ != nullptr ? texture_->channels() : 1;
     for (int c = 0; c < std::max(static_cast<int>(value.size()), of_texture); ++c) {
@@ -103,6 +104,11 @@ void SourceColor::put_axes(LaneLight& out) const {
         out.x.y[i] = scale * x.y;
         out.x.z[i] = scale * x.z;
     }
+}
+
+float irradiance_of_ball(const glm::vec3& from, const glm::vec3& centre, float radius) {
+    const float distance = std::max(radius, glm::distance(from, centre));
+    return std::numbers::pi_v<float> * radius * radius / (distance * distance);
 }
 
 float angular_radius_of_ball(const glm::vec3& from, const glm::vec3& centre, float radius) {

@@ -28,6 +28,10 @@ public:
     /// and shading needs the mean over many light samples.
     [[nodiscard]] virtual float angular_radius(const glm::vec3& from) const noexcept = 0;
 
+    /// Returns an estimate of the irradiance on a surface at a point that faces the light: of the brightest
+    /// channel, without textures and directional patterns.
+    [[nodiscard]] virtual float brightness(const glm::vec3& from) const noexcept = 0;
+
     /// Computes the light at sixteen points from the light sample that u and v, each in [0, 1), choose. The
     /// mean over u and v is the light's full irradiance. u and v have no effect if angular_radius() is 0.
     virtual void sample(const LaneVectors& points, const Lanes& u, const Lanes& v, LaneLight& out) const = 0;
@@ -74,6 +78,8 @@ public:
     /// Sets the values of put() times the texture, if there is one.
     void put(const Lanes& factor, const TexturePoints& at, LaneLight& out) const;
     [[nodiscard]] bool textured() const noexcept { return texture_ != nullptr; }
+    /// Returns the value of the brightest channel.
+    [[nodiscard]] float brightest() const noexcept { return brightest_; }
 
 private:
     // Sets the irradiance from the factors of three channels, or from one factor for all channels.
@@ -85,7 +91,11 @@ private:
     glm::vec3 axis_;
     std::size_t components_;
     float largest_factor_;
+    float brightest_;
 };
+
+/// Returns the irradiance of a ball of radiance 1 on a surface that faces it; pi within the ball.
+[[nodiscard]] float irradiance_of_ball(const glm::vec3& from, const glm::vec3& centre, float radius);
 
 /// Returns the angular radius of a ball seen from a point; pi / 2 within the ball.
 [[nodiscard]] float angular_radius_of_ball(const glm::vec3& from, const glm::vec3& centre, float radius);

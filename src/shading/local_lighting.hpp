@@ -61,12 +61,14 @@ struct LitMaterial {
 /// Rays of light samples, and the noise that the samples leave in s0.
 struct LightingTally {
     std::uint64_t rays = 0;
-    std::uint64_t values = 0;  ///< number of points, times channels
-    double power = 0;          ///< sum over the values of s0^2
-    double noise = 0;          ///< sum over the values of the expected squared error of s0
+    std::uint64_t rays_spared = 0;  ///< rays to lights that add next to nothing
+    std::uint64_t values = 0;       ///< number of points, times channels
+    double power = 0;               ///< sum over the values of s0^2
+    double noise = 0;               ///< sum over the values of the expected squared error of s0
 
     LightingTally& operator+=(const LightingTally& other) {
         rays += other.rays;
+        rays_spared += other.rays_spared;
         values += other.values;
         power += other.power;
         noise += other.noise;
@@ -88,8 +90,9 @@ public:
         [[nodiscard]] bool any_source() const noexcept { return !local.empty() || !extracted.empty(); }
     };
     /// rays: surfaces that cast shadows, null for none; must outlive this object. samples: number of light
-    /// samples for wide lights; narrower lights get fewer.
-    LocalLighting(Lights lights, const RayScene* rays, int samples);
+    /// samples for wide lights; narrower lights get fewer. negligible: share of a point's light that the
+    /// dimmest lights may add without shadow rays; 0: all lights cast shadows.
+    LocalLighting(Lights lights, const RayScene* rays, int samples, double negligible = 0);
 
     /// Returns whether there is a local or an extracted light.
     [[nodiscard]] bool any_source() const noexcept { return lights_.any_source(); }
@@ -103,7 +106,8 @@ public:
     [[nodiscard]] bool needs_pixels(const Material& material) const;
 
     /// Adds to out[c][i] channel c's Stokes vector of point i towards the viewpoint, in the camera's frame
-    /// field. The noise is estimated from the difference of both halves of each light's samples.
+    /// field. `out` holds the light that the points reflect without. The noise is estimated from the
+    /// difference of both halves of each light's samples.
     LightingTally add(const Views& views, const LitPoints& points, const LitMaterial& material,
                       std::span<const std::span<glm::vec4>> out) const {
         return add(views, points, material, lights_.environment ? &*lights_.environment : nullptr, samples_,
@@ -124,6 +128,7 @@ private:
     Lights lights_;
     const RayScene* rays_;
     std::uint32_t samples_;
+    float negligible_;
 };
 
 }  // namespace nicol

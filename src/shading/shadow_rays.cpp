@@ -75,6 +75,7 @@ std::uint32_t LightShadows::reached_in_part(LaneLight& light, std::uint32_t poin
         out |= found;
     }
     scale(fractions, light);
+    doubtful_ = true;
     for (std::size_t i = 0; i < kLanes; ++i)
         doubts_[i] = fractions[i] > 0 ? kErrorOfPlaces * share * (1 - fractions[i]) / fractions[i] : 0.0F;
     return out;

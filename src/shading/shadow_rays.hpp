@@ -68,6 +68,8 @@ public:
     [[nodiscard]] bool at_edge() const { return seen_ && hidden_; }
     /// Returns the expected squared error of the fractions of reached_in_part(), over the fractions' squares.
     [[nodiscard]] const Lanes& doubts() const { return doubts_; }
+    /// Returns whether reached_in_part() may have such an error.
+    [[nodiscard]] bool doubtful() const { return doubtful_; }
 
 private:
     std::uint32_t visible(LaneLight& light, std::uint32_t points, std::size_t place);
@@ -79,6 +81,7 @@ private:
     bool seen_ = false;    // whether any sample is visible from any point
     bool hidden_ = false;  // whether any sample is hidden from any point
     Lanes doubts_{};
+    bool doubtful_ = false;
 };
 
 }  // namespace nicol

@@ -90,6 +90,11 @@ PointSource::PointSource(const LocalLight& light, const glm::dmat4& to_axes)
       place_(to_axes[3]),
       axes_(to_axes) {}
 
+float PointSource::brightness(const glm::vec3& from) const noexcept {
+    const glm::vec3 way = place_ - from;
+    return color_.brightest() / std::max(kNearest, glm::dot(way, way));
+}
+
 void PointSource::sample(const LaneVectors& points, const Lanes&, const Lanes&, LaneLight& out) const {
     Lanes factor;
     LaneVectors own;  // direction from the light in its own axes
@@ -168,6 +173,10 @@ SphereSource::SphereSource(const EmissiveSphere& sphere, const Emission& emissio
       centre_(sphere.centre),
       radius_(static_cast<float>(sphere.radius)),
       outer_radius_(static_cast<float>(sphere.outer_radius)) {}
+
+float SphereSource::brightness(const glm::vec3& from) const noexcept {
+    return color_.brightest() * irradiance_of_ball(from, centre_, radius_);
+}
 
 float SphereSource::angular_radius(const glm::vec3& from) const noexcept {
     return angular_radius_of_ball(from, centre_, radius_);

@@ -22,6 +22,9 @@ public:
     DirectionalSource(const LocalLight& light, const glm::dmat3& axes);
 
     [[nodiscard]] float angular_radius(const glm::vec3& /*from*/) const noexcept override { return radius_; }
+    [[nodiscard]] float brightness(const glm::vec3& /*from*/) const noexcept override {
+        return color_.brightest();
+    }
     void sample(const LaneVectors& points, const Lanes& u, const Lanes& v, LaneLight& out) const override;
     void intersect(const LaneVectors& points, const LaneVectors& directions, LaneLight& out) const override;
 
@@ -40,6 +43,7 @@ public:
     PointSource(const LocalLight& light, const glm::dmat4& to_axes);
 
     [[nodiscard]] float angular_radius(const glm::vec3& /*from*/) const noexcept override { return 0; }
+    [[nodiscard]] float brightness(const glm::vec3& from) const noexcept override;
     void sample(const LaneVectors& points, const Lanes& u, const Lanes& v, LaneLight& out) const override;
     void intersect(const LaneVectors& points, const LaneVectors& directions, LaneLight& out) const override;
 
@@ -71,6 +75,7 @@ public:
     SphereSource(const EmissiveSphere& sphere, const Emission& emission, const glm::dvec3& axis);
 
     [[nodiscard]] float angular_radius(const glm::vec3& from) const noexcept override;
+    [[nodiscard]] float brightness(const glm::vec3& from) const noexcept override;
     void sample(const LaneVectors& points, const Lanes& u, const Lanes& v, LaneLight& out) const override;
     void intersect(const LaneVectors& points, const LaneVectors& directions, LaneLight& out) const override;
 

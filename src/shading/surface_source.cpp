@@ -252,6 +252,10 @@ float SurfaceSource::angular_radius(const glm::vec3& from) const noexcept {
     return angular_radius_of_ball(from, centre_, radius_);
 }
 
+float SurfaceSource::brightness(const glm::vec3& from) const noexcept {
+    return color_.brightest() * irradiance_of_ball(from, centre_, radius_);
+}
+
 void SurfaceSource::sample_near(std::size_t patch, const glm::dvec3& point, double u, double v,
                                 std::size_t lane, LaneLight& out, Lanes& factor,
                                 std::array<Lanes, 2>& weights) const {

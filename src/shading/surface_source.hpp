@@ -23,6 +23,7 @@ public:
     explicit SurfaceSource(const EmissiveSurface& surface);
 
     [[nodiscard]] float angular_radius(const glm::vec3& from) const noexcept override;
+    [[nodiscard]] float brightness(const glm::vec3& from) const noexcept override;
     void sample(const LaneVectors& points, const Lanes& u, const Lanes& v, LaneLight& out) const override;
     void intersect(const LaneVectors& points, const LaneVectors& directions, LaneLight& out) const override;
 

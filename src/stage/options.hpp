@@ -58,13 +58,14 @@ enum class Executor {
 enum Skip : std::uint32_t {
     skip_unchanged = 1,         ///< everything, if nothing changed
     skip_light_components = 2,  ///< Stokes components that the light lacks
-    skip_channels = 4,          ///< colour channels of light that equal another
+    skip_channels = 4,          ///< colour channels of light, if all are multiples of one
     skip_orders = 8,            ///< orders that the light lacks
     skip_response_rows = 16,    ///< Stokes components that a material cannot make
     skip_hidden = 32,           ///< shading vertices that face away or lie outside the view
     skip_unoccluded = 64,       ///< shadows of vertices with nothing above their horizon
     skip_rays = 128,            ///< rays of the bake whose result is known without or not needed
-    skip_all = 255,
+    skip_dim_lights = 256,      ///< shadow rays to lights that add less than a hundredth of the tolerance
+    skip_all = 511,
 };
 
 /// Callback for the progress of a render. Options that differ only in the callback make the same image and

@@ -21,12 +21,13 @@ struct RenderWork {
     double trace_ms = 0;  ///< time of the reference method
     /// Camera rays of the reference method, and those that found the surfaces at pixels; 0: drawn.
     std::uint64_t camera_rays = 0;
-    std::uint64_t shadow_rays = 0;        ///< shadow rays of the reference method
-    std::uint64_t bake_rays = 0;          ///< rays from vertices, for the visibility of the environment
-    std::uint64_t bake_rays_skipped = 0;  ///< rays of baked points whose result was known without
-    std::uint64_t light_rays = 0;         ///< rays from shading points to local lights
-    std::uint64_t smooth_rays = 0;        ///< rays of pixels that show smooth surfaces
-    std::uint64_t lights_projected = 0;   ///< environments projected to coefficients
+    std::uint64_t shadow_rays = 0;         ///< shadow rays of the reference method
+    std::uint64_t bake_rays = 0;           ///< rays from vertices, for the visibility of the environment
+    std::uint64_t bake_rays_skipped = 0;   ///< rays of baked points whose result was known without
+    std::uint64_t light_rays = 0;          ///< rays from shading points to local lights
+    std::uint64_t light_rays_skipped = 0;  ///< rays to lights that add next to nothing
+    std::uint64_t smooth_rays = 0;         ///< rays of pixels that show smooth surfaces
+    std::uint64_t lights_projected = 0;    ///< environments projected to coefficients
     /// Materials whose tables, matrices and sets of lobes were computed or read from a cache.
     std::uint64_t materials_projected = 0;
     std::uint64_t vertices_traced = 0;  ///< vertices whose visibility the bake found
@@ -65,7 +66,7 @@ struct Statistics : RenderWork {
     std::uint64_t vertices_unphysical = 0;
     std::uint64_t light_columns_skipped = 0;  ///< Stokes components that the light lacks, times its channels
     std::uint64_t response_rows_skipped = 0;  ///< Stokes components that no material makes, times channels
-    std::uint64_t channels_shared = 0;        ///< colour channels of light that equal another
+    std::uint64_t channels_shared = 0;        ///< colour channels of light that are multiples of one
     /// Local lights of the scene, each emissive surface counted as one, and extracted lights.
     std::uint64_t local_lights = 0;
     std::uint64_t lights_split = 0;   ///< part of local_lights: extracted lights of the environment
@@ -96,11 +97,11 @@ inline RenderWork& RenderWork::operator+=(const RenderWork& other) {
                                &RenderWork::bounce_ms,  &RenderWork::draw_ms,  &RenderWork::observe_ms,
                                &RenderWork::trace_ms};
     constexpr std::array counts{
-        &RenderWork::camera_rays,       &RenderWork::shadow_rays,         &RenderWork::bake_rays,
-        &RenderWork::bake_rays_skipped, &RenderWork::light_rays,          &RenderWork::smooth_rays,
-        &RenderWork::lights_projected,  &RenderWork::materials_projected, &RenderWork::vertices_traced,
-        &RenderWork::matrices_baked,    &RenderWork::vertices_relit,      &RenderWork::vertices_shaded,
-        &RenderWork::pixels_shaded};
+        &RenderWork::camera_rays,       &RenderWork::shadow_rays,      &RenderWork::bake_rays,
+        &RenderWork::bake_rays_skipped, &RenderWork::light_rays,       &RenderWork::light_rays_skipped,
+        &RenderWork::smooth_rays,       &RenderWork::lights_projected, &RenderWork::materials_projected,
+        &RenderWork::vertices_traced,   &RenderWork::matrices_baked,   &RenderWork::vertices_relit,
+        &RenderWork::vertices_shaded,   &RenderWork::pixels_shaded};
     static_assert(sizeof(RenderWork) == 8 * (times.size() + counts.size()), "every member is added");
     for (const auto time : times) this->*time += other.*time;
     for (const auto count : counts) this->*count += other.*count;

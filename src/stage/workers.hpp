@@ -73,6 +73,7 @@ struct RenderRun {
     void add(const LightingTally& tally) {
         lighting += tally;
         statistics.light_rays += tally.rays;
+        statistics.light_rays_skipped += tally.rays_spared;
     }
 };
 

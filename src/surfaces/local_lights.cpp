@@ -14,6 +14,9 @@
 namespace nicol {
 namespace {
 
+// Share of the tolerance that lights without shadow rays may add.
+constexpr double kNegligible = 0.01;
+
 EmissiveSurface emissive_surface(const Instance& instance, std::uint32_t id, const glm::dmat4& from_world) {
     const glm::dmat4 to_axes = from_world * instance.to_world;
     const Mesh mesh = placed(*instance.mesh, to_axes, id);
@@ -76,11 +79,13 @@ void LocalLights::update(const Scene& scene, const DistantLight& distant, const 
     const auto glass = smooth != nullptr ? smooth->glass() : nullptr;
     const bool lit = scene.has_local_lights() || !distant.extracted_lights.empty() || sampled;
     const bool shadows = options.shadows && lit;
+    const bool all_cast = (options.disabled_optimisations & skip_dim_lights) != 0;
+    const double negligible = all_cast ? 0 : kNegligible * options.tolerance;
     tracing_.run(surfaces.version(), shadows, [&] { rays_.change() = shadows ? rays.get() : nullptr; });
     making_.run(scene.local_light_version(), scene.emission_version(), scene.geometry_version(),
                 surfaces.to_world(), rays_.version(), mirrors_, options.light_samples, grids_.version(),
                 distant.sampled, filtered_.version(), distant.extracted_lights, distant.rotation,
-                scene.light_scale(), before_mirrors, glass, [&] {
+                scene.light_scale(), before_mirrors, glass, negligible, [&] {
                     if (!lit && !any()) return;  // the lighting of vertices stays as it is
                     LocalLighting::Lights lights = make_lights(scene, distant, surfaces.to_world());
                     lights_ = lights.local.size() + lights.extracted.size();
@@ -93,7 +98,7 @@ void LocalLights::update(const Scene& scene, const DistantLight& distant, const 
                             static_cast<float>(scene.light_scale()), distant.sampled, *grids_);
                     lights.before_mirrors = before_mirrors;
                     lights.glass = glass;
-                    lighting.emplace(std::move(lights), rays_->get(), options.light_samples);
+                    lighting.emplace(std::move(lights), rays_->get(), options.light_samples, negligible);
                 });
     statistics.local_lights = lights_;
     if (whole) statistics.response_bytes += filtered_->whole->bytes();

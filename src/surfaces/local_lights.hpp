@@ -80,10 +80,10 @@ private:
     Versioned<std::shared_ptr<const NodeGrids>> grids_;
     // Inputs: lights, emission, placements of instances, the axes, rays, mirrors, samples of lights, grids
     // of lobes; sampled terms, their light; extracted lights, their axes and scale; rays before mirrors,
-    // glass.
+    // glass; share of light that is negligible.
     Stage<Version, Version, Version, glm::dmat4, Version, bool, int, Version, SampledTerms, Version,
           std::vector<std::shared_ptr<const ExtractedLight>>, glm::dmat3, double,
-          std::shared_ptr<const RayScene>, std::shared_ptr<const GlassShadows>>
+          std::shared_ptr<const RayScene>, std::shared_ptr<const GlassShadows>, double>
         making_;
     Versioned<std::optional<LocalLighting>> lighting_;
     std::map<std::uint32_t, glm::dvec3> axes_;  // by id of the emissive instance

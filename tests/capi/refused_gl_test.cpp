@@ -442,7 +442,7 @@ STAGE_TEST_CASE("cameras and options out of range are refused, and the image sta
          {"dering", [](auto& o) { o.dering = -1e-9; }},
          {"dering", [](auto& o) { o.dering = not_a_number; }},
          {"components", [](auto& o) { o.components = 2; }},
-         {"disabled_optimisations", [](auto& o) { o.disabled_optimisations = 256; }},
+         {"disabled_optimisations", [](auto& o) { o.disabled_optimisations = 512; }},
          {"aovs is", [](auto& o) { o.aovs = 2 * NICOL_AOV_ALPHA; }},
          {"aovs is", [](auto& o) { o.aovs = 2 * NICOL_AOV_ALPHA, o.method = NICOL_METHOD_REFERENCE; }},
          {"reference method alone", [](auto& o) { o.aovs = NICOL_AOV_VARIANCE; }},

@@ -203,3 +203,54 @@ TEST_CASE("Where the shadow of a small light ends, points get as many samples as
     CHECK(found(0.95F, 16).rays == 32);
     CHECK(found(0.95F, 16).variance < 0.4 * found(0.95F, 4).variance);
 }
+
+TEST_CASE("Dim lights cast no shadow rays where they add next to nothing to what is there") {
+    const Blockers blocker(square(0.6F, 1));
+    std::vector<glm::vec3> places;
+    for (int i = 0; i < 16; ++i) places.emplace_back(0.15F * static_cast<float>(i), 0.05F, 0);
+    const Floor floor(places);
+    // The sun's shadow lies left, and that of the dim lights lies in the sunlight.
+    const auto lights_of = [](bool sun, double dim) {
+        LocalLighting::Lights out;
+        const auto add = [&](double value, const glm::dvec3& place) {
+            LocalLight light{.kind = LocalLight::Kind::point, .value = {value}};
+            light.to_world[3] = glm::dvec4(place, 1);
+            out.local.push_back(light_source(light, glm::dmat4(1.0)));
+        };
+        for (int i = 0; i < 8; ++i) add(dim, {-1 - 0.05 * i, 0, 2});
+        if (sun) add(10, {0, 0, 4});
+        return out;
+    };
+    struct Case {
+        const char* name;
+        bool sun;
+        double dim;
+        bool spared;
+    };
+    constexpr double negligible = 3e-4;
+    const Case cases[] = {{"far below the sun", true, 1e-5, true},
+                          {"together above the share", true, 5e-4, true},
+                          {"no sun", false, 1e-5, false},
+                          {"not dim", true, 1, false}};
+    for (const MaterialPtr& material : {diffuse({0.5}), pplastic({.alpha = 0.2})}) {
+        for (const Case& of : cases) {
+            CAPTURE(of.name);
+            LightingTally all, fewer;
+            const std::vector<double> truth =
+                floor.lit(LocalLighting(lights_of(of.sun, of.dim), &*blocker.scene, 16), material, 0, all);
+            const std::vector<double> found =
+                floor.lit(LocalLighting(lights_of(of.sun, of.dim), &*blocker.scene, 16, negligible), material,
+                          0, fewer);
+            CHECK(all.rays_spared == 0);
+            CHECK(fewer.rays_spared + fewer.rays == all.rays);
+            CHECK((fewer.rays_spared > 0) == of.spared);
+            for (std::size_t i = 0; i < truth.size(); ++i) {
+                CAPTURE(i);
+                CHECK(found[i] >= truth[i] * (1 - 1e-6));
+                CHECK(found[i] <= truth[i] * (1 + negligible + 1e-6));
+            }
+            // In the sun's shadow the dim lights are all there is.
+            if (of.spared) CHECK(found[0] < 0.01 * found[10]);
+        }
+    }
+}

@@ -94,7 +94,8 @@ OPTIMISATION_RESPONSE_ROWS = 16
 OPTIMISATION_HIDDEN = 32
 OPTIMISATION_UNOCCLUDED = 64
 OPTIMISATION_RAYS = 128
-OPTIMISATION_ALL = 255
+OPTIMISATION_DIM_LIGHTS = 256
+OPTIMISATION_ALL = 511
 AOV_DEPTH = 1
 AOV_NORMAL = 2
 AOV_POSITION = 4
@@ -819,9 +820,9 @@ class Dielectric(Struct):
     light, polarized as Fresnel's formulas say. The factored method follows light through it by rays at pixels,
     the reference method by its paths; max_depth of nicol_render_options limits how often. By the factored
     method the light of lamps passes glass straight on to other surfaces, dimmed in each channel as unpolarized
-    light is; the light of the environment is not dimmed, and nothing is focused. The dense method and shading
-    at vertices return NICOL_ERROR_UNSUPPORTED. The surface of a body must be closed, its normals pointing
-    outwards, and bodies must not overlap.
+    light is; the light of the environment is dimmed equally in all channels, by their mean, and nothing is
+    focused. The dense method and shading at vertices return NICOL_ERROR_UNSUPPORTED. The surface of a body
+    must be closed, its normals pointing outwards, and bodies must not overlap.
 
     Fields:
     thin: 0, the default: the surface bounds a body, and refracts the light that it transmits. 1: the surface is
@@ -1471,7 +1472,7 @@ class Statistics(Struct):
                                                pixels are not counted
     light_columns_skipped: Stokes components of the light that are zero everywhere, times channels
     response_rows_skipped: Stokes components that no material reflects, times channels
-    channels_shared: colour channels of light that equal another and are not computed again
+    channels_shared: colour channels of light that are multiples of one and are not computed again
     response_bytes: bytes of material tables
     visibility_bytes: bytes of visibility by direction at each vertex
     transfer_bytes: bytes kept for relight and shade: light, shadows, matrices and geometry per vertex,
@@ -1517,7 +1518,8 @@ class Statistics(Struct):
     light_samples: real-time methods: light_samples of the image
     bsdf_samples: real-time methods: bsdf_samples of the image
     order_tolerance: tolerance for which the orders were chosen: the option's, or more by time_budget_ms;
-                                               0 if they were not chosen"""
+                                               0 if they were not chosen
+    light_rays_skipped: rays to dim lights that were not traced (NICOL_OPTIMISATION_DIM_LIGHTS), beside light_rays"""
     _fields_ = [
         ("struct_size", c_uint32),
         ("order", c_uint32),
@@ -1574,6 +1576,7 @@ class Statistics(Struct):
         ("light_samples", c_uint32),
         ("bsdf_samples", c_uint32),
         ("order_tolerance", c_double),
+        ("light_rays_skipped", c_uint64),
     ]
     order: int
     vertices: int
@@ -1629,6 +1632,7 @@ class Statistics(Struct):
     light_samples: int
     bsdf_samples: int
     order_tolerance: float
+    light_rays_skipped: int
 
 
 class PlaneBuffer(Struct):
@@ -3674,6 +3678,7 @@ __all__ = [
     "OK",
     "OPTIMISATION_ALL",
     "OPTIMISATION_CHANNELS",
+    "OPTIMISATION_DIM_LIGHTS",
     "OPTIMISATION_HIDDEN",
     "OPTIMISATION_LIGHT_COMPONENTS",
     "OPTIMISATION_ORDERS",

@@ -98,7 +98,8 @@ pub const NICOL_OPTIMISATION_RESPONSE_ROWS: u32 = 16;
 pub const NICOL_OPTIMISATION_HIDDEN: u32 = 32;
 pub const NICOL_OPTIMISATION_UNOCCLUDED: u32 = 64;
 pub const NICOL_OPTIMISATION_RAYS: u32 = 128;
-pub const NICOL_OPTIMISATION_ALL: u32 = 255;
+pub const NICOL_OPTIMISATION_DIM_LIGHTS: u32 = 256;
+pub const NICOL_OPTIMISATION_ALL: u32 = 511;
 pub const NICOL_AOV_DEPTH: u32 = 1;
 pub const NICOL_AOV_NORMAL: u32 = 2;
 pub const NICOL_AOV_POSITION: u32 = 4;
@@ -784,9 +785,9 @@ const _: () = {
 /// light, polarized as Fresnel's formulas say. The factored method follows light through it by rays at pixels,
 /// the reference method by its paths; max_depth of nicol_render_options limits how often. By the factored
 /// method the light of lamps passes glass straight on to other surfaces, dimmed in each channel as unpolarized
-/// light is; the light of the environment is not dimmed, and nothing is focused. The dense method and shading
-/// at vertices return NICOL_ERROR_UNSUPPORTED. The surface of a body must be closed, its normals pointing
-/// outwards, and bodies must not overlap.
+/// light is; the light of the environment is dimmed equally in all channels, by their mean, and nothing is
+/// focused. The dense method and shading at vertices return NICOL_ERROR_UNSUPPORTED. The surface of a body
+/// must be closed, its normals pointing outwards, and bodies must not overlap.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct nicol_dielectric {
@@ -1326,10 +1327,11 @@ pub struct nicol_statistics {
     pub light_samples: u32,
     pub bsdf_samples: u32,
     pub order_tolerance: f64,
+    pub light_rays_skipped: u64,
 }
 defaults!(nicol_statistics, nicol_statistics_init);
 const _: () = {
-    assert!(size_of::<nicol_statistics>() == 408);
+    assert!(size_of::<nicol_statistics>() == 416);
     assert!(offset_of!(nicol_statistics, struct_size) == 0);
     assert!(offset_of!(nicol_statistics, order) == 4);
     assert!(offset_of!(nicol_statistics, vertices) == 8);
@@ -1385,6 +1387,7 @@ const _: () = {
     assert!(offset_of!(nicol_statistics, light_samples) == 392);
     assert!(offset_of!(nicol_statistics, bsdf_samples) == 396);
     assert!(offset_of!(nicol_statistics, order_tolerance) == 400);
+    assert!(offset_of!(nicol_statistics, light_rays_skipped) == 408);
 };
 pub type nicol_plane = u32;
 pub type nicol_format = u32;

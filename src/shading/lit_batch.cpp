@@ -1,0 +1,358 @@
+// SPDX-License-Identifier: MIT
+#include "shading/lit_batch.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <glm/geometric.hpp>
+#include <utility>
+
+#include "shading/light_changes.hpp"
+#include "shading/light_samples.hpp"
+#include "shading/sample_halves.hpp"
+
+namespace nicol {
+namespace {
+
+// Share of SampleHalves::noise() for nodes that are close enough; measured. Brushed lobes have rows of
+// nodes.
+constexpr float kNodesError = 0.1F;
+constexpr float kBrushedNodesError = 0.05F;
+
+constexpr std::array<glm::vec2, 4> kQuarters{glm::vec2(0.25F), glm::vec2(0.75F), glm::vec2(0.25F, 0.75F),
+                                             glm::vec2(0.75F, 0.25F)};
+
+LaneVectors in_lanes(std::span<const glm::vec3> from) {
+    LaneVectors out;
+    for (std::size_t i = 0; i < kLanes; ++i) put(out, i, from[std::min(i, from.size() - 1)]);
+    return out;
+}
+
+}  // namespace
+
+LitBatch::LitBatch(const Views& views, const LitPoints& points, const LitMaterial& material,
+                   const RayScene* rays, const LocalLighting::Lights& lights, Sums sums)
+    : positions_(in_lanes(points.positions)),
+      origins_(points.origins.empty() ? positions_ : in_lanes(points.origins)),
+      facets_(points.facets.empty() ? LaneVectors() : in_lanes(points.facets)),
+      points_(points),
+      material_(material),
+      sums_(sums),
+      all_((1U << points.positions.size()) - 1) {
+    reflected_.set(views, points.positions, points.normals, points.tangents);
+    if (points.mirrored != nullptr) set_pixels(*points.mirrored);
+    // The bake says what is shadowed, but clear glass stops none of its rays.
+    if (rays != nullptr && points.receives_shadows && (points.shadowed || lights.glass != nullptr))
+        shadows_.emplace(*rays, lights.glass.get(), positions_, origins_);
+    if (lights.before_mirrors != nullptr && any_layer_has(true))
+        before_mirrors_.emplace(*lights.before_mirrors, nullptr, positions_, origins_);
+}
+
+// The samples of one light.
+struct LitBatch::Sampling {
+    SampledTerms find_it;
+    const LightSource& light;
+    float radius;  // angular radius of the light
+    double lobe;   // narrowest_lobe()
+};
+
+LitBatch::Sampling LitBatch::sampling_of(const Source& source) {
+    seed(source.index);
+    return {.find_it = source.find_it,
+            .light = *source.light,
+            .radius = source.light->angular_radius(points_.positions.front()),
+            .lobe = narrowest_lobe(source.find_it)};
+}
+
+template <class Reached>
+void LitBatch::add_samples(const Sampling& sampling, std::uint32_t first, std::uint32_t last,
+                           std::uint32_t all, const Reached& reached, Sums sums) {
+    for (std::uint32_t k = first; k < last; ++k) {
+        Lanes u{}, v{};
+        if (sampling.radius > 0) light_samples(k, std::span(seeds_).first(points_.positions.size()), u, v);
+        sampling.light.sample(positions_, u, v, light_);
+        const std::uint32_t lit = reached(lit_points());
+        if (lit == 0) continue;
+        const float factor = 1 / static_cast<float>(all);
+        for_places(sampling.lobe, k, all, [&](float share) {
+            for_layers(lit, [&](const Material& layer, const LayerWeights* weights, std::uint32_t there) {
+                reflected_.add(layer, weights, light_, there, share * factor, sums, sampling.find_it);
+            });
+        });
+    }
+}
+
+void LitBatch::add_source(const Source& source, std::uint32_t most_samples) {
+    const Sampling sampling = sampling_of(source);
+    const std::uint32_t samples = light_sample_count(sampling.radius, most_samples);
+    constexpr std::uint32_t probes = 4;
+    LightShadows shadowing(shadows(), points_.places, probes);
+    const auto add = [&](std::uint32_t first, std::uint32_t last, std::uint32_t all) {
+        const auto reached = [&](std::uint32_t points) {
+            return all == 1 ? shadowing.reached_in_part(light_, points) : shadowing.reached(light_, points);
+        };
+        add_samples(sampling, first, last, all, reached, sums_);
+    };
+    SampleHalves halves(sums_);
+    if (samples == 1) {
+        add(0, 1, 1);
+        if (shadowing.doubtful()) noise_ += halves.squares(points_.positions.size(), shadowing.doubts());
+        return;
+    }
+    std::uint32_t first = samples / 2, all = samples;
+    add(0, first, samples);
+    halves.end_first();
+    add(first, samples, samples);
+    // Points at the edge of a small light's shadow get as many samples as of a very wide light.
+    if (samples < 2 * most_samples && shadowing.at_edge()) {
+        first = samples;
+        all = 2 * most_samples;
+        halves.end_first(static_cast<float>(first) / static_cast<float>(all));
+        add(first, all, all);
+    }
+    Lanes weights, shares;
+    weights.value.fill(static_cast<float>(first) / static_cast<float>(all));
+    shares.value.fill(kShareOfHalves);
+    noise_ += halves.noise(points_.positions.size(), weights, shares);
+}
+
+void LitBatch::add_dim_source(const Source& source, std::uint32_t most_samples, float negligible,
+                              const Lanes& there) {
+    thread_local std::vector<std::array<Lanes, 4>> open;
+    open.assign(sums_.size(), {});
+    const Sampling sampling = sampling_of(source);
+    const std::uint32_t samples = light_sample_count(sampling.radius, most_samples);
+    std::uint32_t reached = 0;
+    const auto all_of = [&](std::uint32_t points) {
+        reached |= points;
+        return points;
+    };
+    add_samples(sampling, 0, samples, samples, all_of, open);
+    std::uint32_t rest = 0;
+    Lanes kept{};
+    for (std::size_t i = 0; i < kLanes; ++i) {
+        float added = unshadowed_[i], present = there[i];
+        for (std::size_t c = 0; c < open.size(); ++c) {
+            added += open[c][0][i];
+            present += sums_[c][0][i];
+        }
+        if (added <= negligible * present) {
+            unshadowed_[i] = added;
+            kept[i] = 1;
+        } else {
+            rest |= reached & 1U << i;
+        }
+    }
+    for (std::size_t c = 0; c < open.size(); ++c)
+        for (std::size_t p = 0; p < 4; ++p)
+            for (std::size_t i = 0; i < kLanes; ++i) sums_[c][p][i] += kept[i] * open[c][p][i];
+    rays_spared_ += samples * static_cast<std::uint64_t>(std::popcount(reached & ~rest));
+    if (rest == 0) return;
+    const std::uint32_t whole = std::exchange(all_, rest);
+    add_source(source, most_samples);
+    all_ = whole;
+}
+
+void LitBatch::find_places() {
+    if (points_.mirrored != nullptr)
+        places_ = PixelPlaces(*points_.mirrored, points_.positions.size(), points_.parts,
+                              reflected_.mirrored_directions());
+}
+
+void LitBatch::add_mirrored(const LightSource& source) {
+    source.intersect(origins_, reflected_.mirrored_directions(), light_);
+    add_mirrored();
+}
+
+void LitBatch::add_environment(const SampledEnvironment& environment) {
+    for_layers(all_, [&](const Material& layer, const LayerWeights* weights, std::uint32_t there) {
+        for (const Lobe& lobe : ReflectedLight::sampled_lobes(layer, environment.sampled()))
+            add_lobe(environment, layer, lobe, weights, there);
+    });
+    if (environment.sampled() != SampledTerms::anisotropic_narrow || !any_layer_has(true)) return;
+    look_up_mirrored(environment);
+    add_mirrored();
+}
+
+bool LitBatch::any_layer_has(bool smooth) const {
+    return std::ranges::any_of(material_.layers, [&](const Material* layer) {
+        return any_term(*layer, [&](const Material& of, int term) { return of.smooth(term) == smooth; });
+    });
+}
+
+LightingTally LitBatch::tally() const {
+    LightingTally out{
+        .rays = (shadows_ ? shadows_->count() : 0) + (before_mirrors_ ? before_mirrors_->count() : 0),
+        .rays_spared = rays_spared_,
+        .values = sums_.size() * points_.positions.size(),
+        .power = 0,
+        .noise = noise_};
+    for (const std::array<Lanes, 4>& stokes : sums_)
+        for (const float s0 : stokes[0].value) out.power += double{s0} * double{s0};
+    return out;
+}
+
+void LitBatch::add_lobe(const SampledEnvironment& environment, const Material& layer, const Lobe& lobe,
+                        const LayerWeights* weights, std::uint32_t there) {
+    const bool whole = finds_lights(lobe, environment.sampled());
+    const LaneFrames frames = environment.in_environment(reflected_.frames());
+    const WeightedTerms terms =
+        ReflectedLight::sampled_terms(layer, environment.sampled(), lobe, sums_.size());
+    // A shadow ray meets a single point of what a node's blob shows. The blobs of brushed lobes overlap,
+    // so that their middles sample the lobe well.
+    const bool scattered = lobe.alpha.x == lobe.alpha.y;
+    const float error = scattered ? kNodesError : kBrushedNodesError;
+    for (const SlopePart& part : slope_parts(lobe.distribution)) {
+        const ReflectedNodes nodes(environment.grids(), lobe, part, reflected_.towards_viewer(), pixels_);
+        const auto pairs = static_cast<std::uint32_t>((nodes.count() + 1) / 2);
+        const std::uint32_t even = (pairs + 1) / 2;
+        Lanes shares;
+        for (std::size_t i = 0; i < kLanes; ++i) {
+            const float square = nodes.excess()[i] * nodes.excess()[i];
+            shares[i] = std::min(1.0F, error * square * square);
+        }
+        LightShadows shadowing(shadows(), points_.places, 2 * even);
+        seed(~sampled_parts_++);
+        // Sets light_ to the light of a node, and returns the points that it reaches.
+        const auto light_of = [&](const ReflectedNode& node, std::uint32_t k) {
+            environment.look_up(whole, frames, node, light_);
+            return reached(shadowing, node, scattered ? std::optional(k) : std::nullopt, there);
+        };
+        const auto reflect = [&](std::uint32_t lit) {
+            if (lit != 0) reflected_.add_sampled(terms, weights, light_, lit, sums_);
+        };
+        // Even pairs come first, because either half of the pairs is spread over the lobe.
+        SampleHalves halves(sums_);
+        for (std::uint32_t k = 0; k < pairs; ++k) {
+            if (k == even) halves.end_first();
+            const std::uint32_t own = k < even ? 2 * k : 2 * (k - even) + 1;
+            if (environment.polarized()) {
+                for (std::uint32_t n = 0; n < 2; ++n) reflect(light_of(nodes.node(2 * own + n), 2 * k + n));
+                continue;
+            }
+            const ReflectedPair pair = nodes.pair(own);
+            thread_local std::vector<std::array<Lanes, 4>> first;
+            const std::uint32_t first_lit = light_of(pair.nodes[0], 2 * k);
+            hide(there & ~first_lit, light_);
+            std::swap(first, light_.irradiance);
+            const std::uint32_t lit = light_of(pair.nodes[1], 2 * k + 1);
+            hide(there & ~lit, light_);
+            add_unpolarized(first, light_);
+            light_.towards = pair.towards;
+            reflect(first_lit | lit);
+        }
+        if (even < pairs) noise_ += halves.noise(points_.positions.size(), nodes.even_shares(), shares);
+    }
+}
+
+std::uint32_t LitBatch::reached(LightShadows& shadowing, const ReflectedNode& node,
+                                std::optional<std::uint32_t> scattered, std::uint32_t there) {
+    if (!shadows_ && points_.facets.empty() && points_.unperturbed.empty()) return there;
+    const LaneVectors local = light_.towards;
+    out_of_frames(reflected_.frames(), local, light_.towards);
+    const std::uint32_t facing = there & facing_points();
+    std::uint32_t lit = facing;
+    if (shadows_ && facing != 0) {
+        const LaneVectors middle = light_.towards;
+        if (scattered) {
+            Lanes u, v;
+            light_samples(*scattered, std::span(seeds_).first(points_.normals.size()), u, v);
+            scatter(points_.normals, node.variances, u, v, light_);
+        }
+        lit = shadowing.reached(light_, facing);
+        light_.towards = middle;
+    }
+    if (points_.bounced != nullptr && lit != facing) {
+        hide(facing & ~lit, light_);
+        points_.bounced->add_to(only(facing & ~lit, node.weights), light_);
+        lit = facing;
+    }
+    if (lit != 0) dim();
+    light_.towards = local;
+    return lit;
+}
+
+void LitBatch::look_up_mirrored(const SampledEnvironment& environment) {
+    thread_local std::vector<std::array<Lanes, 4>> sums;
+    const LaneFrames frames = environment.in_environment(reflected_.frames());
+    const ReflectedNodes nodes(environment.grids(), reflected_.towards_viewer(), pixels_);
+    sums.clear();
+    for (std::size_t k = 0; k < nodes.count(); ++k) {
+        environment.look_up(true, frames, nodes.node(k), light_);
+        sums.resize(light_.irradiance.size(), {});
+        for (std::size_t c = 0; c < sums.size(); ++c)
+            for (std::size_t p = 0; p < light_.components; ++p)
+                for (std::size_t i = 0; i < kLanes; ++i) sums[c][p][i] += light_.irradiance[c][p][i];
+    }
+    std::ranges::copy(sums, light_.irradiance.begin());
+    out_of_frames(reflected_.frames(), light_.towards, light_.towards);
+    if (light_.components > 1) out_of_frames(reflected_.frames(), light_.x, light_.x);
+}
+
+template <class Reflect>
+void LitBatch::for_places(double lobe, std::uint32_t sample, std::uint32_t samples, const Reflect& reflect) {
+    const std::uint32_t across = places_.across(light_, lobe, samples);
+    if (across == 0) return reflect(1.0F);
+    const LaneVectors towards = light_.towards, x = light_.x;
+    const auto count = static_cast<float>(across);
+    // Four samples after one another shift the places to the middles of four quarters.
+    const glm::vec2 shift = samples == 1 ? glm::vec2(0.5F) : kQuarters[sample % kQuarters.size()];
+    for (std::uint32_t down = 0; down < across; ++down)
+        for (std::uint32_t right = 0; right < across; ++right) {
+            const glm::vec2 place(static_cast<float>(right), static_cast<float>(down));
+            places_.move(towards, x, (place + shift) / count - 0.5F, light_);
+            reflect(1 / (count * count));
+        }
+}
+
+void LitBatch::add_mirrored() {
+    std::uint32_t lit = lit_points();
+    ShadowRays* const rays = before_mirrors_ ? &*before_mirrors_ : shadows();
+    if (rays != nullptr && lit != 0) lit = rays->visible_from_origins(light_, lit);
+    for_layers(lit, [&](const Material& layer, const LayerWeights* weights, std::uint32_t there) {
+        reflected_.add_mirrored(layer, weights, light_, there, sums_);
+    });
+}
+
+template <class Reflect>
+void LitBatch::for_layers(std::uint32_t points, const Reflect& reflect) const {
+    for (std::size_t l = 0; l < material_.layers.size(); ++l) {
+        const LayerWeights* const weights = material_.weights.empty() ? nullptr : &material_.weights[l];
+        const std::uint32_t there = weights != nullptr ? points & weights->points : points;
+        if (there != 0) reflect(*material_.layers[l], weights, there);
+    }
+}
+
+std::uint32_t LitBatch::lit_points() {
+    dim();
+    return facing_points();
+}
+
+void LitBatch::dim() {
+    if (!points_.unperturbed.empty()) dim_at_slant(points_.unperturbed, points_.normals, light_);
+}
+
+std::uint32_t LitBatch::facing_points() const {
+    const std::uint32_t lit = all_ & light_.points & reflected_.lit(light_);
+    return points_.facets.empty() ? lit : lit & above(facets_, light_);
+}
+
+double LitBatch::narrowest_lobe(SampledTerms find_it) const {
+    double out = PixelPlaces::kWidestLobe;
+    for (const Material* layer : material_.layers)
+        for (int t = 0; t < layer->terms(); ++t)
+            if (!layer->smooth(t) && !finds_lights(*layer, t, find_it))
+                out = std::min(out, layer->lobe_width(t));
+    return out;
+}
+
+void LitBatch::set_pixels(const MirroredPixels& pixels) {
+    into_frames(reflected_.frames(), pixels.shift, pixels_.shift);
+    for (std::size_t k = 0; k < 2; ++k) into_frames(reflected_.frames(), pixels.steps[k], pixels_.steps[k]);
+}
+
+void LitBatch::seed(std::uint32_t index) {
+    for (std::size_t i = 0; i < points_.positions.size(); ++i)
+        seeds_[i] = sample_seed(points_.seeds[i], index);
+}
+
+}  // namespace nicol
