@@ -88,6 +88,11 @@ std::string SmoothBoundary::content_key() const {
         .text();
 }
 
+std::string glass_key(const Material& material) {
+    const SmoothBoundary* const boundary = material.smooth_boundary();
+    return boundary != nullptr ? boundary->content_key() : std::string();
+}
+
 MaterialPtr dielectric(const DielectricParameters& parameters) {
     return boundary_material(SmoothBoundary::Behind::body, parameters);
 }

@@ -33,6 +33,9 @@ struct SmoothBoundary {
     [[nodiscard]] std::string content_key() const;
 };
 
+/// Returns the content_key() of the boundary that light passes, or an empty text if the material has none.
+[[nodiscard]] std::string glass_key(const Material& material);
+
 /// Parameters of Mitsuba 3's `dielectric`, `roughdielectric` and `thindielectric`, and of a body that absorbs
 /// light.
 struct DielectricParameters {

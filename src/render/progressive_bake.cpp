@@ -76,7 +76,7 @@ void ProgressiveBake::follow_geometry(const Input& input) {
     const WorldGeometry& geometry = input.surfaces.geometry();
     const bool follows = surfaces_ != 0 && surfaces_ == change.before && axes_ == input.axes;
     refinement_.reset();
-    rays_.reset();
+    rays_ = {};
     finished_ = false;
     any_changed_ = true;
     origins_.clear();
@@ -237,7 +237,7 @@ void ProgressiveBake::trace(const Input& input, std::span<const std::uint32_t> v
         const bool was_unoccluded = visible_.unoccluded(v);
         std::ranges::fill(bits, 0U);
         const std::uint64_t count =
-            trace_vertex(*rays_, input.directions, origins_[v], normal, v, known, {}, visible_).traced;
+            trace_vertex(rays_, input.directions, origins_[v], normal, v, known, {}, visible_).traced;
         states_[v] = state_;
         waits_[v] = 0;
         unoccluded_[v] = visible_.unoccluded(v) ? 1 : 0;
@@ -262,7 +262,7 @@ void ProgressiveBake::advance(const Input& input, SurfaceRays& rays, double mill
     std::vector<std::uint32_t> vertices;
     std::optional<DisturbedRays> since_last, since_all;
     bool first = true;
-    if (!rays_) rays_ = rays.get();
+    if (!rays_.blockers) rays_ = {.blockers = rays.get(), .glass = rays.glass()};
     for (; next_ < order_.size() && (first || spent() < milliseconds); first = false) {
         progress.report("bake",
                         kTracingOfBake * static_cast<double>(next_) / static_cast<double>(order_.size()));
@@ -323,7 +323,8 @@ void ProgressiveBake::begin_refinement(const Input& input) {
                                                                     .normals = refining_->normals,
                                                                     .triangles = refining_->triangles,
                                                                     .present = presence_of(*refining_),
-                                                                    .rays = [this] { return rays_; },
+                                                                    .glass = rays_.glass,
+                                                                    .rays = [this] { return rays_.blockers; },
                                                                     .needed = refining_receivers_},
                                                        input.directions, refining_visibility_, wanted,
                                                        points_.size() > 0 ? former_points_.get() : nullptr);
@@ -345,7 +346,7 @@ void ProgressiveBake::end_refinement(const Input& input, Refinement next) {
     next.visibility = {};
     next.points = {};
     topology_ = std::move(next);
-    // Each vertex's former index. Added vertices are paired by position, normal and visibility.
+    // Added vertices are paired by position, normal and visibility.
     std::vector<std::uint32_t> before(visible_.vertices(), kNoVertex);
     for (std::size_t i = 0; i < given_; ++i) before[numbers_.number(i)] = numbers_before.number(i);
     std::unordered_map<std::size_t, std::uint32_t> added;
@@ -385,7 +386,7 @@ void ProgressiveBake::finish(const Input& input) {
     order_.clear();
     last_ = all_ = {};
     refining_visibility_ = {};
-    rays_.reset();
+    rays_ = {};
     refining_.reset();
     finished_ = true;
 }

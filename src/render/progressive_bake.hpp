@@ -123,7 +123,7 @@ private:
     std::size_t pending_ = 0;
     bool finished_ = false;
 
-    std::shared_ptr<const RayScene> rays_;           // null: not yet needed
+    BakeRays rays_;                                  // null: not yet needed
     std::shared_ptr<const WorldGeometry> refining_;  // geometry and visibility that refinement_ uses
     Visibility refining_visibility_;
     std::unique_ptr<FormerRefinement> former_points_;

@@ -36,6 +36,7 @@ BakeGeometry bake_geometry(const SceneGeometry& surfaces, SurfaceRays& rays,
             .triangles = world.triangles,
             .present = presence_of(world),
             .blocking = world.blocking,
+            .glass = rays.glass(),
             .rays = [&rays] { return rays.get(); },
             .needed = needed,
             .every_ray = (options.disabled_optimisations & skip_rays) != 0};

@@ -9,6 +9,7 @@
 
 #include "arguments.hpp"
 #include "geometry/largest_coordinate.hpp"
+#include "material/dielectric.hpp"
 #include "material/spatial_variation.hpp"
 
 namespace nicol {
@@ -143,7 +144,7 @@ void Scene::set_material(std::uint32_t id, MaterialPtr material) {
     if (instance.material == material) return;
     channels_.make_room(material->channels());
     if (instance.material->twosided() != material->twosided() ||
-        (instance.material->smooth_boundary() == nullptr) != (material->smooth_boundary() == nullptr) ||
+        glass_key(*instance.material) != glass_key(*material) ||
         alpha_mask_of(*instance.material) != alpha_mask_of(*material))
         geometry_version_ = new_version();
     material_version_ = new_version();

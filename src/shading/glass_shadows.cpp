@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <numeric>
 #include <utility>
+#include <vector>
 
 #include "material/reflectance.hpp"
 #include "polarization/fresnel.hpp"
@@ -34,28 +36,13 @@ void multiply(LaneLight& light, std::size_t channel, std::size_t point, double f
 GlassShadows::GlassShadows(std::shared_ptr<const RayScene> surfaces, FirstCrossing first)
     : surfaces_(std::move(surfaces)), first_(std::move(first)) {}
 
-void GlassShadows::dim(const RayPacket& packet, std::uint32_t points, LaneLight& light) const {
-    const std::uint32_t behind = surfaces_->occluded(packet, static_cast<std::uint16_t>(points));
-    for (std::size_t i = 0; i < RayPacket::kRays; ++i) {
-        if ((behind >> i & 1) == 0) continue;
-        dim({.origin = glm::dvec3(packet.origin_x[i], packet.origin_y[i], packet.origin_z[i]),
-             .direction = glm::normalize(
-                 glm::dvec3(packet.direction_x[i], packet.direction_y[i], packet.direction_z[i])),
-             .farthest = static_cast<double>(packet.farthest[i])},
-            i, light);
-    }
-}
-
-void GlassShadows::dim(Ray ray, std::size_t point, LaneLight& light) const {
-    const auto apply = [&](const auto& factor_of, std::size_t channels) {
-        if (channels > light.irradiance.size()) light.irradiance.resize(channels, light.irradiance.front());
-        for (std::size_t c = 0; c < light.irradiance.size(); ++c)
-            multiply(light, c, point, factor_of(static_cast<int>(c)));
-    };
+template <class Apply>
+bool GlassShadows::for_crossings(Ray ray, const Apply& apply) const {
     double entered = 0;
     for (int i = 0; i < kMostCrossings; ++i) {
         const std::optional<Crossing> met = first_(ray);
-        if (!met || met->boundary == nullptr) return;
+        if (!met) return true;
+        if (met->boundary == nullptr) return false;
         const SmoothBoundary& boundary = *met->boundary;
         const double along = glm::dot(met->normal, ray.direction);
         const double transmitted = transmittance_at(boundary, std::min(1.0, std::abs(along)));
@@ -69,6 +56,37 @@ void GlassShadows::dim(Ray ray, std::size_t point, LaneLight& light) const {
         entered = met->distance;
         ray.nearest = met->distance + met->offset;
     }
+    return true;
+}
+
+void GlassShadows::dim(const RayPacket& packet, std::uint32_t points, LaneLight& light) const {
+    const std::uint32_t behind = surfaces_->occluded(packet, static_cast<std::uint16_t>(points));
+    for (std::size_t i = 0; i < RayPacket::kRays; ++i) {
+        if ((behind >> i & 1) == 0) continue;
+        const auto multiply_all = [&](const auto& factor_of, std::size_t channels) {
+            if (channels > light.irradiance.size())
+                light.irradiance.resize(channels, light.irradiance.front());
+            for (std::size_t c = 0; c < light.irradiance.size(); ++c)
+                multiply(light, c, i, factor_of(static_cast<int>(c)));
+        };
+        for_crossings({.origin = glm::dvec3(packet.origin_x[i], packet.origin_y[i], packet.origin_z[i]),
+                       .direction = glm::normalize(
+                           glm::dvec3(packet.direction_x[i], packet.direction_y[i], packet.direction_z[i])),
+                       .farthest = static_cast<double>(packet.farthest[i])},
+                      multiply_all);
+    }
+}
+
+double GlassShadows::transmittance(Ray ray) const {
+    thread_local std::vector<double> of_channels;
+    of_channels.assign(1, 1.0);
+    const bool open = for_crossings(ray, [&](const auto& factor_of, std::size_t channels) {
+        if (channels > of_channels.size()) of_channels.resize(channels, of_channels.front());
+        for (std::size_t c = 0; c < of_channels.size(); ++c) of_channels[c] *= factor_of(static_cast<int>(c));
+    });
+    if (!open) return 0;
+    return std::accumulate(of_channels.begin(), of_channels.end(), 0.0) /
+           static_cast<double>(of_channels.size());
 }
 
 }  // namespace nicol

@@ -35,9 +35,15 @@ public:
     /// glass, by what the glass transmits. The light gets channels of its own if the glass has colour.
     void dim(const RayPacket& packet, std::uint32_t points, LaneLight& light) const;
 
+    /// Returns the part of light that all glass on a ray transmits, the mean over channels; 0 beyond a
+    /// surface that no light passes.
+    [[nodiscard]] double transmittance(Ray ray) const;
+
 private:
-    /// Multiplies a point's light by what the glass on a ray transmits.
-    void dim(Ray ray, std::size_t point, LaneLight& light) const;
+    /// Calls apply(factor_of, channels) for each boundary on a ray; factor_of(c): what it transmits in
+    /// channel c, with the body before it. Returns whether no other surface is met.
+    template <class Apply>
+    bool for_crossings(Ray ray, const Apply& apply) const;
 
     std::shared_ptr<const RayScene> surfaces_;
     FirstCrossing first_;

@@ -11,6 +11,7 @@
 
 #include "error.hpp"
 #include "geometry/deformed_mesh.hpp"
+#include "material/dielectric.hpp"
 #include "material/spatial_variation.hpp"
 #include "scene/middle.hpp"
 #include "surfaces/rigid_motion.hpp"
@@ -82,7 +83,7 @@ std::vector<SceneGeometry::Piece> SceneGeometry::place(const Scene& scene) {
         Piece& piece =
             pieces.emplace_back(Piece{.id = scene.ids()[i],
                                       .twosided = instance.material->twosided(),
-                                      .transmits = instance.material->smooth_boundary() != nullptr,
+                                      .glass = glass_key(*instance.material),
                                       .roles = instance.roles,
                                       .divided = false,
                                       .mesh = instance.mesh,
@@ -96,8 +97,7 @@ std::vector<SceneGeometry::Piece> SceneGeometry::place(const Scene& scene) {
                                       .former = kNone});
         const auto former = std::ranges::lower_bound(pieces_, piece.id, {}, &Piece::id);
         if (former == pieces_.end() || former->id != piece.id || former->twosided != piece.twosided ||
-            former->mask != piece.mask || former->transmits != piece.transmits ||
-            former->roles != piece.roles) {
+            former->mask != piece.mask || former->glass != piece.glass || former->roles != piece.roles) {
             continue;
         }
         if (former->mesh != piece.mesh) {

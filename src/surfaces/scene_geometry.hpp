@@ -7,6 +7,7 @@
 #include <glm/mat4x4.hpp>
 #include <glm/matrix.hpp>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "geometry/graded_mesh.hpp"
@@ -87,7 +88,7 @@ private:
     struct Piece {
         std::uint32_t id;
         bool twosided;
-        bool transmits;  // whether light passes the material, and shadow rays do
+        std::string glass;  // content key of the boundary that light passes, and shadow rays do; else empty
         InstanceRoles roles;
         bool divided;  // whether triangles of in_place are parts of those of `mesh`
         std::shared_ptr<const Mesh> mesh;
@@ -106,7 +107,7 @@ private:
 
         // Returns the mesh whose vertices and triangles are drawn, and whether the placement mirrors it.
         [[nodiscard]] const Mesh& parts() const { return divided ? *in_place : *mesh; }
-        [[nodiscard]] bool blocks() const { return !transmits && roles.casts_shadows; }
+        [[nodiscard]] bool blocks() const { return glass.empty() && roles.casts_shadows; }
         [[nodiscard]] std::size_t triangles() const { return (twosided ? 2 : 1) * parts().triangles.size(); }
         [[nodiscard]] bool mirrored() const {
             return !divided && glm::determinant(glm::dmat3(placement)) < 0;

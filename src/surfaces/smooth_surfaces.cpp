@@ -2,12 +2,11 @@
 #include "surfaces/smooth_surfaces.hpp"
 
 #include <algorithm>
-#include <glm/geometric.hpp>
 #include <span>
-#include <utility>
 
 #include "material/dielectric.hpp"
 #include "material/followed_terms.hpp"
+#include "surfaces/glass_crossings.hpp"
 
 namespace nicol {
 
@@ -35,40 +34,6 @@ std::vector<Smoothness> of_triangles(const WorldGeometry& geometry, bool lobes) 
     return out;
 }
 
-// Returns what GlassShadows needs to know. The geometry must outlive the result.
-GlassShadows::FirstCrossing first_crossing(const WorldGeometry& geometry,
-                                           std::shared_ptr<const DrawnTriangles> rays) {
-    std::vector<const SmoothBoundary*> boundaries(geometry.triangles.size());
-    std::vector<std::uint8_t> passed(geometry.triangles.size());  // 1: of instances that cast no shadows
-    for (const TriangleBatch& batch : triangle_batches(geometry)) {
-        const VertexRange& range = geometry.ranges[batch.range];
-        const auto first = static_cast<std::ptrdiff_t>(batch.first);
-        const auto last = static_cast<std::ptrdiff_t>(batch.last);
-        std::fill(boundaries.begin() + first, boundaries.begin() + last, range.material->smooth_boundary());
-        std::fill(passed.begin() + first, passed.begin() + last, range.roles.casts_shadows ? 0 : 1);
-    }
-    return [&geometry, rays = std::move(rays), boundaries = std::move(boundaries),
-            passed = std::move(passed)](Ray ray) -> std::optional<GlassShadows::Crossing> {
-        std::optional<RayHit> hit = rays->intersect(ray);
-        while (hit && passed[hit->triangle] != 0) {
-            ray.nearest = hit->distance * (1 + kRayOffset);
-            hit = rays->intersect(ray);
-        }
-        if (!hit) return std::nullopt;
-        const glm::uvec3& corners = geometry.triangles[hit->triangle];
-        const glm::dvec3 normal = (1 - hit->b1 - hit->b2) * glm::dvec3(geometry.normals[corners.x]) +
-                                  hit->b1 * glm::dvec3(geometry.normals[corners.y]) +
-                                  hit->b2 * glm::dvec3(geometry.normals[corners.z]);
-        const double length = glm::length(normal);
-        return GlassShadows::Crossing{
-            .boundary = boundaries[hit->triangle],
-            .normal = length > 0 ? normal / length : -ray.direction,
-            .distance = hit->distance,
-            .offset = ray_offset({geometry.positions[corners.x], geometry.positions[corners.y],
-                                  geometry.positions[corners.z]})};
-    };
-}
-
 }  // namespace
 
 void SmoothSurfaces::update(const RefinedSurfaces& surfaces, DrawnRays& rays, bool lobes) {
@@ -91,7 +56,9 @@ void SmoothSurfaces::update(const RefinedSurfaces& surfaces, DrawnRays& rays, bo
             return is == Smoothness::boundary || is == Smoothness::rough_boundary;
         };
         if (std::ranges::any_of(of_triangles_, transmits))
-            glass_ = std::make_shared<const GlassShadows>(rays_->scene(), first_crossing(geometry, rays_));
+            glass_ = std::make_shared<const GlassShadows>(
+                rays_->scene(),
+                first_crossing(geometry, [rays = rays_](const Ray& ray) { return rays->intersect(ray); }));
     });
 }
 

@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "surfaces/glass_crossings.hpp"
+
 namespace nicol {
 namespace {
 
@@ -84,6 +86,14 @@ std::shared_ptr<const RayScene> SurfaceRays::get() {
     parts_ = flat ? decltype(parts_){} : std::move(parts);
     version_ = surfaces_.version();
     return rays_;
+}
+
+std::shared_ptr<const BakeGlass> SurfaceRays::glass() {
+    if (glass_version_ != surfaces_.version()) {
+        glass_ = glass_of(surfaces_.shared_geometry());
+        glass_version_ = surfaces_.version();
+    }
+    return glass_;
 }
 
 }  // namespace nicol

@@ -9,6 +9,7 @@
 
 #include "geometry/ray_scene.hpp"
 #include "surfaces/scene_geometry.hpp"
+#include "visibility/bake_rays.hpp"
 
 namespace nicol {
 
@@ -27,6 +28,9 @@ public:
     /// Returns the hierarchy of the surfaces as they are. RayHit::triangle is an index into the geometry's
     /// triangles. Throws what RayScene throws.
     [[nodiscard]] std::shared_ptr<const RayScene> get();
+    /// Returns the glass that the environment's light passes, of the surfaces as they are; null: none. Throws
+    /// what RayScene throws.
+    [[nodiscard]] std::shared_ptr<const BakeGlass> glass();
     /// Gives back the memory that a further change does not need, unless a user keeps the hierarchy.
     void release() noexcept {
         released_ = rays_;
@@ -43,6 +47,8 @@ private:
     std::shared_ptr<const RayScene> rays_;
     std::weak_ptr<const RayScene> released_;
     std::map<PartKey, std::shared_ptr<const RayScene>> parts_;
+    Version glass_version_ = 0;  // of the surfaces of glass_
+    std::shared_ptr<const BakeGlass> glass_;
 };
 
 }  // namespace nicol

@@ -67,12 +67,12 @@ std::vector<std::size_t> places_before(const FormerBake& former, std::size_t ver
 
 }  // namespace
 
-std::shared_ptr<const RayScene> rays_of(const BakeGeometry& geometry) {
-    if (geometry.rays) return geometry.rays();
+BakeRays rays_of(const BakeGeometry& geometry) {
+    if (geometry.rays) return {.blockers = geometry.rays(), .glass = geometry.glass};
     const RaySurface surface{.positions = geometry.positions,
                              .triangles = geometry.blocking.empty() ? geometry.triangles : geometry.blocking,
                              .present = geometry.present};
-    return std::make_shared<const RayScene>(std::span(&surface, 1));
+    return {.blockers = std::make_shared<const RayScene>(std::span(&surface, 1)), .glass = geometry.glass};
 }
 
 Visibility bake(const BakeGeometry& geometry, const DirectionSet& directions, const BakeProgress& progress,
@@ -94,7 +94,7 @@ Visibility bake(const BakeGeometry& geometry, const DirectionSet& directions, co
 
     report(0);
     const Stopwatch building;
-    const std::shared_ptr<const RayScene> scene = rays_of(geometry);
+    const BakeRays scene = rays_of(geometry);
     const std::vector<glm::vec3> origins = bake_origins(geometry, normals);
     std::vector<std::size_t> before;
     std::optional<DisturbedRays> disturbed;
@@ -123,16 +123,16 @@ Visibility bake(const BakeGeometry& geometry, const DirectionSet& directions, co
             disturbed->find(origins[v], normals[v], scratch.bundles);
             const FormerBits known{.bits = former->visibility.at(before[v]), .disturbed = &scratch.bundles};
             blockers.flat().find(origins[v], normals[v], scratch.faces);
-            return trace_vertex(*scene, directions, origins[v], normals[v], v, known, scratch.faces,
+            return trace_vertex(scene, directions, origins[v], normals[v], v, known, scratch.faces,
                                 visibility);
         }
         Agreement& agreement = scratch.agreement;
         if (!agreeing.find(v, directions, visibility, agreement))
-            return blockers.trace(*scene, origins[v], normals[v], v, {}, visibility);
+            return blockers.trace(scene, origins[v], normals[v], v, {}, visibility);
         const FormerBits known{.bits = agreement.bits, .disturbed = &agreement.traced};
         blockers.flat().find(origins[v], normals[v], scratch.faces);
         const auto traced = [&](const std::optional<FormerBits>& bits) {
-            return trace_vertex(*scene, directions, origins[v], normals[v], v, bits, scratch.faces,
+            return trace_vertex(scene, directions, origins[v], normals[v], v, bits, scratch.faces,
                                 visibility);
         };
         const RayCounts some = traced(known);

@@ -9,6 +9,7 @@
 #include <span>
 
 #include "geometry/ray_scene.hpp"
+#include "visibility/bake_rays.hpp"
 #include "visibility/disturbed_rays.hpp"
 #include "visibility/visibility.hpp"
 
@@ -23,6 +24,7 @@ struct BakeGeometry {
     Presence present = {};  ///< alpha mask; empty: triangles are whole
     /// Triangles as rays meet them: those that light passes have no area. Empty: all block rays.
     std::span<const glm::uvec3> blocking = {};
+    std::shared_ptr<const BakeGlass> glass = {};  ///< glass that dims light; null: none
     /// The triangles' ray hierarchy, asked for where rays are traced; empty: bake() and refine() build their
     /// own.
     std::function<std::shared_ptr<const RayScene>()> rays = {};
@@ -37,8 +39,8 @@ struct BakeGeometry {
     }
 };
 
-/// Returns geometry.rays(), or a new hierarchy where that is empty.
-[[nodiscard]] std::shared_ptr<const RayScene> rays_of(const BakeGeometry& geometry);
+/// Returns geometry.rays(), or a new hierarchy where that is empty, and the glass.
+[[nodiscard]] BakeRays rays_of(const BakeGeometry& geometry);
 
 struct BakeStatistics {
     std::uint64_t rays = 0;

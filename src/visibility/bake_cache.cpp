@@ -31,6 +31,8 @@ std::string hash_of(std::span<const T> numbers) {
 Key key_of(const char* what, const BakeGeometry& geometry, const DirectionSet& directions) {
     Key key(what);
     if (!geometry.blocking.empty()) key.add("blocking", hash_of(geometry.blocking));
+    if (geometry.glass)
+        key.add("glass", geometry.glass->key).add("of glass", hash_of(std::span(geometry.glass->triangles)));
     if (!geometry.needed.empty()) key.add("needed", hash_of(geometry.needed));
     return key.add("vertices", static_cast<double>(geometry.positions.size()))
         .add("triangles", static_cast<double>(geometry.triangles.size()))

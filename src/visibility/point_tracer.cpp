@@ -9,7 +9,7 @@ PointTracer::PointTracer(const BakeGeometry& geometry, const DirectionSet& direc
                          const FormerRefinement* former)
     : directions_(directions),
       former_(former),
-      scene_(rays_of(geometry)),
+      rays_(rays_of(geometry)),
       blockers_(geometry, directions, former == nullptr && !geometry.every_ray),
       light_(directions) {
     if (former != nullptr) disturbed_.emplace(directions, former->disturbances);
@@ -34,12 +34,12 @@ RayCounts PointTracer::trace(const glm::vec3& origin, const glm::vec3& normal, s
         agreement.find(ends, ends.size(), directions_, normal, i);
         known = {.bits = agreement.bits, .disturbed = &agreement.traced};
     }
-    RayCounts rays = blockers_.trace(*scene_, origin, normal, i, known, seen);
+    RayCounts rays = blockers_.trace(rays_, origin, normal, i, known, seen);
     if (!point && !ends.empty()) {
         rays.skipped += agreement.spared;
         if (!agreement.confirmed(seen.at(i))) {
             std::ranges::fill(seen.at(i), 0U);
-            const RayCounts all = blockers_.trace(*scene_, origin, normal, i, {}, seen);
+            const RayCounts all = blockers_.trace(rays_, origin, normal, i, {}, seen);
             rays = {.traced = rays.traced + all.traced, .skipped = all.skipped};
         }
     }

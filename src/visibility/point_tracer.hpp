@@ -25,7 +25,7 @@ public:
     /// former: null, or an earlier refinement. All arguments must outlive the object.
     PointTracer(const BakeGeometry& geometry, const DirectionSet& directions, const FormerRefinement* former);
 
-    [[nodiscard]] const RayScene& scene() const noexcept { return *scene_; }
+    [[nodiscard]] const RayScene& scene() const noexcept { return *rays_.blockers; }
     [[nodiscard]] const HiddenLight& light() const noexcept { return light_; }
 
     /// Sets row i of `seen`, whose bits must be 0, and `hides`, the HiddenLight. Takes from the former
@@ -38,7 +38,7 @@ private:
     const DirectionSet& directions_;
     const FormerRefinement* const former_;
     std::optional<DisturbedRays> disturbed_;  // set if there is a former refinement
-    const std::shared_ptr<const RayScene> scene_;
+    const BakeRays rays_;
     PossibleBlockers blockers_;
     HiddenLight light_;
 };

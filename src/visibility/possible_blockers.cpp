@@ -41,6 +41,8 @@ PossibleBlockers::PossibleBlockers(const BakeGeometry& geometry, const Direction
     std::vector<glm::uvec3> triangles;
     for (const glm::uvec3& t : flat_.other_triangles())
         if (t.x != t.y && t.y != t.z && t.z != t.x) triangles.push_back(t);
+    if (geometry.glass)
+        triangles.insert(triangles.end(), geometry.glass->triangles.begin(), geometry.glass->triangles.end());
     if (triangles.empty()) return;
     corners_.resize(3 * triangles.size());
     nodes_ = built(triangles, 0, 0);
@@ -180,7 +182,7 @@ bool PossibleBlockers::find(const glm::vec3& origin, const glm::vec3& normal,
     return true;
 }
 
-RayCounts PossibleBlockers::trace(const RayScene& scene, const glm::vec3& origin, const glm::vec3& normal,
+RayCounts PossibleBlockers::trace(const BakeRays& scene, const glm::vec3& origin, const glm::vec3& normal,
                                   std::size_t vertex, const std::optional<FormerBits>& former,
                                   Visibility& visibility) const {
     DisturbedBundles possible;

@@ -9,23 +9,23 @@
 #include <span>
 #include <vector>
 
-#include "geometry/ray_scene.hpp"
 #include "visibility/bake.hpp"
+#include "visibility/bake_rays.hpp"
 #include "visibility/ray_cones.hpp"
 #include "visibility/vertex_rays.hpp"
 #include "visibility/visibility.hpp"
 
 namespace nicol {
 
-/// Tree of a geometry's triangles that finds the rays from a point which no triangle can block: those of
-/// points with nothing above their horizon, and those that pass beside everything above it.
+/// Tree of a geometry's triangles, glass included, that finds the rays from a point which no triangle can
+/// block: those of points with nothing above their horizon, and those that pass beside everything above it.
 class PossibleBlockers {
 public:
     /// directions: must outlive the object. find: whether to find such rays at all.
     PossibleBlockers(const BakeGeometry& geometry, const DirectionSet& directions, bool find);
 
     /// Has the result of trace_vertex() in the scene of the same triangles. Calls may run side by side.
-    RayCounts trace(const RayScene& scene, const glm::vec3& origin, const glm::vec3& normal,
+    RayCounts trace(const BakeRays& scene, const glm::vec3& origin, const glm::vec3& normal,
                     std::size_t vertex, const std::optional<FormerBits>& former,
                     Visibility& visibility) const;
 

@@ -21,11 +21,18 @@ unsigned real_rays(const DirectionSet& directions, std::size_t bundle) {
     return rest >= RayBundle::kRays ? 0xFFFFU : (1U << rest) - 1;
 }
 
+// Returns the numbers of a bundle's directions.
+BakeRays::Numbers numbers_of(std::size_t bundle) {
+    BakeRays::Numbers out;
+    for (std::size_t i = 0; i < out.size(); ++i) out[i] = RayBundle::kRays * bundle + i;
+    return out;
+}
+
 /// Rays from one point in directions of several bundles, traced sixteen at a time.
 class GatheredRays {
 public:
     /// visible: words of bits, of which those of blocked rays are cleared.
-    GatheredRays(const RayScene& scene, const glm::vec3& origin, std::span<std::uint64_t> visible)
+    GatheredRays(const BakeRays& scene, const glm::vec3& origin, std::span<std::uint64_t> visible)
         : scene_(scene), origin_(origin), visible_(visible) {}
 
     /// Adds the rays of bundle number b whose bit is set.
@@ -43,7 +50,7 @@ public:
     void trace() {
         if (count_ == 0) return;
         const auto active = static_cast<std::uint16_t>((1U << count_) - 1);
-        std::uint16_t blocked = scene_.occluded(origin_, gathered_, active);
+        std::uint16_t blocked = scene_.occluded(origin_, gathered_, numbers_, active);
         any_blocked_ = any_blocked_ || blocked != 0;
         for (; blocked != 0; blocked = static_cast<std::uint16_t>(blocked & (blocked - 1))) {
             const std::size_t ray = numbers_[static_cast<std::size_t>(std::countr_zero(blocked))];
@@ -55,10 +62,10 @@ public:
 
 private:
     RayBundle gathered_{};
-    const RayScene& scene_;
+    const BakeRays& scene_;
     const glm::vec3& origin_;
     std::span<std::uint64_t> visible_;
-    std::array<std::size_t, RayBundle::kRays> numbers_{};
+    BakeRays::Numbers numbers_{};
     std::size_t count_ = 0;
     bool any_blocked_ = false;
 };
@@ -79,7 +86,7 @@ std::uint64_t set_open(const DirectionSet& directions, const glm::vec3& normal, 
     return count;
 }
 
-RayCounts trace_vertex(const RayScene& scene, const DirectionSet& directions, const glm::vec3& origin,
+RayCounts trace_vertex(const BakeRays& scene, const DirectionSet& directions, const glm::vec3& origin,
                        const glm::vec3& normal, std::size_t vertex, const std::optional<FormerBits>& former,
                        std::span<const FlatBlockers::Cone> faces, Visibility& visibility) {
     const std::span<std::uint64_t> words = visibility.at(vertex);
@@ -108,7 +115,8 @@ RayCounts trace_vertex(const RayScene& scene, const DirectionSet& directions, co
         rays.traced += static_cast<std::uint64_t>(std::popcount(traced));
         rays.skipped += static_cast<std::uint64_t>(std::popcount(known));
         if (!former && traced != 0)
-            blocked = static_cast<std::uint16_t>(blocked | scene.occluded(origin, bundle, traced));
+            blocked =
+                static_cast<std::uint16_t>(blocked | scene.occluded(origin, bundle, numbers_of(b), traced));
         unoccluded = unoccluded && blocked == 0;
         add_bundle_bits(words, b, static_cast<unsigned>(up & ~blocked));
         if (former) gathered.add(bundle, b, traced);

@@ -7,7 +7,7 @@
 #include <optional>
 #include <span>
 
-#include "geometry/ray_scene.hpp"
+#include "visibility/bake_rays.hpp"
 #include "visibility/disturbed_rays.hpp"
 #include "visibility/flat_blockers.hpp"
 #include "visibility/visibility.hpp"
@@ -32,7 +32,7 @@ struct RayCounts {
 
 /// Sets the bits of a vertex, which must be 0, by rays from `origin` in the directions above the plane of the
 /// unit normal. faces: cones of FlatBlockers to faces of the scene, in which rays are not traced.
-RayCounts trace_vertex(const RayScene& scene, const DirectionSet& directions, const glm::vec3& origin,
+RayCounts trace_vertex(const BakeRays& scene, const DirectionSet& directions, const glm::vec3& origin,
                        const glm::vec3& normal, std::size_t vertex, const std::optional<FormerBits>& former,
                        std::span<const FlatBlockers::Cone> faces, Visibility& visibility);
 

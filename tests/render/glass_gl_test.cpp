@@ -203,6 +203,40 @@ IMAGE_TEST_CASE(
     }
 }
 
+IMAGE_TEST_CASE("glass dims the environment's light behind it as by rays, also when the glass changes") {
+    test::Studio studio(context, 8, 8);
+    Scene scene;
+    // The floor is so wide that light which the glass mirrors comes from the floor, after more segments.
+    scene.add({.mesh = test::rectangle(4), .material = diffuse({0.5}), .to_world = test::at(0, 0, 0, 40)});
+    scene.set_environment(test::falling_light(3, LightKind::unpolarized, 1), some_rotation(), 1);
+    const auto shown = [&](const RenderOptions& options) {
+        return mean_of(studio(scene, options, narrow_camera({5, 0, 1}, 0.2)))[0];
+    };
+    const auto by_rays = [&](int segments) {
+        return shown({.method = Method::reference, .samples = 4096, .max_depth = segments});
+    };
+    const double open = shown(kPixels);
+    CHECK(open == doctest::Approx(by_rays(2)).epsilon(0.01));
+    const std::uint32_t pane = scene.add({.mesh = test::rectangle(1),
+                                          .material = thin_dielectric(glass_of(1.5)),
+                                          .to_world = test::at(0, 0, 2, 400)});
+    const double through = shown(kPixels);
+    CHECK(through < 0.95 * open);
+    CHECK(through == doctest::Approx(by_rays(3)).epsilon(0.015));
+    scene.set_material(pane,
+                       thin_dielectric({.specular_transmittance = {0.5}, .int_ior = 1.5, .ext_ior = 1}));
+    CHECK(shown(kPixels) == doctest::Approx(0.5 * through).epsilon(0.01));
+    scene.set_transform(pane, test::at(0, 0, -2, 400));
+    CHECK(shown(kPixels) == doctest::Approx(open).epsilon(1e-3));
+    scene.set_transform(pane, test::at(0, 0, 2, 400));
+    CHECK(shown(kPixels) == doctest::Approx(0.5 * through).epsilon(0.01));
+    scene.remove(pane);
+    scene.add({.mesh = std::make_shared<const Mesh>(make_cube(1)),
+               .material = dielectric(glass_of(1.5)),
+               .to_world = glm::scale(test::at(0, 0, 2.5), glm::dvec3(400, 400, 0.1))});
+    CHECK(shown(kPixels) == doctest::Approx(by_rays(4)).epsilon(0.02));
+}
+
 IMAGE_TEST_CASE("max_depth says how often light passes glass, as by rays") {
     test::Studio studio(context, 8, 8);
     Scene scene;

@@ -4,9 +4,12 @@
 
 #include <tbb/task_arena.h>
 
+#include <complex>
 #include <thread>
 
 #include "geometry/mesh.hpp"
+#include "harmonics/evaluate.hpp"
+#include "harmonics/psh.hpp"
 #include "test.hpp"
 
 using namespace nicol;
@@ -251,4 +254,57 @@ TEST_CASE("geometry that makes no sense is refused with the vertex or triangle a
     mesh = lookout();
     mesh.triangles[0].z = 3;
     CHECK(message(mesh).find("triangle 0") != std::string::npos);
+}
+
+TEST_CASE("glass dims low orders of what lies behind it as it dims light") {
+    constexpr int order = 4;
+    // A roof of glass over the whole sky but for its rim, and a wall beside it that nothing passes.
+    Mesh scene = lookout();
+    append(scene, placed(make_rectangle(1), 100, {0, 0, 0.01}));
+    const std::vector<glm::uvec3> glass_triangles(scene.triangles.begin() + 1, scene.triangles.end());
+    std::vector<glm::uvec3> blocking = scene.triangles;
+    for (std::size_t t = 1; t < blocking.size(); ++t) blocking[t] = glm::uvec3(blocking[t].x);
+    const std::size_t wall = scene.triangles.size();
+    append(scene, {.positions = {{0, -200, -200}, {0, 200, -200}, {-20, 0, 400}},
+                   .normals = std::vector<glm::vec3>(3, {1, 0, 0}),
+                   .triangles = {{0, 1, 2}}});
+    for (glm::vec3& p : std::span(scene.positions).last(3)) p.x -= 5;
+    blocking.push_back(scene.triangles[wall]);
+    const RaySurface surface{.positions = scene.positions, .triangles = glass_triangles};
+    const auto transmittance = [](const Ray& ray) { return 0.92 - 0.6 * std::pow(1 - ray.direction.z, 5); };
+    const auto glass = std::make_shared<const BakeGlass>(
+        BakeGlass{.surfaces = std::make_shared<const RayScene>(std::span(&surface, 1)),
+                  .transmittance = transmittance,
+                  .triangles = glass_triangles,
+                  .key = "test"});
+    for (const int count : {512, 2048}) {
+        const DirectionSet set(count);
+        BakeGeometry geometry{scene.positions, scene.normals, scene.triangles};
+        geometry.blocking = blocking;
+        const Visibility open = bake(geometry, set);
+        geometry.glass = glass;
+        const Visibility dimmed = bake(geometry, set);
+        CHECK_FALSE(dimmed.unoccluded(0));
+        std::vector<double> expected(psh_count(order)), found(psh_count(order)), harmonics(psh_count(order));
+        std::vector<std::complex<double>> unused(psh_count(order));
+        for (std::size_t i = 0; i < set.size(); ++i) {
+            const glm::dvec3 d(set.directions()[i]);
+            const bool under = std::max(std::abs(d.x), std::abs(d.y)) < 99 * d.z;
+            CHECK((open.seen(0, i) || !dimmed.seen(0, i)));
+            if (!open.seen(0, i)) continue;
+            harmonics_at(order, d, harmonics, unused);
+            const double weight = static_cast<double>(set.weights()[i]);
+            const double factor = under ? transmittance({.direction = d}) : 1;
+            for (std::size_t k = 0; k < found.size(); ++k) {
+                expected[k] += weight * factor * harmonics[k];
+                if (dimmed.seen(0, i)) found[k] += weight * harmonics[k];
+            }
+        }
+        CAPTURE(count);
+        double worst = 0;
+        for (std::size_t k = 0; k < found.size(); ++k)
+            worst = std::max(worst, std::abs(found[k] - expected[k]));
+        INFO("worst coefficient " << worst << " of " << expected[0]);
+        CHECK(worst < (count > 1000 ? 0.03 : 0.08) * expected[0]);
+    }
 }
