@@ -11,6 +11,7 @@
 
 #include "common/handles.hpp"
 #include "median.hpp"
+#include "skip_lights.hpp"
 #include "skip_rays.hpp"
 #include "sphere.hpp"
 #include "stage.hpp"
@@ -30,6 +31,7 @@ struct Case {
     Change change;
     bool diffuse = false;
     bool grey = false;
+    bool tinted = false;  // grey light times a colour
     bool polarized = false;
     bool convex = false;
     std::uint32_t light_order = 16;
@@ -45,6 +47,11 @@ const Case kCases[] = {
      .optimisation = NICOL_OPTIMISATION_CHANNELS,
      .change = Change::light,
      .grey = true},
+    {.name = "light of one colour, material grey",
+     .optimisation = NICOL_OPTIMISATION_CHANNELS,
+     .change = Change::light,
+     .grey = true,
+     .tinted = true},
     {.name = "light of low orders",
      .optimisation = NICOL_OPTIMISATION_ORDERS,
      .change = Change::light,
@@ -79,7 +86,8 @@ Environment make_light(nicol_context context, const Case& use) {
         for (std::size_t i = 0; i < count; ++i) {
             const double l = std::floor(std::sqrt(static_cast<double>(i)));
             double* stokes = &coefficients[(c * count + i) * 4];
-            stokes[0] = i == 0 ? 6 : std::pow(l, -1.3) * normal(random);
+            const double tint = use.tinted ? 0.5 + 0.5 * c : 1;
+            stokes[0] = tint * (i == 0 ? 6 : std::pow(l, -1.3) * normal(random));
             for (std::size_t p = 1; use.polarized && l >= 2 && p < 4; ++p)
                 stokes[p] = 0.3 * std::pow(l, -1.3) * normal(random);
         }
@@ -202,10 +210,13 @@ Report bench_skip(const Options& options) {
                     runs ? enabled.transfer() : none, disabled.frame() / enabled.frame(),
                     largest_difference(enabled.image(), disabled.image()), disabled.rays(), enabled.rays()});
     }
+    add_light_rows(context.get(), size, options.seconds, report);
     add_ray_rows(context.get(), size, report);
     report.note("Frames of a sphere of 20,000 vertices, bumpy but for the convex object, " +
                 std::to_string(size) + " x " + std::to_string(size) +
                 ", after the light rotates, the camera moves or nothing changes; differences over the "
-                "largest value. Rows of rays: first pictures of new scenes.");
+                "largest value. Rows of lights: frames after the camera moved, and their rays to lights. "
+                "Rows of rays: "
+                "first pictures of new scenes.");
     return report;
 }

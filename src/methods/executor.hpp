@@ -6,6 +6,7 @@
 #include <glm/mat3x3.hpp>
 #include <span>
 
+#include "light/channel_factors.hpp"
 #include "methods/transfer_input.hpp"
 #include "polarization/viewpoint.hpp"
 #include "stage/statistics.hpp"
@@ -32,7 +33,7 @@ struct ShadeInput : TransferInput {
     const Viewpoint& view;                 ///< viewpoint in the geometry's axes
     std::span<const std::uint8_t> chosen;  ///< 1 for each vertex to be shaded, else 0
     glm::dmat3 light_to_geometry;          ///< rotation from the distant light's axes to the geometry's
-    float light_factor;                    ///< factor that the distant light's coefficients do not have
+    ChannelFactors light_factors;          ///< factors that the distant light's coefficients do not have
     float noise;                           ///< predicted error of s0 from omitted orders, or 0
 };
 
@@ -45,7 +46,7 @@ struct PixelInput : ShadeInput {
     const LocalLights* local_lights;  ///< null: no local lights
     std::uint32_t seed;               ///< seed of light samples
     const Background* background;     ///< background behind the surfaces; null: none, or it is drawn
-    double light_scale;               ///< factor of the background, which includes light_factor
+    double light_scale;               ///< factor of the background, which light_factors have as well
     /// Surfaces whose pixels show what rays meet; null: none. Only executors that follow_rays() take them.
     const SmoothSurfaces* smooth;
     int smooth_events;        ///< largest number of reflections and refractions of a ray
@@ -96,22 +97,23 @@ public:
     /// Adds the high orders (specular) to the Stokes vectors of shade().
     virtual void specular(const HighOrderTransfer& high_orders, const ShadeInput& input, RenderRun& run) = 0;
 
-    /// Multiplies the chosen vertices' Stokes vectors by light_factor.
+    /// Multiplies the chosen vertices' Stokes vectors by light_factors.
     virtual void scale(const ShadeInput& input) = 0;
 
-    /// Shades the pixels that show a surface: computes their Stokes vectors, high orders and light_factor
+    /// Shades the pixels that show a surface: computes their Stokes vectors, high orders and light_factors
     /// included, from the light that relight() computes for pixels.
     virtual void shade_pixels(const FactoredMethod& method, const PixelInput& input, RenderRun& run) = 0;
     virtual void shade_pixels(const DenseMethod& method, const PixelInput& input, RenderRun& run) = 0;
 
-    /// Moves Stokes vectors into the physically realizable range. Returns the number of moved vectors.
-    virtual std::uint64_t make_physical(const ShadeInput& input) = 0;
+    /// Moves Stokes vectors into the physically realizable range.
+    virtual void make_physical(const ShadeInput& input) = 0;
 
     /// Adds the chosen vertices' reflection of local lights and their emission.
     virtual void illuminate(const LocalLights& lights, const ShadeInput& input, RenderRun& run) = 0;
 
-    /// Waits until all computations are done.
-    virtual void finish() = 0;
+    /// Waits until all computations are done. Returns the number of vectors that make_physical() has moved
+    /// since the last call.
+    virtual std::uint64_t finish() = 0;
     /// Copies the Stokes vectors of vertices into the buffers that are drawn. Must be called inside run() of
     /// the context.
     virtual void store(VertexBuffers& buffers) const = 0;

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -12,13 +14,41 @@
 namespace nicol {
 namespace {
 
-// Returns the first channel alone if all channels are equal.
-PshVector without_repeats(PshVector light) {
-    for (int c = 1; c < light.channels(); ++c) {
-        if (!std::ranges::equal(light.channel(c), light.channel(0))) return light;
+// Largest difference between a channel and a multiple of another, relative to the largest coefficient, by
+// which images of single precision differ from exact multiples.
+constexpr double kRounding = 1e-7;
+
+double product(std::span<const double> a, std::span<const double> b) {
+    return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
+}
+
+// Returns the ratios of a light's channels to the strongest one, or nothing if they are no multiples of it.
+// strongest: its number.
+std::vector<double> ratios_of(const PshVector& light, int& strongest) {
+    strongest = 0;
+    double most = 0;
+    for (int c = 0; c < light.channels(); ++c) {
+        const double power = product(light.channel(c), light.channel(c));
+        if (power <= most) continue;
+        most = power;
+        strongest = c;
     }
+    const std::span<const double> of = light.channel(strongest);
+    std::vector<double> ratios(static_cast<std::size_t>(light.channels()), 1.0);
+    for (int c = 0; c < light.channels() && most > 0; ++c) {
+        const std::span<const double> channel = light.channel(c);
+        const double ratio = product(channel, of) / most;
+        const double allowed = kRounding * std::abs(of[0]);
+        for (std::size_t i = 0; i < channel.size(); ++i)
+            if (!(std::abs(channel[i] - ratio * of[i]) <= allowed)) return {};
+        ratios[static_cast<std::size_t>(c)] = ratio;
+    }
+    return ratios;
+}
+
+PshVector single_channel(const PshVector& light, int channel) {
     PshVector single(light.order(), 1);
-    std::ranges::copy(light.channel(0), single.channel(0).begin());
+    std::ranges::copy(light.channel(channel), single.channel(0).begin());
     return single;
 }
 
@@ -44,6 +74,18 @@ void suppress_ringing(PshVector& light, double strength) {
 double coarse(double scale) {
     constexpr int log2_of_step = 20;
     return scale > 0 ? std::exp2(log2_of_step * std::round(std::log2(scale) / log2_of_step)) : 1;
+}
+
+// Returns whether a light is the same after a rotation, such as light that is symmetric about its axis.
+bool equal_up_to_rounding(std::span<const double> a, std::span<const double> b) {
+    constexpr double of_rotation = 1e-12;  // relative to the largest coefficient
+    if (a.size() != b.size()) return false;
+    double most = 0, difference = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        most = std::max(most, std::abs(b[i]));
+        difference = std::max(difference, std::abs(a[i] - b[i]));
+    }
+    return difference <= of_rotation * most;
 }
 
 // Returns the last order with coefficients above rounding errors.
@@ -93,11 +135,13 @@ void LightProjection::update(const EnvironmentPtr& environment, double scale, bo
         distant = *light_;
         for (double& coefficient : distant.data()) coefficient *= of_coefficients;
     });
-    factor_ = whole ? 1 : scale / of_coefficients;
+    const double factor = whole ? 1 : scale / of_coefficients;
+    for (std::size_t c = 0; c < factors_.of.size(); ++c)
+        factors_.of[c] = static_cast<float>(factor * (ratios_.size() > c ? ratios_[c] : 1.0));
     changed |= rotating_.run(distant_.version(), rotation, [&] {
         PshVector next = nicol::rotated(with_order(*distant_, low), rotation);
         const bool same = rotated_kind_ == layout_->kind() && next.order() == rotated_->order() &&
-                          std::ranges::equal(next.data(), rotated_->data());
+                          equal_up_to_rounding(next.data(), rotated_->data());
         rotated_kind_ = layout_->kind();
         if (!same) rotated_.change() = std::move(next);
     });
@@ -108,7 +152,12 @@ void LightProjection::project(const EnvironmentPtr& environment, int low, int hi
                               int channels, const RenderOptions& options, KeptProjection& projection) {
     PshVector& light = light_.change();
     light = projection.project(environment, high);
-    if ((options.disabled_optimisations & skip_channels) == 0) light = without_repeats(std::move(light));
+    ratios_.clear();
+    if ((options.disabled_optimisations & skip_channels) == 0 && channels == 1 && light.channels() > 1) {
+        int strongest = 0;
+        ratios_ = ratios_of(light, strongest);
+        if (!ratios_.empty()) light = single_channel(light, strongest);
+    }
     light = with_channels(std::move(light), channels);
     suppress_ringing(light, options.dering);
     layout_.emplace(low, kind);

@@ -5,8 +5,10 @@
 #include <cstdint>
 #include <glm/mat3x3.hpp>
 #include <optional>
+#include <vector>
 
 #include "harmonics/light_layout.hpp"
+#include "light/channel_factors.hpp"
 #include "light/environment.hpp"
 #include "render/kept_projection.hpp"
 #include "stage/options.hpp"
@@ -27,11 +29,12 @@ struct LeastLight {
 
 /// Coefficients of the distant light. Low orders are kept in the axes of the scene's geometry, for the
 /// transfer methods; all orders are kept in the light's own axes, for the high orders. Both have a part of
-/// the light's scale, and have one channel if all channels are equal.
+/// the light's scale, and have one channel if all channels are multiples of one.
 class LightProjection {
 public:
     /// Projects the light; repeats only what changes require. environment: the scene's environment, or a part
-    /// of it. whole: whether the coefficients have all of the scale, so that factor() is 1. rotation: from
+    /// of it. whole: whether the coefficients have all of the scale, so that factors() are
+    /// 1. rotation: from
     /// the light's axes to the geometry's. Adds times and counts to `statistics`.
     void update(const EnvironmentPtr& environment, double scale, bool whole, const RenderOptions& options,
                 const LeastLight& least, const glm::dmat3& rotation, KeptProjection& projection,
@@ -43,9 +46,9 @@ public:
     /// the high orders alone does not.
     [[nodiscard]] const Versioned<PshVector>& rotated() const noexcept { return rotated_; }
     [[nodiscard]] const Versioned<PshVector>& distant() const noexcept { return distant_; }
-    /// Returns the part of the scale that the coefficients do not have. What they light is multiplied by it,
-    /// so that a change of the scale relights nothing.
-    [[nodiscard]] double factor() const noexcept { return factor_; }
+    /// Returns the part of the scale and of channels that the coefficients do not have. What they light is
+    /// multiplied by it, so that a change of the scale relights nothing.
+    [[nodiscard]] const ChannelFactors& factors() const noexcept { return factors_; }
     /// Returns the last order of distant() that is not zero, but at least order_low.
     [[nodiscard]] int last_order() const noexcept { return last_order_; }
 
@@ -60,7 +63,8 @@ private:
     int last_order_ = -1;
     Stage<Version, double> checking_, scaling_;  // inputs: light_, scale
     Versioned<PshVector> distant_;
-    double factor_ = 1;
+    std::vector<double> ratios_;  // of channels to the only channel of light_; empty: none is shared
+    ChannelFactors factors_;
     Stage<Version, glm::dmat3> rotating_;
     std::optional<LightKind> rotated_kind_;  // kind of the layout that rotated_ belongs to
     Versioned<PshVector> rotated_;

@@ -131,7 +131,8 @@ void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderO
     // Bounced light is the sum of what bounces of several lights, so no factor remains for the distant one.
     light_.update(split_.rest(), scene.light_scale(), bounces > 0, options, least, light_to_geometry,
                   projection_, run.statistics);
-    // Local lights need no shadow rays if the bake found that nothing is occluded. The bake knows no glass.
+    // Local lights need no shadow rays if the bake found that nothing is occluded. Clear glass stops none of
+    // its rays.
     RenderOptions lighting = options;
     if (needs_bake(scene, given) && surfaces.visibility == nullptr && !scene.transmits())
         lighting.shadows = false;
@@ -190,8 +191,7 @@ void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderO
     method.relight(input, executor, run);
     visibility_.count_later_steps(run.statistics.bake_ms - before + run.statistics.relight_ms);
 
-    const ShadeInput shaded{
-        input, projection.view, {}, light_to_geometry, static_cast<float>(light_.factor()), noise_};
+    const ShadeInput shaded{input, projection.view, {}, light_to_geometry, light_.factors(), noise_};
     if (pixels_) {
         shade_pixels(scene, shaded, projection, options, high_orders, executor, run, draw_hits);
     } else {
@@ -292,10 +292,11 @@ void Pipeline::shade(ShadeInput input, const Projection& projection, const Rende
     const bool high_orders = distant.high > distant.low;
     if ((options.disabled_optimisations & skip_unchanged) != 0) shading_.reset();
     shading_.update(input, executor.version(), options.method, input.view, input.light_version,
-                    distant.version, factored_.bounces().version(), local_lights_.version(),
+                    distant.version, high_orders ? input.light_to_geometry : glm::dmat3(1.0),
+                    factored_.bounces().version(), local_lights_.version(),
                     high_orders ? options.high_orders : HighOrders::none,
                     high_orders && !high_orders_.visibility()->empty(), options.physical, noise_,
-                    input.light_factor, input.channels, input.least_components, input.most_components);
+                    input.light_factors, input.channels, input.least_components, input.most_components);
     if (executor.can_choose()) {
         choose_vertices(input.geometry, projection, options, run);
     } else {
@@ -304,8 +305,8 @@ void Pipeline::shade(ShadeInput input, const Projection& projection, const Rende
     input.chosen = chosen_;
     method_for(options.method).shade(input, executor, run);
     if (high_orders) executor.specular(high_orders_, input, run);
-    if (input.light_factor != 1) executor.scale(input);
-    if (options.physical) run.statistics.vertices_unphysical += executor.make_physical(input);
+    if (!input.light_factors.none()) executor.scale(input);
+    if (options.physical) executor.make_physical(input);
     run.statistics.vertices_shaded += static_cast<std::uint64_t>(std::ranges::count(chosen_, 1));
     if (local_lights_.any()) {
         const Stopwatch lighting;
@@ -315,7 +316,7 @@ void Pipeline::shade(ShadeInput input, const Projection& projection, const Rende
         executor.illuminate(local_lights_, input, run);
         run.statistics.light_ms += lighting.milliseconds();
     }
-    executor.finish();
+    run.statistics.vertices_unphysical += executor.finish();
     shading_.complete(chosen_);
     run.statistics.shade_ms += watch.milliseconds();
 }

@@ -118,10 +118,11 @@ private:
     LightingTally lighting_{};  // of the samples that the image holds
     LightingTally followed_{};  // of its rays that follow lobes
 
-    // Inputs: executor, method, view, light of low and high orders, bounced light, local lights, form of the
-    // high orders, with shadows, physical, noise, factor of the light, channels, least and most components.
-    VertexStage<Version, Method, Viewpoint, Version, Version, Version, Version, HighOrders, bool, bool, float,
-                float, int, std::size_t, std::size_t>
+    // Inputs: executor, method, view, light of low and high orders, rotation of the high orders, bounced
+    // light, local lights, form of the high orders, with shadows, physical, noise, factors of the light,
+    // channels, least and most components.
+    VertexStage<Version, Method, Viewpoint, Version, Version, glm::dmat3, Version, Version, HighOrders, bool,
+                bool, float, ChannelFactors, int, std::size_t, std::size_t>
         shading_{{.on_places = true, .on_materials = true}};
     // Inputs: geometry, projection to clip space, size of a pixel there.
     Stage<Version, glm::dmat4, glm::dvec2> seeing_;

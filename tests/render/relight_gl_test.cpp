@@ -106,3 +106,38 @@ IMAGE_TEST_CASE("another scale of the environment relights nothing") {
         }
     }
 }
+
+IMAGE_TEST_CASE("a rotation that leaves the low orders as they are relights nothing, and shades high ones") {
+    struct Case {
+        const char* name;
+        int order, degree;  // of the only coefficient beside the mean
+        bool changes;       // whether the rotation, about the axis of the harmonics, changes the light
+    };
+    const Case cases[] = {{"symmetric low order", 2, 0, false},
+                          {"symmetric high order", 5, 0, false},
+                          {"high order", 5, 3, true}};
+    for (const Case& of : cases) {
+        CAPTURE(of.name);
+        PshVector light(5, 1);
+        light.at(0, 0, 0, 0) = 6;
+        light.at(0, of.order, of.degree, 0) = 1;
+        Scene scene = balls_on_floor();
+        scene.set_environment(psh_environment(light), glm::dmat3(1), 1);
+        const RenderOptions options{.executor = Executor::cpu,
+                                    .bake_directions = 256,
+                                    .order_low = 2,
+                                    .order_high = 5,
+                                    .shade_at = ShadeAt::vertices};
+        const Camera camera = camera_at({3, 4, 6}, {0, 0.3, 0});
+        Studio studio(context);
+        const StokesImage before = studio(scene, options, camera);
+        const glm::dmat3 rotation(glm::rotate(glm::dmat4(1), 0.5, glm::dvec3(0, 0, 1)));
+        scene.set_environment(scene.environment(), rotation, 1);
+        const StokesImage after = studio(scene, options, camera);
+        CHECK(studio.statistics.vertices_relit == 0);
+        Studio fresh(context);
+        const StokesImage truth = fresh(scene, options, camera);
+        CHECK(test::rms_difference(after, truth) < 1e-6 * test::rms(truth));
+        CHECK((test::rms_difference(before, truth) > 1e-3 * test::rms(truth)) == of.changes);
+    }
+}

@@ -326,20 +326,18 @@ void CpuExecutor::specular(const HighOrderTransfer& high_orders, const ShadeInpu
 }
 
 void CpuExecutor::scale(const ShadeInput& input) {
-    for (auto& channel : stokes_) {
-        for (std::size_t v = 0; v < channel.size(); ++v)
-            if (input.chosen[v] != 0) channel[v] *= input.light_factor;
+    for (std::size_t c = 0; c < stokes_.size(); ++c) {
+        for (std::size_t v = 0; v < stokes_[c].size(); ++v)
+            if (input.chosen[v] != 0) stokes_[c][v] *= input.light_factors.of[c];
     }
 }
 
-std::uint64_t CpuExecutor::make_physical(const ShadeInput& input) {
-    std::uint64_t moved = 0;
+void CpuExecutor::make_physical(const ShadeInput& input) {
     for (auto& channel : stokes_) {
         for (std::size_t v = 0; v < channel.size(); ++v)
             if (input.chosen[v] != 0)
-                moved += nicol::make_physical(std::span(channel).subspan(v, 1), input.noise);
+                moved_ += nicol::make_physical(std::span(channel).subspan(v, 1), input.noise);
     }
-    return moved;
 }
 
 void CpuExecutor::illuminate(const LocalLights& lights, const ShadeInput& input, RenderRun& run) {

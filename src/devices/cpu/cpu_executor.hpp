@@ -3,6 +3,7 @@
 #pragma once
 
 #include <glm/vec2.hpp>
+#include <utility>
 #include <vector>
 
 #include "devices/cpu/pixel_shading.hpp"
@@ -32,9 +33,9 @@ public:
     void shade_pixels(const FactoredMethod& method, const PixelInput& input, RenderRun& run) override;
     void shade_pixels(const DenseMethod& method, const PixelInput& input, RenderRun& run) override;
     void scale(const ShadeInput& input) override;
-    std::uint64_t make_physical(const ShadeInput& input) override;
+    void make_physical(const ShadeInput& input) override;
     void illuminate(const LocalLights& lights, const ShadeInput& input, RenderRun& run) override;
-    void finish() override {}
+    std::uint64_t finish() override { return std::exchange(moved_, 0); }
     void store(VertexBuffers& buffers) const override;
     void store(PixelImage& image) const override;
     void count(Statistics& statistics) const override;
@@ -51,6 +52,7 @@ private:
     VertexLight light_;                  // light for the factored method
     std::vector<VertexLight> outgoing_;  // reflected light of the dense method, one per run
     VertexStokes stokes_;
+    std::uint64_t moved_ = 0;                     // vectors that make_physical() moved since finish()
     std::vector<std::vector<glm::vec4>> pixels_;  // last image that was shaded at pixels, by channel
     /// Visible fractions of the lobe about the mirror direction and of the hemisphere, by vertex; empty if
     /// nothing casts shadows.

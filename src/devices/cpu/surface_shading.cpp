@@ -75,9 +75,9 @@ void SurfaceShading::run(const PixelBatch& batch, std::span<const std::span<glm:
         if (surface.high_orders != nullptr)
             surface.high_orders->run(batch.views(), positions, normals, chosen, shadows, 0, count, out);
     }
-    if (input_.light_factor != 1) {
-        for (const std::span<glm::vec4> channel : out)
-            for (glm::vec4& stokes : channel) stokes *= input_.light_factor;
+    if (!input_.light_factors.none()) {
+        for (std::size_t c = 0; c < out.size(); ++c)
+            for (glm::vec4& stokes : out[c]) stokes *= input_.light_factors.of[c];
     }
     if (surface.bounced != nullptr && batch.points().front().occluded != 0 && batch.bounces())
         add_bounced(*surface.bounced, batch, work, out);

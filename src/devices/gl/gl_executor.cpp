@@ -149,8 +149,8 @@ void GlExecutor::shade_pixels_by(const Method& method, Device& device, const Pix
                     high_orders_.add(*input.high_orders, material, points.first, points.last, input, to);
                 if (varies) textures_.add(layer++, points, pixels_->points());
             }
-            if (input.light_factor != 1)
-                scale(pixels_->points(), points.first, points.last, input.light_factor);
+            if (!input.light_factors.none())
+                scale(pixels_->points(), points.first, points.last, input.light_factors);
             if (input.physical)
                 make_physical(pixels_->points(), points.first, points.last, input.noise, uncounted);
         });
@@ -168,29 +168,26 @@ void GlExecutor::shade_pixels(const DenseMethod& method, const PixelInput& input
 void GlExecutor::scale(const ShadeInput& input) {
     context_->run([&] {
         if (prepare(input))
-            scale(vertices(input, false), 0, input.geometry.positions.size(), input.light_factor);
+            scale(vertices(input, false), 0, input.geometry.positions.size(), input.light_factors);
     });
 }
 
-void GlExecutor::scale(const DevicePoints& points, std::size_t first, std::size_t last, float factor) {
+void GlExecutor::scale(const DevicePoints& points, std::size_t first, std::size_t last,
+                       const ChannelFactors& factors) {
     if (!scale_) scale_ = gl::Program::compute(context_, "scale.comp");
-    scale_->set("factor", factor);
-    for (const gl::Buffer* const stokes : points.stokes) {
+    for (std::size_t c = 0; c < points.stokes.size(); ++c) {
+        scale_->set("factor", factors.of[c]);
         run_in_steps(*scale_, first, last, [&](std::size_t begin, std::size_t end) {
-            std::ignore = gl::bind_vertices(*stokes, 0, 4, begin, end);
+            std::ignore = gl::bind_vertices(*points.stokes[c], 0, 4, begin, end);
         });
     }
 }
 
-std::uint64_t GlExecutor::make_physical(const ShadeInput& input) {
-    return context_->run([&]() -> std::uint64_t {
-        if (!prepare(input)) return 0;
-        const gl::Buffer counter(context_, gl::BufferUse::storage, sizeof(std::uint32_t),
-                                 gl::BufferUpdate::fixed);
-        make_physical(vertices(input, false), 0, input.geometry.positions.size(), input.noise, counter);
-        std::uint32_t moved = 0;
-        counter.read(0, std::as_writable_bytes(std::span(&moved, 1)));
-        return moved;
+void GlExecutor::make_physical(const ShadeInput& input) {
+    context_->run([&] {
+        if (!prepare(input)) return;
+        moved_.emplace(context_, gl::BufferUse::storage, sizeof(std::uint32_t), gl::BufferUpdate::fixed);
+        make_physical(vertices(input, false), 0, input.geometry.positions.size(), input.noise, *moved_);
     });
 }
 
@@ -228,8 +225,15 @@ void GlExecutor::add(const std::vector<glm::vec4>& more, const gl::Buffer& stoke
     });
 }
 
-void GlExecutor::finish() {
-    context_->run([&] { gl::finish(*context_); });
+std::uint64_t GlExecutor::finish() {
+    return context_->run([&]() -> std::uint64_t {
+        gl::finish(*context_);
+        std::uint32_t moved = 0;
+        // The counter is read after the end of all work, so that the read waits for nothing.
+        if (moved_) moved_->read(0, std::as_writable_bytes(std::span(&moved, 1)));
+        moved_.reset();
+        return moved;
+    });
 }
 
 }  // namespace nicol

@@ -39,9 +39,9 @@ public:
     void shade_pixels(const FactoredMethod& method, const PixelInput& input, RenderRun& run) override;
     void shade_pixels(const DenseMethod& method, const PixelInput& input, RenderRun& run) override;
     void scale(const ShadeInput& input) override;
-    std::uint64_t make_physical(const ShadeInput& input) override;
+    void make_physical(const ShadeInput& input) override;
     void illuminate(const LocalLights& lights, const ShadeInput& input, RenderRun& run) override;
-    void finish() override;
+    std::uint64_t finish() override;
     void store(VertexBuffers& /*buffers*/) const override {}
     void store(PixelImage& image) const override { image_.copy_to(image); }
     void count(Statistics& /*statistics*/) const override {}
@@ -54,7 +54,8 @@ private:
     template <class Method, class Device>
     void shade_pixels_by(const Method& method, Device& device, const PixelInput& input, RenderRun& run);
     /// Multiplies the Stokes vectors of points first <= i < last. first: as in make_physical().
-    void scale(const DevicePoints& points, std::size_t first, std::size_t last, float factor);
+    void scale(const DevicePoints& points, std::size_t first, std::size_t last,
+               const ChannelFactors& factors);
     /// Moves the Stokes vectors of points first <= i < last into the physically realizable range. first: a
     /// multiple of gl::kGroupOfVertices. Adds the number of moved vectors to `counter`.
     void make_physical(const DevicePoints& points, std::size_t first, std::size_t last, float noise,
@@ -72,6 +73,7 @@ private:
     DeviceDense dense_;
     DeviceHighOrders high_orders_;
     std::optional<DevicePixels> pixels_;
+    std::optional<gl::Buffer> moved_;  // number of vectors that make_physical() moved; none: not called
     std::optional<gl::Program> scale_;
     std::optional<gl::Program> physical_;
     std::optional<gl::Program> add_;
