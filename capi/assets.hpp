@@ -4,12 +4,31 @@
 
 #include <cstddef>
 
+#include "asset_bytes.hpp"
 #include "geometry/box.hpp"
 #include "handles.hpp"
 #include "input_file.hpp"
 #include "light/environment.hpp"
 
 namespace nicol::capi {
+
+/// Returns the asset as an object whose memory the context's monitor knows as long as it exists. Throws
+/// Error(out_of_memory) if the monitor refuses.
+template <class Content>
+std::shared_ptr<const Content> monitored(const Session& session, std::shared_ptr<const Content> content) {
+    if (!session.memory) return content;
+    struct Kept {
+        MemoryShare share;  // first, because memory is given back before the monitor is told
+        std::shared_ptr<const Content> content;
+    };
+    const auto kept = std::make_shared<const Kept>(
+        Kept{MemoryShare(session.memory, bytes_of(*content)), std::move(content)});
+    return {kept, kept->content.get()};
+}
+/// A scene has told of its memory while it was loaded.
+inline std::shared_ptr<SceneState> monitored(const Session& /*session*/, std::shared_ptr<SceneState> scene) {
+    return scene;
+}
 
 /// Makes an immutable asset on the caller's thread, without locking the context, of which nothing is used.
 template <class Impl, class Make>
@@ -19,7 +38,7 @@ nicol_result create(nicol_context context, Impl** out, const char* name, Make&& 
         [&] {
             require(out, name);
             const SessionPtr session = resolve(context).session;
-            *out = make_handle<Impl>(session, make());
+            *out = make_handle<Impl>(session, monitored(*session, make()));
         },
         function);
 }
@@ -34,7 +53,7 @@ nicol_result load(nicol_context context, const File* file, Impl** out, const cha
             require(out, name);
             const SessionPtr session = resolve(context).session;
             const InputFile input = input_file(file, session->load_limits);
-            *out = make_handle<Impl>(session, make(input.name, input.budget, session));
+            *out = make_handle<Impl>(session, monitored(*session, make(input.name, input.budget, session)));
         },
         function);
 }

@@ -71,6 +71,11 @@ TaskSystem tasks_from(const nicol_context_options& options) {
                        user = options.tasks_user](void* started) { finish(user, started); }};
 }
 
+MemoryMonitor monitor_from(nicol_memory_callback callback, void* user) {
+    if (callback == nullptr) return {};
+    return [callback, user](std::int64_t bytes) { return callback(user, bytes) != 0; };
+}
+
 const char* cache_folder(const char* chosen) {
     if (chosen != nullptr && *chosen != '\0') return chosen;
     const char* environment = std::getenv("NICOL_CACHE");
@@ -103,6 +108,8 @@ nicol_context make_context(std::shared_ptr<gl::Context> context, const nicol_con
     session->error = options.error;
     session->error_user = options.error_user;
     session->memory_limit = options.memory_limit;
+    session->memory = monitor_from(options.memory, options.memory_user);
+    session->gl->set_memory_monitor(session->memory);
     session->load_limits = {.bytes = options.load_bytes_limit,
                             .vertices = options.vertex_limit,
                             .triangles = options.triangle_limit,

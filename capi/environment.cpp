@@ -125,7 +125,7 @@ nicol_result nicol_environment_create_image(nicol_context context, const nicol_i
         const EnvironmentPtr light =
             session->on_workers([&] { return image_environment(view_of(description)); });
         tell_negative(*session, *light, "image");
-        *environment = make_handle<nicol_environment_impl>(session, light);
+        *environment = make_handle<nicol_environment_impl>(session, monitored(*session, light));
     });
 }
 

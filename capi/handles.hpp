@@ -22,6 +22,7 @@
 #include "job.hpp"
 #include "light/environment.hpp"
 #include "material/material.hpp"
+#include "memory_share.hpp"
 #include "render/renderer.hpp"
 #include "scene/camera.hpp"
 #include "scene/scene.hpp"
@@ -40,6 +41,7 @@ struct Session {
     void* error_user = nullptr;
     std::filesystem::path cache;                      ///< folder of tables; empty: none
     std::uint64_t memory_limit = MemoryLimit::kNone;  ///< memory limit per scene, in bytes
+    MemoryMonitor memory;                             ///< empty: none
     LoadLimits load_limits;
     std::shared_ptr<struct HostPrograms>
         host_programs;                   ///< only in a host's context, made for its first image
@@ -110,7 +112,7 @@ struct SceneState {
         // The owner pointer stays valid, because renders happen inside a call that holds the session.
         renderer.set_cache(session->cache,
                            [owner = session.get()](const std::string& message) { owner->notice(message); });
-        renderer.set_memory_limit(session->memory_limit);
+        renderer.set_memory_limit(MemoryLimit(session->memory_limit, session->memory));
     }
 
     // In the order of alignment, which leaves little room between the members.
@@ -125,6 +127,7 @@ struct SceneState {
     gl::LendingMutex rendering;
     std::optional<Film> film;
     Scene scene;
+    MemoryShare loaded;  ///< memory of what the scene's file describes
     // Only renders use these.
     bool darkness_noticed = false;
     bool error_noticed = false;

@@ -72,6 +72,7 @@ struct SceneLoader {
         for (const std::string& notice : loaded.notices) session->notice(notice);
         auto state = std::make_shared<SceneState>(session);
         state->scene = std::move(loaded.scene);
+        state->loaded = MemoryShare(session->memory, session->memory ? bytes_of(state->scene) : 0);
         state->film = {.camera = loaded.camera,
                        .width = static_cast<std::uint32_t>(loaded.width),
                        .height = static_cast<std::uint32_t>(loaded.height),

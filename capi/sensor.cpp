@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "element.hpp"
+#include "input_file.hpp"
 #include "nicol_files.h"
 #include "planes.hpp"
 #include "progress.hpp"
@@ -185,6 +186,14 @@ nicol_result nicol_sensor_load(nicol_sensor* sensor, const char* path) {
     return guarded([&] {
         const Sensor former = sensor_from(sensor);
         write_sensor(sensor, read_sensor(read_path(path, "path"), former));
+    });
+}
+
+nicol_result nicol_sensor_load_memory(nicol_sensor* sensor, const nicol_memory_file* file) {
+    return guarded([&] {
+        const Sensor former = sensor_from(sensor);
+        const InputFile input = input_file(file, {});
+        write_sensor(sensor, read_sensor(input.name, former, input.budget));
     });
 }
 

@@ -204,6 +204,12 @@ typedef void* (*nicol_start_tasks)(void* user, uint32_t count, nicol_task task, 
 /* Returns when all calls of one nicol_start_tasks have returned. */
 typedef void (*nicol_finish_tasks)(void* user, void* started);
 
+/* Receives the bytes of large blocks of memory: a positive number before they are taken, a negative one after
+ * they were given back. Returns 1, or 0 to refuse a positive number: the call then fails with
+ * NICOL_ERROR_OUT_OF_MEMORY, or its job, and gives back what it took. Other objects stay as they were. The
+ * callback is called on any thread, on several at once, and must not call Nicol. */
+typedef int32_t (*nicol_memory_callback)(void* user, int64_t bytes);
+
 typedef struct nicol_context_options {
     uint32_t struct_size;
     nicol_backend backend; /* backend, default automatic; an explicit choice never falls back to another */
@@ -263,11 +269,22 @@ typedef struct nicol_context_options {
     nicol_start_tasks start_tasks;
     nicol_finish_tasks finish_tasks;
     void* tasks_user;
+    /* Memory monitor; NULL, the default: none. The monitor is told of each OpenGL buffer, texture and
+     * framebuffer; of meshes, textures, images of light and measured tables when they have been made or
+     * loaded, before the call returns their object; and of what a scene keeps for its renders: tables, bakes
+     * and light. A render asks for an upper bound of visibility_bytes and transfer_bytes before it computes
+     * anything, once more when meshes were refined, and at its end replaces the bound by what it keeps, which
+     * includes response_bytes. Bytes beyond the bound are told at the end; if the monitor refuses them, the
+     * render does not fail and they stay uncounted. A render that failed keeps its bound until the scene's
+     * next render. The sum of the numbers that were not refused is 0 when all objects of the context are
+     * released. */
+    nicol_memory_callback memory;
+    void* memory_user;
 } nicol_context_options;
 /* clang-format off */
 #define NICOL_CONTEXT_OPTIONS_INIT \
     { sizeof(nicol_context_options), 0, 0, 0, 0, 0, 0, NICOL_NO_LIMIT, 0x200000000ULL, 1 << 26, 1 << 27, 600, 0, 0, \
-      0, 0, 0, 0, 0 }
+      0, 0, 0, 0, 0, 0, 0 }
 /* clang-format on */
 NICOL_API nicol_result nicol_context_options_init(nicol_context_options* descriptor, uint32_t struct_size);
 
@@ -2064,6 +2081,8 @@ NICOL_API nicol_result nicol_sensor_set_preset(nicol_sensor* sensor, nicol_senso
  * objects with "kind" ("polarizer", "retarder", "right_circular", "left_circular"), "angle", "retardance",
  * "transmittance" and "extinction_ratio", in the order of the light. */
 NICOL_API nicol_result nicol_sensor_load(nicol_sensor* sensor, const char* path);
+/* Sets the fields that a file in memory names, as nicol_sensor_load does. */
+NICOL_API nicol_result nicol_sensor_load_memory(nicol_sensor* sensor, const nicol_memory_file* file);
 /* Multiplies the sensor's optics by the matrix of an element that faces the camera, between the optics and
  * the sensor; angles are counter-clockwise from image right. The element's to_world must be the identity, and
  * its outline has no effect. extinction_ratio: transmittance along over across a polarizer's axis, at least

@@ -5,7 +5,7 @@ import pathlib
 import re
 import sys
 
-FOLDERS = """error.hpp arguments.hpp floating_environment.hpp forked.hpp progress.hpp shortest_text.hpp versioned.hpp worker_count.hpp idle_arenas.hpp worker_pool.hpp simd polarization harmonics files image sensor texture light material geometry visibility
+FOLDERS = """error.hpp arguments.hpp floating_environment.hpp forked.hpp memory_share.hpp progress.hpp shortest_text.hpp versioned.hpp worker_count.hpp idle_arenas.hpp worker_pool.hpp simd polarization harmonics files image sensor texture light material geometry visibility
 transfer specular shading gl scene import reference stage surfaces methods draw devices render inspect""".split()
 INCLUDE = re.compile(r'^\s*#\s*include\s*"([^"]+)"', re.MULTILINE)
 

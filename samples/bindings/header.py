@@ -3,7 +3,7 @@
 
 from dataclasses import dataclass, field
 
-SCALARS = {"char": 1, "int32_t": 4, "uint32_t": 4, "float": 4, "uint64_t": 8, "double": 8}
+SCALARS = {"char": 1, "int32_t": 4, "uint32_t": 4, "float": 4, "int64_t": 8, "uint64_t": 8, "double": 8}
 POINTER_SIZE = 8
 
 class HeaderError(Exception):

@@ -6,8 +6,8 @@ import keyword
 from roles import last_input, roles_of
 
 CTYPES = {
-    "char": "c_char", "int32_t": "c_int32", "uint32_t": "c_uint32", "float": "c_float", "uint64_t": "c_uint64",
-    "double": "c_double",
+    "char": "c_char", "int32_t": "c_int32", "uint32_t": "c_uint32", "float": "c_float", "int64_t": "c_int64",
+    "uint64_t": "c_uint64", "double": "c_double",
 }  # fmt: skip
 
 

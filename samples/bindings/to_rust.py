@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Generator of samples/rust/src/abi.rs: the C headers as Rust's extern block, with compile-time checks of struct layouts."""
 
-SCALARS = {"char": "c_char", "int32_t": "i32", "uint32_t": "u32", "float": "f32", "uint64_t": "u64", "double": "f64",
+SCALARS = {"char": "c_char", "int32_t": "i32", "uint32_t": "u32", "float": "f32", "int64_t": "i64", "uint64_t": "u64", "double": "f64",
            "void": "c_void"}  # fmt: skip
 KEYWORDS = {"in", "type", "ref", "match", "move", "use"}
 

@@ -29,6 +29,7 @@ typedef struct nicol_device_info {
 typedef void (*nicol_task)(void* data);
 typedef void* (*nicol_start_tasks)(void* user, uint32_t count, nicol_task task, void* data);
 typedef void (*nicol_finish_tasks)(void* user, void* started);
+typedef int32_t (*nicol_memory_callback)(void* user, int64_t bytes);
 typedef struct nicol_context_options {
     uint32_t struct_size;
     nicol_backend backend;
@@ -49,6 +50,8 @@ typedef struct nicol_context_options {
     nicol_start_tasks start_tasks;
     nicol_finish_tasks finish_tasks;
     void* tasks_user;
+    nicol_memory_callback memory;
+    void* memory_user;
 } nicol_context_options;
 typedef struct nicol_context_info {
     uint32_t struct_size;
@@ -797,6 +800,7 @@ nicol_result nicol_framebuffer_encode_png(nicol_framebuffer framebuffer, const n
 nicol_result nicol_sensor_init(nicol_sensor* descriptor, uint32_t struct_size);
 nicol_result nicol_sensor_set_preset(nicol_sensor* sensor, nicol_sensor_preset preset);
 nicol_result nicol_sensor_load(nicol_sensor* sensor, const char* path);
+nicol_result nicol_sensor_load_memory(nicol_sensor* sensor, const nicol_memory_file* file);
 nicol_result nicol_sensor_add_element(nicol_sensor* sensor, const nicol_polarization_element* element, double extinction_ratio);
 nicol_result nicol_stokes_image_init(nicol_stokes_image* descriptor, uint32_t struct_size);
 nicol_result nicol_raw_image_init(nicol_raw_image* descriptor, uint32_t struct_size);
@@ -1138,6 +1142,7 @@ return {
         framebuffer_encode_png = true,
         sensor_set_preset = true,
         sensor_load = true,
+        sensor_load_memory = true,
         sensor_add_element = true,
         sensor_expose = true,
         framebuffer_expose = true,

@@ -210,6 +210,7 @@ export const types = [
   { kind: "callback", name: "nicol_task", of: "void nicol_task(void *data)" },
   { kind: "callback", name: "nicol_start_tasks", of: "void* nicol_start_tasks(void *user, uint32_t count, nicol_task *task, void *data)" },
   { kind: "callback", name: "nicol_finish_tasks", of: "void nicol_finish_tasks(void *user, void *started)" },
+  { kind: "callback", name: "nicol_memory_callback", of: "int32_t nicol_memory_callback(void *user, int64_t bytes)" },
   {
     kind: "struct",
     name: "nicol_context_options",
@@ -234,6 +235,8 @@ export const types = [
       ["start_tasks", "nicol_start_tasks *", 0],
       ["finish_tasks", "nicol_finish_tasks *", 0],
       ["tasks_user", "void *", 0],
+      ["memory", "nicol_memory_callback *", 0],
+      ["memory_user", "void *", 0],
     ],
   },
   {
@@ -1202,6 +1205,7 @@ export const functions = {
   sensor_init: ["nicol_result nicol_sensor_init(_Out_ nicol_sensor *descriptor, uint32_t struct_size)", true, null],
   sensor_set_preset: ["nicol_result nicol_sensor_set_preset(_Inout_ nicol_sensor *sensor, nicol_sensor_preset preset)", true, null],
   sensor_load: ["nicol_result nicol_sensor_load(_Inout_ nicol_sensor *sensor, const char *path)", true, null],
+  sensor_load_memory: ["nicol_result nicol_sensor_load_memory(_Inout_ nicol_sensor *sensor, const nicol_memory_file *file)", true, null],
   sensor_add_element: ["nicol_result nicol_sensor_add_element(_Inout_ nicol_sensor *sensor, const nicol_polarization_element *element, double extinction_ratio)", true, null],
   stokes_image_init: ["nicol_result nicol_stokes_image_init(_Out_ nicol_stokes_image *descriptor, uint32_t struct_size)", true, null],
   raw_image_init: ["nicol_result nicol_raw_image_init(_Out_ nicol_raw_image *descriptor, uint32_t struct_size)", true, null],

@@ -51,9 +51,9 @@ void Buffer::allocate(BufferUse use, const void* data) {
     if (size_ > PTRDIFF_MAX) throw Error(ErrorCode::out_of_memory, what + " is more than can be addressed");
     const GladGLContext& gl = functions(*context(), what);
     const GLbitfield flags = update_ == BufferUpdate::dynamic ? GL_DYNAMIC_STORAGE_BIT : GLbitfield{0};
+    object_.account(memory_kind(use), size_);
     gl.NamedBufferStorage(id(), static_cast<GLsizeiptr>(size_), data, flags);
     context()->state().check(what);
-    object_.account(memory_kind(use), size_);
     if (data == nullptr) {
         if (HostState* const host = context()->state().host_state) host->prepare_uploads();
         gl.ClearNamedBufferData(id(), GL_R8UI, GL_RED_INTEGER, GL_UNSIGNED_BYTE, nullptr);

@@ -144,6 +144,10 @@ MemoryUse Context::memory() const noexcept {
     return use;
 }
 
+void Context::set_memory_monitor(MemoryMonitor monitor) {
+    state_->memory_monitor = std::move(monitor);
+}
+
 bool Context::on_thread() const noexcept {
     return state_->host ? state_->host->on_thread() : state_->worker.on_thread();
 }

@@ -13,6 +13,8 @@
 #include <utility>
 #include <vector>
 
+#include "memory_share.hpp"
+
 namespace nicol::gl {
 
 enum class Backend { automatic, egl, osmesa, host };
@@ -98,6 +100,8 @@ public:
     /// Returns the attempts that failed before this context was made, in order.
     [[nodiscard]] const std::vector<FailedAttempt>& failed_attempts() const noexcept;
     [[nodiscard]] MemoryUse memory() const noexcept;
+    /// Tells a monitor of the memory of all objects. Must be called before the first of them is made.
+    void set_memory_monitor(MemoryMonitor monitor);
 
     /// Calls f() on the context's thread, waits, and returns its value or rethrows its exception. On the
     /// context's own thread it is a plain call. Calls from several threads run one after another.

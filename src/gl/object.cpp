@@ -93,7 +93,7 @@ Object::Object(Object&& other) noexcept
       id_(std::exchange(other.id_, 0)),
       owned_(other.owned_),
       memory_kind_(other.memory_kind_),
-      bytes_(std::exchange(other.bytes_, 0)) {}
+      memory_(std::move(other.memory_)) {}
 
 Object& Object::operator=(Object&& other) noexcept {
     if (this != &other) {
@@ -103,21 +103,21 @@ Object& Object::operator=(Object&& other) noexcept {
         id_ = std::exchange(other.id_, 0);
         owned_ = other.owned_;
         memory_kind_ = other.memory_kind_;
-        bytes_ = std::exchange(other.bytes_, 0);
+        memory_ = std::move(other.memory_);
     }
     return *this;
 }
 
-void Object::account(MemoryKind kind, std::size_t bytes) noexcept {
+void Object::account(MemoryKind kind, std::size_t bytes) {
+    memory_ = MemoryShare(context_->state().memory_monitor, bytes);
     memory_kind_ = kind;
-    bytes_ = bytes;
     context_->state().bytes[static_cast<std::size_t>(kind)] += bytes;
 }
 
 void Object::drop() noexcept {
     if (id_ == 0) return;
     Context::State& state = context_->state();
-    state.bytes[static_cast<std::size_t>(memory_kind_)] -= bytes_;
+    state.bytes[static_cast<std::size_t>(memory_kind_)] -= memory_.bytes();
     if (!owned_) {
         // The owner deletes it.
     } else if (context_->on_thread()) {
@@ -133,6 +133,7 @@ void Object::drop() noexcept {
             // There is no memory for the job, so the object stays until its context is destroyed.
         }
     }
+    memory_.settle(0);
     id_ = 0;
     context_.reset();
 }

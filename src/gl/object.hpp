@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "gl/context.hpp"
+#include "memory_share.hpp"
 
 struct GladGLContext;
 
@@ -31,8 +32,9 @@ public:
 
     [[nodiscard]] unsigned id() const noexcept { return id_; }
     [[nodiscard]] const std::shared_ptr<Context>& context() const noexcept { return context_; }
-    /// Counts the object's bytes in the context's memory use until the object is dropped. Call at most once.
-    void account(MemoryKind kind, std::size_t bytes) noexcept;
+    /// Counts the object's bytes in the context's memory use until the object is dropped. Call at most once,
+    /// before the bytes are allocated. Throws Error(out_of_memory) if the context's monitor refuses.
+    void account(MemoryKind kind, std::size_t bytes);
 
 private:
     Object(ObjectKind kind, unsigned id, std::shared_ptr<Context> context) noexcept;
@@ -43,7 +45,7 @@ private:
     unsigned id_ = 0;
     bool owned_ = true;
     MemoryKind memory_kind_ = MemoryKind::vertex;
-    std::size_t bytes_ = 0;
+    MemoryShare memory_;
 };
 
 }  // namespace nicol::gl

@@ -97,11 +97,11 @@ void RenderTarget::attach() {
     }
     gl.NamedFramebufferDrawBuffers(id(), colours, draw_buffers.data());
     if (has_depth) {
-        const Object& depth = depth_.emplace_back(context(), ObjectKind::renderbuffer);
+        Object& depth = depth_.emplace_back(context(), ObjectKind::renderbuffer);
+        depth.account(MemoryKind::render_target,
+                      sizeof(float) * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
         gl.NamedRenderbufferStorage(depth.id(), GL_DEPTH_COMPONENT32F, width, height);
         state.check(text_of(description_) + " and depth");
-        depth_.back().account(MemoryKind::render_target, sizeof(float) * static_cast<std::size_t>(width) *
-                                                             static_cast<std::size_t>(height));
         gl.NamedFramebufferRenderbuffer(id(), GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth.id());
     }
     const GLenum status = gl.CheckNamedFramebufferStatus(id(), GL_DRAW_FRAMEBUFFER);

@@ -18,6 +18,7 @@
 #include "gl/platform.hpp"
 #include "gl/program_notices.hpp"
 #include "gl/worker.hpp"
+#include "memory_share.hpp"
 
 namespace nicol::gl {
 
@@ -35,6 +36,7 @@ struct Context::State {
     Limits limits;
     std::vector<FailedAttempt> failed_attempts;
     std::array<std::atomic<std::size_t>, 5> bytes{};
+    MemoryMonitor memory_monitor;       ///< set before the first object is made
     bool compatibility = false;         ///< whether a host's context has the compatibility profile
     GLuint empty_vertex_array = 0;      ///< core profiles cannot draw without a vertex array
     GLuint condition = 0;               ///< a query that tests for conditional rendering in a host's context

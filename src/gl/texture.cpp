@@ -69,9 +69,9 @@ Texture2D::Texture2D(std::shared_ptr<Context> context, const TextureDescription&
                                                      std::to_string(limit));
     if (!texels.empty()) check_numbers("Texture2D", true, texels.size(), width, height);
     const std::string what = "a texture of " + size_text(width, height) + " texels";
+    object_.account(kind, numbers() * sizeof(float));
     gl.TextureStorage2D(id(), 1, layout.internal, width, height);
     state.check(what);
-    object_.account(kind, numbers() * sizeof(float));
     const GLint mode = filter == Filter::linear ? GL_LINEAR : GL_NEAREST;
     gl.TextureParameteri(id(), GL_TEXTURE_MIN_FILTER, mode);
     gl.TextureParameteri(id(), GL_TEXTURE_MAG_FILTER, mode);

@@ -2,6 +2,7 @@
 // Polarimetric reflectance (pBRDF) in the angular domain.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <glm/vec2.hpp>
 #include <memory>
@@ -115,6 +116,9 @@ public:
     /// Returns the coefficient matrix of a channel, cosine included, if it defines the material; else null.
     /// evaluate() is then its reconstruction, and tables are made from it without integration.
     [[nodiscard]] virtual const IsotropicMatrix* matrix(int channel) const;
+
+    /// Returns the bytes of a measured table; 0 for other materials.
+    [[nodiscard]] virtual std::uint64_t bytes() const noexcept { return 0; }
 
     /// Returns how the material varies over a surface; null: the material is the same everywhere. All other
     /// functions of a varying material describe its mean.

@@ -26,6 +26,7 @@ public:
     [[nodiscard]] double lobe_width(int) const noexcept override { return lobe_; }
     [[nodiscard]] bool mirror_symmetric() const noexcept override { return table_.mirror_symmetric(); }
     [[nodiscard]] std::string content_key() const override { return key_; }
+    [[nodiscard]] std::uint64_t bytes() const noexcept override { return table_.bytes(); }
 
     [[nodiscard]] Mueller evaluate(int term, const glm::dvec3& towards_light,
                                    const glm::dvec3& towards_viewer) const override {

@@ -30,6 +30,9 @@ public:
 
     [[nodiscard]] std::size_t channels() const noexcept { return channels_; }
     [[nodiscard]] bool mirror_symmetric() const noexcept { return sides_ == 1; }
+    [[nodiscard]] std::uint64_t bytes() const noexcept {
+        return std::span(m00_).size_bytes() + std::span(rest_).size_bytes();
+    }
     /// Computes the matrices of out.size() channels from channel `first` on.
     void at(const Angles& angles, std::size_t first, std::span<Mueller> out) const;
     /// Returns the theta_h at which M00, averaged over phi_d and over theta_d up to 45 degrees, falls to a

@@ -190,7 +190,7 @@ std::uint64_t image_memory(const Scene& scene, const RenderOptions& options, int
 
 void MemoryLimit::check(const Scene& scene, const RenderOptions& options, int width, int height) {
     vertices_ = size_of(scene).vertices;
-    if (bytes_ == kNone) return;
+    if (bytes_ == kNone && !share_.monitored()) return;
     image_ = image_memory(scene, options, width, height);
     checking_.run(
         scene.geometry_version(), scene.channels(), kind_of(scene, options), bounces(options), options.method,
@@ -203,6 +203,14 @@ void MemoryLimit::check(const Scene& scene, const RenderOptions& options, int wi
                         "the scene and its image need up to " + std::to_string(needed) +
                             " bytes at run time; the context's memory_limit is " + std::to_string(bytes_));
         });
+    share_.reserve(estimate_.visibility + estimate_.transfer + image_);
+}
+
+void MemoryLimit::refined(std::uint64_t vertices) {
+    if (!share_.monitored() || vertices <= vertices_ || vertices_ == 0) return;
+    const double times = static_cast<double>(vertices) / static_cast<double>(vertices_);
+    const auto scene = static_cast<double>(estimate_.visibility + estimate_.transfer);
+    share_.reserve(image_ + static_cast<std::uint64_t>(times * scene));
 }
 
 std::uint64_t MemoryLimit::max_vertices(const RenderOptions& options) const {

@@ -4,8 +4,10 @@
 
 #include <cstdint>
 #include <limits>
+#include <utility>
 
 #include "harmonics/light_layout.hpp"
+#include "memory_share.hpp"
 #include "scene/scene.hpp"
 #include "stage/options.hpp"
 #include "stage/statistics.hpp"
@@ -33,16 +35,28 @@ struct MemoryEstimate {
 [[nodiscard]] std::uint64_t image_memory(const Scene& scene, const RenderOptions& options, int width,
                                          int height);
 
-/// Limit of the memory of a scene and its image.
+/// Limit of the memory of a scene and its image, and the account of what lies outside OpenGL.
 class MemoryLimit {
 public:
     static constexpr std::uint64_t kNone = std::numeric_limits<std::uint64_t>::max();
 
-    explicit MemoryLimit(std::uint64_t bytes = kNone) : bytes_(bytes) {}
+    /// The monitor is told nothing of OpenGL's objects, of which the context tells it.
+    explicit MemoryLimit(std::uint64_t bytes = kNone, MemoryMonitor monitor = {})
+        : bytes_(bytes), share_(std::move(monitor)) {}
 
-    /// Throws Error(out_of_memory) with both numbers if the estimate exceeds the limit. Estimates again only
-    /// if an input of the estimate has changed since the last call.
+    /// Throws Error(out_of_memory) with both numbers if the estimate exceeds the limit, and if the monitor
+    /// refuses the estimate. Estimates again only if an input of the estimate has changed since the last
+    /// call.
     void check(const Scene& scene, const RenderOptions& options, int width, int height);
+    /// Asks the monitor for the memory of a bake that has refined the checked scene to so many vertices.
+    /// Throws Error(out_of_memory) if the monitor refuses.
+    void refined(std::uint64_t vertices);
+    /// Takes over what a real-time render keeps outside OpenGL.
+    void keep(const Statistics& statistics) noexcept {
+        kept_ = statistics.response_bytes + statistics.visibility_bytes + statistics.transfer_bytes;
+    }
+    /// Tells the monitor that what is kept has taken the place of the estimate.
+    void settle() noexcept { share_.settle(kept_); }
 
     /// Returns the number of bytes that the last checked image leaves to the scene.
     [[nodiscard]] std::uint64_t for_scene() const noexcept {
@@ -56,6 +70,8 @@ public:
 
 private:
     std::uint64_t bytes_;
+    MemoryShare share_;
+    std::uint64_t kept_ = 0;
     std::uint64_t vertices_ = 0;
     MemoryEstimate estimate_;
     std::uint64_t image_ = 0;

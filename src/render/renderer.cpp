@@ -107,6 +107,8 @@ std::vector<Statistics> Renderer::render(const Scene& scene, std::span<const Vie
         statistics.push_back(grey ? render_grey(scene, view.camera, options, *view.target, common)
                                   : render_into(scene, view.camera, options, *view.target, common));
     }
+    if (options.method != Method::reference) memory_limit_.keep(statistics.back());
+    memory_limit_.settle();
     return statistics;
 }
 
@@ -168,6 +170,7 @@ RenderWork Renderer::bake(const Scene& scene, const RenderOptions& options, Comm
     within_limit.max_vertices = memory_limit_.max_vertices(options);
     RenderRun run{.workers = workers_, .progress = progress, .statistics = statistics};
     pipeline_.bake(scene, common.views, within_limit, run);
+    memory_limit_.refined(pipeline_.surfaces().geometry().positions.size());
     return statistics;
 }
 

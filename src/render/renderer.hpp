@@ -39,8 +39,8 @@ public:
         pipeline_.set_cache(folder, notice);
     }
 
-    /// Sets the memory limit in bytes, see MemoryLimit.
-    void set_memory_limit(std::uint64_t bytes) { memory_limit_ = MemoryLimit(bytes); }
+    /// Sets the limit of the memory, and who is told of it.
+    void set_memory_limit(MemoryLimit limit) { memory_limit_ = std::move(limit); }
 
     /// Renders the scene, which must be the same in all calls. A framebuffer of one channel gets the
     /// luminance of a scene of three. Throws Error(invalid_argument) for options or a camera out of range,

@@ -178,8 +178,8 @@ Sensor parse_sensor(const std::filesystem::path& file, std::string_view text, Se
     }
 }
 
-Sensor read_sensor(const std::filesystem::path& file, const Sensor& base) {
-    const std::string bytes = read_bytes(file);
+Sensor read_sensor(const std::filesystem::path& file, const Sensor& base, const LoadBudget& budget) {
+    const std::string bytes = read_bytes(file, budget);
     if (!is_png(bytes)) return parse_sensor(file, bytes, base);
     const std::string text = png_text(bytes, kSensorKeyword);
     if (text.empty())

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "files/load_budget.hpp"
 #include "sensor/sensor.hpp"
 
 namespace nicol {
@@ -20,7 +21,8 @@ namespace nicol {
 [[nodiscard]] Sensor parse_sensor(const std::filesystem::path& file, std::string_view text, Sensor base);
 
 /// Reads a JSON file, or the sensor in a mosaic that write_mosaic() wrote. Throws Error(file_not_found) and
-/// what parse_sensor() throws.
-[[nodiscard]] Sensor read_sensor(const std::filesystem::path& file, const Sensor& base);
+/// what parse_sensor() throws. `budget` has the source of the file.
+[[nodiscard]] Sensor read_sensor(const std::filesystem::path& file, const Sensor& base,
+                                 const LoadBudget& budget = {});
 
 }  // namespace nicol

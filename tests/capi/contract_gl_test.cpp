@@ -198,13 +198,10 @@ CONTEXT_TEST_CASE(
     const Everything all(retained(context));
     each_parameter({Kind::struct_out}, [&](const Function& f, std::size_t i) {
         if (needs_host(f) || is_initialiser(f)) return;
-        constexpr std::array also_read{"nicol_camera_look_at",
-                                       "nicol_camera_set_opencv",
-                                       "nicol_camera_frame",
-                                       "nicol_sensor_load",
-                                       "nicol_sensor_add_element",
-                                       "nicol_sensor_set_preset",
-                                       "nicol_render_options_set_quality"};
+        constexpr std::array also_read{"nicol_camera_look_at",     "nicol_camera_set_opencv",
+                                       "nicol_camera_frame",       "nicol_sensor_load",
+                                       "nicol_sensor_load_memory", "nicol_sensor_add_element",
+                                       "nicol_sensor_set_preset",  "nicol_render_options_set_quality"};
         if (std::ranges::find(also_read, f.name) != also_read.end()) return;
         const std::size_t whole_size = f.parameters[i].size;
         for (const std::size_t size : {std::size_t{0}, std::size_t{3}, whole_size - 1}) {

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Tests of sensors through the C interface.
+#include <fstream>
+#include <iterator>
+
 #include "image/stokes_image.hpp"
 #include "planes.hpp"
 
@@ -87,6 +90,14 @@ TEST_CASE("a light goes through optics and sensor into a file and comes back as 
     nicol_sensor read = NICOL_SENSOR_INIT;
     OK(nicol_sensor_load(&read, png.c_str()));
     CHECK(std::memcmp(&read, &sensor, sizeof sensor) == 0);
+    std::ifstream file(png, std::ios::binary);
+    const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+    nicol_memory_file in_memory = NICOL_MEMORY_FILE_INIT;
+    in_memory.bytes = bytes.data();
+    in_memory.byte_size = bytes.size();
+    nicol_sensor from_bytes = NICOL_SENSOR_INIT;
+    OK(nicol_sensor_load_memory(&from_bytes, &in_memory));
+    CHECK(std::memcmp(&from_bytes, &sensor, sizeof sensor) == 0);
     OK(nicol_file_demosaic(png.c_str(), &read, NICOL_DEMOSAIC_BILINEAR, exr.c_str()));
     OK(nicol_sensor_demosaic(&read, &raw.image, NICOL_DEMOSAIC_BILINEAR, &back.image));
     const nicol::StokesImage image = nicol::read_exr(exr);
@@ -138,4 +149,10 @@ TEST_CASE("bad sensors, images and files are refused by the field's name") {
     REFUSES(nicol_sensor_add_element(&sensor, &element, 0), "element->to_world must be the identity");
     REFUSES(nicol_sensor_write_png(&sensor, &raw.image, "raw.jpg"), "raw.jpg ends in .jpg");
     FAILS(nicol_sensor_load(&sensor, "none.json"), NICOL_ERROR_FILE_NOT_FOUND, "none.json");
+    nicol_memory_file json = NICOL_MEMORY_FILE_INIT;
+    json.name = "camera.json";
+    json.bytes = R"({"bits": 14})";
+    json.byte_size = 12;
+    FAILS(nicol_sensor_load_memory(&sensor, &json), NICOL_ERROR_INVALID_FILE, "camera.json: bits");
+    REFUSES(nicol_sensor_load_memory(&sensor, nullptr), "file is NULL");
 }

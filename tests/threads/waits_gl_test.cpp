@@ -33,6 +33,7 @@ Names functions_of_contexts(bool in_host) {
                       "nicol_sky_get_sun",
                       "nicol_sensor_set_preset",
                       "nicol_sensor_load",
+                      "nicol_sensor_load_memory",
                       "nicol_sensor_add_element",
                       "nicol_sensor_expose",
                       "nicol_sensor_write_png",

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Sequence
-from ctypes import POINTER, byref, c_char_p, c_double, c_float, c_int32, c_uint32, c_uint64, c_void_p
+from ctypes import POINTER, byref, c_char_p, c_double, c_float, c_int32, c_int64, c_uint32, c_uint64, c_void_p
 from typing import TYPE_CHECKING, Any
 
 from ._runtime import (
@@ -190,6 +190,7 @@ ProgressCallback = Callback(c_int32, (c_void_p, None), (c_char_p, decoded), (c_d
 Task = Callback(None, (c_void_p, None))
 StartTasks = Callback(c_void_p, (c_void_p, None), (c_uint32, as_is), (Task.type, as_is), (c_void_p, None))
 FinishTasks = Callback(None, (c_void_p, None), (c_void_p, None))
+MemoryCallback = Callback(c_int32, (c_void_p, None), (c_int64, as_is))
 ResolveCallback = Callback(c_int32, (c_void_p, None), (c_char_p, decoded), (c_void_p, as_is))
 SinkCallback = Callback(c_int32, (c_void_p, None), (c_void_p, as_is), (c_uint64, as_is))
 ReleaseCallback = Callback(None, (c_void_p, None))
@@ -273,8 +274,17 @@ class ContextOptions(Struct):
     start_tasks: Task system of a host, whose threads help in the parallel loops of renders and loads: `threads` - 1 of
         them beside the thread that renders or loads. Both functions, or NULL for both, the default: the
         library's own threads help. OpenGL has a thread of its own all the same, and software OpenGL has more.
-        Functions that take no object of a context use the library's threads."""
-    _callbacks_ = {"log": LogCallback, "load_progress": ProgressCallback, "error": ErrorCallback, "start_tasks": StartTasks, "finish_tasks": FinishTasks}
+        Functions that take no object of a context use the library's threads.
+    memory: Memory monitor; NULL, the default: none. The monitor is told of each OpenGL buffer, texture and
+        framebuffer; of meshes, textures, images of light and measured tables when they have been made or
+        loaded, before the call returns their object; and of what a scene keeps for its renders: tables, bakes
+        and light. A render asks for an upper bound of visibility_bytes and transfer_bytes before it computes
+        anything, once more when meshes were refined, and at its end replaces the bound by what it keeps, which
+        includes response_bytes. Bytes beyond the bound are told at the end; if the monitor refuses them, the
+        render does not fail and they stay uncounted. A render that failed keeps its bound until the scene's
+        next render. The sum of the numbers that were not refused is 0 when all objects of the context are
+        released."""
+    _callbacks_ = {"log": LogCallback, "load_progress": ProgressCallback, "error": ErrorCallback, "start_tasks": StartTasks, "finish_tasks": FinishTasks, "memory": MemoryCallback}
     _fields_ = [
         ("struct_size", c_uint32),
         ("backend", c_uint32),
@@ -295,6 +305,8 @@ class ContextOptions(Struct):
         ("start_tasks", StartTasks.type),
         ("finish_tasks", FinishTasks.type),
         ("tasks_user", c_void_p),
+        ("memory", MemoryCallback.type),
+        ("memory_user", c_void_p),
     ]
     backend: Any
     device: int
@@ -314,6 +326,8 @@ class ContextOptions(Struct):
     start_tasks: Any
     finish_tasks: Any
     tasks_user: Any
+    memory: Any
+    memory_user: Any
 
 
 class ContextInfo(Struct):
@@ -1779,6 +1793,11 @@ class Sensor(Struct):
         objects with "kind" ("polarizer", "retarder", "right_circular", "left_circular"), "angle", "retardance",
         "transmittance" and "extinction_ratio", in the order of the light."""
         check(_sensor_load(byref(self), text(path)))
+        return self
+
+    def load_memory(self, file: MemoryFile) -> Self:
+        """Sets the fields that a file in memory names, as nicol_sensor_load does."""
+        check(_sensor_load_memory(byref(self), byref(file) if file is not None else None))
         return self
 
     def add_element(self, element: PolarizationElement, extinction_ratio: float) -> Self:
@@ -3490,6 +3509,7 @@ _framebuffer_encode_png = declare("nicol_framebuffer_encode_png", c_int32, Frame
 Sensor._init = declare("nicol_sensor_init", c_int32, POINTER(Sensor), c_uint32)
 _sensor_set_preset = declare("nicol_sensor_set_preset", c_int32, POINTER(Sensor), c_uint32)
 _sensor_load = declare("nicol_sensor_load", c_int32, POINTER(Sensor), c_char_p)
+_sensor_load_memory = declare("nicol_sensor_load_memory", c_int32, POINTER(Sensor), POINTER(MemoryFile))
 _sensor_add_element = declare("nicol_sensor_add_element", c_int32, POINTER(Sensor), POINTER(PolarizationElement), c_double)
 StokesImage._init = declare("nicol_stokes_image_init", c_int32, POINTER(StokesImage), c_uint32)
 RawImage._init = declare("nicol_raw_image_init", c_int32, POINTER(RawImage), c_uint32)

@@ -301,6 +301,12 @@ pub type nicol_start_tasks = Option<unsafe extern "C" fn(user: *mut c_void, coun
 /// Returns when all calls of one nicol_start_tasks have returned.
 pub type nicol_finish_tasks = Option<unsafe extern "C" fn(user: *mut c_void, started: *mut c_void)>;
 
+/// Receives the bytes of large blocks of memory: a positive number before they are taken, a negative one after
+/// they were given back. Returns 1, or 0 to refuse a positive number: the call then fails with
+/// NICOL_ERROR_OUT_OF_MEMORY, or its job, and gives back what it took. Other objects stay as they were. The
+/// callback is called on any thread, on several at once, and must not call Nicol.
+pub type nicol_memory_callback = Option<unsafe extern "C" fn(user: *mut c_void, bytes: i64) -> i32>;
+
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct nicol_context_options {
@@ -323,10 +329,12 @@ pub struct nicol_context_options {
     pub start_tasks: nicol_start_tasks,
     pub finish_tasks: nicol_finish_tasks,
     pub tasks_user: *mut c_void,
+    pub memory: nicol_memory_callback,
+    pub memory_user: *mut c_void,
 }
 defaults!(nicol_context_options, nicol_context_options_init);
 const _: () = {
-    assert!(size_of::<nicol_context_options>() == 136);
+    assert!(size_of::<nicol_context_options>() == 152);
     assert!(offset_of!(nicol_context_options, struct_size) == 0);
     assert!(offset_of!(nicol_context_options, backend) == 4);
     assert!(offset_of!(nicol_context_options, device) == 8);
@@ -346,6 +354,8 @@ const _: () = {
     assert!(offset_of!(nicol_context_options, start_tasks) == 112);
     assert!(offset_of!(nicol_context_options, finish_tasks) == 120);
     assert!(offset_of!(nicol_context_options, tasks_user) == 128);
+    assert!(offset_of!(nicol_context_options, memory) == 136);
+    assert!(offset_of!(nicol_context_options, memory_user) == 144);
 };
 
 #[repr(C)]
@@ -2287,6 +2297,8 @@ extern "C" {
     /// objects with "kind" ("polarizer", "retarder", "right_circular", "left_circular"), "angle", "retardance",
     /// "transmittance" and "extinction_ratio", in the order of the light.
     pub fn nicol_sensor_load(sensor: *mut nicol_sensor, path: *const c_char) -> nicol_result;
+    /// Sets the fields that a file in memory names, as nicol_sensor_load does.
+    pub fn nicol_sensor_load_memory(sensor: *mut nicol_sensor, file: *const nicol_memory_file) -> nicol_result;
     /// Multiplies the sensor's optics by the matrix of an element that faces the camera, between the optics and
     /// the sensor; angles are counter-clockwise from image right. The element's to_world must be the identity, and
     /// its outline has no effect. extinction_ratio: transmittance along over across a polarizer's axis, at least
