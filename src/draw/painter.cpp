@@ -34,30 +34,40 @@ void clear(gl::RenderTarget& image, bool background, int components) {
     }
 }
 
+// Returns whether the painter draws the background, which an executor may have added to its pixels.
+bool draws_background(const Scene& scene, const RenderExecutor* pixels) {
+    return scene.background() != nullptr && !(pixels != nullptr && pixels->adds_background());
+}
+
 }  // namespace
 
 Painter::Painter(std::shared_ptr<gl::Context> context)
     : context_(std::move(context)), pixels_(context_), aovs_(context_) {}
 
+void Painter::prepare(const Scene& scene, const RenderExecutor* pixels, int channels) {
+    const auto count = static_cast<std::size_t>((channels + Framebuffer::kGroup - 1) / Framebuffer::kGroup);
+    if (groups_.size() != count) uploading_.reset();
+    groups_.resize(count);
+    if (!draws_background(scene, pixels)) return;
+    uploading_.run(scene.background(), channels, [&] { upload_environment(*scene.background(), channels); });
+}
+
 void Painter::draw(const Scene& scene, const RefinedSurfaces& surfaces, VertexBuffers& buffers,
                    const AlphaMasks& alpha_masks, const RenderExecutor* pixels, const Wanted& wanted,
                    const Projection& projection, Framebuffer& target) {
     const int channels = target.channels();
-    binding_.run(buffers.version(), channels, [&] { bind_vertices(buffers, channels); });
-    const bool behind = scene.background() != nullptr && !(pixels != nullptr && pixels->adds_background());
-    if (behind)
-        uploading_.run(scene.background(), channels,
-                       [&] { upload_environment(*scene.background(), channels); });
-    aovs_.prepare(surfaces.geometry(), buffers, alpha_masks, wanted.aovs, wanted.samples, target);
-
-    prepare_sample(pixels == nullptr && wanted.samples.size() > 1, target);
-    if (pixels != nullptr) {
-        pixels_.begin(target);
-        pixels->store(pixels_);
-    } else {
-        pixels_.clear();
-    }
-
+    const bool behind = draws_background(scene, pixels);
+    context_->run([&] {
+        binding_.run(buffers.version(), channels, [&] { bind_vertices(buffers, channels); });
+        aovs_.prepare(surfaces.geometry(), buffers, alpha_masks, wanted.aovs, wanted.samples, target);
+        prepare_sample(pixels == nullptr && wanted.samples.size() > 1, target);
+        if (pixels != nullptr) {
+            pixels_.begin(target);
+            pixels->store(pixels_);
+        } else {
+            pixels_.clear();
+        }
+    });
     for (std::size_t g = 0; g < groups_.size(); ++g) {
         if (pixels != nullptr) {
             if (behind) draw_around_pixels(scene, wanted.components, projection, g, target);
@@ -65,8 +75,10 @@ void Painter::draw(const Scene& scene, const RefinedSurfaces& surfaces, VertexBu
             draw_samples(scene, surfaces, wanted, projection, g, target);
         }
     }
-    aovs_.draw(alpha_masks, projection, surfaces.to_world(), target);
-    gl::finish(*context_);
+    context_->run([&] {
+        aovs_.draw(alpha_masks, projection, surfaces.to_world(), target);
+        gl::finish(*context_);
+    });
 }
 
 void Painter::prepare_sample(bool several, const Framebuffer& target) {
@@ -101,41 +113,40 @@ void Painter::draw_samples(const Scene& scene, const RefinedSurfaces& surfaces, 
 
 void Painter::add_sample(std::size_t sample, const Wanted& wanted, int channels, gl::RenderTarget& image) {
     gl::Program& mean = program("fullscreen.vert", "mean.frag", channels, {});
-    mean.set("weight", 1.0F / static_cast<float>(wanted.samples.size()));
-    mean.set("first", sample == 0 ? 1 : 0);
-    for (int c = 0; c < channels; ++c) {
-        sample_->colour(c).bind(static_cast<unsigned>(c));
-        image.colour(c).bind(static_cast<unsigned>(Framebuffer::kGroup + c));
-    }
-    gl::texture_barrier(*context_);
-    gl::draw_fullscreen(image, mean, {.depth_test = gl::DepthTest::off, .depth_write = false});
+    context_->run([&] {
+        mean.set("weight", 1.0F / static_cast<float>(wanted.samples.size()));
+        mean.set("first", sample == 0 ? 1 : 0);
+        for (int c = 0; c < channels; ++c) {
+            sample_->colour(c).bind(static_cast<unsigned>(c));
+            image.colour(c).bind(static_cast<unsigned>(Framebuffer::kGroup + c));
+        }
+        gl::texture_barrier(*context_);
+        gl::draw_fullscreen(image, mean, {.depth_test = gl::DepthTest::off, .depth_write = false});
+    });
 }
 
 void Painter::draw_surface(const Scene& scene, const WorldGeometry& geometry, int components,
                            const Projection& projection, std::size_t group, int channels,
                            gl::RenderTarget& image) {
     gl::Program& surface = program("surface.vert", "surface.frag", channels, {});
-    surface.set("world_to_clip", glm::mat4(projection.world_to_clip));
-    clear(image, scene.background() != nullptr, components);
     const auto draw_some = [&](std::size_t first, std::size_t last, gl::Cull cull) {
         if (first == last) return;
         gl::draw(image, surface, *groups_[group].vertices, 3 * first, 3 * (last - first),
                  {.cull = cull, .components = components});
     };
-    // One-sided materials are drawn black from behind; two-sided materials have triangles for each side.
-    draw_some(0, geometry.one_sided, gl::Cull::none);
-    draw_some(geometry.one_sided, geometry.triangles.size(), gl::Cull::back);
+    context_->run([&] {
+        surface.set("world_to_clip", glm::mat4(projection.world_to_clip));
+        clear(image, scene.background() != nullptr, components);
+        // One-sided materials are drawn black from behind; two-sided materials have triangles for each side.
+        draw_some(0, geometry.one_sided, gl::Cull::none);
+        draw_some(geometry.one_sided, geometry.triangles.size(), gl::Cull::back);
+    });
 }
 
 void Painter::draw_around_pixels(const Scene& scene, int components, const Projection& projection,
                                  std::size_t group, Framebuffer& target) {
     const int channels = group_size(target.channels(), group);
-    gl::RenderTarget& image = target.groups()[group];
-    constexpr unsigned first = Framebuffer::kGroup;
-    for (int c = 0; c < channels; ++c) image.colour(c).bind(first + static_cast<unsigned>(c));
-    pixels_.coverage().bind(first + Framebuffer::kGroup);
-    gl::texture_barrier(*context_);
-    draw_background(scene, components, projection, true, group, channels, image);
+    draw_background(scene, components, projection, true, group, channels, target.groups()[group]);
 }
 
 gl::Program& Painter::program(const char* vertex, const char* fragment, int channels,
@@ -145,17 +156,17 @@ gl::Program& Painter::program(const char* vertex, const char* fragment, int chan
     if (found == programs_.end()) {
         std::vector<gl::Define> defines{{.name = "CHANNELS", .value = std::to_string(channels)}};
         for (const std::string& feature : features) defines.push_back({.name = feature});
-        found = programs_.emplace(key, gl::Program::graphics(context_, vertex, fragment, defines)).first;
+        context_->run([&] {
+            found = programs_.emplace(key, gl::Program::graphics(context_, vertex, fragment, defines)).first;
+        });
     }
     return found->second;
 }
 
 void Painter::bind_vertices(VertexBuffers& buffers, int channels) {
-    const auto count = static_cast<std::size_t>((channels + Framebuffer::kGroup - 1) / Framebuffer::kGroup);
-    groups_.resize(count);
     for (Group& group : groups_) group.vertices.reset();
     if (buffers.empty()) return;
-    for (std::size_t g = 0; g < count; ++g) {
+    for (std::size_t g = 0; g < groups_.size(); ++g) {
         std::vector<gl::Attribute> attributes{
             {.location = 0, .components = 3, .buffer = buffers.positions()}};
         for (int c = 0; c < group_size(channels, g); ++c) {
@@ -169,6 +180,10 @@ void Painter::bind_vertices(VertexBuffers& buffers, int channels) {
 
 void Painter::upload_environment(const Environment& environment, int channels) {
     for (Group& group : groups_) group.environment.clear();
+    // Each texture is a step of its own, so that other calls need not wait for all.
+    const auto upload = [&](Group& group, std::span<const float> texels, const gl::TextureDescription& as) {
+        context_->run([&] { group.environment.emplace_back(context_, as, texels); });
+    };
     const EquirectImage image = environment.image();
     const std::size_t pixels = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
     const auto channel_data = [&](int c) {
@@ -179,7 +194,7 @@ void Painter::upload_environment(const Environment& environment, int channels) {
         const int first = static_cast<int>(g) * Framebuffer::kGroup;
         if (environment.polarized()) {
             for (int c = 0; c < group_size(channels, g); ++c) {
-                groups_[g].environment.emplace_back(context_, equirect(image), channel_data(first + c));
+                upload(groups_[g], channel_data(first + c), equirect(image));
             }
             continue;
         }
@@ -189,7 +204,7 @@ void Painter::upload_environment(const Environment& environment, int channels) {
             for (std::size_t i = 0; i < pixels; ++i)
                 packed[4 * i + static_cast<std::size_t>(c)] = from[4 * i];
         }
-        groups_[g].environment.emplace_back(context_, equirect(image), packed);
+        upload(groups_[g], packed, equirect(image));
     }
 }
 
@@ -200,18 +215,26 @@ void Painter::draw_background(const Scene& scene, int components, const Projecti
     if (scene.background()->polarized()) features.insert("POLARIZED");
     if (shaded) features.insert("SHADED");
     gl::Program& sky = program("fullscreen.vert", "background.frag", channels, features);
-    sky.set("camera", glm::mat3(view.right, view.up, view.forward));
-    sky.set("half_size", glm::vec2(projection.half_width, projection.half_height));
-    sky.set("shift", glm::vec2(projection.shift));
-    sky.set("orthographic", view.orthographic ? 1 : 0);
-    sky.set("to_light", glm::mat3(glm::transpose(scene.light_rotation())));
-    sky.set("scale", static_cast<float>(scene.light_scale()));
-    const std::vector<gl::Texture2D>& environment = groups_[group].environment;
-    for (std::size_t i = 0; i < environment.size(); ++i) environment[i].bind(static_cast<unsigned>(i));
-    gl::draw_fullscreen(image, sky,
-                        {.depth_test = shaded ? gl::DepthTest::off : gl::DepthTest::nearer_or_equal,
-                         .depth_write = false,
-                         .components = components});
+    context_->run([&] {
+        if (shaded) {
+            constexpr unsigned first = Framebuffer::kGroup;
+            for (int c = 0; c < channels; ++c) image.colour(c).bind(first + static_cast<unsigned>(c));
+            pixels_.coverage().bind(first + Framebuffer::kGroup);
+            gl::texture_barrier(*context_);
+        }
+        sky.set("camera", glm::mat3(view.right, view.up, view.forward));
+        sky.set("half_size", glm::vec2(projection.half_width, projection.half_height));
+        sky.set("shift", glm::vec2(projection.shift));
+        sky.set("orthographic", view.orthographic ? 1 : 0);
+        sky.set("to_light", glm::mat3(glm::transpose(scene.light_rotation())));
+        sky.set("scale", static_cast<float>(scene.light_scale()));
+        const std::vector<gl::Texture2D>& environment = groups_[group].environment;
+        for (std::size_t i = 0; i < environment.size(); ++i) environment[i].bind(static_cast<unsigned>(i));
+        gl::draw_fullscreen(image, sky,
+                            {.depth_test = shaded ? gl::DepthTest::off : gl::DepthTest::nearer_or_equal,
+                             .depth_write = false,
+                             .components = components});
+    });
 }
 
 }  // namespace nicol

@@ -34,10 +34,14 @@ public:
         std::span<const glm::dvec2> samples = sample_pattern(1);  ///< offsets of a pixel's samples
     };
 
-    /// Draws an image. `buffers` and `alpha_masks` must belong to `surfaces`; `projection` is of the world.
-    /// If `pixels` is not null, it has shaded the image's pixels, and vertices are not drawn. With several
-    /// samples, vertices are drawn once per sample and averaged, which gives every driver the same samples.
-    /// All memory is allocated before the framebuffer is touched.
+    /// Uploads the background that draw() needs, in several steps of the context. Must be called outside
+    /// run(), before draw() with the same arguments.
+    void prepare(const Scene& scene, const RenderExecutor* pixels, int channels);
+    /// Draws an image, in several steps of the context: other calls wait for one of them, which is long where
+    /// a driver compiles programs. Must be called outside run(). `buffers` and `alpha_masks` must belong to
+    /// `surfaces`; `projection` is of the world. If `pixels` is not null, it has shaded the image's pixels,
+    /// and vertices are not drawn. With several samples, vertices are drawn once per sample and averaged,
+    /// which gives every driver the same samples. All memory is allocated before the framebuffer is touched.
     void draw(const Scene& scene, const RefinedSurfaces& surfaces, VertexBuffers& buffers,
               const AlphaMasks& alpha_masks, const RenderExecutor* pixels, const Wanted& wanted,
               const Projection& projection, Framebuffer& target);
@@ -63,8 +67,7 @@ private:
     void draw_around_pixels(const Scene& scene, int components, const Projection& projection,
                             std::size_t group, Framebuffer& target);
     void upload_environment(const Environment& environment, int channels);
-    // Draws the background behind the content of `image` or, if `shaded` is true, around its pixels, which
-    // must be bound.
+    // Draws the background behind the content of `image` or, if `shaded` is true, around its pixels.
     void draw_background(const Scene& scene, int components, const Projection& projection, bool shaded,
                          std::size_t group, int channels, gl::RenderTarget& image);
 

@@ -342,31 +342,38 @@ void Renderer::draw(const Scene& scene, const Projection& projection, const Rend
     pipeline_.run(scene, projection, chosen, executor, run, hits_for_shading);
     progress.report("draw", 0);
 
+    // Steps of the context, so that other calls need not wait for all of them.
+    const Stopwatch uploading;
+    const RefinedSurfaces& surfaces = pipeline_.surfaces();
+    const bool at_pixels = pipeline_.shaded_pixels();
+    painter_.prepare(scene, at_pixels ? &executor : nullptr, target.channels());
+    context_->run([&] { update_buffers(surfaces, target.channels()); });
+    statistics.draw_ms += uploading.milliseconds();
     const auto draw_image = [&] {
-        const RefinedSurfaces& surfaces = pipeline_.surfaces();
-        update_buffers(surfaces, target.channels());
-        const bool at_pixels = pipeline_.shaded_pixels();
-        if (!at_pixels) {
-            if (elements)
-                draw_hits(VisibilityBuffer::Kept::on_device);
-            else
-                clear_hits();
-            executor.store(buffers_);
-        }
-        if (elements) elements_.prepare(scene, surfaces, projection, options.pixel_samples, target);
+        context_->run([&] {
+            if (!at_pixels) {
+                if (elements)
+                    draw_hits(VisibilityBuffer::Kept::on_device);
+                else
+                    clear_hits();
+                executor.store(buffers_);
+            }
+            if (elements) elements_.prepare(scene, surfaces, projection, options.pixel_samples, target);
+        });
         painter_.draw(scene, surfaces, buffers_, alpha_masks_, at_pixels ? &executor : nullptr,
                       {.components = chosen.components,
                        .aovs = options.aovs,
                        .samples = sample_pattern(options.pixel_samples)},
                       projection, target);
-        if (elements) {
+        if (!elements) return;
+        context_->run([&] {
             elements_.draw(buffers_, hits_, options.components, target);
             gl::finish(*context_);
-        }
+        });
     };
     put(target, [&] {
         const Stopwatch watch;
-        context_->run(draw_image);
+        draw_image();
         statistics.draw_ms += watch.milliseconds();
         statistics.transfer_bytes += hits_.bytes();
         const gl::MemoryUse memory = context_->memory();
