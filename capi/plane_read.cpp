@@ -47,6 +47,14 @@ Request understand(const nicol_plane_buffer& given, int channels) {
     return {given.plane, format, static_cast<int>(given.channel), 1, angle};
 }
 
+// Copies groups of numbers from places that are `step` apart to places that are `spread` apart. A count that
+// is known at compile time needs no call for each pixel.
+template <std::size_t count>
+void spread_groups(const float* in, std::size_t step, float* out, std::size_t spread, std::size_t groups) {
+    for (std::size_t i = 0; i < groups; ++i, in += step, out += spread)
+        for (std::size_t k = 0; k < count; ++k) out[k] = in[k];
+}
+
 // Numbers of a plane, row by row.
 class Source {
 public:
@@ -65,13 +73,11 @@ public:
         }
         for (std::size_t c = 0; c < parts_.size(); ++c) {
             const auto [first, step] = parts_[c];
-            const float* in = first + static_cast<std::size_t>(y) * width_ * step;
-            float* out = row.data() + c * components_;
-            for (std::size_t x = 0; x < width_; ++x) {
-                std::copy_n(in, components_, out);
-                in += step;
-                out += parts_.size() * components_;
-            }
+            const auto copy = components_ == 1   ? spread_groups<1>
+                              : components_ == 3 ? spread_groups<3>
+                                                 : spread_groups<4>;
+            copy(first + static_cast<std::size_t>(y) * width_ * step, step, row.data() + c * components_,
+                 parts_.size() * components_, width_);
         }
     }
 

@@ -30,6 +30,9 @@ Report bench_edit(const Options& options);
 Report bench_motion(const Options& options);
 Report bench_views(const Options& options);
 
+/// Measures many frames of a host that moves an object, changes its window's size and has a job run.
+Report bench_engine(const Options& options);
+
 /// Measures the distance from the reference method, by order.
 Report bench_error(const Options& options);
 

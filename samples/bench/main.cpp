@@ -126,6 +126,11 @@ const Command commands[] = {
      bench_start,
      {"SCENE.xml", "-D", "--light", "--backend", "--size", "--only", "--csv", "--json"},
      "time to the first image, with an empty and a warm cache"},
+    {"engine",
+     bench_engine,
+     {"--size", "--samples", "--csv", "--json"},
+     "frames of a host's OpenGL (10,000, or --samples) in which an object moves, the window changes\n"
+     "              its size and a job runs: times, memory, OpenGL names"},
     {"waits",
      bench_waits,
      {"SCENE.xml", "--backend", "--size", "--csv", "--json"},
