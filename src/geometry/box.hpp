@@ -16,6 +16,7 @@ struct Box {
     glm::dvec3 lower{std::numeric_limits<double>::infinity()};
     glm::dvec3 upper{-std::numeric_limits<double>::infinity()};
 
+    bool operator==(const Box&) const = default;
     [[nodiscard]] bool empty() const { return lower.x > upper.x; }
     /// Grows the box by all vertices of a mesh.
     void add(const Mesh& mesh, const glm::dmat4& to_world) {

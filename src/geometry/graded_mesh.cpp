@@ -159,7 +159,8 @@ auto order_of(const Ball& ball) {
 }  // namespace
 
 MeshExtent extent_of(const Mesh& mesh) {
-    MeshExtent extent{.ball = ball_around(mesh.positions), .detail = {}, .longest = 0};
+    MeshExtent extent{.ball = ball_around(mesh.positions), .box = {}, .detail = {}, .longest = 0};
+    extent.box.add(mesh, glm::dmat4(1));
     std::vector<float> longest;
     longest.reserve(mesh.triangles.size());
     for (const glm::uvec3& t : mesh.triangles) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "geometry/ball.hpp"
+#include "geometry/box.hpp"
 #include "geometry/mesh.hpp"
 
 namespace nicol {
@@ -14,6 +15,7 @@ namespace nicol {
 /// Sizes of a mesh and of its triangles.
 struct MeshExtent {
     Ball ball;          ///< ball around the mesh
+    Box box;            ///< box around the mesh
     Ball detail;        ///< ball around the triangles far smaller than the largest; `ball` if there are none
     float longest = 0;  ///< length of the longest edge
     bool operator==(const MeshExtent&) const = default;

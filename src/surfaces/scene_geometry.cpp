@@ -21,6 +21,8 @@ namespace {
 
 // Triangles of a batch of blockers that ends.
 constexpr std::size_t kBatch = 4096;
+// Most bounds of other instances that a change lists.
+constexpr std::size_t kMostBounds = 16384;
 
 void append_triangles(const Mesh& mesh, bool flipped, std::size_t first, std::vector<glm::uvec3>& triangles) {
     const auto offset = static_cast<std::uint32_t>(first);
@@ -251,7 +253,22 @@ void SceneGeometry::find_blockers() {
     }
 }
 
+SceneGeometry::Bounds SceneGeometry::others(const std::vector<Piece>& pieces, const Piece& piece,
+                                            const glm::dvec3& shift) {
+    Bounds out;
+    for (const Piece& other : pieces) {
+        if (&other == &piece || !other.blocks() || other.extent.box.empty()) continue;
+        const Ball& ball = other.extent.ball;
+        const Box& box = other.extent.box;
+        out.balls.push_back({.centre = ball.centre + glm::vec3(shift), .radius = ball.radius});
+        out.boxes.push_back({.lower = box.lower + shift, .upper = box.upper + shift});
+    }
+    return out;
+}
+
 void SceneGeometry::follow_pieces(const std::vector<Piece>& pieces, Change& change) const {
+    const auto moves = std::ranges::count(pieces, kNone, &Piece::former);
+    const bool few = static_cast<std::size_t>(moves) * (pieces.size() + pieces_.size()) <= kMostBounds;
     for (const Piece& piece : pieces) {
         const bool moved = piece.former == kNone;
         const std::size_t number = moved ? piece.elsewhere : piece.former;
@@ -259,10 +276,15 @@ void SceneGeometry::follow_pieces(const std::vector<Piece>& pieces, Change& chan
         const Piece& former = pieces_[number];
         if (moved) {
             if (piece.divided || former.divided || piece.mirrored() != former.mirrored()) continue;
-            change.moved.push_back(
-                {.vertices = {.first = piece.first, .last = piece.last, .before = former.first},
-                 .rotation = rotation_between(former.placement, piece.placement),
-                 .deformed = former.mesh != piece.mesh});
+            MovedRun& run = change.moved.emplace_back(
+                MovedRun{.vertices = {.first = piece.first, .last = piece.last, .before = former.first},
+                         .rotation = rotation_between(former.placement, piece.placement),
+                         .deformed = former.mesh != piece.mesh,
+                         .others = {},
+                         .shift = glm::dvec3(piece.placement[3] - former.placement[3])});
+            if (few && !run.deformed && run.rotation == glm::dmat3(1.0)) {
+                run.others = {others(pieces, piece, glm::dvec3(0)), others(pieces_, former, run.shift)};
+            }
         }
         change.triangles.push_back({.first = piece.first_triangle,
                                     .last = piece.first_triangle + piece.triangles(),

@@ -2,11 +2,13 @@
 // A scene's surfaces, and the parts of them that a change keeps.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/matrix.hpp>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -63,11 +65,20 @@ public:
     /// version has the same `placed` and `batch`, and the same triangles and positions, as then.
     [[nodiscard]] const std::vector<Blocker>& blockers() const noexcept { return blockers_; }
 
+    /// Bounds of instances.
+    struct Bounds {
+        std::vector<Ball> balls;
+        std::vector<Box> boxes;
+    };
     /// Vertices of an instance that has moved or has another mesh of the same triangles.
     struct MovedRun {
         VertexRun vertices;
         glm::dmat3 rotation;  ///< rotation in its motion
         bool deformed;        ///< whether the mesh is another one, so that normals have turned one by one
+        /// Bounds of all other instances that block light, if the instance was only shifted: where they are,
+        /// and where they were, shifted with the instance. Empty if that would be too many.
+        std::optional<std::array<Bounds, 2>> others;
+        glm::dvec3 shift{0};  ///< of such an instance
     };
 
     /// Change from the previous version to the current one.
@@ -126,6 +137,9 @@ private:
     void find_blockers();
     // Adds the moved instances to a change, and the triangles of kept and moved ones.
     void follow_pieces(const std::vector<Piece>& pieces, Change& change) const;
+    // Returns the bounds of all pieces but one that block light, shifted.
+    [[nodiscard]] static Bounds others(const std::vector<Piece>& pieces, const Piece& piece,
+                                       const glm::dvec3& shift);
     void set_materials(const Scene& scene);
     void set_corners();
 

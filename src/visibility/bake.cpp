@@ -8,6 +8,7 @@
 #include <atomic>
 #include <cmath>
 #include <cstdint>
+#include <deque>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 #include <optional>
@@ -52,18 +53,49 @@ std::vector<glm::vec3> unit_normals(std::span<const glm::vec3> normals) {
 // Place in the list of a former bake for vertices that were not in it.
 constexpr std::size_t kNone = ~std::size_t{0};
 
-std::vector<std::size_t> places_before(const FormerBake& former, std::size_t vertices) {
-    std::vector<std::size_t> places(vertices, kNone);
-    for (const VertexRun& run : former.kept) {
+/// Vertices of a former bake, and their rays whose result may differ.
+class KnownRays {
+public:
+    KnownRays(const FormerBake& former, const DirectionSet& directions, std::size_t vertices)
+        : former_(former), places_(vertices, kNone), disturbed_of_(vertices, 0) {
+        disturbed_.emplace_back(directions, former.disturbances);
+        for (const VertexRun& run : former.kept) add(run);
+        for (const ShiftedObject& shifted : former.shifted) {
+            disturbed_.emplace_back(directions, shifted.others);
+            add(shifted.vertices);
+        }
+    }
+
+    [[nodiscard]] bool knows(std::size_t v) const { return places_[v] != kNone; }
+    [[nodiscard]] std::size_t known() const {
+        return places_.size() - static_cast<std::size_t>(std::ranges::count(places_, kNone));
+    }
+    /// Returns the former bits of a known vertex. bundles: room for its disturbed rays.
+    [[nodiscard]] FormerBits of(std::size_t v, const glm::vec3& origin, const glm::vec3& normal,
+                                DisturbedBundles& bundles) const {
+        disturbed_[disturbed_of_[v]].find(origin, normal, bundles);
+        return {.bits = former_.visibility.at(places_[v]), .disturbed = &bundles};
+    }
+
+private:
+    // Adds a run whose rays disturbed_.back() finds.
+    void add(const VertexRun& run) {
         const std::size_t there = run.last - std::min(run.first, run.last) + run.before;
-        if (run.first > run.last || run.last > vertices || there > former.visibility.vertices()) {
+        if (run.first > run.last || run.last > places_.size() || there > former_.visibility.vertices()) {
             refuse("vertices " + std::to_string(run.first) + " to " + std::to_string(run.last) +
                    " are not all in both bakes");
         }
-        for (std::size_t v = run.first; v < run.last; ++v) places[v] = run.before + (v - run.first);
+        for (std::size_t v = run.first; v < run.last; ++v) {
+            places_[v] = run.before + (v - run.first);
+            disturbed_of_[v] = static_cast<std::uint32_t>(disturbed_.size() - 1);
+        }
     }
-    return places;
-}
+
+    const FormerBake& former_;
+    std::vector<std::size_t> places_;  // index in the former bake, or kNone
+    std::deque<DisturbedRays> disturbed_;
+    std::vector<std::uint32_t> disturbed_of_;
+};
 
 }  // namespace
 
@@ -96,13 +128,9 @@ Visibility bake(const BakeGeometry& geometry, const DirectionSet& directions, co
     const Stopwatch building;
     const BakeRays scene = rays_of(geometry);
     const std::vector<glm::vec3> origins = bake_origins(geometry, normals);
-    std::vector<std::size_t> before;
-    std::optional<DisturbedRays> disturbed;
-    if (former != nullptr) {
-        before = places_before(*former, vertices);
-        disturbed.emplace(directions, former->disturbances);
-    }
-    const bool few = kFew * static_cast<std::size_t>(std::ranges::count(before, kNone)) < before.size();
+    std::optional<KnownRays> known_rays;
+    if (former != nullptr) known_rays.emplace(*former, directions, vertices);
+    const bool few = known_rays && kFew * (vertices - known_rays->known()) < vertices;
     const bool spare = !geometry.every_ray && !few;
     const PossibleBlockers blockers(geometry, directions, spare);
     const AgreeingNeighbours agreeing(geometry, normals, spare);
@@ -119,9 +147,8 @@ Visibility bake(const BakeGeometry& geometry, const DirectionSet& directions, co
         std::vector<FlatBlockers::Cone> faces;
     };
     const auto trace = [&](std::uint32_t v, Scratch& scratch) -> RayCounts {
-        if (former != nullptr && before[v] != kNone) {
-            disturbed->find(origins[v], normals[v], scratch.bundles);
-            const FormerBits known{.bits = former->visibility.at(before[v]), .disturbed = &scratch.bundles};
+        if (known_rays && known_rays->knows(v)) {
+            const FormerBits known = known_rays->of(v, origins[v], normals[v], scratch.bundles);
             blockers.flat().find(origins[v], normals[v], scratch.faces);
             return trace_vertex(scene, directions, origins[v], normals[v], v, known, scratch.faces,
                                 visibility);

@@ -59,12 +59,21 @@ struct VertexRun {
     std::size_t before;
 };
 
+/// Object that was shifted since an earlier state, and did not change otherwise.
+struct ShiftedObject {
+    VertexRun vertices;
+    glm::dvec3 shift{0};
+    /// All other objects: where they are, and where they were, as seen from the object.
+    Disturbances others;
+};
+
 /// Result of an earlier bake in the same directions, and the surfaces that were added, removed or moved
 /// since.
 struct FormerBake {
     const Visibility& visibility;
     std::span<const VertexRun> kept;  ///< runs of vertices that have not moved
     Disturbances disturbances;
+    std::span<const ShiftedObject> shifted = {};
 };
 
 /// Receives the fraction done, 0 to 1, on the calling thread, several times a second. An exception that it

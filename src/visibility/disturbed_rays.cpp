@@ -10,6 +10,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 
+#include "visibility/ray_boxes.hpp"
 #include "visibility/ray_cones.hpp"
 
 namespace nicol {
@@ -65,6 +66,7 @@ std::size_t cell_of(const glm::vec3& direction) {
 struct DisturbedRays::Node {
     Ball ball;
     std::uint32_t children = 0;  // 0: the ball is a given one
+    std::uint32_t number = 0;    // of a given ball
 };
 
 namespace {
@@ -73,24 +75,28 @@ template <class Node>
 std::vector<Node> tree_of(std::span<const Ball> balls) {
     std::vector<Node> tree;
     if (balls.empty()) return tree;
-    std::vector<Ball> sorted(balls.begin(), balls.end());
+    std::vector<Node> sorted;
+    sorted.reserve(balls.size());
+    for (const Ball& ball : balls)
+        sorted.push_back({.ball = ball, .number = static_cast<std::uint32_t>(sorted.size())});
     const auto build = [&](const auto& self, std::size_t place, std::size_t first, std::size_t last) -> void {
         if (last - first == 1) {
-            tree[place] = {.ball = sorted[first]};
+            tree[place] = sorted[first];
             return;
         }
-        glm::vec3 least = sorted[first].centre;
+        glm::vec3 least = sorted[first].ball.centre;
         glm::vec3 most = least;
         for (std::size_t i = first; i < last; ++i) {
-            least = glm::min(least, sorted[i].centre);
-            most = glm::max(most, sorted[i].centre);
+            least = glm::min(least, sorted[i].ball.centre);
+            most = glm::max(most, sorted[i].ball.centre);
         }
         const glm::vec3 size = most - least;
         const glm::length_t axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
         const std::size_t middle = (first + last) / 2;
         const auto at = [&](std::size_t i) { return sorted.begin() + static_cast<std::ptrdiff_t>(i); };
-        std::nth_element(at(first), at(middle), at(last),
-                         [axis](const Ball& a, const Ball& b) { return a.centre[axis] < b.centre[axis]; });
+        std::nth_element(at(first), at(middle), at(last), [axis](const Node& a, const Node& b) {
+            return a.ball.centre[axis] < b.ball.centre[axis];
+        });
         const std::size_t children = tree.size();
         tree.resize(children + 2);
         self(self, children, first, middle);
@@ -107,13 +113,13 @@ std::vector<Node> tree_of(std::span<const Ball> balls) {
 
 class DisturbedRays::Finder {
 public:
-    Finder(const DirectionSet& directions, bool many) : cones_(directions) {
+    Finder(const DirectionSet& directions, bool many) : directions_(directions), cones_(directions) {
         if (many) make_masks();
     }
 
-    // Adds the rays that may meet balls of a tree.
-    void mark(const std::vector<Node>& tree, const glm::vec3& origin, const glm::vec3& normal,
-              std::vector<std::uint16_t>& bits) const {
+    // Adds the rays that may meet balls of a tree. boxes: by number of a ball, or empty.
+    void mark(const std::vector<Node>& tree, std::span<const Box> boxes, const glm::vec3& origin,
+              const glm::vec3& normal, std::vector<std::uint16_t>& bits) const {
         if (tree.empty()) return;
         std::array<std::uint32_t, 64> stack{};  // a balanced tree of 2^32 balls is no deeper
         std::size_t left = 1;
@@ -128,7 +134,11 @@ public:
                 stack[left++] = node.children + 1;
                 continue;
             }
-            if (!(radius < distance)) return bits.assign(bits.size(), 0xFFFF);
+            if (!(radius < distance)) {
+                if (boxes.empty()) return bits.assign(bits.size(), 0xFFFF);
+                add_rays_to_box(directions_, origin, boxes[node.number], bits);
+                continue;
+            }
             const float sine = radius / distance;
             if (!masks_.empty() && sine <= kSmall)
                 add_mask(to, sine, bits);
@@ -171,6 +181,7 @@ private:
         for (std::size_t b = 0; b < bits.size(); ++b) bits[b] = static_cast<std::uint16_t>(bits[b] | mask[b]);
     }
 
+    const DirectionSet& directions_;
     RayCones cones_;
     std::vector<std::uint16_t> masks_;  // [cell][sine][bundle]; empty: there are few balls
 };
@@ -179,18 +190,21 @@ DisturbedRays::DisturbedRays(const DirectionSet& directions, const Disturbances&
     : finder_(std::make_unique<const Finder>(
           directions, disturbances.added.size() + disturbances.removed.size() >= kManyBalls)),
       added_(tree_of<Node>(disturbances.added)),
-      removed_(tree_of<Node>(disturbances.removed)) {}
+      removed_(tree_of<Node>(disturbances.removed)),
+      added_boxes_(disturbances.added_boxes.begin(), disturbances.added_boxes.end()),
+      removed_boxes_(disturbances.removed_boxes.begin(), disturbances.removed_boxes.end()) {}
 
 DisturbedRays::~DisturbedRays() = default;
 
 bool DisturbedRays::find(const glm::vec3& origin, const glm::vec3& normal, DisturbedBundles& bundles) const {
-    const auto mark = [&](const std::vector<Node>& tree, std::vector<std::uint16_t>& bits) {
+    const auto mark = [&](const std::vector<Node>& tree, const std::vector<Box>& boxes,
+                          std::vector<std::uint16_t>& bits) {
         bits.assign(finder_->bundles(), 0);
-        finder_->mark(tree, origin, normal, bits);
+        finder_->mark(tree, boxes, origin, normal, bits);
         return std::ranges::any_of(bits, [](std::uint16_t some) { return some != 0; });
     };
-    const bool closes = mark(added_, bundles.may_close);
-    const bool opens = mark(removed_, bundles.may_open);
+    const bool closes = mark(added_, added_boxes_, bundles.may_close);
+    const bool opens = mark(removed_, removed_boxes_, bundles.may_open);
     return closes || opens;
 }
 

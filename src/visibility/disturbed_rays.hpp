@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "geometry/ball.hpp"
+#include "geometry/box.hpp"
 #include "visibility/visibility_directions.hpp"
 
 namespace nicol {
@@ -17,6 +18,8 @@ namespace nicol {
 struct Disturbances {
     std::span<const Ball> added;    ///< balls that together contain all added triangles
     std::span<const Ball> removed;  ///< balls that together contain all removed triangles
+    /// Boxes of the objects in the balls, for points inside a ball; empty: they are not known.
+    std::span<const Box> added_boxes = {}, removed_boxes = {};
 };
 
 /// Rays from one point, by bundle; bit i is that of the bundle's ray i.
@@ -43,6 +46,7 @@ private:
     struct Node;
     std::unique_ptr<const Finder> finder_;
     std::vector<Node> added_, removed_;  // trees of balls
+    std::vector<Box> added_boxes_, removed_boxes_;
 };
 
 }  // namespace nicol

@@ -12,24 +12,42 @@ PointTracer::PointTracer(const BakeGeometry& geometry, const DirectionSet& direc
       rays_(rays_of(geometry)),
       blockers_(geometry, directions, former == nullptr && !geometry.every_ray),
       light_(directions) {
-    if (former != nullptr) disturbed_.emplace(directions, former->disturbances);
+    if (former == nullptr) return;
+    disturbed_.emplace(directions, former->disturbances);
+    for (const ShiftedObject& object : former->shifted) beside_.emplace_back(directions, object.others);
+    if (!former->shifted.empty()) nearby_ = NearbyPoints(former->points);
 }
 
-RayCounts PointTracer::trace(const glm::vec3& origin, const glm::vec3& normal, std::span<const Seeing> ends,
-                             std::size_t i, Visibility& seen, glm::vec4& hides) const {
+std::optional<PointTracer::Former> PointTracer::find(const Point& at) const {
+    if (former_ == nullptr) return std::nullopt;
+    if (const auto point = former_->points.find(at.origin, at.normal))
+        return Former{.point = *point, .disturbed = &*disturbed_};
+    for (std::size_t i = 0; i < beside_.size(); ++i) {
+        const ShiftedObject& object = former_->shifted[i];
+        if (at.given < object.vertices.first || at.given >= object.vertices.last) continue;
+        const glm::vec3 before(glm::dvec3(at.origin) - object.shift);
+        if (const auto point = nearby_.find(former_->points, before, at.normal))
+            return Former{.point = *point, .disturbed = &beside_[i]};
+    }
+    return std::nullopt;
+}
+
+RayCounts PointTracer::trace(const Point& at, std::span<const Seeing> ends, std::size_t i, Visibility& seen,
+                             glm::vec4& hides) const {
+    const glm::vec3& origin = at.origin;
+    const glm::vec3& normal = at.normal;
     DisturbedBundles bundles;
     Agreement agreement;
     std::optional<FormerBits> known;
-    std::optional<std::size_t> point;
-    if (former_ != nullptr) point = former_->points.find(origin, normal);
+    const std::optional<Former> point = find(at);
     if (point) {
-        if (!disturbed_->find(origin, normal, bundles)) {
-            std::ranges::copy(former_->points.bits(*point), seen.at(i).begin());
-            seen.set_unoccluded(i, former_->points.unoccluded(*point));
-            hides = former_->points.hidden(*point);
+        if (!point->disturbed->find(origin, normal, bundles)) {
+            std::ranges::copy(former_->points.bits(point->point), seen.at(i).begin());
+            seen.set_unoccluded(i, former_->points.unoccluded(point->point));
+            hides = former_->points.hidden(point->point);
             return {};
         }
-        known = {.bits = former_->points.bits(*point), .disturbed = &bundles};
+        known = {.bits = former_->points.bits(point->point), .disturbed = &bundles};
     } else if (!ends.empty()) {
         agreement.find(ends, ends.size(), directions_, normal, i);
         known = {.bits = agreement.bits, .disturbed = &agreement.traced};

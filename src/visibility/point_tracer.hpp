@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <deque>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <memory>
@@ -14,6 +15,7 @@
 #include "visibility/bake.hpp"
 #include "visibility/disturbed_rays.hpp"
 #include "visibility/hidden_light.hpp"
+#include "visibility/nearby_points.hpp"
 #include "visibility/possible_blockers.hpp"
 #include "visibility/refine.hpp"
 #include "visibility/vertex_rays.hpp"
@@ -28,16 +30,31 @@ public:
     [[nodiscard]] const RayScene& scene() const noexcept { return *rays_.blockers; }
     [[nodiscard]] const HiddenLight& light() const noexcept { return light_; }
 
+    /// Point between two vertices.
+    struct Point {
+        glm::vec3 origin;   ///< of its rays
+        glm::vec3 normal;   ///< unit
+        std::size_t given;  ///< vertex before refinement of the object that the point belongs to
+    };
     /// Sets row i of `seen`, whose bits must be 0, and `hides`, the HiddenLight. Takes from the former
     /// refinement what is the same there. ends: the ends of an edge so short that its middle sees what both
     /// see, but for a sample of rays that differ; empty: all rays are traced. Calls may run side by side.
-    RayCounts trace(const glm::vec3& origin, const glm::vec3& normal, std::span<const Seeing> ends,
-                    std::size_t i, Visibility& seen, glm::vec4& hides) const;
+    RayCounts trace(const Point& at, std::span<const Seeing> ends, std::size_t i, Visibility& seen,
+                    glm::vec4& hides) const;
 
 private:
+    // Point of the former refinement that has the visibility of a point, but for its disturbed rays.
+    struct Former {
+        std::size_t point;
+        const DisturbedRays* disturbed;
+    };
+    [[nodiscard]] std::optional<Former> find(const Point& at) const;
+
     const DirectionSet& directions_;
     const FormerRefinement* const former_;
     std::optional<DisturbedRays> disturbed_;  // set if there is a former refinement
+    std::deque<DisturbedRays> beside_;        // of its shifted objects
+    NearbyPoints nearby_;                     // its points, if there are shifted objects
     const BakeRays rays_;
     PossibleBlockers blockers_;
     HiddenLight light_;

@@ -44,6 +44,7 @@ struct Refinement {
 struct FormerRefinement {
     const TracedPoints& points;
     Disturbances disturbances;
+    std::span<const ShiftedObject> shifted = {};  ///< by their vertices, ascending
 };
 
 /// Splits triangles of a baked geometry until the hidden irradiance is linear between vertices within the

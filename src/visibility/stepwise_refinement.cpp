@@ -215,7 +215,8 @@ private:
             normals[i] = unit(middle_normal(a, b));
             origins[i] = 0.5F * mesh_.positions()[a] + 0.5F * mesh_.positions()[b] + middle_shift(a, b);
             const RayCounts of_point =
-                tracer_.trace(origins[i], normals[i], ends_of(a, b), i, seen, hides[i]);
+                tracer_.trace({.origin = origins[i], .normal = normals[i], .given = given_of(a)},
+                              ends_of(a, b), i, seen, hides[i]);
             rays_ += of_point.traced;
             skipped_ += of_point.skipped;
             traced_ += of_point.traced + of_point.skipped > 0 ? 1 : 0;
@@ -223,6 +224,12 @@ private:
         next_ += count;
         hidden_.insert(hidden_.end(), hides.begin(), hides.end());
         points_.add(origins, normals, seen, hides);
+    }
+
+    // Returns a vertex before refinement of the same object.
+    [[nodiscard]] std::size_t given_of(std::uint32_t v) const {
+        while (v >= baked_.vertices()) v = mesh_.parents()[v - baked_.vertices()].x;
+        return v;
     }
 
     // Returns what the ends of an edge see that rays through its middle may be spared for; nothing for all.

@@ -27,6 +27,8 @@ public:
     /// point has the same hash.
     [[nodiscard]] std::optional<std::size_t> find(const glm::vec3& origin, const glm::vec3& normal) const;
 
+    [[nodiscard]] const glm::vec3& origin(std::size_t point) const { return origins_[point]; }
+    [[nodiscard]] const glm::vec3& normal(std::size_t point) const { return normals_[point]; }
     /// Returns the bits of a point, as Visibility::at().
     [[nodiscard]] std::span<const std::uint64_t> bits(std::size_t point) const {
         return std::span(bits_).subspan(point * words_, words_);

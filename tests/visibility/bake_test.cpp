@@ -197,6 +197,49 @@ TEST_CASE("a hole lets the environment in, and faces that are there twice make n
     }
 }
 
+TEST_CASE("a shifted object is traced only towards other objects, and sees what a new bake says") {
+    // The object hides parts of itself; the floor is flat and wide, a pillar stands at each side.
+    Mesh object = placed(make_cube(2), 0.3, {0, 0, 2});
+    append(object, placed(make_cone(false), 0.4, {1.5, 0, 1}));
+    const std::array others{placed(make_rectangle(8), 6, {0, 0, 0}), placed(make_cube(2), 0.5, {4, 0, 1}),
+                            placed(make_cube(2), 0.5, {-4, 1, 1})};
+    const auto scene = [&](const glm::dvec3& shift) {
+        Mesh all = placed(object, 1, shift);
+        for (const Mesh& other : others) append(all, other);
+        return all;
+    };
+    std::vector<Ball> balls, balls_before;
+    std::vector<Box> boxes, boxes_before;
+    const glm::dvec3 shift(0.35, -0.2, 0.1);
+    for (const Mesh& other : others) {
+        for (const bool before : {false, true}) {
+            const Mesh seen = placed(other, 1, before ? shift : glm::dvec3(0));
+            (before ? balls_before : balls).push_back(ball_around(seen.positions));
+            (before ? boxes_before : boxes).emplace_back().add(seen, glm::dmat4(1));
+        }
+    }
+    const std::size_t own = object.positions.size();
+    const Mesh before = scene(glm::dvec3(0)), now = scene(shift);
+    const std::vector<Ball> removed{ball_around(std::span(before.positions).first(own))};
+    const std::vector<Ball> added{ball_around(std::span(now.positions).first(own))};
+    const VertexRun rest{.first = own, .last = now.positions.size(), .before = own};
+    const ShiftedObject shifted{.vertices = {.first = 0, .last = own, .before = 0},
+                                .shift = shift,
+                                .others = {balls, balls_before, boxes, boxes_before}};
+    const DirectionSet directions(1024);
+    const Visibility first = bake(geometry_of(before), directions);
+    BakeGeometry geometry = geometry_of(now);
+    BakeStatistics kept, anew;
+    FormerBake former{.visibility = first, .kept = {&rest, 1}, .disturbances = {added, removed}};
+    geometry.every_ray = true;
+    const Visibility truth = bake(geometry, directions, {}, &anew, &former);
+    former.shifted = {&shifted, 1};
+    const Visibility moved = bake(geometry, directions, {}, &kept, &former);
+    CHECK(std::ranges::equal(moved.bits(), truth.bits()));
+    CHECK(std::ranges::equal(moved.unoccluded(), truth.unoccluded()));
+    CHECK(kept.rays < anew.rays / 2);
+}
+
 TEST_CASE("the result does not depend on the number of threads or the length of normals") {
     Mesh scene = make_sphere({0, 0, 1.5}, 1);
     append(scene, placed(make_rectangle(16), 3, glm::dvec3(0)));

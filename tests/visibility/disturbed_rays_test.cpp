@@ -63,6 +63,43 @@ TEST_CASE("every ray that meets a ball is found, and few others") {
     }
 }
 
+TEST_CASE("a point inside a ball finds the rays that meet the ball's box, and few others") {
+    std::mt19937 random(6);
+    std::uniform_real_distribution<double> coordinate(-3, 3), size(0, 2);
+    const DirectionSet directions(1024);
+    std::size_t found = 0, met = 0;
+    for (int turn = 0; turn < 40; ++turn) {
+        Box box;
+        for (glm::length_t k = 0; k < 3; ++k) {
+            box.lower[k] = coordinate(random);
+            // Some boxes are flat.
+            box.upper[k] = box.lower[k] + (turn % 4 == k ? 0.0 : size(random));
+        }
+        const std::vector<Box> boxes{box};
+        const std::vector<Ball> balls{{.centre = glm::vec3(0), .radius = 20}};
+        const DisturbedRays rays(directions, {.added = balls, .removed = {}, .added_boxes = boxes});
+        DisturbedBundles bundles;
+        rays.find(glm::vec3(0), random_unit(random), bundles);
+        for (std::size_t i = 0; i < directions.size(); ++i) {
+            const glm::dvec3 direction(directions.directions()[i]);
+            double first = 0, last = 1e9;
+            for (glm::length_t k = 0; k < 3; ++k) {
+                const auto [near, far] =
+                    std::minmax(box.lower[k] / direction[k], box.upper[k] / direction[k]);
+                first = std::max(first, near);
+                last = std::min(last, far);
+            }
+            const bool closes = (bundles.may_close[i / 16] >> (i % 16) & 1) != 0;
+            CHECK((closes || first > last));
+            found += closes ? 1 : 0;
+            met += first <= last ? 1 : 0;
+        }
+    }
+    CAPTURES(found, met);
+    CHECK(met > 200);
+    CHECK(found < met + met / 50 + 20);
+}
+
 TEST_CASE("a point inside a ball disturbs all rays, and nothing disturbs none") {
     const DirectionSet directions(256);
     DisturbedBundles bundles;
