@@ -49,7 +49,7 @@ public:
 private:
     ResponseTables tables_, not_smooth_, not_followed_;
     // Inputs: order, kind of the light.
-    VertexStage<int, LightKind> baking_{{.renumbers = true}};
+    VertexStage<int, LightKind> baking_{{.renumbers = true, .turns = true}};
     Versioned<std::optional<VisibilityProduct>> shadows_;
     Bounces bounces_;
     // Inputs: executor, light, bounced light, whether pixels are shaded.

@@ -78,7 +78,7 @@ private:
     Stage<Version, Version> filtering_;
     std::optional<HighOrderLight> light_;
 
-    VertexStage<int> expanding_{{.renumbers = true}};  // order
+    VertexStage<int> expanding_{{.renumbers = true, .turns = true}};  // order
     Versioned<VisibilityBlocks> visibility_;
 };
 

@@ -261,7 +261,8 @@ RenderOptions Pipeline::choose_orders(const Scene& scene, const Projection& proj
         return chosen;
     }
     ShadowError::Seen seen;
-    run.workers.run([&] { seen = shadow_error_.of(visibility_.state(), projection); });
+    run.workers.run(
+        [&] { seen = shadow_error_.of(visibility_.state(), visibility_.pending() == 0, projection); });
     run.statistics.shadow_error = seen.error;
     predicted_.add_relative(seen.error);
     const bool predicted =

@@ -7,11 +7,10 @@
 #include <atomic>
 #include <glm/geometric.hpp>
 #include <numeric>
-#include <unordered_map>
 #include <utility>
 
-#include "geometry/position_hash.hpp"
 #include "render/bake_order.hpp"
+#include "render/paired_vertices.hpp"
 #include "surfaces/carried_refinement.hpp"
 #include "visibility/turned_directions.hpp"
 #include "visibility/vertex_rays.hpp"
@@ -41,6 +40,8 @@ void ProgressiveBake::begin(Baked given) {
     waits_.assign(visible_.vertices(), 0);
     for (std::size_t v = 0; v < given.baked.size(); ++v)
         if (given.baked[v] == 0) states_[v] = 0;
+    lagging_.assign(given.lagging.begin(), given.lagging.end());
+    used_normals_.reset(given.normals);
     finished_ = given.baked.empty() && given.fine;
     pending_ = finished_ ? 0 : states_.size();
 }
@@ -56,6 +57,7 @@ void ProgressiveBake::follow(const Input& input) {
     if (same_scene) {
         former_.resize(visible_.vertices());
         std::iota(former_.begin(), former_.end(), 0U);
+        same_normals_.assign(former_.size(), 1);
         if (!same_refinement) {
             refinement_.reset();
             finished_ = false;
@@ -65,8 +67,13 @@ void ProgressiveBake::follow(const Input& input) {
         follow_geometry(input);
         find_order(input);
     }
+    for (std::uint32_t& before : former_)
+        if (!lagging_.empty() && before != kNoVertex && lagging_[before] != 0) before = kNoVertex;
+    any_changed_ = any_changed_ || !lagging_.empty();
+    lagging_.clear();
     if (std::exchange(unpublished_, true)) {
         std::ranges::fill(former_, kNoVertex);
+        used_normals_.reset(geometry(input).normals);
         any_changed_ = true;
     }
 }
@@ -168,17 +175,22 @@ void ProgressiveBake::take_over(const Input& input, std::span<const std::uint32_
         if (moved[i] == kNoVertex) return;
         states_[v] = 0;
         const std::uint32_t turn = turned_of[moved[i]];
-        if (turn != kNoVertex || runs[moved[i]].deformed) former_[v] = kNoVertex;  // its normal has turned
         if (turn == kNoVertex) return;
+        former_[v] = kNoVertex;  // its normal has turned
         if (unoccluded_[v] != 0) return;
         const std::vector<std::uint64_t> unturned(bits.begin(), bits.end());
         turned[turn].turn(unturned, bits);
     });
+    const auto deformed = [&](std::uint32_t v) {
+        const std::uint32_t run = moved[numbers_.source(v)];
+        return run != kNoVertex && runs[run].deformed;
+    };
+    same_normals_ = used_normals_.follow(geometry(input).normals, former_, deformed);
     pending_ = vertices;
 }
 
 void ProgressiveBake::find_order(const Input& input) {
-    const WorldGeometry& geometry = refined_ ? *refined_ : input.surfaces.geometry();
+    const WorldGeometry& geometry = this->geometry(input);
     std::vector<float> parts(states_.size(), 1.0F);
     const Disturbances change = last_.disturbances();
     tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t v) {
@@ -210,7 +222,7 @@ void ProgressiveBake::find_origins(const Input& input) {
 void ProgressiveBake::trace(const Input& input, std::span<const std::uint32_t> vertices,
                             const DisturbedRays& since_last, const DisturbedRays& since_all,
                             BakeStatistics& statistics) {
-    const WorldGeometry& geometry = refined_ ? *refined_ : input.surfaces.geometry();
+    const WorldGeometry& geometry = this->geometry(input);
     std::atomic<std::uint64_t> rays = 0, traced = 0, changed = 0;
     tbb::parallel_for(std::size_t{0}, vertices.size(), [&](std::size_t i) {
         const std::uint32_t v = vertices[i];
@@ -245,8 +257,9 @@ void ProgressiveBake::trace(const Input& input, std::span<const std::uint32_t> v
         rays += count;
         traced += count > 0 ? 1 : 0;
         const bool same = was_unoccluded ? visible_.unoccluded(v) : std::ranges::equal(before, bits);
-        if (same) return;
+        if (same && !used_normals_.turned(v, geometry.normals[v])) return;
         former_[v] = kNoVertex;
+        used_normals_.use(v, geometry.normals[v]);
         ++changed;
     });
     statistics.rays += rays;
@@ -346,31 +359,18 @@ void ProgressiveBake::end_refinement(const Input& input, Refinement next) {
     next.visibility = {};
     next.points = {};
     topology_ = std::move(next);
-    // Added vertices are paired by position, normal and visibility.
-    std::vector<std::uint32_t> before(visible_.vertices(), kNoVertex);
-    for (std::size_t i = 0; i < given_; ++i) before[numbers_.number(i)] = numbers_before.number(i);
-    std::unordered_map<std::size_t, std::uint32_t> added;
-    const auto hash = [](const WorldGeometry& geometry, std::uint32_t v) {
-        return geometry::hash_of(geometry.positions[v], geometry.normals[v]);
-    };
-    for (std::size_t i = given_; i < given_ + added_before; ++i)
-        added.try_emplace(hash(*refined_before, numbers_before.number(i)), numbers_before.number(i));
-    for (std::size_t i = given_; i < given_ + topology_.parents.size(); ++i) {
-        const std::uint32_t v = numbers_.number(i);
-        const auto found = added.find(hash(*refined_, v));
-        if (found == added.end()) continue;
-        const std::uint32_t w = found->second;
-        if (refined_before->positions[w] == refined_->positions[v] &&
-            refined_before->normals[w] == refined_->normals[v] &&
-            std::ranges::equal(last.at(w), std::as_const(visible_).at(v)))
-            before[v] = w;
-    }
+    const std::vector<std::uint32_t> before =
+        paired_vertices(given_, {refined_before.get(), numbers_before, added_before, last},
+                        {refined_.get(), numbers_, topology_.parents.size(), visible_});
     former_.assign(visible_.vertices(), kNoVertex);
+    const std::vector<std::uint8_t> same_normals = std::exchange(same_normals_, {});
+    same_normals_.assign(visible_.vertices(), 1);
     for (std::uint32_t v = 0; v < former_.size(); ++v) {
-        if (numbers_.is_copy(v) && before[v - 1] != kNoVertex)
-            before[v] = numbers_before.next_copy(before[v - 1]);
-        if (before[v] != kNoVertex) former_[v] = former[before[v]];
+        if (before[v] == kNoVertex) continue;
+        former_[v] = former[before[v]];
+        same_normals_[v] = same_normals[before[v]];
     }
+    used_normals_.reset(geometry(input).normals);
     any_changed_ = true;
     unoccluded_.assign(visible_.unoccluded().begin(), visible_.unoccluded().end());
     finish(input);

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "render/used_normals.hpp"
 #include "stage/options.hpp"
 #include "stage/statistics.hpp"
 #include "stage/workers.hpp"
@@ -49,6 +50,9 @@ public:
         std::uint64_t most_vertices;
         /// 1 for each vertex that was baked; others count as unoccluded. Empty: all were.
         std::vector<std::uint8_t> baked;
+        std::span<const glm::vec3> normals;  ///< normals of the vertices
+        /// 1 for each vertex whose last light belongs to another visibility. Empty: there are none.
+        std::span<const std::uint8_t> lagging;
     };
 
     /// Begins with a bake. Vertices that it has left out are pending, and so is the refinement then.
@@ -71,8 +75,12 @@ public:
     [[nodiscard]] std::size_t bytes() const noexcept { return visible_.bytes() + points_.bytes(); }
 
     /// Returns, for each vertex, the index before follow() and advance() of a vertex with equal visibility,
-    /// or kNoVertex.
+    /// or kNoVertex. Visibility also counts as equal if it has turned a little with the vertex's normal,
+    /// until it is traced.
     [[nodiscard]] std::span<const std::uint32_t> former() const noexcept { return former_; }
+    /// Returns 0 for each vertex of an object that has deformed since then, with whose normal its visibility
+    /// has turned, else 1.
+    [[nodiscard]] std::span<const std::uint8_t> same_normals() const noexcept { return same_normals_; }
     [[nodiscard]] bool any_changed() const noexcept { return any_changed_; }
     /// Must be called once the caller has taken over former(). Otherwise, after an exception, all vertices
     /// count as changed in the next follow().
@@ -84,6 +92,9 @@ private:
                    std::span<const std::uint32_t> moved, const VertexNumbers& numbers_before);
     // Splits triangles as a refinement says. Returns the visibility of the vertices.
     Visibility split(const WorldGeometry& geometry, const Refinement& refinement);
+    [[nodiscard]] const WorldGeometry& geometry(const Input& input) const {
+        return refined_ ? *refined_ : input.surfaces.geometry();
+    }
     void find_order(const Input& input);
     void find_origins(const Input& input);
     void trace(const Input& input, std::span<const std::uint32_t> vertices, const DisturbedRays& since_last,
@@ -129,7 +140,10 @@ private:
     std::unique_ptr<FormerRefinement> former_points_;
     std::unique_ptr<StepwiseRefinement> refinement_;
 
+    std::vector<std::uint8_t> lagging_;  // Baked::lagging, until the first follow()
     std::vector<std::uint32_t> former_;
+    std::vector<std::uint8_t> same_normals_;  // see same_normals()
+    UsedNormals used_normals_;
     bool any_changed_ = false;
     bool unpublished_ = false;
     std::size_t changed_ = 0;  // vertices that the last advance() changed

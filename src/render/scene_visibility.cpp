@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "render/needed_vertices.hpp"
+#include "render/shifted_objects.hpp"
 #include "visibility/bake_cache.hpp"
 
 namespace nicol {
@@ -14,6 +15,9 @@ namespace {
 
 // Part by which the nearest vertex may come nearer before triangles that were as fine as pixels are refined.
 constexpr double kNearer = 0.01;
+// Directions, as a part of all, times the tolerance of shadows, in which a vertex may see something else than
+// before the change of a scene and keep its light.
+constexpr double kUnshown = 1.0 / 16;
 // Length in pixels of edges that are not split. Shadows are interpolated along them.
 constexpr double kPixelsOfEdge = 2;
 
@@ -68,7 +72,6 @@ void SceneVisibility::update(const SceneGeometry& surfaces, SurfaceRays& rays, b
     if (options.shadows && lit && (options.bake_budget_ms > 0 || progressive_))
         return update_progressively(surfaces, rays, views, options, workers, progress, statistics);
     const SurfaceVersions former = versions_;
-    const std::shared_ptr<const Visibility> visible_before = *visible_;
     const bool had_bake = former.visibility == visible_.version();
     const bool carried =
         options.shadows && lit && bake(surfaces, rays, needs, views, options, workers, progress, statistics);
@@ -81,18 +84,19 @@ void SceneVisibility::update(const SceneGeometry& surfaces, SurfaceRays& rays, b
     versions_ = {.geometry = surfaces_.version(), .visibility = shadowed ? visible_.version() : 0};
     if (versions_ == former) return;
     before_.reset();
-    if (former.geometry == 0 || former.geometry != surfaces_.change().before) return;
     // All vertices change if shadows appear or disappear.
-    if (shadowed ? !(had_bake && carried) : former.visibility != 0) return;
+    const bool same_shadows = shadowed ? had_bake && carried : former.visibility == 0;
+    if (former.geometry == 0 || former.geometry != surfaces_.change().before || !same_shadows)
+        return shown_.show(*visible_);
     before_ = former;
     former_ = surfaces_.change().former;
     same_places_ = surfaces_.change().same_places;
-    if (!shadowed) return;
-    for (std::size_t v = 0; v < vertices; ++v) {
-        const std::uint32_t before = former_[v];
-        if (before != kNoVertex && !std::ranges::equal((*visible_)->at(v), visible_before->at(before)))
-            former_[v] = kNoVertex;
-    }
+    same_normals_.clear();
+    if (!shadowed) return shown_.show(*visible_);
+    const bool exact = (options.disabled_optimisations & skip_rays) != 0;
+    const double negligible =
+        exact ? 0 : kUnshown * options.refine_tolerance * static_cast<double>(directions_->size());
+    workers.run([&] { shown_.follow(*visible_, former_, static_cast<std::size_t>(negligible)); });
 }
 
 void SceneVisibility::count(const SceneGeometry& surfaces, Statistics& statistics) const {
@@ -108,6 +112,7 @@ void SceneVisibility::count(const SceneGeometry& surfaces, Statistics& statistic
         statistics.vertices_unoccluded = (*visible_)->unoccluded_count() - statistics.vertices_unbaked;
         statistics.visibility_bytes = (*visible_)->bytes() + points_.bytes();
         if (*baked_ != *visible_) statistics.visibility_bytes += (*baked_)->bytes();
+        if (shown_.get() != visible_->get()) statistics.visibility_bytes += shown_.get()->bytes();
     }
 }
 
@@ -115,13 +120,16 @@ SurfaceState SceneVisibility::state() const {
     const bool shadowed = versions_.visibility != 0;
     std::optional<SurfaceChange> change;
     if (before_) {
-        change = {.before = *before_, .former = former_, .same_places = same_places_};
+        change = {.before = *before_,
+                  .former = former_,
+                  .same_places = same_places_,
+                  .same_normals = same_normals_};
     }
     return {
         .geometry = surfaces_.geometry(),
         .visibility = !shadowed      ? nullptr
                       : progressive_ ? &progressive_->visibility()
-                                     : visible_->get(),
+                                     : shown_.get(),
         .directions = shadowed ? &*directions_ : nullptr,
         .versions = versions_,
         .materials = surfaces_.material_version(),
@@ -160,7 +168,9 @@ void SceneVisibility::begin_progressively(const SceneGeometry& surfaces, const R
                              .fine = fine,
                              .tolerance = options.refine_tolerance,
                              .most_vertices = options.max_vertices,
-                             .baked = std::move(baked_vertices_)});
+                             .baked = std::move(baked_vertices_),
+                             .normals = surfaces_.geometry().normals,
+                             .lagging = shown_.lagging()});
     } else {
         versions_.visibility = 0;
     }
@@ -172,6 +182,7 @@ void SceneVisibility::begin_progressively(const SceneGeometry& surfaces, const R
     points_bake_ = 0;
     baked_.change().reset();
     visible_.change().reset();
+    shown_.show(nullptr);
     baked_geometry_ = 0;
     needed_.clear();
     wanted_.clear();
@@ -214,6 +225,7 @@ void SceneVisibility::update_progressively(const SceneGeometry& surfaces, Surfac
     before_ = former;
     former_.assign(progressive_->former().begin(), progressive_->former().end());
     same_places_.assign(vertices, 1);
+    same_normals_.assign(progressive_->same_normals().begin(), progressive_->same_normals().end());
     if (same_geometry) return;
     for (std::size_t v = 0; v < vertices; ++v)
         same_places_[v] = surfaces_.change().former[v] == former_[v] ? surfaces_.change().same_places[v] : 0;
@@ -274,9 +286,11 @@ bool SceneVisibility::bake(const SceneGeometry& surfaces, SurfaceRays& rays, Ima
                 bake_geometry(surfaces, rays, traced_of(surfaces.geometry(), needed.flags, room), options);
             Visibility visibility;
             if (carry) {
+                const std::vector<ShiftedObject> shifted = shifted_objects(change, geometry.every_ray);
                 const FormerBake former{.visibility = **baked_,
                                         .kept = change.kept,
-                                        .disturbances = {change.added, change.removed}};
+                                        .disturbances = {change.added, change.removed},
+                                        .shifted = shifted};
                 visibility = nicol::bake(geometry, *directions_, report, &baked, &former);
             } else if (rest) {
                 visibility = bake_rest(surfaces, geometry, report, baked);
@@ -365,10 +379,13 @@ Refinement SceneVisibility::refinement_of(const SceneGeometry& surfaces, const B
                                .shortest_edge = shortest_edge_,
                                .wanted = wanted_};
     FormerRefinement former{.points = points_, .disturbances = {}};
+    std::vector<ShiftedObject> shifted;
     if (points_bake_ != baked_.version()) {
         if (points_bake_ == 0 || points_bake_ != carried_)
             return load_or_refine(geometry, *directions_, visible, wanted, folder_, notice_, report, baked);
         former.disturbances = {surfaces.change().added, surfaces.change().removed};
+        shifted = shifted_objects(surfaces.change(), geometry.every_ray);
+        former.shifted = shifted;
     }
     return nicol::refine(geometry, *directions_, visible, wanted, report, baked, &former);
 }

@@ -16,6 +16,7 @@
 #include "material/response_cache.hpp"
 #include "render/needed_vertices.hpp"
 #include "render/progressive_bake.hpp"
+#include "render/shown_visibility.hpp"
 #include "stage/options.hpp"
 #include "stage/statistics.hpp"
 #include "stage/workers.hpp"
@@ -106,13 +107,14 @@ private:
     std::vector<TrianglePart> parts_;                       // triangles of refined_
     VertexNumbers numbers_;                                 // numbers of its vertices
     Versioned<std::shared_ptr<const Visibility>> visible_;  // visibility of the vertices of surfaces_
+    ShownVisibility shown_;                                 // of visible_
     RefinedSurfaces surfaces_;
     bool uses_bake_ = false;  // whether the last update() ended with the bake in the members above
 
     SurfaceVersions versions_;
     std::optional<SurfaceVersions> before_;  // versions that former_ refers to
     std::vector<std::uint32_t> former_;
-    std::vector<std::uint8_t> same_places_;
+    std::vector<std::uint8_t> same_places_, same_normals_;
 };
 
 }  // namespace nicol

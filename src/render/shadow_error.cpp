@@ -29,10 +29,11 @@ glm::vec3 gradient(const std::array<glm::vec3, 3>& corners, const std::array<flo
 
 }  // namespace
 
-ShadowError::Seen ShadowError::of(const SurfaceState& surfaces, const Projection& projection) {
+ShadowError::Seen ShadowError::of(const SurfaceState& surfaces, bool done, const Projection& projection) {
     if (surfaces.visibility == nullptr) return {};
-    measuring_.run(surfaces.versions, [&] { measure(surfaces); });
     const WorldGeometry& geometry = surfaces.geometry;
+    if (done || squares_.size() != geometry.triangles.size())
+        measuring_.run(surfaces.versions, [&] { measure(surfaces); });
     double weights = 0, error = 0, irradiance = 0;
     for_seen_triangles(geometry, projection.view, [&](std::size_t i, double solid_angle) {
         const glm::uvec3& t = geometry.triangles[i];

@@ -23,9 +23,10 @@ public:
     };
 
     /// Returns what the triangles that face the viewer say, weighted by the solid angles under which they are
-    /// seen. Runs on the threads of the calling thread's TBB arena after a change of the surfaces; later
-    /// calls examine some thousands of triangles.
-    [[nodiscard]] Seen of(const SurfaceState& surfaces, const Projection& projection);
+    /// seen. done: whether the bake of the surfaces is done; otherwise, shadows of an earlier state of the
+    /// same triangles are good enough. Runs on the threads of the calling thread's TBB arena after a change
+    /// of the surfaces; later calls examine some thousands of triangles.
+    [[nodiscard]] Seen of(const SurfaceState& surfaces, bool done, const Projection& projection);
 
 private:
     // Mean squares over a triangle.

@@ -23,9 +23,11 @@ struct SurfaceVersions {
 /// current state.
 struct SurfaceChange {
     SurfaceVersions before;
-    /// Index in the earlier state of a vertex with equal normal and visibility, or kNoVertex.
+    /// Index in the earlier state of a vertex with equal visibility, or kNoVertex.
     std::span<const std::uint32_t> former;
     std::span<const std::uint8_t> same_places;  ///< 1: that vertex has an equal position, too
+    /// 0: that vertex had another normal, with which its visibility has turned. Empty: all normals are equal.
+    std::span<const std::uint8_t> same_normals = {};
 };
 
 struct SurfaceState {

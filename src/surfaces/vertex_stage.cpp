@@ -37,6 +37,7 @@ void CurrentVertices::follow(const SurfaceChange& change) {
         if (before >= current_.size() || current_[before] == 0) continue;
         if (dependence_.on_places && change.same_places[v] == 0) continue;
         if (before != v && !dependence_.renumbers) continue;
+        if (!dependence_.turns && !change.same_normals.empty() && change.same_normals[v] == 0) continue;
         current[v] = 1;
         former_[v] = before;
         has_renumbered_ = has_renumbered_ || before != v;

@@ -42,6 +42,7 @@ protected:
         bool on_places = false;
         bool on_materials = false;
         bool renumbers = false;  ///< whether the caller moves parts of vertices whose index changes
+        bool turns = false;      ///< whether a part turns with its vertex's normal
     };
 
     explicit CurrentVertices(Dependence dependence) : dependence_(dependence) {}

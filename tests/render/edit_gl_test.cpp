@@ -102,7 +102,7 @@ IMAGE_TEST_CASE("random edits leave the image of a fresh start") {
             if (edit % 4 == 3) playground.edit();
             // A rotated light meets shadows that were kept.
             if (edit % 3 == 2) playground.rotate_light(0.4 * edit);
-            const StokesImage image = studio(playground.scene, options);
+            const StokesImage image = studio(playground.scene, tracing);
             Studio fresh(context);
             const StokesImage truth = fresh(playground.scene, tracing);
             CAPTURES(where, edit);

@@ -73,7 +73,7 @@ TEST_CASE("shadows between vertices err as the curvature of their irradiance say
                          .directions = &directions,
                          .versions = {.geometry = 1, .visibility = 1},
                          .materials = 1},
-                        projection);
+                        true, projection);
     };
     const auto linear = [](double x) { return 0.5 + 0.4 * x; };
     const auto square = [](double x) { return 0.1 + 0.8 * x * x; };
@@ -93,7 +93,7 @@ TEST_CASE("shadows between vertices err as the curvature of their irradiance say
                                                   .directions = nullptr,
                                                   .versions = {.geometry = 1, .visibility = 0},
                                                   .materials = 1},
-                                                 whole);
+                                                 true, whole);
     CHECK(unshadowed.error == 0);
     CHECK(unshadowed.brightness == 1);
 }

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// Objects that a change of a scene has shifted.
+#pragma once
+
+#include <vector>
+
+#include "surfaces/scene_geometry.hpp"
+#include "visibility/bake.hpp"
+
+namespace nicol {
+
+/// Returns the shifted objects of a change, valid as long as the change. every_ray: whether the rays of such
+/// objects are traced anew; if so, there are none.
+[[nodiscard]] std::vector<ShiftedObject> shifted_objects(const SceneGeometry::Change& change, bool every_ray);
+
+}  // namespace nicol
