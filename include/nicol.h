@@ -1474,10 +1474,10 @@ typedef uint32_t nicol_executor;
 #define NICOL_OPTIMISATION_UNOCCLUDED 64u      /* shadows of vertices with nothing above their horizon */
 /* Rays of the bake: those that nothing can block, because no surface lies in their direction; those that
  * large flat faces certainly block; those of fine meshes in directions in which the vertices around see the
- * same (images differ by about 0.0005); and those of vertices that no image has shown, that are black or that
- * no light reaches. A first image refines shadows on triangles that face it alone, down to two of its pixels.
- * Later images, of other views or of a scene that has changed, refine all. They differ from a first image of
- * theirs by about 0.01 of the RMS of s0; without this optimisation they are equal. */
+ * same (images differ by about 0.0005); those of vertices that no image has shown, that are black or unlit;
+ * and, after a move, light of vertices that see almost the same. A first image refines shadows on triangles
+ * that face it alone, down to two of its pixels. Later images, of other views or changed scenes, refine all.
+ * They differ from a first image of theirs by about 0.01 of the RMS of s0; without this they are equal. */
 #define NICOL_OPTIMISATION_RAYS 128u
 /* Shadow rays to local lights that are so dim that all of them together add less than a hundredth of the
  * tolerance to a point's light; such lights are added without shadows. Images differ by less than that. */

@@ -237,7 +237,7 @@ TEST_CASE("a shifted object is traced only towards other objects, and sees what 
     const Visibility moved = bake(geometry, directions, {}, &kept, &former);
     CHECK(std::ranges::equal(moved.bits(), truth.bits()));
     CHECK(std::ranges::equal(moved.unoccluded(), truth.unoccluded()));
-    CHECK(kept.rays < anew.rays / 2);
+    CHECK(kept.rays < 2 * anew.rays / 3);
 }
 
 TEST_CASE("the result does not depend on the number of threads or the length of normals") {

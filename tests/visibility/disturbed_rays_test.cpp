@@ -84,10 +84,9 @@ TEST_CASE("a point inside a ball finds the rays that meet the ball's box, and fe
             const glm::dvec3 direction(directions.directions()[i]);
             double first = 0, last = 1e9;
             for (glm::length_t k = 0; k < 3; ++k) {
-                const auto [near, far] =
-                    std::minmax(box.lower[k] / direction[k], box.upper[k] / direction[k]);
-                first = std::max(first, near);
-                last = std::min(last, far);
+                const double a = box.lower[k] / direction[k], b = box.upper[k] / direction[k];
+                first = std::max(first, std::min(a, b));
+                last = std::min(last, std::max(a, b));
             }
             const bool closes = (bundles.may_close[i / 16] >> (i % 16) & 1) != 0;
             CHECK((closes || first > last));

@@ -292,7 +292,8 @@ TEST_CASE("rays on which both ends agree are spared, unless the sample disagrees
     const auto traced = [&](float x, std::span<const Seeing> ends, Visibility& seen) {
         glm::vec4 hides;
         seen = Visibility(directions().size(), 1);
-        return tracer.trace({x, -0.4F, 1e-4F}, up, ends, 0, seen, hides).traced;
+        return tracer.trace({.origin = {x, -0.4F, 1e-4F}, .normal = up, .given = 0}, ends, 0, seen, hides)
+            .traced;
     };
     Visibility left, right, all, some, doubted, open;
     traced(0.2F, {}, left);
