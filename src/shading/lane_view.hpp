@@ -46,6 +46,15 @@ public:
             stokes[2][i] = frame_cosine_[i] * s2 - frame_sine_[i] * s1;
         }
     }
+    /// Rotates Stokes vectors back; also the transpose of into_camera_frame().
+    void out_of_camera_frame(std::array<Lanes, 4>& stokes) const {
+        for (std::size_t i = 0; i < kLanes; ++i) {
+            const float s1 = stokes[1][i];
+            const float s2 = stokes[2][i];
+            stokes[1][i] = frame_cosine_[i] * s1 - frame_sine_[i] * s2;
+            stokes[2][i] = frame_cosine_[i] * s2 + frame_sine_[i] * s1;
+        }
+    }
 
 private:
     std::vector<Lanes> cosines_;

@@ -12,19 +12,14 @@
 namespace nicol {
 
 Shade::Shade(LightLayout layout, std::size_t least, std::size_t most)
-    : least_(least), most_(most), layout_(std::move(layout)) {}
-
-std::size_t Shade::rows_of(const ResponseTable& response) const {
-    const std::size_t made = response.makes(3) ? 4 : response.makes(1) || response.makes(2) ? 3 : 1;
-    return std::clamp(made, least_, most_);
-}
+    : components_{.least = least, .most = most}, layout_(std::move(layout)) {}
 
 void Shade::run(const ResponseTable& response, const VertexLight& light, const Views& views,
                 std::span<const glm::vec3> positions, std::span<const glm::vec3> normals,
                 std::span<const std::uint8_t> visible, std::size_t first, std::size_t last,
                 std::span<const std::span<glm::vec4>> out) const {
     // Channels that equal the first channel are not computed.
-    const std::size_t rows = rows_of(response);
+    const std::size_t rows = components_of(response, components_);
     const bool alike = response.channels() == 1 && light.channels() == 1;
     const std::size_t step = response.rows(0, 0).size() * static_cast<std::size_t>(response.channels());
 

@@ -11,6 +11,7 @@
 #include "material/response_table.hpp"
 #include "polarization/views.hpp"
 #include "shading/lane_response.hpp"
+#include "shading/layer_rows.hpp"
 #include "specular/mixture_rows.hpp"
 #include "transfer/vertex_light.hpp"
 
@@ -41,11 +42,7 @@ public:
     [[nodiscard]] const LightLayout& layout() const noexcept { return layout_; }
 
 private:
-    // Returns the number of components that are computed for a table.
-    [[nodiscard]] std::size_t rows_of(const ResponseTable& response) const;
-
-    std::size_t least_;
-    std::size_t most_;
+    ComponentLimits components_;
     LightLayout layout_;
 };
 

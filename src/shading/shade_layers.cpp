@@ -4,27 +4,11 @@
 #include <array>
 
 #include "shading/lane_view.hpp"
+#include "shading/layer_rows.hpp"
 #include "shading/shade.hpp"
 #include "simd/lane_transpose.hpp"
 
 namespace nicol {
-namespace {
-
-// Returns the rows of one layer at the views of a block.
-MixtureRow row_of(const ResponseTable& response, const LaneView::TablePositions& at, std::size_t numbers,
-                  const LayerWeights& weights) {
-    const std::size_t channel_step = response.rows(0, 0).size();
-    MixtureRow out{.rows = {},
-                   .step = channel_step * static_cast<std::size_t>(response.channels()),
-                   .channel_step = response.channels() == 1 ? 0 : channel_step,
-                   .size = numbers,
-                   .weights = &weights};
-    for (std::size_t i = 0; i < kLanes; ++i) out.rows[i] = response.rows(at.angle[i], 0).data();
-    return out;
-}
-
-}  // namespace
-
 void Shade::run(std::span<const ResponseTable* const> layers, std::span<const LayerWeights> all_weights,
                 const VertexLight& light, const Views& views, std::span<const glm::vec3> positions,
                 std::span<const glm::vec3> normals, std::span<const std::span<glm::vec4>> out) const {
@@ -41,18 +25,8 @@ void Shade::run(std::span<const ResponseTable* const> layers, std::span<const La
         const LaneView::TablePositions at = seen.positions_in(ResponseTable::kAngles);
         // Tables of one pairing and of two pairings are summed separately because their rows differ.
         for (const std::size_t pairings : {std::size_t{1}, std::size_t{2}}) {
-            std::size_t made = 1;
-            const std::size_t row_size = layout_.row_size() * pairings;
-            rows.begin(4 * row_size, out.size());
-            for (std::size_t l = 0; l < layers.size(); ++l) {
-                if (layers[l]->pairings() != pairings || weights[l].points == 0) continue;
-                const std::size_t own = rows_of(*layers[l]);
-                made = std::max(made, own);
-                rows.add(row_of(*layers[l], at, own * row_size, weights[l]));
-            }
-            if (rows.empty()) continue;
-            // The count is rounded up because whole squares are faster to transpose.
-            rows.sum(at.fraction, 0, std::max(made * row_size, std::min(kLanes, 4 * row_size)));
+            const std::size_t made = sum_layers(layers, weights, at, pairings, out.size(), components_, rows);
+            if (made == 0) continue;
             const bool alike = rows.alike() && light.channels() == 1;
             for (std::size_t c = 0; c < out.size(); ++c) {
                 if (c == 0 || !alike) {
