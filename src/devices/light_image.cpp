@@ -15,7 +15,7 @@ void find_light_image(const PixelInput& input, std::size_t first, std::size_t la
     out.resize(static_cast<std::size_t>(input.channels));
     for (auto& channel : out) channel.assign(last - first, glm::vec4(0));
     const std::vector<std::span<glm::vec4>> image(out.begin(), out.end());
-    const PixelLights lights(*input.local_lights, input);
+    const PixelLights lights(input.local_lights->lighting(), input);
     const std::size_t pixels =
         static_cast<std::size_t>(input.hits.width()) * static_cast<std::size_t>(input.hits.height());
     tbb::combinable<LightingTally> tallies;
@@ -36,6 +36,7 @@ void find_light_image(const PixelInput& input, std::size_t first, std::size_t la
                     const std::vector<std::span<glm::vec4>> stokes =
                         channel_spans(sums, out.size(), batch.points().size());
                     tallies.local() += lights.add(batch, stokes);
+                    lights.add_emission(batch, stokes);
                     batch.gather(stokes, input.most_components, first, image);
                 }
             }

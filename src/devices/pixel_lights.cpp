@@ -53,12 +53,12 @@ LightingTally PixelLights::add(const PixelBatch& batch, std::span<const std::spa
     const SpatialVariation* const variation = range.material->variation();
     const bool turned = variation != nullptr && variation->normal.kind != NormalVariation::Kind::none;
     const bool dimmed = turned && variation->normal.shadowed;
-    const bool mirrors = !batch.in_pixels().empty() && lights_.lighting().needs_pixels(*range.material);
+    const bool mirrors = !batch.in_pixels().empty() && lighting_.needs_pixels(*range.material);
     const bool spread = !batch.in_pixels().empty() && shadowed;
     std::optional<BouncedLight> bounced;
     const bool followed = input_.smooth != nullptr && input_.smooth->of(any.triangle) == Smoothness::lobes;
     if (input_.bounced != nullptr && shadowed && !followed && batch.bounces() &&
-        any_sampled(*range.material, lights_.lighting().sampled()))
+        any_sampled(*range.material, lighting_.sampled()))
         bounced.emplace(input_.bounced->layout(), input_.bounced->rows());
     LightingTally tally;
     std::vector<std::span<glm::vec4>> channels(out.size());
@@ -114,23 +114,21 @@ LightingTally PixelLights::add(const PixelBatch& batch, std::span<const std::spa
         if (bounced) bounced->take(std::span(of_triangles).first(count), surface.weights);
         PixelOrigins places(input_.projection.view, input_.geometry.positions, input_.geometry.normals,
                             std::span(in_pixels).first(count));
-        tally +=
-            lights_.lighting().add(batch.views().subspan(first, count),
-                                   {.positions = std::span(surface.positions).first(count),
-                                    .normals = std::span(surface.normals).first(count),
-                                    .tangents = std::span(tangents).first(anisotropic ? count : 0),
-                                    .facets = std::span(of_facets).first(turned ? count : 0),
-                                    .unperturbed = std::span(surface.unperturbed).first(dimmed ? count : 0),
-                                    .origins = std::span(origins).first(count),
-                                    .mirrored = mirrors ? &mirrored : nullptr,
-                                    .parts = std::span(parts).first(mirrors && turned ? count : 0),
-                                    .places = spread ? &places : nullptr,
-                                    .bounced = bounced ? &*bounced : nullptr,
-                                    .seeds = std::span(seeds).first(count),
-                                    .shadowed = shadowed,
-                                    .receives_shadows = range.roles.receives_shadows},
-                                   {.layers = layers, .weights = weights}, channels);
-        if (range.emission != nullptr && batch.emits()) add_emission(range, batch, first, channels);
+        tally += lighting_.add(batch.views().subspan(first, count),
+                               {.positions = std::span(surface.positions).first(count),
+                                .normals = std::span(surface.normals).first(count),
+                                .tangents = std::span(tangents).first(anisotropic ? count : 0),
+                                .facets = std::span(of_facets).first(turned ? count : 0),
+                                .unperturbed = std::span(surface.unperturbed).first(dimmed ? count : 0),
+                                .origins = std::span(origins).first(count),
+                                .mirrored = mirrors ? &mirrored : nullptr,
+                                .parts = std::span(parts).first(mirrors && turned ? count : 0),
+                                .places = spread ? &places : nullptr,
+                                .bounced = bounced ? &*bounced : nullptr,
+                                .seeds = std::span(seeds).first(count),
+                                .shadowed = shadowed,
+                                .receives_shadows = range.roles.receives_shadows},
+                               {.layers = layers, .weights = weights}, channels);
     }
     return tally;
 }
@@ -176,23 +174,26 @@ MirroredParts PixelLights::parts_at(const LaneSurface& surface, std::size_t lane
     return out;
 }
 
-void PixelLights::add_emission(const VertexRange& range, const PixelBatch& batch, std::size_t first,
-                               std::span<const std::span<glm::vec4>> out) const {
-    const LaneSurface& surface = batch.surfaces()[first / kLanes];
-    const std::size_t count = out.front().size();
-    std::array<TexturePoint, kLanes> points;
-    if (range.emission->texture != nullptr) {
-        const WorldGeometry& geometry = input_.geometry;
-        for (std::size_t i = 0; i < count; ++i) {
+void PixelLights::add_emission(const PixelBatch& batch, std::span<const std::span<glm::vec4>> out) const {
+    const VertexRange& range = input_.geometry.ranges[batch.points().front().range];
+    if (range.emission == nullptr || !batch.emits()) return;
+    const WorldGeometry& geometry = input_.geometry;
+    std::vector<std::span<glm::vec4>> channels(out.size());
+    for (std::size_t first = 0; first < batch.points().size(); first += kLanes) {
+        const std::size_t count = std::min(kLanes, batch.points().size() - first);
+        const LaneSurface& surface = batch.surfaces()[first / kLanes];
+        std::array<TexturePoint, kLanes> points;
+        for (std::size_t i = 0; i < count && range.emission->texture != nullptr; ++i) {
             const std::uint32_t triangle = batch.points()[first + i].triangle;
             points[i] = texture_point({surface.weights[0][i], surface.weights[1][i], surface.weights[2][i]},
                                       geometry.texcoords.empty() ? nullptr : &geometry.texcoords[triangle],
                                       geometry.colors.empty() ? nullptr : &geometry.colors[triangle]);
         }
+        for (std::size_t c = 0; c < out.size(); ++c) channels[c] = out[c].subspan(first, count);
+        add_emitted(*range.emission, input_.local_lights->axis_of(range.instance),
+                    batch.views().subspan(first, count), std::span(surface.positions).first(count),
+                    std::span(surface.normals).first(count), std::span(points).first(count), channels);
     }
-    add_emitted(*range.emission, lights_.axis_of(range.instance), batch.views().subspan(first, count),
-                std::span(surface.positions).first(count), std::span(surface.normals).first(count),
-                std::span(points).first(count), out);
 }
 
 }  // namespace nicol

@@ -18,10 +18,13 @@ namespace nicol {
 class PixelLights {
 public:
     /// Keeps references to both arguments, which must outlive the object.
-    PixelLights(const LocalLights& lights, const PixelInput& input) : lights_(lights), input_(input) {}
+    PixelLights(const LocalLighting& lighting, const PixelInput& input)
+        : lighting_(lighting), input_(input) {}
 
-    /// Adds to out[c][point] the batch's reflection of local lights and its emission.
+    /// Adds to out[c][point] the batch's reflection of local lights.
     LightingTally add(const PixelBatch& batch, std::span<const std::span<glm::vec4>> out) const;
+    /// Adds to out[c][point] the batch's emission, if it is wanted. The input must have local lights.
+    void add_emission(const PixelBatch& batch, std::span<const std::span<glm::vec4>> out) const;
 
 private:
     // Computes what the pixels of points show mirrored.
@@ -33,10 +36,8 @@ private:
     // Returns mirrored_parts() at a point. lane: of the point.
     [[nodiscard]] MirroredParts parts_at(const LaneSurface& surface, std::size_t lane,
                                          MirroredPixels& pixels) const;
-    void add_emission(const VertexRange& range, const PixelBatch& batch, std::size_t first,
-                      std::span<const std::span<glm::vec4>> out) const;
 
-    const LocalLights& lights_;
+    const LocalLighting& lighting_;
     const PixelInput& input_;
 };
 

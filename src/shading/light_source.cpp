@@ -20,14 +20,30 @@ bool dark(const std::vector<double>& value) {
     return std::ranges::all_of(value, [](double of_channel) { return of_channel == 0; });
 }
 
+TexturePtr texture_of(const LocalLight& light) {
+    return light.kind == LocalLight::Kind::directional ? nullptr : light.texture;
+}
+
+// axes: from the light's own axes to the points'.
+LightSourcePtr made(const LocalLight& light, const glm::dmat4& axes, SourceColor color) {
+    if (light.kind == LocalLight::Kind::directional)
+        return std::make_unique<const DirectionalSource>(light, std::move(color), glm::dmat3(axes));
+    return std::make_unique<const PointSource>(light, std::move(color), axes);
+}
+
 }  // namespace
 
 LightSourcePtr light_source(const LocalLight& light, const glm::dmat4& to_axes) {
     if (dark(light.value)) return nullptr;
     const glm::dmat4 axes = to_axes * light.to_world;
-    if (light.kind == LocalLight::Kind::directional)
-        return std::make_unique<const DirectionalSource>(light, glm::dmat3(axes));
-    return std::make_unique<const PointSource>(light, axes);
+    return made(light, axes,
+                {light.value, texture_of(light), light.state, glm::dmat3(axes) * light.state.axis});
+}
+
+LightSourcePtr unit_sources(const LocalLight& light, int channels, const glm::dmat4& to_axes) {
+    const glm::dmat4 axes = to_axes * light.to_world;
+    return made(light, axes,
+                SourceColor::units(channels, texture_of(light), glm::dmat3(axes) * light.state.axis));
 }
 
 LightSourcePtr light_source(const EmissiveSurface& surface) {
@@ -60,6 +76,18 @@ SourceColor::SourceColor(const std::vector<double>& value, TexturePtr texture, c
     }
 }
 
+SourceColor SourceColor::units(int channels, TexturePtr texture, const glm::dvec3& axis) {
+    SourceColor out({1}, std::move(texture), {}, axis);
+    out.components_ = 4;
+    out.stokes_.clear();
+    for (std::size_t p = 0; p < 4; ++p) {
+        std::array<float, 4> unit{};
+        unit[p] = 1;
+        out.stokes_.insert(out.stokes_.end(), static_cast<std::size_t>(channels), unit);
+    }
+    return out;
+}
+
 void SourceColor::put(const Lanes& factor, LaneLight& out) const {
     put_factors({&factor, 1}, out);
 }
@@ -78,7 +106,7 @@ void SourceColor::put_factors(std::span<const Lanes> factors, LaneLight& out) co
     out.components = components_;
     out.irradiance.resize(stokes_.size());
     for (std::size_t c = 0; c < stokes_.size(); ++c) {
-        const Lanes& factor = factors[std::min(c, factors.size() - 1)];
+        const Lanes& factor = factors[c % factors.size()];
         for (std::size_t p = 0; p < components_; ++p)
             for (std::size_t i = 0; i < kLanes; ++i)
                 out.irradiance[c][p][i] = stokes_[c][p] * std::min(factor[i], largest_factor_);

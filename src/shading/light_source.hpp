@@ -51,6 +51,11 @@ using LightSourcePtr = std::unique_ptr<const LightSource>;
 /// the world to the points' axes.
 [[nodiscard]] LightSourcePtr light_source(const LocalLight& light, const glm::dmat4& to_axes);
 
+/// Returns four lights side by side that differ from a scene's light in value and state: the Stokes vectors
+/// are (1, 0, 0, 0) to (0, 0, 0, 1), in the frame of the light's axis. The source's channels are
+/// [component][channel]. What a light lights is the sum over them, times its own Stokes vector.
+[[nodiscard]] LightSourcePtr unit_sources(const LocalLight& light, int channels, const glm::dmat4& to_axes);
+
 /// Emissive surface, in the points' axes.
 struct EmissiveSurface {
     const Emission& emission;
@@ -70,6 +75,8 @@ public:
     /// Takes `axis`, the axis of the polarization, in the points' axes. A null texture counts as 1.
     SourceColor(const std::vector<double>& value, TexturePtr texture, const PolarizationState& state,
                 const glm::dvec3& axis);
+    /// Returns the colour of unit_sources().
+    [[nodiscard]] static SourceColor units(int channels, TexturePtr texture, const glm::dvec3& axis);
 
     /// Sets irradiance and components of `out`, and the x axes of polarized light from its directions. The
     /// irradiance is the colour times a factor; it is at most kBrightestLight, because the irradiance of a

@@ -54,6 +54,15 @@ LocalLighting::LocalLighting(Lights lights, const RayScene* rays, int samples, d
       samples_(static_cast<std::uint32_t>(samples)),
       negligible_(static_cast<float>(negligible)) {}
 
+LocalLighting LocalLighting::with_light(LightSourcePtr source, std::size_t index) const {
+    Lights lights;
+    lights.local.push_back(std::move(source));
+    lights.before_mirrors = lights_.before_mirrors;
+    lights.glass = lights_.glass;
+    lights.first_index = static_cast<std::uint32_t>(index);
+    return {std::move(lights), rays_, static_cast<int>(samples_), 0};
+}
+
 bool LocalLighting::needs_pixels(const Material& material) const {
     const bool any = lights_.any_source();
     return any_term(material, [&](const Material& layer, int term) {
@@ -76,7 +85,8 @@ LightingTally LocalLighting::add(const Views& views, const LitPoints& points, co
         sources.reserve(lights_.local.size() + lights_.extracted.size());
         const auto list = [&](const std::vector<LightSourcePtr>& lights, SampledTerms find_it) {
             for (const LightSourcePtr& light : lights)
-                sources.push_back({light.get(), find_it, static_cast<std::uint32_t>(sources.size()),
+                sources.push_back({light.get(), find_it,
+                                   lights_.first_index + static_cast<std::uint32_t>(sources.size()),
                                    light->brightness(points.positions.front())});
         };
         list(lights_.local, SampledTerms::none);

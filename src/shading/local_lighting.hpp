@@ -86,6 +86,7 @@ public:
         /// Surfaces that hide light from mirrors; null: those that cast shadows.
         std::shared_ptr<const RayScene> before_mirrors;
         std::shared_ptr<const GlassShadows> glass;  ///< glass that light passes; null: none
+        std::uint32_t first_index = 0;              ///< index of the first light, by which lights are sampled
 
         [[nodiscard]] bool any_source() const noexcept { return !local.empty() || !extracted.empty(); }
     };
@@ -94,6 +95,12 @@ public:
     /// dimmest lights may add without shadow rays; 0: all lights cast shadows.
     LocalLighting(Lights lights, const RayScene* rays, int samples, double negligible = 0);
 
+    /// Returns lighting of the same surfaces by another light, which takes the samples of the local light
+    /// `index` of this lighting.
+    [[nodiscard]] LocalLighting with_light(LightSourcePtr source, std::size_t index) const;
+
+    /// Returns whether lights are extracted from the environment.
+    [[nodiscard]] bool any_extracted() const noexcept { return !lights_.extracted.empty(); }
     /// Returns whether there is a local or an extracted light.
     [[nodiscard]] bool any_source() const noexcept { return lights_.any_source(); }
     /// Returns the terms that reflect samples of the environment.

@@ -233,7 +233,7 @@ std::span<const float> ReflectedLight::weights_of(const Material& material, std:
         const int term = static_cast<int>(t);
         const bool some = has(term);
         for (std::size_t channel = 0; channel < channels; ++channel) {
-            const int own = material.channels() == 1 ? 0 : static_cast<int>(channel);
+            const int own = static_cast<int>(channel) % material.channels();
             out[channel * terms + t] = some ? static_cast<float>(material.weight(term, own)) : 0.0F;
         }
     }

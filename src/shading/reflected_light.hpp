@@ -45,8 +45,9 @@ public:
     /// Adds to out[channel] the light that `material` reflects at the points of lit() whose bit is set in
     /// `points`, as Stokes vectors in the camera's frame field, without the smooth terms. The light is the
     /// pBRDF times irradiance, times the cosine, times `factor` (above 0), times the weights of a layer
-    /// (null: 1). `material` must have no variation(). A light or a material of one channel serves all. Terms
-    /// that find the light by themselves, see finds_lights(), are left out.
+    /// (null: 1). `material` must have no variation(). A light or a material of one channel serves all. The
+    /// channels may be those of several lights, one light after the other, for which the material's channels
+    /// repeat. Terms that find the light by themselves, see finds_lights(), are left out.
     void add(const Material& material, const LayerWeights* weights, const LaneLight& light,
              std::uint32_t points, float factor, std::span<std::array<Lanes, 4>> out,
              SampledTerms find_it = SampledTerms::none) const;

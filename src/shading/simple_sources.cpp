@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include "simd/lane_angle.hpp"
 
@@ -39,8 +40,8 @@ float until_ball(float along, float beside, float radius) {
 
 // A uniform disc of radius r and radiance L gives the irradiance L pi sin^2 r on a surface that faces it.
 // Each light sample represents the whole solid angle, 4 pi sin^2 (r / 2).
-DirectionalSource::DirectionalSource(const LocalLight& light, const glm::dmat3& axes)
-    : color_(light.value, nullptr, light.state, axes * light.state.axis),
+DirectionalSource::DirectionalSource(const LocalLight& light, SourceColor color, const glm::dmat3& axes)
+    : color_(std::move(color)),
       radius_(static_cast<float>(light.angular_radius)),
       height_(static_cast<float>(2 * half_sine_squared(light.angular_radius))),
       density_(static_cast<float>(1 / (1 - half_sine_squared(light.angular_radius)))),
@@ -84,11 +85,8 @@ void DirectionalSource::intersect(const LaneVectors&, const LaneVectors& directi
     color_.put(radiance, out);
 }
 
-PointSource::PointSource(const LocalLight& light, const glm::dmat4& to_axes)
-    : light_(light),
-      color_(light.value, light.texture, light.state, glm::dmat3(to_axes) * light.state.axis),
-      place_(to_axes[3]),
-      axes_(to_axes) {}
+PointSource::PointSource(const LocalLight& light, SourceColor color, const glm::dmat4& to_axes)
+    : light_(light), color_(std::move(color)), place_(to_axes[3]), axes_(to_axes) {}
 
 float PointSource::brightness(const glm::vec3& from) const noexcept {
     const glm::vec3 way = place_ - from;

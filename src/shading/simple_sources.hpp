@@ -19,7 +19,7 @@ namespace nicol {
 class DirectionalSource final : public LightSource {
 public:
     /// Takes `axes`, a rotation from the light's axes to the points' axes.
-    DirectionalSource(const LocalLight& light, const glm::dmat3& axes);
+    DirectionalSource(const LocalLight& light, SourceColor color, const glm::dmat3& axes);
 
     [[nodiscard]] float angular_radius(const glm::vec3& /*from*/) const noexcept override { return radius_; }
     [[nodiscard]] float brightness(const glm::vec3& /*from*/) const noexcept override {
@@ -40,7 +40,7 @@ private:
 class PointSource final : public LightSource {
 public:
     /// Takes `to_axes`, a rotation and shift from the light's own axes to the points'.
-    PointSource(const LocalLight& light, const glm::dmat4& to_axes);
+    PointSource(const LocalLight& light, SourceColor color, const glm::dmat4& to_axes);
 
     [[nodiscard]] float angular_radius(const glm::vec3& /*from*/) const noexcept override { return 0; }
     [[nodiscard]] float brightness(const glm::vec3& from) const noexcept override;

@@ -36,7 +36,7 @@ struct SurfaceShading::Work {
 SurfaceShading::SurfaceShading(const PixelInput& input, std::span<const PointSurface> surfaces,
                                std::span<const glm::vec2> fractions)
     : input_(input), surfaces_(surfaces), fractions_(fractions) {
-    if (input.local_lights != nullptr) local_lights_.emplace(*input.local_lights, input);
+    if (input.local_lights != nullptr) local_lights_.emplace(input.local_lights->lighting(), input);
 }
 
 void SurfaceShading::run(const PixelBatch& batch, std::span<const std::span<glm::vec4>> out,
@@ -92,6 +92,7 @@ void SurfaceShading::add_lights(const PixelBatch& batch, std::span<const std::sp
                                 PointCounts& counts) const {
     const Stopwatch watch;
     counts.lighting += local_lights_->add(batch, out);
+    local_lights_->add_emission(batch, out);
     counts.light_seconds += 1e-3 * watch.milliseconds();
 }
 
