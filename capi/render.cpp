@@ -14,8 +14,10 @@
 
 #include "assets.hpp"
 #include "camera.hpp"
+#include "gradient_room.hpp"
 #include "handles.hpp"
 #include "scene/path_depth.hpp"
+#include "stokes_rows.hpp"
 
 using namespace nicol;
 using namespace nicol::capi;
@@ -261,8 +263,9 @@ void notice_error(const Statistics& statistics, const RenderOptions& options, Sc
     session.notice(text.str());
 }
 
-// Renders at least one view on the caller's thread.
-void render_views(const nicol_scene_impl& self, std::span<const View> views, const RenderCall& call) {
+// Calls body(state) with the state of a scene that no other render uses, on the caller's thread.
+template <class Body>
+void with_renderer(const nicol_scene_impl& self, const RenderCall& call, const Body& body) {
     refuse_in_callback(*self.session);
     SceneState& state = *self.content;
     std::unique_lock rendering(state.rendering, std::defer_lock);
@@ -274,6 +277,13 @@ void render_views(const nicol_scene_impl& self, std::span<const View> views, con
     self.session->gl->visit([&] {
         const Edit edit(self);
         notice_darkness(state.scene, state, *self.session);
+        body(state);
+    });
+}
+
+// Renders at least one view on the caller's thread.
+void render_views(const nicol_scene_impl& self, std::span<const View> views, const RenderCall& call) {
+    with_renderer(self, call, [&](SceneState& state) {
         for (const Statistics& statistics : state.renderer.render(state.scene, views, call.options))
             notice_error(statistics, call.options, state, *self.session);
     });
@@ -316,6 +326,24 @@ nicol_result nicol_render_views(nicol_scene scene, const nicol_camera* cameras,
         for (const Camera& camera : read_cameras(cameras, count))
             views.push_back({.camera = camera, .target = targets[views.size()].content.get()});
         render_views(self, views, call);
+    });
+}
+
+nicol_result nicol_render_adjoint(nicol_scene scene, const nicol_camera* camera,
+                                  const nicol_render_options* options, const nicol_stokes_image* picture,
+                                  const nicol_gradient* gradient) {
+    return guarded([&] {
+        const nicol_scene_impl& self = resolve(scene);
+        const RenderCall call = read_render_call(options);
+        const Camera from = read_camera(camera, "camera");
+        const StokesImage of_picture = StokesRows(picture, "picture").read();
+        if (!std::ranges::all_of(of_picture.data, [](float number) { return std::isfinite(number); }))
+            refuse("picture has numbers that are not finite");
+        const GradientRoom room(gradient);
+        with_renderer(self, call, [&](SceneState& state) {
+            room.check(state.scene, call.options);
+            room.write(state.renderer.adjoint(state.scene, from, call.options, of_picture, room.wanted()));
+        });
     });
 }
 

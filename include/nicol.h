@@ -2144,6 +2144,56 @@ typedef uint32_t nicol_demosaic;
 NICOL_API nicol_result nicol_sensor_demosaic(const nicol_sensor* sensor, const nicol_raw_image* raw,
                                              nicol_demosaic method, const nicol_stokes_image* to);
 
+/* ---------------------------------------------------------------- gradients */
+
+/* Room for gradients of a function f of a picture, which nicol_render_adjoint writes. NULL, the default: the
+ * gradient is not wanted. */
+typedef struct nicol_gradient {
+    uint32_t struct_size;
+    uint32_t reserved; /* 0 */
+    /* Derivatives of f by the coefficients of the environment up to order_low, in its own axes:
+     * [channel][l*l + l + m][4] as nicol_environment_create_psh has them, in all channels of the scene. The
+     * derivative by an environment of one channel is the sum over the channels. Components p = 1, 2 below l =
+     * 2 are 0. All four components are computed, also those that the environment lacks. */
+    double* environment;
+    uint64_t environment_count; /* number of doubles at environment: channels * 4 (order_low + 1)^2 */
+    /* Derivatives of f by the Stokes vectors of the local lights, [light][channel][4], lights in the order of
+     * nicol_scene_get_light_ids. A light's Stokes vector in a channel is its value times (1, dolp cos 2 aolp,
+     * dolp sin 2 aolp, docp). */
+    double* lights;
+    uint64_t lights_count; /* number of doubles at lights: lights * channels * 4 */
+    /* Derivatives of f by a factor of all that an instance reflects, at the factor 1: [instance][channel],
+     * instances in the order of nicol_scene_get_instance_ids. The derivative by the reflectance of a diffuse
+     * material is the sum over its instances, divided by the reflectance. */
+    double* instances;
+    uint64_t instances_count; /* number of doubles at instances: instances * channels */
+} nicol_gradient;
+#define NICOL_GRADIENT_INIT \
+    { sizeof(nicol_gradient), 0, 0, 0, 0, 0, 0, 0 }
+NICOL_API nicol_result nicol_gradient_init(nicol_gradient* descriptor, uint32_t struct_size);
+
+/* Computes gradients from a gradient of the picture. A picture is linear in its light, picture = A light, and
+ * the gradient by the light is the transpose of A times that by the picture: for f = |picture - measured|^2 /
+ * 2, `picture` is the difference, and descent or conjugate gradients recover the light. The cost is that of
+ * about one render of light in motion; nothing is drawn into a framebuffer. `picture` has the derivatives of
+ * f by the Stokes vectors of the pixels of nicol_render's image with this camera and these options, in all
+ * channels of the scene; its size is the image's. The picture must be linear in its light, and each pixel's
+ * light that of vertices and local lights. Other options give NICOL_ERROR_UNSUPPORTED with a message that
+ * names what to set: method factored, executor not compute; physical 0; order_low given and order_high equal,
+ * or high_orders none; shade_at pixels (automatic, if that means pixels); pixel_samples 0, 1, 4 or 8 with the
+ * box filter; max_depth
+ * 0 or 2 for gradients by lights and by instances; no time budgets; no lights extracted from an image (split_lights 0), no lobes
+ * that sample the environment (bsdf_samples 0). So do mirrors, smooth glass and polarization elements; a
+ * background, if the gradient by the environment is wanted; and emissive surfaces, if that by instances is
+ * wanted. The bake is that of nicol_render with NICOL_OPTIMISATION_LIGHT_COMPONENTS disabled: who calls both
+ * in turn disables it in both, so that none of them bakes anew. Returns NICOL_ERROR_INVALID_ARGUMENT for
+ * sizes that do not fit, if the scene has no environment whose gradient is wanted, and for a local light of
+ * the value 0; else the results of nicol_render. */
+NICOL_API nicol_result nicol_render_adjoint(nicol_scene scene, const nicol_camera* camera,
+                                            const nicol_render_options* options,
+                                            const nicol_stokes_image* picture,
+                                            const nicol_gradient* gradient);
+
 /* ---------------------------------------------------------------- inside a host's OpenGL */
 
 /* clang-format off */

@@ -525,6 +525,16 @@ typedef struct nicol_raw_image {
     uint64_t byte_size;
 } nicol_raw_image;
 typedef uint32_t nicol_demosaic;
+typedef struct nicol_gradient {
+    uint32_t struct_size;
+    uint32_t reserved;
+    double* environment;
+    uint64_t environment_count;
+    double* lights;
+    uint64_t lights_count;
+    double* instances;
+    uint64_t instances_count;
+} nicol_gradient;
 typedef void* (*nicol_get_proc_address_callback)(void* user, const char* name);
 typedef int32_t (*nicol_is_current_callback)(void* user);
 typedef struct nicol_host {
@@ -808,6 +818,8 @@ nicol_result nicol_sensor_expose(const nicol_sensor* sensor, const nicol_stokes_
 nicol_result nicol_framebuffer_expose(nicol_framebuffer framebuffer, const nicol_sensor* sensor, uint64_t frame, const nicol_raw_image* to);
 nicol_result nicol_sensor_write_png(const nicol_sensor* sensor, const nicol_raw_image* raw, const char* path);
 nicol_result nicol_sensor_demosaic(const nicol_sensor* sensor, const nicol_raw_image* raw, nicol_demosaic method, const nicol_stokes_image* to);
+nicol_result nicol_gradient_init(nicol_gradient* descriptor, uint32_t struct_size);
+nicol_result nicol_render_adjoint(nicol_scene scene, const nicol_camera* camera, const nicol_render_options* options, const nicol_stokes_image* picture, const nicol_gradient* gradient);
 nicol_result nicol_host_init(nicol_host* descriptor, uint32_t struct_size);
 nicol_result nicol_context_create_host(const nicol_host* host, const nicol_context_options* options, nicol_context* context);
 nicol_result nicol_framebuffer_create_textures(nicol_context context, const uint32_t* textures, uint32_t channels, nicol_framebuffer* framebuffer);
@@ -1148,6 +1160,7 @@ return {
         framebuffer_expose = true,
         sensor_write_png = true,
         sensor_demosaic = true,
+        render_adjoint = true,
         context_create_host = "nicol_context",
         framebuffer_create_textures = "nicol_framebuffer",
         framebuffer_get_texture = true,
@@ -1225,6 +1238,7 @@ return {
         sensor = true,
         stokes_image = true,
         raw_image = true,
+        gradient = true,
         host = true,
         gl_texture = true,
         texture_target = true,

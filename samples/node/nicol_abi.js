@@ -886,6 +886,21 @@ export const types = [
     ],
   },
   { kind: "alias", name: "nicol_demosaic", of: "uint32_t" },
+  {
+    kind: "struct",
+    name: "nicol_gradient",
+    // name, type, length of a fixed array
+    fields: [
+      ["struct_size", "uint32_t", 0],
+      ["reserved", "uint32_t", 0],
+      ["environment", "double *", 0],
+      ["environment_count", "uint64_t", 0],
+      ["lights", "double *", 0],
+      ["lights_count", "uint64_t", 0],
+      ["instances", "double *", 0],
+      ["instances_count", "uint64_t", 0],
+    ],
+  },
   { kind: "callback", name: "nicol_get_proc_address_callback", of: "void* nicol_get_proc_address_callback(void *user, const char *name)" },
   { kind: "callback", name: "nicol_is_current_callback", of: "int32_t nicol_is_current_callback(void *user)" },
   {
@@ -1213,6 +1228,8 @@ export const functions = {
   framebuffer_expose: ["nicol_result nicol_framebuffer_expose(nicol_framebuffer framebuffer, const nicol_sensor *sensor, uint64_t frame, const nicol_raw_image *to)", true, null],
   sensor_write_png: ["nicol_result nicol_sensor_write_png(const nicol_sensor *sensor, const nicol_raw_image *raw, const char *path)", true, null],
   sensor_demosaic: ["nicol_result nicol_sensor_demosaic(const nicol_sensor *sensor, const nicol_raw_image *raw, nicol_demosaic method, const nicol_stokes_image *to)", true, null],
+  gradient_init: ["nicol_result nicol_gradient_init(_Out_ nicol_gradient *descriptor, uint32_t struct_size)", true, null],
+  render_adjoint: ["nicol_result nicol_render_adjoint(nicol_scene scene, const nicol_camera *camera, const nicol_render_options *options, const nicol_stokes_image *picture, const nicol_gradient *gradient)", true, null],
   host_init: ["nicol_result nicol_host_init(_Out_ nicol_host *descriptor, uint32_t struct_size)", true, null],
   context_create_host: ["nicol_result nicol_context_create_host(const nicol_host *host, const nicol_context_options *options, _Out_ nicol_context *context)", true, "nicol_context"],
   framebuffer_create_textures: ["nicol_result nicol_framebuffer_create_textures(nicol_context context, const uint32_t *textures, uint32_t channels, _Out_ nicol_framebuffer *framebuffer)", true, "nicol_framebuffer"],

@@ -208,6 +208,18 @@ void BounceColumns::add(std::size_t receiver, std::span<const float> light, std:
         }
 }
 
+void BounceColumns::add_gradient(std::size_t receiver, std::span<const float> bounced,
+                                 std::span<double> light) const {
+    const std::size_t lights = this->lights();
+    for (std::size_t g = 0; g < groups_.size(); ++g)
+        for (const std::size_t c : groups_[g]) {
+            const float* map = maps_[g].data() + receiver * lights * numbers_;
+            const float* const from = bounced.data() + c * numbers_;
+            for (std::size_t k = 0; k < lights; ++k, map += numbers_)
+                light[c * lights + k] += double{std::inner_product(from, from + numbers_, map, 0.0F)};
+        }
+}
+
 double BounceColumns::direct(std::size_t receiver, const float* light) const {
     const std::size_t lights = this->lights();
     return std::inner_product(light, light + lights, direct_.data() + receiver * lights, 0.0);

@@ -49,6 +49,11 @@ public:
     [[nodiscard]] std::vector<float> numbers_of(const PshVector& light, int channels) const;
     /// Adds the bounced light of a receiver to out, [channel][number]. light: see numbers_of().
     void add(std::size_t receiver, std::span<const float> light, std::span<float> out) const;
+    /// Adds the transpose of add(): from the gradient of a receiver's bounced light, [channel][number], to
+    /// that of the distant light, [channel][number].
+    void add_gradient(std::size_t receiver, std::span<const float> bounced, std::span<double> light) const;
+    /// Returns the layout of the numbers of the distant light; none: it is dark.
+    [[nodiscard]] const std::optional<LightLayout>& light() const noexcept { return light_; }
     /// Returns the mean over directions of the direct light at a receiver. light: numbers of one channel.
     [[nodiscard]] double direct(std::size_t receiver, const float* light) const;
     /// Returns the sum over receivers and channels of the estimated squared error, see BounceSeries::left.

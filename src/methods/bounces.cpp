@@ -10,6 +10,7 @@
 #include <functional>
 #include <utility>
 
+#include "harmonics/layout_gradient.hpp"
 #include "methods/lit_receivers.hpp"
 #include "simd/lane_transpose.hpp"
 #include "surfaces/local_lights.hpp"
@@ -100,7 +101,9 @@ void Bounces::bake(const TransferInput& input, RenderRun& run) {
         changed |= covering_.run(links_.version(), layout_->order(), layout_->kind(), [&] {
             coverage_ = coverage_at_receivers({input, *links_, *tables_.tables(), *layout_}, run);
         });
-    const std::optional<LightKind> kind = kind_of(input.light);
+    std::optional<LightKind> kind = kind_of(input.light);
+    // Light with all numbers may lack components that gradients are wanted by.
+    if (kind && input.layout.kind() == LightKind::full) kind = LightKind::full;
     changed |= solving_.run(
         links_.version(), tables_.tables().version(), kind, input.channels, input.bounces,
         input.negligible_bounces, [&] {
@@ -220,6 +223,29 @@ void Bounces::add_to(VertexLight& light, std::size_t first, std::size_t last) co
             for (std::size_t j = 0; j < from.size(); ++j)
                 for (std::size_t i = 0; i < kLanes; ++i) to[places_[j]][i] += from[j][i];
         }
+}
+
+PshVector Bounces::gradient(const std::function<const float*(std::size_t)>& row, const LightLayout& light,
+                            int channels) const {
+    PshVector out(light.order(), channels);
+    if (!columns_->light()) return out;
+    const std::size_t numbers = layout_->size(), planes = static_cast<std::size_t>(channels);
+    const std::size_t size = planes * numbers;
+    std::vector<float> receivers(links_->receivers() * size);
+    for (std::size_t v = 0; v < links_->blends().size(); ++v) {
+        const Receivers::Blend& blend = links_->blends()[v];
+        for (std::size_t k = 0; k < blend.weights.size(); ++k) {
+            if (blend.weights[k] == 0) continue;
+            float* to = receivers.data() + blend.receivers[k] * size;
+            for (std::size_t c = 0; c < planes; ++c)
+                for (std::size_t j = 0; j < numbers; ++j)
+                    *to++ += blend.weights[k] * row(v)[c * light.size() + places_[j]];
+        }
+    }
+    std::vector<double> of_light(planes * columns_->light()->size());
+    for (std::size_t r = 0; r < links_->receivers(); ++r)
+        columns_->add_gradient(r, std::span(receivers).subspan(r * size, size), of_light);
+    return with_order(gradient_by_coefficients(of_light, *columns_->light(), channels), light.order());
 }
 
 std::uint64_t Bounces::bytes_of_vertex(std::optional<LightKind> light, LightKind bounced, int channels) {

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -47,6 +48,12 @@ public:
     [[nodiscard]] std::span<const std::size_t> places() const noexcept { return places_; }
     /// Adds the bounced light to blocks first <= b < last of light in the same axes.
     void add_to(VertexLight& light, std::size_t first, std::size_t last) const;
+
+    /// Returns the gradient by the coefficients of the distant light, in the geometry's axes, from that by
+    /// the vertices' light: the transpose of the light that add_to() adds. row(v): gradient of vertex v,
+    /// [channel][number of light], in the geometry's axes. light: layout of the vertices' light.
+    [[nodiscard]] PshVector gradient(const std::function<const float*(std::size_t)>& row,
+                                     const LightLayout& light, int channels) const;
 
     void count(Statistics& statistics) const;
     /// Returns an upper bound of the bytes that one vertex adds. light: components of the distant light,

@@ -60,15 +60,6 @@ PshVector with_channels(PshVector light, int channels) {
     return out;
 }
 
-void suppress_ringing(PshVector& light, double strength) {
-    std::vector<double> gains;
-    for (int l = 0; l <= light.order(); ++l) {
-        const double curvature = l * (l + 1.0);
-        gains.push_back(1 / (1 + strength * curvature * curvature));
-    }
-    scale_orders(light, gains);
-}
-
 // Returns the part of a scale that coefficients are multiplied by: the nearest power of a large step, which
 // keeps what they light within the range of single precision, whatever the scale.
 double coarse(double scale) {
@@ -110,6 +101,15 @@ int last_order_of(const PshVector& light) {
 LightKind light_kind(const Environment* light) {
     if (light == nullptr || !light->polarized()) return LightKind::unpolarized;
     return light->circular() ? LightKind::full : LightKind::linear;
+}
+
+void suppress_ringing(PshVector& light, double strength) {
+    std::vector<double> gains;
+    for (int l = 0; l <= light.order(); ++l) {
+        const double curvature = l * (l + 1.0);
+        gains.push_back(1 / (1 + strength * curvature * curvature));
+    }
+    scale_orders(light, gains);
 }
 
 void LightProjection::update(const EnvironmentPtr& environment, double scale, bool whole,

@@ -20,6 +20,9 @@ namespace nicol {
 /// Returns the Stokes components that a light has; null: no light.
 [[nodiscard]] LightKind light_kind(const Environment* light);
 
+/// Multiplies light by the window against ringing of RenderOptions::dering. The window is its own transpose.
+void suppress_ringing(PshVector& light, double strength);
+
 /// Components and channels that a light is given even if they are zero or equal.
 struct LeastLight {
     LightKind kind = LightKind::unpolarized;

@@ -283,13 +283,13 @@ void Renderer::update_buffers(const RefinedSurfaces& surfaces, int channels) {
 }
 
 void Renderer::find_hits(const Projection& projection, const RenderOptions& options,
-                         VisibilityBuffer::Kept kept, const Framebuffer& target, Statistics& statistics) {
+                         VisibilityBuffer::Kept kept, const ImageShape& image, Statistics& statistics) {
     const RefinedSurfaces& surfaces = pipeline_.surfaces();
     const Projection of_surfaces = in_axes(projection, surfaces.to_world());
     const HitRequest request{.surfaces = surfaces,
                              .projection = of_surfaces,
-                             .width = target.width(),
-                             .height = target.height(),
+                             .width = image.width,
+                             .height = image.height,
                              .offsets = sample_pattern(options.pixel_samples),
                              .kept = kept};
     // An image that is one of many of a picture covers a part of each pixel.
@@ -303,7 +303,7 @@ void Renderer::find_hits(const Projection& projection, const RenderOptions& opti
         return;
     }
     traced_hits_.clear();
-    update_buffers(surfaces, target.channels());
+    update_buffers(surfaces, image.channels);
     drawn_hits_.find(request, hits_);
 }
 
@@ -327,7 +327,8 @@ void Renderer::draw(const Scene& scene, const Projection& projection, const Rend
                   .statistics = statistics,
                   .memory_limit = memory_limit_.for_scene()};
     const auto draw_hits = [&](VisibilityBuffer::Kept kept) {
-        find_hits(projection, options, kept, target, statistics);
+        find_hits(projection, options, kept, {target.width(), target.height(), target.channels()},
+                  statistics);
     };
     const auto hits_for_shading = [&](bool on_host) -> const VisibilityBuffer& {
         const bool host = on_host || executor.reads_hits_on_host();

@@ -30,6 +30,23 @@ struct View {
     Framebuffer* target;
 };
 
+/// Gradients of a picture to compute.
+struct WantedGradients {
+    bool environment = false;
+    bool lights = false;
+    bool instances = false;
+};
+
+/// Gradients of a function of a picture.
+struct Gradients {
+    /// By the coefficients of the environment up to order_low, in all channels of the scene.
+    PshVector environment;
+    /// By the Stokes vectors of the local lights, in the frames of their axes, [light][channel][component].
+    std::vector<double> lights;
+    /// By a factor of what each instance reflects, [instance][channel].
+    std::vector<double> instances;
+};
+
 class Renderer {
 public:
     explicit Renderer(std::shared_ptr<gl::Context> context, WorkerOptions workers = {});
@@ -58,7 +75,19 @@ public:
     std::vector<Statistics> render(const Scene& scene, std::span<const View> views,
                                    const RenderOptions& options);
 
+    /// Computes gradients from the gradient of the picture that render() makes. picture: by the Stokes
+    /// vectors of the pixels, in all channels of the scene. Throws what render() throws;
+    /// Error(invalid_argument) for a picture of other channels, and if gradients by what the scene does not
+    /// have are wanted; Error(unsupported) for a picture that is not linear in its light, or that
+    /// AdjointExecutor refuses.
+    Gradients adjoint(const Scene& scene, const Camera& camera, const RenderOptions& options,
+                      const StokesImage& picture, const WantedGradients& wanted);
+
 private:
+    // Size of an image.
+    struct ImageShape {
+        int width, height, channels;
+    };
     // Bake of the views of one call.
     struct CommonBake {
         std::vector<Projection> views;
@@ -90,7 +119,7 @@ private:
     // Finds the hits of the pipeline's surfaces, by rays if they are expected to cost less. Must be called
     // inside run() of the context.
     void find_hits(const Projection& projection, const RenderOptions& options, VisibilityBuffer::Kept kept,
-                   const Framebuffer& target, Statistics& statistics);
+                   const ImageShape& image, Statistics& statistics);
     // Frees the memory of hits. Must be called inside run() of the context.
     void clear_hits();
     // Copies surfaces to the device. Must be called inside run() of the context.

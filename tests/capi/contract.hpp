@@ -91,6 +91,11 @@ inline void make_good(nicol_psh_mueller_field& field) {
     field.order_out = field.order_in = 3;
     field.callback = [](void*, const double*, const double*, double*) { return std::int32_t{1}; };
 }
+inline void make_good(nicol_gradient& gradient) {
+    static double instance = 0;
+    gradient.instances = &instance;
+    gradient.instances_count = 1;
+}
 inline void make_good(nicol_stokes_image& image) {
     static std::vector<float> pixels(64);
     image.width = image.height = 4;

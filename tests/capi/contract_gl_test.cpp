@@ -45,6 +45,7 @@ const std::set<std::string> optional = {
     "nicol_scene_get_environment.to_world",
     "nicol_scene_get_environment.scale",
     "nicol_render.options",
+    "nicol_render_adjoint.options",
     "nicol_render_async.options",
     "nicol_render_views.options",
     "nicol_psh_project_file.channels",

@@ -342,7 +342,8 @@ def image(pixels):
 from . import capi  # noqa: E402, F401
 from ._memory import memory_file  # noqa: E402
 from ._picture import Picture, Scene, default_context, load, render  # noqa: E402
+from ._gradients import Gradients, gradients  # noqa: E402
 
 __all__ = [*_abi.__all__, "Camera", "Context", "Framebuffer", "Scene", "Sensor", "Error", "Handle", "Struct", "image",
-           "mesh_data", "texture_image", "memory_file", "Picture", "default_context", "load", "render"]  # fmt: skip
+           "mesh_data", "texture_image", "memory_file", "Gradients", "gradients", "Picture", "default_context", "load", "render"]  # fmt: skip
 __version__ = _abi.version_string()

@@ -1880,6 +1880,42 @@ class RawImage(Struct):
     byte_size: int
 
 
+class Gradient(Struct):
+    """Room for gradients of a function f of a picture, which nicol_render_adjoint writes. NULL, the default: the
+    gradient is not wanted.
+
+    Fields:
+    environment: Derivatives of f by the coefficients of the environment up to order_low, in its own axes:
+        [channel][l*l + l + m][4] as nicol_environment_create_psh has them, in all channels of the scene. The
+        derivative by an environment of one channel is the sum over the channels. Components p = 1, 2 below l =
+        2 are 0. All four components are computed, also those that the environment lacks.
+    environment_count: number of doubles at environment: channels * 4 (order_low + 1)^2
+    lights: Derivatives of f by the Stokes vectors of the local lights, [light][channel][4], lights in the order of
+        nicol_scene_get_light_ids. A light's Stokes vector in a channel is its value times (1, dolp cos 2 aolp,
+        dolp sin 2 aolp, docp).
+    lights_count: number of doubles at lights: lights * channels * 4
+    instances: Derivatives of f by a factor of all that an instance reflects, at the factor 1: [instance][channel],
+        instances in the order of nicol_scene_get_instance_ids. The derivative by the reflectance of a diffuse
+        material is the sum over its instances, divided by the reflectance.
+    instances_count: number of doubles at instances: instances * channels"""
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("reserved", c_uint32),
+        ("environment", POINTER(c_double)),
+        ("environment_count", c_uint64),
+        ("lights", POINTER(c_double)),
+        ("lights_count", c_uint64),
+        ("instances", POINTER(c_double)),
+        ("instances_count", c_uint64),
+    ]
+    environment: Any
+    environment_count: int
+    lights: Any
+    lights_count: int
+    instances: Any
+    instances_count: int
+
+
 class Host(Struct):
     """Fields:
     flags: sum of NICOL_HOST_..., default 0: none
@@ -3149,6 +3185,27 @@ def render_async(scene: Scene, camera: Camera, options: Any, framebuffer: Frameb
     return job
 
 
+def render_adjoint(scene: Scene, camera: Camera, options: RenderOptions | None, picture: StokesImage, gradient: Gradient) -> None:
+    """Computes gradients from a gradient of the picture. A picture is linear in its light, picture = A light, and
+    the gradient by the light is the transpose of A times that by the picture: for f = |picture - measured|^2 /
+    2, `picture` is the difference, and descent or conjugate gradients recover the light. The cost is that of
+    about one render of light in motion; nothing is drawn into a framebuffer. `picture` has the derivatives of
+    f by the Stokes vectors of the pixels of nicol_render's image with this camera and these options, in all
+    channels of the scene; its size is the image's. The picture must be linear in its light, and each pixel's
+    light that of vertices and local lights. Other options give NICOL_ERROR_UNSUPPORTED with a message that
+    names what to set: method factored, executor not compute; physical 0; order_low given and order_high equal,
+    or high_orders none; shade_at pixels (automatic, if that means pixels); pixel_samples 0, 1, 4 or 8 with the
+    box filter; max_depth
+    0 or 2 for gradients by lights and by instances; no time budgets; no lights extracted from an image (split_lights 0), no lobes
+    that sample the environment (bsdf_samples 0). So do mirrors, smooth glass and polarization elements; a
+    background, if the gradient by the environment is wanted; and emissive surfaces, if that by instances is
+    wanted. The bake is that of nicol_render with NICOL_OPTIMISATION_LIGHT_COMPONENTS disabled: who calls both
+    in turn disables it in both, so that none of them bakes anew. Returns NICOL_ERROR_INVALID_ARGUMENT for
+    sizes that do not fit, if the scene has no environment whose gradient is wanted, and for a local light of
+    the value 0; else the results of nicol_render."""
+    check(_render_adjoint(scene, byref(camera) if camera is not None else None, byref(options) if options is not None else None, byref(picture) if picture is not None else None, byref(gradient) if gradient is not None else None))
+
+
 def psh_project_image(image: Any, order: int, coefficients: Any) -> None:
     """Projects an image to coefficients, one vector per channel, in the world's axes. The image is the bilinear
     function between its pixels and, as an environment, must be physically realizable: polarization up to s0.
@@ -3517,6 +3574,8 @@ _sensor_expose = declare("nicol_sensor_expose", c_int32, POINTER(Sensor), POINTE
 _framebuffer_expose = declare("nicol_framebuffer_expose", c_int32, Framebuffer, POINTER(Sensor), c_uint64, POINTER(RawImage))
 _sensor_write_png = declare("nicol_sensor_write_png", c_int32, POINTER(Sensor), POINTER(RawImage), c_char_p)
 _sensor_demosaic = declare("nicol_sensor_demosaic", c_int32, POINTER(Sensor), POINTER(RawImage), c_uint32, POINTER(StokesImage))
+Gradient._init = declare("nicol_gradient_init", c_int32, POINTER(Gradient), c_uint32)
+_render_adjoint = declare("nicol_render_adjoint", c_int32, Scene, POINTER(Camera), POINTER(RenderOptions), POINTER(StokesImage), POINTER(Gradient))
 Host._init = declare("nicol_host_init", c_int32, POINTER(Host), c_uint32)
 _context_create_host = declare("nicol_context_create_host", c_int32, POINTER(Host), POINTER(ContextOptions), POINTER(Context))
 _framebuffer_create_textures = declare("nicol_framebuffer_create_textures", c_int32, Context, POINTER(c_uint32), c_uint32, POINTER(Framebuffer))
@@ -3643,6 +3702,7 @@ __all__ = [
     "FileOptions",
     "Filter",
     "GlTexture",
+    "Gradient",
     "HIGH_ORDERS_CONVOLUTION",
     "HIGH_ORDERS_NONE",
     "HIGH_ORDERS_SPLIT",
@@ -3811,6 +3871,7 @@ __all__ = [
     "psh_shadow_matrix",
     "psh_synthesize",
     "psh_write_file",
+    "render_adjoint",
     "render_async",
     "render_views",
     "result_name",

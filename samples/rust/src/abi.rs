@@ -1562,6 +1562,33 @@ const _: () = {
 };
 pub type nicol_demosaic = u32;
 
+/// Room for gradients of a function f of a picture, which nicol_render_adjoint writes. NULL, the default: the
+/// gradient is not wanted.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct nicol_gradient {
+    pub struct_size: u32,
+    pub reserved: u32,
+    pub environment: *mut f64,
+    pub environment_count: u64,
+    pub lights: *mut f64,
+    pub lights_count: u64,
+    pub instances: *mut f64,
+    pub instances_count: u64,
+}
+defaults!(nicol_gradient, nicol_gradient_init);
+const _: () = {
+    assert!(size_of::<nicol_gradient>() == 56);
+    assert!(offset_of!(nicol_gradient, struct_size) == 0);
+    assert!(offset_of!(nicol_gradient, reserved) == 4);
+    assert!(offset_of!(nicol_gradient, environment) == 8);
+    assert!(offset_of!(nicol_gradient, environment_count) == 16);
+    assert!(offset_of!(nicol_gradient, lights) == 24);
+    assert!(offset_of!(nicol_gradient, lights_count) == 32);
+    assert!(offset_of!(nicol_gradient, instances) == 40);
+    assert!(offset_of!(nicol_gradient, instances_count) == 48);
+};
+
 /// Returns the address of an OpenGL function by its name, as SDL_GL_GetProcAddress, eglGetProcAddress and
 /// others do.
 pub type nicol_get_proc_address_callback = Option<unsafe extern "C" fn(user: *mut c_void, name: *const c_char) -> *mut c_void>;
@@ -2318,6 +2345,25 @@ extern "C" {
     /// quantum efficiency, gain, levels and extinction ratio. The pixels' own errors and crosstalk are not undone.
     /// `to` has 3 channels with colour filters, else 1, and s3 = 0; NICOL_MOSAIC_PLAIN gives s0 alone.
     pub fn nicol_sensor_demosaic(sensor: *const nicol_sensor, raw: *const nicol_raw_image, method: nicol_demosaic, to: *const nicol_stokes_image) -> nicol_result;
+    pub fn nicol_gradient_init(descriptor: *mut nicol_gradient, struct_size: u32) -> nicol_result;
+    /// Computes gradients from a gradient of the picture. A picture is linear in its light, picture = A light, and
+    /// the gradient by the light is the transpose of A times that by the picture: for f = |picture - measured|^2 /
+    /// 2, `picture` is the difference, and descent or conjugate gradients recover the light. The cost is that of
+    /// about one render of light in motion; nothing is drawn into a framebuffer. `picture` has the derivatives of
+    /// f by the Stokes vectors of the pixels of nicol_render's image with this camera and these options, in all
+    /// channels of the scene; its size is the image's. The picture must be linear in its light, and each pixel's
+    /// light that of vertices and local lights. Other options give NICOL_ERROR_UNSUPPORTED with a message that
+    /// names what to set: method factored, executor not compute; physical 0; order_low given and order_high equal,
+    /// or high_orders none; shade_at pixels (automatic, if that means pixels); pixel_samples 0, 1, 4 or 8 with the
+    /// box filter; max_depth
+    /// 0 or 2 for gradients by lights and by instances; no time budgets; no lights extracted from an image (split_lights 0), no lobes
+    /// that sample the environment (bsdf_samples 0). So do mirrors, smooth glass and polarization elements; a
+    /// background, if the gradient by the environment is wanted; and emissive surfaces, if that by instances is
+    /// wanted. The bake is that of nicol_render with NICOL_OPTIMISATION_LIGHT_COMPONENTS disabled: who calls both
+    /// in turn disables it in both, so that none of them bakes anew. Returns NICOL_ERROR_INVALID_ARGUMENT for
+    /// sizes that do not fit, if the scene has no environment whose gradient is wanted, and for a local light of
+    /// the value 0; else the results of nicol_render.
+    pub fn nicol_render_adjoint(scene: nicol_scene, camera: *const nicol_camera, options: *const nicol_render_options, picture: *const nicol_stokes_image, gradient: *const nicol_gradient) -> nicol_result;
     pub fn nicol_host_init(descriptor: *mut nicol_host, struct_size: u32) -> nicol_result;
     /// Creates a context inside the OpenGL context that is current: OpenGL 4.5 or newer, of the core or the
     /// compatibility profile. options are those of nicol_context_create, with backend and device 0. Returns

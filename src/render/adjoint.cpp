@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+// Renderer::adjoint(): gradients by what a picture is linear in.
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "arguments.hpp"
+#include "devices/adjoint/adjoint_executor.hpp"
+#include "draw/sample_pattern.hpp"
+#include "material/reflectance.hpp"
+#include "render/check_options.hpp"
+#include "render/renderer.hpp"
+#include "surfaces/rigid_motion.hpp"
+
+namespace nicol {
+namespace {
+
+[[noreturn]] void refuse_unsupported(const std::string& message) {
+    throw Error(ErrorCode::unsupported, "the adjoint " + message);
+}
+
+// Throws Error(unsupported) for options whose picture is not linear in its light, or not the same each time.
+void check_linear(const RenderOptions& options) {
+    if (options.method != Method::factored) refuse_unsupported("needs the method factored");
+    if (options.executor == Executor::compute) refuse_unsupported("runs on threads; set executor to cpu");
+    if (options.physical)
+        refuse_unsupported("needs a picture that is linear in its light; set physical to 0");
+    if (options.choose_orders)
+        refuse_unsupported("needs orders that do not depend on the light; set order_low and order_high");
+    if (options.high_orders != HighOrders::none && options.order_high != options.order_low)
+        refuse_unsupported("has no orders above order_low; set order_high to order_low");
+    if (options.shade_at == ShadeAt::vertices)
+        refuse_unsupported("needs light that is shaded at pixels; set shade_at to pixels");
+    if (drawn_one_by_one(options.pixel_samples, options.filter))
+        refuse_unsupported("needs 1, 4 or 8 pixel_samples and the box filter");
+    if (options.bake_budget_ms > 0 || options.time_budget_ms > 0)
+        refuse_unsupported("needs the final picture; set bake_budget_ms and time_budget_ms to 0");
+}
+
+void check_scene(const Scene& scene, const RenderOptions& options, const WantedGradients& wanted) {
+    if (!scene.elements().empty())
+        refuse_unsupported(
+            "has no polarization elements; remove them, or multiply the picture's gradient by "
+            "the transposed Mueller matrix of one that covers the picture");
+    if (wanted.environment && scene.distant_light() == nullptr)
+        refuse(
+            "the gradient by the environment is wanted, but the scene has no environment that gives light");
+    if (wanted.environment && scene.background() != nullptr)
+        refuse_unsupported("has no background; hide the emitters (nicol_scene_hide_emitters)");
+    if (!wanted.lights && !wanted.instances) return;
+    if (options.max_depth > kDirectLightDepth)
+        refuse_unsupported("by lights and by instances has no light that bounces; set max_depth to 2");
+    for (std::size_t k = 0; k < scene.lights().size(); ++k)
+        if (std::ranges::all_of(scene.lights()[k].value, [](double value) { return value == 0; }))
+            refuse("light " + std::to_string(scene.light_ids()[k]) +
+                   " has the value 0, so that nothing samples it; give it a value above 0");
+    const bool emits = std::ranges::any_of(
+        scene.instances(), [](const Instance& instance) { return instance.emission != nullptr; });
+    if (wanted.instances && emits)
+        refuse_unsupported("by instances has no emissive surfaces; replace them by local lights");
+}
+
+// Returns the local lights of a scene. from_world: to the axes of the surfaces.
+std::vector<AdjointLight> adjoint_lights(const Scene& scene, const glm::dmat4& from_world) {
+    std::vector<AdjointLight> out;
+    for (const LocalLight& light : scene.lights()) {
+        std::vector<Stokes> stokes;
+        for (int c = 0; c < scene.channels(); ++c)
+            stokes.push_back(of_channel(light.value, c) * light.state.stokes());
+        out.push_back(
+            {.source = unit_sources(light, scene.channels(), from_world), .stokes = std::move(stokes)});
+    }
+    return out;
+}
+
+// Returns the gradient by the environment from that by the light of the scale 1 and without a window.
+PshVector by_environment(PshVector gradient, double scale, double dering) {
+    for (double& number : gradient.data()) number *= scale;
+    suppress_ringing(gradient, dering);
+    return gradient;
+}
+
+// Adds the gradients of the ranges of each instance, which has two if it is two-sided.
+std::vector<double> of_instances(const Scene& scene, const std::vector<VertexRange>& ranges,
+                                 std::span<const double> of_ranges, int channels) {
+    const auto planes = static_cast<std::size_t>(channels);
+    std::vector<double> out(scene.ids().size() * planes);
+    for (std::size_t r = 0; r < ranges.size(); ++r) {
+        const auto instance = static_cast<std::size_t>(
+            std::ranges::lower_bound(scene.ids(), ranges[r].instance) - scene.ids().begin());
+        for (std::size_t c = 0; c < planes; ++c) out[instance * planes + c] += of_ranges[r * planes + c];
+    }
+    return out;
+}
+
+}  // namespace
+
+Gradients Renderer::adjoint(const Scene& scene, const Camera& camera, const RenderOptions& given,
+                            const StokesImage& picture, const WantedGradients& wanted) {
+    if (picture.channels != scene.channels())
+        refuse("the gradient of the picture has " + std::to_string(picture.channels) +
+               " colour channels; the scene has " + std::to_string(scene.channels()));
+    check(given, scene, picture.width, picture.height);
+    check_linear(given);
+    check_scene(scene, given, wanted);
+    memory_limit_.check(scene, given, picture.width, picture.height);
+    RenderOptions options = given;
+    // Gradients are wanted by components that the light lacks, too.
+    options.disabled_optimisations |= skip_light_components;
+    const Projection projection = project(camera, picture.width, picture.height);
+    CommonBake common{.views = {projection}};
+    Statistics statistics;
+    Progress progress(options.progress);
+    RenderRun run{.workers = workers_, .progress = progress, .statistics = statistics};
+    const auto hits = [&](bool /*on_host*/) -> const VisibilityBuffer& {
+        context_->run([&] {
+            find_hits(projection, options, VisibilityBuffer::Kept::on_host,
+                      {picture.width, picture.height, picture.channels}, statistics);
+        });
+        return hits_;
+    };
+    Gradients out;
+    workers_.run([&] {
+        bake(scene, options, common);
+        std::vector<AdjointLight> lights;
+        if (wanted.lights || wanted.instances)
+            lights = adjoint_lights(scene, inverse_motion(pipeline_.surfaces().to_world()));
+        AdjointExecutor executor(picture, std::move(lights));
+        pipeline_.run(scene, projection, options, executor, run, hits);
+        const LightGradients& gradients = executor.gradients();
+        if (wanted.environment)
+            out.environment = by_environment(gradients.distant, scene.light_scale(), options.dering);
+        if (wanted.lights) out.lights = gradients.lights;
+        if (wanted.instances)
+            out.instances = of_instances(scene, pipeline_.surfaces().geometry().ranges, gradients.reflection,
+                                         picture.channels);
+    });
+    return out;
+}
+
+}  // namespace nicol
