@@ -6,6 +6,9 @@
 #include "options.hpp"
 #include "report.hpp"
 
+/// Measures gradients by the environment beside pictures.
+Report bench_adjoint(const Options& options);
+
 /// Measures visibility at the vertices.
 Report bench_bake(const Options& options);
 

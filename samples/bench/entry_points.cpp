@@ -273,6 +273,30 @@ void ask_scene(const EntryPoints::Watch& watch, nicol_scene loaded) {
     keep(watch, NAMED(nicol_scene_retain), NAMED(nicol_scene_release), loaded);
 }
 
+// Computes a gradient by instances: the derivatives of the picture's sum of s0.
+void find_gradient(const EntryPoints::Watch& watch, nicol_scene scene, const nicol_camera& camera) {
+    constexpr std::uint32_t side = 8;
+    std::uint32_t channels = 0, instances = 0;
+    check(nicol_scene_get_channels(scene, &channels));
+    check(nicol_scene_get_instance_count(scene, &instances));
+    std::vector<float> pixels(std::size_t{side} * side * channels * 4);
+    for (std::size_t i = 0; i < pixels.size(); i += 4) pixels[i] = 1;
+    auto picture = defaults(nicol_stokes_image_init);
+    picture.width = picture.height = side;
+    picture.channels = channels;
+    picture.pixels = pixels.data();
+    picture.byte_size = pixels.size() * sizeof(float);
+    std::vector<double> of_instances(std::size_t{instances} * channels);
+    auto gradient = defaults(nicol_gradient_init);
+    gradient.instances = of_instances.data();
+    gradient.instances_count = of_instances.size();
+    auto options = defaults(nicol_render_options_init);
+    options.physical = 0;
+    options.order_low = options.order_high = 3;
+    options.shade_at = NICOL_SHADE_AT_PIXELS;
+    call(watch, NAMED(nicol_render_adjoint), scene, &camera, &options, &picture, &gradient);
+}
+
 }  // namespace
 
 EntryPoints::EntryPoints(nicol_context context, std::filesystem::path folder)
@@ -321,6 +345,7 @@ void EntryPoints::images(const Watch& watch) {
     o.camera.shift[0] += 0.001;
     const nicol_framebuffer framebuffers[] = {o.framebuffer.get()};
     call(watch, NAMED(nicol_render_views), o.scene.get(), &o.camera, framebuffers, 1U, nullptr);
+    find_gradient(watch, o.scene.get(), o.camera);
     reads(watch, o.framebuffer.get());
 }
 

@@ -117,3 +117,8 @@ nicol_statistics Stage::render(const nicol_render_options& options, nicol_frameb
     check(nicol_framebuffer_get_statistics(framebuffer, &statistics));
     return statistics;
 }
+
+void Stage::adjoint(const nicol_render_options& options, const nicol_stokes_image& picture,
+                    const nicol_gradient& gradient) const {
+    check(nicol_render_adjoint(scene_.get(), &camera_, &options, &picture, &gradient));
+}

@@ -56,6 +56,8 @@ public:
     /// Rotates the light about the world's vertical axis by `degrees` more.
     void rotate_light(double degrees);
     nicol_statistics render(const nicol_render_options& options, nicol_framebuffer framebuffer) const;
+    void adjoint(const nicol_render_options& options, const nicol_stokes_image& picture,
+                 const nicol_gradient& gradient) const;
 
 private:
     nicol_context context_;
