@@ -3,8 +3,7 @@
 [--tiles N] [--size WxH] [--noise SHARE] [--steps COUNT]
 
 Direct light is linear in the reflectance of diffuse surfaces: each tile is an instance whose gradient, divided by the
-reflectance, is the derivative by it. Conjugate gradients on the normal equations converge fast, because each pixel shows few
-tiles; a ball casts its shadow over some of them, and is seen in front of others."""
+reflectance, is the derivative by it. A ball casts its shadow over some tiles and hides others."""
 
 import argparse
 
@@ -12,10 +11,10 @@ import nicol
 import numpy
 
 parser = argparse.ArgumentParser(description=__doc__)
-parser.add_argument("--tiles", type=int, default=8, help="along each side")
+parser.add_argument("--tiles", type=int, default=6, help="along each side")
 parser.add_argument("--size", default="96x72")
 parser.add_argument("--noise", type=float, default=0, help="of the picture, relative to its RMS")
-parser.add_argument("--steps", type=int, default=12)
+parser.add_argument("--steps", type=int, default=40)
 arguments = parser.parse_args()
 width, height = map(int, arguments.size.split("x"))
 CHANNELS = 3
@@ -64,28 +63,30 @@ class Floor:
         return found[: len(self.ids)]
 
 
-def least_squares(floor, picture, colors, steps):
-    """Conjugate gradients (CGLS) from colours on, whose scene is also the one of which pictures are linear in factors."""
-    floor.set_colors(colors)
-    rest = picture - floor.picture()
-    reference = colors
-    gradient = floor.gradient(rest) / reference
+def least_squares(floor, picture, start, steps):
+    """Conjugate gradients on the normal equations (CGLS), from the reflectances `start` on."""
+    floor.set_colors(start)
+
+    def change_by(way):
+        """Returns the change of the picture, from two pictures whose reflectances lie within 0 to 1."""
+        length = 0.4 / numpy.abs(way).max()
+        pictures = []
+        for sign in (1, -1):
+            floor.set_colors(start + sign * length * way)
+            pictures.append(floor.picture())
+        floor.set_colors(start)
+        return (pictures[0] - pictures[1]) / (2 * length)
+
+    colors, rest = start, picture - floor.picture()
+    gradient = floor.gradient(rest) / start
     way, size = gradient, (gradient**2).sum()
     for _ in range(steps):
-        # Reflectances lie in 0 to 1, so the change of the picture is found from two colours within.
-        length = 0.4 / numpy.abs(way).max()
-        floor.set_colors(reference + length * way * 0.5)
-        above = floor.picture()
-        floor.set_colors(reference - length * way * 0.5)
-        change = (above - floor.picture()) / length
+        change = change_by(way)
         step = size / (change**2).sum()
         colors, rest = colors + step * way, rest - step * change
-        floor.set_colors(reference)
-        gradient = floor.gradient(rest) / reference
+        gradient = floor.gradient(rest) / start
         former, size = size, (gradient**2).sum()
         way = gradient + size / former * way
-        if size < 1e-12 * former:
-            break
     return colors
 
 
@@ -96,5 +97,7 @@ with nicol.Context.create() as context:
     picture = floor.picture()
     noise = numpy.random.default_rng(4).normal(size=picture.shape)
     picture += arguments.noise * numpy.sqrt((picture**2).mean()) * noise
+    seen = floor.gradient(numpy.ones_like(picture)).min(axis=1) > 0
     colors = least_squares(floor, picture, numpy.full_like(truth, 0.5), arguments.steps)
-print(f"error of the reflectances: {numpy.abs(colors - truth).max():.2e} at most, {numpy.sqrt(((colors - truth) ** 2).mean()):.2e} RMS")
+errors = numpy.abs(colors - truth)[seen]
+print(f"error of the reflectances of {seen.sum()} tiles that are seen: {errors.max():.2e} at most, {numpy.sqrt((errors**2).mean()):.2e} RMS")

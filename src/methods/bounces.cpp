@@ -233,13 +233,14 @@ PshVector Bounces::gradient(const std::function<const float*(std::size_t)>& row,
     const std::size_t size = planes * numbers;
     std::vector<float> receivers(links_->receivers() * size);
     for (std::size_t v = 0; v < links_->blends().size(); ++v) {
+        const float* const from = row(v);
         const Receivers::Blend& blend = links_->blends()[v];
         for (std::size_t k = 0; k < blend.weights.size(); ++k) {
-            if (blend.weights[k] == 0) continue;
+            if (from == nullptr || blend.weights[k] == 0) continue;
             float* to = receivers.data() + blend.receivers[k] * size;
             for (std::size_t c = 0; c < planes; ++c)
                 for (std::size_t j = 0; j < numbers; ++j)
-                    *to++ += blend.weights[k] * row(v)[c * light.size() + places_[j]];
+                    *to++ += blend.weights[k] * from[c * light.size() + places_[j]];
         }
     }
     std::vector<double> of_light(planes * columns_->light()->size());

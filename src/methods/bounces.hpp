@@ -50,8 +50,8 @@ public:
     void add_to(VertexLight& light, std::size_t first, std::size_t last) const;
 
     /// Returns the gradient by the coefficients of the distant light, in the geometry's axes, from that by
-    /// the vertices' light: the transpose of the light that add_to() adds. row(v): gradient of vertex v,
-    /// [channel][number of light], in the geometry's axes. light: layout of the vertices' light.
+    /// the vertices' light: the transpose of the light that add_to() adds. row(v): gradient of vertex v, or
+    /// null for 0, [channel][number of light], in the geometry's axes. light: layout of the vertices' light.
     [[nodiscard]] PshVector gradient(const std::function<const float*(std::size_t)>& row,
                                      const LightLayout& light, int channels) const;
 

@@ -49,38 +49,59 @@ void check_transposed(const PixelInput& input) {
 // Sums of gradients of one thread or of all.
 using Sums = tbb::combinable<GradientSums>;
 
-// Adds the transpose of relight: rotates the rows' gradients into the vertices' frames, multiplies them by
-// the visibility, and rotates them back.
+// Adds the transpose of relight to the sums: rotates the gradients of a block of vertices into the vertices'
+// frames, multiplies them by the visibility, and rotates them back. light: room for a block.
+void transpose_relight(const WorldGeometry& geometry, const VisibilityProduct& shadows,
+                       const FrameRotation& rotation, std::size_t block, VertexLight& light,
+                       std::span<double> sums) {
+    const std::size_t first = block * kLanes, size = light.row_size();
+    const std::size_t end = std::min(first + kLanes, geometry.normals.size());
+    const std::span normals = std::span(geometry.normals).subspan(first, end - first);
+    rotation.into_frames(normals, light, 0);
+    shadows.run(light, block, block + 1, block);
+    rotation.into_world(normals, light, 0);
+    for (std::size_t v = first; v < end;) {
+        const std::size_t range = range_of(geometry, v);
+        const std::size_t last = std::min(geometry.ranges[range].last, end);
+        add_lanes(light, 0, v - first, last - v, sums.subspan(range * size, size));
+        v = last;
+    }
+}
+
+// Adds the transpose of relight of all vertices that points have added to.
 void transpose_relight(const FactoredMethod& method, const PixelInput& input, const VertexGradient& rows,
                        int channels, Sums& sums, RenderRun& run) {
-    const WorldGeometry& geometry = input.geometry;
-    const std::size_t vertices = geometry.normals.size(), size = rows.row_size();
     const FrameRotation rotation(input.layout);
-    const VisibilityProduct& shadows = **method.shadows();
-    const std::vector<float> zeros(size);
-    run.workers.for_blocks(
-        (vertices + kLanes - 1) / kLanes, "relight", run.progress, [&](std::size_t begin, std::size_t end) {
-            thread_local VertexLight light;
-            light.resize(input.layout, channels, kLanes);
-            std::vector<double>& sum = sums.local().distant;
-            for (std::size_t block = begin; block < end; ++block) {
-                const std::size_t first = block * kLanes, count = std::min(kLanes, vertices - first);
-                std::array<const float*, kLanes> of_lanes;
-                of_lanes.fill(zeros.data());
-                for (std::size_t i = 0; i < count; ++i) of_lanes[i] = rows.row(first + i);
-                to_lanes(of_lanes, size, light.block(0, 0).data());
-                const std::span normals = std::span(geometry.normals).subspan(first, count);
-                rotation.into_frames(normals, light, 0);
-                shadows.run(light, block, block + 1, block);
-                rotation.into_world(normals, light, 0);
-                for (std::size_t v = first; v < first + count;) {
-                    const std::size_t range = range_of(geometry, v);
-                    const std::size_t last = std::min(geometry.ranges[range].last, first + count);
-                    add_lanes(light, 0, v - first, last - v, std::span(sum).subspan(range * size, size));
-                    v = last;
-                }
-            }
-        });
+    run.workers.for_blocks((input.geometry.normals.size() + kLanes - 1) / kLanes, "relight", run.progress,
+                           [&](std::size_t begin, std::size_t end) {
+                               thread_local VertexLight light;
+                               light.resize(input.layout, channels, kLanes);
+                               for (std::size_t block = begin; block < end; ++block) {
+                                   if (rows.row(block * kLanes) == nullptr) continue;
+                                   std::array<const float*, kLanes> of_lanes;
+                                   for (std::size_t i = 0; i < kLanes; ++i)
+                                       of_lanes[i] = rows.row(block * kLanes + i);
+                                   to_lanes(of_lanes, rows.row_size(), light.block(0, 0).data());
+                                   transpose_relight(input.geometry, **method.shadows(), rotation, block,
+                                                     light, sums.local().distant);
+                               }
+                           });
+}
+
+// Returns the response tables of the ranges' materials, [range][layer].
+std::vector<std::vector<const ResponseTable*>> responses_of(const WorldGeometry& geometry,
+                                                            const FactoredMethod::Tables& tables) {
+    std::vector<std::vector<const ResponseTable*>> out;
+    out.reserve(geometry.ranges.size());
+    for (const VertexRange& range : geometry.ranges) {
+        std::vector<const ResponseTable*>& layers = out.emplace_back();
+        for (const MaterialPtr& layer : plain_materials(range.material)) layers.push_back(&tables.at(layer));
+    }
+    return out;
+}
+
+void add(const PshVector& from, PshVector& to) {
+    for (std::size_t i = 0; i < from.data().size(); ++i) to.data()[i] += from.data()[i];
 }
 
 double dot(std::span<const double> a, std::span<const double> b) {
@@ -136,63 +157,59 @@ void AdjointExecutor::illuminate(const LocalLights& /*lights*/, const ShadeInput
 void AdjointExecutor::shade_pixels(const FactoredMethod& method, const PixelInput& input, RenderRun& run) {
     check_transposed(input);
     const WorldGeometry& geometry = input.geometry;
-    const int channels = picture_.channels;
-    const auto planes = static_cast<std::size_t>(channels);
-    const std::size_t size = planes * input.layout.size();
-    std::vector<std::vector<const ResponseTable*>> responses;
-    for (const VertexRange& range : geometry.ranges) {
-        std::vector<const ResponseTable*>& layers = responses.emplace_back();
-        for (const MaterialPtr& layer : plain_materials(range.material))
-            layers.push_back(&method.tables()->at(layer));
-    }
+    const auto channels = static_cast<std::size_t>(picture_.channels);
+    const std::size_t size = channels * input.layout.size();
+    const auto responses = responses_of(geometry, *method.tables());
     std::vector<LocalLighting> lights;
-    if (input.local_lights != nullptr)
-        for (AdjointLight& light : lights_)
-            lights.push_back(
-                input.local_lights->lighting().with_light(std::move(light.source), lights.size()));
-    const GradientSums none{
-        .distant = std::vector<double>(geometry.ranges.size() * size),
-        .lights = std::vector<double>(geometry.ranges.size() * lights.size() * 4 * planes)};
-    Sums sums([&] { return none; });
+    lights.reserve(lights_.size());
+    for (AdjointLight& light : lights_)
+        lights.push_back(input.local_lights->lighting().with_light(std::move(light.source), lights.size()));
+    GradientSums all{.distant = std::vector<double>(geometry.ranges.size() * size),
+                     .lights = std::vector<double>(geometry.ranges.size() * lights.size() * 4 * channels)};
+    Sums sums([none = all] { return none; });
 
-    VertexGradient rows(method.shadows()->has_value() ? geometry.positions.size() : 0, size);
+    const bool shadows = method.shadows()->has_value();
+    VertexGradient rows(shadows ? geometry.positions.size() : 0, size);
     const PointGradient points(input, picture_, responses, lights, rows);
     const std::size_t pixels =
         static_cast<std::size_t>(input.hits.width()) * static_cast<std::size_t>(input.hits.height());
     run.workers.for_vertices(
         0, pixels, pixels, "shade", run.progress,
         [&](std::size_t begin, std::size_t end) { points.add(begin, end, sums.local()); });
-    if (method.shadows()->has_value()) transpose_relight(method, input, rows, channels, sums, run);
-    GradientSums all = none;
+    if (shadows) transpose_relight(method, input, rows, picture_.channels, sums, run);
     sums.combine_each([&](const GradientSums& one) { all += one; });
+    collect(all, input);
+    if (input.bounces > 0)
+        add(method.bounces().gradient([&](std::size_t v) { return rows.row(v); }, input.layout,
+                                      picture_.channels),
+            gradients_.distant);
+    gradients_.distant = rotated(gradients_.distant, glm::transpose(input.light_to_geometry));
+}
 
-    const double factor = double{input.light_factor};
-    gradients_.distant = PshVector(input.layout.order(), channels);
-    gradients_.reflection.assign(geometry.ranges.size() * planes, 0);
-    gradients_.lights.assign(lights.size() * planes * 4, 0);
-    for (std::size_t r = 0; r < geometry.ranges.size(); ++r) {
-        const PshVector own =
-            gradient_by_coefficients(std::span(all.distant).subspan(r * size, size), input.layout, channels);
-        for (std::size_t i = 0; i < own.data().size(); ++i) gradients_.distant.data()[i] += own.data()[i];
-        for (int c = 0; c < channels; ++c)
-            gradients_.reflection[r * planes + static_cast<std::size_t>(c)] +=
-                factor * dot(own.channel(c), input.light.channel(input.light.channels() == 1 ? 0 : c));
-        for (std::size_t k = 0; k < lights.size(); ++k)
+void AdjointExecutor::collect(const GradientSums& sums, const PixelInput& input) {
+    const auto channels = static_cast<std::size_t>(picture_.channels);
+    const std::size_t ranges = input.geometry.ranges.size(), size = channels * input.layout.size();
+    const std::size_t lights = lights_.size();
+    gradients_ = {.distant = PshVector(input.layout.order(), picture_.channels),
+                  .lights = std::vector<double>(lights * channels * 4),
+                  .reflection = std::vector<double>(ranges * channels)};
+    for (std::size_t r = 0; r < ranges; ++r) {
+        const std::span reflection = std::span(gradients_.reflection).subspan(r * channels, channels);
+        const PshVector distant = gradient_by_coefficients(std::span(sums.distant).subspan(r * size, size),
+                                                           input.layout, picture_.channels);
+        add(distant, gradients_.distant);
+        for (int c = 0; c < picture_.channels; ++c)
+            reflection[static_cast<std::size_t>(c)] +=
+                double{input.light_factor} *
+                dot(distant.channel(c), input.light.channel(input.light.channels() == 1 ? 0 : c));
+        for (std::size_t k = 0; k < lights; ++k)
             for (std::size_t p = 0; p < 4; ++p)
-                for (std::size_t c = 0; c < planes; ++c) {
-                    const double sum = all.lights[((r * lights.size() + k) * 4 + p) * planes + c];
-                    gradients_.lights[(k * planes + c) * 4 + p] += sum;
-                    gradients_.reflection[r * planes + c] +=
-                        sum * lights_[k].stokes[c][static_cast<glm::length_t>(p)];
+                for (std::size_t c = 0; c < channels; ++c) {
+                    const double sum = sums.lights[((r * lights + k) * 4 + p) * channels + c];
+                    gradients_.lights[(k * channels + c) * 4 + p] += sum;
+                    reflection[c] += sum * lights_[k].stokes[c][static_cast<glm::length_t>(p)];
                 }
     }
-    if (input.bounces > 0) {
-        const PshVector bounced =
-            method.bounces().gradient([&](std::size_t v) { return rows.row(v); }, input.layout, channels);
-        for (std::size_t i = 0; i < bounced.data().size(); ++i)
-            gradients_.distant.data()[i] += bounced.data()[i];
-    }
-    gradients_.distant = rotated(gradients_.distant, glm::transpose(input.light_to_geometry));
 }
 
 }  // namespace nicol

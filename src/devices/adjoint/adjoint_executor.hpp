@@ -3,7 +3,6 @@
 // light that it is linear in.
 #pragma once
 
-#include <cstddef>
 #include <vector>
 
 #include "harmonics/psh.hpp"
@@ -13,6 +12,8 @@
 #include "shading/light_source.hpp"
 
 namespace nicol {
+
+struct GradientSums;
 
 /// A local light of which gradients are wanted.
 struct AdjointLight {
@@ -39,7 +40,7 @@ struct LightGradients {
 class AdjointExecutor final : public RenderExecutor {
 public:
     /// picture: the gradient by the pixels' Stokes vectors; must outlive the executor and have the scene's
-    /// channels and the size of the hits. lights: all local lights of the scene, or none.
+    /// channels and the size of the hits. lights: all local lights of the scene, which are not dark, or none.
     AdjointExecutor(const StokesImage& picture, std::vector<AdjointLight> lights)
         : picture_(picture), lights_(std::move(lights)) {}
 
@@ -69,6 +70,9 @@ public:
     [[nodiscard]] const LightGradients& gradients() const noexcept { return gradients_; }
 
 private:
+    /// Sets gradients_, in the geometry's axes, from sums over all points.
+    void collect(const GradientSums& sums, const PixelInput& input);
+
     const StokesImage& picture_;
     std::vector<AdjointLight> lights_;
     LightGradients gradients_;

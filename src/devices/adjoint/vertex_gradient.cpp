@@ -7,8 +7,10 @@ void VertexGradient::add(const glm::uvec3& corners, const glm::vec3& weights, co
     for (glm::length_t k = 0; k < 3; ++k) {
         const float weight = weights[k];
         if (weight == 0) continue;
-        float* const sum = rows_.data() + corners[k] * row_size_;
-        const tbb::spin_mutex::scoped_lock lock(locks_[corners[k] % kLocks]);
+        const std::size_t block = corners[k] / kLanes;
+        const tbb::spin_mutex::scoped_lock lock(locks_[block % kLocks]);
+        if (blocks_[block] == nullptr) blocks_[block] = std::make_unique<float[]>(kLanes * row_size_);
+        float* const sum = blocks_[block].get() + corners[k] % kLanes * row_size_;
         for (std::size_t j = 0; j < row_size_; ++j) sum[j] += weight * row[j];
     }
 }
