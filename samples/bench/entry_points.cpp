@@ -273,14 +273,13 @@ void ask_scene(const EntryPoints::Watch& watch, nicol_scene loaded) {
     keep(watch, NAMED(nicol_scene_retain), NAMED(nicol_scene_release), loaded);
 }
 
-// Computes a gradient by instances: the derivatives of the picture's sum of s0.
+// Computes a gradient by instances.
 void find_gradient(const EntryPoints::Watch& watch, nicol_scene scene, const nicol_camera& camera) {
     constexpr std::uint32_t side = 8;
     std::uint32_t channels = 0, instances = 0;
     check(nicol_scene_get_channels(scene, &channels));
     check(nicol_scene_get_instance_count(scene, &instances));
-    std::vector<float> pixels(std::size_t{side} * side * channels * 4);
-    for (std::size_t i = 0; i < pixels.size(); i += 4) pixels[i] = 1;
+    std::vector<float> pixels(std::size_t{side} * side * channels * 4, 1.0F);
     auto picture = defaults(nicol_stokes_image_init);
     picture.width = picture.height = side;
     picture.channels = channels;

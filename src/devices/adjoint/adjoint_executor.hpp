@@ -24,11 +24,13 @@ struct AdjointLight {
 /// Gradients of a picture's light. A picture P(x) is linear in the light x: the gradient of f(P) by x is the
 /// transpose of P times the gradient of f by the picture.
 struct LightGradients {
-    /// Of the distant light's coefficients up to the order that is shaded, in its own axes, for a scale of 1.
+    /// Gradient by the distant light's coefficients up to the order that is shaded, in its own axes, for a
+    /// scale of 1.
     PshVector distant;
-    /// Of the local lights' Stokes vectors in the frames of unit_sources(), [light][channel][component].
+    /// Gradient by the local lights' Stokes vectors in the frames of unit_sources(),
+    /// [light][channel][component].
     std::vector<double> lights;
-    /// Of a factor of what a range of the geometry reflects, [range][channel].
+    /// Gradient by a factor of what a range of the geometry reflects, [range][channel].
     std::vector<double> reflection;
 };
 
