@@ -3186,23 +3186,24 @@ def render_async(scene: Scene, camera: Camera, options: Any, framebuffer: Frameb
 
 
 def render_adjoint(scene: Scene, camera: Camera, options: RenderOptions | None, picture: StokesImage, gradient: Gradient) -> None:
-    """Computes gradients from a gradient of the picture. A picture is linear in its light, picture = A light, and
-    the gradient by the light is the transpose of A times that by the picture: for f = |picture - measured|^2 /
-    2, `picture` is the difference, and descent or conjugate gradients recover the light. The cost is that of
-    about one render of light in motion; nothing is drawn into a framebuffer. `picture` has the derivatives of
-    f by the Stokes vectors of the pixels of nicol_render's image with this camera and these options, in all
-    channels of the scene; its size is the image's. The picture must be linear in its light, and each pixel's
-    light that of vertices and local lights. Other options give NICOL_ERROR_UNSUPPORTED with a message that
-    names what to set: method factored, executor not compute; physical 0; order_low given and order_high equal,
-    or high_orders none; shade_at pixels (automatic, if that means pixels); pixel_samples 0, 1, 4 or 8 with the
-    box filter; max_depth
-    0 or 2 for gradients by lights and by instances; no time budgets; no lights extracted from an image (split_lights 0), no lobes
-    that sample the environment (bsdf_samples 0). So do mirrors, smooth glass and polarization elements; a
-    background, if the gradient by the environment is wanted; and emissive surfaces, if that by instances is
-    wanted. The bake is that of nicol_render with NICOL_OPTIMISATION_LIGHT_COMPONENTS disabled: who calls both
-    in turn disables it in both, so that none of them bakes anew. Returns NICOL_ERROR_INVALID_ARGUMENT for
-    sizes that do not fit, if the scene has no environment whose gradient is wanted, and for a local light of
-    the value 0; else the results of nicol_render."""
+    """Computes gradients of a function f of the image that nicol_render makes with this camera and these options. The image is
+    linear in its light: image = A light. The gradient by the light is the transpose of A times the gradient by the image. For
+    f = |image - measured|^2 / 2, `picture` is image - measured, and conjugate gradients recover the light.
+      picture       Derivatives of f by the Stokes vectors of the pixels, in all channels of the scene. Its size is the image's.
+      Cost          About that of an image whose light has changed. Nothing is drawn into a framebuffer.
+      Bake          Gradients need all Stokes components. Callers that alternate between images and gradients should disable
+                    NICOL_OPTIMISATION_LIGHT_COMPONENTS for both, because the bake then serves both.
+      Options       method factored; executor automatic or cpu; physical 0; order_low and order_high given and equal, or
+                    high_orders none; shade_at pixels, or automatic if that shades pixels; pixel_samples 0, 1, 4 or 8; filter
+                    box; max_depth 0 or 2, or more for the gradient by the environment alone; both time budgets 0; split_lights
+                    0 and bsdf_samples 0 if the image would otherwise have extracted lights or samples of the environment.
+      Scene         No mirrors, no smooth glass, and with a max_depth above 2 no narrow metal; no polarization elements. The
+                    gradient by the environment needs hidden emitters, that by instances no emissive surfaces, and those by
+                    lights and by instances no local light of the value 0.
+    Returns NICOL_ERROR_UNSUPPORTED for other options and scenes, with a message that says what to change.
+    Returns NICOL_ERROR_INVALID_ARGUMENT for sizes that do not fit, for numbers that are not finite, for a local light of the
+    value 0, and if the gradient by the environment is wanted without an environment; else the results of nicol_render. A call
+    that fails writes nothing."""
     check(_render_adjoint(scene, byref(camera) if camera is not None else None, byref(options) if options is not None else None, byref(picture) if picture is not None else None, byref(gradient) if gradient is not None else None))
 
 
