@@ -7,6 +7,8 @@
 #include "median.hpp"
 #include "stage.hpp"
 
+using nicol::defaults;
+
 namespace {
 
 nicol_render_options options_of(std::uint32_t order) {

@@ -167,6 +167,10 @@ def check_times(folder, scene):
     pictures = table(folder, "dataset", scene, "--size", 16)
     assert len(pictures) == 6 and all(row["a minute"] > 0 and row["processor ms"] > 0 for row in pictures.values()), pictures
 
+    gradients = table(folder, "adjoint", scene, "--size", 16)
+    assert list(gradients) == ["2", "4", "6", "9"], gradients
+    assert all(row["gradient / picture"] > 0 for row in gradients.values()), gradients
+
     bakes = table(folder, "bake", scene)
     assert list(bakes) == ["512", "2048", "8192"], bakes
     for row in bakes.values():

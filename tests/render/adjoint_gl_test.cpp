@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "gl/contexts.hpp"
+#include "material/chiral_material.hpp"
 #include "render/scenes.hpp"
 #include "render/textured.hpp"
 
@@ -98,6 +99,7 @@ const std::vector<Case>& cases() {
     static const std::vector<Case> all{
         {"plastic", plastic},
         {"metal of one channel", test::some_metal(0.3)},
+        {"metal without mirror symmetry", test::chiral(test::some_metal(0.4))},
         {"no shadows", plastic, [](RenderOptions& o) { o.shadows = false; }},
         {"order 10", plastic, [](RenderOptions& o) { o.order_low = o.order_high = 10; }},
         {"window", plastic, [](RenderOptions& o) { o.dering = 0.01; }},
