@@ -63,8 +63,10 @@ void check_scene(const Scene& scene, const RenderOptions& options, const WantedG
 // Returns the local lights of a scene. from_world: to the axes of the surfaces.
 std::vector<AdjointLight> adjoint_lights(const Scene& scene, const glm::dmat4& from_world) {
     std::vector<AdjointLight> out;
+    out.reserve(scene.lights().size());
     for (const LocalLight& light : scene.lights()) {
         std::vector<Stokes> stokes;
+        stokes.reserve(static_cast<std::size_t>(scene.channels()));
         for (int c = 0; c < scene.channels(); ++c)
             stokes.push_back(of_channel(light.value, c) * light.state.stokes());
         out.push_back(

@@ -94,8 +94,10 @@ std::vector<std::vector<const ResponseTable*>> responses_of(const WorldGeometry&
     std::vector<std::vector<const ResponseTable*>> out;
     out.reserve(geometry.ranges.size());
     for (const VertexRange& range : geometry.ranges) {
-        std::vector<const ResponseTable*>& layers = out.emplace_back();
-        for (const MaterialPtr& layer : plain_materials(range.material)) layers.push_back(&tables.at(layer));
+        const std::vector<MaterialPtr> layers = plain_materials(range.material);
+        std::vector<const ResponseTable*>& of_layers = out.emplace_back(layers.size());
+        std::ranges::transform(layers, of_layers.begin(),
+                               [&](const MaterialPtr& layer) { return &tables.at(layer); });
     }
     return out;
 }
