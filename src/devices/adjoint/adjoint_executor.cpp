@@ -147,7 +147,7 @@ void AdjointExecutor::shade_pixels(const DenseMethod& /*method*/, const PixelInp
     refuse_adjoint("has no dense method; set method to factored");
 }
 
-std::uint64_t AdjointExecutor::make_physical(const ShadeInput& /*input*/) {
+void AdjointExecutor::make_physical(const ShadeInput& /*input*/) {
     refuse_vertices();
 }
 
@@ -202,7 +202,7 @@ void AdjointExecutor::collect(const GradientSums& sums, const PixelInput& input)
         add(distant, gradients_.distant);
         for (int c = 0; c < picture_.channels; ++c)
             reflection[static_cast<std::size_t>(c)] +=
-                double{input.light_factor} *
+                double{input.light_factors.of[static_cast<std::size_t>(c)]} *
                 dot(distant.channel(c), input.light.channel(input.light.channels() == 1 ? 0 : c));
         for (std::size_t k = 0; k < lights; ++k)
             for (std::size_t p = 0; p < 4; ++p)

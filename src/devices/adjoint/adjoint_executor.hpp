@@ -61,9 +61,9 @@ public:
     void scale(const ShadeInput& input) override;
     void shade_pixels(const FactoredMethod& method, const PixelInput& input, RenderRun& run) override;
     void shade_pixels(const DenseMethod& method, const PixelInput& input, RenderRun& run) override;
-    std::uint64_t make_physical(const ShadeInput& input) override;
+    void make_physical(const ShadeInput& input) override;
     void illuminate(const LocalLights& lights, const ShadeInput& input, RenderRun& run) override;
-    void finish() override {}
+    std::uint64_t finish() override { return 0; }
     void store(VertexBuffers& /*buffers*/) const override {}
     void store(PixelImage& /*image*/) const override {}
     void count(Statistics& /*statistics*/) const override {}
