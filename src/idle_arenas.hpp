@@ -16,6 +16,7 @@ namespace nicol {
 struct ArenaSize {
     int threads = 1;
     unsigned reserved = 1;
+    // NOLINTNEXTLINE(modernize-use-nullptr): the zero is the comparison's own
     auto operator<=>(const ArenaSize&) const = default;
 };
 

@@ -19,11 +19,11 @@ struct NeededVertices {
     double pixel = 0;  ///< side of a pixel at the nearest vertex that is seen; 0 if none is
 };
 
-/// What images need of the vertices.
+/// Vertices and shadows that images need.
 enum class ImageNeeds : std::uint8_t {
     seen,    ///< the vertices that they show: needed_vertices()
-    pixels,  ///< all vertices, and shadows as fine as pixels, since smooth surfaces and bounced light may
-             ///< show any of them, but none nearer than what is seen
+    pixels,  ///< all vertices, and shadows as fine as pixels, since smooth surfaces may show any of them, but
+             ///< none nearer than what is seen
     all      ///< all vertices, and shadows of any detail
 };
 

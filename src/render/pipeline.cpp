@@ -69,7 +69,9 @@ ImageNeeds needs_of(bool shows_alone, const RenderOptions& options) {
     if (options.method != Method::factored ||
         (options.disabled_optimisations & (skip_rays | skip_hidden)) != 0)
         return ImageNeeds::all;
-    return shows_alone && !light_bounces(options) ? ImageNeeds::seen : ImageNeeds::pixels;
+    // What bounces depends on all shadows, whether pixels resolve them or not.
+    if (light_bounces(options)) return ImageNeeds::all;
+    return shows_alone ? ImageNeeds::seen : ImageNeeds::pixels;
 }
 
 // Returns the terms that do not reflect harmonics. Light that is given as harmonics has no detail that narrow

@@ -46,6 +46,12 @@ BakeGeometry bake_geometry(const SceneGeometry& surfaces, SurfaceRays& rays,
             .every_ray = (options.disabled_optimisations & skip_rays) != 0};
 }
 
+// Returns whether vertices are traced anew that a change hides no other light from. What bounces to a vertex
+// changes with what hides the light from it, not only with how much does.
+bool traces_all(const RenderOptions& options) {
+    return (options.disabled_optimisations & skip_rays) != 0 || options.max_depth > kDirectLightDepth;
+}
+
 bool any(std::span<const std::uint8_t> flags) {
     return std::ranges::find(flags, 1) != flags.end();
 }
@@ -93,9 +99,9 @@ void SceneVisibility::update(const SceneGeometry& surfaces, SurfaceRays& rays, b
     same_places_ = surfaces_.change().same_places;
     same_normals_.clear();
     if (!shadowed) return shown_.show(*visible_);
-    const bool exact = (options.disabled_optimisations & skip_rays) != 0;
     const double negligible =
-        exact ? 0 : kUnshown * options.refine_tolerance * static_cast<double>(directions_->size());
+        traces_all(options) ? 0
+                            : kUnshown * options.refine_tolerance * static_cast<double>(directions_->size());
     workers.run([&] { shown_.follow(*visible_, former_, static_cast<std::size_t>(negligible)); });
 }
 
@@ -112,7 +118,8 @@ void SceneVisibility::count(const SceneGeometry& surfaces, Statistics& statistic
         statistics.vertices_unoccluded = (*visible_)->unoccluded_count() - statistics.vertices_unbaked;
         statistics.visibility_bytes = (*visible_)->bytes() + points_.bytes();
         if (*baked_ != *visible_) statistics.visibility_bytes += (*baked_)->bytes();
-        if (shown_.get() != visible_->get()) statistics.visibility_bytes += shown_.get()->bytes();
+        if (shown_.get() != nullptr && shown_.get() != visible_->get())
+            statistics.visibility_bytes += shown_.get()->bytes();
     }
 }
 
@@ -286,7 +293,7 @@ bool SceneVisibility::bake(const SceneGeometry& surfaces, SurfaceRays& rays, Ima
                 bake_geometry(surfaces, rays, traced_of(surfaces.geometry(), needed.flags, room), options);
             Visibility visibility;
             if (carry) {
-                const std::vector<ShiftedObject> shifted = shifted_objects(change, geometry.every_ray);
+                const std::vector<ShiftedObject> shifted = shifted_objects(change, traces_all(options));
                 const FormerBake former{.visibility = **baked_,
                                         .kept = change.kept,
                                         .disturbances = {change.added, change.removed},
@@ -384,7 +391,7 @@ Refinement SceneVisibility::refinement_of(const SceneGeometry& surfaces, const B
         if (points_bake_ == 0 || points_bake_ != carried_)
             return load_or_refine(geometry, *directions_, visible, wanted, folder_, notice_, report, baked);
         former.disturbances = {surfaces.change().added, surfaces.change().removed};
-        shifted = shifted_objects(surfaces.change(), geometry.every_ray);
+        shifted = shifted_objects(surfaces.change(), traces_all(options));
         former.shifted = shifted;
     }
     return nicol::refine(geometry, *directions_, visible, wanted, report, baked, &former);

@@ -448,8 +448,11 @@ IMAGE_TEST_CASE("a change of textures ends where a fresh start does") {
     Studio render(context);
     Scene scene = ball_over(plastic());
     const auto as_fresh = [&] {
-        const StokesImage image = render(scene, options(5));
-        CHECK(rms(minus(image, Studio(context)(scene, options(5)))) < 1e-5 * rms(image));
+        // By default vertices keep their light if a move hides almost nothing more from them.
+        RenderOptions exact = options(5);
+        exact.disabled_optimisations = skip_rays;
+        const StokesImage image = render(scene, exact);
+        CHECK(rms(minus(image, Studio(context)(scene, exact))) < 1e-5 * rms(image));
     };
     as_fresh();
     scene.set_material(1, scaled(plastic(), ramp()));
