@@ -84,14 +84,15 @@ HOST_TEST_CASE("the application goes on while a job bakes") {
 HOST_TEST_CASE("a call that waits for a job lends it the context") {
     const Hosted hosted;
     nicol_render_options options = drawn();
-    options.shade_at = NICOL_SHADE_AT_VERTICES;  // whose OpenGL commands all come with the framebuffer locked
+    options.shade_at = NICOL_SHADE_AT_VERTICES;  // whose image is drawn with the framebuffer locked
     OK(nicol_scene_set_transform(hosted.stage.scene, 0, placed(0, 0, 0).rows));
     const std::vector<float> image = hosted.stage.image(options);
     const Stage other(hosted.context);
-    for (const auto& wait : std::initializer_list<std::function<void()>>{
-             [&] { OK(other.try_render(options)); },
-             [&] {
-                 while (read_all(other.framebuffer) != image) std::this_thread::yield();
+    for (const auto& wait : std::initializer_list<std::function<void(nicol_job)>>{
+             [&](nicol_job) { OK(other.try_render(options)); },
+             [&](nicol_job job) {
+                 // Surfaces are uploaded before the framebuffer is locked.
+                 while (read_all(other.framebuffer) != image) static_cast<void>(poll(job));
              },
          }) {
         OK(nicol_scene_set_transform(other.scene, 0, placed(0.5, 0, 0).rows));
@@ -104,7 +105,7 @@ HOST_TEST_CASE("a call that waits for a job lends it the context") {
         options.progress = nullptr;
         gate.wait_until_entered();
         gate.open();
-        wait();
+        wait(job);
         OK(nicol_job_wait(job, NICOL_WAIT_FOREVER));
         CHECK(read_all(other.framebuffer) == image);
     }
