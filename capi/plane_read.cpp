@@ -25,7 +25,7 @@ struct Request {
     double polarizer_angle;  // radians
 };
 
-std::size_t bytes_of(nicol_format format) {
+std::size_t bytes_of_number(nicol_format format) {
     return format == NICOL_FORMAT_FLOAT16 ? 2 : 4;
 }
 
@@ -149,7 +149,7 @@ void read(Framebuffer& from, const nicol_plane_buffer& to) {
     require_made(kind, from);
     const std::size_t elements =
         static_cast<std::size_t>(from.width()) * static_cast<std::size_t>(request.channels) * kind.components;
-    const Rows rows(to.pixels, to.row_stride, to.byte_size, bytes_of(request.format), elements,
+    const Rows rows(to.pixels, to.row_stride, to.byte_size, bytes_of_number(request.format), elements,
                     from.height());
     const Source source(from, request);
     const Stopwatch watch;

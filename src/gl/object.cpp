@@ -76,7 +76,7 @@ Object::Object(std::shared_ptr<Context> context, ObjectKind kind, unsigned detai
     }
 }
 
-Object::Object(ObjectKind kind, unsigned id, std::shared_ptr<Context> context) noexcept
+Object::Object(ObjectKind kind, unsigned id, std::shared_ptr<Context> context)
     : context_(std::move(context)), kind_(kind), id_(id), owned_(false) {}
 
 Object Object::borrowed(std::shared_ptr<Context> context, ObjectKind kind, unsigned id) {

@@ -37,7 +37,7 @@ public:
     void account(MemoryKind kind, std::size_t bytes);
 
 private:
-    Object(ObjectKind kind, unsigned id, std::shared_ptr<Context> context) noexcept;
+    Object(ObjectKind kind, unsigned id, std::shared_ptr<Context> context);
     void drop() noexcept;
 
     std::shared_ptr<Context> context_;

@@ -109,8 +109,8 @@ std::vector<double> fewest(std::span<const double> candidates, const Samples& sa
     }
     std::vector<double> out{candidates[n - 1]};
     std::size_t at = n - 1;
-    for (auto from = before.rbegin(); from != before.rend(); ++from) {
-        at = (*from)[at];
+    for (std::size_t k = before.size(); k > 0; --k) {
+        at = before[k - 1][at];
         out.push_back(candidates[at]);
     }
     std::ranges::reverse(out);

@@ -69,7 +69,7 @@ ImageNeeds needs_of(bool shows_alone, const RenderOptions& options) {
     if (options.method != Method::factored ||
         (options.disabled_optimisations & (skip_rays | skip_hidden)) != 0)
         return ImageNeeds::all;
-    // What bounces depends on all shadows, whether pixels resolve them or not.
+    // Bounced light depends on all shadows, whether pixels resolve them or not.
     if (light_bounces(options)) return ImageNeeds::all;
     return shows_alone ? ImageNeeds::seen : ImageNeeds::pixels;
 }

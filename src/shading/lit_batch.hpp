@@ -97,13 +97,28 @@ private:
     void seed(std::uint32_t index);
     [[nodiscard]] ShadowRays* shadows() { return shadows_ ? &*shadows_ : nullptr; }
 
+    Lanes unshadowed_{};  // s0 of dim lights that were added without shadows
     LaneVectors positions_, origins_, facets_;
-    ReflectedLight reflected_;
     MirroredPixels pixels_;  // in the surfaces' frames
+    std::optional<ShadowRays> shadows_, before_mirrors_;
+    ReflectedLight reflected_;
+    PixelPlaces places_;
+    std::uint64_t rays_spared_ = 0;  // shadow rays of dim lights that were added without shadows
+    const LitPoints& points_;
+    const LitMaterial& material_;
+    LaneLight& light_ = kept_light();
+    double noise_ = 0;
+    Sums sums_;
+    std::uint32_t sampled_parts_ = 0;  // number of parts of lobes so far
+    std::uint32_t all_;
+    std::array<std::uint32_t, kLanes> seeds_{};
+};  // s0 of dim lights that were added without shadows
+    LaneVectors positions_, origins_, facets_;
+    MirroredPixels pixels_;  // in the surfaces' frames
+    ReflectedLight reflected_;
     PixelPlaces places_;
     std::optional<ShadowRays> shadows_, before_mirrors_;
     std::array<std::uint32_t, kLanes> seeds_{};
-    Lanes unshadowed_{};               // s0 of dim lights that were added without shadows
     std::uint64_t rays_spared_ = 0;    // rays of those
     std::uint32_t sampled_parts_ = 0;  // number of parts of lobes so far
     const LitPoints& points_;

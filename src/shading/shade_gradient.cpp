@@ -14,7 +14,7 @@ namespace {
 
 using Run = LightLayout::Run;
 
-[[gnu::always_inline]] inline const LaneVector& at(const Lanes* from) {
+[[gnu::always_inline]] inline const LaneVector& vector_at(const Lanes* from) {
     return *reinterpret_cast<const LaneVector*>(from);
 }
 
@@ -27,7 +27,7 @@ template <int Rows, int Pairings>
         LaneVector even{}, odd{};
         for (int r = 0; r < Rows * Pairings; ++r) {
             const int p = r / Pairings;
-            const LaneVector row = at(table + static_cast<std::size_t>(r) * row_size + i);
+            const LaneVector row = vector_at(table + static_cast<std::size_t>(r) * row_size + i);
             if ((p < 2) == (r % Pairings == 0)) {
                 even += row * cosine[p];
                 odd += row * sine[p];
@@ -37,8 +37,8 @@ template <int Rows, int Pairings>
             }
         }
         // A pair of one number has two equal indices, so the first sum is stored before the second is read.
-        store(light + run.even + i, at(light + run.even + i) + even);
-        store(light + run.odd + i, at(light + run.odd + i) + odd);
+        store(light + run.even + i, vector_at(light + run.even + i) + even);
+        store(light + run.odd + i, vector_at(light + run.odd + i) + odd);
     }
 }
 
@@ -50,8 +50,8 @@ template <int Rows, int Pairings>
         LaneVector cosine[Rows], sine[Rows];
         const float sign = run.m == 0 ? 0 : run.sign;
         for (int p = 0; p < Rows; ++p) {
-            cosine[p] = at(stokes + p) * at(cosines + run.m);
-            sine[p] = sign * at(stokes + p) * at(sines + run.m);
+            cosine[p] = vector_at(stokes + p) * vector_at(cosines + run.m);
+            sine[p] = sign * vector_at(stokes + p) * vector_at(sines + run.m);
         }
         add_run<Rows, Pairings>(run, layout.row_size(), table, cosine, sine, light);
         table += run.count;

@@ -74,13 +74,13 @@ public:
 private:
     std::uint32_t visible(LaneLight& light, std::uint32_t points, std::size_t place);
 
+    Lanes doubts_{};
     ShadowRays* rays_;
     PixelOrigins* places_;
     std::uint32_t probes_;
     std::uint32_t traced_ = 0;
     bool seen_ = false;    // whether any sample is visible from any point
     bool hidden_ = false;  // whether any sample is hidden from any point
-    Lanes doubts_{};
     bool doubtful_ = false;
 };
 

@@ -85,8 +85,8 @@ void DirectionalSource::intersect(const LaneVectors&, const LaneVectors& directi
     color_.put(radiance, out);
 }
 
-PointSource::PointSource(const LocalLight& light, SourceColor color, const glm::dmat4& to_axes)
-    : light_(light), color_(std::move(color)), place_(to_axes[3]), axes_(to_axes) {}
+PointSource::PointSource(LocalLight light, SourceColor color, const glm::dmat4& to_axes)
+    : light_(std::move(light)), color_(std::move(color)), place_(to_axes[3]), axes_(to_axes) {}
 
 float PointSource::brightness(const glm::vec3& from) const noexcept {
     const glm::vec3 way = place_ - from;

@@ -40,7 +40,7 @@ private:
 class PointSource final : public LightSource {
 public:
     /// Takes `to_axes`, a rotation and shift from the light's own axes to the points'.
-    PointSource(const LocalLight& light, SourceColor color, const glm::dmat4& to_axes);
+    PointSource(LocalLight light, SourceColor color, const glm::dmat4& to_axes);
 
     [[nodiscard]] float angular_radius(const glm::vec3& /*from*/) const noexcept override { return 0; }
     [[nodiscard]] float brightness(const glm::vec3& from) const noexcept override;

@@ -12,7 +12,7 @@ namespace nicol {
 namespace {
 
 // Number of cells along the largest coordinate.
-constexpr float kCells = 0x1p14F;
+constexpr float kCellsAcross = 0x1p14F;
 // Largest difference of places, relative to the largest coordinate.
 constexpr float kRounding = 0x1p-21F;
 
@@ -35,7 +35,7 @@ std::optional<std::size_t> NearbyPoints::find(const TracedPoints& points, const 
 }
 
 std::size_t NearbyPoints::key_of(const glm::vec3& origin, const glm::vec3& normal) const {
-    return geometry::hash_of(glm::round(origin * (kCells / std::max(size_, 1e-30F))), normal);
+    return geometry::hash_of(glm::round(origin * (kCellsAcross / std::max(size_, 1e-30F))), normal);
 }
 
 }  // namespace nicol

@@ -13,7 +13,7 @@ namespace nicol {
 namespace {
 
 // Margin of boxes against rounding, relative to the largest coordinate.
-constexpr float kSlack = 1e-5F;
+constexpr float kSlackOfBox = 1e-5F;
 
 // Corners of a box, from the start of rays.
 struct Corners {
@@ -57,8 +57,9 @@ void add_rays_to_box(const DirectionSet& directions, const glm::vec3& origin, co
                      std::span<std::uint16_t> bits) {
     const glm::dvec3 from(origin);
     Corners corners{glm::vec3(box.lower - from), glm::vec3(box.upper - from)};
-    const float slack = kSlack * std::max({largest_coordinate(corners.lower),
-                                           largest_coordinate(corners.upper), largest_coordinate(origin)});
+    const float slack =
+        kSlackOfBox * std::max({largest_coordinate(corners.lower), largest_coordinate(corners.upper),
+                                largest_coordinate(origin)});
     corners.lower -= slack;
     corners.upper += slack;
     dispatch<add_bundles>(directions.bundles(), corners, bits.data());

@@ -45,13 +45,13 @@ void add_lanes(const VertexLight& light, std::size_t block, std::size_t first, s
 
 // Work space for the points of a batch.
 struct PointGradient::Work {
-    PixelPoints points;
-    std::vector<float> coverage;
     PixelBatch batch;
+    std::vector<float> coverage;
     std::vector<glm::vec4> gradients, reflected;
     std::vector<std::span<glm::vec4>> gradient;  // [channel][point]
     std::vector<glm::vec3> positions, normals;
     VertexLight light;
+    PixelPoints points;
 };
 
 PointGradient::PointGradient(const PixelInput& input, const StokesImage& picture,
