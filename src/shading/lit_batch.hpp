@@ -112,21 +112,6 @@ private:
     std::uint32_t sampled_parts_ = 0;  // number of parts of lobes so far
     std::uint32_t all_;
     std::array<std::uint32_t, kLanes> seeds_{};
-};  // s0 of dim lights that were added without shadows
-    LaneVectors positions_, origins_, facets_;
-    MirroredPixels pixels_;  // in the surfaces' frames
-    ReflectedLight reflected_;
-    PixelPlaces places_;
-    std::optional<ShadowRays> shadows_, before_mirrors_;
-    std::array<std::uint32_t, kLanes> seeds_{};
-    std::uint64_t rays_spared_ = 0;    // rays of those
-    std::uint32_t sampled_parts_ = 0;  // number of parts of lobes so far
-    const LitPoints& points_;
-    const LitMaterial& material_;
-    LaneLight& light_ = kept_light();
-    Sums sums_;
-    double noise_ = 0;
-    std::uint32_t all_;
 };
 
 }  // namespace nicol
