@@ -85,8 +85,8 @@ private:
     std::vector<std::array<double, 5>> sums_;  // of all samples before each candidate
 };
 
-// Returns the fewest candidates, the first and the last among them, whose mean square error is that of even
-// steps; `most` at most if any such choice is possible at all.
+// Returns the fewest candidates, the first and the last among them, whose sum of square errors is `allowed`
+// at most.
 std::vector<double> fewest(std::span<const double> candidates, const Samples& samples, double allowed) {
     const std::size_t n = candidates.size();
     constexpr double never = std::numeric_limits<double>::infinity();

@@ -36,9 +36,8 @@ struct LeastLight {
 class LightProjection {
 public:
     /// Projects the light; repeats only what changes require. environment: the scene's environment, or a part
-    /// of it. whole: whether the coefficients have all of the scale, so that factors() are
-    /// 1. rotation: from
-    /// the light's axes to the geometry's. Adds times and counts to `statistics`.
+    /// of it. whole: whether the coefficients have all of the scale, so that factors() are 1.
+    /// rotation: from the light's axes to the geometry's. Adds times and counts to `statistics`.
     void update(const EnvironmentPtr& environment, double scale, bool whole, const RenderOptions& options,
                 const LeastLight& least, const glm::dmat3& rotation, KeptProjection& projection,
                 Statistics& statistics);

@@ -88,6 +88,7 @@ void SceneVisibility::update(const SceneGeometry& surfaces, SurfaceRays& rays, b
     const std::size_t vertices = surfaces_.geometry().positions.size();
     const bool shadowed = uses_bake_ && (*visible_)->unoccluded_count() < vertices;
     versions_ = {.geometry = surfaces_.version(), .visibility = shadowed ? visible_.version() : 0};
+    if (!shadowed) shown_.show(*visible_);
     if (versions_ == former) return;
     before_.reset();
     // All vertices change if shadows appear or disappear.
@@ -98,7 +99,7 @@ void SceneVisibility::update(const SceneGeometry& surfaces, SurfaceRays& rays, b
     former_ = surfaces_.change().former;
     same_places_ = surfaces_.change().same_places;
     same_normals_.clear();
-    if (!shadowed) return shown_.show(*visible_);
+    if (!shadowed) return;
     const double negligible =
         traces_all(options) ? 0
                             : kUnshown * options.refine_tolerance * static_cast<double>(directions_->size());
@@ -118,8 +119,7 @@ void SceneVisibility::count(const SceneGeometry& surfaces, Statistics& statistic
         statistics.vertices_unoccluded = (*visible_)->unoccluded_count() - statistics.vertices_unbaked;
         statistics.visibility_bytes = (*visible_)->bytes() + points_.bytes();
         if (*baked_ != *visible_) statistics.visibility_bytes += (*baked_)->bytes();
-        if (shown_.get() != nullptr && shown_.get() != visible_->get())
-            statistics.visibility_bytes += shown_.get()->bytes();
+        if (shown_.get() != visible_->get()) statistics.visibility_bytes += shown_.get()->bytes();
     }
 }
 
