@@ -195,6 +195,12 @@ private:
     std::vector<Slot> released_;
 };
 
+/// Returns whether the function takes arrays of handles. The caller's arrays hold one element.
+bool takes_handles(const Function& function) {
+    return std::ranges::any_of(function.parameters,
+                               [](const Parameter& parameter) { return parameter.kind == Kind::handles; });
+}
+
 void call(const Function& function, const Everything& all, Handles& handles, Bytes& bytes) {
     Arguments arguments(function, all);
     for (std::size_t i = 0; i < function.parameters.size(); ++i) {
@@ -227,9 +233,11 @@ void call(const Function& function, const Everything& all, Handles& handles, Byt
             }
         } else if (parameter.kind == Kind::number && bytes.below(4) == 0) {
             Slot number = whole_number(parameter.name, bytes);
-            // A larger struct than the caller's memory cannot be seen from inside.
+            // Whether the caller's memory is smaller than what it says cannot be seen from inside.
             if (parameter.name == std::string_view("struct_size"))
                 number = std::min<Slot>(number, function.parameters[0].size);
+            if (parameter.name == std::string_view("count") && takes_handles(function))
+                number = std::min<Slot>(number, 1);
             arguments.set(i, number);
         }
         // A pointer may also become NULL.
