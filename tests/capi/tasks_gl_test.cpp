@@ -85,6 +85,7 @@ std::vector<float> picture(const nicol_context_options& options) {
         render.max_depth = 3;
         render.samples = 4;
         render.pixel_samples = 4;
+        render.executor = NICOL_EXECUTOR_CPU;
         OK(nicol_render(scene, &camera, &render, framebuffer));
         std::vector<float> pixels(std::size_t{width} * height * 4);
         OK(nicol_framebuffer_read(framebuffer, NICOL_PLANE_STOKES, 1, pixels.data(), 0,

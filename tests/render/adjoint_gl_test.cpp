@@ -16,7 +16,8 @@ namespace {
 constexpr int kOrder = 4;
 
 RenderOptions options() {
-    return {.bake_directions = 512,
+    return {.executor = Executor::cpu,  // the gradient's
+            .bake_directions = 512,
             .order_low = kOrder,
             .order_high = kOrder,
             .shade_at = ShadeAt::pixels,

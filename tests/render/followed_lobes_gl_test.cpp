@@ -47,7 +47,8 @@ Scene floor_before_wall(const MaterialPtr& floor) {
 }
 
 RenderOptions following(int samples, int max_depth = 12) {
-    return {.order_low = 4,
+    return {.executor = Executor::cpu,  // the one that follows rays
+            .order_low = 4,
             .high_orders = HighOrders::none,
             .shade_at = ShadeAt::automatic,
             .pixel_samples = samples,

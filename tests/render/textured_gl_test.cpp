@@ -283,7 +283,8 @@ IMAGE_TEST_CASE("a surface emits the colours of its mesh") {
                     worst = std::max(worst, static_cast<double>(
                                                 std::abs(seen.image.at(c, y, x)[0] - 2 * color_at(uv)[c])));
             });
-            CHECK(worst < (method.method == Method::reference ? 0.02 : 1e-5));
+            // Graphics processors interpolate with fewer bits than Mesa's software.
+            CHECK(worst < (method.method == Method::reference ? 0.02 : 1e-4));
         }
     Scene scene;
     const auto add = [&](const std::shared_ptr<const Mesh>& of, ColorsOf colors) {
