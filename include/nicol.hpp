@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Nicol for C++20: handles that release themselves, and failures as exceptions. The functions are those of
-// the C headers.
+// Nicol for C++20: objects that release themselves, and failures as exceptions. The functions are those of
+// the C headers. nicol_classes.hpp has the classes, such as Scene for nicol_scene.
 //
-//     auto context = nicol::create<nicol::Context>(nicol_context_create, nullptr);
-//     auto scene = nicol::create<nicol::Scene>(nicol_scene_load, context.get(), "a.xml", nullptr, 0);
-//     nicol::check(nicol_render(scene.get(), &camera, nullptr, framebuffer.get()));
+//     const auto context = nicol::Context::create();
+//     const auto scene = nicol::Scene::load(context, "a.xml");
+//     const auto image = nicol::Framebuffer::create(context, 640, 480, scene.get_channels());
+//     const nicol_camera camera = scene.get_camera();
+//     nicol::render(scene, &camera, nullptr, image);
+//     image.write_exr("a.exr");
 #ifndef NICOL_HPP
 #define NICOL_HPP
 
@@ -45,20 +48,15 @@ struct Release {
     }
 };
 
-/// Owner of one reference to an object; movable, not copyable. get() returns the C handle, and release()
-/// gives the reference away.
+/// Owner of one reference to an object; movable, not copyable. It converts to the C handle, so that it can be
+/// an argument of every function. get() returns the C handle, and release() gives the reference away.
 template <class Handle, auto release>
-using Owned = std::unique_ptr<std::remove_pointer_t<Handle>, Release<release>>;
-
-using Context = Owned<nicol_context, nicol_context_release>;
-using Environment = Owned<nicol_environment, nicol_environment_release>;
-using Texture = Owned<nicol_texture, nicol_texture_release>;
-using Material = Owned<nicol_material, nicol_material_release>;
-using Mesh = Owned<nicol_mesh, nicol_mesh_release>;
-using Scene = Owned<nicol_scene, nicol_scene_release>;
-using Framebuffer = Owned<nicol_framebuffer, nicol_framebuffer_release>;
-using Job = Owned<nicol_job, nicol_job_release>;
-using PshTransform = Owned<nicol_psh_transform, nicol_psh_transform_release>;
+class Owned : public std::unique_ptr<std::remove_pointer_t<Handle>, Release<release>> {
+public:
+    using std::unique_ptr<std::remove_pointer_t<Handle>, Release<release>>::unique_ptr;
+    operator Handle() const& noexcept { return this->get(); }
+    operator Handle() const&& = delete;  // the handle would outlive its owner
+};
 
 /// Calls a function whose last parameter receives a new handle, and returns the handle's owner. Throws Error
 /// if the function fails.
@@ -78,5 +76,7 @@ template <class Struct>
 }
 
 }  // namespace nicol
+
+#include "nicol_classes.hpp"
 
 #endif

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Makes the bindings of other languages from the C headers.
+"""Makes the bindings of other languages, and the classes of C++, from the C headers.
 
 usage: generate.py            writes them
        generate.py --check    ends with 1 where a file is not what the headers would make it
@@ -11,6 +11,7 @@ import os
 import sys
 
 import reader
+import to_cpp
 import to_lua
 import to_node
 import to_python
@@ -18,6 +19,7 @@ import to_rust
 
 SAMPLES = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 TARGETS = {
+    "../include/nicol_classes.hpp": to_cpp,
     "lua/nicol_ffi.lua": to_lua,
     "node/nicol_abi.js": to_node,
     "python/nicol/_abi.py": to_python,
@@ -45,7 +47,7 @@ def main():
         else:
             with open(path, "w", encoding="utf-8") as file:
                 file.write(made)
-            print("wrote", os.path.join("samples", name))
+            print("wrote", os.path.normpath(os.path.join("samples", name)))
     if stale:
         sys.exit("the headers have changed: run python3 samples/bindings/generate.py and commit what it writes")
 

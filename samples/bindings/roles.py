@@ -19,6 +19,8 @@ def roles_of(header, function):
             role, partners = "rows", 2
         elif type_.pointers and names and (names[0] == "count" or names[0].endswith("_count")):
             role, partners = "buffer", 1
+        elif type_.pointers and type_.const and rest and not rest[0].type.pointers and rest[0].type.base == type_.base:
+            role, partners = "buffer", 1  # textures of a number of channels
         elif type_.pointers and names[1:2] == ["count"] and rest[0].type == type_:
             role, partners = "buffers", 2
         elif type_.pointers and names[1:2] == ["count"] and type_.base in header.structs and rest[0].type.base in header.handles:

@@ -11,7 +11,7 @@ for component in runtime development tools; do
 done
 grep -qx 'libnicol.so.0.1' "$folder/runtime.list" || fail "no library in the component runtime"
 grep -vx -e 'libnicol\.so\.[0-9.]*' -e LICENSE -e third_party.txt "$folder/runtime.list" && fail "more than the library in the component runtime"
-printf '%s\n' libnicol.so nicol.h nicol.hpp nicol_files.h nicol_psh.h nicol.pc nicolConfig-release.cmake nicolConfig.cmake nicolConfigVersion.cmake |
+printf '%s\n' libnicol.so nicol.h nicol.hpp nicol_classes.hpp nicol_files.h nicol_psh.h nicol.pc nicolConfig-release.cmake nicolConfig.cmake nicolConfigVersion.cmake |
     sort | sed "s/-release/$(grep -o -- '-[a-z]*\.cmake' "$folder/development.list" | sed 's/\.cmake//')/" |
     diff - "$folder/development.list" || fail "the files of the component development"
 printf '%s\n' nicol-convert nicol-render | diff - "$folder/tools.list" || fail "the files of the component tools"

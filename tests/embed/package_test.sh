@@ -47,7 +47,7 @@ policy() { echo "/usr/share/doc/$1/copyright" "/usr/share/doc/$1/changelog\.gz";
 
 has libnicol0.1 '/usr/lib.*/libnicol\.so\.0\.1' '/usr/lib.*/libnicol\.so\.0\.1\.[0-9]*' /usr/share/doc/nicol/LICENSE \
     /usr/share/doc/nicol/third_party.txt $(policy 'libnicol0\.1')
-contains libnicol-dev /usr/include/nicol.h /usr/include/nicol.hpp /usr/include/nicol_files.h /usr/include/nicol_psh.h \
+contains libnicol-dev /usr/include/nicol.h /usr/include/nicol.hpp /usr/include/nicol_classes.hpp /usr/include/nicol_files.h /usr/include/nicol_psh.h \
     '/usr/lib.*/libnicol\.so' '/usr/lib.*/pkgconfig/nicol\.pc' \
     '/usr/lib.*/cmake/nicol/nicolConfig\.cmake' '/usr/lib.*/cmake/nicol/nicolConfig-.*\.cmake' \
     '/usr/lib.*/cmake/nicol/nicolConfigVersion\.cmake' $(policy libnicol-dev) \

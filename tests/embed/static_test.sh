@@ -9,7 +9,7 @@
 mv "$folder/first" "$folder/at last"
 prefix="$folder/at last"
 archive=$(find "$prefix" -name libnicol.a)
-printf '%s\n' LICENSE libnicol.a nicol.h nicol.hpp nicol.pc nicolConfig.cmake nicolConfigVersion.cmake nicol_files.h \
+printf '%s\n' LICENSE libnicol.a nicol.h nicol.hpp nicol.pc nicolConfig.cmake nicolConfigVersion.cmake nicol_classes.hpp nicol_files.h \
     nicol_psh.h third_party.txt >"$folder/wanted"
 (cd "$prefix" && find . -type f) | sed 's|.*/||' | LC_ALL=C sort | diff "$folder/wanted" - || fail "the files of the component static"
 if grep -rlF -e "$build" -e "$folder/first" "$prefix" --include='*.cmake' --include='*.pc'; then

@@ -2998,7 +2998,7 @@ class Framebuffer(Handle):
         check(_framebuffer_expose(self, byref(sensor) if sensor is not None else None, frame, byref(to) if to is not None else None))
 
     @classmethod
-    def create_textures(cls, context: Context, channels: int) -> tuple[int, Self]:
+    def create_textures(cls, context: Context, textures: Any) -> Self:
         """Creates a framebuffer whose images are textures of the host's, one for each channel: level 0 of a
         GL_TEXTURE_2D of GL_RGBA32F, allocated by glTexStorage2D or glTextureStorage2D, all of one size. A texel is
         the Stokes vector, and row 0 the image's TOP. The textures must live until the framebuffer is released;
@@ -3006,10 +3006,10 @@ class Framebuffer(Handle):
         framebuffer lives. nicol_framebuffer_resize fails with NICOL_ERROR_UNSUPPORTED. Returns
         NICOL_ERROR_INVALID_ARGUMENT that names a texture which cannot be used, and NICOL_ERROR_UNSUPPORTED for a
         context that is not a host's."""
-        textures = c_uint32()
+        textures = Buffer(textures, c_uint32)
         framebuffer = cls()
-        check(_framebuffer_create_textures(context, byref(textures), channels, byref(framebuffer)))
-        return textures.value, framebuffer
+        check(_framebuffer_create_textures(context, textures.pointer, textures.count, byref(framebuffer)))
+        return framebuffer
 
     def get_texture(self, channel: int) -> GlTexture:
         """Gets the texture of a colour channel: a texel is the Stokes vector (s0, s1, s2, s3), and row 0 is the

@@ -5,15 +5,12 @@
 #include <iostream>
 
 int main() try {
-    const auto context = nicol::create<nicol::Context>(nicol_context_create, nullptr);
-    const auto scene = nicol::create<nicol::Scene>(nicol_scene_load, context.get(),
-                                                   "samples/assets/snail_sky.xml", nullptr, 0U);
-    const auto image =
-        nicol::create<nicol::Framebuffer>(nicol_framebuffer_create, context.get(), 640U, 480U, 3U);
-    nicol_camera camera = NICOL_CAMERA_INIT;
-    nicol::check(nicol_scene_get_camera(scene.get(), &camera));
-    nicol::check(nicol_render(scene.get(), &camera, nullptr, image.get()));
-    nicol::check(nicol_framebuffer_write_exr(image.get(), "first_cpp.exr"));
+    const auto context = nicol::Context::create();
+    const auto scene = nicol::Scene::load(context, "samples/assets/snail_sky.xml");
+    const auto image = nicol::Framebuffer::create(context, 640, 480, scene.get_channels());
+    const nicol_camera camera = scene.get_camera();
+    nicol::render(scene, &camera, nullptr, image);
+    image.write_exr("first_cpp.exr");
 } catch (const nicol::Error& error) {
     std::cerr << error.what() << '\n';
     return 1;
