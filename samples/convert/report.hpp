@@ -4,6 +4,7 @@
 
 #include <nicol_files.h>
 
+#include <cstdint>
 #include <string>
 #include <vector>
 

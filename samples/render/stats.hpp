@@ -4,6 +4,7 @@
 
 #include <nicol.h>
 
+#include <cstdint>
 #include <string>
 
 /// Returns one JSON object with the names of samples/render/README.md.

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Platform of Mesa's off-screen library: always llvmpipe or softpipe; needs no device and no driver registry.
 // It is the last resort because Mesa dropped it in 25.1.
+// Newer osmesa.h use APIENTRY, which glad's header, if it comes first, keeps GL/gl.h from defining.
+#ifndef APIENTRY
+#define APIENTRY GLAPIENTRY
+#endif
 #include <GL/osmesa.h>
 
 #include <array>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A main program that runs a fuzzer's inputs from files and folders, for any compiler.
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
