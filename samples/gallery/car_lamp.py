@@ -12,7 +12,7 @@ PROJECTOR = [(0, 0.22), (0.2, 0.2), (0.34, 0.1), (0.42, -0.04), (0.42, -0.12), (
 
 
 def turned(context, profile, columns=96, rounds=1):
-    return shapes.lathe(context, profile, columns, rounds)
+    return shapes.lathe(context, shapes.rounded(profile, rounds), columns)
 
 
 def body(context, holes, rows=100, columns=160):

@@ -48,14 +48,14 @@ def floor(context, size=9, count=121):
 
 def make_view(context):
     scene = nicol.Scene.create(context)
-    forest = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "assets", "forest.exr")
+    forest = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "assets", "forest_blurred.exr")
     light = nicol.Environment.load(context, forest)
     scene.set_environment(light, list(shapes.placed(axes=shapes.rotated(1, 200)).ravel()), 1.2)
     gold = nicol.Material.create_conductor(context, nicol.Conductor(metal=b"Au"))
-    lacquer = nicol.Material.create_pplastic(context, nicol.Pplastic(diffuse_reflectance=[0.02, 0.004, 0.004], alpha=0.08))
+    lacquer = nicol.Material.create_pplastic(context, nicol.Pplastic(diffuse_reflectance=[0.05, 0.007, 0.006], alpha=0.3))
     shapes.add(scene, floor(context), lacquer)
     shapes.add(scene, hammered(context), gold)
     for place, size in (((2.3, 0.42, 0.55), 0.42), ((1.55, 0.24, 1.55), 0.24), ((-2.0, 0.3, 0.75), 0.3)):
         shapes.add(scene, nicol.Mesh.create_sphere(context), gold, shapes.placed(place, size))
-    camera = nicol.Camera(fov=42).look_at((0.8, 2.7, 7.6), (0.15, 0.5, 0), (0, 1, 0))
+    camera = nicol.Camera(fov=42).look_at((0.7, 3.3, 7.2), (0.15, 0.4, 0.1), (0, 1, 0))
     return shapes.View(scene, camera, polarizer=90, exposure=0.5, max_depth=5)

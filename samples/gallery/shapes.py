@@ -5,13 +5,18 @@ import nicol
 import numpy as np
 
 
-def lathe(context, profile, columns=96, rounds=3):
-    """Returns the mesh of a profile (radius, height) that is rotated about the vertical axis. rounds: how often its corners are
-    cut (Chaikin's subdivision)."""
+def rounded(profile, rounds=3):
+    """Returns a profile whose corners are cut several times (Chaikin's subdivision)."""
     points = np.array(profile, float)
     for _ in range(rounds):
         cut = np.stack([0.8 * points[:-1] + 0.2 * points[1:], 0.2 * points[:-1] + 0.8 * points[1:]], 1).reshape(-1, 2)
         points = np.concatenate([points[:1], cut, points[-1:]])
+    return points
+
+
+def lathe(context, profile, columns=96):
+    """Returns the mesh of a profile [point][radius, height] that is rotated about the vertical axis."""
+    points = np.array(profile, float)
     points = points[np.concatenate([[True], np.hypot(*np.diff(points, axis=0).T) > 1e-9])]
     points[:, 0] = np.maximum(points[:, 0], 1e-4)
     angles = 2 * np.pi * np.arange(columns) / columns

@@ -3,7 +3,7 @@
 
 import nicol
 import numpy as np
-from shapes import lathe
+from shapes import lathe, rounded
 
 # Profiles as (radius, height), from the middle of the bottom outwards, up and back inside.
 TUMBLER = [(0, 0), (0.32, 0), (0.34, 0.03), (0.4, 0.95), (0.385, 0.97), (0.37, 0.95), (0.31, 0.12), (0.28, 0.09), (0, 0.08)]
@@ -32,8 +32,8 @@ def make_scene(context, environment):
     # Leans back, so that it mirrors the sky near Brewster's angle.
     leaning = np.array([[0.9, 0, 0], [0, 0.5, 0.87], [0, -0.87, 0.5]])
     add(square, wood, 0, 0, 0, flat)
-    add(lathe(context, TRAY), steel, 0.1, 0.01, 0.2)
-    add(lathe(context, TUMBLER), glass, 0.45, 0.05, 0.6)
-    add(lathe(context, BOTTLE), green, -0.35, 0.05, 0)
+    add(lathe(context, rounded(TRAY)), steel, 0.1, 0.01, 0.2)
+    add(lathe(context, rounded(TUMBLER)), glass, 0.45, 0.05, 0.6)
+    add(lathe(context, rounded(BOTTLE)), green, -0.35, 0.05, 0)
     add(square, pane, 1.2, 1.0, -0.4, leaning)
     return scene, nicol.Camera(fov=36).look_at((-0.6, 1.9, 5), (0.25, 0.85, 0), (0, 1, 0))
