@@ -46,6 +46,10 @@ inside 'cd /try && cmake -S embed_cmake -B viewer >/dev/null && cmake --build vi
     { tail -20 "$folder/log"; fail "the CMake package"; }
 inside 'nicol-render /try/assets/snail_sky.xml -o /try/a.exr && test -s /try/a.exr && nicol-convert --info /try/assets/forest.exr'
 inside 'cd /try && python3 -c "import nicol; nicol.render(\"assets/snail_sky.xml\", size=(64, 48)).save(\"p.exr\")" && test -s p.exr'
+# EGL is enough, too.
+inside 'apt-get purge -y libosmesa6 && apt-get install -y --no-install-recommends libegl1 libegl-mesa0 libgl1-mesa-dri' \
+    >"$folder/log" 2>&1 || { tail "$folder/log"; fail "libegl1"; }
+inside 'nicol-render /try/assets/snail_sky.xml -o /try/e.exr --size 64x48 --stats - | grep "\"backend\": \"egl\""'
 inside 'apt-get install -y --reinstall /try/*.deb && nicol-render --version' >"$folder/log" 2>&1 || { tail "$folder/log"; fail "upgrading"; }
 inside 'apt-get purge -y libnicol0.1 && ! command -v nicol-render && ! ls /usr/include/nicol.h' >"$folder/log" 2>&1 ||
     { tail "$folder/log"; fail "purging"; }
