@@ -11,8 +11,8 @@ import numpy as np
 import shapes
 
 LENGTH, HEIGHT = 7.6, 1.15
-CELLS = 190, 30
-DISTANCE = 14
+CELLS = 570, 90
+DISTANCE, CENTRE = 14, 0.1  # of the camera, and the height that it looks at
 WAVELENGTHS = 611, 549, 464  # nm, of red, green and blue
 
 
@@ -70,35 +70,39 @@ def make_scene(context, channel):
 
 
 class Ruler(shapes.View):
-    """Renders strips, each with its own cells, because every pixel asks every element whether it covers the pixel."""
+    """Renders tiles, each with its own cells, because every pixel asks every element whether it covers the pixel."""
 
-    STRIPS = 38
+    TILES = 57, 12  # columns and rows; less in pictures where tiles would have fewer than 8 pixels on a side
 
     def render(self, size, samples):
-        edges = np.linspace(0, size[0], self.STRIPS + 1).astype(int)
+        columns, rows = (np.linspace(0, side, max(1, min(n, side // 8)) + 1).astype(int) for side, n in zip(size, self.TILES))
         colours = []
         for channel, scene in enumerate(self.scene):
             cells = list(retarders(channel))
-            colours.append(np.concatenate([self.strip(scene, cells, size, ends, samples) for ends in zip(edges, edges[1:])], 1))
+            places = np.array([(cell.to_world[3], cell.to_world[7]) for cell in cells])
+            tile = lambda x, y: self.tile(scene, cells, places, size, x, y, samples)  # noqa: B023, E731
+            lines = [np.concatenate([tile(x, y) for x in zip(columns, columns[1:])], 1) for y in zip(rows, rows[1:])]
+            colours.append(np.concatenate(lines))
         return np.concatenate(colours, 2)
 
-    def strip(self, scene, cells, size, ends, samples):
-        """Returns the Stokes vectors of the columns from ends[0] to ends[1]."""
-        (width, height), (first, last) = size, ends
+    def tile(self, scene, cells, places, size, x, y, samples):
+        """Returns the Stokes vectors of the columns x[0] to x[1] and of the rows y[0] to y[1]."""
+        middle = np.array(size) / 2
+        first, last = np.array([x[0], y[0]]), np.array([x[1], y[1]])
         half = np.tan(np.radians(self.camera.fov / 2))
-        part = (last - first) / width
-        camera = nicol.Camera(fov=2 * np.degrees(np.arctan(half * part)), to_world=list(self.camera.to_world))
-        camera.shift = [((first + last) / 2 - width / 2) / (last - first), 0]
-        left, right = (DISTANCE * half * (2 * end / width - 1) for end in ends)
-        seen = [e for e in cells if left - 0.05 < e.to_world[3] < right + 0.05]
-        added = [scene.add_polarization_element(element) for element in seen]
+        camera = nicol.Camera(fov=2 * np.degrees(np.arctan(half * (x[1] - x[0]) / size[0])), to_world=list(self.camera.to_world))
+        camera.shift = list(((first + last) / 2 - middle) / (last - first))
+        unit = 2 * DISTANCE * half / size[0]  # of a pixel, at the ruler
+        low, high = np.sort([unit * (end - middle) * [1, -1] + [0, CENTRE] for end in (first, last)], 0)
+        seen = ((places > low - 0.05) & (places < high + 0.05)).all(1)
+        added = [scene.add_polarization_element(cells[i]) for i in np.flatnonzero(seen)]
         options = nicol.RenderOptions(pixel_samples=samples, **self.options)
-        stokes = nicol.render(scene, camera, options, size=(int(last - first), height)).stokes
+        stokes = nicol.render(scene, camera, options, size=tuple(map(int, last - first))).stokes
         for element in added:
             scene.remove_polarization_element(element)
         return stokes
 
 
 def make_view(context):
-    camera = nicol.Camera(fov=32.5).look_at((0, 0.1, DISTANCE), (0, 0.1, 0), (0, 1, 0))
+    camera = nicol.Camera(fov=32.5).look_at((0, CENTRE, DISTANCE), (0, CENTRE, 0), (0, 1, 0))
     return Ruler([make_scene(context, channel) for channel in range(3)], camera, polarizer=-45, shadows=0)
