@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Reading of framebuffer planes into the caller's memory.
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <span>
 #include <vector>
 
 #include "assets.hpp"
@@ -55,7 +58,7 @@ void spread_groups(const float* in, std::size_t step, float* out, std::size_t sp
         for (std::size_t k = 0; k < count; ++k) out[k] = in[k];
 }
 
-// Numbers of a plane, row by row.
+// Numbers of a plane, by rows.
 class Source {
 public:
     Source(Framebuffer& from, const Request& request)
@@ -65,27 +68,27 @@ public:
             parts_.push_back(part(from, request, request.first_channel + c));
     }
 
-    // Reads [column][channel][component].
+    // Reads a row: [column][channel][component].
     void read(int y, std::span<float> row) const {
         if (is_dense()) {
             std::copy_n(dense_row(y), row.size(), row.data());
-            return;
-        }
-        for (std::size_t c = 0; c < parts_.size(); ++c) {
-            const auto [first, step] = parts_[c];
-            const auto copy = components_ == 1   ? spread_groups<1>
-                              : components_ == 3 ? spread_groups<3>
-                                                 : spread_groups<4>;
-            copy(first + static_cast<std::size_t>(y) * width_ * step, step, row.data() + c * components_,
-                 parts_.size() * components_, width_);
+        } else {
+            gather(y, 0, row);
         }
     }
 
-    // Returns a row as read() gives it: the plane's own numbers where they lie so, or else a copy in `room`.
-    [[nodiscard]] std::span<const float> row(int y, std::span<float> room) const {
-        if (is_dense()) return {dense_row(y), room.size()};
-        read(y, room);
-        return room;
+    // Reads a row as read() does, in half precision.
+    void read(int y, std::span<std::uint16_t> row) const {
+        if (is_dense()) return to_half({dense_row(y), row.size()}, row);
+        // Parts of a row stay in the processor's fastest cache until they are converted.
+        std::array<float, 512> room;
+        const std::size_t of_pixel = parts_.size() * components_;
+        const std::size_t most = room.size() / of_pixel;
+        for (std::size_t x = 0; x < width_; x += most) {
+            const std::span part(room.data(), std::min(most, width_ - x) * of_pixel);
+            gather(y, x, part);
+            to_half(part, row.subspan(x * of_pixel, part.size()));
+        }
     }
 
     [[nodiscard]] const std::uint32_t* instances(int y) const {
@@ -98,6 +101,19 @@ private:
         const float* first;
         std::size_t step;
     };
+
+    // Copies the pixels of a row from column x on: [column][channel][component].
+    void gather(int y, std::size_t x, std::span<float> pixels) const {
+        const std::size_t of_pixel = parts_.size() * components_;
+        const auto copy = components_ == 1   ? spread_groups<1>
+                          : components_ == 3 ? spread_groups<3>
+                                             : spread_groups<4>;
+        for (std::size_t c = 0; c < parts_.size(); ++c) {
+            const Part& part = parts_[c];
+            const float* const first = part.first + (static_cast<std::size_t>(y) * width_ + x) * part.step;
+            copy(first, part.step, pixels.data() + c * components_, of_pixel, pixels.size() / of_pixel);
+        }
+    }
 
     // Returns whether the numbers lie as they are read.
     [[nodiscard]] bool is_dense() const { return parts_.size() == 1 && parts_.front().step == components_; }
@@ -153,7 +169,6 @@ void read(Framebuffer& from, const nicol_plane_buffer& to) {
                     from.height());
     const Source source(from, request);
     const Stopwatch watch;
-    std::vector<float> single(request.format == NICOL_FORMAT_FLOAT16 ? elements : 0);
     for (int y = 0; y < from.height(); ++y) {
         std::byte* const row = rows.row(y);
         switch (request.format) {
@@ -161,10 +176,10 @@ void read(Framebuffer& from, const nicol_plane_buffer& to) {
                 std::copy_n(source.instances(y), elements, reinterpret_cast<std::uint32_t*>(row));
                 break;
             case NICOL_FORMAT_FLOAT16:
-                to_half(source.row(y, single), {reinterpret_cast<std::uint16_t*>(row), elements});
+                source.read(y, std::span(reinterpret_cast<std::uint16_t*>(row), elements));
                 break;
             default:
-                source.read(y, {reinterpret_cast<float*>(row), elements});
+                source.read(y, std::span(reinterpret_cast<float*>(row), elements));
         }
     }
     from.statistics().observe_ms += watch.milliseconds();

@@ -57,7 +57,7 @@ nicol_framebuffer image_of_magnitudes(nicol_context context) {
     const Owned light(make(nicol_environment_create_image, context, &image));
     const Owned scene(empty_scene(context));
     OK(nicol_scene_set_environment(scene, light, nullptr, 1));
-    const nicol_framebuffer framebuffer = framebuffer_of(context, 40, 30, 3);
+    const nicol_framebuffer framebuffer = framebuffer_of(context, 60, 20, 3);
     const nicol_camera camera = front_camera();
     OK(nicol_render(scene, &camera, nullptr, framebuffer));
     return framebuffer;
@@ -89,6 +89,15 @@ TEST_CASE("half precision is the nearest number, ties to even, infinite beyond i
                 small.insert(half[i] > 0 && half[i] < 0x400);
             }
         }
+        std::vector<float> single(std::size_t{60} * 20 * 3 * 4);
+        std::vector<std::uint16_t> half(single.size());
+        nicol_plane_buffer to = buffer(NICOL_PLANE_STOKES, NICOL_FORMAT_FLOAT32, NICOL_ALL_CHANNELS,
+                                       single.data(), 4 * single.size());
+        OK(nicol_framebuffer_read_plane(framebuffer, &to));
+        to = buffer(NICOL_PLANE_STOKES, NICOL_FORMAT_FLOAT16, NICOL_ALL_CHANNELS, half.data(),
+                    2 * half.size());
+        OK(nicol_framebuffer_read_plane(framebuffer, &to));
+        for (std::size_t i = 0; i < half.size(); ++i) CHECK(half[i] == nearest_half(single[i]));
         CHECK(infinite.size() == 2);
         CHECK(small.size() == 2);
     });
