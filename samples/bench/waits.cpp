@@ -20,7 +20,9 @@ constexpr int kRoundsAlone = 3;
 /// Longest times of a function, in milliseconds.
 struct Longest {
     double all = 0;
-    double blocked = 0;  ///< time in which the thread could not have run, on however many processors
+    /// Time in which the calling thread neither ran nor waited for a processor: it waited for the job or for
+    /// threads that did the call's own work.
+    double blocked = 0;
 };
 using LongestTimes = std::map<std::string, Longest>;
 
@@ -86,8 +88,8 @@ LongestTimes during_jobs(const Guest& guest, EntryPoints& points, const Options&
 }  // namespace
 
 Report bench_waits(const Options& options) {
-    Report report({"longest time of a call", "alone, ms", "a job runs, ms", "blocked, ms",
-                   "in a host, alone, ms", "a job runs, ms", "blocked, ms"});
+    Report report({"longest time of a call", "alone, ms", "blocked", "a job runs, ms", "blocked",
+                   "in a host, alone, ms", "blocked", "a job runs, ms", "blocked"});
     std::vector<LongestTimes> columns;
     for (const bool in_host : {false, true}) {
         const Guest guest = in_host ? Guest::in_host() : Guest::own(options.backend);
@@ -102,17 +104,19 @@ Report bench_waits(const Options& options) {
     }
     for (const auto& [name, time] : columns.back()) {
         std::vector<double> row;
-        for (std::size_t c = 0; c < columns.size(); ++c) {
-            const auto found = columns[c].find(name);
-            const bool there = found != columns[c].end();
+        row.reserve(2 * columns.size());
+        for (const LongestTimes& column : columns) {
+            const auto found = column.find(name);
+            const bool there = found != column.end();
             row.push_back(there ? found->second.all : std::nan(""));
-            if (c % 2 == 1) row.push_back(there ? found->second.blocked : std::nan(""));
+            row.push_back(there ? found->second.blocked : std::nan(""));
         }
         report.add(name, row);
     }
     report.note(
         std::to_string(kJobs) +
-        " jobs render the scene for the first time, with 8192 directions, on all processors. Blocked is "
-        "the time in which the calling thread neither ran nor waited for a processor.");
+        " jobs render the scene for the first time, with 8192 directions, on all processors. Blocked: ms in "
+        "which the calling thread neither ran nor waited for a processor. A call that is blocked alone waits "
+        "for its own work on other threads, such as OpenGL's.");
     return report;
 }
