@@ -10,20 +10,24 @@ namespace nicol {
 void DrawnHits::find(const HitRequest& request, VisibilityBuffer& out) {
     batching_.run(buffers_.version(), alpha_masks_.version(),
                   [&] { find_batches(request.surfaces.geometry()); });
-    binding_.run(buffers_.version(), [&] {
-        vertices_.reset();
-        if (buffers_.empty()) return;
-        const gl::Attribute positions[] = {{.location = 0, .components = 3, .buffer = buffers_.positions()}};
-        vertices_.emplace(context_, positions, buffers_.indices());
-    });
+    binding_.run(buffers_.version(), [&] { context_->run([&] { bind(); }); });
     out.resize(request.width, request.height, request.offsets, request.kept);
     const bool on_device = request.kept != VisibilityBuffer::Kept::on_host;
     for (std::size_t s = 0; s < request.offsets.size(); ++s) {
-        gl::RenderTarget& target = on_device ? out.target(s) : read_back(request.width, request.height);
-        draw(request, s, target);
-        if (request.kept != VisibilityBuffer::Kept::on_device) target.read(0, out.texels(s));
+        context_->run([&] {
+            gl::RenderTarget& target = on_device ? out.target(s) : read_back(request.width, request.height);
+            draw(request, s, target);
+            if (request.kept != VisibilityBuffer::Kept::on_device) target.read(0, out.texels(s));
+        });
     }
-    if (on_device) read_back_.reset();
+    if (on_device) clear();
+}
+
+void DrawnHits::bind() {
+    vertices_.reset();
+    if (buffers_.empty()) return;
+    const gl::Attribute positions[] = {{.location = 0, .components = 3, .buffer = buffers_.positions()}};
+    vertices_.emplace(context_, positions, buffers_.indices());
 }
 
 // Merges the batches of surfaces without alpha masks, for as few draws as possible.

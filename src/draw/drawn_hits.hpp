@@ -26,11 +26,12 @@ public:
         : context_(std::move(context)), buffers_(buffers), alpha_masks_(alpha_masks) {}
 
     void find(const HitRequest& request, VisibilityBuffer& out) override;
-    /// Frees the target of hits that are read back. Must be called inside run() of the context.
+    /// Frees the target of hits that are read back.
     void clear() noexcept { read_back_.reset(); }
 
 private:
     void find_batches(const WorldGeometry& geometry);
+    void bind();
     gl::RenderTarget& read_back(int width, int height);
     gl::Program& program(int textures);
     void draw(const HitRequest& request, std::size_t sample, gl::RenderTarget& target);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -44,39 +45,64 @@ bool draws_background(const Scene& scene, const RenderExecutor* pixels) {
 Painter::Painter(std::shared_ptr<gl::Context> context)
     : context_(std::move(context)), pixels_(context_), aovs_(context_) {}
 
-void Painter::prepare(const Scene& scene, const RenderExecutor* pixels, int channels) {
+void Painter::prepare(const Subject& subject, const Wanted& wanted, const Framebuffer& target) {
+    const Scene& scene = subject.scene;
+    const int channels = target.channels();
     const auto count = static_cast<std::size_t>((channels + Framebuffer::kGroup - 1) / Framebuffer::kGroup);
     if (groups_.size() != count) uploading_.reset();
     groups_.resize(count);
-    if (!draws_background(scene, pixels)) return;
-    uploading_.run(scene.background(), channels, [&] { upload_environment(*scene.background(), channels); });
+    if (draws_background(scene, subject.pixels))
+        uploading_.run(scene.background(), channels,
+                       [&] { upload_environment(*scene.background(), channels); });
+    const bool vertices = subject.pixels == nullptr;
+    context_->run([&] {
+        binding_.run(subject.buffers.version(), channels, [&] { bind_vertices(subject.buffers, channels); });
+        prepare_sample(vertices && wanted.samples.size() > 1, target);
+    });
+    for (std::size_t g = 0; g < count; ++g) compile(subject, wanted, g, group_size(channels, g));
 }
 
-void Painter::draw(const Scene& scene, const RefinedSurfaces& surfaces, VertexBuffers& buffers,
-                   const AlphaMasks& alpha_masks, const RenderExecutor* pixels, const Wanted& wanted,
-                   const Projection& projection, Framebuffer& target) {
-    const int channels = target.channels();
-    const bool behind = draws_background(scene, pixels);
+void Painter::compile(const Subject& subject, const Wanted& wanted, std::size_t group, int channels) {
+    const Scene& scene = subject.scene;
+    const bool background = draws_background(scene, subject.pixels);
+    if (subject.pixels != nullptr) {
+        if (background) static_cast<void>(background_program(scene, true, channels));
+        return;
+    }
+    if (sample_) static_cast<void>(program("fullscreen.vert", "mean.frag", channels, {}));
+    const bool polarized = background && scene.background()->polarized();
+    if (!compiled_.emplace(channels, wanted.components, background, polarized).second) return;
+    // Software drivers compile most of a program when it first draws into such an image.
+    std::optional<gl::RenderTarget> pixel;
     context_->run([&] {
-        binding_.run(buffers.version(), channels, [&] { bind_vertices(buffers, channels); });
-        aovs_.prepare(surfaces.geometry(), buffers, alpha_masks, wanted.aovs, wanted.samples, target);
-        prepare_sample(pixels == nullptr && wanted.samples.size() > 1, target);
-        if (pixels != nullptr) {
+        pixel.emplace(context_, gl::RenderTargetDescription{.width = 1, .height = 1, .colours = channels});
+    });
+    draw_vertices(subject, wanted.components, subject.projection, group, channels, 1, *pixel);
+}
+
+void Painter::draw(const Subject& subject, const Wanted& wanted, Framebuffer& target) {
+    context_->run([&] {
+        aovs_.prepare(subject.surfaces.geometry(), subject.buffers, subject.alpha_masks, wanted.aovs,
+                      wanted.samples, target);
+        if (subject.pixels != nullptr) {
             pixels_.begin(target);
-            pixels->store(pixels_);
+            subject.pixels->store(pixels_);
         } else {
             pixels_.clear();
         }
     });
+    const bool behind = draws_background(subject.scene, subject.pixels);
     for (std::size_t g = 0; g < groups_.size(); ++g) {
-        if (pixels != nullptr) {
-            if (behind) draw_around_pixels(scene, wanted.components, projection, g, target);
-        } else {
-            draw_samples(scene, surfaces, wanted, projection, g, target);
+        const int channels = group_size(target.channels(), g);
+        gl::RenderTarget& image = target.groups()[g];
+        if (subject.pixels == nullptr) {
+            draw_samples(subject, wanted, g, channels, image);
+        } else if (behind) {
+            draw_background(subject.scene, wanted.components, subject.projection, true, g, channels, image);
         }
     }
     context_->run([&] {
-        aovs_.draw(alpha_masks, projection, surfaces.to_world(), target);
+        aovs_.draw(subject.alpha_masks, subject.projection, subject.surfaces.to_world(), target);
         gl::finish(*context_);
     });
 }
@@ -95,20 +121,23 @@ void Painter::prepare_sample(bool several, const Framebuffer& target) {
                                   .width = target.width(), .height = target.height(), .colours = colours});
 }
 
-void Painter::draw_samples(const Scene& scene, const RefinedSurfaces& surfaces, const Wanted& wanted,
-                           const Projection& projection, std::size_t group, Framebuffer& target) {
-    const int channels = group_size(target.channels(), group);
-    gl::RenderTarget& image = target.groups()[group];
-    gl::RenderTarget& drawn = sample_ ? *sample_ : image;
+void Painter::draw_samples(const Subject& subject, const Wanted& wanted, std::size_t group, int channels,
+                           gl::RenderTarget& image) {
+    constexpr std::size_t all = std::numeric_limits<std::size_t>::max();
     for (std::size_t s = 0; s < wanted.samples.size(); ++s) {
-        const Projection moved = jittered(projection, wanted.samples[s]);
-        draw_surface(scene, surfaces.geometry(), wanted.components, in_axes(moved, surfaces.to_world()),
-                     group, channels, drawn);
-        // The environment is as smooth as its image, so a pixel has the environment of its centre.
-        if (scene.background())
-            draw_background(scene, wanted.components, projection, false, group, channels, drawn);
+        draw_vertices(subject, wanted.components, jittered(subject.projection, wanted.samples[s]), group,
+                      channels, all, sample_ ? *sample_ : image);
         if (sample_) add_sample(s, wanted, channels, image);
     }
+}
+
+void Painter::draw_vertices(const Subject& subject, int components, const Projection& projection,
+                            std::size_t group, int channels, std::size_t most, gl::RenderTarget& image) {
+    const Scene& scene = subject.scene;
+    draw_surface(subject, components, in_axes(projection, subject.surfaces.to_world()), group, channels, most,
+                 image);
+    // The environment is as smooth as its image, so a pixel has the environment of its centre.
+    if (scene.background()) draw_background(scene, components, projection, false, group, channels, image);
 }
 
 void Painter::add_sample(std::size_t sample, const Wanted& wanted, int channels, gl::RenderTarget& image) {
@@ -125,28 +154,29 @@ void Painter::add_sample(std::size_t sample, const Wanted& wanted, int channels,
     });
 }
 
-void Painter::draw_surface(const Scene& scene, const WorldGeometry& geometry, int components,
-                           const Projection& projection, std::size_t group, int channels,
-                           gl::RenderTarget& image) {
+void Painter::draw_surface(const Subject& subject, int components, const Projection& projection,
+                           std::size_t group, int channels, std::size_t most, gl::RenderTarget& image) {
     gl::Program& surface = program("surface.vert", "surface.frag", channels, {});
+    const WorldGeometry& geometry = subject.surfaces.geometry();
     const auto draw_some = [&](std::size_t first, std::size_t last, gl::Cull cull) {
         if (first == last) return;
-        gl::draw(image, surface, *groups_[group].vertices, 3 * first, 3 * (last - first),
+        gl::draw(image, surface, *groups_[group].vertices, 3 * first, 3 * std::min(most, last - first),
                  {.cull = cull, .components = components});
     };
     context_->run([&] {
         surface.set("world_to_clip", glm::mat4(projection.world_to_clip));
-        clear(image, scene.background() != nullptr, components);
+        clear(image, subject.scene.background() != nullptr, components);
         // One-sided materials are drawn black from behind; two-sided materials have triangles for each side.
         draw_some(0, geometry.one_sided, gl::Cull::none);
         draw_some(geometry.one_sided, geometry.triangles.size(), gl::Cull::back);
     });
 }
 
-void Painter::draw_around_pixels(const Scene& scene, int components, const Projection& projection,
-                                 std::size_t group, Framebuffer& target) {
-    const int channels = group_size(target.channels(), group);
-    draw_background(scene, components, projection, true, group, channels, target.groups()[group]);
+gl::Program& Painter::background_program(const Scene& scene, bool shaded, int channels) {
+    std::set<std::string> features;
+    if (scene.background()->polarized()) features.insert("POLARIZED");
+    if (shaded) features.insert("SHADED");
+    return program("fullscreen.vert", "background.frag", channels, features);
 }
 
 gl::Program& Painter::program(const char* vertex, const char* fragment, int channels,
@@ -211,10 +241,7 @@ void Painter::upload_environment(const Environment& environment, int channels) {
 void Painter::draw_background(const Scene& scene, int components, const Projection& projection, bool shaded,
                               std::size_t group, int channels, gl::RenderTarget& image) {
     const Viewpoint& view = projection.view;
-    std::set<std::string> features;
-    if (scene.background()->polarized()) features.insert("POLARIZED");
-    if (shaded) features.insert("SHADED");
-    gl::Program& sky = program("fullscreen.vert", "background.frag", channels, features);
+    gl::Program& sky = background_program(scene, shaded, channels);
     context_->run([&] {
         if (shaded) {
             constexpr unsigned first = Framebuffer::kGroup;

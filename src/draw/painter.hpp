@@ -8,6 +8,7 @@
 #include <set>
 #include <span>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "draw/aov_painter.hpp"
@@ -34,17 +35,25 @@ public:
         std::span<const glm::dvec2> samples = sample_pattern(1);  ///< offsets of a pixel's samples
     };
 
-    /// Uploads the background that draw() needs, in several steps of the context. Must be called outside
-    /// run(), before draw() with the same arguments.
-    void prepare(const Scene& scene, const RenderExecutor* pixels, int channels);
-    /// Draws an image, in several steps of the context: other calls wait for one of them, which is long where
-    /// a driver compiles programs. Must be called outside run(). `buffers` and `alpha_masks` must belong to
-    /// `surfaces`; `projection` is of the world. If `pixels` is not null, it has shaded the image's pixels,
-    /// and vertices are not drawn. With several samples, vertices are drawn once per sample and averaged,
-    /// which gives every driver the same samples. All memory is allocated before the framebuffer is touched.
-    void draw(const Scene& scene, const RefinedSurfaces& surfaces, VertexBuffers& buffers,
-              const AlphaMasks& alpha_masks, const RenderExecutor* pixels, const Wanted& wanted,
-              const Projection& projection, Framebuffer& target);
+    /// Image that a scene's surfaces are drawn into. `buffers` and `alpha_masks` must belong to `surfaces`;
+    /// `projection` is of the world. If `pixels` is not null, it has shaded the image's pixels, and vertices
+    /// are not drawn.
+    struct Subject {
+        const Scene& scene;
+        const RefinedSurfaces& surfaces;
+        VertexBuffers& buffers;
+        const AlphaMasks& alpha_masks;
+        const RenderExecutor* pixels;
+        const Projection& projection;
+    };
+
+    /// Uploads and compiles what draw() with the same arguments needs, and does not touch the framebuffer's
+    /// content, so that draw() is short. Several steps of the context; must be called outside run().
+    void prepare(const Subject& subject, const Wanted& wanted, const Framebuffer& target);
+    /// Draws an image, in several steps of the context. Must be called outside run(). With several samples,
+    /// vertices are drawn once per sample and averaged, which gives every driver the same samples. All memory
+    /// is allocated before the framebuffer is touched.
+    void draw(const Subject& subject, const Wanted& wanted, Framebuffer& target);
 
 private:
     // Channels that are drawn at once.
@@ -56,16 +65,19 @@ private:
     gl::Program& program(const char* vertex, const char* fragment, int channels,
                          const std::set<std::string>& features);
     void bind_vertices(VertexBuffers& buffers, int channels);
-    // projection: of the surfaces' axes.
-    void draw_surface(const Scene& scene, const WorldGeometry& geometry, int components,
-                      const Projection& projection, std::size_t group, int channels, gl::RenderTarget& image);
+    gl::Program& background_program(const Scene& scene, bool shaded, int channels);
+    void compile(const Subject& subject, const Wanted& wanted, std::size_t group, int channels);
     void prepare_sample(bool several, const Framebuffer& target);
-    void draw_samples(const Scene& scene, const RefinedSurfaces& surfaces, const Wanted& wanted,
-                      const Projection& projection, std::size_t group, Framebuffer& target);
+    void draw_samples(const Subject& subject, const Wanted& wanted, std::size_t group, int channels,
+                      gl::RenderTarget& image);
+    // Draws one sample of every pixel. most: triangles that are drawn of those with one side, and with two.
+    void draw_vertices(const Subject& subject, int components, const Projection& projection,
+                       std::size_t group, int channels, std::size_t most, gl::RenderTarget& image);
+    // projection: of the surfaces' axes.
+    void draw_surface(const Subject& subject, int components, const Projection& projection, std::size_t group,
+                      int channels, std::size_t most, gl::RenderTarget& image);
     // Adds the drawn sample to `image`, which becomes the mean of the samples.
     void add_sample(std::size_t sample, const Wanted& wanted, int channels, gl::RenderTarget& image);
-    void draw_around_pixels(const Scene& scene, int components, const Projection& projection,
-                            std::size_t group, Framebuffer& target);
     void upload_environment(const Environment& environment, int channels);
     // Draws the background behind the content of `image` or, if `shaded` is true, around its pixels.
     void draw_background(const Scene& scene, int components, const Projection& projection, bool shaded,
@@ -73,6 +85,7 @@ private:
 
     std::shared_ptr<gl::Context> context_;
     std::map<std::tuple<std::string, int, std::set<std::string>>, gl::Program> programs_;
+    std::set<std::tuple<int, int, bool, bool>> compiled_;  // channels, components, background, polarized
     std::vector<Group> groups_;
     Stage<Version, int> binding_;             // buffers, channels
     Stage<EnvironmentPtr, int> uploading_;    // environment, channels

@@ -17,7 +17,7 @@ public:
     /// rays: hierarchy that is shared with other users.
     TracedHits(Workers& workers, DrawnRays& rays) : workers_(workers), rays_(rays) {}
 
-    /// The hits must be wanted on the host alone. Throws what RayScene throws.
+    /// Uses no OpenGL. The hits must be wanted on the host alone. Throws what RayScene throws.
     void find(const HitRequest& request, VisibilityBuffer& out) override;
     /// Frees the hierarchy, unless it has other users.
     void clear() noexcept;

@@ -10,11 +10,13 @@ void VisibilityBuffer::resize(int width, int height, std::span<const glm::dvec2>
     kept_ = kept;
     const std::size_t targets = kept == Kept::on_host ? 0 : offsets.size();
     sizing_.run(width, height, targets, [&] {
-        targets_.clear();
-        for (std::size_t i = 0; i < targets; ++i)
-            targets_.emplace_back(
-                context_,
-                gl::RenderTargetDescription{.width = width, .height = height, .format = gl::Format::r32ui});
+        context_->run([&] {
+            targets_.clear();
+            for (std::size_t i = 0; i < targets; ++i)
+                targets_.emplace_back(context_,
+                                      gl::RenderTargetDescription{
+                                          .width = width, .height = height, .format = gl::Format::r32ui});
+        });
     });
     const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
     for (std::size_t s = 0; s < kMostPixelSamples; ++s) {

@@ -36,7 +36,6 @@ public:
     };
 
     /// Makes room for hits, whose values are then undefined. offsets: of the samples, as in sample_pattern().
-    /// Must be called inside run() of the context.
     void resize(int width, int height, std::span<const glm::dvec2> offsets, Kept kept);
 
     [[nodiscard]] Kept kept() const noexcept { return kept_; }
@@ -64,7 +63,7 @@ public:
         return targets_[sample].colour(0);
     }
 
-    /// Frees all memory. Must be called inside run() of the context.
+    /// Frees all memory.
     void clear();
     /// Returns the number of bytes that are kept outside the context.
     [[nodiscard]] std::uint64_t bytes() const;

@@ -115,10 +115,8 @@ Gradients Renderer::adjoint(const Scene& scene, const Camera& camera, const Rend
     Progress progress(options.progress);
     RenderRun run{.workers = workers_, .progress = progress, .statistics = statistics};
     const auto hits = [&](bool /*on_host*/) -> const VisibilityBuffer& {
-        context_->run([&] {
-            find_hits(projection, options, VisibilityBuffer::Kept::on_host,
-                      {picture.width, picture.height, picture.channels}, statistics);
-        });
+        find_hits(projection, options, VisibilityBuffer::Kept::on_host,
+                  {picture.width, picture.height, picture.channels}, statistics);
         return hits_;
     };
     Gradients out;

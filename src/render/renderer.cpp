@@ -303,7 +303,7 @@ void Renderer::find_hits(const Projection& projection, const RenderOptions& opti
         return;
     }
     traced_hits_.clear();
-    update_buffers(surfaces, image.channels);
+    context_->run([&] { update_buffers(surfaces, image.channels); });
     drawn_hits_.find(request, hits_);
 }
 
@@ -333,39 +333,41 @@ void Renderer::draw(const Scene& scene, const Projection& projection, const Rend
     const auto hits_for_shading = [&](bool on_host) -> const VisibilityBuffer& {
         const bool host = on_host || executor.reads_hits_on_host();
         const bool device = elements || !executor.reads_hits_on_host();
-        context_->run([&] {
-            draw_hits(!device ? VisibilityBuffer::Kept::on_host
-                      : host  ? VisibilityBuffer::Kept::on_both
-                              : VisibilityBuffer::Kept::on_device);
-        });
+        draw_hits(!device ? VisibilityBuffer::Kept::on_host
+                  : host  ? VisibilityBuffer::Kept::on_both
+                          : VisibilityBuffer::Kept::on_device);
         return hits_;
     };
     pipeline_.run(scene, projection, chosen, executor, run, hits_for_shading);
     progress.report("draw", 0);
 
     // Steps of the context, so that other calls need not wait for all of them.
-    const Stopwatch uploading;
+    const Stopwatch preparing;
     const RefinedSurfaces& surfaces = pipeline_.surfaces();
     const bool at_pixels = pipeline_.shaded_pixels();
-    painter_.prepare(scene, at_pixels ? &executor : nullptr, target.channels());
     context_->run([&] { update_buffers(surfaces, target.channels()); });
-    statistics.draw_ms += uploading.milliseconds();
+    if (!at_pixels) {
+        if (elements)
+            draw_hits(VisibilityBuffer::Kept::on_device);
+        else
+            clear_hits();
+        context_->run([&] { executor.store(buffers_); });
+    }
+    const Painter::Subject subject{.scene = scene,
+                                   .surfaces = surfaces,
+                                   .buffers = buffers_,
+                                   .alpha_masks = alpha_masks_,
+                                   .pixels = at_pixels ? &executor : nullptr,
+                                   .projection = projection};
+    const Painter::Wanted wanted{.components = chosen.components,
+                                 .aovs = options.aovs,
+                                 .samples = sample_pattern(options.pixel_samples)};
+    painter_.prepare(subject, wanted, target);
+    if (elements)
+        context_->run([&] { elements_.prepare(scene, surfaces, projection, options.pixel_samples, target); });
+    statistics.draw_ms += preparing.milliseconds();
     const auto draw_image = [&] {
-        context_->run([&] {
-            if (!at_pixels) {
-                if (elements)
-                    draw_hits(VisibilityBuffer::Kept::on_device);
-                else
-                    clear_hits();
-                executor.store(buffers_);
-            }
-            if (elements) elements_.prepare(scene, surfaces, projection, options.pixel_samples, target);
-        });
-        painter_.draw(scene, surfaces, buffers_, alpha_masks_, at_pixels ? &executor : nullptr,
-                      {.components = chosen.components,
-                       .aovs = options.aovs,
-                       .samples = sample_pattern(options.pixel_samples)},
-                      projection, target);
+        painter_.draw(subject, wanted, target);
         if (!elements) return;
         context_->run([&] {
             elements_.draw(buffers_, hits_, options.components, target);

@@ -116,11 +116,10 @@ private:
     // Draws as many images as the options have samples per pixel, and averages the images.
     void draw_one_by_one(const Scene& scene, const Projection& projection, const RenderOptions& options,
                          Framebuffer& target);
-    // Finds the hits of the pipeline's surfaces, by rays if they are expected to cost less. Must be called
-    // inside run() of the context.
+    // Finds the hits of the pipeline's surfaces, by rays if they are expected to cost less.
     void find_hits(const Projection& projection, const RenderOptions& options, VisibilityBuffer::Kept kept,
                    const ImageShape& image, Statistics& statistics);
-    // Frees the memory of hits. Must be called inside run() of the context.
+    // Frees the memory of hits.
     void clear_hits();
     // Copies surfaces to the device. Must be called inside run() of the context.
     void update_buffers(const RefinedSurfaces& surfaces, int channels);
