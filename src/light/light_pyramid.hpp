@@ -18,9 +18,9 @@ public:
     /// most_columns: of an image that is blurred; wider ones are averaged first.
     explicit LightPyramid(const Environment& environment, int most_columns = 1024);
 
-    /// Computes the mean radiance in blobs around unit directions `out.towards`, in the environment's axes:
-    /// out.irradiance, out.components and, of polarized light, out.x. variances: of the blobs, along each
-    /// axis, in square radians. Blobs are close to normal distributions.
+    /// Computes the mean radiance in blobs around the directions `out.towards`, of any length and in the
+    /// environment's axes: out.irradiance, out.components and, of polarized light, out.x. variances: of the
+    /// blobs, along each axis, in square radians. Blobs are close to normal distributions.
     void look_up(const Lanes& variances, LaneLight& out) const;
 
     [[nodiscard]] bool polarized() const noexcept { return components_ > 1; }

@@ -5,6 +5,7 @@
 
 #include "material/microfacet.hpp"
 #include "shading/reflected_nodes.hpp"
+#include "simd/all_lanes.hpp"
 #include "simd/dispatch.hpp"
 #include "simd/lane_exponential.hpp"
 
@@ -15,7 +16,12 @@ constexpr float kLeastCosine = 1e-6F;
 constexpr float kLeastAcross = 1e-12F;  // smallest square of the sine of the angle to the normal
 constexpr float kLeastShare = 1e-6F;
 constexpr float kWidestBlob = 0.5F;  // largest variance, in square radians
-constexpr float kMostMoved = 8;      // largest exponent of the ratio of two distributions of nodes
+// The horizon does not limit a blob this many standard deviations above it whose mean facet_visibility() is
+// within half a percent of the value in its middle. The second derivative of GGX's, over its value, is about
+// 1.1 alpha^2 / z^4.
+constexpr float kAbove = 2;
+constexpr float kCurved = 110;
+constexpr float kMostMoved = 8;  // largest exponent of the ratio of two distributions of nodes
 
 // Returns 1 over the density of facets of these slopes, in standard deviations; 0 if it is 0.
 template <class Number>
@@ -67,11 +73,28 @@ template <class Number>
     mean = 0.5F * sum;
     const Number excess = (above - below) / (sum > kLeastShare ? sum : Number{} + kLeastShare);
     const Number rise = deviation * excess;
-    store_part(normalized_or(Vector3<Number>{seen.x - rise * slope * towards.x,
-                                             seen.y - rise * slope * towards.y, seen.z + rise * across},
-                             0.0F, Vector3<float>{0, 0, 1}),
+    store_part(Vector3<Number>{seen.x - rise * slope * towards.x, seen.y - rise * slope * towards.y,
+                               seen.z + rise * across},
                first, node.seen);
     store_part(Number(variance * (1.0F - 0.5F * excess * excess)), first, node.variances);
+}
+
+// Returns whether all blobs of a part of the lanes are so far above the horizon that limit_blob() would
+// change next to nothing.
+template <class Number>
+[[gnu::always_inline]] inline bool above_horizon(const Facets<float>& facets, std::size_t first,
+                                                 const ReflectedNode& node) {
+    Vector3<Number> towards;
+    Number variance;
+    load_part(node.towards, first, towards);
+    load_part(node.variances, first, variance);
+    const Number x = facets.alpha * towards.x, y = facets.alpha_y * towards.y;
+    const Number across2 = towards.x * towards.x + towards.y * towards.y;
+    const Number height = towards.z > 0.0F ? towards.z : Number{};
+    const Number height2 = height * height;
+    const Number straight = height2 * height2 * across2 - kCurved * variance * (x * x + y * y);
+    const Number clear = height2 - kAbove * kAbove * variance;
+    return all_lanes((straight < clear ? straight : clear) > 0.0F);
 }
 
 // Stores a node's weight. factor: weight in the direction `evaluated`, where the pBRDF is evaluated.
@@ -79,6 +102,10 @@ template <class Number>
 [[gnu::always_inline]] inline void store_weight(const Facets<float>& facets, std::size_t first,
                                                 const Number& factor, const Vector3<Number>& evaluated,
                                                 ReflectedNode& node) {
+    if (above_horizon<Number>(facets, first, node)) {
+        store_part(factor, first, node.weights);
+        return;
+    }
     Number mean, there;
     limit_blob(facets, first, node, mean);
     visible_share(facets, evaluated, there);
@@ -165,10 +192,9 @@ template <class Number>
     load_part(r.moves_[0], first, move);
     load_part(r.moves_[1], first, other_move);
     load_part(r.pixels_.shift, first, shift);
-    store_part(normalized_or(Vector3<Number>{towards.x + shift.x + a * move.x + b * other_move.x,
-                                             towards.y + shift.y + a * move.y + b * other_move.y,
-                                             towards.z + shift.z + a * move.z + b * other_move.z},
-                             0.0F, Vector3<float>{0, 0, 1}),
+    store_part(Vector3<Number>{towards.x + shift.x + a * move.x + b * other_move.x,
+                               towards.y + shift.y + a * move.y + b * other_move.y,
+                               towards.z + shift.z + a * move.z + b * other_move.z},
                first, out.seen);
     return node;
 }

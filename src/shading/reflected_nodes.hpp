@@ -52,7 +52,7 @@ struct SlopePart {
 /// Directions of sixteen points, in their surfaces' frames.
 struct ReflectedNode {
     LaneVectors towards;  ///< unit directions towards light that facets reflect to the viewer
-    LaneVectors seen;     ///< unit directions around which the light is to be averaged, for the pixels
+    LaneVectors seen;     ///< directions, of any length, around which to average the light for the pixels
     Lanes variances;      ///< of the blobs to average over, along each axis, in square radians
     Lanes weights;        ///< solid angles: factors of the pBRDF times the cosine times the light
 };

@@ -32,7 +32,8 @@ double reflected(const Lobe& lobe, const glm::dvec3& viewer, const ReflectedNode
         facet_density(lobe.distribution, lobe.alpha, half) * half.z / (4 * glm::dot(half, towards));
     return static_cast<double>(node.weights[i]) * facets *
            facet_visibility(lobe.distribution, lobe.alpha, towards) *
-           light(lane(node.seen, i), middle, variance, static_cast<double>(node.variances[i]));
+           light(glm::normalize(lane(node.seen, i)), middle, variance,
+                 static_cast<double>(node.variances[i]));
 }
 
 }  // namespace
@@ -152,7 +153,8 @@ TEST_CASE("a mirror's nodes cover the pixel around its shifted middle") {
         const ReflectedNode node = nodes.node(k);
         CHECK(glm::distance(lane(node.towards, 3), mirrored) < 1e-6);
         const auto weight = static_cast<double>(node.weights[3]);
-        const glm::dvec2 at(glm::dot(axes[0], lane(node.seen, 3)), glm::dot(axes[1], lane(node.seen, 3)));
+        const glm::dvec3 seen = glm::normalize(lane(node.seen, 3));
+        const glm::dvec2 at(glm::dot(axes[0], seen), glm::dot(axes[1], seen));
         total += weight;
         mean += weight * at;
         squares += weight * (at * at + static_cast<double>(node.variances[3]));
