@@ -2,6 +2,7 @@
 #include "handles.hpp"
 
 #include <bit>
+#include <cstdint>
 #include <unordered_map>
 
 namespace nicol::capi {

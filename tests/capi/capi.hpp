@@ -2,6 +2,7 @@
 // Shared helpers of the C interface tests.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
