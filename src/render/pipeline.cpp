@@ -271,10 +271,12 @@ RenderOptions Pipeline::choose_orders(const Scene& scene, const Projection& proj
         options.method == Method::factored && options.high_orders != HighOrders::convolution;
     if (!options.choose_orders || !predicted || !(options.tolerance > 0)) return chosen;
     const Stopwatch watch;
+    RenderOptions of_orders = options;
+    of_orders.tolerance = left_of_tolerance(options.tolerance, shadow_error_.of_all());
     run.workers.run([&] {
         const OrderSelector::Orders orders =
             selector_.choose(scene, {split_.rest(), sampled}, visibility_.state(), visibility_.pending() == 0,
-                             options, run.memory_limit, projection_);
+                             of_orders, run.memory_limit, projection_);
         chosen.order_low = orders.low;
         chosen.order_high = orders.high;
         run.statistics.order_error = orders.error;

@@ -2,6 +2,7 @@
 // Predicted error of an image.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 namespace nicol {
@@ -28,5 +29,18 @@ private:
     double squared_error_ = 0;
     double power_ = 0;
 };
+
+/// Returns the part of a tolerance that is left to the orders by another error, the one of shadows between
+/// baked vertices: independent errors add as squares. Half of the tolerance always remains, because finer
+/// orders would not mend coarse shadows. The part is rounded down to steps, so that orders stay when objects
+/// move.
+[[nodiscard]] inline double left_of_tolerance(double tolerance, double error) {
+    constexpr double least = 0.5;
+    constexpr double steps = 4;  // per octave
+    if (!(tolerance > 0)) return tolerance;
+    const double used = error / tolerance;
+    const double left = std::sqrt(std::max(1 - used * used, least * least));
+    return tolerance * std::exp2(std::floor(steps * std::log2(left)) / steps);
+}
 
 }  // namespace nicol

@@ -27,10 +27,19 @@ glm::vec3 gradient(const std::array<glm::vec3, 3>& corners, const std::array<flo
            square;
 }
 
+// Returns twice the area of a triangle.
+double area_of(const std::array<glm::vec3, 3>& corners) {
+    return static_cast<double>(glm::length(glm::cross(corners[1] - corners[0], corners[2] - corners[0])));
+}
+
 }  // namespace
 
 ShadowError::Seen ShadowError::of(const SurfaceState& surfaces, bool done, const Projection& projection) {
-    if (surfaces.visibility == nullptr) return {};
+    if (surfaces.visibility == nullptr) {
+        of_all_ = 0;
+        measuring_.reset();
+        return {};
+    }
     const WorldGeometry& geometry = surfaces.geometry;
     if (done || squares_.size() != geometry.triangles.size())
         measuring_.run(surfaces.versions, [&] { measure(surfaces); });
@@ -96,6 +105,19 @@ void ShadowError::measure(const SurfaceState& surfaces) {
         }
         squares_[i] = {.error = 4 * (squares + sum * sum) / 45, .irradiance = (lights + light * light) / 12};
     });
+
+    // Half of the weight goes by area, and half is equal for all triangles, as in VertexWeights.
+    double area = 0;
+    for (const glm::uvec3& t : geometry.triangles) area += area_of(corners(t));
+    double error = 0, light = 0;
+    for (std::size_t i = 0; i < squares_.size(); ++i) {
+        if (squares_[i].irradiance < 0) continue;
+        const double weight = (area > 0 ? area_of(corners(geometry.triangles[i])) / area : 0) +
+                              1 / static_cast<double>(squares_.size());
+        error += weight * static_cast<double>(squares_[i].error);
+        light += weight * static_cast<double>(squares_[i].irradiance);
+    }
+    of_all_ = light > 0 ? std::sqrt(error / light) : 0;
 
     const VertexWeights sampled(geometry, surfaces.baked);
     double weights = 0;

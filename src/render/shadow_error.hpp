@@ -22,6 +22,9 @@ public:
         double brightness = 1;
     };
 
+    /// Returns the error of the irradiance on all surfaces, relative to its RMS, as the last call of of()
+    /// found it; 0 if there was none or if nothing is hidden. It stays the same when the camera moves.
+    [[nodiscard]] double of_all() const noexcept { return of_all_; }
     /// Returns what the triangles that face the viewer say, weighted by the solid angles under which they are
     /// seen. done: whether the bake of the surfaces is done; otherwise, shadows of an earlier state of the
     /// same triangles are good enough. Runs on the threads of the calling thread's TBB arena after a change
@@ -39,6 +42,7 @@ private:
     Stage<SurfaceVersions> measuring_;
     std::vector<Squares> squares_;  // by triangle; irradiance < 0: not baked
     double all_ = 1;                // mean square of the irradiance, of all surfaces
+    double of_all_ = 0;
 };
 
 }  // namespace nicol

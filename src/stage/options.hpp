@@ -111,8 +111,8 @@ struct RenderOptions {
     /// Whether order_low and order_high are chosen for the tolerance instead. Requires a tolerance above 0
     /// and a predicted error: Method::factored with HighOrders::split or none.
     bool choose_orders = false;
-    /// Largest predicted relative RMSE of s0, s1 and s2 (over the RMS of s0) that the omitted orders may
-    /// cause.
+    /// Largest predicted relative RMSE of s0, s1 and s2 (over the RMS of s0) that the omitted orders and
+    /// shadows between baked vertices may cause.
     double tolerance = 0.03;
     /// Factor of the tolerance for the choice of orders, 1 or more. A time budget raises the factor in order
     /// to lower the orders; other uses of the tolerance stay.

@@ -30,9 +30,10 @@ EnvironmentPtr natural_light(bool polarized, int order = truth) {
     return psh_environment(light);
 }
 
-Scene spheres(const MaterialPtr& first, const MaterialPtr& second, const EnvironmentPtr& light) {
+Scene spheres(const MaterialPtr& first, const MaterialPtr& second, const EnvironmentPtr& light,
+              std::uint32_t segments = 8) {
     Scene scene;
-    const auto mesh = test::coarse_sphere(8);
+    const auto mesh = test::coarse_sphere(segments);
     scene.add({.mesh = mesh, .material = first, .to_world = test::at(-1.02, 0, 0)});
     scene.add({.mesh = mesh, .material = second, .to_world = test::at(1.02, 0, 0)});
     scene.set_environment(light, glm::dmat3(1), 1);
@@ -54,10 +55,16 @@ public:
         Statistics statistics;
     };
     /// Weights each vertex by the area that it covers in an image.
-    Result run(double tolerance, HighOrders form) {
-        const RenderOptions all{.shadows = shadows_, .order_low = truth, .order_high = truth};
-        const RenderOptions chosen{
-            .shadows = shadows_, .high_orders = form, .choose_orders = true, .tolerance = tolerance};
+    Result run(double tolerance, HighOrders form, double refine_tolerance = 0.02) {
+        const RenderOptions all{.shadows = shadows_,
+                                .refine_tolerance = refine_tolerance,
+                                .order_low = truth,
+                                .order_high = truth};
+        const RenderOptions chosen{.shadows = shadows_,
+                                   .refine_tolerance = refine_tolerance,
+                                   .high_orders = form,
+                                   .choose_orders = true,
+                                   .tolerance = tolerance};
         Result result;
         std::array<double, 3> error{};
         double scale = 0;
@@ -127,6 +134,18 @@ TEST_CASE("what a tolerance asks for holds, and not much more is computed") {
                     CHECK(s.order > cheaper);
                     cheaper = s.order;
                 });
+    }
+}
+
+TEST_CASE("orders have what coarse shadows leave of the tolerance, half of it at least") {
+    const MaterialPtr glossy = pplastic({.diffuse_reflectance = {0.1}, .alpha = 0.15});
+    const Scene scene = spheres(glossy, glossy, natural_light(false), 4);
+    for (const double tolerance : {0.05, 0.03, 0.02, 0.01}) {
+        const Statistics s = Comparison(scene, true).run(tolerance, HighOrders::none, 0).statistics;
+        CAPTURES(tolerance, s.shadow_error, s.order_error);
+        CHECK(s.shadow_error > 0.008);
+        const double left = std::sqrt(std::max(0.0, tolerance * tolerance - s.shadow_error * s.shadow_error));
+        CHECK(s.order_error <= std::max(left, 0.5 * tolerance));
     }
 }
 

@@ -65,15 +65,17 @@ TEST_CASE("shadows between vertices err as the curvature of their irradiance say
         return project(camera, 64, 64);
     };
     const Projection whole = from(0, 24), left = from(-0.75, 6);
+    const auto state_of = [&](const Visibility& visibility) {
+        return SurfaceState{.geometry = surfaces.geometry(),
+                            .visibility = &visibility,
+                            .directions = &directions,
+                            .versions = {.geometry = 1, .visibility = 1},
+                            .materials = 1};
+    };
     const auto seen = [&](const std::function<double(double)>& irradiance, const Projection& projection) {
         const Visibility visibility = lit(surfaces.geometry(), directions, irradiance);
         ShadowError error;
-        return error.of({.geometry = surfaces.geometry(),
-                         .visibility = &visibility,
-                         .directions = &directions,
-                         .versions = {.geometry = 1, .visibility = 1},
-                         .materials = 1},
-                        true, projection);
+        return error.of(state_of(visibility), true, projection);
     };
     const auto linear = [](double x) { return 0.5 + 0.4 * x; };
     const auto square = [](double x) { return 0.1 + 0.8 * x * x; };
@@ -85,6 +87,22 @@ TEST_CASE("shadows between vertices err as the curvature of their irradiance say
     CHECK(seen(linear, whole).error < 0.25 * missed);
 
     CHECK(seen(linear, whole).brightness == doctest::Approx(1).epsilon(0.1));
+    // The error on all surfaces does not depend on the image.
+    for (const Projection& projection : {whole, left}) {
+        ShadowError error;
+        const Visibility visibility = lit(surfaces.geometry(), directions, square);
+        CHECK(error.of_all() == 0);
+        (void)error.of(state_of(visibility), true, projection);
+        CHECK(error.of_all() == doctest::Approx(missed).epsilon(0.25));
+        (void)error.of({.geometry = surfaces.geometry(),
+                        .visibility = nullptr,
+                        .directions = nullptr,
+                        .versions = {},
+                        .materials = 1},
+                       true, projection);
+        CHECK(error.of_all() == 0);
+    }
+
     CHECK(seen(linear, left).brightness == doctest::Approx(0.04 / (0.25 + 0.16 / 3)).epsilon(0.1));
 
     ShadowError none;

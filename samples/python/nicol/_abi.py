@@ -1304,13 +1304,13 @@ class RenderOptions(Struct):
     executor: device that runs relight and shade, default automatic
     seed: Seed of the reference method and of the samples of lights and lobes, default 0. Equal seeds give equal
         images, whatever the number of threads.
-    tolerance: Largest predicted error of the orders left out if both orders are automatic, finite and not negative,
-        default 0.03: the RMSE of s0, s1 and s2 relative to the RMS of s0. The fastest orders that keep the
-        tolerance are chosen, order_low up to 16. Errors are mostly a half to a third of the prediction, and
-        the error of the DoLP, as the mean over pixels, is no larger than the prediction. Orders are as high as
-        fits if the data of vertices would exceed 1 GiB or the context's memory_limit. Automatic orders are 4
-        and 9 without a prediction: for the dense method, for convolution, for a tolerance of 0, and beside an
-        order that is given.
+    tolerance: Largest predicted error of the orders left out and of shadows between baked vertices if both orders are
+        automatic, finite and not negative, default 0.03: the RMSE of s0, s1 and s2 relative to the RMS of s0.
+        The fastest orders are chosen, order_low up to 16, that keep what shadows leave of the tolerance, or
+        half of it. The error of the DoLP, as the mean over pixels, is no larger than the prediction. Orders
+        are as high as fits if the data of vertices would exceed 1 GiB or the context's memory_limit. Automatic
+        orders are 4 and 9 without a prediction: for the dense method, for convolution, for a tolerance of 0,
+        and beside an order that is given.
     components: Stokes components of the image, default all
     disabled_optimisations: Sum of NICOL_OPTIMISATION_... to disable, in order to measure what the optimisations save; default 0:
         none. Compute shaders shade all vertices and rows in any case.
@@ -1531,8 +1531,8 @@ class Statistics(Struct):
     pixel_samples: real-time methods: samples per pixel of the image
     light_samples: real-time methods: light_samples of the image
     bsdf_samples: real-time methods: bsdf_samples of the image
-    order_tolerance: tolerance for which the orders were chosen: the option's, or more by time_budget_ms;
-                                               0 if they were not chosen
+    order_tolerance: tolerance of orders and shadows for which orders were chosen: the option's, or more
+                                               by time_budget_ms; 0 if they were not chosen
     light_rays_skipped: rays to dim lights that were not traced (NICOL_OPTIMISATION_DIM_LIGHTS), beside light_rays"""
     _fields_ = [
         ("struct_size", c_uint32),
