@@ -25,8 +25,8 @@ class HitFinder {
 public:
     virtual ~HitFinder() = default;
 
-    /// Fills `out`, in several steps of the context, between which other calls use OpenGL. Outside run() of the
-    /// context, unless the caller's step must contain them all.
+    /// Fills `out`, in several steps of the context, between which other calls use OpenGL. Outside run() of
+    /// the context, unless the caller's step must contain them all.
     virtual void find(const HitRequest& request, VisibilityBuffer& out) = 0;
 };
 
