@@ -9,9 +9,10 @@ namespace {
 // Returns a place, from the middle of a pixel of side 1. The places form a lattice with one of them in each
 // row and column, in an order that spreads the first ones.
 glm::vec2 offset_of(std::size_t place) {
-    static constexpr std::array<std::size_t, PixelOrigins::kPlaces> order{0, 4, 2, 6, 1, 5, 3, 7};
+    static constexpr std::array<std::size_t, PixelOrigins::kPlaces> order{0, 8, 4, 12, 2, 10, 6, 14,
+                                                                          1, 9, 5, 13, 3, 11, 7, 15};
     constexpr auto count = static_cast<float>(PixelOrigins::kPlaces);
-    const std::size_t column = order[place % order.size()], row = 3 * column % order.size();
+    const std::size_t column = order[place % order.size()], row = 7 * column % order.size();
     return (glm::vec2(static_cast<float>(column), static_cast<float>(row)) + 0.5F) / count - 0.5F;
 }
 

@@ -18,7 +18,8 @@ namespace nicol {
 /// hides a fraction of a pixel's light. Start points are found when they are first asked for.
 class PixelOrigins {
 public:
-    static constexpr std::size_t kPlaces = 8;  ///< number of places in a pixel, one in each eighth of a side
+    static constexpr std::size_t kPlaces = 16;  ///< number of places in a pixel, one in each 16th of a side
+    static constexpr std::size_t kSpread = 8;   ///< number of consecutive places that are spread over a pixel
 
     /// Part of a pixel that shows one surface.
     struct Part {

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "shading/shadow_rays.hpp"
 
+#include <array>
+#include <cmath>
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <limits>
 #include <span>
 
+#include "shading/light_samples.hpp"
 #include "test.hpp"
 
 using namespace nicol;
@@ -92,10 +96,60 @@ TEST_CASE("the edge of a shadow hides the fraction of a pixel's light that lies 
             CHECK((lit >> i & 1U) == (fractions[i] > 0 ? 1U : 0U));
             // A part of the variance of as many random places, over the square of the fraction.
             const float random =
-                fractions[i] > 0 ? (1 - fractions[i]) / fractions[i] / PixelOrigins::kPlaces : 0;
+                fractions[i] > 0 ? (1 - fractions[i]) / fractions[i] / PixelOrigins::kSpread : 0;
             CHECK(shadows.doubts()[i] <= random);
             CHECK(shadows.doubts()[i] >= 0.2F * random);
         }
-        CHECK(rays.count() == PixelOrigins::kPlaces * kLanes);
+        CHECK(rays.count() == PixelOrigins::kSpread * kLanes);
     }
+}
+
+TEST_CASE("places in pixels and parts of a wide light are sampled independently") {
+    // A roof over the floor y = 0, which hides what has a positive x from light above.
+    const std::vector<glm::vec3> positions{{0, 1, -9}, {0, 1, 9}, {9, 1, 9}, {9, 1, -9}};
+    const std::vector<glm::uvec3> triangles{{0, 1, 2}, {0, 2, 3}};
+    const RaySurface roof{.positions = positions, .triangles = triangles};
+    const RayScene scene(std::span(&roof, 1));
+    const std::vector<glm::vec3> floor{{-90, 0, -90}, {90, 0, -90}, {0, 0, 90}}, normals(3, {0, 1, 0});
+    const Viewpoint view{
+        .orthographic = true, .eye = {0, 2, 0}, .forward = {0, -1, 0}, .up = {0, 0, -1}, .right = {1, 0, 0}};
+    constexpr float side = 0.5F;  // of pixels, and of the light as the roof's edge projects it
+    constexpr std::uint32_t samples = 32, rows = 20, lanes = kLanes;
+    double sum = 0;
+    for (std::uint32_t row = 0; row < rows; ++row) {
+        std::vector<PixelOrigins::Part> parts;
+        std::array<std::uint32_t, kLanes> seeds;
+        std::array<float, kLanes> lit{};
+        LaneVectors points;
+        for (std::uint32_t i = 0; i < kLanes; ++i) {
+            const glm::vec2 middle(static_cast<float>(i) * 0.06F - 0.45F, 0.1F);
+            parts.push_back({.triangle = {0, 1, 2},
+                             .middle = middle,
+                             .size = glm::vec2(side),
+                             .lift = {0, 1e-4F, 0},
+                             .pixel = lanes * row + i});
+            put(points, i, {middle.x, 0, -middle.y});
+            seeds[i] = sample_seed(lanes * row + i, 0);
+        }
+        PixelOrigins places(view, floor, normals, parts);
+        ShadowRays rays(scene, nullptr, points, points);
+        LightShadows shadows(&rays, &places, samples);
+        for (std::uint32_t k = 0; k < samples; ++k) {
+            Lanes u, v;
+            light_samples(k, seeds, u, v);
+            LaneLight light;
+            for (std::size_t i = 0; i < kLanes; ++i)
+                put(light.towards, i, glm::normalize(glm::vec3(side * (u[i] - 0.5F), 1, 0)));
+            light.distance.value.fill(std::numeric_limits<float>::infinity());
+            const std::uint32_t some = shadows.reached(light, 0xFFFF);
+            for (std::size_t i = 0; i < kLanes; ++i) lit[i] += static_cast<float>(some >> i & 1U) / samples;
+        }
+        for (std::size_t i = 0; i < kLanes; ++i) {
+            const float away = std::abs(parts[i].middle.x) / side;
+            const float beyond = 0.5F * (1 - away) * (1 - away);
+            const float off = lit[i] - (parts[i].middle.x < 0 ? 1 - beyond : beyond);
+            sum += static_cast<double>(off * off);
+        }
+    }
+    CHECK(std::sqrt(sum / (kLanes * rows)) <= 0.045);
 }
