@@ -10,21 +10,25 @@
 
 #include "material/spatial_variation.hpp"
 #include "render/hidden_vertices.hpp"
+#include "simd/lanes.hpp"
 #include "surfaces/smooth_surfaces.hpp"
+#include "visibility/points_in_pixels.hpp"
+#include "visibility/visibility.hpp"
 
 namespace nicol {
 namespace {
 
-// Vertices of an instance that are needed at least, if it has as many.
+// Sampled vertices of all instances together, and of each, if it has as many.
 constexpr std::size_t kSampledVertices = 1024;
+constexpr std::size_t kSampledOfInstance = 64;
 // Fewest vertices that are worth a bake of a part.
-constexpr std::size_t kLeastSpared = 4096;
+constexpr std::size_t kLeastSpared = 1024;
 // Samples of pixels, and cameras that are jittered within a pixel, reach no farther beyond an image than so
 // many times what find_visible() allows.
 constexpr double kMargin = 4;
 // Share of a ray from a pixel in the cost of baking a vertex, with that of the vertices that rays find
 // hidden.
-constexpr double kVerticesOfRay = 0.2;
+constexpr double kVerticesOfRay = 0.05;
 
 bool reflects(const Material& material) {
     return material.smooth_boundary() != nullptr || any_term(material, [](const Material& layer, int term) {
@@ -54,21 +58,33 @@ NeededVertices needed_by(const WorldGeometry& geometry, const Projection& projec
     wide.pixel *= kMargin;
     std::vector<std::uint8_t> needed;
     find_visible(geometry, wide, needed);
-    std::vector<std::uint8_t> facing = needed;
     const auto at = [&needed](std::size_t v) { return needed.begin() + static_cast<std::ptrdiff_t>(v); };
     for (const VertexRange& range : geometry.ranges)
         if (!reflects(*range.material)) std::fill(at(range.first), at(range.last), std::uint8_t{0});
     const double pixels = 4 / (projection.pixel.x * projection.pixel.y);
     const auto seen = static_cast<double>(std::ranges::count(needed, 1));
-    if (seen == 0) return {.flags = std::move(needed), .seen = std::move(facing)};
+    if (seen == 0) return {.flags = needed, .seen = needed};
     if (seen > kLeastSpared + kVerticesOfRay * pixels)
         remove_hidden(geometry, *rays.get(), projection, needed);
     const double pixel = pixel_at_nearest(geometry, projection, needed);
-    return {.flags = std::move(needed), .seen = std::move(facing), .pixel = pixel};
+    return {.flags = needed, .seen = needed, .pixel = pixel};
 }
 
 void add_flags(std::vector<std::uint8_t>& sum, const std::vector<std::uint8_t>& flags) {
     for (std::size_t v = 0; v < sum.size(); ++v) sum[v] |= flags[v];
+}
+
+// Adds a sample of each instance: blocks of kLanes vertices, which later steps compute together.
+void add_sample(const WorldGeometry& geometry, std::vector<std::uint8_t>& flags) {
+    for (const VertexRange& range : geometry.ranges) {
+        const std::size_t count = range.last - range.first;
+        const std::size_t sampled =
+            std::max(kSampledOfInstance, kSampledVertices * count / geometry.positions.size());
+        const std::size_t step = kLanes * std::max<std::size_t>(1, count / sampled);
+        for (std::size_t first = range.first; first < range.last; first += step)
+            for (std::size_t v = first / kLanes * kLanes; v < first / kLanes * kLanes + kLanes; ++v)
+                if (v >= range.first && v < range.last) flags[v] = 1;
+    }
 }
 
 bool need_the_same_vertices(const Projection& a, const Projection& b) {
@@ -90,12 +106,26 @@ NeededVertices needed_vertices(const WorldGeometry& geometry, std::span<const Pr
         if (more.pixel > 0 && (all.pixel == 0 || more.pixel < all.pixel)) all.pixel = more.pixel;
     }
     if (all.pixel == 0) return all;  // nothing is seen
-    for (const VertexRange& range : geometry.ranges) {
-        const std::size_t step = std::max<std::size_t>(1, (range.last - range.first) / kSampledVertices);
-        for (std::size_t v = range.first; v < range.last; v += step) all.flags[v] = 1;
-    }
+    add_sample(geometry, all.flags);
     if (static_cast<std::size_t>(std::ranges::count(all.flags, 0)) < kLeastSpared) all.flags.clear();
     return all;
+}
+
+std::vector<std::uint32_t> vertices_in_pixels(const WorldGeometry& geometry,
+                                              std::span<const std::uint8_t> flags, double pixel) {
+    PointsInPixels cells(pixel);
+    std::vector<std::uint32_t> like(geometry.positions.size(), kNoVertex);
+    std::size_t shared = 0;
+    for (std::uint32_t v = 0; v < like.size(); ++v) {
+        if (!flags.empty() && flags[v] == 0) continue;
+        const glm::vec3 normal(glm::normalize(glm::dvec3(geometry.normals[v])));
+        const std::uint32_t first = cells.add(geometry.positions[v], normal, v);
+        if (first == v) continue;
+        like[v] = first;
+        ++shared;
+    }
+    if (shared < kLeastSpared) like.clear();
+    return like;
 }
 
 bool need_the_same(std::span<const Projection> a, std::span<const Projection> b) {

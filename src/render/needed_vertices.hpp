@@ -14,7 +14,7 @@ namespace nicol {
 struct NeededVertices {
     /// 1 for each vertex whose visibility is needed, else 0. Empty: all are needed.
     std::vector<std::uint8_t> flags;
-    /// 1 for each vertex of a triangle that can be seen, else 0.
+    /// 1 for each vertex of a triangle that can be seen and reflects light, else 0.
     std::vector<std::uint8_t> seen;
     double pixel = 0;  ///< side of a pixel at the nearest vertex that is seen; 0 if none is
 };
@@ -34,6 +34,13 @@ enum class ImageNeeds : std::uint8_t {
 /// than they cost. The sample does not depend on the views. Runs on the calling thread's TBB arena.
 [[nodiscard]] NeededVertices needed_vertices(const WorldGeometry& geometry, std::span<const Projection> views,
                                              SurfaceRays& rays);
+
+/// Returns, for each needed vertex, the first one in the same pixel that faces about the same way, or
+/// kNoVertex if that is the vertex itself; kNoVertex for the others. Empty if few vertices have another one.
+/// flags: as NeededVertices::flags. pixel: its side.
+[[nodiscard]] std::vector<std::uint32_t> vertices_in_pixels(const WorldGeometry& geometry,
+                                                            std::span<const std::uint8_t> flags,
+                                                            double pixel);
 
 /// Returns whether two sets of images, each of one sample per pixel or more, need the same vertices because
 /// their views differ by no more than a pixel's side, as those of jittered cameras do.

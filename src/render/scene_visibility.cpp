@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "render/baked_vertices.hpp"
 #include "render/needed_vertices.hpp"
 #include "render/shifted_objects.hpp"
 #include "visibility/bake_cache.hpp"
@@ -18,8 +19,6 @@ constexpr double kNearer = 0.01;
 // Directions, as a part of all, times the tolerance of shadows, in which a vertex may see something else than
 // before the change of a scene and keep its light.
 constexpr double kUnshown = 1.0 / 16;
-// Length in pixels of edges that are not split. Shadows are interpolated along them.
-constexpr double kPixelsOfEdge = 2;
 
 // Returns flags that are 0 for the vertices whose visibility an image does not need (empty: none) and for
 // those that receive no shadows. `room` holds the result if there are any of the latter.
@@ -28,7 +27,8 @@ std::span<const std::uint8_t> traced_of(const WorldGeometry& geometry, std::span
     const std::vector<std::uint8_t> shadowed = receivers_of(geometry);
     if (shadowed.empty()) return needed;
     room = shadowed;
-    for (std::size_t v = 0; v < needed.size(); ++v) room[v] &= needed[v];
+    for (std::size_t v = 0; v < needed.size(); ++v)
+        if (needed[v] == 0) room[v] = 0;
     return room;
 }
 
@@ -50,10 +50,6 @@ BakeGeometry bake_geometry(const SceneGeometry& surfaces, SurfaceRays& rays,
 // changes with what hides the light from it, not only with how much does.
 bool traces_all(const RenderOptions& options) {
     return (options.disabled_optimisations & skip_rays) != 0 || options.max_depth > kDirectLightDepth;
-}
-
-bool any(std::span<const std::uint8_t> flags) {
-    return std::ranges::find(flags, 1) != flags.end();
 }
 
 void count_bake(const BakeStatistics& baked, const Stopwatch& watch, Statistics& statistics) {
@@ -163,6 +159,7 @@ void SceneVisibility::begin_progressively(const SceneGeometry& surfaces, const R
                                                      options.max_vertices, false, shortest_edge_);
     const bool follows = baked_geometry_ == surfaces.version() || baked_geometry_ == surfaces.change().before;
     if (current && follows) {
+        for (std::uint8_t& state : baked_vertices_) state = state == kTraced ? 1 : 0;
         progressive_->begin({.surfaces = baked_geometry_,
                              .axes = axes_,
                              .given = (*baked_)->vertices(),
@@ -265,9 +262,8 @@ bool SceneVisibility::bake(const SceneGeometry& surfaces, SurfaceRays& rays, Ima
     }
     bool rest = false;
     if (same && !needed_.empty()) {
-        bool enough = !needed.flags.empty() && kPixelsOfEdge * needed.pixel >= (1 - kNearer) * shortest_edge_;
-        for (std::size_t v = 0; v < needed.flags.size(); ++v)
-            enough = enough && needed.flags[v] <= needed_[v];
+        const bool enough = kPixelsOfEdge * needed.pixel >= (1 - kNearer) * shortest_edge_ &&
+                            contain(needed_, needed.flags) && contain(wanted_, needed.seen);
         rest = !enough && is_part;
         if (!enough) baking_.reset();
     }
@@ -287,10 +283,14 @@ bool SceneVisibility::bake(const SceneGeometry& surfaces, SurfaceRays& rays, Ima
         const double share = options.refine_tolerance > 0 ? kTracingOfBake : 1;
         const auto report = [&](double fraction) { progress.report("bake", share * fraction); };
         BakeStatistics baked;
+        std::vector<std::uint32_t> like;
         workers.run([&] {
             std::vector<std::uint8_t> room;
-            const BakeGeometry geometry =
+            BakeGeometry geometry =
                 bake_geometry(surfaces, rays, traced_of(surfaces.geometry(), needed.flags, room), options);
+            if (needed.pixel > 0 && !rest && !geometry.every_ray)
+                like = vertices_in_pixels(surfaces.geometry(), needed.flags, needed.pixel);
+            geometry.like = like;
             Visibility visibility;
             if (carry) {
                 const std::vector<ShiftedObject> shifted = shifted_objects(change, traces_all(options));
@@ -307,8 +307,8 @@ bool SceneVisibility::bake(const SceneGeometry& surfaces, SurfaceRays& rays, Ima
             }
             baked_.change() = std::make_shared<const Visibility>(std::move(visibility));
         });
-        needed_ = std::move(needed.flags);
-        wanted_ = needed_.empty() ? std::move(needed.seen) : std::vector<std::uint8_t>();
+        needed_ = baked_vertices(std::move(needed.flags), like);
+        wanted_ = std::move(needed.seen);
         shortest_edge_ = kPixelsOfEdge * needed.pixel;
         baked_geometry_ = surfaces.version();
         count_bake(baked, watch, statistics);
@@ -319,7 +319,7 @@ bool SceneVisibility::bake(const SceneGeometry& surfaces, SurfaceRays& rays, Ima
 Visibility SceneVisibility::bake_rest(const SceneGeometry& surfaces, BakeGeometry geometry,
                                       const BakeProgress& report, BakeStatistics& baked) const {
     std::vector<std::uint8_t> rest, room;
-    for (const std::uint8_t done : needed_) rest.push_back(done != 0 ? 0 : 1);
+    for (const std::uint8_t done : needed_) rest.push_back(done == kTraced ? 0 : 1);
     geometry.needed = traced_of(surfaces.geometry(), rest, room);
     Visibility visibility = nicol::bake(geometry, *directions_, report, &baked);
     for (std::size_t v = 0; v < rest.size(); ++v) {
@@ -365,7 +365,7 @@ void SceneVisibility::refine(const SceneGeometry& surfaces, SurfaceRays& rays, c
         });
         baked_vertices_.clear();
         if (!needed_.empty()) {
-            baked_vertices_.assign(visible->vertices(), 1);
+            baked_vertices_.assign(visible->vertices(), kTraced);
             for (std::size_t v = 0; v < needed_.size(); ++v) baked_vertices_[numbers_.number(v)] = needed_[v];
         }
         if (shadow_all) {

@@ -93,10 +93,11 @@ private:
     Stage<Version, Version> seeing_;     // inputs: geometry, materials
     NeededVertices seen_;                // needed_vertices() of the last views that were searched
     std::vector<Projection> seen_from_;  // views of that search
-    // 1 for each vertex of baked_ that was baked; empty: all were. And the same of the vertices of surfaces_.
+    // 0: not baked; 1: baked as the vertex in the same pixel; kTraced: baked by rays of its own; by vertex of
+    // baked_. Empty: all are kTraced. And the same of the vertices of surfaces_.
     std::vector<std::uint8_t> needed_, baked_vertices_;
     double shortest_edge_ = 0;  // RefineOptions::shortest_edge of a bake's first image; 0 for later ones
-    std::vector<std::uint8_t> wanted_;  // RefineOptions::wanted of the first image of a bake of all vertices
+    std::vector<std::uint8_t> wanted_;  // RefineOptions::wanted of a bake's first image
     // Inputs: bake, tolerance, largest number of vertices, whether unoccluded vertices count as occluded,
     // shortest edge.
     Stage<Version, double, std::uint64_t, bool, double> refining_;

@@ -37,7 +37,7 @@ struct SurfaceState {
     SurfaceVersions versions;
     Version materials;  ///< version of the geometry's ranges and their materials
     std::optional<SurfaceChange> change;
-    /// 1 for each vertex that was baked; others count as unoccluded. Empty: all vertices were.
+    /// Not 0 for each vertex that was baked; others count as unoccluded. Empty: all vertices were.
     std::span<const std::uint8_t> baked = {};
 };
 

@@ -126,7 +126,19 @@ AgreeingNeighbours::AgreeingNeighbours(const BakeGeometry& geometry, std::span<c
     }
     turns_.resize(1);
     for (std::uint32_t v = 0; v < vertices; ++v)
-        if (geometry_.needs(v)) turns_[0].push_back(v);
+        if (traced(v)) turns_[0].push_back(v);
+    add_like();
+}
+
+bool AgreeingNeighbours::traced(std::uint32_t v) const {
+    return geometry_.needs(v) && geometry_.like_of(v) == kNoVertex;
+}
+
+void AgreeingNeighbours::add_like() {
+    std::vector<std::uint32_t> like;
+    for (std::uint32_t v = 0; v < geometry_.like.size(); ++v)
+        if (geometry_.needs(v) && geometry_.like_of(v) != kNoVertex) like.push_back(v);
+    if (!like.empty()) turns_.push_back(std::move(like));
 }
 
 void AgreeingNeighbours::order() {
@@ -138,14 +150,18 @@ void AgreeingNeighbours::order() {
     std::vector<std::uint8_t> wanted(vertices, 0);
     for (std::uint32_t v = 0; v < vertices; ++v) {
         const std::uint32_t point = point_of_[v];
-        if (geometry_.needs(v)) wanted[point] = 1;
+        if (traced(v)) wanted[point] = 1;
         if (v != point) next_[v] = std::exchange(next_[point], v);
     }
+    // Surfaces stay connected where vertices take what others see.
+    std::vector<std::uint32_t> merged = point_of_;
+    for (std::uint32_t v = 0; v < vertices; ++v)
+        if (geometry_.like_of(v) != kNoVertex) merged[v] = point_of_[geometry_.like_of(v)];
     std::vector<std::uint32_t> points;
     for (std::uint32_t p = 0; p < vertices; ++p)
         if (wanted[p] != 0) points.push_back(p);
 
-    Graph graph = graph_of(geometry_.triangles, point_of_, std::move(points));
+    Graph graph = graph_of(geometry_.triangles, merged, std::move(points));
     std::vector<std::uint8_t> turn(vertices, 0);
     std::vector<std::uint32_t> reached;
     for (std::size_t level = kLevels; level > 0; --level) {
@@ -165,7 +181,8 @@ void AgreeingNeighbours::order() {
     }
     turns_.resize(kLevels + 1);
     for (std::uint32_t v = 0; v < vertices; ++v)
-        if (geometry_.needs(v)) turns_[turn[point_of_[v]]].push_back(v);
+        if (traced(v)) turns_[turn[point_of_[v]]].push_back(v);
+    add_like();
 }
 
 void AgreeingNeighbours::find_around(std::uint32_t vertex, std::vector<std::uint32_t>& out) const {
@@ -178,7 +195,7 @@ void AgreeingNeighbours::find_around(std::uint32_t vertex, std::vector<std::uint
         std::uint32_t best = kNoVertex;
         float most = kFacingAlike;
         for (std::uint32_t v = around_[i]; v != kNoVertex; v = next_[v]) {
-            const float facing = geometry_.needs(v) ? glm::dot(normals_[v], normals_[vertex]) : 0;
+            const float facing = traced(v) ? glm::dot(normals_[v], normals_[vertex]) : 0;
             if (!(facing > most)) continue;
             most = facing;
             best = v;
@@ -194,14 +211,18 @@ void AgreeingNeighbours::find_around(std::uint32_t vertex, std::vector<std::uint
 bool AgreeingNeighbours::find(std::uint32_t vertex, const DirectionSet& directions,
                               const Visibility& visibility, Agreement& out) const {
     std::vector<std::uint32_t> neighbours;
-    find_around(vertex, neighbours);
+    const std::uint32_t like = geometry_.like_of(vertex);
+    if (like != kNoVertex)
+        neighbours.push_back(like);
+    else
+        find_around(vertex, neighbours);
     if (std::ranges::all_of(neighbours, [&](std::uint32_t n) { return visibility.unoccluded(n); }))
         return false;
     std::vector<Seeing> around;
     around.reserve(neighbours.size());
     for (const std::uint32_t n : neighbours)
         around.push_back({.bits = visibility.at(n), .normal = normals_[n]});
-    out.find(around, kFewestNeighbours, directions, normals_[vertex], vertex);
+    out.find(around, std::min(around.size(), kFewestNeighbours), directions, normals_[vertex], vertex);
     return true;
 }
 
@@ -209,7 +230,7 @@ void Agreement::find(std::span<const Seeing> around, std::size_t fewest, const D
                      const glm::vec3& normal, std::size_t number) {
     const std::size_t bundles = directions.bundles().size();
     const std::size_t checks = (kFewestChecks + bundles - 1) / bundles;  // in each bundle
-    spared = 0;
+    spared = sampled = 0;
     bits.assign((directions.size() + 63) / 64, 0);
     checked.assign(bits.size(), 0);
     traced.may_close.resize(bundles);
@@ -225,14 +246,17 @@ void Agreement::find(std::span<const Seeing> around, std::size_t fewest, const D
             two |= one & above;
             one |= above;
         }
-        const unsigned agreed = (fewest == 2 ? two : three) & ~(open & blocked) &
-                                dispatch<rays_above>(bundle, normal, kLowestRay);
+        const unsigned agreed = (fewest == 1   ? one
+                                 : fewest == 2 ? two
+                                               : three) &
+                                ~(open & blocked) & dispatch<rays_above>(bundle, normal, kLowestRay);
         // The rays are at other places in neighbouring bundles and vertices.
         unsigned sample = 0;
         for (std::size_t i = 0; i < checks; ++i)
             sample |= 1U << ((7 * b + 5 * number + 3 * i) % RayBundle::kRays);
         sample &= agreed;
         spared += static_cast<std::uint64_t>(std::popcount(agreed & ~sample));
+        sampled += static_cast<std::uint64_t>(std::popcount(sample));
         traced.may_close[b] = static_cast<std::uint16_t>(~agreed | sample);
         add_bundle_bits(bits, b, open & agreed);
         add_bundle_bits(checked, b, sample);
@@ -240,10 +264,17 @@ void Agreement::find(std::span<const Seeing> around, std::size_t fewest, const D
     traced.may_open = traced.may_close;
 }
 
-bool Agreement::confirmed(std::span<const std::uint64_t> traced_bits) const {
+bool Agreement::confirmed(std::span<const std::uint64_t> traced_bits, double wrong) const {
+    int differ = 0;
     for (std::size_t w = 0; w < bits.size(); ++w)
-        if (((traced_bits[w] ^ bits[w]) & checked[w]) != 0) return false;
-    return true;
+        differ += std::popcount((traced_bits[w] ^ bits[w]) & checked[w]);
+    return differ <= wrong * static_cast<double>(sampled);
+}
+
+void Agreement::ask_rest(std::span<const std::uint64_t> traced_bits) {
+    std::ranges::copy(traced_bits, bits.begin());
+    for (std::uint16_t& rays : traced.may_close) rays = static_cast<std::uint16_t>(~rays);
+    traced.may_open = traced.may_close;
 }
 
 }  // namespace nicol

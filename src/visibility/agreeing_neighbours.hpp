@@ -14,6 +14,9 @@
 
 namespace nicol {
 
+/// Part of a sample of rays in which points of one pixel may differ, because no image shows it.
+inline constexpr double kWrongInPixel = 1.0 / 32;
+
 /// Bits and unit normal of a point.
 struct Seeing {
     std::span<const std::uint64_t> bits;
@@ -25,20 +28,25 @@ struct Agreement {
     std::vector<std::uint64_t> bits;     ///< of the point, where those around agree
     std::vector<std::uint64_t> checked;  ///< 1 for the sample
     DisturbedBundles traced;             ///< the sample, and the rays on which the points disagree
+    std::uint64_t sampled = 0;           ///< number of rays of the sample
     std::uint64_t spared = 0;            ///< number of other rays above the horizon
 
-    /// Finds the agreement of points, of which `fewest`, 2 or 3, must have a direction above their horizon.
+    /// Finds the agreement of points, of which `fewest`, 1 to 3, must have a direction above their horizon.
     /// normal and number: of the point in the middle.
     void find(std::span<const Seeing> around, std::size_t fewest, const DirectionSet& directions,
               const glm::vec3& normal, std::size_t number);
-    /// Returns whether the sample, once traced, is as the points around see it.
-    [[nodiscard]] bool confirmed(std::span<const std::uint64_t> traced_bits) const;
+    /// Returns whether the sample, once traced, is as the points around see it, but for a part of at most
+    /// `wrong`.
+    [[nodiscard]] bool confirmed(std::span<const std::uint64_t> traced_bits, double wrong = 0) const;
+    /// Makes `bits` the result of tracing, and `traced` all other rays.
+    void ask_rest(std::span<const std::uint64_t> traced_bits);
 };
 
 /// Vertices of fine surfaces in the order in which a bake traces them: first a few far apart, then by turns
 /// those between, whose rays are traced only in directions in which the vertices around see different things,
 /// and a sample of the others. If one of these differs from what the vertices around see, all are traced:
-/// the surface has details between its vertices, or something touches it.
+/// the surface has details between its vertices, or something touches it. Vertices in pixels of others come
+/// last, and take what these see, see BakeGeometry::like.
 class AgreeingNeighbours {
 public:
     /// geometry and normals, which are of unit length, must outlive the object. find: whether to find such
@@ -49,14 +57,18 @@ public:
     /// are all that the geometry needs.
     [[nodiscard]] std::span<const std::vector<std::uint32_t>> turns() const noexcept { return turns_; }
 
-    /// Finds what the neighbours of a vertex, which are of earlier turns, agree on. Returns whether there are
-    /// enough of them, and one is occluded: where none is, the search for possible blockers is faster still.
-    /// Calls may run side by side.
+    /// Finds what the neighbours of a vertex, which are of earlier turns, agree on, or what the vertex in the
+    /// same pixel sees. Returns whether there are enough of them, and one is occluded: where none is, the
+    /// search for possible blockers is faster still. Calls may run side by side.
     bool find(std::uint32_t vertex, const DirectionSet& directions, const Visibility& visibility,
               Agreement& out) const;
 
 private:
     void order();
+    // Returns whether a vertex is needed, and takes nothing that another sees.
+    [[nodiscard]] bool traced(std::uint32_t v) const;
+    // Adds a turn of the vertices that do.
+    void add_like();
     // Finds the vertices of earlier turns around a vertex that face as it does.
     void find_around(std::uint32_t vertex, std::vector<std::uint32_t>& out) const;
 

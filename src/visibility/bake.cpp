@@ -163,11 +163,12 @@ Visibility bake(const BakeGeometry& geometry, const DirectionSet& directions, co
                                 visibility);
         };
         const RayCounts some = traced(known);
-        if (agreement.confirmed(visibility.at(v)))
+        if (agreement.confirmed(visibility.at(v), geometry.like_of(v) != kNoVertex ? kWrongInPixel : 0))
             return {.traced = some.traced, .skipped = some.skipped + agreement.spared};
+        agreement.ask_rest(visibility.at(v));
         std::ranges::fill(visibility.at(v), 0U);
-        const RayCounts all = traced({});
-        return {.traced = some.traced + all.traced, .skipped = all.skipped};
+        const RayCounts rest = traced(known);
+        return {.traced = some.traced + rest.traced, .skipped = some.skipped + rest.skipped};
     };
     for (std::size_t v = 0; v < vertices; ++v)
         if (!geometry.needs(v)) set_open(directions, normals[v], v, visibility);

@@ -31,11 +31,18 @@ struct BakeGeometry {
     /// 1 for each vertex whose visibility is needed. Other vertices are not traced and count as unoccluded,
     /// and triangles at them are not refined. Empty: all vertices.
     std::span<const std::uint8_t> needed = {};
+    /// For each vertex, a needed one in the same pixel of an image that faces about the same way, whose
+    /// visibility it takes but for a sample of rays; kNoVertex: none. Empty: none for all.
+    std::span<const std::uint32_t> like = {};
     bool every_ray = false;  ///< whether rays whose result is known without are traced as well
 
     /// Vertices beyond the geometry's, which refinement adds, are needed.
     [[nodiscard]] bool needs(std::size_t vertex) const {
         return vertex >= needed.size() || needed[vertex] != 0;
+    }
+    /// Returns the vertex in the same pixel; kNoVertex: none.
+    [[nodiscard]] std::uint32_t like_of(std::size_t vertex) const {
+        return vertex < like.size() && !every_ray ? like[vertex] : kNoVertex;
     }
 };
 

@@ -18,10 +18,10 @@ namespace {
 
 constexpr std::string_view kMagic("NICOLVIS", 8);
 // Version of visibility files; raise it whenever equal geometry and directions give different bits.
-constexpr std::uint32_t kVersion = 2;
+constexpr std::uint32_t kVersion = 3;
 // Magic and version of refinement files; raise the version whenever equal input gives a different refinement.
 constexpr std::string_view kRefinementMagic("NICOLREF", 8);
-constexpr std::uint32_t kRefinementVersion = 5;
+constexpr std::uint32_t kRefinementVersion = 6;
 
 template <class T>
 std::string hash_of(std::span<const T> numbers) {
@@ -34,6 +34,7 @@ Key key_of(const char* what, const BakeGeometry& geometry, const DirectionSet& d
     if (geometry.glass)
         key.add("glass", geometry.glass->key).add("of glass", hash_of(std::span(geometry.glass->triangles)));
     if (!geometry.needed.empty()) key.add("needed", hash_of(geometry.needed));
+    if (!geometry.like.empty()) key.add("like", hash_of(geometry.like));
     return key.add("vertices", static_cast<double>(geometry.positions.size()))
         .add("triangles", static_cast<double>(geometry.triangles.size()))
         .add("positions", hash_of(geometry.positions))

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "visibility/hidden_light.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
 #include <numbers>
 
 #include "simd/dispatch.hpp"
@@ -50,6 +53,11 @@ glm::vec4 HiddenLight::at(const Visibility& visibility, std::size_t vertex,
     dispatch<add_hidden>(weights_.size(), directions_.bundles().data(), weights_.data(),
                          visibility.at(vertex).data(), unit_normal, sum);
     return sum;
+}
+
+double HiddenLight::magnitude(const glm::vec4& difference) {
+    const glm::vec3 moment(difference.y, difference.z, difference.w);
+    return static_cast<double>(std::max(std::abs(difference.x), glm::length(moment)));
 }
 
 }  // namespace nicol

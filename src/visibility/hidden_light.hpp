@@ -22,6 +22,10 @@ public:
     [[nodiscard]] glm::vec4 at(const Visibility& visibility, std::size_t vertex,
                                const glm::vec3& unit_normal) const;
 
+    /// Returns the magnitude of a difference of two results: of the irradiance or of the moment, whichever is
+    /// larger.
+    [[nodiscard]] static double magnitude(const glm::vec4& difference);
+
 private:
     const DirectionSet& directions_;
     std::vector<Lanes> weights_;  // weights of the directions over pi, in bundles; 0 past the last direction

@@ -32,10 +32,11 @@ std::optional<PointTracer::Former> PointTracer::find(const Point& at) const {
     return std::nullopt;
 }
 
-RayCounts PointTracer::trace(const Point& at, std::span<const Seeing> ends, std::size_t i, Visibility& seen,
+RayCounts PointTracer::trace(const Point& at, std::span<const Seeing> around, std::size_t i, Visibility& seen,
                              glm::vec4& hides) const {
     const glm::vec3& origin = at.origin;
     const glm::vec3& normal = at.normal;
+    const bool in_pixel = around.size() > 2;
     DisturbedBundles bundles;
     Agreement agreement;
     std::optional<FormerBits> known;
@@ -48,17 +49,19 @@ RayCounts PointTracer::trace(const Point& at, std::span<const Seeing> ends, std:
             return {};
         }
         known = {.bits = former_->points.bits(point->point), .disturbed = &bundles};
-    } else if (!ends.empty()) {
-        agreement.find(ends, ends.size(), directions_, normal, i);
+    } else if (!around.empty()) {
+        agreement.find(around, in_pixel ? 1 : around.size(), directions_, normal, i);
         known = {.bits = agreement.bits, .disturbed = &agreement.traced};
     }
     RayCounts rays = blockers_.trace(rays_, origin, normal, i, known, seen);
-    if (!point && !ends.empty()) {
-        rays.skipped += agreement.spared;
-        if (!agreement.confirmed(seen.at(i))) {
+    if (!point && !around.empty()) {
+        if (agreement.confirmed(seen.at(i), in_pixel ? kWrongInPixel : 0)) {
+            rays.skipped += agreement.spared;
+        } else {
+            agreement.ask_rest(seen.at(i));
             std::ranges::fill(seen.at(i), 0U);
-            const RayCounts all = blockers_.trace(rays_, origin, normal, i, {}, seen);
-            rays = {.traced = rays.traced + all.traced, .skipped = all.skipped};
+            const RayCounts rest = blockers_.trace(rays_, origin, normal, i, known, seen);
+            rays = {.traced = rays.traced + rest.traced, .skipped = rays.skipped + rest.skipped};
         }
     }
     hides = light_.at(seen, i, normal);

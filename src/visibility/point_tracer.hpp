@@ -37,9 +37,10 @@ public:
         std::size_t given;  ///< vertex before refinement of the object that the point belongs to
     };
     /// Sets row i of `seen`, whose bits must be 0, and `hides`, the HiddenLight. Takes from the former
-    /// refinement what is the same there. ends: the ends of an edge so short that its middle sees what both
-    /// see, but for a sample of rays that differ; empty: all rays are traced. Calls may run side by side.
-    RayCounts trace(const Point& at, std::span<const Seeing> ends, std::size_t i, Visibility& seen,
+    /// refinement what is the same there. around: the two ends of an edge so short that its middle sees what
+    /// both see, but for a sample of rays that differ; or a point in the same pixel, and the ends of an edge
+    /// of any length. Empty: all rays are traced. Calls may run side by side.
+    RayCounts trace(const Point& at, std::span<const Seeing> around, std::size_t i, Visibility& seen,
                     glm::vec4& hides) const;
 
 private:

@@ -17,6 +17,9 @@ namespace nicol {
 /// Share of the tracing of given vertices in the progress of a bake that is refined.
 inline constexpr double kTracingOfBake = 0.5;
 
+/// Length in pixels of edges that are not split. Shadows are interpolated along them.
+inline constexpr double kPixelsOfEdge = 2;
+
 struct RefineOptions {
     /// Largest interpolation error along an edge in the hidden irradiance (of a white environment) and its
     /// first moment, relative to the irradiance without shadows. Stricter where much is hidden: relative to
@@ -24,7 +27,8 @@ struct RefineOptions {
     double tolerance = 0.02;
     /// Largest number of vertices of the result. Nothing is refined if there are as many already.
     std::size_t max_vertices = 65536;
-    /// Length of edges that need no splitting whatever their error, because a picture does not resolve them.
+    /// Length of edges that need no splitting whatever their error, because a picture does not resolve them:
+    /// kPixelsOfEdge. Points in one pixel share what they see, but for a sample of rays.
     double shortest_edge = 0;
     /// 1 for each given vertex whose triangles are split, else 0. Empty: all are.
     std::span<const std::uint8_t> wanted = {};

@@ -4,6 +4,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -18,6 +19,8 @@
 #include "visibility/blocked_lengths.hpp"
 #include "visibility/extent_of_triangles.hpp"
 #include "visibility/point_tracer.hpp"
+#include "visibility/points_in_pixels.hpp"
+#include "visibility/ray_start.hpp"
 
 namespace nicol {
 namespace {
@@ -37,10 +40,6 @@ constexpr double kAgreeing = 4;
 // Smallest share of the tolerance that is asked for where little light arrives.
 constexpr double kStrictest = 0.25;
 
-glm::vec3 unit(const glm::vec3& v) {
-    return {glm::normalize(glm::dvec3(v))};
-}
-
 }  // namespace
 
 class StepwiseRefinement::Refiner {
@@ -53,7 +52,8 @@ public:
           options_(options),
           tracer_(geometry_, directions, former),
           mesh_(geometry.positions, geometry.triangles),
-          normals_(geometry.normals.begin(), geometry.normals.end()) {
+          normals_(geometry.normals.begin(), geometry.normals.end()),
+          in_pixels_(geometry.every_ray ? 0 : options.shortest_edge) {
         std::vector<glm::vec3> units(normals_.size());
         hidden_.resize(normals_.size());
         tbb::parallel_for(std::size_t{0}, normals_.size(), [&](std::size_t v) {
@@ -61,9 +61,12 @@ public:
             hidden_[v] = tracer_.light().at(baked_, v, units[v]);
         });
         shifts_ = bake_origins(geometry, units);
-        for (std::size_t v = 0; v < shifts_.size(); ++v) shifts_[v] -= geometry.positions[v];
-        rows_.resize(normals_.size());
-        for (std::size_t v = 0; v < rows_.size(); ++v) rows_[v] = v;
+        rows_.reserve(shifts_.size());
+        for (std::uint32_t v = 0; v < shifts_.size(); ++v) {
+            shifts_[v] -= geometry.positions[v];
+            rows_.push_back(v);
+            if (geometry_.needs(v)) in_pixels_.add(geometry.positions[v], units[v], v);
+        }
     }
 
     bool step(std::size_t points) {
@@ -139,13 +142,6 @@ private:
         auto operator<=>(const Wrong&) const = default;
     };
 
-    // Returns the magnitude of a difference of two sums of HiddenLight: of the irradiance or of the moment,
-    // whichever is larger.
-    static double size(const glm::vec4& difference) {
-        return static_cast<double>(std::max(
-            std::abs(difference.x), glm::length(glm::vec3(difference.y, difference.z, difference.w))));
-    }
-
     [[nodiscard]] double length(std::uint32_t a, std::uint32_t b) const {
         return glm::distance(glm::dvec3(mesh_.positions()[a]), glm::dvec3(mesh_.positions()[b]));
     }
@@ -180,17 +176,9 @@ private:
         return options_.tolerance * std::clamp(1 - hidden, kStrictest, 1.0);
     }
 
-    // Returns the normal (or the shift to the start of rays) at the middle of two vertices.
-    [[nodiscard]] glm::vec3 middle_normal(std::uint32_t a, std::uint32_t b) const {
-        const glm::vec3 mean = 0.5F * normals_[a] + 0.5F * normals_[b];
-        return glm::dot(mean, mean) > 1e-12F ? mean : normals_[a];
-    }
-    [[nodiscard]] glm::vec3 middle_shift(std::uint32_t a, std::uint32_t b) const {
-        const glm::vec3 normal = unit(middle_normal(a, b));
-        const glm::vec3 mean = 0.5F * shifts_[a] + 0.5F * shifts_[b];
-        const float along =
-            std::max(glm::dot(shifts_[a], unit(normals_[a])), glm::dot(shifts_[b], unit(normals_[b])));
-        return mean + (along - glm::dot(mean, normal)) * normal;
+    // Returns the start of rays beside the middle of two vertices.
+    [[nodiscard]] RayStart middle(std::uint32_t a, std::uint32_t b) const {
+        return middle_of({normals_[a], shifts_[a]}, {normals_[b], shifts_[b]});
     }
 
     // Queues the middles of those pairs of vertices that have not been traced yet.
@@ -210,16 +198,32 @@ private:
         Visibility seen(directions_.size(), count);
         std::vector<glm::vec4> hides(count);
         std::vector<glm::vec3> origins(count), normals(count);
-        tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
+        std::vector<std::uint32_t> like(count);  // rows of the first points in the same pixels
+        const auto first = static_cast<std::uint32_t>(hidden_.size());
+        for (std::uint32_t i = 0; i < count; ++i) {
             const auto [a, b] = std::pair(some[i].x, some[i].y);
-            normals[i] = unit(middle_normal(a, b));
-            origins[i] = 0.5F * mesh_.positions()[a] + 0.5F * mesh_.positions()[b] + middle_shift(a, b);
+            const RayStart start = middle(a, b);
+            const glm::vec3 position = 0.5F * mesh_.positions()[a] + 0.5F * mesh_.positions()[b];
+            normals[i] = unit(start.normal);
+            origins[i] = position + start.shift;
+            like[i] = in_pixels_.add(position, normals[i], first + i);
+        }
+        const auto trace_one = [&](std::size_t i, std::span<const Seeing> around) {
             const RayCounts of_point =
-                tracer_.trace({.origin = origins[i], .normal = normals[i], .given = given_of(a)},
-                              ends_of(a, b), i, seen, hides[i]);
+                tracer_.trace({.origin = origins[i], .normal = normals[i], .given = given_of(some[i].x)},
+                              around, i, seen, hides[i]);
             rays_ += of_point.traced;
             skipped_ += of_point.skipped;
             traced_ += of_point.traced + of_point.skipped > 0 ? 1 : 0;
+        };
+        tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
+            if (like[i] == first + i) trace_one(i, ends_of(some[i].x, some[i].y));
+        });
+        tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
+            if (like[i] == first + i) return;
+            const std::size_t here = like[i] - first;
+            const Seeing near = like[i] < first ? seeing(like[i]) : Seeing{seen.at(here), normals[here]};
+            trace_one(i, std::array{near, seeing(rows_[some[i].x]), seeing(rows_[some[i].y])});
         });
         next_ += count;
         hidden_.insert(hidden_.end(), hides.begin(), hides.end());
@@ -237,12 +241,13 @@ private:
         if (geometry_.every_ray || !(length(a, b) <= kAgreeing * options_.shortest_edge)) return {};
         // Possible blockers are faster still between ends that nothing hides anything from.
         if (!occluded(a) && !occluded(b)) return {};
-        return {seeing(a), seeing(b)};
+        return {seeing(rows_[a]), seeing(rows_[b])};
     }
-    [[nodiscard]] Seeing seeing(std::uint32_t v) const {
+    // Returns what the point of a row of hidden_ sees.
+    [[nodiscard]] Seeing seeing(std::size_t row) const {
         const std::size_t given = baked_.vertices();
-        return {.bits = v < given ? baked_.at(v) : points_.bits(rows_[v] - given),
-                .normal = unit(normals_[v])};
+        if (row < given) return {.bits = baked_.at(row), .normal = unit(normals_[row])};
+        return {.bits = points_.bits(row - given), .normal = points_.normal(row - given)};
     }
 
     [[nodiscard]] std::size_t row_of_middle(std::uint32_t a, std::uint32_t b) const {
@@ -258,7 +263,7 @@ private:
             for (glm::length_t k = 0; k < 3; ++k) {
                 const auto [a, b] = std::pair(t[k], t[(k + 1) % 3]);
                 if ((!occluded(a) && !occluded(b)) || !wants(a) || !wants(b)) continue;
-                const double change = size(hidden_[rows_[a]] - hidden_[rows_[b]]);
+                const double change = HiddenLight::magnitude(hidden_[rows_[a]] - hidden_[rows_[b]]);
                 if (wrong(change / 2, a, b)) suspects_.emplace_back(a, b);
             }
         }
@@ -271,7 +276,7 @@ private:
         for (const glm::uvec2& pair : suspects_) {
             const auto [a, b] = std::pair(pair.x, pair.y);
             const glm::vec4 mean = 0.5F * (hidden_[rows_[a]] + hidden_[rows_[b]]);
-            const double error = size(hidden_[row_of_middle(a, b)] - mean);
+            const double error = HiddenLight::magnitude(hidden_[row_of_middle(a, b)] - mean);
             if (wrong(error, a, b)) {
                 found.push_back({.weight = error * length(a, b) * length(a, b), .edge = mesh_.edge(a, b)});
             }
@@ -305,8 +310,9 @@ private:
         for (std::size_t v = rows_.size(); v < mesh_.positions().size(); ++v) {
             const glm::uvec2& ends = mesh_.parents()[v - baked_.vertices()];
             rows_.push_back(row_of_middle(ends.x, ends.y));
-            shifts_.push_back(middle_shift(ends.x, ends.y));
-            normals_.push_back(middle_normal(ends.x, ends.y));
+            const RayStart start = middle(ends.x, ends.y);
+            shifts_.push_back(start.shift);
+            normals_.push_back(start.normal);
         }
     }
 
@@ -363,10 +369,10 @@ private:
     std::atomic<std::uint64_t> rays_ = 0;
     std::atomic<std::uint64_t> skipped_ = 0;
     std::atomic<std::uint64_t> traced_ = 0;  // points that any ray was traced from
-    double shortest_ = 0;
-    double short_ = 0;
+    double shortest_ = 0, short_ = 0;
     Phase phase_ = Phase::start;
     int round_ = 0;
+    PointsInPixels in_pixels_;       // rows of hidden_
     std::vector<glm::uvec2> fresh_;  // queued points: the middles of these pairs of vertices
     std::size_t next_ = 0;           // first of them that has not been traced
     int queues_ = -1;                // queues before this one

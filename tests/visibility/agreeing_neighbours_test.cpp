@@ -11,6 +11,7 @@
 #include "geometry/mesh.hpp"
 #include "test.hpp"
 #include "visibility/bake.hpp"
+#include "visibility/points_in_pixels.hpp"
 
 using namespace nicol;
 
@@ -98,6 +99,27 @@ double light_at(const Mesh& mesh, const Visibility& visibility, std::size_t vert
     return seen / all;
 }
 
+/// Returns the RMS over the vertices of the difference in that part.
+double rms_off(const Mesh& mesh, const Visibility& a, const Visibility& b) {
+    double sum = 0;
+    for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+        const double off = light_at(mesh, a, v) - light_at(mesh, b, v);
+        sum += off * off;
+    }
+    return std::sqrt(sum / static_cast<double>(mesh.positions.size()));
+}
+
+/// Returns BakeGeometry::like for pixels of this side.
+std::vector<std::uint32_t> in_pixels(const Mesh& mesh, double pixel) {
+    PointsInPixels cells(pixel);
+    std::vector<std::uint32_t> like;
+    for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) {
+        const std::uint32_t first = cells.add(mesh.positions[v], glm::normalize(mesh.normals[v]), v);
+        like.push_back(first == v ? kNoVertex : first);
+    }
+    return like;
+}
+
 }  // namespace
 
 TEST_CASE("rays that neighbours agree on are spared, and the light at vertices stays") {
@@ -119,31 +141,54 @@ TEST_CASE("rays that neighbours agree on are spared, and the light at vertices s
         geometry.every_ray = true;
         const Visibility traced = bake(geometry, directions(), {}, &all);
         CHECK(static_cast<double>(some.rays) <= each.most * static_cast<double>(all.rays));
-        double sum = 0, worst = 0;
-        for (std::size_t v = 0; v < each.mesh.positions.size(); ++v) {
-            const double off = light_at(each.mesh, spared, v) - light_at(each.mesh, traced, v);
-            sum += off * off;
-            worst = std::max(worst, std::abs(off));
-        }
-        CHECK(std::sqrt(sum / static_cast<double>(each.mesh.positions.size())) <= 0.01);
+        CHECK(rms_off(each.mesh, spared, traced) <= 0.01);
+        double worst = 0;
+        for (std::size_t v = 0; v < each.mesh.positions.size(); ++v)
+            worst =
+                std::max(worst, std::abs(light_at(each.mesh, spared, v) - light_at(each.mesh, traced, v)));
         CHECK(worst <= 0.15);
+    }
+}
+
+TEST_CASE("vertices in a pixel trace the rays of one, and the light at vertices stays") {
+    struct Case {
+        std::string name;
+        Mesh mesh;
+        double most;  // of all rays, the part that may be traced
+    };
+    for (const Case& each : {Case{"cloth", cloth(), 0.5},
+                             {"cloth whose triangles share no vertices", taken_apart(cloth()), 0.3},
+                             {"floor with details below a pixel", rough_floor(), 1.05},
+                             {"floor that a ball touches", touched_floor(), 0.4}}) {
+        CAPTURE(each.name);
+        const std::vector<std::uint32_t> like = in_pixels(each.mesh, 0.08);
+        BakeGeometry geometry{each.mesh.positions, each.mesh.normals, each.mesh.triangles};
+        geometry.like = like;
+        BakeStatistics some, all;
+        const Visibility shared = bake(geometry, directions(), {}, &some);
+        geometry.every_ray = true;
+        const Visibility traced = bake(geometry, directions(), {}, &all);
+        CHECK(static_cast<double>(some.rays) <= each.most * static_cast<double>(all.rays));
+        CHECK(rms_off(each.mesh, shared, traced) <= 0.02);
     }
 }
 
 TEST_CASE("each needed vertex has one turn") {
     const Mesh mesh = cloth();
+    const std::vector<std::uint32_t> like = in_pixels(mesh, 0.08);
     std::vector<std::uint8_t> needed;
     for (const glm::vec3& p : mesh.positions) needed.push_back(p.x > 0 ? 1 : 0);
     std::vector<glm::vec3> normals;
     for (const glm::vec3& n : mesh.normals) normals.push_back(glm::normalize(n));
-    for (const bool find : {true, false}) {
-        const BakeGeometry geometry{
+    for (const auto& [find, shares] : {std::pair(true, false), {false, false}, {true, true}, {false, true}}) {
+        BakeGeometry geometry{
             .positions = mesh.positions, .normals = normals, .triangles = mesh.triangles, .needed = needed};
+        if (shares) geometry.like = like;
         const AgreeingNeighbours agreeing(geometry, normals, find);
         std::vector<std::uint8_t> found(needed.size(), 0);
         for (const std::vector<std::uint32_t>& turn : agreeing.turns())
             for (const std::uint32_t v : turn) ++found[v];
         CHECK(found == needed);
-        CHECK(agreeing.turns().size() == (find ? 3 : 1));
+        CHECK(agreeing.turns().size() == (find ? 3 : 1) + (shares ? 1 : 0));
     }
 }
