@@ -18,17 +18,19 @@
 namespace nicol {
 namespace {
 
-// Sampled vertices of all instances together, and of each, if it has as many.
+// Vertices of an instance that are needed at least, if it has as many.
 constexpr std::size_t kSampledVertices = 1024;
-constexpr std::size_t kSampledOfInstance = 64;
 // Fewest vertices that are worth a bake of a part.
 constexpr std::size_t kLeastSpared = 1024;
+// Fewest vertices beyond those of rays that are worth a search for hidden ones. Pixels may show vertices that
+// it finds hidden, through gaps narrower than a pixel.
+constexpr std::size_t kLeastSearched = 4096;
 // Samples of pixels, and cameras that are jittered within a pixel, reach no farther beyond an image than so
 // many times what find_visible() allows.
 constexpr double kMargin = 4;
 // Share of a ray from a pixel in the cost of baking a vertex, with that of the vertices that rays find
 // hidden.
-constexpr double kVerticesOfRay = 0.05;
+constexpr double kVerticesOfRay = 0.2;
 
 bool reflects(const Material& material) {
     return material.smooth_boundary() != nullptr || any_term(material, [](const Material& layer, int term) {
@@ -64,7 +66,7 @@ NeededVertices needed_by(const WorldGeometry& geometry, const Projection& projec
     const double pixels = 4 / (projection.pixel.x * projection.pixel.y);
     const auto seen = static_cast<double>(std::ranges::count(needed, 1));
     if (seen == 0) return {.flags = needed, .seen = needed};
-    if (seen > kLeastSpared + kVerticesOfRay * pixels)
+    if (seen > kLeastSearched + kVerticesOfRay * pixels)
         remove_hidden(geometry, *rays.get(), projection, needed);
     const double pixel = pixel_at_nearest(geometry, projection, needed);
     return {.flags = needed, .seen = needed, .pixel = pixel};
@@ -78,9 +80,7 @@ void add_flags(std::vector<std::uint8_t>& sum, const std::vector<std::uint8_t>& 
 void add_sample(const WorldGeometry& geometry, std::vector<std::uint8_t>& flags) {
     for (const VertexRange& range : geometry.ranges) {
         const std::size_t count = range.last - range.first;
-        const std::size_t sampled =
-            std::max(kSampledOfInstance, kSampledVertices * count / geometry.positions.size());
-        const std::size_t step = kLanes * std::max<std::size_t>(1, count / sampled);
+        const std::size_t step = kLanes * std::max<std::size_t>(1, count / kSampledVertices);
         for (std::size_t first = range.first; first < range.last; first += step)
             for (std::size_t v = first / kLanes * kLanes; v < first / kLanes * kLanes + kLanes; ++v)
                 if (v >= range.first && v < range.last) flags[v] = 1;
