@@ -289,8 +289,7 @@ bool SceneVisibility::bake(const SceneGeometry& surfaces, SurfaceRays& rays, Ima
             BakeGeometry geometry =
                 bake_geometry(surfaces, rays, traced_of(surfaces.geometry(), needed.flags, room), options);
             if (needed.pixel > 0 && !rest && !geometry.every_ray)
-                like = vertices_in_pixels(surfaces.geometry(), needed.flags, needed.pixel);
-            geometry.like = like;
+                geometry.like = like = vertices_in_pixels(surfaces.geometry(), needed.flags, needed.pixel);
             Visibility visibility;
             if (carry) {
                 const std::vector<ShiftedObject> shifted = shifted_objects(change, traces_all(options));
@@ -341,6 +340,7 @@ void SceneVisibility::refine(const SceneGeometry& surfaces, SurfaceRays& rays, c
         };
         BakeStatistics baked;
         refined_.reset();
+        numbers_ = {};
         topology_ = {};
         std::shared_ptr<const Visibility> visible = *baked_;
         workers.run([&] {
