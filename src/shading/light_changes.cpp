@@ -64,9 +64,10 @@ void add_unpolarized(std::span<const std::array<Lanes, 4>> irradiance, LaneLight
     }
 }
 
-Lanes only(std::uint32_t points, Lanes numbers) {
-    for (std::size_t i = 0; i < kLanes; ++i) numbers[i] *= static_cast<float>(points >> i & 1U);
-    return numbers;
+Lanes only(std::uint32_t points, const Lanes& numbers) {
+    Lanes out;
+    for (std::size_t i = 0; i < kLanes; ++i) out[i] = numbers[i] * static_cast<float>(points >> i & 1U);
+    return out;
 }
 
 void dim_at_slant(std::span<const glm::vec3> unperturbed, std::span<const glm::vec3> normals,

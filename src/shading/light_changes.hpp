@@ -28,7 +28,7 @@ void give_channels(std::size_t channels, LaneLight& light);
 void add_unpolarized(std::span<const std::array<Lanes, 4>> irradiance, LaneLight& light);
 
 /// Returns the numbers of these points, and 0 for others.
-[[nodiscard]] Lanes only(std::uint32_t points, Lanes numbers);
+[[nodiscard]] Lanes only(std::uint32_t points, const Lanes& numbers);
 
 /// Dims light by the terminator_shadowing() of perturbed normals. The spans have equal lengths.
 void dim_at_slant(std::span<const glm::vec3> unperturbed, std::span<const glm::vec3> normals,
