@@ -13,6 +13,9 @@ struct Case {
     bool empty = false;  // no scene but its light
 };
 
+// The first frames of a moving camera bake and refine what former views did not show.
+constexpr int kFrames = 6;
+
 constexpr Case kCases[] = {
     {.name = "light alone", .empty = true},
     {.name = "vertices, threads"},
@@ -55,7 +58,7 @@ GlCalls calls_of_frame(nicol_context context, const Case& use, const Options& op
     auto render = nicol::defaults(nicol_render_options_init);
     render.shade_at = use.shade_at;
     render.executor = use.executor;
-    for (int frame = 0; frame < 3; ++frame) {
+    for (int frame = 0; frame < kFrames; ++frame) {
         camera.shift[0] += 0.01;
         reset_gl_calls();
         check(nicol_render(scene.get(), &camera, &render, framebuffer.get()));

@@ -137,7 +137,8 @@ void Painter::draw_vertices(const Subject& subject, int components, const Projec
     draw_surface(subject, components, in_axes(projection, subject.surfaces.to_world()), group, channels, most,
                  image);
     // The environment is as smooth as its image, so a pixel has the environment of its centre.
-    if (scene.background()) draw_background(scene, components, projection, false, group, channels, image);
+    if (scene.background())
+        draw_background(scene, components, subject.projection, false, group, channels, image);
 }
 
 void Painter::add_sample(std::size_t sample, const Wanted& wanted, int channels, gl::RenderTarget& image) {

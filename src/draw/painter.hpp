@@ -70,7 +70,8 @@ private:
     void prepare_sample(bool several, const Framebuffer& target);
     void draw_samples(const Subject& subject, const Wanted& wanted, std::size_t group, int channels,
                       gl::RenderTarget& image);
-    // Draws one sample of every pixel. most: triangles that are drawn of those with one side, and with two.
+    // Draws one sample of every pixel. projection: of the surfaces. most: triangles that are drawn of those
+    // with one side, and with two.
     void draw_vertices(const Subject& subject, int components, const Projection& projection,
                        std::size_t group, int channels, std::size_t most, gl::RenderTarget& image);
     // projection: of the surfaces' axes.

@@ -125,12 +125,12 @@ private:
     void update_buffers(const RefinedSurfaces& surfaces, int channels);
     [[nodiscard]] RenderExecutor& executor_for(const Scene& scene, const RenderOptions& options);
 
+    Pipeline pipeline_;
     std::shared_ptr<gl::Context> context_;
     WorkerOptions worker_options_;
     MemoryLimit memory_limit_;
     std::unique_ptr<Framebuffer> colours_;  // framebuffer of three channels, for a target of luminance
     Workers workers_;
-    Pipeline pipeline_;
     TimeBudget budget_;
     VertexBuffers buffers_;
     AlphaMasks alpha_masks_;

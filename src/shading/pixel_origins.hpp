@@ -19,7 +19,7 @@ namespace nicol {
 class PixelOrigins {
 public:
     static constexpr std::size_t kPlaces = 16;  ///< number of places in a pixel, one in each 16th of a side
-    static constexpr std::size_t kSpread = 8;   ///< number of consecutive places that are spread over a pixel
+    static constexpr std::size_t kEven = 8;     ///< number of places whose mean is the middle of the pixel
 
     /// Part of a pixel that shows one surface.
     struct Part {
@@ -39,12 +39,19 @@ public:
     /// inside.
     [[nodiscard]] const LaneVectors& at(std::size_t place);
 
+    /// Returns the start points at one of kEven places, one in each eighth of a side: for a fraction of the
+    /// pixel, where all of them are needed.
+    [[nodiscard]] const LaneVectors& even(std::size_t place);
+
 private:
-    std::array<LaneVectors, kPlaces> origins_;
+    // Returns the points number `index` of origins_. offset: of a place from the middle of a pixel of side 1.
+    const LaneVectors& found(std::size_t index, std::size_t place, glm::vec2 (*offset)(std::size_t place));
+
+    std::array<LaneVectors, kPlaces + kEven> origins_;
     const Viewpoint& view_;
     std::span<const glm::vec3> positions_, normals_;
     std::span<const Part> parts_;
-    std::uint32_t found_ = 0;  // bits of places
+    std::uint32_t found_ = 0;  // bits of origins_
 };
 
 }  // namespace nicol

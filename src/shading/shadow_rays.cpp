@@ -48,17 +48,19 @@ std::uint32_t ShadowRays::traced(const LaneVectors& origins, std::uint32_t point
     return points & ~std::uint32_t{scene_.occluded(packet_, static_cast<std::uint16_t>(points))};
 }
 
-std::uint32_t LightShadows::visible(LaneLight& light, std::uint32_t points, std::size_t place) {
-    return places_ == nullptr ? rays_->visible(light, points)
-                              : rays_->visible(light, points, places_->at(place));
-}
-
 std::uint32_t LightShadows::reached(LaneLight& light, std::uint32_t points) {
-    if (rays_ == nullptr || points == 0) return points;
-    if (traced_ >= probes_ && seen_ != hidden_ && !rays_->through_glass()) return seen_ ? points : 0;
     // Numbers of samples say which part of the light they come from. The places follow another order, since
     // otherwise each place would meet one part of the light alone.
-    const std::uint32_t found = visible(light, points, traced_ ^ traced_ >> 2);
+    return reached_from(&PixelOrigins::at, traced_ ^ traced_ >> 2, light, points);
+}
+
+std::uint32_t LightShadows::reached_from(Origins origins, std::size_t place, LaneLight& light,
+                                         std::uint32_t points) {
+    if (rays_ == nullptr || points == 0) return points;
+    if (traced_ >= probes_ && seen_ != hidden_ && !rays_->through_glass()) return seen_ ? points : 0;
+    const std::uint32_t found = places_ == nullptr
+                                    ? rays_->visible(light, points)
+                                    : rays_->visible(light, points, (places_->*origins)(place));
     ++traced_;
     seen_ = seen_ || found != 0;
     hidden_ = hidden_ || found != points;
@@ -66,14 +68,14 @@ std::uint32_t LightShadows::reached(LaneLight& light, std::uint32_t points) {
 }
 
 std::uint32_t LightShadows::reached_in_part(LaneLight& light, std::uint32_t points) {
-    std::uint32_t found = reached(light, points);
+    std::uint32_t found = reached_from(&PixelOrigins::even, 0, light, points);
     // Rays from other places would dim light by the same glass again.
     if (places_ == nullptr || found == 0 || found == points || rays_->through_glass()) return found;
-    constexpr float share = 1.0F / PixelOrigins::kSpread;
+    constexpr float share = 1.0F / PixelOrigins::kEven;
     Lanes fractions{};
     std::uint32_t out = 0;
-    for (std::size_t place = 0; place < PixelOrigins::kSpread; ++place) {
-        if (place > 0) found = visible(light, points, place);
+    for (std::size_t place = 0; place < PixelOrigins::kEven; ++place) {
+        if (place > 0) found = rays_->visible(light, points, places_->even(place));
         for (std::size_t i = 0; i < kLanes; ++i) fractions[i] += (found >> i & 1U) != 0 ? share : 0.0F;
         out |= found;
     }

@@ -72,7 +72,9 @@ public:
     [[nodiscard]] bool doubtful() const { return doubtful_; }
 
 private:
-    std::uint32_t visible(LaneLight& light, std::uint32_t points, std::size_t place);
+    using Origins = const LaneVectors& (PixelOrigins::*)(std::size_t place);
+    // reached() for rays from a place in the pixels.
+    std::uint32_t reached_from(Origins origins, std::size_t place, LaneLight& light, std::uint32_t points);
 
     Lanes doubts_{};
     ShadowRays* rays_;

@@ -23,7 +23,8 @@ RenderOptions with(int samples, ShadeAt where) {
             .bake_directions = 256,
             .order_high = 4,
             .shade_at = where,
-            .pixel_samples = samples};
+            .pixel_samples = samples,
+            .disabled_optimisations = skip_rays};  // a first picture bakes less than later ones
 }
 
 constexpr std::array kPlaces{ShadeAt::vertices, ShadeAt::pixels};

@@ -96,11 +96,11 @@ TEST_CASE("the edge of a shadow hides the fraction of a pixel's light that lies 
             CHECK((lit >> i & 1U) == (fractions[i] > 0 ? 1U : 0U));
             // A part of the variance of as many random places, over the square of the fraction.
             const float random =
-                fractions[i] > 0 ? (1 - fractions[i]) / fractions[i] / PixelOrigins::kSpread : 0;
+                fractions[i] > 0 ? (1 - fractions[i]) / fractions[i] / PixelOrigins::kEven : 0;
             CHECK(shadows.doubts()[i] <= random);
             CHECK(shadows.doubts()[i] >= 0.2F * random);
         }
-        CHECK(rays.count() == PixelOrigins::kSpread * kLanes);
+        CHECK(rays.count() == PixelOrigins::kEven * kLanes);
     }
 }
 
