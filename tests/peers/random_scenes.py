@@ -27,7 +27,7 @@ import random_scene
 RAYS = {"method": nicol.METHOD_REFERENCE, "samples": 64}
 DEFAULT = {"pixel_samples": 8}
 # Largest errors of s0, the 90th percentile and the worst scene: of scenes of direct light, and of those where light bounces.
-BY_DEFAULT = ((0.024, 0.053), (0.032, 0.091))
+BY_DEFAULT = ((0.019, 0.044), (0.029, 0.09))
 # Width and height of a block, in pixels.
 BLOCK = 4
 # Number of places along each side of a pixel where its objects and their s0 are asked for.
