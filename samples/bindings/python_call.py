@@ -3,16 +3,12 @@
 
 import keyword
 
-from roles import last_input, roles_of
+from roles import class_name, last_input, roles_of
 
 CTYPES = {
     "char": "c_char", "int32_t": "c_int32", "uint32_t": "c_uint32", "float": "c_float", "int64_t": "c_int64",
     "uint64_t": "c_uint64", "double": "c_double",
 }  # fmt: skip
-
-
-def class_name(name):
-    return "".join(part.capitalize() for part in name.removeprefix("nicol_").split("_"))
 
 
 def variable_name(name):

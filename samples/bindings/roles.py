@@ -1,5 +1,15 @@
 # SPDX-License-Identifier: MIT
-"""Roles of a function's parameters, derived from names and types."""
+"""Roles of a function's parameters, and the class that it belongs to, derived from names and types."""
+
+
+def class_name(name):
+    return "".join(part.capitalize() for part in name.removeprefix("nicol_").split("_"))
+
+
+def owner_of(function, types):
+    """Returns the longest name of a type that begins the function's name, or None, and the rest of the function's name."""
+    owner = max((name for name in types if function.name.startswith(name + "_")), key=len, default=None)
+    return owner, function.name.removeprefix(f"{owner or 'nicol'}_")
 
 
 def roles_of(header, function):

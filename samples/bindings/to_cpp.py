@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Generator of include/nicol_classes.hpp: a C++ class with methods for each handle of the C headers."""
 
-from roles import last_input, roles_of
+from roles import class_name, last_input, owner_of, roles_of
 
 HEAD = """// SPDX-License-Identifier: MIT
 // Classes of nicol.hpp, which includes this file. Made of the C headers by samples/bindings/generate.py:
@@ -23,10 +23,6 @@ HEAD = """// SPDX-License-Identifier: MIT
 // clang-format off
 namespace nicol {
 """
-
-
-def class_name(handle):
-    return "".join(part.capitalize() for part in handle.removeprefix("nicol_").split("_"))
 
 
 class Call:
@@ -89,17 +85,11 @@ class Call:
         return f"{indent}{nodiscard}{kind}{result} {name}({', '.join(self.takes)}){constant} {{\n{body}{indent}}}\n"
 
 
-def owner_of(header, function):
-    """Returns the handle whose class has the function as a member, or None."""
-    return max((handle for handle in header.handles if function.name.startswith(handle + "_")), key=len, default=None)
-
-
 def generate(header):
     members = {handle: "" for handle in header.handles}
     free = ""
     for function in header.functions.values():
-        owner = owner_of(header, function)
-        name = function.name.removeprefix(f"{owner}_" if owner else "nicol_")
+        owner, name = owner_of(function, header.handles)
         if function.result.base != "nicol_result" or name in ("retain", "release") or name.endswith("_init"):
             continue
         call = Call(header, function, owner)

@@ -2,7 +2,8 @@
 """Generator of samples/python/nicol/_abi.py: the C headers for ctypes, with a Python function or method per C function."""
 
 from header import Type
-from python_call import CTYPES, Call, class_name, hint_of, variable_name
+from python_call import CTYPES, Call, hint_of, variable_name
+from roles import class_name, owner_of
 
 HEAD = '''# SPDX-License-Identifier: MIT
 """Nicol {version} for Python. Made of the C headers by samples/bindings/generate.py: change those, not this file."""
@@ -103,12 +104,7 @@ class Python:
 
     def owner(self, function):
         """Returns the class that a function is a method of, or None, and the name in Python."""
-        owners = [name for name in self.header.order if function.name.startswith(name + "_")]
-        owners = [name for name in owners if name in self.header.handles or name in self.header.structs]
-        if not owners:
-            return None, function.name.removeprefix("nicol_")
-        owner = max(owners, key=len)
-        return owner, function.name[len(owner) + 1 :]
+        return owner_of(function, [*self.header.handles, *self.header.structs])
 
     def function(self, function):
         """Returns the text of a function or method, and the class that it belongs to or None."""

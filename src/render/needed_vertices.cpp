@@ -8,6 +8,7 @@
 #include <span>
 #include <utility>
 
+#include "geometry/unit.hpp"
 #include "material/spatial_variation.hpp"
 #include "render/hidden_vertices.hpp"
 #include "simd/lanes.hpp"
@@ -118,8 +119,7 @@ std::vector<std::uint32_t> vertices_in_pixels(const WorldGeometry& geometry,
     std::size_t shared = 0;
     for (std::uint32_t v = 0; v < like.size(); ++v) {
         if (!flags.empty() && flags[v] == 0) continue;
-        const glm::vec3 normal(glm::normalize(glm::dvec3(geometry.normals[v])));
-        const std::uint32_t first = cells.add(geometry.positions[v], normal, v);
+        const std::uint32_t first = cells.add(geometry.positions[v], unit(geometry.normals[v]), v);
         if (first == v) continue;
         like[v] = first;
         ++shared;

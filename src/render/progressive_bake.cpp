@@ -5,10 +5,10 @@
 
 #include <algorithm>
 #include <atomic>
-#include <glm/geometric.hpp>
 #include <numeric>
 #include <utility>
 
+#include "geometry/unit.hpp"
 #include "render/bake_order.hpp"
 #include "render/paired_vertices.hpp"
 #include "surfaces/carried_refinement.hpp"
@@ -232,7 +232,7 @@ void ProgressiveBake::trace(const Input& input, std::span<const std::uint32_t> v
             states_[v] = state_;
             return;
         }
-        const glm::vec3 normal(glm::normalize(glm::dvec3(geometry.normals[v])));
+        const glm::vec3 normal = unit(geometry.normals[v]);
         DisturbedBundles bundles;
         if (state != 0) {
             const DisturbedRays& disturbed = state + 1 == state_ ? since_last : since_all;

@@ -28,8 +28,8 @@ glm::vec3 gradient(const std::array<glm::vec3, 3>& corners, const std::array<flo
 }
 
 // Returns twice the area of a triangle.
-double area_of(const std::array<glm::vec3, 3>& corners) {
-    return static_cast<double>(glm::length(glm::cross(corners[1] - corners[0], corners[2] - corners[0])));
+float area_of(const std::array<glm::vec3, 3>& corners) {
+    return glm::length(glm::cross(corners[1] - corners[0], corners[2] - corners[0]));
 }
 
 }  // namespace
@@ -71,9 +71,11 @@ void ShadowError::measure(const SurfaceState& surfaces) {
     };
     std::vector<glm::vec3> gradients(vertices, glm::vec3(0));
     std::vector<float> areas(vertices, 0.0F);
+    double all_areas = 0;
     for (const glm::uvec3& t : geometry.triangles) {
         const std::array<glm::vec3, 3> at = corners(t);
-        const float area = glm::length(glm::cross(at[1] - at[0], at[2] - at[0]));
+        const float area = area_of(at);
+        all_areas += static_cast<double>(area);
         const glm::vec3 here = area * gradient(at, {irradiance[t.x], irradiance[t.y], irradiance[t.z]});
         for (glm::length_t k = 0; k < 3; ++k) {
             gradients[t[k]] += here;
@@ -107,13 +109,12 @@ void ShadowError::measure(const SurfaceState& surfaces) {
     });
 
     // Half of the weight goes by area, and half is equal for all triangles, as in VertexWeights.
-    double area = 0;
-    for (const glm::uvec3& t : geometry.triangles) area += area_of(corners(t));
     double error = 0, light = 0;
     for (std::size_t i = 0; i < squares_.size(); ++i) {
         if (squares_[i].irradiance < 0) continue;
-        const double weight = (area > 0 ? area_of(corners(geometry.triangles[i])) / area : 0) +
-                              1 / static_cast<double>(squares_.size());
+        const auto area = static_cast<double>(area_of(corners(geometry.triangles[i])));
+        const double weight =
+            (all_areas > 0 ? area / all_areas : 0) + 1 / static_cast<double>(squares_.size());
         error += weight * static_cast<double>(squares_[i].error);
         light += weight * static_cast<double>(squares_[i].irradiance);
     }

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "geometry/largest_coordinate.hpp"
+#include "geometry/unit.hpp"
 #include "visibility/bake_origins.hpp"
 
 namespace nicol {
@@ -31,7 +32,7 @@ bool touches(std::span<const Ball> balls, const glm::vec3& point) {
 std::vector<glm::vec3> origins_of(const BakeGeometry& geometry) {
     std::vector<glm::vec3> normals;
     normals.reserve(geometry.normals.size());
-    for (const glm::vec3& normal : geometry.normals) normals.emplace_back(glm::normalize(glm::dvec3(normal)));
+    for (const glm::vec3& normal : geometry.normals) normals.push_back(unit(normal));
     return bake_origins(geometry, normals);
 }
 

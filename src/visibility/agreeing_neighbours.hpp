@@ -2,6 +2,7 @@
 // Rays of a bake whose result is known from vertices around.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -10,6 +11,7 @@
 
 #include "visibility/bake.hpp"
 #include "visibility/disturbed_rays.hpp"
+#include "visibility/vertex_rays.hpp"
 #include "visibility/visibility.hpp"
 
 namespace nicol {
@@ -35,10 +37,29 @@ struct Agreement {
     /// normal and number: of the point in the middle.
     void find(std::span<const Seeing> around, std::size_t fewest, const DirectionSet& directions,
               const glm::vec3& normal, std::size_t number);
-    /// Returns whether the sample, once traced, is as the points around see it, but for a part of at most
-    /// `wrong`.
-    [[nodiscard]] bool confirmed(std::span<const std::uint64_t> traced_bits, double wrong = 0) const;
-    /// Makes `bits` the result of tracing, and `traced` all other rays.
+    /// Traces `traced` and, unless that confirms the rest, all other rays. wrong: part of the sample that may
+    /// differ from what the points around see. row: bits
+    /// of the point, 0 before. trace: sets a row whose bits are 0, from what it is told is known, and returns
+    /// the numbers of rays.
+    template <class Trace>
+    RayCounts settle(double wrong, std::span<std::uint64_t> row, const Trace& trace) {
+        const FormerBits known{.bits = bits, .disturbed = &traced};
+        RayCounts counts = trace(known);
+        if (confirmed(row, wrong)) {
+            counts.skipped += spared;
+            return counts;
+        }
+        ask_rest(row);
+        std::ranges::fill(row, 0U);
+        const RayCounts rest = trace(known);
+        return {.traced = counts.traced + rest.traced, .skipped = counts.skipped + rest.skipped};
+    }
+
+private:
+    // Returns whether the sample, once traced, is as the points around see it, but for a part of at most
+    // `wrong`.
+    [[nodiscard]] bool confirmed(std::span<const std::uint64_t> traced_bits, double wrong) const;
+    // Makes `bits` the result of tracing, and `traced` all other rays.
     void ask_rest(std::span<const std::uint64_t> traced_bits);
 };
 

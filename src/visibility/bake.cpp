@@ -156,19 +156,12 @@ Visibility bake(const BakeGeometry& geometry, const DirectionSet& directions, co
         Agreement& agreement = scratch.agreement;
         if (!agreeing.find(v, directions, visibility, agreement))
             return blockers.trace(scene, origins[v], normals[v], v, {}, visibility);
-        const FormerBits known{.bits = agreement.bits, .disturbed = &agreement.traced};
         blockers.flat().find(origins[v], normals[v], scratch.faces);
-        const auto traced = [&](const std::optional<FormerBits>& bits) {
-            return trace_vertex(scene, directions, origins[v], normals[v], v, bits, scratch.faces,
+        const double wrong = geometry.like_of(v) != kNoVertex ? kWrongInPixel : 0;
+        return agreement.settle(wrong, visibility.at(v), [&](const FormerBits& known) {
+            return trace_vertex(scene, directions, origins[v], normals[v], v, known, scratch.faces,
                                 visibility);
-        };
-        const RayCounts some = traced(known);
-        if (agreement.confirmed(visibility.at(v), geometry.like_of(v) != kNoVertex ? kWrongInPixel : 0))
-            return {.traced = some.traced, .skipped = some.skipped + agreement.spared};
-        agreement.ask_rest(visibility.at(v));
-        std::ranges::fill(visibility.at(v), 0U);
-        const RayCounts rest = traced(known);
-        return {.traced = some.traced + rest.traced, .skipped = some.skipped + rest.skipped};
+        });
     };
     for (std::size_t v = 0; v < vertices; ++v)
         if (!geometry.needs(v)) set_open(directions, normals[v], v, visibility);

@@ -36,33 +36,26 @@ RayCounts PointTracer::trace(const Point& at, std::span<const Seeing> around, st
                              glm::vec4& hides) const {
     const glm::vec3& origin = at.origin;
     const glm::vec3& normal = at.normal;
-    const bool in_pixel = around.size() > 2;
-    DisturbedBundles bundles;
-    Agreement agreement;
-    std::optional<FormerBits> known;
-    const std::optional<Former> point = find(at);
-    if (point) {
+    const auto traced = [&](const std::optional<FormerBits>& known) {
+        return blockers_.trace(rays_, origin, normal, i, known, seen);
+    };
+    RayCounts rays;
+    if (const std::optional<Former> point = find(at)) {
+        DisturbedBundles bundles;
         if (!point->disturbed->find(origin, normal, bundles)) {
             std::ranges::copy(former_->points.bits(point->point), seen.at(i).begin());
             seen.set_unoccluded(i, former_->points.unoccluded(point->point));
             hides = former_->points.hidden(point->point);
             return {};
         }
-        known = {.bits = former_->points.bits(point->point), .disturbed = &bundles};
-    } else if (!around.empty()) {
+        rays = traced(FormerBits{.bits = former_->points.bits(point->point), .disturbed = &bundles});
+    } else if (around.empty()) {
+        rays = traced({});
+    } else {
+        const bool in_pixel = around.size() > 2;
+        Agreement agreement;
         agreement.find(around, in_pixel ? 1 : around.size(), directions_, normal, i);
-        known = {.bits = agreement.bits, .disturbed = &agreement.traced};
-    }
-    RayCounts rays = blockers_.trace(rays_, origin, normal, i, known, seen);
-    if (!point && !around.empty()) {
-        if (agreement.confirmed(seen.at(i), in_pixel ? kWrongInPixel : 0)) {
-            rays.skipped += agreement.spared;
-        } else {
-            agreement.ask_rest(seen.at(i));
-            std::ranges::fill(seen.at(i), 0U);
-            const RayCounts rest = blockers_.trace(rays_, origin, normal, i, known, seen);
-            rays = {.traced = rays.traced + rest.traced, .skipped = rays.skipped + rest.skipped};
-        }
+        rays = agreement.settle(in_pixel ? kWrongInPixel : 0, seen.at(i), traced);
     }
     hides = light_.at(seen, i, normal);
     return rays;

@@ -5,12 +5,9 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
-namespace nicol {
+#include "geometry/unit.hpp"
 
-/// Returns a unit vector. Squares of floats may vanish or overflow.
-[[nodiscard]] inline glm::vec3 unit(const glm::vec3& v) {
-    return {glm::normalize(glm::dvec3(v))};
-}
+namespace nicol {
 
 struct RayStart {
     glm::vec3 normal;  ///< of any length

@@ -15,6 +15,7 @@
 #include "geometry/edge_bisection.hpp"
 #include "geometry/largest_coordinate.hpp"
 #include "geometry/ray_scene.hpp"
+#include "geometry/unit.hpp"
 #include "visibility/bake_origins.hpp"
 #include "visibility/blocked_lengths.hpp"
 #include "visibility/extent_of_triangles.hpp"

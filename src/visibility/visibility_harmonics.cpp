@@ -7,11 +7,11 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <glm/geometric.hpp>
 #include <numbers>
 #include <string>
 
 #include "error.hpp"
+#include "geometry/unit.hpp"
 #include "harmonics/psh.hpp"
 #include "simd/dispatch.hpp"
 #include "simd/lane_parts.hpp"
@@ -316,7 +316,7 @@ void VisibilityHarmonics::project_batch(const Visibility& visibility, std::span<
     // The mean is added exactly, so that the quadrature does not depend on the position of the horizon.
     Factors of_visible, of_hidden;
     for (std::size_t v = 0; v < vertices.size(); ++v) {
-        const glm::vec3 normal(glm::normalize(glm::dvec3(normals[vertices[v]])));
+        const glm::vec3 normal = unit(normals[vertices[v]]);
         VertexBits bits{.visible = &visible[0][v], .hidden = &hidden[0][v], .all = 0, .part = 0};
         dispatch<find_bits<FourLanes>, find_bits<EightLanes>, find_bits<AllLanes>>(
             bundles, static_cast<const Lanes*>(weights_.data()), normal, visibility.at(vertices[v]).data(),
