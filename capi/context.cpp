@@ -103,8 +103,7 @@ nicol_context make_context(std::shared_ptr<gl::Context> context, const nicol_con
     auto session = std::make_shared<Session>();
     session->gl = std::move(context);
     session->workers = {.threads = static_cast<int>(options.threads), .tasks = tasks_from(options)};
-    session->log = options.log;
-    session->log_user = options.log_user;
+    session->log.set(options.log, options.log_user);
     session->error = options.error;
     session->error_user = options.error_user;
     session->memory_limit = options.memory_limit;
@@ -254,6 +253,14 @@ nicol_result nicol_context_retain(nicol_context context) {
 }
 nicol_result nicol_context_release(nicol_context context) {
     return release(context);
+}
+
+nicol_result nicol_context_set_log(nicol_context context, nicol_log_callback log, void* log_user) {
+    return guarded([&] {
+        const SessionPtr session = resolve(context).session;
+        refuse_in_callback(*session);
+        session->log.set(log, log_user);
+    });
 }
 
 nicol_result nicol_context_get_info(nicol_context context, nicol_context_info* info) {

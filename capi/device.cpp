@@ -6,6 +6,7 @@
 
 #include "boundary.hpp"
 #include "gl/device_list.hpp"
+#include "gl/pci_address.hpp"
 
 using namespace nicol;
 using namespace nicol::capi;
@@ -43,6 +44,7 @@ nicol_result nicol_device_get_info(uint32_t device, nicol_device_info* info) {
         out.name = kept(found.name);
         out.vendor = kept(found.vendor);
         out.file = kept(found.file);
+        out.pci_address = kept(gl::pci_address(found.file));
         write_struct(info, out, "info");
     });
 }

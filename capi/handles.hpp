@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "boundary.hpp"
+#include "context_log.hpp"
 #include "draw/framebuffer.hpp"
 #include "files/file_record.hpp"
 #include "files/load_budget.hpp"
@@ -31,12 +32,25 @@
 
 namespace nicol::capi {
 
+/// The session for which this thread is inside a caller's callback.
+inline thread_local const Session* calling_back = nullptr;
+
+class CallbackScope {
+public:
+    explicit CallbackScope(const Session* session) : outer_(std::exchange(calling_back, session)) {}
+    ~CallbackScope() { calling_back = outer_; }
+    CallbackScope(const CallbackScope&) = delete;
+    CallbackScope& operator=(const CallbackScope&) = delete;
+
+private:
+    const Session* outer_;
+};
+
 /// State shared by a context's objects, alive as long as any of them.
 struct Session {
     std::shared_ptr<gl::Context> gl;
     WorkerOptions workers;
-    nicol_log_callback log = nullptr;
-    void* log_user = nullptr;
+    ContextLog log;
     nicol_error_callback error = nullptr;
     void* error_user = nullptr;
     std::filesystem::path cache;                      ///< folder of tables; empty: none
@@ -66,7 +80,8 @@ struct Session {
 
     void log_message(std::uint32_t severity, std::string message) const {
         std::ranges::replace_if(message, is_control, ' ');
-        if (log != nullptr) log(log_user, severity, NICOL_OK, message.c_str());
+        const CallbackScope scope(this);
+        log.send(severity, message);
     }
     void notice(const std::string& message) const { log_message(NICOL_LOG_NOTICE, message); }
 
@@ -75,17 +90,6 @@ struct Session {
 };
 
 using SessionPtr = std::shared_ptr<Session>;
-
-/// The session for which this thread, one of the library's, is inside a caller's callback.
-inline thread_local const Session* calling_back = nullptr;
-
-class CallbackScope {
-public:
-    explicit CallbackScope(const Session* session) { calling_back = session; }
-    ~CallbackScope() { calling_back = nullptr; }
-    CallbackScope(const CallbackScope&) = delete;
-    CallbackScope& operator=(const CallbackScope&) = delete;
-};
 
 /// Throws Error(invalid_argument) inside a callback of the session, where waiting for a lock might never end.
 inline void refuse_in_callback(const Session& session) {

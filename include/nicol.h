@@ -181,14 +181,18 @@ NICOL_API nicol_result nicol_device_count(uint32_t* count);
 typedef struct nicol_device_info {
     uint32_t struct_size;
     uint32_t software; /* 1 if OpenGL would run on the CPU, else 0 */
-    /* Name from the driver, or another name that identifies the device. This string, vendor and file are
-     * valid as long as the library. */
+    /* Name from the driver, or another name that identifies the device. The strings are valid as long as the
+     * library. */
     const char* name;
     const char* vendor; /* vendor; "" if EGL does not report one */
     const char* file;   /* device file, such as /dev/dri/renderD128; "" if none */
+    /* Address on the PCI bus (domain, bus, device, function), such as "0000:65:00.0", by which CUDA and
+     * Vulkan (VK_EXT_pci_bus_info) list the same device; "" if the device has none. nicol_context_info has
+     * UUIDs, which a driver tells only to a context; LUIDs exist on Windows alone. */
+    const char* pci_address;
 } nicol_device_info;
 #define NICOL_DEVICE_INFO_INIT \
-    { sizeof(nicol_device_info), 0, 0, 0, 0 }
+    { sizeof(nicol_device_info), 0, 0, 0, 0, 0 }
 NICOL_API nicol_result nicol_device_info_init(nicol_device_info* descriptor, uint32_t struct_size);
 
 /* Gets the properties of a device; device is 1 to the number of nicol_device_count. Creating a context on the
@@ -219,7 +223,9 @@ typedef struct nicol_context_options {
     /* Number of threads, at most 1024. 0, the default: one per core, which is also the largest number
      * used. */
     uint32_t threads;
-    nicol_log_callback log; /* log callback, on any thread, on several at once; NULL, the default: silent */
+    /* Log callback, on any thread, on several at once; NULL, the default: silent. nicol_context_set_log
+     * replaces it. */
+    nicol_log_callback log;
     void* log_user;
     /* Folder in which material tables and baked visibility are kept between runs; created if missing. NULL,
      * the default, or "": the folder of the environment variable NICOL_CACHE, or no cache if the variable is
@@ -324,6 +330,9 @@ NICOL_API nicol_result nicol_context_info_init(nicol_context_info* descriptor, u
 NICOL_API nicol_result nicol_context_create(const nicol_context_options* options, nicol_context* context);
 NICOL_API nicol_result nicol_context_retain(nicol_context context);
 NICOL_API nicol_result nicol_context_release(nicol_context context);
+/* Replaces the log callback of nicol_context_options; NULL: silent from now on. When the function returns, no
+ * thread is in the callback before, whose user data may then be released. */
+NICOL_API nicol_result nicol_context_set_log(nicol_context context, nicol_log_callback log, void* log_user);
 /* Gets the properties of the OpenGL context, and the limits in effect. */
 NICOL_API nicol_result nicol_context_get_info(nicol_context context, nicol_context_info* info);
 

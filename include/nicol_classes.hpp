@@ -26,6 +26,9 @@ public:
         check(nicol_context_create(options, &context));
         return Context(context);
     }
+    void set_log(nicol_log_callback log, void* log_user) const {
+        check(nicol_context_set_log(get(), log, log_user));
+    }
     [[nodiscard]] nicol_context_info get_info() const {
         auto info = defaults(nicol_context_info_init);
         check(nicol_context_get_info(get(), &info));

@@ -313,6 +313,7 @@ void EntryPoints::assets(const Watch& watch) {
     const Objects& o = *objects_;
     auto info = defaults(nicol_context_info_init);
     call(watch, NAMED(nicol_context_get_info), o.context, &info);
+    call(watch, NAMED(nicol_context_set_log), o.context, nullptr, nullptr);
     keep(watch, NAMED(nicol_context_retain), NAMED(nicol_context_release), o.context);
     make_textures(watch, o.context, o.texture.get());
     make_meshes(watch, o.context, o.mesh.get());

@@ -32,7 +32,8 @@ class Call:
 
     def __init__(self, header, function, owner):
         self.header, self.function, self.owner = header, function, owner
-        self.takes, self.before, self.arguments, self.results, self.hints = [], [], [], [], []  # hints of the results
+        self.takes, self.before, self.arguments, self.after = [], [], [], []
+        self.results, self.hints = [], []  # hints of the results
         roles = roles_of(header, function)
         self.last = last_input(roles)
         first, role, _ = roles[0] if roles else (None, None, None)
@@ -54,7 +55,7 @@ class Call:
         call = f"_{self.function.name.removeprefix('nicol_')}({', '.join(self.arguments)})"
         if self.function.result.base == "nicol_result":
             returned = [f"return {', '.join(self.results)}"] if self.results else []
-            return [*self.before, f"check({call})", *returned]
+            return [*self.before, f"check({call})", *self.after, *returned]
         return [*self.before, f"return decoded({call})" if self.function.result.base == "char" else f"return {call}"]
 
     def returns(self):
@@ -90,7 +91,13 @@ class Call:
 
     def callback(self, parameter, item, partners):
         self.take(parameter, item)
-        self.arguments.append(f"{class_name(parameter.type.base)}({item})")
+        made = f"{class_name(parameter.type.base)}({item})"
+        if self.method and "_set_" in self.function.name:  # the library calls the function later, too
+            self.before.append(f"{item} = {made}")
+            self.arguments.append(item)
+            self.after.append(f"hold(self, {item})")
+        else:
+            self.arguments.append(made)
 
     def array(self, parameter, item, partners):
         self.take(parameter, item)

@@ -16,7 +16,7 @@ from ctypes import POINTER, byref, c_char_p, c_double, c_float, c_int32, c_int64
 from typing import TYPE_CHECKING, Any
 
 from ._runtime import (
-    Buffer, Callback, Handle, Struct, array, as_is, check, counted, declare, decoded, lend, paired, pointee, text, texts,
+    Buffer, Callback, Handle, Struct, array, as_is, check, counted, declare, decoded, hold, lend, paired, pointee, text, texts,
 )  # fmt: skip
 
 if TYPE_CHECKING:

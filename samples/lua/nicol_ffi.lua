@@ -25,6 +25,7 @@ typedef struct nicol_device_info {
     const char* name;
     const char* vendor;
     const char* file;
+    const char* pci_address;
 } nicol_device_info;
 typedef void (*nicol_task)(void* data);
 typedef void* (*nicol_start_tasks)(void* user, uint32_t count, nicol_task task, void* data);
@@ -654,6 +655,7 @@ nicol_result nicol_context_info_init(nicol_context_info* descriptor, uint32_t st
 nicol_result nicol_context_create(const nicol_context_options* options, nicol_context* context);
 nicol_result nicol_context_retain(nicol_context context);
 nicol_result nicol_context_release(nicol_context context);
+nicol_result nicol_context_set_log(nicol_context context, nicol_log_callback log, void* log_user);
 nicol_result nicol_context_get_info(nicol_context context, nicol_context_info* info);
 nicol_result nicol_file_content_init(nicol_file_content* descriptor, uint32_t struct_size);
 nicol_result nicol_memory_file_init(nicol_memory_file* descriptor, uint32_t struct_size);
@@ -1044,6 +1046,7 @@ return {
         device_count = true,
         device_get_info = true,
         context_create = "nicol_context",
+        context_set_log = true,
         context_get_info = true,
         environment_load = "nicol_environment",
         environment_load_memory = "nicol_environment",

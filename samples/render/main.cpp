@@ -268,7 +268,8 @@ void list_devices() {
         const std::string vendor = *info.vendor != '\0' ? std::string(info.vendor) + ", " : "";
         const std::string file =
             *info.file != '\0' && std::string(info.file) != info.name ? std::string(", ") + info.file : "";
-        std::printf("%u: %s%s%s%s\n", device, vendor.c_str(), info.name, file.c_str(),
+        const std::string bus = *info.pci_address != '\0' ? std::string(", PCI ") + info.pci_address : "";
+        std::printf("%u: %s%s%s%s%s\n", device, vendor.c_str(), info.name, file.c_str(), bus.c_str(),
                     info.software != 0 ? ", runs on the CPU" : "");
     }
 }

@@ -57,6 +57,8 @@ TEST_CASE("every device of the list has a name and opens, or says why not") {
         CHECK(std::string(info.name) != "");
         REQUIRE(info.vendor != nullptr);
         REQUIRE(info.file != nullptr);
+        REQUIRE(info.pci_address != nullptr);
+        if (info.software != 0) CHECK(std::string(info.pci_address) == "");
         nicol_device_info again = NICOL_DEVICE_INFO_INIT;
         OK(nicol_device_get_info(device, &again));
         CHECK(again.name == info.name);  // strings are stored once and not copied again

@@ -126,7 +126,7 @@ struct Parameter {
 /// Returns a function of this type that does nothing and returns 1.
 template <class R, class... A>
 Slot agreeing(R (*)(A...)) {
-    R (*const agrees)(A...) = [](A...) { return R{1}; };
+    R (*const agrees)(A...) = [](A...) { return static_cast<R>(1); };
     return static_cast<Slot>(reinterpret_cast<std::uintptr_t>(agrees));
 }
 

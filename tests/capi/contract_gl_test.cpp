@@ -11,6 +11,7 @@ namespace {
 const std::set<std::string> optional = {
     "nicol_context_create.options",
     "nicol_context_create_host.options",
+    "nicol_context_set_log.log",
     "nicol_environment_load.options",
     "nicol_environment_load_memory.options",
     "nicol_environment_create_constant.radiance",

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Tests of the log: messages, severities and completeness.
+#include <atomic>
 #include <mutex>
+#include <thread>
 
 #include "capi.hpp"
 #include "image/stokes_image.hpp"
@@ -89,6 +91,71 @@ TEST_CASE("every notice of a scene file arrives, once, in one line") {
         }
         CHECK(messages.size() == entries.size());
     }
+}
+
+namespace {
+
+// Causes one notice of a context: light with negative radiance, which is set to 0.
+void cause_notice(nicol_context context) {
+    const float stokes[24] = {1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, -0.1F};
+    nicol_image pixels = NICOL_IMAGE_INIT;
+    pixels.width = 2, pixels.height = 3, pixels.channels = 1, pixels.components = 4;
+    pixels.pixels = stokes;
+    pixels.byte_size = sizeof stokes;
+    const Owned made(make(nicol_environment_create_image, context, &pixels));
+}
+
+}  // namespace
+
+TEST_CASE("the log is replaced and silenced, but not from its own callback") {
+    Log first;
+    Log second;
+    const Owned context(logging_context(NICOL_BACKEND_OSMESA, first, ""));
+    static_cast<void>(first.take());
+    OK(nicol_context_set_log(context, Log::callback, &second));
+    cause_notice(context);
+    CHECK(first.take().empty());
+    CHECK(second.take().size() == 1);
+    OK(nicol_context_set_log(context, nullptr, nullptr));
+    cause_notice(context);
+    CHECK(second.take().empty());
+
+    struct Caller {
+        nicol_context context;
+        nicol_result result = NICOL_OK;
+    } caller{context};
+    OK(nicol_context_set_log(
+        context,
+        [](void* user, std::uint32_t, nicol_result, const char*) {
+            auto& from = *static_cast<Caller*>(user);
+            from.result = nicol_context_set_log(from.context, nullptr, nullptr);
+        },
+        &caller));
+    cause_notice(context);
+    CHECK(caller.result == NICOL_ERROR_INVALID_ARGUMENT);
+}
+
+TEST_CASE("no thread is in a log callback that was replaced") {
+    Log none;
+    const Owned context(logging_context(NICOL_BACKEND_OSMESA, none, ""));
+    struct State {
+        std::atomic<bool> inside = false, replacing = false;
+    } state;
+    OK(nicol_context_set_log(
+        context,
+        [](void* user, std::uint32_t, nicol_result, const char*) {
+            auto& shared = *static_cast<State*>(user);
+            shared.inside = true;
+            while (!shared.replacing) std::this_thread::yield();
+            for (int i = 0; i < 1000; ++i) std::this_thread::yield();
+            shared.inside = false;
+        },
+        &state));
+    const std::jthread other([&] { cause_notice(context); });
+    while (!state.inside) std::this_thread::yield();
+    state.replacing = true;
+    OK(nicol_context_set_log(context, nullptr, nullptr));
+    CHECK_FALSE(state.inside);
 }
 
 TEST_CASE("negative radiance that is set to 0 is one notice, however the light comes") {

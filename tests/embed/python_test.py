@@ -484,7 +484,17 @@ class CallTest(unittest.TestCase):
                 self.assertEqual(scene.get_film_size(), (17, 2))
                 self.assertEqual(scene.get_sample_count(), 0)
                 nicol.render(scene, camera(), None, nicol.Framebuffer.create(context, 17, 2, scene.get_channels()))
+                replaced = []
+                context.set_log(lambda severity, code, message: replaced.append(message))
+                gc.collect()
+                stokes = array.array("f", [1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, -0.1, *11 * [0]])
+                image = nicol.Image(width=2, height=3, channels=1, components=4, pixels=stokes, byte_size=96)
+                nicol.Environment.create_image(context, image)
+                context.set_log(None)
+                nicol.Environment.create_image(context, image)
         self.assertTrue(any("/dev/null/x" in line for line in lines), lines)
+        self.assertEqual(len(replaced), 1, replaced)
+        self.assertIn("negative radiance", replaced[0])
 
     def test_cache_folder(self):
         before = dict(os.environ)

@@ -9,7 +9,7 @@ from ctypes import POINTER, byref, c_char_p, c_double, c_float, c_int32, c_int64
 from typing import TYPE_CHECKING, Any
 
 from ._runtime import (
-    Buffer, Callback, Handle, Struct, array, as_is, check, counted, declare, decoded, lend, paired, pointee, text, texts,
+    Buffer, Callback, Handle, Struct, array, as_is, check, counted, declare, decoded, hold, lend, paired, pointee, text, texts,
 )  # fmt: skip
 
 if TYPE_CHECKING:
@@ -215,21 +215,26 @@ class Spectrum(Struct):
 class DeviceInfo(Struct):
     """Fields:
     software: 1 if OpenGL would run on the CPU, else 0
-    name: Name from the driver, or another name that identifies the device. This string, vendor and file are
-        valid as long as the library.
+    name: Name from the driver, or another name that identifies the device. The strings are valid as long as the
+        library.
     vendor: vendor; "" if EGL does not report one
-    file: device file, such as /dev/dri/renderD128; "" if none"""
+    file: device file, such as /dev/dri/renderD128; "" if none
+    pci_address: Address on the PCI bus (domain, bus, device, function), such as "0000:65:00.0", by which CUDA and
+        Vulkan (VK_EXT_pci_bus_info) list the same device; "" if the device has none. nicol_context_info has
+        UUIDs, which a driver tells only to a context; LUIDs exist on Windows alone."""
     _fields_ = [
         ("struct_size", c_uint32),
         ("software", c_uint32),
         ("name", c_char_p),
         ("vendor", c_char_p),
         ("file", c_char_p),
+        ("pci_address", c_char_p),
     ]
     software: int
     name: str | None
     vendor: str | None
     file: str | None
+    pci_address: str | None
 
 
 class ContextOptions(Struct):
@@ -239,7 +244,8 @@ class ContextOptions(Struct):
         1.
     threads: Number of threads, at most 1024. 0, the default: one per core, which is also the largest number
         used.
-    log: log callback, on any thread, on several at once; NULL, the default: silent
+    log: Log callback, on any thread, on several at once; NULL, the default: silent. nicol_context_set_log
+        replaces it.
     cache_folder: Folder in which material tables and baked visibility are kept between runs; created if missing. NULL,
         the default, or "": the folder of the environment variable NICOL_CACHE, or no cache if the variable is
         not set or empty. Processes may share the folder, and the folder may be emptied at any time. The
@@ -2224,6 +2230,13 @@ class Context(Handle):
         check(_context_create(byref(options) if options is not None else None, byref(context)))
         return context
 
+    def set_log(self, log: Any) -> None:
+        """Replaces the log callback of nicol_context_options; NULL: silent from now on. When the function returns, no
+        thread is in the callback before, whose user data may then be released."""
+        log = LogCallback(log)
+        check(_context_set_log(self, log, None))
+        hold(self, log)
+
     def get_info(self) -> ContextInfo:
         """Gets the properties of the OpenGL context, and the limits in effect."""
         info = ContextInfo()
@@ -3418,6 +3431,7 @@ ContextOptions._init = declare("nicol_context_options_init", c_int32, POINTER(Co
 ContextInfo._init = declare("nicol_context_info_init", c_int32, POINTER(ContextInfo), c_uint32)
 _context_create = declare("nicol_context_create", c_int32, POINTER(ContextOptions), POINTER(Context))
 Context._release = declare("nicol_context_release", c_int32, c_void_p)
+_context_set_log = declare("nicol_context_set_log", c_int32, Context, LogCallback.type, c_void_p)
 _context_get_info = declare("nicol_context_get_info", c_int32, Context, POINTER(ContextInfo))
 FileContent._init = declare("nicol_file_content_init", c_int32, POINTER(FileContent), c_uint32)
 MemoryFile._init = declare("nicol_memory_file_init", c_int32, POINTER(MemoryFile), c_uint32)

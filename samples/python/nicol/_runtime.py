@@ -364,6 +364,14 @@ def _give_back(number):
 _give_back_callback = ctypes.CFUNCTYPE(None, ctypes.c_void_p)(_give_back)
 
 
+_held: dict[tuple, Any] = {}  # functions that objects of the library call, by the object's address and the kind
+
+
+def hold(handle, function):
+    """Keeps a function that an object of the library calls from now on, until it is replaced by one of its kind."""
+    _held[handle.value, type(function)] = function
+
+
 def lend(struct):
     """Returns the struct for a call after which the library continues to use its buffers and functions. These live until
     the library calls `release`, which is set here, or forever if there is no such field."""

@@ -279,15 +279,17 @@ pub struct nicol_device_info {
     pub name: *const c_char,
     pub vendor: *const c_char,
     pub file: *const c_char,
+    pub pci_address: *const c_char,
 }
 defaults!(nicol_device_info, nicol_device_info_init);
 const _: () = {
-    assert!(size_of::<nicol_device_info>() == 32);
+    assert!(size_of::<nicol_device_info>() == 40);
     assert!(offset_of!(nicol_device_info, struct_size) == 0);
     assert!(offset_of!(nicol_device_info, software) == 4);
     assert!(offset_of!(nicol_device_info, name) == 8);
     assert!(offset_of!(nicol_device_info, vendor) == 16);
     assert!(offset_of!(nicol_device_info, file) == 24);
+    assert!(offset_of!(nicol_device_info, pci_address) == 32);
 };
 
 /// Part of the library's parallel loops, for a host's task system.
@@ -1891,6 +1893,9 @@ extern "C" {
     pub fn nicol_context_create(options: *const nicol_context_options, context: *mut nicol_context) -> nicol_result;
     pub fn nicol_context_retain(context: nicol_context) -> nicol_result;
     pub fn nicol_context_release(context: nicol_context) -> nicol_result;
+    /// Replaces the log callback of nicol_context_options; NULL: silent from now on. When the function returns, no
+    /// thread is in the callback before, whose user data may then be released.
+    pub fn nicol_context_set_log(context: nicol_context, log: nicol_log_callback, log_user: *mut c_void) -> nicol_result;
     /// Gets the properties of the OpenGL context, and the limits in effect.
     pub fn nicol_context_get_info(context: nicol_context, info: *mut nicol_context_info) -> nicol_result;
     pub fn nicol_file_content_init(descriptor: *mut nicol_file_content, struct_size: u32) -> nicol_result;
