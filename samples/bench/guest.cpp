@@ -19,21 +19,22 @@ std::uint32_t make_texture(const EglContext& egl) {
     return name;
 }
 
-nicol_context_options without_cache() {
+nicol_context_options without_cache(std::uint32_t threads) {
     auto options = nicol::defaults(nicol_context_options_init);
+    options.threads = threads;
     options.cache_folder = "";
     return options;
 }
 
 }  // namespace
 
-Guest Guest::own(nicol_backend backend) {
-    auto options = without_cache();
+Guest Guest::own(nicol_backend backend, std::uint32_t threads) {
+    auto options = without_cache(threads);
     options.backend = backend;
     return {.egl = nullptr, .context = create<Context>(nicol_context_create, &options)};
 }
 
-Guest Guest::in_host() {
+Guest Guest::in_host(std::uint32_t threads) {
     Guest made{.egl = std::make_unique<EglContext>(), .context = {}};
     made.texture = make_texture(*made.egl);
     auto host = nicol::defaults(nicol_host_init);
@@ -42,7 +43,7 @@ Guest Guest::in_host() {
         return static_cast<EglContext*>(user)->function(name);
     };
     host.is_current = [](void* user) { return std::int32_t{static_cast<EglContext*>(user)->is_current()}; };
-    const auto options = without_cache();
+    const auto options = without_cache(threads);
     made.context = create<Context>(nicol_context_create_host, &host, &options);
     return made;
 }

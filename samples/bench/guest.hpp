@@ -14,6 +14,7 @@ struct Guest {
     std::uint32_t texture = 0;        ///< the host's texture for EntryPoints::host(); 0: none
     Context context;
 
-    static Guest own(nicol_backend backend);
-    static Guest in_host();
+    /// threads: of nicol_context_options.
+    static Guest own(nicol_backend backend, std::uint32_t threads = 0);
+    static Guest in_host(std::uint32_t threads = 0);
 };

@@ -10,6 +10,7 @@ void VisibilityBuffer::resize(int width, int height, std::span<const glm::dvec2>
     kept_ = kept;
     const std::size_t targets = kept == Kept::on_host ? 0 : offsets.size();
     sizing_.run(width, height, targets, [&] {
+        if (targets == 0 && targets_.empty()) return;  // no wait for the thread of OpenGL
         context_->run([&] {
             targets_.clear();
             for (std::size_t i = 0; i < targets; ++i)

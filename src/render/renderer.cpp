@@ -278,8 +278,13 @@ void Renderer::draw_one_by_one(const Scene& scene, const Projection& projection,
 }
 
 void Renderer::update_buffers(const RefinedSurfaces& surfaces, int channels) {
-    buffers_.update(surfaces.geometry(), surfaces.version(), channels);
-    alpha_masks_.update(surfaces.geometry(), surfaces.version(), surfaces.material_version(), buffers_);
+    uploading_.run(surfaces.version(), surfaces.material_version(), channels, [&] {
+        context_->run([&] {
+            buffers_.update(surfaces.geometry(), surfaces.version(), channels);
+            alpha_masks_.update(surfaces.geometry(), surfaces.version(), surfaces.material_version(),
+                                buffers_);
+        });
+    });
 }
 
 void Renderer::find_hits(const Projection& projection, const RenderOptions& options,
@@ -303,7 +308,7 @@ void Renderer::find_hits(const Projection& projection, const RenderOptions& opti
         return;
     }
     traced_hits_.clear();
-    context_->run([&] { update_buffers(surfaces, image.channels); });
+    update_buffers(surfaces, image.channels);
     drawn_hits_.find(request, hits_);
 }
 
@@ -345,7 +350,7 @@ void Renderer::draw(const Scene& scene, const Projection& projection, const Rend
     const Stopwatch preparing;
     const RefinedSurfaces& surfaces = pipeline_.surfaces();
     const bool at_pixels = pipeline_.shaded_pixels();
-    context_->run([&] { update_buffers(surfaces, target.channels()); });
+    update_buffers(surfaces, target.channels());
     if (!at_pixels) {
         if (elements)
             draw_hits(VisibilityBuffer::Kept::on_device);

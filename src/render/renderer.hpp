@@ -121,7 +121,7 @@ private:
                    const ImageShape& image, Statistics& statistics);
     // Frees the memory of hits.
     void clear_hits();
-    // Copies surfaces to the device. Must be called inside run() of the context.
+    // Copies surfaces to the device, if they changed.
     void update_buffers(const RefinedSurfaces& surfaces, int channels);
     [[nodiscard]] RenderExecutor& executor_for(const Scene& scene, const RenderOptions& options);
 
@@ -134,6 +134,9 @@ private:
     TimeBudget budget_;
     VertexBuffers buffers_;
     AlphaMasks alpha_masks_;
+    // Inputs of buffers_ and alpha_masks_: geometry, materials, channels. A frame that uploads nothing does
+    // not wait for the thread of OpenGL.
+    Stage<Version, Version, int> uploading_;
     VisibilityBuffer hits_;
     DrawnHits drawn_hits_;
     TracedHits traced_hits_;
