@@ -15,6 +15,7 @@ namespace {
 
 constexpr std::uint32_t kFrames = 10000;
 constexpr std::uint32_t kSettled = 100;      // frames after which memory and names should stay
+constexpr std::uint32_t kRows = 5;           // rows of equally many frames
 constexpr std::uint32_t kFramesOfSize = 50;  // frames from one change of the window's size to the next
 
 /// Returns the process's resident memory in MiB.
@@ -165,9 +166,18 @@ Report bench_engine(const Options& options) {
         create<Framebuffer>(nicol_framebuffer_create, guest.context.get(), size, size, 3U);
     std::optional<HostTexture> texture;
     texture.emplace(*guest.egl, size, size);
+    Report report({"frames of an engine's host", "p50, ms", "p99, ms", "longest, ms", "MiB", "OpenGL objects",
+                   "jobs done"});
     std::vector<double> times;
-    times.reserve(frames);
-    double early_memory = 0, early_names = 0;
+    const auto add_row = [&](std::uint32_t last) {
+        std::ranges::sort(times);
+        const auto at = [&](double part) {
+            return times[static_cast<std::size_t>(part * static_cast<double>(times.size() - 1))];
+        };
+        report.add("to " + std::to_string(last), {at(0.5), at(0.99), times.back(), resident_mib(),
+                                                  count_names(*guest.egl), static_cast<double>(jobs.done())});
+        times.clear();
+    };
     for (std::uint32_t frame = 0; frame < frames; ++frame) {
         const auto start = std::chrono::steady_clock::now();
         if (frame % kFramesOfSize == kFramesOfSize - 1) {
@@ -180,23 +190,14 @@ Report bench_engine(const Options& options) {
         jobs.poll();
         times.push_back(
             std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
-        if (frame + 1 != std::min(kSettled, frames)) continue;
-        early_memory = resident_mib();
-        early_names = count_names(*guest.egl);
+        const std::uint32_t done = frame + 1;
+        if (done == kSettled || done % std::max(frames / kRows, 1U) == 0 || done == frames) add_row(done);
     }
-    const double late_memory = resident_mib(), late_names = count_names(*guest.egl);
-    std::ranges::sort(times);
-    const auto at = [&](double part) {
-        return times[static_cast<std::size_t>(part * static_cast<double>(times.size() - 1))];
-    };
-    Report report({"frames of an engine's host", "p50, ms", "p99, ms", "longest, ms", "MiB early",
-                   "MiB at the end", "names early", "names at the end", "jobs done"});
-    report.add(std::to_string(frames), {at(0.5), at(0.99), times.back(), early_memory, late_memory,
-                                        early_names, late_names, static_cast<double>(jobs.done())});
     report.note(
         "Each frame moves a ball, renders it within a bake_budget_ms of 4, and draws s0 into the host's "
         "texture; every 50th changes the image's size. A job at a time renders another scene from "
-        "nothing. MiB: resident memory; names: OpenGL objects of the context; early: after " +
-        std::to_string(std::min(kSettled, frames)) + " frames.");
+        "nothing. Times: of the frames since the row before. MiB, OpenGL objects, jobs: at the row's last "
+        "frame; "
+        "memory is the resident one.");
     return report;
 }
