@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Errors about the content of files, whose messages begin with the file's name.
+// Errors about files, whose messages begin with the file's name.
 #pragma once
 
 #include <filesystem>
@@ -8,6 +8,13 @@
 #include "error.hpp"
 
 namespace nicol {
+
+/// Throws Error(unsupported) that names the file, its kind and the option of CMake that brings it back.
+[[noreturn]] inline void refuse_left_out_format(const std::filesystem::path& file, const std::string& kind,
+                                                const std::string& option) {
+    throw Error(ErrorCode::unsupported, file.string() + ": this build of Nicol has no " + kind + " (" +
+                                            option + " was OFF); give the data as arrays");
+}
 
 /// Throws Error(invalid_file).
 [[noreturn]] inline void invalid_file(const std::filesystem::path& file, const std::string& what) {

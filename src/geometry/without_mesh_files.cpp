@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Mesh files in builds without them.
-#include "files/left_out_format.hpp"
+#include "files/file_error.hpp"
 #include "geometry/mesh.hpp"
 
 namespace nicol {

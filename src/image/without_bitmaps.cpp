@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Bitmaps in builds without their files.
-#include "files/left_out_format.hpp"
+#include "files/file_error.hpp"
 #include "image/bitmap.hpp"
 #include "image/png.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // OpenEXR files in builds without them.
-#include "files/left_out_format.hpp"
+#include "files/file_error.hpp"
 #include "image/exr_colors.hpp"
 #include "image/stokes_image.hpp"
 

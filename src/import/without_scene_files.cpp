@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Scene files in builds without them.
-#include "files/left_out_format.hpp"
+#include "files/file_error.hpp"
 #include "import/load_scene.hpp"
 
 namespace nicol {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Tests of the files that a cache folder keeps.
-#include "files/cache_folder.hpp"
 
 #include <atomic>
 #include <thread>
