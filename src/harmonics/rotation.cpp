@@ -6,7 +6,6 @@
 #include <numbers>
 
 #include "harmonics/wigner.hpp"
-#include "harmonics/wigner_sweep.hpp"
 #include "simd/dispatch.hpp"
 #include "simd/double_vectors.hpp"
 

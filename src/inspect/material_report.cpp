@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
-#include "harmonics/mirror_symmetry.hpp"
+#include "harmonics/operator.hpp"
 #include "harmonics/spin_harmonics.hpp"
 
 namespace nicol {

@@ -6,7 +6,7 @@
 
 #include "error.hpp"
 #include "files/content_hash.hpp"
-#include "harmonics/mirror_symmetry.hpp"
+#include "harmonics/operator.hpp"
 #include "harmonics/spin_harmonics.hpp"
 #include "material/key.hpp"
 #include "material/matrix_rows.hpp"

@@ -3,7 +3,6 @@
 #include "harmonics/wigner.hpp"
 
 #include "harmonics/reference.hpp"
-#include "harmonics/wigner_sweep.hpp"
 #include "test.hpp"
 
 using namespace nicol;

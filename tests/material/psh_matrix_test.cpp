@@ -5,7 +5,7 @@
 #include "files/npz.hpp"
 #include "harmonics/evaluate.hpp"
 #include "harmonics/light_coefficients.hpp"
-#include "harmonics/mirror_symmetry.hpp"
+#include "harmonics/operator.hpp"
 #include "harmonics/random_operators.hpp"
 #include "material/conductor.hpp"
 #include "material/material_projection.hpp"
