@@ -12,7 +12,6 @@
 
 #include "files/file_error.hpp"
 #include "image/exr_input.hpp"
-#include "image/exr_window.hpp"
 
 namespace nicol {
 namespace {

@@ -10,7 +10,6 @@
 #include "error.hpp"
 #include "image/exr_input.hpp"
 #include "image/exr_layout.hpp"
-#include "image/exr_window.hpp"
 #include "image/stokes_image.hpp"
 
 namespace nicol {
