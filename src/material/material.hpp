@@ -2,6 +2,7 @@
 // Polarimetric reflectance (pBRDF) in the angular domain.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <glm/vec2.hpp>
@@ -11,12 +12,17 @@
 #include <vector>
 
 #include "harmonics/operator.hpp"
-#include "material/lane_mueller.hpp"
 #include "material/parameter.hpp"
 #include "polarization/lane_points.hpp"
 #include "polarization/mueller.hpp"
+#include "simd/lanes.hpp"
 
 namespace nicol {
+
+/// Sixteen Mueller matrices, row-major like Mueller: m[4 row + column].
+struct LaneMueller {
+    std::array<Lanes, 16> m;
+};
 
 struct SmoothBoundary;
 struct SpatialVariation;

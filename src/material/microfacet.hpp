@@ -8,7 +8,6 @@
 #include <numbers>
 
 #include "material/frames.hpp"
-#include "material/lane_mueller.hpp"
 #include "material/material.hpp"
 #include "polarization/lane_points.hpp"
 #include "simd/lane_exponential.hpp"
