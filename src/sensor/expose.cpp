@@ -14,7 +14,7 @@
 
 #include "arguments.hpp"
 #include "sensor/lens.hpp"
-#include "sensor/noise_lanes.hpp"
+#include "sensor/noise.hpp"
 
 namespace nicol {
 namespace {

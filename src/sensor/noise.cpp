@@ -3,12 +3,57 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 
-#include "sensor/noise_formulas.hpp"
+#include "simd/dispatch.hpp"
 
 namespace nicol {
 namespace {
+
+// Formulas that functions of one number and of lanes share, so that both give the same bits.
+
+/// Distance from 1/2 up to which central_normal_quantile() holds.
+constexpr double kCentralQuantile = 0.425;
+/// Mean from which on large_poisson_quantile() holds.
+constexpr double kLargeMean = 30;
+
+/// One round of Philox 4x32 on a counter.
+[[gnu::always_inline]] inline void philox_round(std::uint32_t& a, std::uint32_t& b, std::uint32_t& c,
+                                                std::uint32_t& d, std::uint32_t key_a, std::uint32_t key_b) {
+    const std::uint64_t first = std::uint64_t{0xD2511F53} * a;
+    const std::uint64_t second = std::uint64_t{0xCD9E8D57} * c;
+    a = static_cast<std::uint32_t>(second >> 32) ^ b ^ key_a;
+    b = static_cast<std::uint32_t>(second);
+    c = static_cast<std::uint32_t>(first >> 32) ^ d ^ key_b;
+    d = static_cast<std::uint32_t>(first);
+}
+constexpr int kPhiloxRounds = 10;
+/// Steps of Philox's keys from round to round.
+constexpr std::uint32_t kPhiloxStepA = 0x9E3779B9;
+constexpr std::uint32_t kPhiloxStepB = 0xBB67AE85;
+
+/// Returns the odd multiple of 2^-53 in (0, 1) of 52 random bits.
+[[gnu::always_inline]] inline double uniform_of(std::uint32_t upper, std::uint32_t lower) {
+    const std::uint64_t whole = (std::uint64_t{upper} << 20) | (lower >> 12);
+    return (static_cast<double>(static_cast<std::int64_t>(whole)) + 0.5) * 0x1p-52;
+}
+
+/// Returns the normal quantile of 1/2 + q.
+[[gnu::always_inline]] inline double central_normal_quantile(double q) {
+    const double r = 0.180625 - q * q;
+    return q * (((5.9109374720e1 * r + 1.5929113202e2) * r + 5.0434271938e1) * r + 3.3871327179) /
+           (((6.7187563600e1 * r + 7.8757757664e1) * r + 1.7895169469e1) * r + 1);
+}
+
+/// Returns Poisson's quantile by the normal quantile w of the same number.
+[[gnu::always_inline]] inline double large_poisson_quantile(double w, double mean) {
+    const double root = std::sqrt(mean);
+    const double third = w * w / 6 + 1.0 / 3;
+    const double fourth = -(w * w + 2) * w / 72 / root;
+    const double fifth = ((w * w / 270 + 7.0 / 810) * w * w - 8.0 / 405) / mean;
+    return std::max(0.0, std::floor(mean + root * w + third + fourth + fifth));
+}
 
 constexpr std::array<double, 16> kInverseOddNumbers = [] {
     std::array<double, 16> inverse{};
@@ -103,6 +148,63 @@ std::array<double, 2> cosine_and_sine(double angle) {
         sine = 1 - square / (i * (i + 1)) * sine;
     }
     return {cosine, angle * sine};
+}
+
+namespace {
+
+using Words = std::array<std::uint32_t, kNoiseLanes>;
+
+[[gnu::always_inline]] inline void draw(std::uint64_t seed, std::uint64_t frame, std::uint32_t pixel,
+                                        std::uint32_t purpose, NoiseLanes& first, NoiseLanes& second) {
+    Words a, b, c, d;
+    for (std::size_t i = 0; i < kNoiseLanes; ++i) {
+        a[i] = pixel + static_cast<std::uint32_t>(i);
+        b[i] = static_cast<std::uint32_t>(frame);
+        c[i] = static_cast<std::uint32_t>(frame >> 32);
+        d[i] = purpose;
+    }
+    auto key_a = static_cast<std::uint32_t>(seed);
+    auto key_b = static_cast<std::uint32_t>(seed >> 32);
+    for (int round = 0; round < kPhiloxRounds; ++round) {
+        for (std::size_t i = 0; i < kNoiseLanes; ++i) philox_round(a[i], b[i], c[i], d[i], key_a, key_b);
+        key_a += kPhiloxStepA;
+        key_b += kPhiloxStepB;
+    }
+    for (std::size_t i = 0; i < kNoiseLanes; ++i) {
+        first[i] = uniform_of(a[i], b[i]);
+        second[i] = uniform_of(c[i], d[i]);
+    }
+}
+
+[[gnu::always_inline]] inline void quantiles(const NoiseLanes& u, NoiseLanes& out) {
+    for (std::size_t i = 0; i < kNoiseLanes; ++i) out[i] = central_normal_quantile(u[i] - 0.5);
+}
+
+[[gnu::always_inline]] inline void large_poisson(const NoiseLanes& w, NoiseLanes& mean) {
+    for (std::size_t i = 0; i < kNoiseLanes; ++i) mean[i] = large_poisson_quantile(w[i], mean[i]);
+}
+
+}  // namespace
+
+void uniform_pairs(std::uint64_t seed, std::uint64_t frame, std::uint32_t pixel, NoiseOf purpose,
+                   NoiseLanes& first, NoiseLanes& second) {
+    dispatch<draw>(seed, frame, pixel, static_cast<std::uint32_t>(purpose), first, second);
+}
+
+void to_normal(NoiseLanes& u) {
+    const NoiseLanes given = u;
+    dispatch<quantiles>(given, u);
+    for (std::size_t i = 0; i < kNoiseLanes; ++i)
+        if (std::abs(given[i] - 0.5) > kCentralQuantile) u[i] = normal_quantile(given[i]);
+}
+
+void to_poisson(const NoiseLanes& u, NoiseLanes& mean) {
+    NoiseLanes normal = u;
+    to_normal(normal);
+    const NoiseLanes given = mean;
+    dispatch<large_poisson>(normal, mean);
+    for (std::size_t i = 0; i < kNoiseLanes; ++i)
+        if (given[i] < kLargeMean) mean[i] = poisson_quantile(u[i], given[i]);
 }
 
 }  // namespace nicol

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Random numbers of a sensor's pixels, with the same bits on every machine.
+// Random numbers of a sensor's pixels, with the same bits on every machine, one by one and for many pixels
+// at once.
 //
 // A number depends on the seed, the frame, the pixel and its purpose alone, so no thread needs another one's
 // state. All functions use only operations that IEEE 754 rounds correctly (+ - * / and the square root): the
@@ -7,6 +8,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 namespace nicol {
@@ -40,5 +42,19 @@ enum class NoiseOf : std::uint32_t {
 
 /// Returns the cosine and the sine of an angle of at most 2 radians, to 1e-15.
 [[nodiscard]] std::array<double, 2> cosine_and_sine(double angle);
+
+/// Numbers of consecutive pixels.
+inline constexpr std::size_t kNoiseLanes = 16;
+using NoiseLanes = std::array<double, kNoiseLanes>;
+
+/// Sets two arrays to uniform_pair() of the pixels from `pixel` on.
+void uniform_pairs(std::uint64_t seed, std::uint64_t frame, std::uint32_t pixel, NoiseOf purpose,
+                   NoiseLanes& first, NoiseLanes& second);
+
+/// Replaces each number by its normal_quantile().
+void to_normal(NoiseLanes& u);
+
+/// Replaces each mean by the poisson_quantile() of u.
+void to_poisson(const NoiseLanes& u, NoiseLanes& mean);
 
 }  // namespace nicol

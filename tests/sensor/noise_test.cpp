@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Tests of random numbers: the generator's published answers, and distributions against their definitions.
-#include "sensor/noise_lanes.hpp"
+#include "sensor/noise.hpp"
 
 #include "test.hpp"
 
