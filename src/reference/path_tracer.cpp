@@ -4,13 +4,50 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <optional>
 
-#include "reference/boundary_event.hpp"
+#include "material/dielectric.hpp"
+#include "material/reflectance.hpp"
+#include "reference/path_vertex.hpp"
+#include "reference/traced_surface.hpp"
 #include "scene/path_depth.hpp"
 #include "shading/boundary_split.hpp"
 
 namespace nicol {
 namespace {
+
+/// Direction in which a path goes on beyond a smooth boundary.
+struct BoundaryEvent {
+    Ray ray;                     ///< ray from the boundary towards the light
+    Frame incident;              ///< frame of the light that arrives against the ray
+    double radiance_scale;       ///< see BoundaryPart
+    const SmoothBoundary* body;  ///< body that the ray travels through; null: none
+};
+
+/// Chooses reflection or transmission in proportion to their shares of unpolarized light, and moves the
+/// path's end from the light that leaves `hit`, in the frame `received`, to the light that arrives. point: in
+/// [0, 1). Returns nothing if the boundary absorbs all light.
+std::optional<BoundaryEvent> sample_boundary(const SmoothBoundary& boundary, const SurfaceHit& hit,
+                                             const Frame& received, double point, PathWorkspace& workspace) {
+    const BoundarySplit split = split_at(boundary, hit.geometric_normal, hit.frame[2], received);
+    const double reflected = mean_factor(boundary.reflectance) * split.reflected.share;
+    const double transmitted = mean_factor(boundary.transmittance) * split.transmitted.share;
+    if (!(reflected + transmitted > 0)) return std::nullopt;
+    const bool reflects = point * (reflected + transmitted) < reflected;
+    const double probability = (reflects ? reflected : transmitted) / (reflected + transmitted);
+
+    const BoundaryPart& part = reflects ? split.reflected : split.transmitted;
+    const Mueller event = 1 / probability * part.mueller;
+    const std::vector<double>& factors = reflects ? boundary.reflectance : boundary.transmittance;
+    for (std::size_t c = 0; c < workspace.throughput.size(); ++c)
+        workspace.throughput[c] =
+            workspace.throughput[c] * (of_channel(factors, static_cast<int>(c)) * event);
+    return BoundaryEvent{
+        .ray = leaving(hit.position, hit.geometric_normal, part.towards_light, hit.ray_offset),
+        .incident = part.incident,
+        .radiance_scale = part.radiance_scale,
+        .body = body_before(boundary, split, part, workspace.body)};
+}
 
 // Number of segments from which on Russian roulette ends paths; Mitsuba's default.
 constexpr int kRouletteDepth = 5;

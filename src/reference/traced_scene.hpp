@@ -11,12 +11,31 @@
 #include <vector>
 
 #include "geometry/ray_scene.hpp"
-#include "reference/elements_on_ray.hpp"
+#include "polarization/element.hpp"
 #include "reference/surface_sampler.hpp"
 #include "reference/traced_surface.hpp"
 #include "scene/scene.hpp"
 
 namespace nicol {
+
+/// Polarization elements along rays. Immutable; threads share it.
+class ElementsOnRay {
+public:
+    ElementsOnRay() = default;
+    /// elements: polarization elements in the world. from_world: transform to the rays' coordinates.
+    explicit ElementsOnRay(std::span<const PolarizationElement> elements,
+                           const glm::dmat4& from_world = glm::dmat4(1.0));
+
+    [[nodiscard]] bool empty() const noexcept { return elements_.empty(); }
+
+    /// Returns the product of the Mueller matrices of the elements between ray.nearest and ray.farthest, the
+    /// nearest to the ray's origin acting last, for light in the frame `received`, whose z is -ray.direction.
+    /// None if there are no elements.
+    [[nodiscard]] std::optional<Mueller> mueller(const Ray& ray, const Frame& received) const;
+
+private:
+    std::vector<PlacedElement> elements_;
+};
 
 /// Surfaces of a scene. Immutable; threads share it. The scene must not change during the object's lifetime.
 class TracedScene {

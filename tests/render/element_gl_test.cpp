@@ -5,7 +5,7 @@
 #include "gl/contexts.hpp"
 #include "image_difference.hpp"
 #include "reference/camera_rays.hpp"
-#include "reference/elements_on_ray.hpp"
+#include "reference/traced_scene.hpp"
 #include "render/scenes.hpp"
 
 using namespace nicol;
