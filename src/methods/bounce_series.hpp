@@ -1,15 +1,69 @@
 // SPDX-License-Identifier: MIT
-// Sum of all bounces: a Neumann series.
+// Bounces, by which light at vertices or receivers becomes light that arrives at receivers by links, and
+// the sum of all bounces: a Neumann series.
 #pragma once
 
 #include <cstddef>
 #include <functional>
+#include <map>
+#include <span>
 #include <vector>
 
-#include "methods/bounce.hpp"
+#include "material/response_table.hpp"
+#include "methods/linked_surfaces.hpp"
+#include "shading/reflection_rows.hpp"
 #include "stage/workers.hpp"
+#include "transfer/arriving_light.hpp"
+#include "transfer/frame_rotation.hpp"
+#include "transfer/light_columns.hpp"
 
 namespace nicol {
+
+using BounceTables = std::map<MaterialPtr, ResponseTable>;
+
+/// Bounces of one channel. Works on blocks of sixteen receivers; immutable, so that threads share it.
+class Bounce {
+public:
+    /// The arguments must outlive the object. tables: of plain_materials(), with the arrival's layout.
+    Bounce(const WorldGeometry& geometry, const DirectionSet& directions, const LinkedSurfaces& surfaces,
+           const BounceTables& tables, const ArrivingLight& arrival, const LightLayout& layout,
+           std::size_t channel);
+
+    /// Sets the lights that arrive at a block of receivers to what surfaces reflect of light at the
+    /// geometry's vertices, of these components. out: all numbers of the layout.
+    void reflect_vertices(std::size_t block, const ReflectionRows& rows, const LightColumns& light,
+                          LightColumns& out) const;
+    /// Does the same for bounced light, which the receivers have.
+    void reflect_receivers(std::size_t block, const ReflectionRows& rows, const LightColumns& light,
+                           LightColumns& out) const;
+    /// Sets the lights that arrive at a block of receivers to given Stokes vectors of links. channels: one
+    /// for each column.
+    void gather(std::size_t block, const LinkStokes& stokes, std::span<const std::size_t> channels,
+                LightColumns& out) const;
+
+private:
+    /// leave(batch, stokes): sets the Stokes vectors that leave along a batch's links,
+    /// [link][component][Lanes of columns].
+    template <class Leave>
+    void arrive(std::size_t block, std::size_t components, LightColumns& out, const Leave& leave) const;
+    /// visit(link, add): calls add(point, share) for the points whose light leaves where a link ends.
+    template <class Visit>
+    void reflect(std::size_t block, const ReflectionRows& rows, const LightColumns& light, LightColumns& out,
+                 const Visit& visit) const;
+    void find_rows(const LinkedSurfaces::Batch& batch, const ReflectionRows& rows, VertexLight& out) const;
+
+    const WorldGeometry& geometry_;
+    const DirectionSet& directions_;
+    const LinkedSurfaces& surfaces_;
+    const BounceTables& tables_;
+    const ArrivingLight& arrival_;
+    LightLayout layout_;
+    LightLayout scalar_layout_;
+    FrameRotation rotation_;
+    FrameRotation scalar_rotation_;
+    Viewpoint frames_ = link_frames();
+    std::size_t channel_;
+};
 
 /// Conditions that end a series, and the step that it belongs to.
 struct SeriesEnd {
