@@ -10,16 +10,14 @@
 #include <string_view>
 #include <utility>
 
-#include "import/brushed_material.hpp"
 #include "import/conductor_material.hpp"
 #include "import/diffuse_material.hpp"
-#include "import/glass_material.hpp"
 #include "import/gltf_extension.hpp"
+#include "import/gltf_models.hpp"
 #include "import/gltf_readers.hpp"
 #include "import/gltf_transmission.hpp"
 #include "import/late_parameters.hpp"
 #include "import/nested_material.hpp"
-#include "import/specular_material.hpp"
 
 namespace nicol::scene {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Places of a glTF file's nodes at a time of an animation.
+// Places of a glTF file's nodes at a time of an animation, from the values of the animation's channels.
 #pragma once
 
 #include <cstddef>
@@ -10,10 +10,20 @@
 #include <string>
 #include <vector>
 
+#include "files/load_budget.hpp"
 #include "import/gltf_document.hpp"
 #include "import/gltf_notices.hpp"
 
 namespace nicol::scene {
+
+/// Returns the value of an animation sampler at a time in seconds, as glTF 2.0 interpolates it (appendix C).
+/// size: numbers per value; 0: as many as the sampler has. rotation: whether values are quaternions x, y, z,
+/// w, whose result has unit length. Throws Error(invalid_file) beginning with the file and `where` for times
+/// that do not ascend, counts that do not fit, and numbers that are not finite.
+[[nodiscard]] std::vector<double> gltf_track_value(const GltfDocument& document,
+                                                   const tinygltf::AnimationSampler& sampler, double time,
+                                                   std::size_t size, bool rotation, const std::string& where,
+                                                   const LoadBudget& budget);
 
 /// A time of an animation, in seconds.
 struct GltfMoment {

@@ -2,9 +2,9 @@
 // Access to the materials that scene files describe, for tests.
 #pragma once
 
-#include "import/brushed_material.hpp"
 #include "import/conductor_material.hpp"
 #include "import/diffuse_material.hpp"
+#include "import/gltf_models.hpp"
 #include "import/late_parameters.hpp"
 #include "import/nested_material.hpp"
 #include "import/tabulated_material.hpp"

@@ -1,12 +1,32 @@
 // SPDX-License-Identifier: MIT
-#include "import/glass_material.hpp"
+#include "import/gltf_models.hpp"
 
 #include <cmath>
 
 #include "material/dielectric.hpp"
+#include "material/mixture.hpp"
 #include "material/textured.hpp"
 
 namespace nicol::scene {
+
+MaterialPtr BrushedModel::make(const MaterialMaker& maker) const {
+    const auto made = [&](double across, double along) {
+        return maker.make(of({.distribution = Distribution::ggx,
+                              .alpha = widened(across, along),
+                              .alpha_v = TexturedNumber(across)}));
+    };
+    const NumberParameter a = maker.number(alpha), s = maker.number(strength);
+    if (a.texture && s.texture) return with_roughness(made, a.texture, s.texture);
+    if (a.texture) return with_roughness([&](double across) { return made(across, s.value); }, a.texture);
+    if (s.texture) return with_roughness([&](double along) { return made(a.value, along); }, s.texture);
+    return made(a.value, s.value);
+}
+
+MaterialPtr RotatedModel::make(const MaterialMaker& maker) const {
+    const MaterialPtr material = maker.make(base);
+    return rotated(material, directions ? maker.textures.vector(*directions) : nullptr, angle);
+}
+
 namespace {
 
 // Roughness up to which a boundary without a diffuse base is smooth. A lobe as narrow as this looks the same.
@@ -43,6 +63,10 @@ MaterialPtr GlassModel::make(const MaterialMaker& maker) const {
                                                  .absorption = std::move(absorption),
                                                  .alpha = alpha,
                                                  .distribution = Distribution::ggx});
+}
+
+MaterialPtr SpecularModel::make(const MaterialMaker& maker) const {
+    return sum(scaled(maker.make(plastic), maker.textures.color(*share)), maker.make(mirror));
 }
 
 }  // namespace nicol::scene
