@@ -21,9 +21,8 @@
 namespace nicol::scene {
 namespace {
 
-using Kind = LocalLight::Kind;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-// How much smaller that is which an element must cover, so that one of just its size does.
+// Margin of the boxes that an element must cover, so that an element of exactly their size covers them.
 constexpr double kRounding = 1e-6;
 
 struct Box {
@@ -81,39 +80,21 @@ struct Way {
     }
 };
 
-/// Directions to the corners of a polygon around a circle that is seen under an angle from the axis.
-std::vector<glm::dvec3> cone(const glm::dmat3& axes, double angle) {
-    constexpr int points = 32;
-    const double radius = std::tan(angle) * (1 - kRounding) / std::cos(std::numbers::pi / points);
-    std::vector<glm::dvec3> out;
-    for (int i = 0; i < points; ++i) {
-        const double at = 2 * std::numbers::pi * i / points;
-        out.push_back(axes * glm::dvec3(radius * std::cos(at), radius * std::sin(at), 1));
-    }
-    return out;
-}
-
-/// How the light of one light travels to what it lights.
+/// Paths of the light of one light to the shapes that it lights.
 class Beam {
 public:
     /// lit: with corners; it must live as long.
     Beam(const LocalLight& light, const LitShapes& lit)
-        : kind_(light.kind), origin_(light.to_world[3]), corners_(lit.corners) {
+        : distant_(light.kind == LocalLight::Kind::directional),
+          origin_(light.to_world[3]),
+          corners_(lit.corners),
+          directions_(light_outline(light)) {
         const glm::dmat3 axes(light.to_world);
-        middle_ = {origin_, axes[2]};
-        if (kind_ == Kind::spot) {
-            directions_ = cone(axes, light.cutoff_angle);
-        } else if (kind_ == Kind::projector) {
-            const double x = std::tan(light.fov / 2) * (1 - kRounding);
-            const double y = x / light.aspect;
-            for (const glm::dvec3& corner : {glm::dvec3(x, y, 1), {-x, y, 1}, {-x, -y, 1}, {x, -y, 1}})
-                directions_.push_back(axes * corner);
-        } else if (kind_ == Kind::directional) {
-            directions_ = light.angular_radius > 0 ? cone(axes, light.angular_radius) : std::vector{axes[2]};
+        for (glm::dvec3& direction : directions_) direction = axes * direction;
+        if (distant_)
             middle_ = parallel(lit.middle, axes[2]);
-        } else {
-            middle_ = to(lit.middle);
-        }
+        else
+            middle_ = directions_.empty() ? to(lit.middle) : Way{origin_, axes[2]};
     }
 
     [[nodiscard]] const Way& middle() const { return middle_; }
@@ -122,10 +103,10 @@ public:
     /// suffices to test the ways that enclose all of the light, because elements are convex.
     [[nodiscard]] std::optional<glm::dvec3> beside(const PlacedElement& element) const {
         const auto misses = [&](const Way& way) { return !way.meets(element); };
-        if (kind_ == Kind::point) {
+        if (directions_.empty()) {
             for (const glm::dvec3& corner : corners_)
                 if (misses(to(corner))) return corner;
-        } else if (kind_ == Kind::directional) {
+        } else if (distant_) {
             for (const glm::dvec3& corner : corners_)
                 for (const glm::dvec3& direction : directions_)
                     if (misses(parallel(corner, direction))) return corner;
@@ -143,16 +124,15 @@ private:
         return {point, direction, -kInfinity, 0};
     }
 
-    Kind kind_;
+    bool distant_;  // light comes from infinitely far
     glm::dvec3 origin_;
     std::span<const glm::dvec3> corners_;
-    std::vector<glm::dvec3> directions_;
+    std::vector<glm::dvec3> directions_;  // around all of the light; empty: all directions
     Way middle_;
 };
 
 std::string name_of(const LightDescription& light) {
-    constexpr std::array<const char*, 4> kinds = {"directional light", "point light", "spot", "projector"};
-    const std::string kind = kinds[static_cast<std::size_t>(light.kind)];
+    const std::string kind(light_name(light.parameters.kind));
     return light.id.empty() ? kind : kind + " " + in_quotes(light.id);
 }
 

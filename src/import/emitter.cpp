@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// <emitter>: which kinds there are, and what they have in common.
+// <emitter>: choice of the kind, and parameters that all kinds have.
 #include <glm/trigonometric.hpp>
 
 #include "import/plugin.hpp"
@@ -31,7 +31,7 @@ void read_emitter(const XmlDocument& document, const NestedObject& object, Notic
     } else if (auto light = read_light(document, plugin)) {
         scene.lights.push_back(std::move(*light));
     } else {
-        plugin.fail_type("envmap, constant, psh, sky, directional, point, spot, projector",
+        plugin.fail_type("envmap, constant, psh, sky, " + light_type_names(),
                          plugin.type() == "area" ? "it belongs into a <shape>" : "");
     }
     finish(plugin, object.node, notices);

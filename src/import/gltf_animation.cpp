@@ -32,7 +32,7 @@ SceneAnimation::Moment GltfAnimation::at(double time, const LoadBudget& budget) 
         const std::string where = node_name(node);
         out.lights.push_back(
             read_gltf_light(document, document.model().nodes[node], where, pose.world(node), notices)
-                ->to_world);
+                ->parameters.to_world);
     }
     out.sensor = std::make_shared<const SensorDescription>(
         camera_ ? read_gltf_camera(document, document.model().nodes[*camera_], node_name(*camera_),

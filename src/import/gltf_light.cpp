@@ -27,15 +27,15 @@ void read_cone(const GltfDocument& document, const std::string& name, const tiny
                LightDescription& light) {
     const double widest = std::numbers::pi / 2;
     constexpr double rounding = 1e-6;
-    light.kind = LocalLight::Kind::spot;
+    light.parameters.kind = LocalLight::Kind::spot;
     if (!(spot.outerConeAngle > 1e-4 && spot.outerConeAngle <= widest + rounding))
         document.fail(name + ".spot", "outerConeAngle is " + std::to_string(spot.outerConeAngle) +
                                           "; expected more than 0, up to pi / 2");
-    light.cutoff_angle = std::min(spot.outerConeAngle, widest);
+    light.parameters.cutoff_angle = std::min(spot.outerConeAngle, widest);
     if (!(spot.innerConeAngle >= 0 && spot.innerConeAngle < spot.outerConeAngle))
         document.fail(name + ".spot", "innerConeAngle is " + std::to_string(spot.innerConeAngle) +
                                           "; expected 0 or more, less than outerConeAngle");
-    light.beam_width = std::min(spot.innerConeAngle, light.cutoff_angle);
+    light.parameters.beam_width = std::min(spot.innerConeAngle, light.parameters.cutoff_angle);
 }
 
 }  // namespace
@@ -57,12 +57,12 @@ std::optional<LightDescription> read_gltf_light(const GltfDocument& document, co
         document.fail(name, "intensity is " + std::to_string(source.intensity) +
                                 "; expected a finite number of at least 0");
     light.value = source.intensity * color_of(document, name, source);
-    light.to_world = gltf_view(document, where, "light", to_world);
+    light.parameters.to_world = gltf_view(document, where, "light", to_world);
     if (source.range != 0) notices.add("the range of lights is not followed; they reach any distance");
     if (source.type == "spot")
         read_cone(document, name, source.spot, light);
     else if (source.type == "directional")
-        light.kind = LocalLight::Kind::directional;
+        light.parameters.kind = LocalLight::Kind::directional;
     else if (source.type != "point")
         document.fail(name, "type is " + in_quotes(source.type) + "; expected directional, point or spot");
     return light;

@@ -142,20 +142,15 @@ glm::dmat4 placement(const ShapeDescription& d) {
 /// that the scene's channels cannot have.
 LocalLight make_light(const LightDescription& d, const SceneChannels& channels,
                       scene::SceneTextures& textures) {
-    LocalLight light;
-    light.kind = d.kind;
+    LocalLight light = d.parameters;
     light.value = radiance(d.value, channels);
     for (double& value : light.value) value *= d.scale;
-    light.to_world = light_placement(d.to_world);
-    light.angular_radius = d.angular_radius;
-    light.cutoff_angle = d.cutoff_angle;
-    light.beam_width = d.beam_width;
+    light.to_world = light_placement(light.to_world);
     if (d.texture) {
         light.texture = textures.color(*d.texture);
         light.aspect = textures.aspect(*d.texture);
     }
     light.fov = glm::radians(horizontal_fov(d.fov, d.fov_axis, light.aspect));
-    light.state = d.state;
     return light;
 }
 

@@ -21,10 +21,10 @@ struct NestedObject;
 class Notices {
 public:
     explicit Notices(const XmlDocument& document) : document_(document) {}
-    /// "sampler "independent"" and the like.
+    /// Adds an ignored element, such as `sampler "independent"`, to the sentence of all ignored elements.
     void add_unfollowed(pugi::xml_node node, const std::string& what);
     void add(pugi::xml_node node, const std::string& sentence);
-    /// The same, unless this has added the sentence at another place.
+    /// Adds a sentence unless add_once() has added it at another place.
     void add_once(pugi::xml_node node, const std::string& sentence);
     [[nodiscard]] std::vector<std::string> take();
 
@@ -36,17 +36,18 @@ private:
     std::unordered_set<std::string> said_;  // by add_once(), without their places
 };
 
-// Each takes the element of one plug-in, reads all of it, and throws as read_mitsuba_scene does.
+// Each of these functions reads the whole element of one plug-in, and throws what read_mitsuba_scene throws.
 
 [[nodiscard]] SensorDescription read_sensor(const XmlDocument& document, pugi::xml_node node,
                                             Notices& notices);
-/// `left`: how many bsdfs it may still be made of, itself counted; the other form begins a tree of them.
+/// Reads a <bsdf>. left: number of bsdfs that the material may still have, including this one. The form
+/// without `left` reads the outermost <bsdf> of a material.
 [[nodiscard]] MaterialDescription read_material(const XmlDocument& document, pugi::xml_node node,
                                                 Notices& notices, int& left);
 [[nodiscard]] MaterialDescription read_material(const XmlDocument& document, pugi::xml_node node,
                                                 Notices& notices);
 [[nodiscard]] TextureSpecificationPtr read_texture(const XmlDocument& document, pugi::xml_node node);
-/// Adds to the environment or the lights of the scene.
+/// Reads an <emitter> and adds it to the environment or the lights of the scene.
 void read_emitter(const XmlDocument& document, const NestedObject& object, Notices& notices,
                   SceneDescription& scene);
 /// Reads an <emitter> inside a <shape>.
@@ -54,24 +55,28 @@ void read_emitter(const XmlDocument& document, const NestedObject& object, Notic
                                                 Notices& notices);
 [[nodiscard]] IntegratorDescription read_integrator(const XmlDocument& document, pugi::xml_node node,
                                                     Notices& notices);
-/// All but the material. `bsdf` receives the <bsdf>, null if there is none.
+/// Reads a <shape> except its material. bsdf: receives the <bsdf>; null if there is none.
 [[nodiscard]] ShapeDescription read_shape(const XmlDocument& document, pugi::xml_node node, Notices& notices,
                                           pugi::xml_node& bsdf);
-/// The <shape>s of a shapegroup.
+/// Returns the <shape>s of a shapegroup.
 [[nodiscard]] std::vector<pugi::xml_node> read_group(const XmlDocument& document, pugi::xml_node node);
-/// The shapegroup of an instance; all of `instance` is set but the kind and what depends on it.
+/// Returns the shapegroup of an instance. Sets `instance`, except its kind and the members that depend on the
+/// kind.
 [[nodiscard]] pugi::xml_node read_instance(const XmlDocument& document, pugi::xml_node node,
                                            ShapeDescription& instance);
 
-// These take parameters of a plug-in. The first two read what is theirs if it is of one of their types.
+// These functions read parameters of a plug-in. read_environment() and read_light() return nothing for a
+// plug-in of another type.
 
 [[nodiscard]] std::optional<EnvironmentDescription> read_environment(Plugin& plugin);
 [[nodiscard]] std::optional<LightDescription> read_light(const XmlDocument& document, Plugin& plugin);
+/// Returns the types that read_light() reads, for messages.
+[[nodiscard]] std::string light_type_names();
 [[nodiscard]] PolarizationState read_polarization(Plugin& plugin);
-/// A colour in [0, most], or a texture.
+/// Reads a colour in [0, most], or a texture.
 [[nodiscard]] TexturedColor read_color(const XmlDocument& document, Plugin& plugin, const char* name,
                                        double otherwise, double most);
-/// By fov and fov_axis, or by focal_length.
+/// Reads a field of view from fov and fov_axis, or from focal_length.
 void read_field_of_view(Plugin& plugin, double& fov, SensorDescription::FovAxis& axis);
 
 }  // namespace nicol::scene

@@ -54,9 +54,10 @@ struct SensorDescription {
     ReconstructionFilter filter;     ///< of the film
 };
 
-/// The horizontal field of view of an image, in degrees, from that along an axis and width over height.
+/// Returns the horizontal field of view of an image, in degrees. fov: degrees along `axis`; aspect: width
+/// over height.
 [[nodiscard]] double horizontal_fov(double fov, SensorDescription::FovAxis axis, double aspect);
-/// That of a perspective sensor.
+/// Returns the horizontal field of view of a perspective sensor, in degrees.
 [[nodiscard]] double horizontal_fov(const SensorDescription& sensor);
 
 /// Emission of a surface, see Emission.
@@ -107,18 +108,14 @@ struct EnvironmentDescription {
 
 /// A light without a surface, see LocalLight.
 struct LightDescription {
-    std::string id;  ///< empty when the file gives none
-    LocalLight::Kind kind = LocalLight::Kind::point;
+    std::string id;         ///< empty when the file gives none
+    LocalLight parameters;  ///< all but the parameters below. to_world: affine and invertible; only its
+                            ///< rotation and shift matter
     ColorDescription value{1.0};
-    double scale = 1.0;           ///< times value
-    glm::dmat4 to_world{1.0};     ///< affine and invertible; only its rotation and shift matter
-    double angular_radius = 0.0;  ///< directional: radians
-    double cutoff_angle = 0.0;    ///< spot: radians
-    double beam_width = 0.0;      ///< spot: radians
-    double fov = 45.0;            ///< projector: degrees along fov_axis, in (0, 180)
+    double scale = 1.0;  ///< times value
+    double fov = 45.0;   ///< projector: degrees along fov_axis, in (0, 180)
     SensorDescription::FovAxis fov_axis = SensorDescription::FovAxis::x;
     TextureSpecificationPtr texture;  ///< spot, projector, whose rectangle has its shape; null: none
-    PolarizationState state;
 };
 
 /// An element that does not stand directly before an area light.
@@ -154,38 +151,44 @@ struct SceneDescription {
     std::vector<std::string> notices;                 ///< what was read and not followed, one sentence each
 };
 
-/// Most of one scene, instances counted: memory for them is not bounded by the size of its files.
+/// Largest number of shapes of one scene, including instances, whose memory the size of the files does not
+/// bound.
 inline constexpr std::size_t kMaxShapes = 100000;
 
 /// Values for the file's $parameters, by name without the $; they win over <default>.
 using SceneParameters = std::map<std::string, std::string>;
 
-/// Reads a scene of Mitsuba 3's XML format. Defaults are Mitsuba's, and so is the meaning of each parameter;
-/// beside its plug-ins (sensors perspective, thinlens, orthographic; shapes obj, ply, serialized, sphere,
-/// rectangle, cube, disk, cylinder, shapegroup, instance, merge; bsdfs pplastic, plastic, roughplastic,
-/// dielectric, roughdielectric, null, diffuse, conductor, roughconductor, principled, measured_polarized,
-/// twosided, normalmap, bumpmap, mask, blendbsdf; textures bitmap, checkerboard, mesh_attribute, rawconstant;
-/// emitters envmap, constant, directional, point, spot, projector, area) these are ours: shapes off and stl,
-/// bsdf psh, emitters psh and sky, and of the others but envmap and constant how their light is polarized
-/// (dolp, aolp in degrees, docp, polarization_axis), the angular_radius of directional and two_sided of area.
-/// A light given by its position or direction has its polarization_axis in the world's axes, one with
-/// to_world in its own. Rectangles and disks of a bsdf polarizer, retarder or circular become the Stokes
-/// state of the area lights that they stand directly before, see PolarizationElements, as at normal
-/// incidence; others are elements of the scene, and for load_scene() to put before its lights. An emissive
-/// shape and has no bsdf is black, another without one is grey. An instance becomes a shape for each member
-/// of its group. Integrators but for their AOVs and hide_emitters, and samplers but for their sample_count,
-/// are not followed, which one notice says; a roughness that differs by direction
-/// becomes, with a notice, its geometric mean where a material is isotropic. <rgb> takes one
-/// value, three, or #rrggbb, which is linear n / 255; <spectrum> a file, too, of lines with a wavelength in
-/// nm and a value, behind # a comment, which is read. Other filenames are not opened, but looked for: in the
-/// folders of <path>, the newest first, in the folder of the file that holds them, then in those of the files
-/// that include it; where none has the file, the name is relative to the folder of the file. Throws Error:
-/// file_not_found (also of an <include>); unsupported (a plug-in, element or value outside the above; files
-/// of more than 16 MiB together, or more than 1000); invalid_file (XML that is not well-formed, unknown or
-/// missing parameters, values out of range, undefined $parameters but of samplers, ids that are missing or
-/// doubled, includes in a circle or more than 15 deep) as file:line, plug-in and parameter with what is
-/// accepted and, within an included file, who includes it; invalid_argument (an entry of `parameters` that
-/// the files never use).
+/// Reads a scene of Mitsuba 3's XML format. Plug-ins, parameters and defaults are Mitsuba's, apart from the
+/// exceptions below. The table of a kind of object names its types: kMaterialTypes of material_readers.hpp
+/// for bsdfs, mesh_format_names() and shape.cpp for shapes, local_light.cpp and environment.cpp for emitters.
+/// - Shapes off and stl, the bsdf psh, and the emitters psh and sky do not exist in Mitsuba. Emitters other
+///   than envmap and constant take the Stokes state of their light: dolp, aolp in degrees, docp,
+///   polarization_axis. A light given by its position or direction has its polarization_axis in the world's
+///   axes, a light with to_world in its own axes. directional takes angular_radius, and area takes two_sided.
+/// - Rectangles and disks whose bsdf is polarizer, retarder or circular become the Stokes state of the area
+///   lights directly behind them, see PolarizationElements, as at normal incidence. Other such shapes become
+///   elements of the scene, and load_scene() puts them before the scene's lights.
+/// - An emissive shape without a bsdf is black; any other shape without a bsdf is grey.
+/// - An instance becomes one shape for each member of its group.
+/// - An integrator's max_depth, AOVs and hide_emitters and a sampler's sample_count have an effect. One
+/// notice
+///   names the other parameters of integrators and samplers.
+/// - A roughness that differs by direction becomes its geometric mean, with a notice, if the material is
+///   isotropic.
+/// - <rgb> takes one value, three values, or #rrggbb, which stands for linear values of n / 255. <spectrum>
+///   also takes a file, which is read: lines with a wavelength in nm and a value; comments begin with #.
+/// - Files are looked for in the folders of <path>, the newest first, then in the folder of the file that
+///   names them, then in the folders of the files that include that file. If none has the file, the name is
+///   relative to the folder of the file that names it. Files other than spectra and includes are not opened.
+/// Throws Error with these codes. Messages name file:line, the plug-in, the parameter, what is accepted, and,
+/// within an included file, the files that include it.
+/// - file_not_found: the file, an <include> or a spectrum is missing;
+/// - unsupported: a plug-in, element or value that Nicol lacks; more than 1000 files, or files of more than
+///   16 MiB together;
+/// - invalid_file: XML that is not well-formed, unknown or missing parameters, values out of range, undefined
+///   $parameters (except those of samplers), missing or repeated ids, includes in a circle or more than 15
+///   deep;
+/// - invalid_argument: an entry of `parameters` that the files do not use.
 [[nodiscard]] SceneDescription read_mitsuba_scene(const std::filesystem::path& file,
                                                   const SceneParameters& parameters = {},
                                                   const LoadBudget& budget = {});
@@ -203,9 +206,8 @@ using SceneParameters = std::map<std::string, std::string>;
 /// - The sensor is the first camera; without one it looks along -z, its image 45 degrees high, and the sphere
 ///   around the box of the scene fits in. The film is 768 pixels wide and as high as the camera's aspect
 ///   ratio says, else 576. There is no environment.
-/// - Lights are those of KHR_lights_punctual, their numbers as they are; a spot falls off linearly in the
-/// angle
-///   between its cones. A range has no effect.
+/// - Lights are those of KHR_lights_punctual, with the file's intensities. A spot falls off linearly in the
+///   angle between its cones. A range has no effect.
 /// - Nodes have the transforms and morph weights that an animation gives at the parameter `time`, in seconds;
 ///   without it their own. The parameter `animation` is the animation's name or index, the first by default.
 /// - Vertices follow morph targets and skins. The transform of a node with a skin has no effect.

@@ -2,6 +2,7 @@
 #include "light/local_light.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
@@ -15,6 +16,8 @@
 
 namespace nicol {
 namespace {
+
+constexpr double kLeastAngle = 1e-4;
 
 int channels_of(const std::vector<double>& values, const TexturePtr& texture) {
     const int of_texture = texture != nullptr ? texture->channels() : 1;
@@ -57,6 +60,98 @@ void check_rigid(const glm::dmat4& m) {
     if (!rigid) refuse("to_world of a light must be a rotation and a shift");
 }
 
+// Margin by which outlines are smaller than the light, so that an element that just covers the light holds
+// them.
+constexpr double kMargin = 1e-6;
+
+/// Returns the corners of a polygon around a circle that is seen under an angle from the axis.
+std::vector<glm::dvec3> around_circle(double angle) {
+    constexpr int corners = 32;
+    const double radius = std::tan(angle) * (1 - kMargin) / std::cos(std::numbers::pi / corners);
+    std::vector<glm::dvec3> out;
+    for (int i = 0; i < corners; ++i) {
+        const double at = 2 * std::numbers::pi * i / corners;
+        out.emplace_back(radius * std::cos(at), radius * std::sin(at), 1);
+    }
+    return out;
+}
+
+double even_pattern(const LocalLight& /*light*/, const glm::dvec3& /*direction*/) {
+    return 1;
+}
+
+void check_directional(const LocalLight& light) {
+    check_angle(light.angular_radius, 0, std::numbers::pi / 2, "angular_radius");
+}
+std::vector<glm::dvec3> directional_outline(const LocalLight& light) {
+    if (light.angular_radius > 0) return around_circle(light.angular_radius);
+    return {glm::dvec3(0, 0, 1)};
+}
+
+void check_point(const LocalLight& /*light*/) {}
+std::vector<glm::dvec3> point_outline(const LocalLight& /*light*/) {
+    return {};
+}
+
+void check_spot(const LocalLight& spot) {
+    check_angle(spot.cutoff_angle, kLeastAngle, std::numbers::pi / 2, "cutoff_angle");
+    check_angle(spot.beam_width, 0, spot.cutoff_angle, "beam_width");
+}
+double spot_pattern(const LocalLight& spot, const glm::dvec3& direction) {
+    if (direction.z >= std::cos(spot.beam_width)) return 1;
+    if (direction.z <= std::cos(spot.cutoff_angle)) return 0;
+    return (spot.cutoff_angle - std::acos(direction.z)) / (spot.cutoff_angle - spot.beam_width);
+}
+std::vector<glm::dvec3> spot_outline(const LocalLight& spot) {
+    return around_circle(spot.cutoff_angle);
+}
+glm::dvec2 spot_texcoords(const LocalLight& spot, const glm::dvec2& at) {
+    return 0.5 + 0.5 / std::tan(spot.cutoff_angle) * at;
+}
+
+void check_projector(const LocalLight& projector) {
+    check_angle(projector.fov, kLeastAngle, std::numbers::pi - kLeastAngle, "fov");
+    if (!(projector.aspect > 0 && std::isfinite(projector.aspect)))
+        refuse("aspect is " + std::to_string(projector.aspect) + "; it must be finite and above 0");
+}
+// On the plane z = 1, the distance 1 / cosine contributes cosine^2, and the angle of incidence contributes
+// cosine.
+double projector_pattern(const LocalLight& projector, const glm::dvec3& direction) {
+    const double half_width = std::tan(projector.fov / 2);
+    const bool inside = direction.z > 0 && std::abs(direction.x) <= half_width * direction.z &&
+                        std::abs(direction.y) * projector.aspect <= half_width * direction.z;
+    return inside ? 1 / (direction.z * direction.z * direction.z) : 0;
+}
+std::vector<glm::dvec3> projector_outline(const LocalLight& projector) {
+    const double x = std::tan(projector.fov / 2) * (1 - kMargin);
+    const double y = x / projector.aspect;
+    return {{x, y, 1}, {-x, y, 1}, {-x, -y, 1}, {x, -y, 1}};
+}
+glm::dvec2 projector_texcoords(const LocalLight& projector, const glm::dvec2& at) {
+    return 0.5 - 0.5 / std::tan(projector.fov / 2) * glm::dvec2(1, projector.aspect) * at;
+}
+
+/// Everything that distinguishes the lights of one kind. Functions of directions take local axes.
+struct KindRow {
+    std::string_view name;
+    void (*check)(const LocalLight& light);
+    double (*pattern)(const LocalLight& light, const glm::dvec3& direction);
+    std::vector<glm::dvec3> (*outline)(const LocalLight& light);
+    /// u and v along the direction (at.x, at.y, 1); null: the kind has no texture.
+    glm::dvec2 (*texcoords)(const LocalLight& light, const glm::dvec2& at);
+};
+
+/// In the order of LocalLight::Kind.
+constexpr std::array kKinds = {
+    KindRow{"directional light", check_directional, even_pattern, directional_outline, nullptr},
+    KindRow{"point light", check_point, even_pattern, point_outline, nullptr},
+    KindRow{"spot", check_spot, spot_pattern, spot_outline, spot_texcoords},
+    KindRow{"projector", check_projector, projector_pattern, projector_outline, projector_texcoords}};
+
+const KindRow& row_of(LocalLight::Kind kind) {
+    return kKinds[static_cast<std::size_t>(kind)];
+}
+
 }  // namespace
 
 int LocalLight::channels() const noexcept {
@@ -68,25 +163,13 @@ int Emission::channels() const noexcept {
 }
 
 void check(const LocalLight& light) {
-    using Kind = LocalLight::Kind;
-    constexpr double half_turn = std::numbers::pi;
-    constexpr double least = 1e-4;
     check_values(light.value, "the value of a light");
     check_rigid(light.to_world);
     check(light.state);
-    if (light.kind == Kind::directional)
-        check_angle(light.angular_radius, 0, half_turn / 2, "angular_radius");
-    if (light.kind == Kind::spot) {
-        check_angle(light.cutoff_angle, least, half_turn / 2, "cutoff_angle");
-        check_angle(light.beam_width, 0, light.cutoff_angle, "beam_width");
-    }
-    if (light.kind == Kind::projector) {
-        check_angle(light.fov, least, half_turn - least, "fov");
-        if (!(light.aspect > 0 && std::isfinite(light.aspect)))
-            refuse("aspect is " + std::to_string(light.aspect) + "; it must be finite and above 0");
-    }
-    const bool has_image = light.kind == Kind::spot || light.kind == Kind::projector;
-    if (!has_image && light.texture != nullptr) refuse("only spots and projectors have a texture");
+    const KindRow& kind = row_of(light.kind);
+    kind.check(light);
+    if (light.texture != nullptr && kind.texcoords == nullptr)
+        refuse("only spots and projectors have a texture");
     check_texture(light.texture, light.value.size());
     if (light.texture != nullptr && needs_colors(*light.texture))
         refuse("the texture of a light cannot be the colours of a mesh");
@@ -98,16 +181,20 @@ void check(const Emission& emission) {
     check_texture(emission.texture, emission.radiance.size());
 }
 
-double spot_falloff(const LocalLight& spot, double cos_angle) {
-    if (cos_angle >= std::cos(spot.beam_width)) return 1;
-    if (cos_angle <= std::cos(spot.cutoff_angle)) return 0;
-    return (spot.cutoff_angle - std::acos(cos_angle)) / (spot.cutoff_angle - spot.beam_width);
+std::string_view light_name(LocalLight::Kind kind) {
+    return row_of(kind).name;
+}
+
+double light_pattern(const LocalLight& light, const glm::dvec3& direction) {
+    return row_of(light.kind).pattern(light, direction);
+}
+
+std::vector<glm::dvec3> light_outline(const LocalLight& light) {
+    return row_of(light.kind).outline(light);
 }
 
 glm::dvec2 light_texcoords(const LocalLight& light, const glm::dvec3& direction) {
-    const glm::dvec2 at = glm::dvec2(direction) / direction.z;
-    if (light.kind == LocalLight::Kind::spot) return 0.5 + 0.5 / std::tan(light.cutoff_angle) * at;
-    return 0.5 - 0.5 / std::tan(light.fov / 2) * glm::dvec2(1, light.aspect) * at;
+    return row_of(light.kind).texcoords(light, glm::dvec2(direction) / direction.z);
 }
 
 double textured_value(const std::vector<double>& value, const TexturePtr& texture, const glm::vec4& texel,

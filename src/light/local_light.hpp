@@ -7,6 +7,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <memory>
+#include <string_view>
 #include <vector>
 
 #include "light/polarization_state.hpp"
@@ -68,14 +69,24 @@ using EmissionPtr = std::shared_ptr<const Emission>;
 /// Throws Error(invalid_argument) that names the member that is out of range.
 void check(const Emission& emission);
 
-/// Returns the relative brightness of a spot at an angle from its axis, given by the angle's cosine; 1 on the
-/// axis.
-[[nodiscard]] double spot_falloff(const LocalLight& spot, double cos_angle);
+// Each kind of light has one row in local_light.cpp that the functions below and check() read.
 
-/// Returns u and v of a spot's or a projector's texture along a direction of the light's local axes with z >
-/// 0, of any length, as in Mitsuba 3. Spot: 0 to 1 is the square around its cone, u grows with x and v with
-/// y. Projector: 0 to 1 is its rectangle, beyond which it is dark; u grows against x and v against y, so that
-/// the image is upright.
+/// Returns the name of a kind in messages, such as "point light".
+[[nodiscard]] std::string_view light_name(LocalLight::Kind kind);
+
+/// Returns the irradiance at distance 1 of a surface that faces the light, divided by the light's value and
+/// texture, for a unit direction of the light's local axes; 0 where it emits nothing. directional: the
+/// irradiance at every distance.
+[[nodiscard]] double light_pattern(const LocalLight& light, const glm::dvec3& direction);
+
+/// Returns directions of the light's local axes, of any length, whose convex hull holds the directions of all
+/// its light. A margin of 1e-6 of their width lies outside. Empty: the light emits in all directions.
+[[nodiscard]] std::vector<glm::dvec3> light_outline(const LocalLight& light);
+
+/// Returns u and v of the texture of a light that may have one along a direction of the light's local axes
+/// with z > 0, of any length, as in Mitsuba 3. Spot: 0 to 1 is the square around its cone, u grows with x and
+/// v with y. Projector: 0 to 1 is its rectangle, beyond which it is dark; u grows against x and v against y,
+/// so that the image is upright.
 [[nodiscard]] glm::dvec2 light_texcoords(const LocalLight& light, const glm::dvec3& direction);
 
 /// Returns a light's value, or a surface's radiance, in a channel, times `texel`, the value of the texture's

@@ -33,25 +33,12 @@ std::optional<LightArrival> light_arrival(const LocalLight& light, const glm::dv
     const glm::dvec3 way = position - glm::dvec3(light.to_world[3]);
     const double distance = glm::length(way);
     if (!(distance > 0)) return std::nullopt;
-    double factor = 1 / (distance * distance);
+    const glm::dvec3 along = glm::transpose(axes) * way / distance;
+    const double pattern = light_pattern(light, along);
+    if (pattern == 0) return std::nullopt;
     glm::vec4 texel(1);
-    if (light.kind == Kind::spot || light.kind == Kind::projector) {
-        const glm::dvec3 along = glm::transpose(axes) * way;
-        if (!(along.z > 0)) return std::nullopt;
-        const glm::dvec2 uv = light_texcoords(light, along);
-        const double cosine = along.z / distance;
-        if (light.kind == Kind::spot) {
-            factor *= spot_falloff(light, cosine);
-            if (factor == 0) return std::nullopt;
-        } else {
-            if (uv.x < 0 || uv.x > 1 || uv.y < 0 || uv.y > 1) return std::nullopt;
-            // On the plane z = 1, the distance 1 / cosine contributes cosine^2, and the angle of incidence
-            // contributes cosine.
-            factor /= cosine * cosine * cosine;
-        }
-        if (light.texture != nullptr) texel = light.texture->at({.uv = glm::vec2(uv)});
-    }
-    fill(factor, texel);
+    if (light.texture != nullptr) texel = light.texture->at({.uv = glm::vec2(light_texcoords(light, along))});
+    fill(pattern / (distance * distance), texel);
     return LightArrival{.towards_light = -way / distance, .distance = distance};
 }
 

@@ -20,16 +20,6 @@ double half_sine_squared(double angle) {
 
 constexpr float kNearest = 1e-30F;  // smallest squared distance, which is a divisor
 
-// Returns the irradiance at distance 1 on a surface that faces the light, over the light's value, for a unit
-// direction in the light's own axes.
-double pattern(const LocalLight& light, const glm::dvec3& direction) {
-    if (light.kind == LocalLight::Kind::spot) return spot_falloff(light, direction.z);
-    const double half_width = std::tan(light.fov / 2);
-    const bool inside = direction.z > 0 && std::abs(direction.x) <= half_width * direction.z &&
-                        std::abs(direction.y) * light.aspect <= half_width * direction.z;
-    return inside ? 1 / (direction.z * direction.z * direction.z) : 0;
-}
-
 /// Returns the distance along a ray to a ball; the ray passes the centre at the distance `beside`, after
 /// `along`.
 float until_ball(float along, float beside, float radius) {
@@ -124,7 +114,7 @@ void PointSource::intersect(const LaneVectors&, const LaneVectors&, LaneLight& o
 void PointSource::aim(const LaneVectors& directions, Lanes& factor, TexturePoints& at, LaneLight& out) const {
     for (std::size_t i = 0; i < kLanes; ++i) {
         const glm::dvec3 direction(vector_at(directions, i));
-        const double aimed = pattern(light_, direction);
+        const double aimed = light_pattern(light_, direction);
         if (aimed == 0) out.points &= ~(1U << i);
         factor[i] *= static_cast<float>(aimed);
         if (!color_.textured() || !(direction.z > 0)) continue;

@@ -99,13 +99,53 @@ TEST_CASE("a value is multiplied by its texture, channel by channel") {
 }
 
 TEST_CASE("a spot is as bright as on its axis within the beam, and falls linearly to its cutoff") {
+    const auto towards = [](double angle) { return glm::dvec3(std::sin(angle), 0, std::cos(angle)); };
     const LocalLight spot{.kind = Kind::spot, .cutoff_angle = 0.5, .beam_width = 0.3};
     for (const auto& [angle, wanted] :
          {std::pair{0.0, 1.0}, {0.29, 1.0}, {0.35, 0.75}, {0.45, 0.25}, {0.51, 0.0}, {2.0, 0.0}})
-        CHECK(spot_falloff(spot, std::cos(angle)) == doctest::Approx(wanted));
+        CHECK(light_pattern(spot, towards(angle)) == doctest::Approx(wanted));
     const LocalLight hard{.kind = Kind::spot, .cutoff_angle = 0.5, .beam_width = 0.5};
-    CHECK(spot_falloff(hard, std::cos(0.499)) == 1);
-    CHECK(spot_falloff(hard, std::cos(0.501)) == 0);
+    CHECK(light_pattern(hard, towards(0.499)) == 1);
+    CHECK(light_pattern(hard, towards(0.501)) == 0);
+}
+
+TEST_CASE("a projector lights its rectangle evenly, and nothing else") {
+    const LocalLight projector{.kind = Kind::projector, .fov = pi / 2, .aspect = 2};
+    for (const glm::dvec2& at : {glm::dvec2(0, 0), {0.99, 0}, {-0.99, 0.49}, {0.5, -0.49}}) {
+        const double distance = std::sqrt(1 + glm::dot(at, at));
+        // On the plane z = 1 the irradiance is 1: that of a surface that faces the light, times the cosine,
+        // at the distance 1 / cosine.
+        const double facing = light_pattern(projector, glm::dvec3(at, 1) / distance);
+        CHECK(facing / (distance * distance * distance) == doctest::Approx(1));
+    }
+    for (const glm::dvec3& outside : {glm::dvec3(1.01, 0, 1), {0, 0.51, 1}, {0, 0, -1}, {1, 0, 0}})
+        CHECK(light_pattern(projector, glm::normalize(outside)) == 0);
+}
+
+TEST_CASE("the outline of a light encloses all its light, closely") {
+    for (const LocalLight& light : {LocalLight{.kind = Kind::spot, .cutoff_angle = 0.6, .beam_width = 0.6},
+                                    LocalLight{.kind = Kind::projector, .fov = 1.2, .aspect = 1.5}}) {
+        CAPTURE(light_name(light.kind));
+        const std::vector<glm::dvec3> outline = light_outline(light);
+        REQUIRE(outline.size() >= 4);
+        for (std::size_t i = 0; i < outline.size(); ++i) {
+            const glm::dvec2 corner(outline[i]);
+            const glm::dvec2 side = glm::dvec2(outline[(i + 1) % outline.size()]) - corner;
+            // A point beside the side is dark, but for the margin; one within it is lit.
+            for (const double part : {0.1, 0.5, 0.9}) {
+                const glm::dvec2 at = corner + part * side;
+                CHECK(light_pattern(light, glm::normalize(glm::dvec3(1.00001 * at, 1))) == 0);
+                CHECK(light_pattern(light, glm::normalize(glm::dvec3(0.99 * at, 1))) > 0);
+            }
+        }
+    }
+    CHECK(light_outline({.kind = Kind::point}).empty());
+    CHECK(light_outline({.kind = Kind::directional}).size() == 1);
+    for (const glm::dvec3& d : light_outline({.kind = Kind::directional, .angular_radius = 0.3})) {
+        const double angle = std::acos(d.z / glm::length(d));
+        CHECK(angle > 0.3);
+        CHECK(angle < 0.303);
+    }
 }
 
 // The expected values are how Mitsuba 3.9 places an image of 4 x 2 pixels.
