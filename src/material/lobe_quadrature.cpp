@@ -32,7 +32,7 @@ void add_side(std::vector<QuadratureNode>& nodes, double peak, double end, doubl
     double width = std::min(narrow, wide);
     const double length = std::abs(end - peak);
     while (done < length) {
-        // What is left is not cut into a whole panel and a sliver, but into halves.
+        // A rest shorter than two panels is cut into halves instead of a whole panel and a sliver.
         const double left = length - done;
         const double step = left < 1.1 * width ? left : left < 2 * width ? left / 2 : width;
         const double next = step == left ? length : done + step;

@@ -103,7 +103,7 @@ MaterialPtr interpolated(const std::function<MaterialPtr(double t)>& make, const
                      texture);
         append(part, out, "with_number");
     }
-    return layered(std::move(out));
+    return mixture(std::move(out));
 }
 
 }  // namespace
@@ -121,7 +121,7 @@ MaterialPtr multiplied(const MaterialPtr& material, const LayerFactor& factor, c
         out.layers.front().scale = glm::vec3(0);
         out.layers.front().factors.clear();
     }
-    return layered(std::move(out));
+    return mixture(std::move(out));
 }
 
 }  // namespace
@@ -144,7 +144,7 @@ MaterialPtr scaled_again(const MaterialPtr& material, const TexturePtr& scale, d
 MaterialPtr sum(const MaterialPtr& first, const MaterialPtr& second) {
     SpatialVariation out = parts_of(first, "sum");
     append(parts_of(second, "sum"), out, "sum");
-    return layered(std::move(out));
+    return mixture(std::move(out));
 }
 
 MaterialPtr blend(const MaterialPtr& first, const MaterialPtr& second, const TexturePtr& weight) {
@@ -156,7 +156,7 @@ MaterialPtr blend(const MaterialPtr& first, const MaterialPtr& second, const Tex
     SpatialVariation out;
     if (!a.layers.empty()) append(a, out, "blend");
     if (!b.layers.empty()) append(b, out, "blend");
-    return layered(std::move(out));
+    return mixture(std::move(out));
 }
 
 MaterialPtr with_number(const std::function<MaterialPtr(double t)>& make, const TexturePtr& texture,
@@ -198,7 +198,7 @@ MaterialPtr normal_mapped(MaterialPtr material, TexturePtr normals, const MapOpt
                   .mirrored_y = options.mirrored_y,
                   .reversed_back = options.reversed_back || material->twosided(),
                   .shadowed = options.shadowed};
-    return layered(std::move(out));
+    return mixture(std::move(out));
 }
 
 MaterialPtr bump_mapped(MaterialPtr material, TexturePtr heights, double scale, const MapOptions& options) {
@@ -213,7 +213,7 @@ MaterialPtr bump_mapped(MaterialPtr material, TexturePtr heights, double scale, 
                   .scale = scale,
                   .reversed_back = options.reversed_back || material->twosided(),
                   .shadowed = options.shadowed};
-    return layered(std::move(out));
+    return mixture(std::move(out));
 }
 
 MaterialPtr rotated(const MaterialPtr& material, TexturePtr directions, double angle) {
@@ -224,7 +224,7 @@ MaterialPtr rotated(const MaterialPtr& material, TexturePtr directions, double a
     require(!out.rotation.any(), "rotation: the material's axes are rotated already");
     if (!material->anisotropic()) return material;
     out.rotation = {.directions = std::move(directions), .angle = angle};
-    return layered(std::move(out));
+    return mixture(std::move(out));
 }
 
 MaterialPtr masked(MaterialPtr material, TexturePtr opacity, bool translucent) {
@@ -235,7 +235,7 @@ MaterialPtr masked(MaterialPtr material, TexturePtr opacity, bool translucent) {
     out.translucent = translucent;
     constexpr float below_one = 1 - 0x1p-24F;
     if (out.opacity->constant() && out.present({}, below_one)) return material;
-    return layered(std::move(out));
+    return mixture(std::move(out));
 }
 
 }  // namespace nicol

@@ -15,8 +15,8 @@ namespace nicol {
 /// All functions throw Error(invalid_argument) that names what is wrong: null, channels that do not fit, or
 /// parts that differ in normals, in the rotation of anisotropic parts or in opacity.
 
-/// Returns the material that a variation describes.
-[[nodiscard]] MaterialPtr layered(SpatialVariation variation);
+/// Returns the mixture that a variation describes: the sum of its layers, each times its weight.
+[[nodiscard]] MaterialPtr mixture(SpatialVariation variation);
 
 /// Returns the material times a texture.
 [[nodiscard]] MaterialPtr scaled(const MaterialPtr& material, const TexturePtr& scale);

@@ -39,7 +39,7 @@ struct PrincipledConstants {
     Real coat_scale;
 };
 
-/// Which lobes are computed.
+/// Groups of lobes that are computed.
 struct WantedLobes {
     bool base;        ///< diffuse and subsurface
     bool facets;      ///< metal, edge, tinted

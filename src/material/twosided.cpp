@@ -86,7 +86,7 @@ MaterialPtr twosided(MaterialPtr material) {
     if (const SpatialVariation* variation = material->variation()) {
         SpatialVariation both = *variation;
         for (MaterialLayer& layer : both.layers) layer.material = twosided(layer.material);
-        return layered(std::move(both));
+        return mixture(std::move(both));
     }
     return std::make_shared<Twosided>(std::move(material));
 }

@@ -12,9 +12,9 @@ namespace nicol {
 namespace {
 
 /// Sum of weighted layers. Its terms are those of the layers, times the mean of the layer's weight.
-class Layered final : public Material {
+class Mixture final : public Material {
 public:
-    explicit Layered(SpatialVariation variation) : variation_(std::move(variation)) {
+    explicit Mixture(SpatialVariation variation) : variation_(std::move(variation)) {
         for (const MaterialLayer& layer : variation_.layers) {
             add(layer);
         }
@@ -63,7 +63,7 @@ public:
     }
     [[nodiscard]] MaterialPtr behind() const override { return behind_; }
     [[nodiscard]] std::string content_key() const override {
-        Key key("layered");
+        Key key("mixture");
         for (const Term& term : terms_) {
             const std::string own = term.material->content_key();
             if (own.empty()) return {};
@@ -90,7 +90,7 @@ public:
             const Material& material = *terms_[t].material;
             if (&material != evaluated) {
                 evaluated = &material;
-                of_layer = work_space<Layered, LaneMueller>(static_cast<std::size_t>(material.terms()));
+                of_layer = work_space<Mixture, LaneMueller>(static_cast<std::size_t>(material.terms()));
                 material.evaluate_lanes(towards_light, towards_viewer, columns, of_layer);
             }
             out[t] = of_layer[static_cast<std::size_t>(terms_[t].index)];
@@ -113,7 +113,7 @@ private:
         // Each layer's material owns its isotropic counterpart.
         for (MaterialLayer& layer : layers.layers)
             layer.material = MaterialPtr(layer.material, &layer.material->isotropic());
-        isotropic_ = std::make_shared<const Layered>(std::move(layers));
+        isotropic_ = std::make_shared<const Mixture>(std::move(layers));
     }
 
     void make_behind() {
@@ -126,7 +126,7 @@ private:
             layer.material = behind;
             same = false;
         }
-        if (!same) behind_ = layered(std::move(layers));
+        if (!same) behind_ = mixture(std::move(layers));
     }
 
     static bool has_two_sides(const MaterialLayer& layer) { return layer.material->twosided(); }
@@ -166,8 +166,8 @@ private:
 
 }  // namespace
 
-MaterialPtr layered(SpatialVariation variation) {
-    require(!variation.layers.empty(), "layered: there is no layer");
+MaterialPtr mixture(SpatialVariation variation) {
+    require(!variation.layers.empty(), "mixture: there is no layer");
     require(variation.textures.size() <= SpatialVariation::kMostTextures,
             "a material of " + std::to_string(variation.textures.size()) + " textures; at most " +
                 std::to_string(SpatialVariation::kMostTextures));
@@ -175,7 +175,7 @@ MaterialPtr layered(SpatialVariation variation) {
                        variation.opacity == nullptr && variation.normal.kind == NormalVariation::Kind::none &&
                        !variation.rotation.any() && variation.layers.front().scale == glm::vec3(1);
     if (plain) return variation.layers.front().material;
-    return std::make_shared<Layered>(std::move(variation));
+    return std::make_shared<Mixture>(std::move(variation));
 }
 
 }  // namespace nicol
