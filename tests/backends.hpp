@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which OpenGL backends tests run on.
+// OpenGL backends that tests run on.
 #pragma once
 
 #include <cstdlib>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// <bsdf>s of metals.
+// Metals of scene files.
 #pragma once
 
 #include <complex>
@@ -12,7 +12,7 @@
 
 namespace nicol::scene {
 
-/// A rough_conductor() whose index waits for the channels of the light.
+/// Model of a rough_conductor() whose index depends on the channels of the light.
 struct MetalModel final : MaterialModel, LateParameters<RoughConductorParameters> {
     std::string metal;          ///< of named_metals(); empty: eta and k hold
     ColorDescription eta{0.0};  ///< real part of the index, 0 to 100
@@ -21,14 +21,14 @@ struct MetalModel final : MaterialModel, LateParameters<RoughConductorParameters
     [[nodiscard]] MaterialPtr make(const MaterialMaker& maker) const override;
 
 private:
-    /// n - ik, one or one a channel.
+    /// Returns n - ik, one value or one per channel.
     [[nodiscard]] std::vector<std::complex<double>> index(const SceneChannels& channels) const;
 };
 
 /// Returns k of the index 1 - ik of a metal that reflects `reflectance` at normal incidence, k^2 / (4 + k^2).
 /// Real parts from (1 - sqrt r) / (1 + sqrt r) to (1 + sqrt r) / (1 - sqrt r) are possible for a reflectance
-/// r (Gulbrandsen, "Artist Friendly Metallic Fresnel", JCGT 3(4), 2014, which lets its user choose); 1 always
-/// is, and is near aluminium's.
+/// r (Gulbrandsen, "Artist Friendly Metallic Fresnel", JCGT 3(4), 2014, where the user chooses one). The real
+/// part 1 is always possible and is near that of aluminium.
 [[nodiscard]] glm::dvec3 extinction_of(const glm::dvec3& reflectance);
 
 }  // namespace nicol::scene

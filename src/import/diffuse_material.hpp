@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// <bsdf>s that are diffuse.
+// Diffuse materials of scene files.
 #pragma once
 
 #include "import/material_description.hpp"
@@ -7,7 +7,7 @@
 
 namespace nicol::scene {
 
-/// Mitsuba's diffuse.
+/// Model of Mitsuba's diffuse.
 struct DiffuseModel final : MaterialModel {
     TexturedColor reflectance{0.5};
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// <emitter> of light from all around.
+// <emitter>s that surround the scene.
 #include <cmath>
 #include <glm/geometric.hpp>
 

@@ -10,20 +10,21 @@
 
 namespace nicol::scene {
 
-/// The elements of one accessor, dense or sparse. Everything that it refers to lies within the buffers, and
-/// without any data it has no more elements than the buffers have bytes. Refers to the document.
+/// Elements of one accessor, dense or sparse. All data of the accessor lies within the buffers, and an
+/// accessor without data has no more elements than the buffers have bytes. Refers to the document.
 class GltfAccessor {
 public:
-    /// Throws Error(invalid_file) beginning with the file and `where`, what uses the accessor.
+    /// Throws Error(invalid_file) that begins with the file and `where`, the name of the user of the
+    /// accessor.
     GltfAccessor(const GltfDocument& document, int index, const std::string& where);
 
     [[nodiscard]] std::size_t count() const { return accessor_->count; }
-    /// Numbers an element: 1 to 4, or those of a matrix.
+    /// Returns the number of components of an element: 1 to 4, or those of a matrix.
     [[nodiscard]] std::size_t components() const { return components_; }
-    /// Whether its numbers are floats, or integers that stand for 0 to 1 or -1 to 1.
+    /// Returns whether components are floats, or integers that stand for 0 to 1 or -1 to 1.
     [[nodiscard]] bool is_real() const;
     [[nodiscard]] bool is_unsigned() const;
-    /// Component `c` of element `i`, both in range.
+    /// Returns component `c` of element `i`, both in range.
     [[nodiscard]] double number(std::size_t i, std::size_t c) const;
 
 private:

@@ -14,10 +14,10 @@
 
 namespace nicol::scene {
 
-/// The parts of a glTF scene that its nodes move, and the document that says how.
+/// Parts of a glTF scene that its nodes move, and the document that has their animation.
 class GltfAnimation final : public SceneAnimation {
 public:
-    /// A primitive of a node.
+    /// Primitive of a node.
     struct Part {
         std::size_t node;
         bool skinned;  ///< whether the transform of the node has no effect
@@ -28,7 +28,7 @@ public:
         std::optional<GltfMaterial> deforming;  ///< its material, if the primitive deforms
     };
 
-    /// animation: name or index, empty: the first.
+    /// animation: name or index; empty: the first.
     GltfAnimation(std::shared_ptr<const GltfDocument> document, std::string animation)
         : document_(std::move(document)), animation_(std::move(animation)) {}
 

@@ -14,11 +14,11 @@
 
 namespace nicol::scene {
 
-/// Places that a node gives to the vertices of one primitive of its mesh: each vertex is shifted by the morph
-/// targets and then follows its joints (glTF 2.0, 3.7.2.2 and 3.7.3). Refers to the document.
+/// Deformation of the vertices of one primitive by a node: morph targets shift each vertex, which then
+/// follows its joints (glTF 2.0, 3.7.2.2 and 3.7.3). Refers to the document.
 class GltfDeformation {
 public:
-    /// A vertex in the mesh's axes, or in the scene's if the node has a skin.
+    /// Vertex in the mesh's axes, or in the scene's if the node has a skin.
     struct Vertex {
         glm::dvec3 position, normal, tangent;
     };

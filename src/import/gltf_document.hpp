@@ -20,12 +20,12 @@
 
 namespace nicol::scene {
 
-/// The file that a relative uri names, in the folder of the scene's file or below. Throws Error(unsupported)
-/// for any other uri, of `what`.
+/// Returns the file that a relative uri names, in the folder of the scene's file or below. Throws
+/// Error(unsupported) that names `what`, the user of the uri, for any other uri.
 [[nodiscard]] std::filesystem::path gltf_file(const std::filesystem::path& scene, const std::string& uri,
                                               const std::string& what);
 
-/// A well-formed glTF 2 file that requires no extension that we lack. Indices, counts and offsets are not
+/// Well-formed glTF 2 file that requires only extensions that Nicol has. Indices, counts and offsets are not
 /// checked and may be out of range.
 class GltfDocument {
 public:
@@ -38,11 +38,12 @@ public:
     /// Returns the size of all buffers together.
     [[nodiscard]] std::uint64_t buffer_bytes() const { return buffer_bytes_; }
 
-    /// Throws an error "file: where: what", `where` an element as "meshes[2].primitives[0]".
+    /// Throws an error "file: where: what". where: an element, such as "meshes[2].primitives[0]".
     [[noreturn]] void fail(const std::string& where, const std::string& what,
                            ErrorCode code = ErrorCode::invalid_file) const;
 
-    /// An element of one of the model's lists, `name` in the file, that `where` refers to. Throws as fail().
+    /// Returns an element of one of the model's lists to which the element `where` refers. name: name of the
+    /// list in the file. Throws what fail() throws if the index is out of range.
     template <class Element>
     [[nodiscard]] const Element& at(const std::vector<Element>& list, const char* name, int index,
                                     const std::string& where) const {

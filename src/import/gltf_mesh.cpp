@@ -84,8 +84,8 @@ private:
         return indices_ ? indices_->count() : positions_->count();
     }
 
-    /// Which corner of the primitive is corner k of triangle t. Strips begin every other triangle with its
-    /// second corner, which keeps the front the front.
+    /// Returns the corner of the primitive that is corner k of triangle t. Every other triangle of a strip
+    /// begins with its second corner, so that all triangles face the same side.
     [[nodiscard]] std::size_t corner(std::size_t t, std::size_t k) const {
         switch (primitive_.mode) {
             case TINYGLTF_MODE_TRIANGLE_STRIP:

@@ -10,11 +10,11 @@
 
 namespace nicol::scene {
 
-/// A sentence for each kind.
+/// Notices of one file, one sentence for each kind of ignored part.
 class GltfNotices {
 public:
     explicit GltfNotices(const std::filesystem::path& file) : name_(file.string()) {}
-    /// Keeps a sentence, once.
+    /// Adds a sentence unless it is there.
     void add(const std::string& sentence) { sentences_.add(name_ + ": " + sentence + "."); }
     [[nodiscard]] std::vector<std::string> take() { return sentences_.take(); }
 

@@ -22,13 +22,13 @@
 
 namespace nicol::scene {
 
-/// The extent of shapes in the world.
+/// Box around shapes in the world.
 struct GltfBounds {
     glm::dvec3 lower{0.0};
     glm::dvec3 upper{0.0};
     bool empty = true;
 
-    /// Adds a box of other axes.
+    /// Extends the box by a box in other axes.
     void add(const GltfBounds& box, const glm::dmat4& to_world);
 };
 [[nodiscard]] GltfBounds bounds_of(const Mesh& mesh);
@@ -41,15 +41,15 @@ struct GltfBounds {
     return "nodes[" + std::to_string(node) + "]";
 }
 
-// Each throws as read_gltf_scene does.
+// All functions below throw what read_gltf_scene throws.
 
 /// The properties of a primitive on which its material depends.
 struct GltfSurface {
-    int material = -1;    ///< its own, else that of the first variant; -1: none, which is white metal
+    int material = -1;    ///< its own material, else the first variant's; -1: none, which is white metal
     bool colors = false;  ///< it has COLOR_0
     std::vector<int> texcoord_sets;  ///< n of each TEXCOORD_n that it has
 
-    /// `where`: the primitive in the file.
+    /// where: name of the primitive in the file.
     GltfSurface(const GltfDocument& document, const tinygltf::Primitive& primitive, const std::string& where);
     bool operator<(const GltfSurface& other) const {
         return std::tie(material, colors, texcoord_sets) <
@@ -57,7 +57,7 @@ struct GltfSurface {
     }
 };
 
-/// The material of such primitives, and the texture coordinates that its textures take.
+/// Material of the primitives of a GltfSurface, and the texture coordinates that its textures use.
 struct GltfMaterial {
     MaterialDescription description;
     int texcoord_set = 0;
@@ -66,32 +66,34 @@ struct GltfMaterial {
 [[nodiscard]] GltfMaterial read_gltf_material(const GltfDocument& document, const GltfSurface& surface,
                                               GltfTextures& textures, GltfNotices& notices);
 
-/// The triangles of a primitive, `where` in the file, with its colours and the texture coordinates that its
-/// material takes, if it has them; null where none has an area. An unlit one is flat. `left_out` counts what
-/// is not drawn. deformation: of its vertices; null: none.
+/// Returns the triangles of a primitive with its colours and the texture coordinates that its material uses,
+/// if the primitive has them; null if no triangle has an area. An unlit primitive is flat. where: name of the
+/// primitive in the file. deformation: deformation of the primitive's vertices; null: none. left_out:
+/// receives the counts of ignored elements.
 [[nodiscard]] std::shared_ptr<const Mesh> read_gltf_primitive(
     const GltfDocument& document, const tinygltf::Primitive& primitive, const std::string& where,
     const GltfMaterial& material, const GltfDeformation* deformation, const LoadBudget& budget,
     geometry::LeftOut& left_out);
 
-/// The light that a node has by KHR_lights_punctual, which `to_world` places, its scale without effect; none
-/// if it has none.
+/// Returns the light that a node has by KHR_lights_punctual; nothing if the node has none. The scale of
+/// `to_world` has no effect.
 [[nodiscard]] std::optional<LightDescription> read_gltf_light(const GltfDocument& document,
                                                               const tinygltf::Node& node,
                                                               const std::string& where,
                                                               const glm::dmat4& to_world,
                                                               GltfNotices& notices);
 
-/// How a thing of glTF that looks along its -z with +y up is placed as one of ours, which looks along +z.
-/// Throws, naming the `thing`, where axes have no length or are parallel.
+/// Returns the transform of a camera or a light that looks along +z, from that of a glTF object that looks
+/// along -z; +y is up for both. Throws an error that names the `thing` if axes have no length or are
+/// parallel.
 [[nodiscard]] glm::dmat4 gltf_view(const GltfDocument& document, const std::string& where, const char* thing,
                                    const glm::dmat4& to_world);
 
-/// The camera of a node that `to_world` places, its scale without effect.
+/// Returns the camera of a node. The scale of `to_world` has no effect.
 [[nodiscard]] SensorDescription read_gltf_camera(const GltfDocument& document, const tinygltf::Node& node,
                                                  const std::string& where, const glm::dmat4& to_world,
                                                  const GltfBounds& bounds);
-/// One that looks along -z at all of the scene, its field of view 45 degrees high.
+/// Returns a camera that looks along -z at the whole scene. Its field of view is 45 degrees high.
 [[nodiscard]] SensorDescription gltf_camera_in_front(const GltfBounds& bounds);
 
 }  // namespace nicol::scene

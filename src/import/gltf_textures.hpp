@@ -26,17 +26,17 @@ struct GltfTextureUse {
         .index = info.index, .texcoord_set = info.texCoord, .extensions = &info.extensions, .where = where};
 }
 
-/// Those that materials use. An image in the file itself is copied once.
+/// Textures that materials use. An image in the file itself is copied once.
 class GltfTextures {
 public:
     /// Both must outlive this.
     GltfTextures(const GltfDocument& document, GltfNotices& notices)
         : document_(document), notices_(notices) {}
 
-    /// Its image and sampling; none where there is no texture, or one that is not followed. Throws as
-    /// read_gltf_scene() does.
+    /// Returns the image and sampling of a texture; nothing if there is no texture, or one that Nicol does
+    /// not follow. Throws what read_gltf_scene() throws.
     [[nodiscard]] std::optional<TextureSpecification> read(const GltfTextureUse& use);
-    /// Which of TEXCOORD_n it takes.
+    /// Returns n of the TEXCOORD_n that the texture uses.
     [[nodiscard]] int texcoord_set(const GltfTextureUse& use) const;
 
 private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From a scene file to the things it describes.
+// Loading of scene files.
 #pragma once
 
 #include <filesystem>
@@ -31,9 +31,9 @@ struct LoadedScene {
     std::vector<std::string> notices;      ///< what has no effect or was assumed, one line each
 };
 
-/// Reads a scene file, glTF where its suffix is .gltf or .glb and else Mitsuba's XML, and everything it
-/// names. The light says what the channels of colours are; grey light
-/// and none mean red, green and blue. Shapes of the same file share a mesh. Lights have the Stokes state that
+/// Reads a scene file and all files that it names. The format is glTF for the suffixes .gltf and .glb, and
+/// Mitsuba's XML for others. The environment determines the channels of colours; with a grey one or none they
+/// are red, green and blue. Shapes of the same file share a mesh. Lights have the Stokes state that
 /// elements give them, see put_elements_before_lights(). Throws what read_mitsuba_scene(),
 /// read_gltf_scene() and the readers of images, meshes and materials throw, and what LoadBudget throws.
 [[nodiscard]] LoadedScene load_scene(const std::filesystem::path& file, const SceneParameters& parameters,
@@ -41,8 +41,8 @@ struct LoadedScene {
 
 /// Returns the camera of a sensor.
 [[nodiscard]] Camera camera_of(const SensorDescription& sensor);
-/// Returns the transform of a light without what has no effect. Throws Error(unsupported) unless the matrix
-/// has a rotation.
+/// Returns the rotation and the shift of a light's transform, of which other parts have no effect. Throws
+/// Error(unsupported) unless the matrix has a rotation.
 [[nodiscard]] glm::dmat4 light_placement(const glm::dmat4& to_world);
 
 }  // namespace nicol

@@ -19,7 +19,8 @@ struct MaterialSource {
     int& left;  ///< see read_material()
 };
 
-// Each reads the parameters of one type or family, and throws as read_mitsuba_scene does.
+// Each of these functions reads the parameters of one type or family, and throws what read_mitsuba_scene
+// throws.
 
 [[nodiscard]] MaterialDescription read_pplastic(const MaterialSource& source);
 /// plastic, roughplastic
@@ -30,7 +31,7 @@ struct MaterialSource {
 /// Reads what the boundary reflects if the scene's integrator reflects light once, and otherwise a material
 /// that light passes.
 [[nodiscard]] MaterialDescription read_dielectric(const MaterialSource& source);
-/// Reads what read_dielectric() reads, of a rough boundary.
+/// Reads a rough boundary as read_dielectric() reads a smooth one.
 [[nodiscard]] MaterialDescription read_rough_dielectric(const MaterialSource& source);
 [[nodiscard]] MaterialDescription read_thin_dielectric(const MaterialSource& source);
 [[nodiscard]] MaterialDescription read_null(const MaterialSource& source);
@@ -88,8 +89,8 @@ void read_color(const MaterialSource& source, const char* name, LateParameters<P
     out.set(parameter, read_color(source.document, source.plugin, name, otherwise, 1.0));
 }
 
-/// Returns whether the scene's integrator, which may stand behind the bsdf, reflects light more than once.
-/// One that is not given does.
+/// Returns whether the scene's integrator, which may stand behind the bsdf in the file, reflects light more
+/// than once; true if the scene has no integrator.
 [[nodiscard]] bool reflects_often(const XmlDocument& document);
 
 /// Reads int_ior and ext_ior, numbers or names of media, which must differ. The arguments hold the defaults.

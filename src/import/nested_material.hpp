@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// <bsdf>s made of others and a texture, which is not null.
+// <bsdf>s made of other <bsdf>s and a texture, which is not null.
 #pragma once
 
 #include <utility>
@@ -10,7 +10,7 @@
 
 namespace nicol::scene {
 
-/// A material that a texture varies.
+/// Material that a texture varies.
 struct VariedModel : MaterialModel {
     VariedModel(MaterialDescription of, TextureSpecificationPtr by)
         : base(std::move(of)), texture(std::move(by)) {}
@@ -19,7 +19,7 @@ struct VariedModel : MaterialModel {
     TextureSpecificationPtr texture;
 };
 
-/// The texture has the normals.
+/// Material whose normals are in the texture.
 struct NormalMapModel final : VariedModel {
     using VariedModel::VariedModel;
     MapOptions options;
@@ -27,7 +27,7 @@ struct NormalMapModel final : VariedModel {
     [[nodiscard]] MaterialPtr make(const MaterialMaker& maker) const override;
 };
 
-/// The texture has the heights.
+/// Material whose heights are in the texture.
 struct BumpMapModel final : VariedModel {
     using VariedModel::VariedModel;
     double scale = 1.0;  ///< times the heights
@@ -36,7 +36,7 @@ struct BumpMapModel final : VariedModel {
     [[nodiscard]] MaterialPtr make(const MaterialMaker& maker) const override;
 };
 
-/// The texture has the opacity.
+/// Material whose opacity is in the texture.
 struct MaskModel final : VariedModel {
     using VariedModel::VariedModel;
     bool translucent = true;  ///< see SpatialVariation
@@ -44,7 +44,7 @@ struct MaskModel final : VariedModel {
     [[nodiscard]] MaterialPtr make(const MaterialMaker& maker) const override;
 };
 
-/// The base where the texture is 0, `other` where the texture is 1.
+/// Blend of two materials: the base where the texture is 0, `other` where the texture is 1.
 struct BlendModel final : VariedModel {
     BlendModel(MaterialDescription first, MaterialDescription second, TextureSpecificationPtr weight)
         : VariedModel(std::move(first), std::move(weight)), other(std::move(second)) {}

@@ -39,7 +39,8 @@ public:
     /// x = the image of the shape's x, z = normal.
     [[nodiscard]] Frame frame() const { return frame_with_x(normal_, u_); }
 
-    /// How far an element stands before this area light; 0 or less if it does not.
+    /// Returns the distance of an element before this area light; 0 or less if the element does not stand
+    /// before the light.
     [[nodiscard]] double distance_to(const FlatShape& element) const {
         constexpr double nearer_than = 0.1;
         const double most_parallel = std::cos(glm::radians(0.1));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Flat shapes of a <bsdf> that polarizes the light that passes: they become the Stokes state of an area
-// light, or elements of the scene.
+// Flat shapes whose <bsdf> polarizes the light that passes. They become the Stokes state of an area light, or
+// elements of the scene.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -15,37 +15,40 @@
 
 namespace nicol::scene {
 
-/// How light leaves elements.
+/// Light behind elements.
 struct LightBehindElements {
-    double brightness;  ///< over that before them
+    double brightness;  ///< brightness divided by the brightness before the elements
     PolarizationState state;
 };
 
-/// Light of `state` that travels along frame[2] and passes the elements, one or more, in their order.
-/// to_world: from the axes of the state. Behind a polarizer the new state is that of all directions.
+/// Returns the light of a state after it has passed the elements, one or more, in their order. The light
+/// travels along frame[2]. to_world: transform from the axes of the state. Behind a polarizer the new state
+/// holds for all directions.
 [[nodiscard]] LightBehindElements behind(std::span<const PlacedElement> elements,
                                          const PolarizationState& state, const Frame& frame,
                                          const glm::dmat3& to_world);
 
-/// True of a <bsdf> of type polarizer, retarder or circular; false of null.
+/// Returns whether a <bsdf> has the type polarizer, retarder or circular; false for null.
 [[nodiscard]] bool is_element_material(pugi::xml_node bsdf);
 
-/// An element with all but its outline and its place, of a <bsdf> of which is_element_material() is true.
-/// Throws as read_mitsuba_scene does.
+/// Reads an element, except its outline and its place, from a <bsdf> for which is_element_material() is true.
+/// Throws what read_mitsuba_scene throws.
 [[nodiscard]] PolarizationElement read_element_material(const XmlDocument& document, pugi::xml_node bsdf);
 
-/// The elements of one scene. An element stands before an area light, a rectangle or disk that emits light
-/// from one side, if it is parallel to it within 0.1 degrees, on the side that emits light, nearer than a
-/// tenth of the smaller half side, and all of the area light, moved along its normal, lies on the element.
+/// Elements of one scene. An area light here is a rectangle or disk that emits light from one side. An
+/// element stands before an area light if
+/// - both are parallel within 0.1 degrees,
+/// - the element is on the side that emits light, nearer than a tenth of the smaller half side, and
+/// - the whole area light, moved along its normal, lies on the element.
 class PolarizationElements {
 public:
     explicit PolarizationElements(const XmlDocument& document) : document_(document) {}
 
-    /// True of a rectangle or disk that emits no light, of an element's material.
+    /// Returns whether a shape is a rectangle or disk that emits no light and has an element's material.
     [[nodiscard]] static bool are(const ShapeDescription& shape, pugi::xml_node bsdf);
 
-    /// `place` is for messages. Throws as read_mitsuba_scene does; also of a polarizer or a retarder on a
-    /// disk, whose axis would go round with the angle.
+    /// Adds an element. place: for messages. Throws what read_mitsuba_scene throws, and also for a polarizer
+    /// or a retarder on a disk, because its axis would rotate with the angle.
     void add(pugi::xml_node place, const ShapeDescription& shape, pugi::xml_node bsdf);
 
     /// Gives the area lights among the shapes the state and the brightness of their light behind the elements

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How finely spheres, discs and cylinders are cut, by their size in the picture.
+// Detail of the triangulation of spheres, discs and cylinders, by their size in the picture.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -12,7 +12,7 @@ namespace nicol {
 
 class PrimitiveDetail {
 public:
-    /// size: of the picture in pixels.
+    /// size: size of the picture in pixels.
     PrimitiveDetail(const Camera& camera, glm::ivec2 size);
 
     /// Returns the least detail, see make_sphere(), of a few steps, for which the outline of a shape lies at

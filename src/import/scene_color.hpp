@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Colours of a scene file as values a colour channel.
+// Colours of a scene file as one value per colour channel.
 #pragma once
 
 #include <vector>
@@ -12,22 +12,22 @@ namespace nicol {
 /// or unknown.
 struct SceneChannels {
     int count = 3;
-    std::vector<double> wavelengths;  ///< empty, or one a channel
+    std::vector<double> wavelengths;  ///< empty, or one per channel
 
     [[nodiscard]] bool rgb() const noexcept { return count == 3 && wavelengths.empty(); }
 };
 
-/// The values of a colour, three for red, green and blue; else one for grey, or one a wavelength. A table is
-/// linear between its wavelengths and, as in Mitsuba, 0 beyond them. As red, green and blue
-/// - a reflectance or an index is observed under D65 (rgb_weights()), so that a constant table is grey;
-///   reflectances are clipped to 0..1, indices to 0..100;
-/// - light is observed as it is (rgb_emission_weights()), as Mitsuba's modes without spectra do it: a
-/// constant
-///   table, and one value as a <spectrum>, are white of equal energy, a little redder than D65; clipped below
-///   0.
-/// At wavelengths the table of an index is constant beyond its ends.
-/// Throws Error(unsupported) for a colour that the channels cannot have: one of red, green and blue unless it
-/// is grey, a table where the channels are neither.
+// These functions return the values of a colour: three for red, green and blue, one per wavelength, or one
+// for grey. A table is linear between its wavelengths and, as in Mitsuba, 0 beyond them; for channels with
+// wavelengths, the table of an index is constant beyond its ends. For red, green and blue
+// - a reflectance or an index is observed under D65 (rgb_weights()), so that a constant table is grey;
+//   reflectances are clipped to 0..1, indices to 0..100;
+// - light is observed as it is (rgb_emission_weights()), as in Mitsuba's modes without spectra: a constant
+//   table, and one value as a <spectrum>, are white of equal energy, a little redder than D65. Values below 0
+//   are clipped.
+// They throw Error(unsupported) for a colour that the channels cannot have: red, green and blue that differ,
+// for other channels; a table, for channels of unknown meaning.
+
 [[nodiscard]] std::vector<double> reflectance(const ColorDescription& color, const SceneChannels& channels);
 [[nodiscard]] std::vector<double> radiance(const ColorDescription& color, const SceneChannels& channels);
 [[nodiscard]] std::vector<double> refractive_index(const ColorDescription& color,

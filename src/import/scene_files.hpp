@@ -13,7 +13,7 @@
 
 namespace nicol::scene {
 
-/// Reads what a scene names, within a budget, and keeps a record of each file.
+/// Reads the files that a scene names, within a budget, and keeps a record of each file.
 class SceneFiles {
 public:
     SceneFiles(std::vector<FileRecord> known, const LoadBudget& budget)
@@ -29,7 +29,7 @@ public:
         return recorder_.read(files, read);
     }
 
-    /// Keeps a sentence, once.
+    /// Adds a sentence to the notices unless it is there.
     void notice(const std::string& sentence) { notices_.add(sentence); }
 
     [[nodiscard]] const LoadBudget& budget() const { return budget_; }

@@ -17,7 +17,7 @@
 
 namespace nicol::scene {
 
-/// Each image is read once, and becomes one texture for all who describe it alike.
+/// Textures of a scene. Each image is read once and becomes one texture for all equal descriptions.
 class SceneTextures {
 public:
     /// Both must outlive this.
@@ -47,7 +47,7 @@ public:
     /// Returns the attributes that textures have needed since the last call.
     [[nodiscard]] std::set<NeededAttribute> take_needed() { return std::exchange(needed_, {}); }
 
-    /// Width over height of the image of a texture that one of these has made; 1 where it has none.
+    /// Returns width over height of the image of a texture that this has made; 1 if the texture has no image.
     [[nodiscard]] double aspect(const TextureSpecification& description) const;
 
 private:
@@ -66,7 +66,7 @@ private:
 
     const SceneChannels& channels_;
     SceneFiles& files_;
-    /// By name, and whether raw.
+    /// Images by name, and by whether they are raw.
     std::map<std::pair<std::filesystem::path, bool>, TextureImage> images_;
     struct Made {
         TextureSpecification description;

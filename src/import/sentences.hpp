@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Sentences for people, each once.
+// Sentences for users, each once.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// <bsdf>s that are a table in a file.
+// Materials of scene files whose reflectance is a table in a file.
 #pragma once
 
 #include <filesystem>
@@ -10,11 +10,11 @@
 
 namespace nicol::scene {
 
-/// A material of a file.
+/// Material whose table is in a file.
 struct TabulatedModel : MaterialModel {
     std::filesystem::path filename;
-    TexturedColor scale{1.0};  ///< without a table over the wavelength
-    bool symmetrize = false;   ///< without what breaks mirror symmetry
+    TexturedColor scale{1.0};  ///< factor; no table over the wavelength
+    bool symmetrize = false;   ///< drop the part without mirror symmetry
 };
 
 /// A PSH matrix (.npz).

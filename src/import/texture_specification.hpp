@@ -50,7 +50,7 @@ using TextureSpecificationPtr = std::shared_ptr<const TextureSpecification>;
     return out;
 }
 
-/// A colour that a texture may give.
+/// Colour, or a texture that replaces the colour.
 struct TexturedColor : ColorDescription {
     using ColorDescription::ColorDescription;
     TexturedColor(const ColorDescription& color) : ColorDescription(color) {}
@@ -59,7 +59,7 @@ struct TexturedColor : ColorDescription {
     TextureSpecificationPtr texture;  ///< not null: in place of the values
 };
 
-/// A number that a texture may give.
+/// Number, or a texture that replaces the number.
 struct TexturedNumber {
     TexturedNumber(double number) : value(number) {}
 

@@ -22,24 +22,25 @@ public:
     XmlDocument(const std::filesystem::path& file, const SceneParameters& parameters, LoadBudget budget);
     ~XmlDocument();
 
-    /// To be asked by those who walk.
+    /// Returns the budget, which every walk over elements checks.
     [[nodiscard]] const LoadBudget& budget() const noexcept { return budget_; }
-    /// The <scene> element.
+    /// Returns the <scene> element.
     [[nodiscard]] pugi::xml_node root() const;
-    /// The elements inside a node in the order of the file, without <default>, <path> and <alias>. An
-    /// <include> gives way to what it includes: the elements inside a <scene>, or else the outermost element.
+    /// Returns the elements inside a node in the order of the file, without <default>, <path> and <alias>.
+    /// The elements of an included <scene>, or any other included outermost element, replace the <include>.
     [[nodiscard]] std::vector<pugi::xml_node> elements(pugi::xml_node node) const;
-    /// The element with this id or alias, null if there is none.
+    /// Returns the element with this id or alias; null if there is none.
     [[nodiscard]] pugi::xml_node with_id(const std::string& id) const;
     /// Returns the file that a name inside `node` stands for, as read_mitsuba_scene describes.
     [[nodiscard]] std::filesystem::path resolved(pugi::xml_node node, const std::string& filename) const;
-    /// Elements with a $parameter that no one has given, of samplers alone: elsewhere it is an error.
+    /// Returns the elements of samplers with a $parameter without a value. Elsewhere such a parameter is an
+    /// error.
     [[nodiscard]] const std::vector<pugi::xml_node>& left_open() const noexcept { return left_open_; }
-    /// The scene file, those that it includes, and spectra.
+    /// Returns the records of the scene file, of included files and of spectra.
     [[nodiscard]] std::vector<FileRecord> files() const;
-    /// "file:line" of a node.
+    /// Returns "file:line" of a node.
     [[nodiscard]] std::string where(pugi::xml_node node) const;
-    /// Throws Error(code) "file:line: message", and who includes the file.
+    /// Throws Error(code) "file:line: message" with the files that include the file.
     [[noreturn]] void fail(pugi::xml_node node, const std::string& message,
                            ErrorCode code = ErrorCode::invalid_file) const;
 
@@ -50,7 +51,7 @@ private:
     void check_version(pugi::xml_node outermost) const;
     void include(pugi::xml_node node);
     void add_folder(pugi::xml_node node);
-    /// Puts what the file of a <spectrum> holds in place of its name.
+    /// Replaces the name of the file of a <spectrum> by the file's content.
     void read_spectrum(pugi::xml_node node);
     /// Returns the first of the folders' files that is_there() finds.
     template <class IsThere>
@@ -61,7 +62,7 @@ private:
     void add_id(const std::string& id, pugi::xml_node node, pugi::xml_node target);
     [[nodiscard]] Source& source_of(pugi::xml_node node) const;
     void append_elements(pugi::xml_node node, std::vector<pugi::xml_node>& found) const;
-    /// " (included by a.xml:3, by b.xml:2)", empty for the outermost file.
+    /// Returns " (included by a.xml:3, by b.xml:2)"; empty for the outermost file.
     [[nodiscard]] std::string chain(pugi::xml_node include) const;
 
     Parameters parameters_;

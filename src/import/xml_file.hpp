@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One XML file: well-formed, of bounded size, without entities.
+// XML file that is well-formed, has a bounded size and no entities.
 #pragma once
 
 #include <cstddef>
@@ -13,26 +13,27 @@
 
 namespace nicol::scene {
 
-/// Text in quotes for a message, long or unprintable text made harmless.
+/// Returns text in quotes for a message. Long text is cut, and unprintable characters are replaced.
 [[nodiscard]] std::string in_quotes(std::string_view text);
 
-/// "<name>" of an element for a message, as harmless.
+/// Returns "<name>" of an element for a message, cut and replaced as by in_quotes().
 [[nodiscard]] std::string tag(pugi::xml_node node);
 
-/// A whole file, whose size is taken off `bytes_left`. Throws as read_mitsuba_scene does.
+/// Returns the content of a file. Subtracts its size from `bytes_left`. Throws what read_mitsuba_scene
+/// throws.
 [[nodiscard]] std::string read_text(const std::filesystem::path& file, std::size_t& bytes_left,
                                     const LoadBudget& budget);
 
 class XmlFile {
 public:
-    /// Takes the size of the file off `bytes_left`. Throws as read_mitsuba_scene does.
+    /// Subtracts the size of the file from `bytes_left`. Throws what read_mitsuba_scene throws.
     XmlFile(const std::filesystem::path& file, std::size_t& bytes_left, const LoadBudget& budget);
 
-    /// The outermost element.
+    /// Returns the outermost element.
     [[nodiscard]] pugi::xml_node root() const { return document_.document_element(); }
     [[nodiscard]] const std::filesystem::path& path() const { return file_; }
     [[nodiscard]] const FileRecord& record() const { return record_; }
-    /// Number of the line that holds a node of this file, from 1.
+    /// Returns the number of the line that holds a node of this file, from 1.
     [[nodiscard]] std::ptrdiff_t line(pugi::xml_node node) const { return line(node.offset_debug()); }
 
 private:

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * What the example `save_stokes` of each language does, for their results to be compared with.
+ * Writes the Stokes vectors that the example `save_stokes` of each language must write too.
  * usage: embed_save_stokes SCENE.xml OUT.npy [name=value...] */
 #include <nicol.h>
 #include <stdio.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * What somebody writes who has the header alone: three instances, two lights swapped, frames with the light
+ * Program of a user who has only the header: three instances, two lights swapped, frames with the light
  * rotating, planes read, errors provoked. Fails where a frame is wrong, an error is not what the header says,
  * memory grows, or something of the process is not as it was. usage: stranger FRAMES CONTEXTS */
 #include <fenv.h>
@@ -184,7 +184,7 @@ static void grown_in_every_part(const char* what, size_t before, const size_t af
     grown(what, grown_before, grown_after, most);
 }
 
-/* What belongs to the whole process or to the calling thread, and not to a library. */
+/* State of the process and of the calling thread, which a library must not change. */
 typedef struct surroundings {
     void (*handlers[32])(int);
     int rounding;

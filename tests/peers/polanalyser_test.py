@@ -110,7 +110,7 @@ class SensorTest(unittest.TestCase):
         theirs = polanalyser.calcStokes(images, self.ANGLES)[self.INSIDE] / 30000
         ours = sensor.stokes(raw)[self.INSIDE]
         self.assertLess(abs(ours[..., :3] - theirs).max(), self.STEP)
-        # What interpolation itself errs by, between pixels whose light differs.
+        # Error of the interpolation between pixels whose light differs.
         self.assertLess(abs(theirs - light[self.INSIDE][..., :3]).max(), 0.004)
         aolp = polanalyser.cvtStokesToAoLP(theirs)
         wanted = numpy.arctan2(light[..., 2], light[..., 1])[self.INSIDE] / 2

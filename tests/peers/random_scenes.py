@@ -97,7 +97,7 @@ def errors(ours, truth):
     """Returns the root mean squared errors of s0, and of s1 and s2."""
     with numpy.errstate(invalid="ignore", divide="ignore"):
         squares, deviations = stokes_images.squared_error(ours, truth)
-    # Of pictures without light, the quotient is undefined.
+    # The quotient is undefined for pictures without light.
     roots = numpy.sqrt(numpy.maximum(numpy.nan_to_num(squares - 2 * deviations), 0))
     return roots[0], max(roots[1], roots[2])
 
