@@ -125,7 +125,7 @@ std::vector<Case> cases() {
 
 }  // namespace
 
-TEST_CASE("the rest and samples of the extracted_lights have the coefficients of the light together") {
+TEST_CASE("the rest and samples of the extracted lights have the coefficients of the light together") {
     for (const auto& [name, extracted_lights, image] : cases()) {
         CAPTURE(name);
         const auto light = image_environment(image);
@@ -140,7 +140,7 @@ TEST_CASE("the rest and samples of the extracted_lights have the coefficients of
     }
 }
 
-TEST_CASE("the rest is physical, smooth where extracted_lights were, and else what it was") {
+TEST_CASE("the rest is physical, smooth where extracted lights were, and else what it was") {
     for (const auto& [name, extracted_lights, image] : cases()) {
         CAPTURE(name);
         const auto light = image_environment(image);
@@ -162,7 +162,7 @@ TEST_CASE("the rest is physical, smooth where extracted_lights were, and else wh
     for (std::size_t i = 0; i < rest.data.size(); i += 4) CHECK(rest.data[i] == 2);
 }
 
-TEST_CASE("light without extracted_lights is left as it is") {
+TEST_CASE("light without extracted lights is left as it is") {
     RayleighSky hazy;
     hazy.turbidity = 4;
     hazy.sun_direction = {1, 1, 0};
@@ -182,7 +182,7 @@ TEST_CASE("light without extracted_lights is left as it is") {
     }
 }
 
-TEST_CASE("no more extracted_lights than wanted are taken, the brightest") {
+TEST_CASE("no more extracted lights than wanted are taken, the brightest") {
     EquirectImage image = room(128, 65, 1);
     const std::array<std::pair<double, int>, 3> places{{{2000, 10}, {8000, 60}, {4000, 100}}};
     for (const auto& [brightness, column] : places) add_lamp(image, 30, 2, column, 2, {brightness, 0, 0, 0});
@@ -204,7 +204,7 @@ TEST_CASE("no more extracted_lights than wanted are taken, the brightest") {
     }
 }
 
-TEST_CASE("samples lie in the extracted_light's cone, in the frame of the image, with its polarization") {
+TEST_CASE("samples lie in the extracted light's cone, in the frame of the image, with its polarization") {
     for (const auto& [name, extracted_lights, image] : cases()) {
         CAPTURE(name);
         for (const auto& extracted_light : extract_lights(image_environment(image), kAll).extracted_lights) {
@@ -240,7 +240,7 @@ TEST_CASE("samples lie in the extracted_light's cone, in the frame of the image,
     }
 }
 
-TEST_CASE("a extracted_light tells which Stokes components it has") {
+TEST_CASE("an extracted light tells which Stokes components it has") {
     LaneLight out;  // keeps values of the previous extracted light
     for (const auto& [light, components] :
          {std::pair{Stokes(3000, 0, 0, 5), 4U}, {Stokes(3000, 0, 500, 0), 3U}, {Stokes(3000, 0, 0, 0), 1U}}) {

@@ -35,7 +35,8 @@ Scene ball_on_floor(EnvironmentPtr light) {
     Scene scene;
     const Frame floor(glm::dvec3(0, 0, 1), glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0));
     scene.add(square(pplastic({.diffuse_reflectance = {0.4}, .alpha = 0.3}), floor, {0, -1, 0}, 6));
-    scene.add({.mesh = std::make_shared<const Mesh>(make_sphere()),
+    // A coarse sphere, because the scene is prepared for rays for each of hundreds of pictures.
+    scene.add({.mesh = std::make_shared<const Mesh>(make_sphere(glm::dvec3(0.0), 1, 0.15)),
                .material = pplastic({.diffuse_reflectance = {0.6, 0.3, 0.1}, .alpha = 0.2}),
                .to_world = glm::dmat4(1.0)});
     scene.set_environment(std::move(light), glm::dmat3(1.0), 1);
