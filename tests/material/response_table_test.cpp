@@ -53,7 +53,7 @@ TEST_CASE("rows times light equals the reflection integral in the angular domain
                 CAPTURES(c.name, angle);
                 const double theta = angle * pi / 2 / (ResponseTable::kAngles - 1);
                 const glm::dvec3 viewer(std::sin(theta), 0, std::cos(theta));
-                const Stokes expected = test::reflected(*c.material, 0, light, upright, viewer, 256, 512);
+                const Stokes expected = test::reflected(*c.material, 0, light, upright, viewer, 192, 384);
                 CHECK(glm::distance(test::respond(table, layout, light, angle), expected) < c.tolerance);
             }
         }
