@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Tests of materials without mirror symmetry: every method keeps the asymmetry, compared with the matrix
 // itself.
+#include <map>
+
 #include "gl/contexts.hpp"
 #include "harmonics/evaluate.hpp"
 #include "harmonics/rotation.hpp"
@@ -107,9 +109,12 @@ void check_errors(const StokesImage& image, const StokesImage& expected, double 
 }
 
 /// Returns materials of one channel whose matrices have this order: a synthetic one, and measured gold if its
-/// file is present.
-std::vector<IsotropicMatrix> matrices(int order) {
-    std::vector<IsotropicMatrix> out{project_material(*test::chiral(test::some_metal(0.4)), 0, order)};
+/// file is present. Each order is projected once, because that takes seconds.
+const std::vector<IsotropicMatrix>& matrices(int order) {
+    static std::map<int, std::vector<IsotropicMatrix>> known;
+    std::vector<IsotropicMatrix>& out = known[order];
+    if (!out.empty()) return out;
+    out.push_back(project_material(*test::chiral(test::some_metal(0.4)), 0, order));
     const auto gold = test_data("polarsh/SHMat_6_gold_ds1_L20_ISOBI2.npz");
     if (!gold.empty()) out.push_back(project_material(*psh_matrix_material(read_psh_matrix(gold)), 0, order));
     return out;
@@ -157,10 +162,12 @@ TEST_CASE("rays see all of a material without mirror symmetry") {
     constexpr int order = 19;
     const EnvironmentPtr light = test::falling_light(4, true, 1);
     for (const IsotropicMatrix& matrix : matrices(order)) {
+        // Measured gold is noisier: 3.5 % of s0 at 1,024 samples, where the synthetic material has 0.2 %.
+        const int samples = &matrix == &matrices(order).front() ? 1024 : 4096;
         ReferenceStatistics statistics;
-        const StokesImage image = render_reference(scene_of(psh_matrix_material({matrix}), light),
-                                                   project(camera_above(), kPixels, kPixels), kPixels,
-                                                   kPixels, {.samples = 4096, .shadows = false}, statistics);
+        const StokesImage image = render_reference(
+            scene_of(psh_matrix_material({matrix}), light), project(camera_above(), kPixels, kPixels),
+            kPixels, kPixels, {.samples = samples, .shadows = false}, statistics);
         check_errors(image, truth(matrix, light->project(order)), 0.0125);
     }
 }
