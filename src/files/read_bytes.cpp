@@ -8,9 +8,15 @@
 namespace nicol {
 
 std::string read_bytes(const std::filesystem::path& file, const LoadBudget& budget) {
-    const auto found = budget.files().find(file);
-    if (!found) throw Error(ErrorCode::file_not_found, file.string() + ": no such file");
-    const auto in = budget.files().open(file);
+    const FileSource& files = budget.files();
+    const auto found = files.find(file);
+    if (!found) {
+        // Names in memory have no folders; every name may be one.
+        const bool is_folder = &files == &file_system() && files.has_folder(file);
+        throw Error(ErrorCode::file_not_found,
+                    file.string() + (is_folder ? ": is a folder; expected a file" : ": no such file"));
+    }
+    const auto in = files.open(file);
     if (!in) throw Error(ErrorCode::file_not_found, file.string() + ": cannot be read");
     const std::uint64_t size = found->bytes;
     std::string bytes(size, '\0');

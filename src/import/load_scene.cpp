@@ -224,12 +224,12 @@ private:
 
 SceneDescription read_scene(const std::filesystem::path& file, const SceneParameters& parameters,
                             const LoadBudget& budget) {
-    const std::string suffix = suffix_of(file);
-    if (suffix == ".gltf" || suffix == ".glb") return read_gltf_scene(file, parameters, budget);
     const std::string other = scene::kind_of_other_file(file, budget.files());
     if (!other.empty())
         throw Error(ErrorCode::invalid_file, file.string() + ": " + other +
                                                  "; a scene is a Mitsuba 3 XML file, a .gltf or a .glb file");
+    const std::string suffix = suffix_of(file);
+    if (suffix == ".gltf" || suffix == ".glb") return read_gltf_scene(file, parameters, budget);
     return read_mitsuba_scene(file, parameters, budget);
 }
 

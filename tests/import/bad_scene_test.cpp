@@ -310,7 +310,17 @@ TEST_CASE("files of another kind are named as what they are") {
                           {"light.hdr", "#?RADIANCE\n", "a Radiance HDR image"},
                           {"bunny.PLY", "ply\nformat ascii 1.0\n", "a PLY mesh"},
                           {"bunny.obj", "v 0 0 0\n", "an OBJ mesh"},
-                          {"model.bin", "glTF\2", "must end in .glb"}};
+                          {"bunny.xml", "# Exported\r\n#\r\n\r\nmtllib bunny.mtl\r\n", "an OBJ mesh"},
+                          {"shape.xml", "\xef\xbb\xbfv\t0 0 0\n", "an OBJ mesh"},
+                          {"cube.xml", "OFF\n8 6 12\n", "an OFF mesh"},
+                          {"cube.stl", std::string(84, '\0'), "an STL mesh"},
+                          {"saved.xml", "\n<!DOCTYPE HTML><html>", "a web page"},
+                          {"lfs.xml", "version https://git-lfs.github.com/spec/v1\n", "git lfs pull"},
+                          {"model.xml", " {\"asset\": {\"version\": \"2.0\"}}", "must end in .gltf"},
+                          {"model.bin", "glTF\2", "must end in .glb"},
+                          {"photograph.gltf", "\x89PNG\r\n\x1a\n", "a PNG image"},
+                          {"scene.glb", "<?xml version='1.0'?><scene/>", "ends in .xml"},
+                          {"empty.xml", "", "an empty file"}};
     const TemporaryFolder folder;
     for (const Case& c : cases) {
         CAPTURE(c.name);
@@ -320,10 +330,15 @@ TEST_CASE("files of another kind are named as what they are") {
         CHECK(message.starts_with(file.string() + ": "));
         CHECK_MESSAGE(message.find(c.kind) != std::string::npos, message);
     }
-    // A text that only resembles the first bytes of an STL file is read as a scene.
-    const std::filesystem::path text = folder.path() / "scene.txt";
-    std::ofstream(text) << "solidarity";
-    CHECK(error_of(CALL(load_scene(text, {})), ErrorCode::invalid_file).find(":1:") != std::string::npos);
+    CHECK(error_of(CALL(load_scene(folder.path(), {})), ErrorCode::file_not_found)
+              .ends_with("expected a file"));
+    // Texts that only resemble the first bytes of a mesh are read as scenes.
+    for (const char* const bytes : {"solidarity", "version 3", "v", "#", "# no line ends here"}) {
+        CAPTURE(bytes);
+        const std::filesystem::path text = folder.path() / "scene.txt";
+        std::ofstream(text) << bytes;
+        CHECK(error_of(CALL(load_scene(text, {})), ErrorCode::invalid_file).find(":1:") != std::string::npos);
+    }
 }
 
 TEST_CASE("a scene cut short anywhere or with bytes changed never does worse than fail") {
