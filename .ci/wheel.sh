@@ -42,14 +42,6 @@ assert nicol.__file__.startswith('$folder/blender'), nicol.__file__
 fi
 # Beside other wheels that bring OpenMP, Embree and image libraries of their own.
 "$python" -m pip install --quiet --no-deps --target beside "$out"/*.whl
-PYTHONPATH=beside "$python" -c "
-import cv2, mitsuba, nicol
-mitsuba.set_variant('scalar_rgb')
-mitsuba.render(mitsuba.load_dict(mitsuba.cornell_box()), spp=1)
-with nicol.Context.create() as context, nicol.Scene.load(context, '$scene', []) as scene:
-    picture = nicol.Framebuffer.create(context, 64, 64, scene.get_channels())
-    nicol.render(scene, scene.get_camera(), nicol.RenderOptions(), picture)
-    stokes = picture.plane(nicol.PLANE_STOKES, channel=0)
-    assert nicol.__file__.startswith('$folder') and stokes[..., 0].max() > 0
-print('nicol', nicol.version_string(), 'beside', cv2.__version__, mitsuba.__version__)
-"
+export PYTHONPATH=$folder/beside
+"$python" -c "import nicol; assert nicol.__file__.startswith('$folder'), nicol.__file__"
+"$python" "$OLDPWD/tests/peers/beside_test.py" "$OLDPWD/samples/assets"
