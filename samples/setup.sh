@@ -9,7 +9,7 @@ if [ "$(. /etc/os-release 2>/dev/null && echo "${ID:-} ${VERSION_ID:-}")" = "deb
 fi
 
 packages="cmake g++ ninja-build python3 python3-glad python3-numpy
-  luajit pkg-config doxygen
+  luajit pkg-config doxygen dpkg-dev file
   libosmesa6-dev libosmesa6 libegl-dev libegl-mesa0 libgl1-mesa-dri
   libglm-dev libopenmesh-dev libopenexr-dev $embree libtbb-dev libpugixml-dev libpng-dev libstb-dev libturbojpeg0-dev
   libtinygltf-dev nlohmann-json3-dev

@@ -64,7 +64,9 @@ def check_program(parts, program, cpack_config, cmake):
 def main():
     program, containerfile, cpack_config, cmake = sys.argv[1:]
     with open(containerfile, encoding="utf-8") as file:
-        parts = instructions(file.read())
+        text = file.read()
+    parts = instructions(text)
+    assert "build --format docker " in text, "HEALTHCHECK is ignored in the default format"
     root = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(containerfile))))
     check_build_stage(root, parts, cpack_config)
     check_program(parts, program, cpack_config, cmake)
