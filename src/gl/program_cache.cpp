@@ -17,13 +17,17 @@ namespace nicol::gl {
 namespace {
 
 constexpr std::string_view kMagic("NICOLPRG", 8);
-constexpr std::uint32_t kVersion = 1;
+constexpr std::uint32_t kVersion = 2;
 constexpr std::uint64_t kMaxBytes = std::uint64_t{1} << 26;
 
 CacheFile file_of(const Context& context, const std::filesystem::path& folder, const ProgramKey& key) {
     const ContextInfo& info = context.info();
+    // Mesa's EGL and OSMesa have equal names and versions, and refuse programs of each other.
+    const std::string backend = std::to_string(static_cast<int>(info.backend));
     return {folder, kMagic, kVersion,
-            info.vendor + '\n' + info.renderer + '\n' + info.version + '\n' + key.text(), ".program"};
+            info.vendor + '\n' + info.renderer + '\n' + info.version + '\n' + info.driver_uuid + '\n' +
+                backend + '\n' + key.text(),
+            ".program"};
 }
 
 std::vector<GLint> formats_of(Context& context) {

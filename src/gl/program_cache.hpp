@@ -27,8 +27,8 @@ private:
 };
 
 /// Cache of program binaries. All members must be called inside run(). A file is valid for one driver,
-/// identified by its names and version. Files that are outdated, damaged or refused by the driver cause
-/// notices; failures to write are ignored.
+/// identified by its names, version, UUID and backend. Files that are outdated, damaged or refused by the
+/// driver cause notices; failures to write are ignored.
 class ProgramCache {
 public:
     explicit ProgramCache(Context& context);

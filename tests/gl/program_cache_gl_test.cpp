@@ -106,3 +106,21 @@ GL_THREAD_TEST_CASE(
     const Object none(context, ObjectKind::program);
     CHECK_FALSE(cache.load(key, none.id()));
 }
+
+// Drivers of equal names and version can have different binary forms, as Mesa's EGL and OSMesa do.
+TEST_CASE("backends that share a folder refuse no programs of each other") {
+    const TemporaryFolder folder;
+    std::vector<std::string> notices;
+    for (int pass = 0; pass < 2; ++pass)
+        for (const Backend backend : every_backend()) {
+            CAPTURE(name_of(backend));
+            const std::shared_ptr<Context> context = make_context(backend);
+            context->run([&] {
+                keep_programs(*context, folder.path(),
+                              [&](const std::string& notice) { notices.push_back(notice); });
+                CHECK(drawn(context, make(context, "1.5")) == 1.5F);
+            });
+        }
+    CAPTURE(notices.size());
+    CHECK(notices.empty());
+}
