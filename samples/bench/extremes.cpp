@@ -43,6 +43,14 @@ std::string square(const std::string& transform, const std::string& inside) {
            "</transform>" + inside + "</shape>";
 }
 
+// Brushed metal that polarizes strongly, whose lobes see both the bright and the dark of the forest.
+std::string polarizing_square() {
+    return kForestLight +
+           square("", R"(<bsdf type="roughconductor"><string name="distribution" value="ggx"/>)" +
+                          number("eta", "1.95") + number("k", "2.6") + number("alpha_u", "0.1") +
+                          number("alpha_v", "0.24") + "</bsdf>");
+}
+
 std::string ball(const std::string& bsdf, const std::string& light) {
     return light + R"(<shape type="sphere">)" + bsdf + "</shape>";
 }
@@ -108,6 +116,7 @@ std::vector<Row> rows() {
     std::vector<Row> out;
     for (const auto& [u, v] : {std::pair{"0.2", "0.2"}, {"0.1", "0.4"}, {"0.4", "0.1"}, {"0.05", "0.5"}})
         out.push_back({std::string("aluminium, alpha ") + u + " and " + v, ball(metal(u, v), kForestLight)});
+    out.push_back({"square of polarizing metal, alpha 0.1 and 0.24", polarizing_square(), "0.4,1.2,1.6"});
     for (const char* anisotropic : {"0", "0.8"})
         out.push_back({std::string("principled, anisotropic ") + anisotropic,
                        ball(R"(<bsdf type="principled"><rgb name="base_color" value="0.9,0.6,0.3"/>)" +

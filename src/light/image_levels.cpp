@@ -19,6 +19,9 @@ constexpr std::size_t kRows = 4;
 struct Taps {
     alignas(64) std::array<std::array<std::int32_t, kLanes>, kRows> left;
     std::array<Lanes, kRows> left_weights, right_weights;
+    // Factors of differences in the second image, for its slopes: of the right texel less the left one in
+    // either row, and of the lower texel less the upper one on either side.
+    std::array<Lanes, 2> by_turn, by_half_turn;
 };
 
 template <class Number>
@@ -71,6 +74,11 @@ template <class Number>
     store_part(Number(upper_weight * right_part), first, out.right_weights[row]);
     store_part(Number(lower_weight * (1.0F - right_part)), first, out.left_weights[row + 1]);
     store_part(Number(lower_weight * right_part), first, out.right_weights[row + 1]);
+    if (row == 0) return;
+    store_part(Number(width * (1.0F - lower_part)), first, out.by_turn[0]);
+    store_part(Number(width * lower_part), first, out.by_turn[1]);
+    store_part(Number(last_row * (1.0F - right_part)), first, out.by_half_turn[0]);
+    store_part(Number(last_row * right_part), first, out.by_half_turn[1]);
 }
 
 template <class Number>
@@ -101,13 +109,31 @@ template <class Number>
     sums += texels * __builtin_shufflevector(weights, weights, 0, 0, 0, 0, 1, 1, 1, 1);
 }
 
-// Computes out[plane][lane].
+// Computes the changes of the components of the first plane's texels: by_turn[lane] and by_half_turn[lane].
+void add_slopes(const Taps& taps, const glm::vec4* texels, std::size_t planes, glm::vec4* by_turn,
+                glm::vec4* by_half_turn) {
+    for (std::size_t i = 0; i < kLanes; ++i) {
+        const glm::vec4* const upper = texels + static_cast<std::size_t>(taps.left[2][i]) * planes;
+        const glm::vec4* const lower = texels + static_cast<std::size_t>(taps.left[3][i]) * planes;
+        const FourLanes upper_left = in_register(upper[0]), upper_right = in_register(upper[planes]);
+        const FourLanes lower_left = in_register(lower[0]), lower_right = in_register(lower[planes]);
+        const FourLanes right = taps.by_turn[0].value[i] * (upper_right - upper_left) +
+                                taps.by_turn[1].value[i] * (lower_right - lower_left);
+        const FourLanes down = taps.by_half_turn[0].value[i] * (lower_left - upper_left) +
+                               taps.by_half_turn[1].value[i] * (lower_right - upper_right);
+        std::memcpy(by_turn + i, &right, sizeof right);
+        std::memcpy(by_half_turn + i, &down, sizeof down);
+    }
+}
+
+// Computes out[plane][lane], and, if asked for, the slopes of each component after the planes.
 template <class Number>
 [[gnu::always_inline]] inline void add_taps(const ImageLevels::Shapes& shapes, const glm::vec4* texels,
                                             std::size_t planes, const ImageLevels::Places& places,
-                                            glm::vec4* out) {
+                                            bool slopes, glm::vec4* out) {
     Taps taps;
     find_taps<Number>(shapes, places, taps);
+    if (slopes) add_slopes(taps, texels, planes, out + planes * kLanes, out + (planes + 1) * kLanes);
     if (planes == 1) {
         for (std::size_t i = 0; i < kLanes; ++i) {
             EightLanes sums{};
@@ -148,12 +174,23 @@ void ImageLevels::add(const EquirectTexels& image) {
                 texels_.push_back(image.texels[(plane * height + row) * width + column % width]);
 }
 
-void ImageLevels::look_up(const Places& places, Lanes* out) const {
-    const std::span<glm::vec4> fours = work_space<ImageLevels, glm::vec4>(planes_ * kLanes);
-    dispatch<add_taps<FourLanes>, add_taps<EightLanes>, add_taps<AllLanes>>(shapes_, texels_.data(), planes_,
-                                                                            places, fours.data());
+void ImageLevels::look_up(const Places& places, Lanes* out, Slopes* slopes) const {
+    const std::span<glm::vec4> fours = work_space<ImageLevels, glm::vec4>((planes_ + 2) * kLanes);
+    dispatch<add_taps<FourLanes>, add_taps<EightLanes>, add_taps<AllLanes>>(
+        shapes_, texels_.data(), planes_, places, slopes != nullptr, fours.data());
     for (std::size_t plane = 0; plane < planes_; ++plane)
         take_fours(fours.data() + plane * kLanes, out + 4 * plane);
+    if (slopes == nullptr) return;
+    std::array<Lanes, 4> by_turn, by_half_turn;
+    take_fours(fours.data() + planes_ * kLanes, by_turn.data());
+    take_fours(fours.data() + (planes_ + 1) * kLanes, by_half_turn.data());
+    for (std::size_t i = 0; i < kLanes; ++i) {
+        const float sum = (out[0][i] + out[1][i]) + (out[2][i] + out[3][i]);
+        const float inverse = sum > 0 ? 1 / sum : 0;
+        slopes->by_turn[i] = inverse * ((by_turn[0][i] + by_turn[1][i]) + (by_turn[2][i] + by_turn[3][i]));
+        slopes->by_half_turn[i] =
+            inverse * ((by_half_turn[0][i] + by_half_turn[1][i]) + (by_half_turn[2][i] + by_half_turn[3][i]));
+    }
 }
 
 }  // namespace nicol

@@ -27,7 +27,14 @@ public:
         Lanes level;
     };
     /// Computes the interpolated texels: out[4 plane + component]. There must be at least two images.
-    void look_up(const Places& places, Lanes* out) const;
+    void look_up(const Places& places, Lanes* out) const { look_up(places, out, nullptr); }
+    /// Changes of the sum of the first plane's components with the place, relative to the sum: those of the
+    /// second of the two images.
+    struct Slopes {
+        Lanes by_turn, by_half_turn;
+    };
+    /// Computes the interpolated texels and the slopes there.
+    void look_up(const Places& places, Lanes* out, Slopes& slopes) const { look_up(places, out, &slopes); }
 
     [[nodiscard]] std::size_t bytes() const noexcept { return texels_.size() * sizeof(glm::vec4); }
 
@@ -38,6 +45,8 @@ public:
     };
 
 private:
+    void look_up(const Places& places, Lanes* out, Slopes* slopes) const;
+
     std::size_t planes_;
     Shapes shapes_;
     /// [image][row][column][plane]. Each row ends with its first column once more.

@@ -119,6 +119,37 @@ template <class Number>
     }
 }
 
+// Computes from the middle of blobs to the mean direction of their light: of a normal distribution, this is
+// the variance times the relative gradient. It is at most a standard deviation.
+template <class Number>
+[[gnu::always_inline]] inline void find_leans(const Lanes& variances, const LaneVectors& towards,
+                                              const ImageLevels::Slopes& slopes, LaneVectors& out) {
+    constexpr float pi = std::numbers::pi_v<float>;
+    constexpr float least_across = 1e-3F;  // the azimuth of directions closer to the vertical is arbitrary
+    for (std::size_t first = 0; first < kLanes; first += kPart<Number>) {
+        Vector3<Number> middle;
+        Number variance, by_turn, by_half_turn;
+        load_part(towards, first, middle);
+        load_part(variances, first, variance);
+        load_part(slopes.by_turn, first, by_turn);
+        load_part(slopes.by_half_turn, first, by_half_turn);
+        middle = normalized_or(middle, 0.0F, Vector3<float>{0, 1, 0});
+        Number across = middle.x * middle.x + middle.z * middle.z;
+        square_root(across);
+        const Number inverse = 1.0F / (across > least_across ? across : Number{} + least_across);
+        Number east = variance * by_turn * (0.5F / pi) * inverse, south = variance * by_half_turn * (1 / pi);
+        Number limit = east * east + south * south;
+        const auto too_long = limit > variance;
+        limit = too_long ? variance / (too_long ? limit : Number{} + 1.0F) : Number{} + 1.0F;
+        square_root(limit);
+        east *= limit * inverse;
+        south *= limit * inverse;
+        store_part(Vector3<Number>{south * middle.x * middle.y - east * middle.z, -south * across * across,
+                                   south * middle.z * middle.y + east * middle.x},
+                   first, out);
+    }
+}
+
 }  // namespace
 
 LightPyramid::LightPyramid(const Environment& environment, int most_columns)
@@ -215,21 +246,39 @@ EquirectTexels LightPyramid::blurred(const EquirectTexels& image, int width, dou
     return out;
 }
 
-void LightPyramid::look_up(const Lanes& variances, LaneLight& out) const {
-    out.components = components_;
-    out.irradiance.resize(channels_);
+ImageLevels::Places LightPyramid::places_of(const Lanes& variances, const LaneVectors& towards) const {
     ImageLevels::Places places;
     dispatch<find_places<FourLanes>, find_places<EightLanes>, find_places<AllLanes>>(
-        variances, first_variance_, out.towards, places);
+        variances, first_variance_, towards, places);
+    return places;
+}
+
+void LightPyramid::put_unpolarized(const Lanes* found, LaneLight& out) const {
+    out.components = 1;
+    out.irradiance.resize(channels_);
+    for (std::size_t c = 0; c < channels_; ++c) out.irradiance[c][0] = found[c];
+}
+
+void LightPyramid::look_up(const Lanes& variances, LaneLight& out) const {
+    const ImageLevels::Places places = places_of(variances, out.towards);
     const std::span<Lanes> found = work_space<LightPyramid, Lanes>(4 * planes_);
     levels_.look_up(places, found.data());
-    if (components_ == 1) {
-        for (std::size_t c = 0; c < channels_; ++c) out.irradiance[c][0] = found[c];
-        return;
-    }
+    if (components_ == 1) return put_unpolarized(found.data(), out);
+    out.components = components_;
+    out.irradiance.resize(channels_);
     for (std::size_t c = 0; c < channels_; ++c)
         std::copy_n(&found[4 * c], components_, out.irradiance[c].begin());
     dispatch<find_frames<FourLanes>, find_frames<EightLanes>, find_frames<AllLanes>>(out.towards, out.x);
+}
+
+void LightPyramid::look_up(const Lanes& variances, LaneLight& out, LaneVectors& leans) const {
+    const ImageLevels::Places places = places_of(variances, out.towards);
+    const std::span<Lanes> found = work_space<LightPyramid, Lanes>(4 * planes_);
+    ImageLevels::Slopes slopes;
+    levels_.look_up(places, found.data(), slopes);
+    put_unpolarized(found.data(), out);
+    dispatch<find_leans<FourLanes>, find_leans<EightLanes>, find_leans<AllLanes>>(variances, out.towards,
+                                                                                  slopes, leans);
 }
 
 }  // namespace nicol

@@ -22,6 +22,9 @@ public:
     /// environment's axes: out.irradiance, out.components and, of polarized light, out.x. variances: of the
     /// blobs, along each axis, in square radians. Blobs are close to normal distributions.
     void look_up(const Lanes& variances, LaneLight& out) const;
+    /// Computes this and `leans`: from the middles of blobs, on the unit sphere, to the mean directions of
+    /// their light. The light must not be polarized.
+    void look_up(const Lanes& variances, LaneLight& out, LaneVectors& leans) const;
 
     [[nodiscard]] bool polarized() const noexcept { return components_ > 1; }
     [[nodiscard]] std::size_t bytes() const noexcept { return levels_.bytes(); }
@@ -29,6 +32,9 @@ public:
 private:
     [[nodiscard]] EquirectTexels half_of(const EquirectTexels& image) const;
     [[nodiscard]] EquirectTexels blurred(const EquirectTexels& image, int width, double variance) const;
+
+    [[nodiscard]] ImageLevels::Places places_of(const Lanes& variances, const LaneVectors& towards) const;
+    void put_unpolarized(const Lanes* found, LaneLight& out) const;
 
     std::size_t channels_;
     std::size_t components_;

@@ -64,6 +64,13 @@ void add_unpolarized(std::span<const std::array<Lanes, 4>> irradiance, LaneLight
     }
 }
 
+Lanes brightness(const LaneLight& light) {
+    Lanes out{};
+    for (const std::array<Lanes, 4>& of_channel : light.irradiance)
+        for (std::size_t i = 0; i < kLanes; ++i) out[i] += of_channel[0][i];
+    return out;
+}
+
 Lanes only(std::uint32_t points, const Lanes& numbers) {
     Lanes out;
     for (std::size_t i = 0; i < kLanes; ++i) out[i] = numbers[i] * static_cast<float>(points >> i & 1U);

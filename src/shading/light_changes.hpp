@@ -27,6 +27,9 @@ void give_channels(std::size_t channels, LaneLight& light);
 /// Adds s0 of another irradiance to unpolarized light. A single channel counts for all channels.
 void add_unpolarized(std::span<const std::array<Lanes, 4>> irradiance, LaneLight& light);
 
+/// Returns the sum of s0 over the channels.
+[[nodiscard]] Lanes brightness(const LaneLight& light);
+
 /// Returns the numbers of these points, and 0 for others.
 [[nodiscard]] Lanes only(std::uint32_t points, const Lanes& numbers);
 

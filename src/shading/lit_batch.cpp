@@ -212,9 +212,8 @@ void LitBatch::add_lobe(const SampledEnvironment& environment, const Material& l
         }
         LightShadows shadowing(shadows(), points_.places, 2 * even);
         seed(~sampled_parts_++);
-        // Sets light_ to the light of a node, and returns the points that it reaches.
-        const auto light_of = [&](const ReflectedNode& node, std::uint32_t k) {
-            environment.look_up(whole, frames, node, light_);
+        // Returns the points that light_, the light of a node, reaches.
+        const auto lit_by = [&](const ReflectedNode& node, std::uint32_t k) {
             return reached(shadowing, node, scattered ? std::optional(k) : std::nullopt, there);
         };
         const auto reflect = [&](std::uint32_t lit) {
@@ -226,18 +225,30 @@ void LitBatch::add_lobe(const SampledEnvironment& environment, const Material& l
             if (k == even) halves.end_first();
             const std::uint32_t own = k < even ? 2 * k : 2 * (k - even) + 1;
             if (environment.polarized()) {
-                for (std::uint32_t n = 0; n < 2; ++n) reflect(light_of(nodes.node(2 * own + n), 2 * k + n));
+                for (std::uint32_t n = 0; n < 2; ++n) {
+                    const ReflectedNode node = nodes.node(2 * own + n);
+                    environment.look_up(whole, frames, node, light_);
+                    reflect(lit_by(node, 2 * k + n));
+                }
                 continue;
             }
             const ReflectedPair pair = nodes.pair(own);
             thread_local std::vector<std::array<Lanes, 4>> first;
-            const std::uint32_t first_lit = light_of(pair.nodes[0], 2 * k);
+            PairLight light;
+            // The light of neighbours leans alike.
+            environment.look_up(whole, frames, pair.nodes[0], light_, light.lean);
+            const std::uint32_t first_lit = lit_by(pair.nodes[0], 2 * k);
             hide(there & ~first_lit, light_);
+            light.brightness[0] = brightness(light_);
             std::swap(first, light_.irradiance);
-            const std::uint32_t lit = light_of(pair.nodes[1], 2 * k + 1);
+            environment.look_up(whole, frames, pair.nodes[1], light_);
+            const std::uint32_t lit = lit_by(pair.nodes[1], 2 * k + 1);
             hide(there & ~lit, light_);
+            light.brightness[1] = brightness(light_);
             add_unpolarized(first, light_);
-            light_.towards = pair.towards;
+            const PairDirection mean = nodes.direction_of(pair, light);
+            light_.towards = mean.towards;
+            scale(mean.factors, light_);
             reflect(first_lit | lit);
         }
         if (even < pairs) noise_ += halves.noise(points_.positions.size(), nodes.even_shares(), shares);

@@ -223,23 +223,51 @@ template <class Number>
                                                                 const std::array<GridNodes, 2>& nodes,
                                                                 ReflectedPair& out) {
     for (std::size_t first = 0; first < kLanes; first += kPart<Number>) {
-        const NodeFacets<Number> one = reflect_part<Number>(r, nodes[0], first, out.nodes[0]);
-        const NodeFacets<Number> two = reflect_part<Number>(r, nodes[1], first, out.nodes[1]);
-        // The facet between both, and what it mirrors to the viewer.
-        const Number both = one.weight + two.weight;
-        const Number part = two.weight / (both > 0.0F ? both : Number{} + 1.0F);
-        Vector3<Number> steep, viewer;
-        Number length2, inverse, along;
-        sparsity(r.facets_, r.deviations_, Number(one.x + part * (two.x - one.x)),
-                 Number(one.y + part * (two.y - one.y)), steep, length2, inverse);
+        for (std::size_t n = 0; n < nodes.size(); ++n) {
+            ReflectedNode& node = out.nodes[n];
+            const NodeFacets<Number> facets = reflect_part<Number>(r, nodes[n], first, node);
+            Number share;
+            if (above_horizon<Number>(r.facets_, first, node)) {
+                Vector3<Number> towards;
+                load_part(node.towards, first, towards);
+                visible_share(r.facets_, towards, share);
+            } else {
+                limit_blob(r.facets_, first, node, share);
+            }
+            store_part(Number(facets.factor * share), first, node.weights);
+        }
+    }
+}
+
+template <class Number>
+[[gnu::always_inline]] inline void ReflectedNodes::find_direction(const ReflectedNodes& r,
+                                                                  const ReflectedPair& pair,
+                                                                  const PairLight& light,
+                                                                  PairDirection& out) {
+    for (std::size_t first = 0; first < kLanes; first += kPart<Number>) {
+        Vector3<Number> one, two, lean, viewer;
+        load_part(pair.nodes[0].towards, first, one);
+        load_part(pair.nodes[1].towards, first, two);
+        load_part(light.lean, first, lean);
         load_part(r.towards_viewer_, first, viewer);
-        dot(viewer, steep, along);
-        along *= 2.0F / length2;
-        const Vector3<Number> towards{along * steep.x - viewer.x, along * steep.y - viewer.y,
-                                      along - viewer.z};
+        Number brightness, other;
+        load_part(light.brightness[0], first, brightness);
+        load_part(light.brightness[1], first, other);
+        const Number both = brightness + other;
+        const Number part = other / (both > 0.0F ? both : Number{} + 1.0F);
+        const Vector3<Number> towards = normalized_or(
+            Vector3<Number>{one.x + part * (two.x - one.x) + lean.x, one.y + part * (two.y - one.y) + lean.y,
+                            one.z + part * (two.z - one.z) + lean.z},
+            0.0F, Vector3<float>{0, 0, 1});
         store_part(towards, first, out.towards);
-        store_weight(r.facets_, first, Number(one.factor * inverse), towards, out.nodes[0]);
-        store_weight(r.facets_, first, Number(two.factor * inverse), towards, out.nodes[1]);
+
+        const Vector3<Number> half{towards.x + viewer.x, towards.y + viewer.y, towards.z + viewer.z};
+        Number length2, facets, share;
+        dot(half, half, length2);
+        density(r.facets_, half, length2, facets);
+        visible_share(r.facets_, towards, share);
+        facets *= share > kLeastShare ? share : Number{} + kLeastShare;
+        store_part(Number(facets > 0.0F ? 1.0F / facets : Number{}), first, out.factors);
     }
 }
 
@@ -278,6 +306,13 @@ ReflectedPair ReflectedNodes::pair(std::size_t k) const {
     const std::array nodes{grid_nodes(2 * k), grid_nodes(2 * k + 1)};
     ReflectedPair out;
     dispatch<reflect_pair<FourLanes>, reflect_pair<EightLanes>, reflect_pair<AllLanes>>(*this, nodes, out);
+    return out;
+}
+
+PairDirection ReflectedNodes::direction_of(const ReflectedPair& pair, const PairLight& light) const {
+    PairDirection out;
+    dispatch<find_direction<FourLanes>, find_direction<EightLanes>, find_direction<AllLanes>>(*this, pair,
+                                                                                              light, out);
     return out;
 }
 

@@ -28,6 +28,8 @@ constexpr float kRoundBlob = 0.5F;
 // Blobs are this much wider where a lobe is so much longer than wide, because each node counts less.
 constexpr float kLong = 6;
 constexpr float kLongBlob = 1.15F;
+// Blobs of brushed GGX are this much wider, because the three parts of its lobe have many nodes together.
+constexpr float kBrushedGgxBlob = 1.2F;
 // Widest blob, in radians, for which nodes are spent: the pBRDF of wide lobes changes within it.
 constexpr float kWidest = 0.25F;
 
@@ -162,6 +164,9 @@ ReflectedNodes::ReflectedNodes(const NodeGrids& grids, const LaneVectors& toward
 template <class Number>
 [[gnu::always_inline]] inline void ReflectedNodes::set(ReflectedNodes& r, const NodeGrids& grids,
                                                        float largest_blob, std::size_t most, Chosen& chosen) {
+    const Facets<float>& facets = r.facets_;
+    const bool brushed_ggx = facets.distribution == Distribution::ggx && facets.alpha != facets.alpha_y;
+    const float wider = brushed_ggx ? kBrushedGgxBlob : 1.0F;
     for (std::size_t first = 0; first < kLanes; first += kPart<Number>) {
         Vector3<Number> viewer, right, down;
         load_part(r.towards_viewer_, first, viewer);
@@ -207,6 +212,7 @@ template <class Number>
         const auto small_pixel = kSmallPixel * of_pixel < of_lobe;
         Number wanted = shorter * (small_pixel ? Number{} + largest_blob : Number{} + kLargestOfPixels);
         wanted *= longer < kRound * shorter ? Number{} + kRoundBlob : Number{} + 1.0F;
+        wanted *= wider;
         wanted = wanted < kWidest ? wanted : Number{} + kWidest;
         const Number enough = longer > kLong * shorter ? kLongBlob * wanted : wanted;
         Number index{}, blob_x{}, blob_y{}, mean_x{}, mean_y{}, blob = Number{} + 1e30F;

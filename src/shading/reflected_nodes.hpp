@@ -57,10 +57,23 @@ struct ReflectedNode {
     Lanes weights;        ///< solid angles: factors of the pBRDF times the cosine times the light
 };
 
-/// Two neighbouring nodes for which the pBRDF is evaluated once.
+/// Two neighbouring nodes for which the pBRDF is evaluated once, in the direction of PairDirection.
 struct ReflectedPair {
-    std::array<ReflectedNode, 2> nodes;  ///< the weights are factors of the pBRDF in the pair's direction
-    LaneVectors towards;                 ///< direction between those of the nodes
+    std::array<ReflectedNode, 2> nodes;  ///< the weights still lack PairDirection::factors
+};
+
+/// Unpolarized light of a pair.
+struct PairLight {
+    std::array<Lanes, 2> brightness;  ///< by node: s0 times the node's weight, 0 where it is hidden
+    /// From the middle of a node's blob to the mean direction of its light.
+    LaneVectors lean;
+};
+
+/// Mean directions of the light of pairs, where their pBRDF is evaluated because the polarization varies
+/// over a blob.
+struct PairDirection {
+    LaneVectors towards;  ///< unit directions
+    Lanes factors;        ///< of the nodes' weights
 };
 
 /// The nodes of sixteen points. Sums over them have the second moments of the integral over all directions
@@ -79,6 +92,8 @@ public:
     [[nodiscard]] ReflectedNode node(std::size_t k) const;
     /// Returns nodes 2k and 2k + 1 of a part of a lobe.
     [[nodiscard]] ReflectedPair pair(std::size_t k) const;
+    /// Returns where to evaluate the pBRDF for this light of a pair.
+    [[nodiscard]] PairDirection direction_of(const ReflectedPair& pair, const PairLight& light) const;
     /// Returns the shares of even pairs in the weights of a lobe's part.
     [[nodiscard]] const Lanes& even_shares() const noexcept { return even_shares_; }
     /// Returns how much wider the blobs are than the wanted ones: 1 or more.
@@ -105,6 +120,9 @@ private:
     template <class Number>
     static void reflect_pair(const ReflectedNodes& r, const std::array<GridNodes, 2>& nodes,
                              ReflectedPair& out);
+    template <class Number>
+    static void find_direction(const ReflectedNodes& r, const ReflectedPair& pair, const PairLight& light,
+                               PairDirection& out);
     [[nodiscard]] GridNodes grid_nodes(std::size_t k) const;
     void set_all(const NodeGrids& grids, float largest_blob, std::size_t most);
     // Grids by their index among grids of normal distributions, or of uniform ones if `normal` is 0.

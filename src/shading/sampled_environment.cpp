@@ -21,8 +21,20 @@ void SampledEnvironment::look_up(bool whole, const LaneFrames& frames, const Ref
                                  LaneLight& out) const {
     out_of_frames(frames, node.seen, out.towards);
     (whole ? whole_ : rest_)->look_up(node.variances, out);
-    scale(node.weights, out, scale_);
     if (out.components > 1) into_frames(frames, out.x, out.x);
+    set_node(node, out);
+}
+
+void SampledEnvironment::look_up(bool whole, const LaneFrames& frames, const ReflectedNode& node,
+                                 LaneLight& out, LaneVectors& lean) const {
+    out_of_frames(frames, node.seen, out.towards);
+    (whole ? whole_ : rest_)->look_up(node.variances, out, lean);
+    into_frames(frames, lean, lean);
+    set_node(node, out);
+}
+
+void SampledEnvironment::set_node(const ReflectedNode& node, LaneLight& out) const {
+    scale(node.weights, out, scale_);
     out.towards = node.towards;
     out.points = (std::uint32_t{1} << kLanes) - 1;
     out.distance.value.fill(std::numeric_limits<float>::infinity());

@@ -43,8 +43,14 @@ public:
     /// whole: whether extracted lights are included. Computes the radiance that a node sees, times the node's
     /// weights: all members of `out`, with directions in the surfaces' frames. frames: in_environment().
     void look_up(bool whole, const LaneFrames& frames, const ReflectedNode& node, LaneLight& out) const;
+    /// Computes this and `lean`, from the middle of the node's blob to the mean direction of its light, in
+    /// the surfaces' frames. The light must not be polarized.
+    void look_up(bool whole, const LaneFrames& frames, const ReflectedNode& node, LaneLight& out,
+                 LaneVectors& lean) const;
 
 private:
+    void set_node(const ReflectedNode& node, LaneLight& out) const;
+
     Light whole_, rest_;
     glm::mat3 to_points_;
     float scale_;

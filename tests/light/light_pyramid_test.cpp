@@ -136,3 +136,53 @@ TEST_CASE("larger blobs see the mean") {
                                 mean_around(*light, 0, directions[i], static_cast<double>(variance))) < 0.02);
     }
 }
+
+TEST_CASE("the light of a blob leans to where it comes from") {
+    for (const int channels : {1, 5}) {
+        EquirectImage image(128, 65, channels);
+        for (int c = 0; c < channels; ++c)
+            for (int y = 0; y < image.height; ++y)
+                for (int x = 0; x < image.width; ++x) {
+                    const glm::dvec3 d = towards((x + 0.5) / image.width, y / (image.height - 1.0));
+                    const double beside = glm::dot(d, glm::normalize(glm::dvec3(0.3, 0.8, 0.5 + c))) - 1;
+                    image.at(c, y, x)[0] = static_cast<float>(0.1 + std::exp(beside / 0.1));
+                }
+        const auto light = image_environment(image);
+        const LightPyramid pyramid(*light);
+        const std::vector<glm::dvec3> directions = random_directions(16, 6);
+        for (const float variance : {2e-3F, 5e-3F, 0.02F}) {
+            LaneLight out;
+            LaneVectors leans;
+            for (std::size_t i = 0; i < kLanes; ++i) put(out.towards, i, glm::vec3(directions[i]));
+            Lanes variances;
+            variances.value.fill(variance);
+            pyramid.look_up(variances, out, leans);
+            const LaneLight alone = look_up(*light, directions, variance);
+            double wrong = 0, all = 0;
+            for (std::size_t i = 0; i < kLanes; ++i) {
+                CHECK(out.irradiance[0][0][i] == alone.irradiance[0][0][i]);
+                const glm::dvec3 middle = directions[i], lean(leans.x[i], leans.y[i], leans.z[i]);
+                CHECK(std::abs(glm::dot(lean, middle)) < 1e-3 * glm::length(lean) + 1e-7);
+                CHECK(glm::length(lean) <= 1.001 * std::sqrt(double{variance}));
+                // The mean of directions across the middle, by the light of the first four channels.
+                const Frame axes = frame_with_x(middle, {0.3, 0.8, 0.1});
+                constexpr int rings = 32, around = 32;
+                glm::dvec3 sum(0.0);
+                double total = 0;
+                for (int r = 0; r < rings; ++r)
+                    for (int a = 0; a < around; ++a) {
+                        const double angle = std::sqrt(-2 * double{variance} * std::log((r + 0.5) / rings));
+                        const glm::dvec3 there = axes * direction(angle, 2 * pi * (a + 0.5) / around);
+                        double s0 = 0;
+                        for (int c = 0; c < std::min(channels, 4); ++c) s0 += light->radiance(c, there)[0];
+                        total += s0;
+                        sum += s0 * (there - glm::dot(there, middle) * middle);
+                    }
+                wrong += glm::dot(lean - sum / total, lean - sum / total);
+                all += glm::dot(sum / total, sum / total);
+            }
+            CAPTURES(channels, variance, std::sqrt(wrong / all));
+            CHECK(wrong < 0.15 * 0.15 * all);
+        }
+    }
+}

@@ -54,7 +54,7 @@ TEST_CASE("nodes add up to the integral over the lobe and the pixel") {
                 {{{0.1, 0.4}, Distribution::beckmann}, 0, 0.01, 0.11},
                 {{{0.4, 0.1}, Distribution::beckmann}, 0.05, 0.01, 0.08},
                 {{glm::dvec2(0.05), Distribution::ggx}, 0, 5e-3, 0.11},
-                {{{0.1, 0.3}, Distribution::ggx}, 0, 0.01, 0.15},
+                {{{0.1, 0.3}, Distribution::ggx}, 0, 0.01, 0.16},
                 // A wide light, whose reflection depends on the long tail of GGX.
                 {{glm::dvec2(0.05), Distribution::ggx}, 0, 0.1, 0.0115},
                 // Even light, which wide lobes see cut by the horizon.
@@ -87,9 +87,13 @@ TEST_CASE("nodes add up to the integral over the lobe and the pixel") {
                 }
                 for (std::size_t k = 0; k < nodes.count(); k += 2) {
                     const ReflectedPair pair = nodes.pair(k / 2);
+                    PairLight of_pair{};
+                    for (std::size_t n = 0; n < 2; ++n) of_pair.brightness[n] = pair.nodes[n].weights;
+                    const PairDirection at = nodes.direction_of(pair, of_pair);
                     for (std::size_t i = 0; i < kLanes; ++i)
                         for (const ReflectedNode& node : pair.nodes)
-                            of_pairs[i] += reflected(row.lobe, lane(viewers, i), node, lane(pair.towards, i),
+                            of_pairs[i] += static_cast<double>(at.factors[i]) *
+                                           reflected(row.lobe, lane(viewers, i), node, lane(at.towards, i),
                                                      middles[i], row.variance, i);
                 }
             }
@@ -130,6 +134,35 @@ TEST_CASE("nodes add up to the integral over the lobe and the pixel") {
             }
             CAPTURES(beside.x, beside.y, largest, wrong);
             if (largest > 0.05) CHECK(wrong < row.tolerance * largest);
+        }
+    }
+}
+
+TEST_CASE("the pBRDF of a pair is evaluated where its light comes from") {
+    LaneVectors viewers;
+    for (std::size_t i = 0; i < kLanes; ++i)
+        put(viewers, i, glm::vec3(direction(0.06 * static_cast<double>(i), 0.7 * static_cast<double>(i))));
+    const Lobe lobe{{0.1, 0.3}, Distribution::ggx};
+    const NodeGrids grids(32);
+    const MirroredPixels pixels{};
+    const ReflectedNodes nodes(grids, lobe, slope_parts(lobe.distribution).front(), viewers, pixels);
+    const ReflectedPair pair = nodes.pair(1);
+    for (const float part : {0.0F, 0.25F, 1.0F}) {
+        PairLight light{};
+        light.brightness[0].value.fill(1 - part);
+        light.brightness[1].value.fill(part);
+        for (std::size_t i = 0; i < kLanes; ++i) put(light.lean, i, {0.01F, -0.02F, 0});
+        const PairDirection at = nodes.direction_of(pair, light);
+        for (std::size_t i = 0; i < kLanes; ++i) {
+            const glm::dvec3 one = lane(pair.nodes[0].towards, i), two = lane(pair.nodes[1].towards, i);
+            const glm::dvec3 expected =
+                glm::normalize(one + double{part} * (two - one) + glm::dvec3(0.01, -0.02, 0));
+            CAPTURES(part, i);
+            CHECK(glm::distance(lane(at.towards, i), expected) < 1e-6);
+            const glm::dvec3 half = glm::normalize(expected + lane(viewers, i));
+            const double inverse = facet_density(lobe.distribution, lobe.alpha, half) *
+                                   facet_visibility(lobe.distribution, lobe.alpha, expected);
+            CHECK(static_cast<double>(at.factors[i]) * inverse == doctest::Approx(1).epsilon(1e-4));
         }
     }
 }
