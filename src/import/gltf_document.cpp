@@ -159,6 +159,17 @@ tinygltf::FsCallbacks callbacks_to(Buffers& buffers) {
         out->assign(bytes.begin(), bytes.end());
         return true;
     };
+    callbacks.WriteWholeFile = [](std::string*, const std::string&, const std::vector<unsigned char>&,
+                                  void*) { return false; };
+    // Newer versions of TinyGLTF take all callbacks or none. The size is asked for to limit it, which read()
+    // does.
+    [](auto& all) {
+        if constexpr (requires { all.GetFileSizeInBytes; })
+            all.GetFileSizeInBytes = [](std::size_t* bytes, std::string*, const std::string&, void*) {
+                *bytes = 0;
+                return true;
+            };
+    }(callbacks);
     callbacks.user_data = &buffers;
     return callbacks;
 }
