@@ -16,7 +16,6 @@
 #include "shading/boundary_split.hpp"
 #include "shading/channel_spans.hpp"
 #include "shading/light_samples.hpp"
-#include "shading/sample_halves.hpp"
 #include "surfaces/smooth_surfaces.hpp"
 
 namespace nicol {
@@ -71,7 +70,8 @@ void SmoothChains::add(std::size_t first, std::size_t last, std::span<const std:
         if (lobes[pixel] < samples) continue;
         for (const auto& [one, other] : std::span(ends.halves).subspan(pixel * out.size(), out.size())) {
             counts.followed.power += std::pow(double{one} + double{other}, 2);
-            counts.followed.noise += double{kShareOfHalves} * std::pow(double{one} - double{other}, 2);
+            // Halves of rays do not fill each other's gaps, because few of them meet what is bright.
+            counts.followed.noise += std::pow(double{one} - double{other}, 2);
         }
     }
 }
