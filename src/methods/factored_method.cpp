@@ -56,25 +56,40 @@ void FactoredMethod::bake(const TransferInput& input, VisibilityRequest* request
     else
         bounces_.clear();
     if (!baking_.update(input, input.layout.order(), input.layout.kind())) return;
-    std::optional<VisibilityProduct> former = std::exchange(shadows_.change(), std::nullopt);
-    if (input.visibility != nullptr) {
-        const Stopwatch watch;
-        run.workers.run([&] {
-            std::optional<VisibilityProduct>& shadows = shadows_.change();
-            const bool fits = request != nullptr && request->blocks.order() == 2 * input.layout.order();
-            const KeptCoefficients keep =
-                fits ? KeptCoefficients{&request->blocks, request->missing} : KeptCoefficients{};
-            if (former && baking_.any_current()) {
-                shadows.emplace(std::move(*former), baking_.former(), *input.visibility, *input.directions,
-                                input.geometry.normals, keep);
-                return;
-            }
-            former.reset();
-            shadows.emplace(*input.visibility, *input.directions, input.geometry.normals, input.layout, keep);
-        });
-        run.statistics.bake_ms += watch.milliseconds();
+    if (input.visibility == nullptr) {
+        shadows_.change().reset();
+        baking_.complete();
+        return;
     }
-    baking_.complete();
+    // Numbers of other vertices are computed when an image shows them.
+    const std::size_t vertices = input.geometry.normals.size();
+    const std::span<const std::uint8_t> needed = input.seen ? input.seen() : std::span<const std::uint8_t>();
+    if (*shadows_ && baked_ == vertices && input.seen && baking_.suffices(needed)) return;
+    const Stopwatch watch;
+    std::optional<VisibilityProduct> former = std::exchange(shadows_.change(), std::nullopt);
+    if (!former) baking_.discard();
+    run.workers.run([&] {
+        std::optional<VisibilityProduct>& shadows = shadows_.change();
+        const bool fits = request != nullptr && request->blocks.order() == 2 * input.layout.order();
+        const KeptCoefficients keep =
+            fits ? KeptCoefficients{&request->blocks, request->missing} : KeptCoefficients{};
+        if (former && baking_.any_current()) {
+            shadows.emplace(std::move(*former), baking_.former(), *input.visibility, *input.directions,
+                            input.geometry.normals, keep, needed);
+            return;
+        }
+        former.reset();
+        shadows.emplace(*input.visibility, *input.directions, input.geometry.normals, input.layout, keep,
+                        needed);
+    });
+    baked_ = vertices;
+    fresh_.resize(vertices);
+    (*shadows_)->find_computed(fresh_);
+    if (std::ranges::find(fresh_, 0) == fresh_.end())
+        baking_.complete();
+    else
+        baking_.complete(fresh_);
+    run.statistics.bake_ms += watch.milliseconds();
 }
 
 void FactoredMethod::relight(const TransferInput& input, RenderExecutor& executor, RenderRun& run) {
@@ -90,12 +105,16 @@ void FactoredMethod::relight(const TransferInput& input, RenderExecutor& executo
         else
             relighting_.discard();
     }
+    double seeing_ms = 0;  // counts as drawing
     if (!input.seen) {
         run.statistics.vertices_relit += executor.relight(*this, input, relighting_.current(), run);
         relighting_.complete();
     } else {
         // Other vertices are relit when an image shows them.
-        find_fresh(input.seen(), relighting_.current(), fresh_);
+        const Stopwatch seeing;
+        const std::span<const std::uint8_t> seen = input.seen();
+        seeing_ms = seeing.milliseconds();
+        find_fresh(seen, relighting_.current(), fresh_);
         const bool lit = relighting_.any_current() && lit_ == fresh_.size();
         if (!lit || std::ranges::find(fresh_, 0) != fresh_.end()) {
             run.statistics.vertices_relit += executor.relight(*this, input, fresh_, run);
@@ -105,7 +124,7 @@ void FactoredMethod::relight(const TransferInput& input, RenderExecutor& executo
         }
     }
     lit_ = input.geometry.positions.size();
-    run.statistics.relight_ms += watch.milliseconds();
+    run.statistics.relight_ms += watch.milliseconds() - seeing_ms;
 }
 
 void FactoredMethod::shade(const ShadeInput& input, RenderExecutor& executor, RenderRun& run) const {

@@ -51,6 +51,7 @@ private:
     // Inputs: order, kind of the light.
     VertexStage<int, LightKind> baking_{{.renumbers = true, .turns = true}};
     Versioned<std::optional<VisibilityProduct>> shadows_;
+    std::size_t baked_ = 0;  // number of vertices of shadows_
     Bounces bounces_;
     // Inputs: executor, light, bounced light, whether pixels are shaded.
     VertexStage<Version, Version, Version, bool> relighting_{{.renumbers = true}};

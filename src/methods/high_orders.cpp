@@ -98,12 +98,16 @@ std::optional<VisibilityRequest> HighOrderTransfer::request(const TransferInput&
                                                             RenderRun& run) {
     const int order = 2 * low;
     if (!expanding_.update(input, order) || input.visibility == nullptr) return std::nullopt;
+    // Coefficients of other vertices are computed when an image shows them.
+    const std::span<const std::uint8_t> needed = input.seen ? input.seen() : std::span<const std::uint8_t>();
+    if (input.seen && visibility_->vertices() == needed.size() && expanding_.suffices(needed))
+        return std::nullopt;
     VisibilityBlocks before = std::exchange(visibility_.change(), {});
     if (!expanding_.any_current()) before = {};
     VisibilityRequest out;
     run.workers.run([&] {
-        out.blocks =
-            VisibilityBlocks(std::move(before), expanding_.former(), *input.visibility, order, out.missing);
+        out.blocks = VisibilityBlocks(std::move(before), expanding_.former(), *input.visibility, order,
+                                      out.missing, needed);
     });
     // The coefficients are lost if the caller throws before bake().
     expanding_.discard();
@@ -113,14 +117,21 @@ std::optional<VisibilityRequest> HighOrderTransfer::request(const TransferInput&
 void HighOrderTransfer::bake(const TransferInput& input, int low, std::optional<VisibilityRequest> request,
                              RenderRun& run) {
     if (!expanding_.update(input, 2 * low)) return;
-    const Stopwatch watch;
-    if (request) {
-        fill(*request, input, run);
-        visibility_.change() = std::move(request->blocks);
-    } else {
+    if (input.visibility == nullptr) {
         visibility_.change() = {};
+        expanding_.complete();
+        return;
     }
-    expanding_.complete();
+    if (!request) return;  // all that is needed is current
+    const Stopwatch watch;
+    fill(*request, input, run);
+    visibility_.change() = std::move(request->blocks);
+    std::vector<std::uint8_t> computed(visibility_->vertices());
+    visibility_->find_computed(computed);
+    if (std::ranges::find(computed, 0) == computed.end())
+        expanding_.complete();
+    else
+        expanding_.complete(computed);
     run.statistics.bake_ms += watch.milliseconds();
 }
 

@@ -36,7 +36,7 @@ public:
     /// Filters the light and fits the materials (project). Repeats only what changes require.
     void project(const TransferInput& input, const DistantLight& light, HighOrders form, RenderRun& run);
     /// Returns a request for the visibility that bake() would compute; none if nothing casts shadows or all
-    /// of it is current. The caller must pass the request to bake().
+    /// that the image shows is current. The caller must pass the request to bake().
     [[nodiscard]] std::optional<VisibilityRequest> request(const TransferInput& input, int low,
                                                            RenderRun& run);
     /// Computes the coefficients of visibility (bake) that the request still misses.

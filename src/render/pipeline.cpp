@@ -163,8 +163,11 @@ void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderO
         local_lights_.any() ? &local_lights_ : nullptr,
         (options.disabled_optimisations & skip_response_rows) != 0 ? std::size_t{4} : std::size_t{1},
         static_cast<std::size_t>(options.components)};
-    if (seen_alone && executor.can_choose())
-        input.seen = [&] { return seen(surfaces.geometry, projection, run); };
+    ImageHits hits(draw_hits, local_lights_.any(), shown_, run);
+    const auto shown = [&] {
+        return pixels_ ? hits.shown(surfaces.geometry) : seen(surfaces.geometry, projection, run);
+    };
+    if (seen_alone && executor.can_choose()) input.seen = shown;
     // Only low orders bounce, so their polarization says nothing of the light's high orders.
     const bool polarized = (options.disabled_optimisations & skip_light_components) != 0 ||
                            light_kind(split_.rest().get()) != LightKind::unpolarized;
@@ -195,7 +198,7 @@ void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderO
 
     const ShadeInput shaded{input, projection.view, {}, light_to_geometry, light_.factors(), noise_};
     if (pixels_) {
-        shade_pixels(scene, shaded, projection, options, high_orders, executor, run, draw_hits);
+        shade_pixels(scene, shaded, projection, options, high_orders, executor, run, hits.get());
     } else {
         shade(shaded, projection, options, distant, executor, run);
     }
@@ -328,14 +331,11 @@ void Pipeline::shade(ShadeInput input, const Projection& projection, const Rende
 
 void Pipeline::shade_pixels(const Scene& scene, ShadeInput input, const Projection& projection,
                             const RenderOptions& options, bool high_orders, RenderExecutor& executor,
-                            RenderRun& run, const DrawHits& draw_hits) {
-    const Stopwatch drawing;
-    const VisibilityBuffer& hits = draw_hits(local_lights_.any());
-    run.statistics.draw_ms += drawing.milliseconds();
-
+                            RenderRun& run, const VisibilityBuffer& hits) {
     const Stopwatch watch;
     shading_.reset();  // the vertices' results then belong to another render
     chosen_.assign(input.geometry.positions.size(), 1);
+    if (input.seen) std::ranges::copy(input.seen(), chosen_.begin());
     input.chosen = chosen_;
     const bool behind = scene.background() != nullptr && executor.adds_background();
     showing_.run(scene.background(), input.channels, behind, [&] {

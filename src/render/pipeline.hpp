@@ -18,6 +18,7 @@
 #include "methods/executor.hpp"
 #include "methods/factored_method.hpp"
 #include "methods/high_orders.hpp"
+#include "render/image_hits.hpp"
 #include "render/interpolation_error.hpp"
 #include "render/light_projection.hpp"
 #include "render/light_split.hpp"
@@ -43,18 +44,14 @@ public:
     /// Sets the cache folder of results that are slow to compute; an empty folder disables the cache.
     void set_cache(const std::filesystem::path& folder, const CacheNotice& notice);
 
-    /// Function that draws the triangles of surfaces() at the pixels of an image. on_host: whether the host
-    /// needs the hits as well, whatever the executor.
-    using DrawHits = std::function<const VisibilityBuffer&(bool on_host)>;
-
     /// Takes over changes of the scene, and bakes what the images of some views of the world need: the first
     /// half of bake, on which the choice of orders depends.
     void bake(const Scene& scene, std::span<const Projection> views, const RenderOptions& options,
               RenderRun& run);
     /// Shades every vertex that can be seen, or every pixel that shows a surface. `executor` keeps the
-    /// results. projection: of the world, one of the views of the last bake(), whose scene and options are
-    /// those of this call. Adds times and counts to the statistics. After an exception, the
-    /// next call computes everything that was not completed.
+    /// results. draw_hits: draws surfaces(). projection: of the world, one of the views of the last bake(),
+    /// whose scene and options are those of this call. Adds times and counts to the statistics. After an
+    /// exception, the next call computes everything that was not completed.
     void run(const Scene& scene, const Projection& projection, const RenderOptions& options,
              RenderExecutor& executor, RenderRun& run, const DrawHits& draw_hits);
 
@@ -84,7 +81,7 @@ private:
                const DistantLight& distant, RenderExecutor& executor, RenderRun& run);
     void shade_pixels(const Scene& scene, ShadeInput input, const Projection& projection,
                       const RenderOptions& options, bool high_orders, RenderExecutor& executor,
-                      RenderRun& run, const DrawHits& draw_hits);
+                      RenderRun& run, const VisibilityBuffer& hits);
     /// Returns the predicted error of the chosen orders and of samples: the run's, or those of the last image
     /// if nothing was shaded.
     PredictedError predicted_error(const RenderRun& run, const Projection& projection);
@@ -126,8 +123,9 @@ private:
         shading_{{.on_places = true, .on_materials = true}};
     // Inputs: geometry, projection to clip space, size of a pixel there.
     Stage<Version, glm::dmat4, glm::dvec2> seeing_;
-    std::vector<std::uint8_t> seen_;  // find_visible() of these inputs
-    std::size_t unseen_ = 0;          // number of its zeros
+    std::vector<std::uint8_t> seen_;   // find_visible() of these inputs
+    std::vector<std::uint8_t> shown_;  // find_shown() of the last image that needed it
+    std::size_t unseen_ = 0;           // number of its zeros
     std::vector<std::uint8_t> chosen_;
 
     std::optional<Background> background_;

@@ -4,10 +4,25 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "simd/lanes.hpp"
+
 namespace nicol {
 
 bool CurrentVertices::any_current() const {
     return std::ranges::find(current_, std::uint8_t{1}) != current_.end();
+}
+
+bool CurrentVertices::suffices(std::span<const std::uint8_t> needed) const {
+    if (has_renumbered_ || !any_current()) return false;
+    const std::span<const std::uint8_t> current(current_);
+    for (std::size_t first = 0; first < needed.size(); first += kLanes) {
+        const std::size_t count = std::min(kLanes, needed.size() - first);
+        const auto is_set = [](std::uint8_t flag) { return flag != 0; };
+        if (std::ranges::any_of(needed.subspan(first, count), is_set) &&
+            !std::ranges::all_of(current.subspan(first, count), is_set))
+            return false;
+    }
+    return true;
 }
 
 bool CurrentVertices::update(const SurfaceState& surfaces, bool same_inputs) {

@@ -18,6 +18,9 @@ public:
     /// Returns, for each vertex, 1 if its part of the result is current, else 0.
     [[nodiscard]] std::span<const std::uint8_t> current() const noexcept { return current_; }
     [[nodiscard]] bool any_current() const;
+    /// Returns whether there is nothing to compute for the blocks of sixteen vertices in which a vertex has
+    /// needed[v] != 0: all of their vertices are current under the indices that they had.
+    [[nodiscard]] bool suffices(std::span<const std::uint8_t> needed) const;
 
     /// Returns the index of each current vertex at the last complete() or renumbered(), under which its part
     /// of the result is kept; kNoVertex for other vertices.

@@ -39,6 +39,11 @@ void check_sizes(const Visibility& visibility, const DirectionSet& directions,
     }
 }
 
+void check_needed(std::span<const std::uint8_t> needed, const Visibility& visibility) {
+    if (!needed.empty() && needed.size() != visibility.vertices())
+        throw Error(ErrorCode::invalid_argument, "`needed` must be empty or have one flag for each vertex");
+}
+
 void check_keep(const VisibilityBlocks* keep, const Visibility& visibility, int order) {
     if (keep != nullptr && (keep->order() != order || keep->vertices() != visibility.vertices())) {
         throw Error(
@@ -51,13 +56,22 @@ bool all_ones(std::span<const std::uint8_t> flags) {
     return std::ranges::all_of(flags, [](std::uint8_t flag) { return flag != 0; });
 }
 
+// Returns whether a block of sixteen has a needed vertex; true if `needed` is empty.
+bool is_needed(std::span<const std::uint8_t> needed, std::size_t block) {
+    if (needed.empty()) return true;
+    const std::span of_block = needed.subspan(block * kLanes);
+    return std::ranges::any_of(of_block.first(std::min(kLanes, of_block.size())),
+                               [](std::uint8_t flag) { return flag != 0; });
+}
+
 }  // namespace
 
 VisibilityProduct::VisibilityProduct(const Visibility& visibility, const DirectionSet& directions,
                                      std::span<const glm::vec3> normals, const LightLayout& layout,
-                                     const KeptCoefficients& keep)
+                                     const KeptCoefficients& keep, std::span<const std::uint8_t> needed)
     : layout_(layout) {
     check_sizes(visibility, directions, normals);
+    check_needed(needed, visibility);
     check_keep(keep.blocks, visibility, 2 * layout.order());
     const VisibilityHarmonics harmonics(directions, 2 * layout_.order());
     if (layout.order() <= kHighestMatrixOrder) {
@@ -70,23 +84,37 @@ VisibilityProduct::VisibilityProduct(const Visibility& visibility, const Directi
     if (psh_count(harmonics.order()) > directions.size()) {
         find_unit({visibility, harmonics, normals, {}});
     }
-    tbb::parallel_for(std::size_t{0}, occluded_.size(),
-                      [&](std::size_t i) { numbers_.allocate(occluded_[i], size_ / 2); });
-    store(vertices_, {visibility, harmonics, normals, keep});
+    std::vector<std::uint32_t> vertices;
+    for (std::size_t first = 0; first < vertices_.size(); first += kLanes) {
+        const std::size_t block = vertices_[first] / kLanes;
+        if (!is_needed(needed, block)) continue;
+        numbers_.allocate(block, size_ / 2);
+        const std::span all(vertices_);
+        const auto of_block = all.subspan(first, std::min(kLanes, all.size() - first));
+        vertices.insert(vertices.end(), of_block.begin(), of_block.end());
+    }
+    store(vertices, {visibility, harmonics, normals, keep});
 }
 
 VisibilityProduct::VisibilityProduct(VisibilityProduct&& before, std::span<const std::uint32_t> former,
                                      const Visibility& visibility, const DirectionSet& directions,
-                                     std::span<const glm::vec3> normals, const KeptCoefficients& keep)
+                                     std::span<const glm::vec3> normals, const KeptCoefficients& keep,
+                                     std::span<const std::uint8_t> needed)
     : VisibilityProduct(std::move(before)) {
     check_sizes(visibility, directions, normals);
+    check_needed(needed, visibility);
     check_keep(keep.blocks, visibility, 2 * layout_.order());
     if (former.size() != visibility.vertices()) {
         throw Error(ErrorCode::invalid_argument, "`former` must have one number for each vertex");
     }
     find_occluded(visibility);
     std::vector<std::uint8_t> wanted((former.size() + kLanes - 1) / kLanes, 0);
-    for (const std::uint32_t block : occluded_) wanted[block] = 1;
+    for (const std::uint32_t block : occluded_) {
+        const auto vertices =
+            former.subspan(block * kLanes, std::min(kLanes, former.size() - block * kLanes));
+        const bool known = std::ranges::find(vertices, kNoVertex) == vertices.end();
+        wanted[block] = known || is_needed(needed, block) ? 1 : 0;
+    }
     const auto copy = [this](NumberPair* to, std::size_t lane, const NumberPair* from,
                              std::size_t lane_before) {
         const std::size_t step = matrices_ ? 2 : 1;
@@ -176,6 +204,15 @@ void VisibilityProduct::store(std::span<const std::uint32_t> vertices, const Inp
     });
 }
 
+void VisibilityProduct::find_computed(std::span<std::uint8_t> computed) const {
+    std::ranges::fill(computed, std::uint8_t{1});
+    for (const std::uint32_t block : occluded_) {
+        if (numbers_.at(block) != nullptr) continue;
+        const std::span of_block = computed.subspan(block * kLanes);
+        std::ranges::fill(of_block.first(std::min(kLanes, of_block.size())), std::uint8_t{0});
+    }
+}
+
 void VisibilityProduct::run(VertexLight& light, std::size_t first, std::size_t last,
                             std::size_t skipped) const {
     constexpr std::size_t most = ShadowMatrices::kMostChannels;
@@ -210,7 +247,7 @@ void VisibilityProduct::run(VertexLight& light, std::size_t first, std::size_t l
 }
 
 std::size_t VisibilityProduct::bytes() const noexcept {
-    return blocks() * size_ / 2 * sizeof(NumberPair) +
+    return numbers_.count() * size_ / 2 * sizeof(NumberPair) +
            (vertices_.size() + occluded_.size()) * sizeof(std::uint32_t);
 }
 

@@ -37,29 +37,36 @@ public:
     /// at order 6 and eleven times at 12.
     static constexpr int kHighestMatrixOrder = 9;
 
-    /// Makes the product for light of this layout. `normals`: one for each vertex of `visibility`. Runs on
-    /// the calling thread's TBB arena. Throws Error(invalid_argument) for sizes that do not fit or an order
-    /// beyond half of VisibilityHarmonics::kHighestOrder.
+    /// Makes the product for light of this layout. `normals`: one for each vertex of `visibility`. needed: 1
+    /// for each vertex whose block run() is called for, else 0; empty: all are needed. Blocks without a
+    /// needed vertex may be left out. Runs on the calling thread's TBB arena. Throws Error(invalid_argument)
+    /// for sizes that do not fit or an order beyond half of VisibilityHarmonics::kHighestOrder.
     VisibilityProduct(const Visibility& visibility, const DirectionSet& directions,
                       std::span<const glm::vec3> normals, const LightLayout& layout,
-                      const KeptCoefficients& keep = {});
+                      const KeptCoefficients& keep = {}, std::span<const std::uint8_t> needed = {});
     /// Makes the product from that of an earlier state with equal directions and layout. Numbers are taken
     /// over from `former`: for each vertex, the index in the earlier state of a vertex with equal visibility
-    /// and normal, or kNoVertex.
+    /// and normal, or kNoVertex. A block without a needed vertex is kept if all of its vertices have a former
+    /// one, and left out otherwise.
     VisibilityProduct(VisibilityProduct&& before, std::span<const std::uint32_t> former,
                       const Visibility& visibility, const DirectionSet& directions,
-                      std::span<const glm::vec3> normals, const KeptCoefficients& keep = {});
+                      std::span<const glm::vec3> normals, const KeptCoefficients& keep = {},
+                      std::span<const std::uint8_t> needed = {});
 
     /// Returns the number of blocks of sixteen consecutive vertices, as in VertexLight, with an occluded
     /// vertex.
     [[nodiscard]] std::size_t blocks() const noexcept { return occluded_.size(); }
 
+    /// Sets computed[v] to 0 for each vertex of a block that was left out, else to 1.
+    void find_computed(std::span<std::uint8_t> computed) const;
+
     /// Computes light = V light for the vertices of VertexLight's blocks `first` <= b < `last`; unoccluded
-    /// blocks are left unchanged. Calls for different blocks may run side by side. skipped: number of blocks
-    /// that are missing in front of `light`.
+    /// blocks are left unchanged. The blocks must not have been left out. Calls for different blocks may run
+    /// side by side. skipped: number of blocks that are missing in front of `light`.
     void run(VertexLight& light, std::size_t first, std::size_t last, std::size_t skipped = 0) const;
 
-    /// Views of the object for implementations on other processors.
+    /// Views of the object for implementations on other processors, which need a product without blocks that
+    /// were left out.
     [[nodiscard]] std::span<const std::uint32_t> vertices() const noexcept {
         return vertices_;
     }  ///< vertices of all blocks

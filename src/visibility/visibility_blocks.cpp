@@ -9,16 +9,25 @@
 namespace nicol {
 namespace {
 
-// Returns whether a vertex of a block is occluded.
+// Returns whether any flag of a block has this value.
+bool any_of(std::span<const std::uint8_t> flags, std::size_t block, std::uint8_t value) {
+    const std::span of_block = flags.subspan(block * kLanes);
+    return std::ranges::any_of(of_block.first(std::min(kLanes, of_block.size())),
+                               [value](std::uint8_t flag) { return flag == value; });
+}
+
 bool occluded(const Visibility& visibility, std::size_t block) {
-    const std::span unoccluded = visibility.unoccluded().subspan(block * kLanes);
-    return std::ranges::any_of(unoccluded.first(std::min(kLanes, unoccluded.size())),
-                               [](std::uint8_t flag) { return flag == 0; });
+    return any_of(visibility.unoccluded(), block, 0);
+}
+
+bool is_needed(std::span<const std::uint8_t> needed, std::size_t block) {
+    return needed.empty() || any_of(needed, block, 1);
 }
 
 }  // namespace
 
-VisibilityBlocks::VisibilityBlocks(const Visibility& visibility, int order)
+VisibilityBlocks::VisibilityBlocks(const Visibility& visibility, int order,
+                                   std::span<const std::uint8_t> needed)
     : order_(order), vertices_(visibility.vertices()) {
     for (int m = 0; m <= order_; ++m) {
         for (int l = m; l <= order_; l += 2) {
@@ -27,16 +36,21 @@ VisibilityBlocks::VisibilityBlocks(const Visibility& visibility, int order)
         }
     }
     numbers_.resize((vertices_ + kLanes - 1) / kLanes);
+    left_out_.assign(numbers_.blocks(), 0);
     for (std::size_t block = 0; block < numbers_.blocks(); ++block) {
-        if (occluded(visibility, block)) numbers_.allocate(block, kept_.size());
+        if (!occluded(visibility, block)) continue;
+        if (is_needed(needed, block))
+            numbers_.allocate(block, kept_.size());
+        else
+            left_out_[block] = 1;
     }
 }
 
 VisibilityBlocks::VisibilityBlocks(VisibilityBlocks&& before, std::span<const std::uint32_t> former,
                                    const Visibility& visibility, int order,
-                                   std::vector<std::uint8_t>& missing) {
+                                   std::vector<std::uint8_t>& missing, std::span<const std::uint8_t> needed) {
     if (before.empty()) {
-        *this = VisibilityBlocks(visibility, order);
+        *this = VisibilityBlocks(visibility, order, needed);
         missing.clear();
         for (std::size_t v = 0; v < vertices_; ++v)
             missing.push_back(numbers_.at(v / kLanes) == nullptr ? 0 : 1);
@@ -49,10 +63,23 @@ VisibilityBlocks::VisibilityBlocks(VisibilityBlocks&& before, std::span<const st
                              std::size_t lane_before) {
         for (std::size_t k = 0; k < kept_.size(); ++k) to[k].value[lane] = from[k].value[lane_before];
     };
-    const std::vector<std::uint32_t> unset = numbers_.renumber(
-        former, kept_.size(), [&](std::size_t block) { return occluded(visibility, block); }, copy);
+    left_out_.assign((vertices_ + kLanes - 1) / kLanes, 0);
+    const auto wanted = [&](std::size_t block) {
+        if (!occluded(visibility, block)) return false;
+        const auto of_block =
+            former.subspan(block * kLanes, std::min(kLanes, former.size() - block * kLanes));
+        const bool known = std::ranges::find(of_block, kNoVertex) == of_block.end();
+        const bool kept = known || is_needed(needed, block);
+        left_out_[block] = kept ? 0 : 1;
+        return kept;
+    };
+    const std::vector<std::uint32_t> unset = numbers_.renumber(former, kept_.size(), wanted, copy);
     missing.assign(vertices_, 0);
     for (const std::uint32_t v : unset) missing[v] = 1;
+}
+
+void VisibilityBlocks::find_computed(std::span<std::uint8_t> computed) const {
+    for (std::size_t v = 0; v < vertices_; ++v) computed[v] = left_out_[v / kLanes] != 0 ? 0 : 1;
 }
 
 void VisibilityBlocks::set(std::span<const std::uint32_t> vertices, const Lanes* coefficients) {

@@ -229,6 +229,46 @@ TEST_CASE("only vertices that changed are computed anew") {
     }
 }
 
+TEST_CASE("blocks of vertices that are not needed are left out until they are") {
+    const LightLayout layout(3, LightKind::full);
+    const Scene scene(100);
+    std::vector<std::uint8_t> needed(100, 0), computed(100);
+    const auto needs = [&](std::size_t v) { needed[v / kLanes * kLanes] = 1; };
+    std::vector<std::uint32_t> former(100);
+    VisibilityBlocks kept(scene.visibility, 6, needed);
+    kept.find_computed(computed);
+    const auto occluded = static_cast<std::size_t>(std::ranges::find(computed, 0) - computed.begin());
+    CHECK(occluded < computed.size());
+    CHECK(kept.block(occluded / kLanes) == nullptr);
+    VisibilityProduct product(scene.visibility, directions(), scene.normals, layout, {}, needed);
+    const std::size_t nothing = product.bytes();
+    for (const std::size_t v : {occluded, std::size_t{99}}) {
+        needs(v);
+        for (std::uint32_t i = 0; i < 100; ++i) former[i] = computed[i] != 0 ? i : kNoVertex;
+        std::vector<std::uint8_t> missing;
+        kept = VisibilityBlocks(std::move(kept), former, scene.visibility, 6, missing, needed);
+        product = VisibilityProduct(std::move(product), former, scene.visibility, directions(), scene.normals,
+                                    {&kept, missing}, needed);
+        CHECK(std::ranges::count(missing, 1) == 0);
+        product.find_computed(computed);
+        for (std::size_t i = 0; i < 100; ++i) CHECK((computed[i] != 0 || needed[i / kLanes * kLanes] == 0));
+    }
+    CHECK(product.bytes() > nothing);
+    VisibilityBlocks all(scene.visibility, 6);
+    const VisibilityProduct expected(scene.visibility, directions(), scene.normals, layout, {&all, {}});
+    VertexLight light = vertex_lights(layout, 1, 100), of_all = vertex_lights(layout, 1, 100);
+    expected.run(of_all, 0, of_all.blocks());
+    for (std::size_t block = 0; block < light.blocks(); ++block) {
+        if (computed[block * kLanes] == 0) continue;
+        product.run(light, block, block + 1);
+        for (std::size_t v = block * kLanes; v < std::min<std::size_t>(100, (block + 1) * kLanes); ++v)
+            CHECK(numbers_at(light, v, 0) == numbers_at(of_all, v, 0));
+        CHECK((kept.block(block) == nullptr) == (all.block(block) == nullptr));
+    }
+    CHECK_INVALID(VisibilityProduct(scene.visibility, directions(), scene.normals, layout, {},
+                                    std::span(needed).first(99)));
+}
+
 TEST_CASE("what does not fit together is refused") {
     const Scene scene(3);
     const LightLayout low(2, LightKind::linear);
