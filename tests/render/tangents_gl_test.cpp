@@ -75,8 +75,9 @@ IMAGE_TEST_CASE("tangents, an angle and a texture of directions rotate brushed m
                     return studio(scene_of(floor, material, sizes), options, camera);
                 };
                 const StokesImage expected = picture(floor_along({kCosine, kSine}), sheet);
-                const auto same = [&](const MeshPtr& floor, const MaterialPtr& material) {
-                    return rms_difference(picture(floor, material), expected) < 1e-4 * rms(expected);
+                const auto same = [&](const MeshPtr& floor, const MaterialPtr& material,
+                                      double tolerance = 1e-4) {
+                    return rms_difference(picture(floor, material), expected) < tolerance * rms(expected);
                 };
                 CHECK_FALSE(same(floor_along({1, 0}), sheet));
                 CHECK(same(floor_along({1, 0}), rotated(sheet, nullptr, kAngle)));
@@ -85,10 +86,11 @@ IMAGE_TEST_CASE("tangents, an angle and a texture of directions rotate brushed m
                 CHECK(same(with_tangent(floor_along({0, 1}), {1, 0, 0, 1}), rotated(sheet, nullptr, kAngle)));
                 CHECK(
                     same(with_tangent(floor_along({0, 1}), {1, 0, 0, -1}), rotated(sheet, nullptr, -kAngle)));
-                // The opposite direction gives the same surface, but rays other noise.
+                // The opposite direction gives the same surface, but rays other noise, and exchanges the
+                // nodes of a lobe's pairs, whose first ones say where the light leans.
                 if (method == Method::reference) continue;
-                CHECK(same(floor_along({1, 0}), rotated(sheet, directions, std::numbers::pi)));
-                CHECK(same(floor_along({-1, 0}, true), rotated(sheet, nullptr, -kAngle)));
+                CHECK(same(floor_along({1, 0}), rotated(sheet, directions, std::numbers::pi), 5e-3));
+                CHECK(same(floor_along({-1, 0}, true), rotated(sheet, nullptr, -kAngle), 5e-3));
             }
 }
 
