@@ -196,8 +196,7 @@ Report bench_engine(const Options& options) {
     report.note(
         "Each frame moves a ball, renders it within a bake_budget_ms of 4, and draws s0 into the host's "
         "texture; every 50th changes the image's size. A job at a time renders another scene from "
-        "nothing. Times: of the frames since the row before. MiB, OpenGL objects, jobs: at the row's last "
-        "frame; "
-        "memory is the resident one.");
+        "nothing. Times: of the frames since the row before. MiB (resident), OpenGL objects, jobs: at the "
+        "row's last frame.");
     return report;
 }

@@ -119,8 +119,7 @@ Report bench_waits(const Options& options) {
     report.note(
         std::to_string(kJobs) +
         " jobs render the scene for the first time, with 8192 directions. The context has one thread, so "
-        "that "
-        "calls do not wait for their own loops. Blocked: ms in which the calling thread neither ran nor "
+        "that calls do not wait for their own loops. Blocked: ms in which the calling thread neither ran nor "
         "waited for a processor. A call that is blocked alone waits for its own work in OpenGL.");
     return report;
 }

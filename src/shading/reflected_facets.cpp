@@ -26,10 +26,9 @@ constexpr float kMostMoved = 8;  // largest exponent of the ratio of two distrib
 // Returns 1 over the density of facets of these slopes, in standard deviations; 0 if it is 0.
 template <class Number>
 [[gnu::always_inline]] inline void sparsity(const Facets<float>& facets, const glm::vec2& deviations,
-                                            const Number& x, const Number& y, Vector3<Number>& steep,
-                                            Number& length2, Number& out) {
-    steep = {deviations.x * x, deviations.y * y, Number{} + 1.0F};
-    length2 = steep.x * steep.x + steep.y * steep.y + 1.0F;
+                                            const Number& x, const Number& y, Number& out) {
+    const Vector3<Number> steep{deviations.x * x, deviations.y * y, Number{} + 1.0F};
+    const Number length2 = steep.x * steep.x + steep.y * steep.y + 1.0F;
     density(facets, steep, length2, out);
     out = out > 0.0F ? 1.0F / out : Number{};
 }
@@ -97,18 +96,19 @@ template <class Number>
     return all_lanes((straight < clear ? straight : clear) > 0.0F);
 }
 
-// Stores a node's weight. factor: weight in the direction `evaluated`, where the pBRDF is evaluated.
+// Stores the weight of a node that is evaluated in its own direction. factor: weight there.
 template <class Number>
 [[gnu::always_inline]] inline void store_weight(const Facets<float>& facets, std::size_t first,
-                                                const Number& factor, const Vector3<Number>& evaluated,
-                                                ReflectedNode& node) {
+                                                const Number& factor, ReflectedNode& node) {
     if (above_horizon<Number>(facets, first, node)) {
         store_part(factor, first, node.weights);
         return;
     }
+    Vector3<Number> towards;
+    load_part(node.towards, first, towards);
     Number mean, there;
     limit_blob(facets, first, node, mean);
-    visible_share(facets, evaluated, there);
+    visible_share(facets, towards, there);
     store_part(Number(factor * mean / (there > kLeastShare ? there : Number{} + kLeastShare)), first,
                node.weights);
 }
@@ -209,12 +209,9 @@ template <class Number>
             store_part(node.weight, first, out.weights);
             continue;
         }
-        Vector3<Number> steep;
-        Number length2, inverse;
-        sparsity(r.facets_, r.deviations_, node.x, node.y, steep, length2, inverse);
-        Vector3<Number> towards;
-        load_part(out.towards, first, towards);
-        store_weight(r.facets_, first, Number(node.factor * inverse), towards, out);
+        Number inverse;
+        sparsity(r.facets_, r.deviations_, node.x, node.y, inverse);
+        store_weight(r.facets_, first, Number(node.factor * inverse), out);
     }
 }
 
