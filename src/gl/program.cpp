@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 
 #include "error.hpp"
 #include "gl/program_cache.hpp"
@@ -159,7 +160,7 @@ void Program::find_uniforms() {
     }
 }
 
-int Program::location(std::string_view name, unsigned type) const {
+Program::Uniform& Program::find(std::string_view name, unsigned type) {
     const auto found = uniforms_.find(name);
     const auto refuse = [&](const std::string& text) {
         throw Error(ErrorCode::invalid_argument,
@@ -172,49 +173,66 @@ int Program::location(std::string_view name, unsigned type) const {
     }
     if (!accepts(found->second.type, type))
         refuse(" is " + glsl_name(found->second.type) + ", not " + glsl_name(type));
-    return found->second.location;
+    return found->second;
+}
+
+template <class Value, class Set>
+void Program::update(std::string_view name, unsigned type, const Value& value, Set set) {
+    const GladGLContext& gl = functions(*context(), "Program::set");
+    Uniform& uniform = find(name, type);
+    static_assert(sizeof(Value) <= sizeof(uniform.last));
+    const auto bytes = std::as_bytes(std::span(&value, 1));
+    if (uniform.known && std::ranges::equal(bytes, std::span(uniform.last).first(bytes.size()))) return;
+    set(gl, uniform.location);
+    context()->state().check_command("setting " +
+                                     std::string(name));  // a too high unit of a sampler fails here
+    std::ranges::copy(bytes, uniform.last.begin());
+    uniform.known = true;
 }
 
 void Program::set(std::string_view name, int value) {
-    const GladGLContext& gl = functions(*context(), "Program::set");
-    gl.ProgramUniform1i(id(), location(name, GL_INT), value);
-    context()->state().check_command("setting " +
-                                     std::string(name));  // a too high unit of a sampler fails here
+    update(name, GL_INT, value,
+           [&](const GladGLContext& gl, GLint location) { gl.ProgramUniform1i(id(), location, value); });
 }
 
 void Program::set(std::string_view name, unsigned value) {
-    const GladGLContext& gl = functions(*context(), "Program::set");
-    gl.ProgramUniform1ui(id(), location(name, GL_UNSIGNED_INT), value);
+    update(name, GL_UNSIGNED_INT, value,
+           [&](const GladGLContext& gl, GLint location) { gl.ProgramUniform1ui(id(), location, value); });
 }
 
 void Program::set(std::string_view name, float value) {
-    const GladGLContext& gl = functions(*context(), "Program::set");
-    gl.ProgramUniform1f(id(), location(name, GL_FLOAT), value);
+    update(name, GL_FLOAT, value,
+           [&](const GladGLContext& gl, GLint location) { gl.ProgramUniform1f(id(), location, value); });
 }
 
 void Program::set(std::string_view name, const glm::vec2& value) {
-    const GladGLContext& gl = functions(*context(), "Program::set");
-    gl.ProgramUniform2fv(id(), location(name, GL_FLOAT_VEC2), 1, &value.x);
+    update(name, GL_FLOAT_VEC2, value, [&](const GladGLContext& gl, GLint location) {
+        gl.ProgramUniform2fv(id(), location, 1, &value.x);
+    });
 }
 
 void Program::set(std::string_view name, const glm::vec3& value) {
-    const GladGLContext& gl = functions(*context(), "Program::set");
-    gl.ProgramUniform3fv(id(), location(name, GL_FLOAT_VEC3), 1, &value.x);
+    update(name, GL_FLOAT_VEC3, value, [&](const GladGLContext& gl, GLint location) {
+        gl.ProgramUniform3fv(id(), location, 1, &value.x);
+    });
 }
 
 void Program::set(std::string_view name, const glm::vec4& value) {
-    const GladGLContext& gl = functions(*context(), "Program::set");
-    gl.ProgramUniform4fv(id(), location(name, GL_FLOAT_VEC4), 1, &value.x);
+    update(name, GL_FLOAT_VEC4, value, [&](const GladGLContext& gl, GLint location) {
+        gl.ProgramUniform4fv(id(), location, 1, &value.x);
+    });
 }
 
 void Program::set(std::string_view name, const glm::mat3& value) {
-    const GladGLContext& gl = functions(*context(), "Program::set");
-    gl.ProgramUniformMatrix3fv(id(), location(name, GL_FLOAT_MAT3), 1, GL_FALSE, &value[0].x);
+    update(name, GL_FLOAT_MAT3, value, [&](const GladGLContext& gl, GLint location) {
+        gl.ProgramUniformMatrix3fv(id(), location, 1, GL_FALSE, &value[0].x);
+    });
 }
 
 void Program::set(std::string_view name, const glm::mat4& value) {
-    const GladGLContext& gl = functions(*context(), "Program::set");
-    gl.ProgramUniformMatrix4fv(id(), location(name, GL_FLOAT_MAT4), 1, GL_FALSE, &value[0].x);
+    update(name, GL_FLOAT_MAT4, value, [&](const GladGLContext& gl, GLint location) {
+        gl.ProgramUniformMatrix4fv(id(), location, 1, GL_FALSE, &value[0].x);
+    });
 }
 
 }  // namespace nicol::gl

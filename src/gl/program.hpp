@@ -2,6 +2,8 @@
 // Linked shader stages and their uniforms.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <functional>
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
@@ -35,7 +37,8 @@ public:
     [[nodiscard]] static Program compute(std::shared_ptr<Context> context, const ShaderSource& source,
                                          std::span<const Define> defines = {});
 
-    /// Sets a uniform of exactly the value's type; int also sets bool and samplers. Throws
+    /// Sets a uniform of exactly the value's type; int also sets bool and samplers. A value that the uniform
+    /// has already costs no command. Throws
     /// Error(invalid_argument) for a name that the linked program does not use, listing the names that it
     /// uses, and for another type.
     void set(std::string_view name, int value);
@@ -59,6 +62,8 @@ private:
     struct Uniform {
         int location;
         unsigned type;
+        std::array<std::byte, sizeof(glm::mat4)> last{};  // bytes of the last value
+        bool known = false;                               // whether there is a last value
     };
     struct Stage {
         unsigned type;
@@ -66,7 +71,10 @@ private:
     };
     Program(std::shared_ptr<Context> context, std::span<const Stage> stages, std::span<const Define> defines);
     void find_uniforms();
-    [[nodiscard]] int location(std::string_view name, unsigned type) const;
+    [[nodiscard]] Uniform& find(std::string_view name, unsigned type);
+    // Calls set(functions, location) unless the uniform has the value already.
+    template <class Value, class Set>
+    void update(std::string_view name, unsigned type, const Value& value, Set set);
 
     Object object_;
     std::string label_;

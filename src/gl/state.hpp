@@ -36,12 +36,20 @@ struct Context::State {
     Limits limits;
     std::vector<FailedAttempt> failed_attempts;
     std::array<std::atomic<std::size_t>, 5> bytes{};
-    MemoryMonitor memory_monitor;       ///< set before the first object is made
-    bool compatibility = false;         ///< whether a host's context has the compatibility profile
-    GLuint empty_vertex_array = 0;      ///< core profiles cannot draw without a vertex array
-    GLuint condition = 0;               ///< a query that tests for conditional rendering in a host's context
-    GLint clip_distances = 0;           ///< number of a host's clip distances
-    HostState* host_state = nullptr;    ///< a host's state during a visit; null in a context of our own
+    MemoryMonitor memory_monitor;     ///< set before the first object is made
+    bool compatibility = false;       ///< whether a host's context has the compatibility profile
+    GLuint empty_vertex_array = 0;    ///< core profiles cannot draw without a vertex array
+    GLuint condition = 0;             ///< a query that tests for conditional rendering in a host's context
+    GLint clip_distances = 0;         ///< number of a host's clip distances
+    HostState* host_state = nullptr;  ///< a host's state during a visit; null in a context of our own
+    /// A bound part of a storage buffer.
+    struct StorageRange {
+        GLuint buffer = 0;
+        std::size_t offset = 0, bytes = 0;
+        bool operator==(const StorageRange&) const = default;
+    };
+    /// Parts that our commands have bound, by binding; empty where a host may have bound something else.
+    std::vector<StorageRange> storages{};
     bool validates = true;              ///< whether check_command() asks at once
     bool unchecked = false;             ///< whether commands were given since the last check()
     std::vector<std::string> messages;  ///< messages of KHR_debug since the last check()

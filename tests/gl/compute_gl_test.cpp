@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Tests of compute programs over shader storage.
+#include <algorithm>
+
 #include "gl/buffer.hpp"
 #include "gl/contexts.hpp"
 #include "gl/draw.hpp"
@@ -27,6 +29,33 @@ GL_THREAD_TEST_CASE("a compute program reads one buffer, or a part of it, and wr
         dispatch(program, (read + 63) / 64);
         output.read(0, std::as_writable_bytes(std::span(result)));
         for (std::size_t i = 0; i < read; ++i) REQUIRE(result[i] == 2 * source[first + i]);
+    }
+}
+
+GL_THREAD_TEST_CASE("a binding is that of the last call, whatever buffers had the name before") {
+    constexpr std::size_t count = 64;
+    const Define factor{"FACTOR", "2.0"};
+    const Program program = Program::compute(context, test_shader("double.comp"), {&factor, 1});
+    const Buffer output(context, BufferUse::storage, count * sizeof(float), BufferUpdate::fixed);
+    output.bind_storage(1);
+    std::vector<float> result(count);
+    const auto check = [&](const Buffer& input, float expected) {
+        input.bind_storage(0);
+        dispatch(program, 1);
+        output.read(0, std::as_writable_bytes(std::span(result)));
+        CHECK(std::ranges::count(result, expected) == count);
+    };
+    const auto filled = [&](float value) {
+        const std::vector<float> source(count, value);
+        return Buffer(context, BufferUse::storage, std::as_bytes(std::span(source)));
+    };
+    const Buffer kept = filled(1);
+    for (int i = 2; i < 6; ++i) {
+        const Buffer input = filled(static_cast<float>(i));  // deleted in each round
+        check(input, 2 * static_cast<float>(i));
+        check(input, 2 * static_cast<float>(i));
+        check(kept, 2);
+        check(input, 2 * static_cast<float>(i));
     }
 }
 

@@ -75,6 +75,14 @@ GL_THREAD_TEST_CASE("uniforms of every type arrive") {
     std::vector<float> result(expected.size());
     output.read(0, std::as_writable_bytes(std::span(result)));
     CHECK(result == expected);
+
+    // A value that changes back is another one each time.
+    for (const float value : {0.25F, 0.5F, 0.5F}) {
+        program.set("a_float", value);
+        dispatch(program, 1);
+        output.read(0, std::as_writable_bytes(std::span(result)));
+        CHECK(result[3] == value);
+    }
 }
 
 GL_THREAD_TEST_CASE("a uniform of another name or type is an error that says what there is") {
