@@ -227,6 +227,17 @@ void Framebuffer::show(StokesImage image, const Statistics& statistics, Aovs aov
     aovs_ = std::move(aovs);
 }
 
+void Framebuffer::exchange(Framebuffer& other) {
+    std::swap(groups_, other.groups_);
+    std::swap(image_, other.image_);
+    std::swap(aov_mask_, other.aov_mask_);
+    std::swap(aovs_drawn_, other.aovs_drawn_);
+    std::swap(aov_attachments_, other.aov_attachments_);
+    std::swap(aovs_, other.aovs_);
+    std::swap(statistics_, other.statistics_);
+    std::swap(content_, other.content_);
+}
+
 void Framebuffer::rendered(const Statistics& statistics) {
     static std::atomic<std::uint64_t> contents = 0;
     content_ = ++contents;

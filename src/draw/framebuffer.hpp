@@ -70,6 +70,9 @@ public:
     /// be called inside run() of the context.
     void drew_aovs(std::uint32_t mask, std::uint32_t drawn, std::shared_ptr<gl::RenderTarget> attachments);
 
+    /// Exchanges contents with a framebuffer of the same size and channels. Neither may borrow its textures.
+    void exchange(Framebuffer& other);
+
     /// Records that a render has drawn.
     void rendered(const Statistics& statistics);
     [[nodiscard]] Statistics& statistics() noexcept { return statistics_; }

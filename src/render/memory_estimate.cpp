@@ -176,14 +176,13 @@ std::uint64_t image_memory(const Scene& scene, const RenderOptions& options, int
     if (options.shade_at != ShadeAt::pixels) bytes = at_vertices;
     if (options.shade_at != ShadeAt::vertices) bytes = std::max(bytes, at_pixels);
     if (options.aovs != 0) {
-        // Attachments of one sample and of the earlier samples, with the depth that decides which sample is
-        // nearest.
+        // Attachments of the framebuffer, of the spare and of one sample, with the depth that decides which
+        // sample is nearest.
         const auto attachments =
             static_cast<std::uint64_t>(AovLayout(options.aovs | aov_depth).attachments());
-        bytes += (several ? 2 : 1) * (attachments * texel + depth);
+        bytes += (several ? 3 : 2) * (attachments * texel + depth);
     }
-    if (drawn_one_by_one(options.pixel_samples, options.filter))
-        bytes += planes * texel;  // image of one sample
+    bytes += planes * texel + depth;  // spare, which the image is drawn into
     return bytes * static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height) +
            scene.elements().size() * ElementPainter::kBytesPerElement;
 }

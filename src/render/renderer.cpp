@@ -51,6 +51,11 @@ bool is_grey_of(const Scene& scene, const Framebuffer& target) {
     return target.channels() == 1 && scene.channels() == 3;
 }
 
+std::uint64_t texture_bytes(const gl::Context& context) {
+    const gl::MemoryUse memory = context.memory();
+    return memory.of(gl::MemoryKind::texture) + memory.of(gl::MemoryKind::render_target);
+}
+
 std::int64_t pixels(const View& view) {
     return std::int64_t{view.target->width()} * view.target->height();
 }
@@ -200,6 +205,15 @@ void Renderer::draw_within_budget(const Scene& scene, const Projection& projecti
                    .at_pixels = pipeline_.shaded_pixels()});
 }
 
+Framebuffer& Renderer::spare_of(const Framebuffer& target) {
+    if (!spare_ || spare_->width() != target.width() || spare_->height() != target.height() ||
+        spare_->channels() != target.channels()) {
+        spare_.reset();
+        spare_ = std::make_unique<Framebuffer>(context_, target.width(), target.height(), target.channels());
+    }
+    return *spare_;
+}
+
 void Renderer::put(Framebuffer& target, const std::function<void()>& draw) {
     const std::lock_guard lock(target.mutex());
     draw();
@@ -236,14 +250,13 @@ void Renderer::trace(const Scene& scene, const Projection& projection, const Ren
     statistics.trace_ms = traced.trace_ms;
     statistics.camera_rays = traced.camera_rays;
     statistics.shadow_rays = traced.shadow_rays;
-    const gl::MemoryUse memory = target.context()->memory();
-    statistics.texture_bytes = memory.of(gl::MemoryKind::texture) + memory.of(gl::MemoryKind::render_target);
+    statistics.texture_bytes = texture_bytes(*context_);
     put(target, std::move(image), statistics, std::move(aovs));
 }
 
 void Renderer::draw_one_by_one(const Scene& scene, const Projection& projection, const RenderOptions& options,
                                Framebuffer& target) {
-    Framebuffer sample(context_, target.width(), target.height(), target.channels());
+    Framebuffer& sample = spare_of(target);
     FilteredImage filtered(options.filter, target.width(), target.height(), target.channels());
     Statistics statistics;
     std::uint64_t unphysical = 0;
@@ -371,26 +384,40 @@ void Renderer::draw(const Scene& scene, const Projection& projection, const Rend
     if (elements)
         context_->run([&] { elements_.prepare(scene, surfaces, projection, options.pixel_samples, target); });
     statistics.draw_ms += preparing.milliseconds();
-    const auto draw_image = [&] {
-        painter_.draw(subject, wanted, target);
-        if (!elements) return;
-        context_->run([&] {
-            elements_.draw(buffers_, hits_, options.components, target);
-            gl::finish(*context_);
-        });
-    };
-    put(target, [&] {
+    const auto draw_into = [&](Framebuffer& image) {
         const Stopwatch watch;
-        draw_image();
+        painter_.draw(subject, wanted, image);
+        if (elements) {
+            context_->run([&] {
+                elements_.draw(buffers_, hits_, options.components, image);
+                gl::finish(*context_);
+            });
+        }
         statistics.draw_ms += watch.milliseconds();
         statistics.transfer_bytes += hits_.bytes();
         const gl::MemoryUse memory = context_->memory();
         statistics.buffer_bytes = memory.of(gl::MemoryKind::vertex) + memory.of(gl::MemoryKind::index) +
                                   memory.of(gl::MemoryKind::storage);
-        statistics.texture_bytes =
-            memory.of(gl::MemoryKind::texture) + memory.of(gl::MemoryKind::render_target);
-        target.rendered(statistics);
-    });
+        statistics.texture_bytes = texture_bytes(*context_);
+        image.rendered(statistics);
+    };
+    // A host keeps the names of its framebuffers' textures, so its images are drawn where they are. Nobody
+    // else reads a framebuffer of the renderer's own.
+    const bool in_place =
+        context_->info().backend == gl::Backend::host || &target == colours_.get() || &target == spare_.get();
+    if (in_place) {
+        put(target, [&] { draw_into(target); });
+    } else {
+        Framebuffer& image = spare_of(target);
+        draw_into(image);
+        put(target, [&] { target.exchange(image); });
+        // Frees AOVs that the picture before had and this one has not.
+        if (options.aovs == 0 && image.aov_mask() != 0) {
+            context_->run([&] { image.drew_aovs(0, 0, nullptr); });
+            const std::lock_guard lock(target.mutex());
+            target.statistics().texture_bytes = texture_bytes(*context_);
+        }
+    }
 }
 
 }  // namespace nicol

@@ -105,6 +105,8 @@ private:
     // Draws with what the options' time budget affords.
     void draw_within_budget(const Scene& scene, const Projection& projection, const RenderOptions& options,
                             Framebuffer& target);
+    // Returns a framebuffer of the size and channels of `target` that nobody else uses.
+    [[nodiscard]] Framebuffer& spare_of(const Framebuffer& target);
     // Locks the framebuffer, calls `draw`, which replaces the content, and remembers what the content is.
     void put(Framebuffer& target, const std::function<void()>& draw);
     void put(Framebuffer& target, StokesImage image, const Statistics& statistics, Aovs aovs);
@@ -130,6 +132,7 @@ private:
     WorkerOptions worker_options_;
     MemoryLimit memory_limit_;
     std::unique_ptr<Framebuffer> colours_;  // framebuffer of three channels, for a target of luminance
+    std::unique_ptr<Framebuffer> spare_;    // framebuffer to draw into while others read the target
     Workers workers_;
     TimeBudget budget_;
     VertexBuffers buffers_;

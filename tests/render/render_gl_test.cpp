@@ -168,6 +168,30 @@ TEST_CASE("what needs no work is counted, and another image or framebuffer is dr
     CHECK(largest_difference(image, target.image()) > 0);
 }
 
+GL_TEST_CASE("framebuffers of one renderer keep their images and AOVs apart") {
+    Scene scene;
+    scene.add({.mesh = test::fine_sphere(), .material = pplastic({})});
+    scene.set_environment(constant_environment({2}), glm::dmat3(1.0), 1);
+    constexpr double distances[] = {3, 5};
+    const RenderOptions options{.aovs = aov_depth};
+    const auto rendered = [&](Renderer& renderer, double distance, Framebuffer& target) {
+        renderer.render(scene, camera_at({0, 0, distance}), options, target);
+    };
+    Renderer renderer(context);
+    Framebuffer targets[] = {{context, 8, 8, 1}, {context, 8, 8, 1}};
+    // Nothing is read back until all is drawn, so that what is read lies on the device until then.
+    for (int round = 0; round < 2; ++round)
+        for (int i = 0; i < 2; ++i) rendered(renderer, distances[i], targets[i]);
+    for (int i = 0; i < 2; ++i) {
+        Renderer fresh(context);
+        Framebuffer expected(context, 8, 8, 1);
+        rendered(fresh, distances[i], expected);
+        CHECK(targets[i].image().data == expected.image().data);
+        CHECK(targets[i].aovs().depth == expected.aovs().depth);
+    }
+    CHECK(targets[0].aovs().depth != targets[1].aovs().depth);
+}
+
 GL_TEST_CASE("an image shown in a framebuffer is in memory and on the device") {
     constexpr int channels = Framebuffer::kGroup + 2;
     Framebuffer target(context, 5, 3, channels);
