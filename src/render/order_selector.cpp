@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <set>
 
 #include "harmonics/energy.hpp"
 #include "material/shared_terms.hpp"
 #include "render/light_projection.hpp"
 #include "render/memory_estimate.hpp"
-#include "render/vertex_weights.hpp"
 
 namespace nicol {
 namespace {
@@ -34,6 +34,9 @@ double cost(int low, bool split, bool local_lights) {
 constexpr double kNegligible = 0.06;
 // Error, relative to the tolerance, below which no better orders are looked for.
 constexpr double kSmallError = 0.1;
+
+// Most memory of the integrals of materials' terms that are kept for new weights.
+constexpr std::size_t kMostTermBytes = std::size_t{1} << 25;
 
 // Energies by order of the parts of a light, s0, (s1, s2) and s3, for each channel. With s1 and s2 complex,
 // half of their products with a response are real.
@@ -150,7 +153,11 @@ void OrderSelector::measure(const Scene& scene, const Projected& projected, cons
     });
     const WorldGeometry& geometry = surfaces.geometry;
     kind_ = light_kind(projected.light.get());
-    responding_.run(kind_, projected.sampled, scene.channels(), [&] { responses_.clear(); });
+    responding_.run(kind_, projected.sampled, scene.channels(), [&] {
+        responses_.clear();
+        known_terms_.clear();
+        fits_.clear();
+    });
     constexpr std::size_t size = kOrder + 1;
     std::array<std::vector<double>, 2> couplings;  // spin 0, spin 2
     for (std::vector<double>& coupling : couplings) {
@@ -165,8 +172,6 @@ void OrderSelector::measure(const Scene& scene, const Projected& projected, cons
     }
 
     const VertexWeights vertices(geometry, surfaces.baked);
-    ResponsePower::KnownTerms known_terms;
-    fits_.clear();
     std::erase_if(responses_, [&](const auto& known) { return !vertices.groups().contains(known.first); });
     for (const auto& [material, group] : vertices.groups()) {
         if (harmonics) {
@@ -177,10 +182,10 @@ void OrderSelector::measure(const Scene& scene, const Projected& projected, cons
         auto known = responses_.find(material);
         if (known == responses_.end()) {
             MaterialPtr in_orders = in_harmonics(material, projected.sampled);
-            const ResponsePower whole(*material, kOrder, kind_, scene.channels(), known_terms);
+            const ResponsePower whole(*material, kOrder, kind_, scene.channels(), known_terms_);
             const ResponsePower power = in_orders == material ? whole
                                                               : ResponsePower(*in_orders, kOrder, kind_,
-                                                                              scene.channels(), known_terms);
+                                                                              scene.channels(), known_terms_);
             known = responses_
                         .emplace(material, Response{.whole = whole,
                                                     .projected = std::move(in_orders),
@@ -207,6 +212,22 @@ void OrderSelector::measure(const Scene& scene, const Projected& projected, cons
         }
         values_ += group.weight * scene.channels();
     }
+    forget_terms(vertices, projected.sampled);
+}
+
+void OrderSelector::forget_terms(const VertexWeights& vertices, SampledTerms sampled) {
+    std::set<std::string> keys;
+    for (const auto& [material, group] : vertices.groups()) {
+        keys.insert(terms_key(*material));
+        keys.insert(terms_key(*in_harmonics(material, sampled)));
+    }
+    const auto is_other = [&](const auto& known) { return !keys.contains(known.first); };
+    for (auto& [orders, fit] : fits_) std::erase_if(fit.known, is_other);
+    std::erase_if(known_terms_, is_other);
+    std::size_t bytes = 0;
+    for (const auto& [key, angles] : known_terms_)
+        for (const std::vector<double>& rows : angles) bytes += rows.size() * sizeof(double);
+    if (bytes > kMostTermBytes) known_terms_.clear();
 }
 
 void OrderSelector::add_part(const Spectrum& light, const Spectrum& power, std::span<const double> coupling,

@@ -12,6 +12,7 @@
 #include "material/response_power.hpp"
 #include "material/sampled_terms.hpp"
 #include "render/kept_projection.hpp"
+#include "render/vertex_weights.hpp"
 #include "scene/scene.hpp"
 #include "specular/split_fit.hpp"
 #include "stage/options.hpp"
@@ -86,6 +87,9 @@ private:
                                          std::uint64_t memory_limit);
     void measure(const Scene& scene, const Projected& projected, const SurfaceState& surfaces,
                  KeptProjection& projection);
+    // Forgets integrals of terms that no material has. Materials that differ in their weights alone share
+    // these integrals, so that a new reflectance needs none.
+    void forget_terms(const VertexWeights& vertices, SampledTerms sampled);
     // Adds a part of the light to a share. light: its energies by order. power: energies of its reflection by
     // order. coupling: of VisibilityPower.
     static void add_part(const Spectrum& light, const Spectrum& power, std::span<const double> coupling,
@@ -107,6 +111,7 @@ private:
     LightKind kind_ = LightKind::unpolarized;
     Stage<LightKind, SampledTerms, int> responding_;  // kind, sampled terms, channels
     std::map<MaterialPtr, Response> responses_;
+    ResponsePower::KnownTerms known_terms_;
     std::map<std::pair<int, int>, SharedFit> fits_;  // by low and high order
     // Energies by order, of each channel: of the projected light, and of all light.
     using LightPower = std::vector<std::array<Spectrum, ResponsePower::kParts>>;

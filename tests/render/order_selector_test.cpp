@@ -2,7 +2,10 @@
 // Tests of orders chosen for a tolerance, and of the resulting error.
 #include "render/order_selector.hpp"
 
+#include <atomic>
+
 #include "devices/cpu/cpu_executor.hpp"
+#include "material/shared_terms.hpp"
 #include "render/memory_estimate.hpp"
 #include "render/scenes.hpp"
 #include "test.hpp"
@@ -43,6 +46,27 @@ Scene spheres(const MaterialPtr& first, const MaterialPtr& second, const Environ
 Projection from(const glm::dvec3& eye) {
     return project(test::camera_at(eye), 64, 64);
 }
+
+/// A glossy material that counts its evaluations together with other materials.
+class CountedGloss final : public Material, public SharedTerms {
+public:
+    CountedGloss(double weight, double alpha, int& calls)
+        : weight_(weight), alpha_(alpha), calls_(calls), base_(pplastic({.alpha = alpha})) {}
+    [[nodiscard]] int channels() const noexcept override { return 1; }
+    [[nodiscard]] int terms() const noexcept override { return 1; }
+    [[nodiscard]] double weight(int, int) const override { return weight_; }
+    [[nodiscard]] double lobe_width(int) const noexcept override { return alpha_; }
+    [[nodiscard]] std::string own_terms_key() const override { return "gloss " + std::to_string(alpha_); }
+    [[nodiscard]] Mueller evaluate(int, const glm::dvec3& i, const glm::dvec3& o) const override {
+        ++std::atomic_ref(calls_);
+        return base_->evaluate(0, i, o);
+    }
+
+private:
+    double weight_, alpha_;
+    int& calls_;
+    MaterialPtr base_;
+};
 
 /// Images of a scene's vertices from several views, with all orders of its light and with the orders chosen
 /// for a tolerance.
@@ -186,6 +210,46 @@ TEST_CASE("beside local lights, which take most of a frame, better orders are ta
     CHECK(lit.error < dark.error);
     // Orders that take noticeable time are taken if they are needed, not otherwise.
     CHECK(choose(1e-3).low == fine.low);
+}
+
+TEST_CASE("a new reflectance integrates no terms, and its orders are those of a selector that is new") {
+    int calls = 0;
+    const auto gloss = [&](double weight, double alpha) {
+        return std::make_shared<const CountedGloss>(weight, alpha, calls);
+    };
+    Scene scene = spheres(gloss(0.3, 0.2), gloss(0.4, 0.2), natural_light(false));
+    SceneGeometry surfaces;
+    KeptProjection projection;
+    const auto choose = [&](OrderSelector& selector) {
+        surfaces.update(scene);
+        const SurfaceState unshadowed{.geometry = surfaces.geometry(),
+                                      .visibility = nullptr,
+                                      .directions = nullptr,
+                                      .versions = {.geometry = surfaces.version()},
+                                      .materials = surfaces.material_version(),
+                                      .change = {}};
+        return selector.choose(scene, {scene.environment(), SampledTerms::none}, unshadowed, true,
+                               {.high_orders = HighOrders::split, .tolerance = 0.02}, MemoryLimit::kNone,
+                               projection);
+    };
+    const auto calls_of = [&](OrderSelector& selector) {
+        const int before = calls;
+        choose(selector);
+        return calls - before;
+    };
+    OrderSelector kept;
+    CHECK(calls_of(kept) > 0);
+    for (const double alpha : {0.2, 0.35}) {
+        scene.set_material(scene.ids()[1], gloss(0.6, alpha));
+        CAPTURES(alpha);
+        CHECK((calls_of(kept) > 0) == (alpha != 0.2));
+        OrderSelector fresh;
+        const OrderSelector::Orders expected = choose(fresh), orders = choose(kept);
+        CHECK(orders.low == expected.low);
+        CHECK(orders.high == expected.high);
+        CHECK(orders.error == expected.error);
+        CHECK(orders.rms == expected.rms);
+    }
 }
 
 TEST_CASE("a tolerance that cannot be reached is reported, and the least error taken") {
