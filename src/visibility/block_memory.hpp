@@ -57,16 +57,18 @@ public:
             if (!wanted(block)) continue;
             const auto vertices =
                 former.subspan(block * kLanes, std::min(kLanes, former.size() - block * kLanes));
-            const std::size_t same = vertices.front() / kLanes;
-            std::size_t in_order = 0;
+            std::size_t same = before.size();  // the former block of all known vertices
+            bool in_order = true;
             for (std::size_t i = 0; i < vertices.size(); ++i) {
                 if (!had_values(vertices[i])) {
                     unset.push_back(static_cast<std::uint32_t>(block * kLanes + i));
-                } else if (vertices[i] == same * kLanes + i) {
-                    ++in_order;
+                    continue;
                 }
+                if (same == before.size()) same = vertices[i] / kLanes;
+                in_order = in_order && vertices[i] == same * kLanes + i;
             }
-            if (in_order == vertices.size() && std::exchange(handed_over[same], 1) == 0)
+            // Unset values of a block that is handed over are those of vertices that changed.
+            if (in_order && same < before.size() && std::exchange(handed_over[same], 1) == 0)
                 whole.emplace_back(block, same);
             else
                 mixed.push_back(block);

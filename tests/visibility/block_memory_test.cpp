@@ -70,7 +70,9 @@ TEST_CASE("vertices of wanted blocks without former values are returned") {
     const std::vector<std::uint32_t> last = consecutive(48, 16);  // beyond the former vertices
     expected.insert(expected.end(), last.begin(), last.end());
     const auto wanted = [](std::size_t block) { return block != 2; };
+    const Sixteen* const second = memory.at(1);
     CHECK(memory.renumber(former, kSize, wanted, copy_lane) == expected);
+    CHECK(memory.at(1) == second);  // all of its other vertices stay in place
     CHECK(memory.at(2) == nullptr);
     CHECK(memory.count() == 3);
     for (std::size_t v = 0; v < 32; ++v) {
