@@ -245,7 +245,7 @@ void ProgressiveBake::trace(const Input& input, std::span<const std::uint32_t> v
         const std::span bits = visible_.at(v);
         const std::vector<std::uint64_t> before(bits.begin(), bits.end());
         std::optional<FormerBits> known;
-        if (state != 0) known = {.bits = before, .disturbed = &bundles};
+        if (state != 0) known = FormerBits{before, &bundles, unoccluded_[v] != 0};
         const bool was_unoccluded = visible_.unoccluded(v);
         std::ranges::fill(bits, 0U);
         const std::uint64_t count =

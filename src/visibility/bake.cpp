@@ -70,11 +70,14 @@ public:
     [[nodiscard]] std::size_t known() const {
         return places_.size() - static_cast<std::size_t>(std::ranges::count(places_, kNone));
     }
-    /// Returns the former bits of a known vertex. bundles: room for its disturbed rays.
+    /// Returns the former bits of a known vertex. bundles: room for its disturbed rays. `disturbed` of the
+    /// result is null if there are none.
     [[nodiscard]] FormerBits of(std::size_t v, const glm::vec3& origin, const glm::vec3& normal,
                                 DisturbedBundles& bundles) const {
-        disturbed_[disturbed_of_[v]].find(origin, normal, bundles);
-        return {.bits = former_.visibility.at(places_[v]), .disturbed = &bundles};
+        const bool any = disturbed_[disturbed_of_[v]].find(origin, normal, bundles);
+        return {.bits = former_.visibility.at(places_[v]),
+                .disturbed = any ? &bundles : nullptr,
+                .unoccluded = former_.visibility.unoccluded(places_[v])};
     }
 
 private:
@@ -149,6 +152,11 @@ Visibility bake(const BakeGeometry& geometry, const DirectionSet& directions, co
     const auto trace = [&](std::uint32_t v, Scratch& scratch) -> RayCounts {
         if (known_rays && known_rays->knows(v)) {
             const FormerBits known = known_rays->of(v, origins[v], normals[v], scratch.bundles);
+            if (known.disturbed == nullptr) {
+                std::ranges::copy(known.bits, visibility.at(v).begin());
+                visibility.set_unoccluded(v, known.unoccluded);
+                return {};
+            }
             blockers.flat().find(origins[v], normals[v], scratch.faces);
             return trace_vertex(scene, directions, origins[v], normals[v], v, known, scratch.faces,
                                 visibility);

@@ -48,7 +48,9 @@ RayCounts PointTracer::trace(const Point& at, std::span<const Seeing> around, st
             hides = former_->points.hidden(point->point);
             return {};
         }
-        rays = traced(FormerBits{.bits = former_->points.bits(point->point), .disturbed = &bundles});
+        rays = traced(FormerBits{.bits = former_->points.bits(point->point),
+                                 .disturbed = &bundles,
+                                 .unoccluded = former_->points.unoccluded(point->point)});
     } else if (around.empty()) {
         rays = traced({});
     } else {

@@ -197,7 +197,7 @@ RayCounts PossibleBlockers::trace(const BakeRays& scene, const glm::vec3& origin
     const std::vector<std::uint64_t> open(words.begin(), words.end());
     std::ranges::fill(words, 0U);
     possible.may_open.resize(possible.may_close.size());
-    const FormerBits known{.bits = open, .disturbed = &possible};
+    const FormerBits known{.bits = open, .disturbed = &possible, .unoccluded = true};
     const std::uint64_t traced =
         trace_vertex(scene, directions_, origin, normal, vertex, known, faces, visibility).traced;
     return {.traced = traced, .skipped = above - traced};

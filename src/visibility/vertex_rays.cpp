@@ -70,6 +70,66 @@ private:
     bool any_blocked_ = false;
 };
 
+// Returns the bits of a bundle's directions above the plane of a normal.
+std::uint16_t above(const DirectionSet& directions, std::size_t bundle, const glm::vec3& normal) {
+    return static_cast<std::uint16_t>(dispatch<rays_above>(directions.bundles()[bundle], normal, 0.0F) &
+                                      real_rays(directions, bundle));
+}
+
+// Returns the rays of a bundle whose result may differ from the former one, `seen`.
+std::uint16_t may_change(const FormerBits& former, std::size_t bundle, std::uint16_t seen) {
+    return static_cast<std::uint16_t>((former.disturbed->may_close[bundle] & seen) |
+                                      (former.disturbed->may_open[bundle] & ~seen));
+}
+
+// Returns whether a ray is blocked in a bundle in which no ray may change.
+bool any_known_blocked(const DirectionSet& directions, const glm::vec3& normal, const FormerBits& former) {
+    for (std::size_t b = 0; b < directions.bundles().size(); ++b) {
+        const std::uint16_t seen = bundle_bits(former.bits.data(), b);
+        if (seen == 0xFFFF || may_change(former, b, seen) != 0) continue;
+        if ((above(directions, b, normal) & ~seen) != 0) return true;
+    }
+    return false;
+}
+
+// Sets the bits of a vertex whose former bits are those of the same normal. Bundles without a disturbed ray,
+// which are most of them, keep their bits without a look at their directions.
+RayCounts trace_disturbed(const BakeRays& scene, const DirectionSet& directions, const glm::vec3& origin,
+                          const glm::vec3& normal, std::size_t vertex, const FormerBits& former,
+                          std::span<const FlatBlockers::Cone> faces, Visibility& visibility) {
+    const std::span<std::uint64_t> words = visibility.at(vertex);
+    RayCounts rays;
+    bool unoccluded = true;
+    GatheredRays gathered(scene, origin, words);
+    for (std::size_t b = 0; b < directions.bundles().size(); ++b) {
+        const std::uint16_t seen = bundle_bits(former.bits.data(), b);
+        const std::uint16_t changing = may_change(former, b, seen);
+        if (changing == 0) {
+            add_bundle_bits(words, b, seen);
+            continue;
+        }
+        const RayBundle& bundle = directions.bundles()[b];
+        const std::uint16_t up = above(directions, b, normal);
+        auto traced = static_cast<std::uint16_t>(up & changing);
+        auto blocked = static_cast<std::uint16_t>(up & ~seen & ~traced);
+        if (traced != 0)
+            traced = static_cast<std::uint16_t>(traced & dispatch<rays_above>(bundle, normal, kGrazing));
+        const std::uint16_t known = FlatBlockers::blocked(faces, bundle, traced);
+        traced = static_cast<std::uint16_t>(traced & ~known);
+        blocked = static_cast<std::uint16_t>(blocked | known);
+        rays.traced += static_cast<std::uint64_t>(std::popcount(traced));
+        rays.skipped += static_cast<std::uint64_t>(std::popcount(known));
+        unoccluded = unoccluded && blocked == 0;
+        add_bundle_bits(words, b, static_cast<unsigned>(up & ~blocked));
+        gathered.add(bundle, b, traced);
+    }
+    gathered.trace();
+    unoccluded = unoccluded && !gathered.any_blocked();
+    if (unoccluded && !former.unoccluded) unoccluded = !any_known_blocked(directions, normal, former);
+    visibility.set_unoccluded(vertex, unoccluded);
+    return rays;
+}
+
 }  // namespace
 
 std::uint64_t set_open(const DirectionSet& directions, const glm::vec3& normal, std::size_t vertex,
@@ -77,8 +137,7 @@ std::uint64_t set_open(const DirectionSet& directions, const glm::vec3& normal, 
     const std::span<std::uint64_t> words = visibility.at(vertex);
     std::uint64_t count = 0;
     for (std::size_t b = 0; b < directions.bundles().size(); ++b) {
-        const unsigned up =
-            dispatch<rays_above>(directions.bundles()[b], normal, 0.0F) & real_rays(directions, b);
+        const std::uint16_t up = above(directions, b, normal);
         add_bundle_bits(words, b, up);
         count += static_cast<std::uint64_t>(std::popcount(up));
     }
@@ -89,40 +148,26 @@ std::uint64_t set_open(const DirectionSet& directions, const glm::vec3& normal, 
 RayCounts trace_vertex(const BakeRays& scene, const DirectionSet& directions, const glm::vec3& origin,
                        const glm::vec3& normal, std::size_t vertex, const std::optional<FormerBits>& former,
                        std::span<const FlatBlockers::Cone> faces, Visibility& visibility) {
+    if (former) return trace_disturbed(scene, directions, origin, normal, vertex, *former, faces, visibility);
     const std::span<std::uint64_t> words = visibility.at(vertex);
     RayCounts rays;
     bool unoccluded = true;
-    GatheredRays gathered(scene, origin, words);
     for (std::size_t b = 0; b < directions.bundles().size(); ++b) {
         const RayBundle& bundle = directions.bundles()[b];
-        const auto up =
-            static_cast<std::uint16_t>(dispatch<rays_above>(bundle, normal, 0.0F) & real_rays(directions, b));
+        const std::uint16_t up = above(directions, b, normal);
         if (up == 0) continue;
-        std::uint16_t blocked = 0;
-        std::uint16_t traced = up;
-        if (former) {
-            const std::uint16_t seen = bundle_bits(former->bits.data(), b);
-            const DisturbedBundles& disturbed = *former->disturbed;
-            traced = static_cast<std::uint16_t>(
-                up & ((disturbed.may_close[b] & seen) | (disturbed.may_open[b] & ~seen)));
-            blocked = static_cast<std::uint16_t>(up & ~seen & ~traced);
-        }
-        if (traced != 0)
-            traced = static_cast<std::uint16_t>(traced & dispatch<rays_above>(bundle, normal, kGrazing));
-        const std::uint16_t known = FlatBlockers::blocked(faces, bundle, traced);
-        traced = static_cast<std::uint16_t>(traced & ~known);
-        blocked = static_cast<std::uint16_t>(blocked | known);
+        const auto high = static_cast<std::uint16_t>(up & dispatch<rays_above>(bundle, normal, kGrazing));
+        std::uint16_t blocked = FlatBlockers::blocked(faces, bundle, high);
+        const auto traced = static_cast<std::uint16_t>(high & ~blocked);
         rays.traced += static_cast<std::uint64_t>(std::popcount(traced));
-        rays.skipped += static_cast<std::uint64_t>(std::popcount(known));
-        if (!former && traced != 0)
+        rays.skipped += static_cast<std::uint64_t>(std::popcount(blocked));
+        if (traced != 0)
             blocked =
                 static_cast<std::uint16_t>(blocked | scene.occluded(origin, bundle, numbers_of(b), traced));
         unoccluded = unoccluded && blocked == 0;
         add_bundle_bits(words, b, static_cast<unsigned>(up & ~blocked));
-        if (former) gathered.add(bundle, b, traced);
     }
-    gathered.trace();
-    visibility.set_unoccluded(vertex, unoccluded && !gathered.any_blocked());
+    visibility.set_unoccluded(vertex, unoccluded);
     return rays;
 }
 

@@ -14,10 +14,12 @@
 
 namespace nicol {
 
-/// Result of a former bake for one vertex: its bits, and the rays of each bundle whose result may differ.
+/// Result of a former bake for one vertex: its bits, 0 below the plane of the vertex's normal, and the rays
+/// of each bundle whose result may differ. Bits of such rays may be any.
 struct FormerBits {
     std::span<const std::uint64_t> bits;
     const DisturbedBundles* disturbed;
+    bool unoccluded = false;  ///< whether all bits above the plane are known to be 1
 };
 
 /// Sets the bits of a vertex, which must be 0, as if nothing were above its horizon. Returns the number of
