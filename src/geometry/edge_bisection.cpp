@@ -178,8 +178,11 @@ void EdgeBisection::cut(const glm::uvec3& t, std::uint32_t source, const Edges& 
 void EdgeBisection::split(const Edges& edges, std::vector<WantedLength>& points) {
     const std::vector<glm::uvec3> triangles = std::exchange(triangles_, {});
     const std::vector<std::uint32_t> sources = std::exchange(sources_, {});
+    triangles_.reserve(triangles.size() + 2 * edges.size());
+    sources_.reserve(triangles_.capacity());
     const EdgeEnds ends(edges, place_count_);
-    std::ranges::stable_sort(points, {}, &WantedLength::triangle);
+    if (!std::ranges::is_sorted(points, {}, &WantedLength::triangle))
+        std::ranges::stable_sort(points, {}, &WantedLength::triangle);
     auto first = points.begin();
     for (std::size_t i = 0; i < triangles.size(); ++i) {
         const auto last =

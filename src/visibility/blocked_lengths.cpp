@@ -4,7 +4,11 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <bit>
 #include <glm/geometric.hpp>
+
+#include "simd/dispatch.hpp"
+#include "visibility/bundle_bits.hpp"
 
 namespace nicol {
 namespace {
@@ -43,9 +47,14 @@ std::vector<WantedLength> blocked_lengths(const BakeGeometry& geometry, const Di
         const std::uint32_t v = occluded[i * occluded.size() / count];
         const glm::dvec3 origin = glm::dvec3(geometry.positions[v]) + glm::dvec3(shifts[v]);
         std::vector<std::size_t> blocked;
-        for (std::size_t d = 0; d < directions.size(); ++d) {
-            const bool up = glm::dot(geometry.normals[v], directions.directions()[d]) > 0;
-            if (up && !baked.seen(v, d)) blocked.push_back(d);
+        for (std::size_t b = 0; b < directions.bundles().size(); ++b) {
+            const std::uint16_t seen = bundle_bits(baked.at(v).data(), b);
+            if (seen == 0xFFFF) continue;
+            unsigned rays = dispatch<rays_above>(directions.bundles()[b], geometry.normals[v], 0.0F) & ~seen;
+            for (; rays != 0; rays &= rays - 1) {
+                const std::size_t d = RayBundle::kRays * b + static_cast<std::size_t>(std::countr_zero(rays));
+                if (d < directions.size()) blocked.push_back(d);
+            }
         }
         const std::size_t rays = std::min(blocked.size(), kFollowedRays);
         for (std::size_t r = 0; r < rays; ++r) {

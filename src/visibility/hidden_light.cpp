@@ -19,6 +19,7 @@ namespace {
     std::array<Lanes, 4> sums{};
     for (std::size_t b = 0; b < bundles; ++b) {
         const std::uint32_t seen = bundle_bits(words, b);
+        if (seen == 0xFFFF) continue;  // would add zeros
         for (std::size_t i = 0; i < kLanes; ++i) {
             const float x = bundle[b].x[i];
             const float y = bundle[b].y[i];

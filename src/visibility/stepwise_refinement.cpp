@@ -278,9 +278,8 @@ private:
             const auto [a, b] = std::pair(pair.x, pair.y);
             const glm::vec4 mean = 0.5F * (hidden_[rows_[a]] + hidden_[rows_[b]]);
             const double error = HiddenLight::magnitude(hidden_[row_of_middle(a, b)] - mean);
-            if (wrong(error, a, b)) {
+            if (wrong(error, a, b))
                 found.push_back({.weight = error * length(a, b) * length(a, b), .edge = mesh_.edge(a, b)});
-            }
         }
         return found;
     }
@@ -329,12 +328,17 @@ private:
     // Returns the longest edges of triangles that are larger than wanted.
     [[nodiscard]] std::vector<Wrong> long_edges() const {
         std::unordered_map<EdgeBisection::Edge, double> longest;
+        // Most points follow one of their triangle, because they are sorted once an edge has been split.
+        std::uint32_t last = kNoVertex;
+        double here = 0, shortest_here = 0;
         for (const WantedLength& wanted : wanted_) {
             const glm::uvec3& t = mesh_.triangles()[wanted.triangle];
             if (!wants(t.x) || !wants(t.y) || !wants(t.z)) continue;
-            const double here = std::max({length(t.x, t.y), length(t.y, t.z), length(t.z, t.x)});
-            const double least = std::max({static_cast<double>(wanted.length), shortest(t.x, t.y),
-                                           shortest(t.y, t.z), shortest(t.z, t.x)});
+            if (std::exchange(last, wanted.triangle) != wanted.triangle) {
+                here = std::max({length(t.x, t.y), length(t.y, t.z), length(t.z, t.x)});
+                shortest_here = std::max({shortest(t.x, t.y), shortest(t.y, t.z), shortest(t.z, t.x)});
+            }
+            const double least = std::max(static_cast<double>(wanted.length), shortest_here);
             if (!(here > least)) continue;
             double& weight = longest[mesh_.longest(t)];
             weight = std::max(weight, here * here * here / least);
@@ -347,8 +351,9 @@ private:
 
     void find_extent() {
         const IsVertex known = [this](std::uint32_t v) { return geometry_.needs(v); };
-        const IsVertex counts = [this](std::uint32_t v) { return occluded(v); };
-        const double extent = extent_of_triangles(mesh_, counts, geometry_.needed.empty() ? nullptr : known);
+        const double extent = extent_of_triangles(
+            mesh_, [this](std::uint32_t v) { return occluded(v); },
+            geometry_.needed.empty() ? nullptr : known);
         shortest_ = kShortest * extent;
         short_ = kShort * extent;
     }
