@@ -184,28 +184,48 @@ LightPyramid::LightPyramid(const Environment& environment, int most_columns)
     }
 }
 
+// Interpolates at kParts of each texel, first between rows, then between columns.
 EquirectTexels LightPyramid::half_of(const EquirectTexels& image) const {
+    const auto columns = static_cast<std::size_t>(image.width);
     const int width = image.width / 2;
     const int height = static_cast<int>(image.rows) / 2;
     EquirectTexels out = black_texels(width, height, true, planes_);
     tbb::parallel_for(0, static_cast<int>(planes_) * height, [&](int line) {
         const int row = line % height;
         const auto plane = static_cast<std::size_t>(line / height);
-        glm::vec4* const texels =
-            out.texels.data() + static_cast<std::size_t>(line) * static_cast<std::size_t>(width);
+        const glm::vec4* const from =
+            image.texels.data() + plane * columns * static_cast<std::size_t>(image.height);
+        std::vector<glm::vec4> mean(columns);
+        const auto add = [&](int of_image, float weight) {
+            const glm::vec4* const texels = from + static_cast<std::size_t>(of_image) * columns;
+            for (std::size_t x = 0; x < columns; ++x) mean[x] += weight * texels[x];
+        };
         float total = 0;
         for (const float down : kParts) {
             const float half_turn = (static_cast<float>(row) + down) / static_cast<float>(height);
             // Rows near the poles cover less solid angle.
             const float weight = std::sin(std::numbers::pi_v<float> * half_turn);
             total += weight;
-            for (int x = 0; x < width; ++x)
-                for (const float right : kParts)
-                    texels[x] +=
-                        weight * image.at(plane, (static_cast<float>(x) + right) / static_cast<float>(width),
-                                          half_turn);
+            const float y = std::clamp(half_turn * image.rows - image.first_row, 0.0F,
+                                       static_cast<float>(image.height - 1));
+            const int upper = static_cast<int>(y);
+            const float part = y - static_cast<float>(upper);
+            add(upper, weight * (1 - part));
+            add(std::min(upper + 1, image.height - 1), weight * part);
         }
-        for (int x = 0; x < width; ++x) texels[x] /= total * static_cast<float>(kParts.size());
+        glm::vec4* const texels =
+            out.texels.data() + static_cast<std::size_t>(line) * static_cast<std::size_t>(width);
+        const float step = static_cast<float>(image.width) / static_cast<float>(width);
+        for (int x = 0; x < width; ++x) {
+            for (const float right : kParts) {
+                // Columns are centred and periodic.
+                const float place = (static_cast<float>(x) + right) * step + 0.5F;
+                const auto after = static_cast<std::size_t>(place);
+                const glm::vec4& here = mean[(after + columns - 1) % columns];
+                texels[x] += here + (place - static_cast<float>(after)) * (mean[after % columns] - here);
+            }
+            texels[x] /= total * static_cast<float>(kParts.size());
+        }
     });
     return out;
 }
