@@ -2,6 +2,7 @@
 #include "material/conductor.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -36,7 +37,38 @@ template <class Number>
     }
 }
 
-// Rough conductor with one term per index, and with a single term if only the reflectance has colour.
+template <class Number>
+[[gnu::always_inline]] inline void reflect_coated(const Facets<float>& facets, const FilmTable& film,
+                                                  const LaneVectors& towards_light,
+                                                  const LaneVectors& towards_viewer, std::size_t columns,
+                                                  LaneMueller* out) {
+    std::array<FacetReflection<Number>, kLanes / kPart<Number>> parts;
+    Lanes cosines;
+    for (std::size_t first = 0; first < kLanes; first += kPart<Number>) {
+        Vector3<Number> light;
+        Vector3<Number> viewer;
+        load_part(towards_light, first, light);
+        load_part(towards_viewer, first, viewer);
+        FacetReflection<Number>& facet = parts[first / kPart<Number>];
+        facet = facet_reflection(facets, light, viewer);
+        store_part(facet.cosine, first, cosines);
+    }
+    for (int c = 0; c < film.channels(); ++c) {
+        ReflectionBlock<Lanes> blocks;
+        film.reflection_lanes(c, cosines, blocks);
+        for (std::size_t first = 0; first < kLanes; first += kPart<Number>) {
+            ReflectionBlock<Number> block;
+            load_part(blocks.a, first, block.a);
+            load_part(blocks.b, first, block.b);
+            load_part(blocks.c, first, block.c);
+            load_part(blocks.d, first, block.d);
+            store_reflection(parts[first / kPart<Number>], block, columns, first, out[c]);
+        }
+    }
+}
+
+// Rough conductor with one term per index, or per channel of its film, and with a single term if only the
+// reflectance has colour.
 class RoughConductor final : public Material, public SharedTerms {
 public:
     explicit RoughConductor(RoughConductorParameters parameters)
@@ -55,7 +87,11 @@ public:
         check_range(alpha_.x, 0.001, 1, "alpha");
         check_range(alpha_.y, 0.001, 1, "alpha_v");
         check_channels(p_.eta.size(), "eta", p_.specular_reflectance.values.size(), "specular_reflectance");
-        if (std::all_of(p_.eta.begin(), p_.eta.end(), [this](auto eta) { return eta == p_.eta.front(); }) &&
+        if (p_.film)
+            check_channels(static_cast<std::size_t>(p_.film->channels()), "the film",
+                           p_.specular_reflectance.values.size(), "specular_reflectance");
+        if (!p_.film &&
+            std::all_of(p_.eta.begin(), p_.eta.end(), [this](auto eta) { return eta == p_.eta.front(); }) &&
             p_.specular_reflectance.values.size() > 1)
             p_.eta.resize(1);
         if (alpha_.x != alpha_.y) {
@@ -67,12 +103,13 @@ public:
     }
 
     [[nodiscard]] int channels() const noexcept override {
-        return static_cast<int>(std::max(p_.eta.size(), p_.specular_reflectance.values.size()));
+        return std::max(terms(), static_cast<int>(p_.specular_reflectance.values.size()));
     }
-    [[nodiscard]] int terms() const noexcept override { return static_cast<int>(p_.eta.size()); }
+    [[nodiscard]] int terms() const noexcept override {
+        return p_.film ? p_.film->channels() : static_cast<int>(p_.eta.size());
+    }
     [[nodiscard]] double weight(int term, int channel) const override {
-        return p_.eta.size() == 1 || term == channel ? of_channel(p_.specular_reflectance.values, channel)
-                                                     : 0;
+        return terms() == 1 || term == channel ? of_channel(p_.specular_reflectance.values, channel) : 0;
     }
     [[nodiscard]] double lobe_width(int) const noexcept override { return std::min(alpha_.x, alpha_.y); }
     [[nodiscard]] glm::dvec2 lobe_widths(int) const noexcept override { return alpha_; }
@@ -89,7 +126,7 @@ public:
     [[nodiscard]] Mueller evaluate(int term, const glm::dvec3& towards_light,
                                    const glm::dvec3& towards_viewer) const override {
         if (towards_light.z <= 0 || towards_viewer.z <= 0) return {};
-        return reflect(facet(towards_light, towards_viewer), p_.eta[static_cast<std::size_t>(term)]);
+        return reflect(facet(towards_light, towards_viewer), term);
     }
     void evaluate_terms(const glm::dvec3& towards_light, const glm::dvec3& towards_viewer,
                         std::span<Mueller> out) const override {
@@ -98,18 +135,23 @@ public:
             return;
         }
         const FacetReflection<double> shared = facet(towards_light, towards_viewer);
-        for (std::size_t t = 0; t < p_.eta.size(); ++t) out[t] = reflect(shared, p_.eta[t]);
+        for (int t = 0; t < terms(); ++t) out[static_cast<std::size_t>(t)] = reflect(shared, t);
     }
     void evaluate_lanes(const LaneVectors& towards_light, const LaneVectors& towards_viewer,
                         std::size_t columns, std::span<LaneMueller> out) const override {
         const Facets<float> facets{p_.distribution, static_cast<float>(alpha_.x),
                                    static_cast<float>(alpha_.y)};
-        dispatch<reflect_metal<FourLanes>, reflect_metal<EightLanes>, reflect_metal<AllLanes>>(
-            facets, p_.eta, towards_light, towards_viewer, columns, out.data());
+        if (p_.film)
+            dispatch<reflect_coated<FourLanes>, reflect_coated<EightLanes>, reflect_coated<AllLanes>>(
+                facets, *p_.film, towards_light, towards_viewer, columns, out.data());
+        else
+            dispatch<reflect_metal<FourLanes>, reflect_metal<EightLanes>, reflect_metal<AllLanes>>(
+                facets, p_.eta, towards_light, towards_viewer, columns, out.data());
     }
 
 private:
     [[nodiscard]] std::string with_terms(Key key) const {
+        if (p_.film) key.add("film", std::string_view(p_.film->key()));
         return key.add("eta", p_.eta)
             .add("alpha", isotropic_ ? std::vector{alpha_.x, alpha_.y} : std::vector{alpha_.x})
             .add("distribution", p_.distribution == Distribution::ggx)
@@ -119,9 +161,12 @@ private:
     [[nodiscard]] FacetReflection<double> facet(const glm::dvec3& light, const glm::dvec3& viewer) const {
         return facet_reflection({p_.distribution, alpha_.x, alpha_.y}, components(light), components(viewer));
     }
-    static Mueller reflect(const FacetReflection<double>& facet, std::complex<double> eta) {
-        return in_rotated_frames(facet.scale, reflection_block(facet.cosine, RelativeIndex<double>(eta)),
-                                 facet.rotations);
+    [[nodiscard]] Mueller reflect(const FacetReflection<double>& facet, int term) const {
+        const ReflectionBlock<double> block =
+            p_.film ? p_.film->reflection(term, facet.cosine)
+                    : reflection_block(facet.cosine,
+                                       RelativeIndex<double>(p_.eta[static_cast<std::size_t>(term)]));
+        return in_rotated_frames(facet.scale, block, facet.rotations);
     }
 
     RoughConductorParameters p_;                       // values only, no textures

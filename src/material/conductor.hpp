@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "material/film.hpp"
 #include "material/material.hpp"
 
 namespace nicol {
@@ -26,6 +27,8 @@ struct RoughConductorParameters {
     /// Different values make the material anisotropic, and isotropic() then has their geometric mean.
     NumberParameter alpha_v = 0.0;
     Distribution distribution = Distribution::beckmann;
+    /// Film on the facets, made for `eta`, as many channels as it has; null: none.
+    FilmTablePtr film = nullptr;
 };
 /// Returns the material. Throws what pplastic() throws.
 [[nodiscard]] MaterialPtr rough_conductor(const RoughConductorParameters& parameters);

@@ -84,6 +84,15 @@ TEST_CASE("sixteen pairs of directions at once, as one by one") {
     };
     const Distribution beckmann = Distribution::beckmann;
     const Distribution ggx = Distribution::ggx;
+    const auto coated = [&](double thickness) {
+        return rough_conductor({.eta = {{0.7, 0}},
+                                .alpha = 0.2,
+                                .film = film_table({.thickness = thickness, .eta = {1.4}}, 1, {0.7})});
+    };
+    const MaterialPtr coated_metal =
+        rough_conductor({.eta = metal_index("Au"),
+                         .alpha = 0.3,
+                         .film = film_table({.thickness = 300, .eta = {1.4}}, 1, metal_index("Au"))});
     const MaterialPtr callback =
         callback_material({.reflect = [](int, const glm::dvec3& a, const glm::dvec3&) {
             return Mueller({1, 0.1 * a.z, 0, 0, 0.1 * a.z, 1, 0, 0, 0, 0, 0.9, 0, 0, 0, 0, 0.9});
@@ -116,6 +125,8 @@ TEST_CASE("sixteen pairs of directions at once, as one by one") {
         {"brushed metal, ggx", brushed(0.05, 0.4, ggx), 0.05},
         {"metal, smooth", conductor(metal_index("Ag")), kSmoothAlpha},
         {"metal without absorption", rough_conductor({.eta = {{1.5, 0}}, .alpha = 0.2}), 0.2},
+        {"coated metal", coated_metal, 0.3},
+        {"coated, total reflection", coated(300), 0.2},
         {"depolarizing plastic", plain({.alpha = 0.1}), 0.1},
         {"depolarizing plastic, ggx", plain({.alpha = 0.5, .distribution = ggx}), 0.5},
         {"depolarizing plastic, smooth", plain({}), kSmoothAlpha},
