@@ -5,7 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "material/film.hpp"
 #include "material/material.hpp"
+#include "polarization/slab.hpp"
 
 namespace nicol {
 
@@ -25,6 +27,8 @@ struct SmoothBoundary {
     std::vector<double> absorption{0.0};
     double alpha = 0;                                    ///< roughness, 0.001..1; 0: smooth
     Distribution distribution = Distribution::beckmann;  ///< distribution of the facets of a rough boundary
+    /// Film on the boundary, or on both sides of a slab, made for `eta`; null: none.
+    FilmTablePtr film = nullptr;
 
     [[nodiscard]] bool rough() const noexcept { return alpha > 0; }
     /// Returns the number of channels; 1 if the boundary is equal in every channel.
@@ -32,6 +36,13 @@ struct SmoothBoundary {
     /// Returns everything that the values depend on, as text.
     [[nodiscard]] std::string content_key() const;
 };
+
+/// Returns what a smooth boundary, or a facet, reflects and transmits of a channel's light, for light on a
+/// ray at an angle given by its cosine, 0..1. inside: whether the ray lies inside the body. Both matrices
+/// have the frames of SlabSplit. Without a film, all channels are equal.
+[[nodiscard]] SlabSplit split_of(const SmoothBoundary& boundary, double cosine, bool inside, int channel);
+/// Returns the mean of split_of() over the channels of the film.
+[[nodiscard]] SlabSplit mean_split_of(const SmoothBoundary& boundary, double cosine, bool inside);
 
 /// Returns the content_key() of the boundary that light passes, or an empty text if the material has none.
 [[nodiscard]] std::string glass_key(const Material& material);
@@ -50,6 +61,7 @@ struct DielectricParameters {
     /// transmit light have its mean.
     NumberParameter alpha = 0.0;
     Distribution distribution = Distribution::beckmann;
+    FilmParameters film = {};  ///< film on the boundary, or on both sides of a slab
 };
 /// Returns the boundary between the inside of a body and the outside. Throws Error(invalid_argument) that
 /// names the parameter out of range, and Error(unsupported) for a texture.

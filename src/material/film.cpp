@@ -176,7 +176,7 @@ std::vector<std::vector<FilmSplit>> FilmTable::tabulate(const FilmParameters& fi
             for (std::size_t c = 0; c < tables_.size(); ++c) {
                 if (sample.weights[c] == 0) continue;
                 if (!known) {
-                    const Film of_channel{film.thickness, of(film.eta, c) / outside_};
+                    const ThinFilm of_channel{film.thickness, of(film.eta, c) / outside_};
                     split = film_split(tangential2, of(eta_, c), of_channel, sample.wavelength / outside_);
                     if (kind == Kind::slab) split = slab_of(split);
                     known = same;
@@ -219,7 +219,7 @@ void FilmTable::reflection_lanes(int channel, const Lanes& cosines, ReflectionBl
 }
 
 FilmSplit FilmTable::split(int channel, double cosine, bool from_behind) const {
-    const Channel& table = tables_[static_cast<std::size_t>(channel)];
+    const Channel& table = tables_[tables_.size() == 1 ? 0 : static_cast<std::size_t>(channel)];
     const double index = from_behind ? eta_.front().real() : 1.0;
     const bool higher = index > lower_;
     // Square of the normal part of the wave vector in the medium of lower index.

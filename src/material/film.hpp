@@ -56,7 +56,7 @@ public:
     /// Computes reflection() of sixteen cosines in single precision.
     void reflection_lanes(int channel, const Lanes& cosines, ReflectionBlock<Lanes>& out) const;
     /// Returns both reflections and the transmission at an angle given by its cosine, 0..1, in front or, if
-    /// `from_behind`, behind.
+    /// `from_behind`, behind. Any channel is that of a table with a single one.
     [[nodiscard]] FilmSplit split(int channel, double cosine, bool from_behind) const;
 
 private:

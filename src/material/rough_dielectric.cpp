@@ -21,23 +21,28 @@ public:
     explicit RoughSlab(SmoothBoundary boundary) : boundary_(std::move(boundary)) {}
 
     [[nodiscard]] int channels() const noexcept override {
-        return static_cast<int>(boundary_.reflectance.size());
+        return std::max(terms(), static_cast<int>(boundary_.reflectance.size()));
     }
-    [[nodiscard]] int terms() const noexcept override { return 1; }
-    [[nodiscard]] double weight(int, int channel) const override {
-        return of_channel(boundary_.reflectance, channel);
+    [[nodiscard]] int terms() const noexcept override {
+        return boundary_.film ? boundary_.film->channels() : 1;
+    }
+    [[nodiscard]] double weight(int term, int channel) const override {
+        return terms() == 1 || term == channel ? of_channel(boundary_.reflectance, channel) : 0;
     }
     [[nodiscard]] double lobe_width(int) const noexcept override { return boundary_.alpha; }
     [[nodiscard]] Distribution distribution(int) const noexcept override { return boundary_.distribution; }
     [[nodiscard]] std::string content_key() const override {
         return "reflection of " + boundary_.content_key();
     }
-    [[nodiscard]] Mueller evaluate(int, const glm::dvec3& towards_light,
+    [[nodiscard]] Mueller evaluate(int term, const glm::dvec3& towards_light,
                                    const glm::dvec3& towards_viewer) const override {
         if (towards_light.z <= 0 || towards_viewer.z <= 0) return {};
         const FacetReflection<double> facet =
             facet_reflection({boundary_.distribution, boundary_.alpha, boundary_.alpha},
                              components(towards_light), components(towards_viewer));
+        if (boundary_.film)
+            return in_rotated_frames(facet.scale, boundary_.film->reflection(term, facet.cosine),
+                                     facet.rotations);
         return facet.scale *
                in_rotated_frames(slab_split(facet.cosine, boundary_.eta).reflection, facet.rotations);
     }
@@ -113,7 +118,8 @@ MaterialPtr rough_reflection(const SmoothBoundary& boundary, const NumberParamet
     return rough_conductor({.eta = {boundary.eta},
                             .specular_reflectance = boundary.reflectance,
                             .alpha = alpha,
-                            .distribution = boundary.distribution});
+                            .distribution = boundary.distribution,
+                            .film = boundary.film});
 }
 
 MaterialPtr transmitting(MaterialPtr reflection, SmoothBoundary boundary) {

@@ -63,7 +63,7 @@ Mueller mueller_of(const SpShares& shares) {
     return Mueller({a, b, 0, 0, b, a, 0, 0, 0, 0, c, -d, 0, 0, d, c});
 }
 
-FilmSplit film_split(double tangential2, Complex eta, const Film& film, double wavelength) {
+FilmSplit film_split(double tangential2, Complex eta, const ThinFilm& film, double wavelength) {
     const bool total = tangential2 > 1;
     const Complex front = total ? Complex(0, -std::sqrt(tangential2 - 1))
                                 : Complex(std::max(kGrazing, std::sqrt(1 - tangential2)));

@@ -10,7 +10,7 @@ namespace nicol {
 
 /// Thin film on an interface. Thickness and wavelength are in the same unit. The index n - ik and the index
 /// of the medium behind the film are relative to the medium in front, as is the wavelength.
-struct Film {
+struct ThinFilm {
     double thickness;
     std::complex<double> eta;
 };
@@ -50,7 +50,7 @@ struct FilmSplit {
 /// light from behind is reflected totally, and the `front` is not defined. `eta` is the relative index n - ik
 /// of the medium behind; `back` and `transmission` are defined if it is real. The film's phase is that at a
 /// wavelength in the medium in front.
-[[nodiscard]] FilmSplit film_split(double tangential2, std::complex<double> eta, const Film& film,
+[[nodiscard]] FilmSplit film_split(double tangential2, std::complex<double> eta, const ThinFilm& film,
                                    double wavelength);
 
 /// Returns what a slab reflects and transmits whose two sides are this interface, with all reflections inside

@@ -37,11 +37,14 @@ std::optional<BoundaryEvent> sample_boundary(const SmoothBoundary& boundary, con
     const double probability = (reflects ? reflected : transmitted) / (reflected + transmitted);
 
     const BoundaryPart& part = reflects ? split.reflected : split.transmitted;
-    const Mueller event = 1 / probability * part.mueller;
+    const bool coated = boundary.film != nullptr;
+    Mueller event = 1 / probability * part.mueller;
     const std::vector<double>& factors = reflects ? boundary.reflectance : boundary.transmittance;
-    for (std::size_t c = 0; c < workspace.throughput.size(); ++c)
-        workspace.throughput[c] =
-            workspace.throughput[c] * (of_channel(factors, static_cast<int>(c)) * event);
+    for (std::size_t c = 0; c < workspace.throughput.size(); ++c) {
+        const int channel = static_cast<int>(c);
+        if (coated) event = 1 / probability * mueller_of(boundary, split, part, channel);
+        workspace.throughput[c] = workspace.throughput[c] * (of_channel(factors, channel) * event);
+    }
     return BoundaryEvent{
         .ray = leaving(hit.position, hit.geometric_normal, part.towards_light, hit.ray_offset),
         .incident = part.incident,

@@ -150,12 +150,18 @@ void PathVertex::evaluate(const glm::dvec3& towards_light, bool sized) const {
 }
 
 void PathVertex::add_boundary(const glm::dvec3& towards_light) const {
-    const Mueller m =
-        std::abs(towards_light.z) * rough_scattering(*boundary_, towards_light, hit_.towards_viewer);
+    const auto in_channel = [&](int c) {
+        return std::abs(towards_light.z) *
+               rough_scattering(*boundary_, towards_light, hit_.towards_viewer, c);
+    };
+    Mueller m = in_channel(0);
     const std::vector<double>& factors =
         crosses(towards_light) ? boundary_->transmittance : boundary_->reflectance;
-    for (std::size_t c = 0; c < workspace_.scattering.size(); ++c)
-        workspace_.scattering[c] = of_channel(factors, static_cast<int>(c)) * m;
+    for (std::size_t c = 0; c < workspace_.scattering.size(); ++c) {
+        const int channel = static_cast<int>(c);
+        if (boundary_->film && channel > 0) m = in_channel(channel);
+        workspace_.scattering[c] = of_channel(factors, channel) * m;
+    }
 }
 
 void PathVertex::add_reflected(const glm::dvec3& towards_light, double pdf, bool sized,

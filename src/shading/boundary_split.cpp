@@ -7,7 +7,6 @@
 
 #include "geometry/perpendicular.hpp"
 #include "material/reflectance.hpp"
-#include "polarization/fresnel.hpp"
 #include "polarization/slab.hpp"
 
 namespace nicol {
@@ -65,9 +64,7 @@ BoundarySplit split_at(const SmoothBoundary& boundary, const glm::dvec3& geometr
         rays = rays_at(eta, boundary.behind, facing, towards_viewer);
     }
 
-    const SlabSplit split = slab ? slab_split(rays.cosine, eta)
-                                 : SlabSplit{.reflection = fresnel_reflection(rays.cosine, eta),
-                                             .transmission = fresnel_transmission(rays.cosine, eta)};
+    const SlabSplit split = mean_split_of(boundary, rays.cosine, inside);
     const glm::dvec3 s_axis = perpendicular(towards_viewer, glm::cross(facing, towards_viewer));
     const Mueller into_received =
         frame_rotation(angle_between(frame_with_x(towards_viewer, s_axis), received));
@@ -82,7 +79,18 @@ BoundarySplit split_at(const SmoothBoundary& boundary, const glm::dvec3& geometr
             .transmitted = part(rays.transmitted, split.transmission, slab ? 1 : 1 / (eta * eta)),
             .normal = facing,
             .eta = eta,
-            .inside = inside};
+            .inside = inside,
+            .into_received = boundary.film ? into_received : Mueller{},
+            .cosine = rays.cosine};
+}
+
+Mueller mueller_of(const SmoothBoundary& boundary, const BoundarySplit& split, const BoundaryPart& part,
+                   int channel) {
+    if (!boundary.film) return part.mueller;
+    const SlabSplit own = split_of(boundary, split.cosine, split.inside, channel);
+    const bool reflects = &part == &split.reflected;
+    return split.into_received *
+           (part.radiance_scale * part.weight * (reflects ? own.reflection : own.transmission));
 }
 
 const SmoothBoundary* body_before(const SmoothBoundary& boundary, const BoundarySplit& split,

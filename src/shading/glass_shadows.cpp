@@ -19,8 +19,12 @@ namespace {
 // Boundaries on a ray after which the light is left as it is.
 constexpr int kMostCrossings = 64;
 
-/// Returns the transmittance of a boundary for unpolarized light at an angle outside.
-double transmittance_at(const SmoothBoundary& boundary, double cosine) {
+/// Returns the transmittance of a boundary for unpolarized light at an angle outside, in a channel.
+double transmittance_at(const SmoothBoundary& boundary, double cosine, int channel) {
+    if (boundary.film) {
+        const SpShares shares = boundary.film->split(channel, cosine, false).transmission;
+        return (shares.s + shares.p) / 2;
+    }
     if (boundary.behind == SmoothBoundary::Behind::slab)
         return slab_split(cosine, boundary.eta).transmission(0, 0);
     return 1 - fresnel_reflection(cosine, boundary.eta)(0, 0);
@@ -45,14 +49,18 @@ bool GlassShadows::for_crossings(Ray ray, const Apply& apply) const {
         if (met->boundary == nullptr) return false;
         const SmoothBoundary& boundary = *met->boundary;
         const double along = glm::dot(met->normal, ray.direction);
-        const double transmitted = transmittance_at(boundary, std::min(1.0, std::abs(along)));
+        const double cosine = std::min(1.0, std::abs(along));
+        const double transmitted = transmittance_at(boundary, cosine, 0);
         const double length = along > 0 ? met->distance - entered : 0;
         apply(
             [&](int c) {
                 const double inside = length > 0 ? transmitted_by(&boundary, c, length) : 1.0;
-                return transmitted * of_channel(boundary.transmittance, c) * inside;
+                const double passes = boundary.film ? transmittance_at(boundary, cosine, c) : transmitted;
+                return passes * of_channel(boundary.transmittance, c) * inside;
             },
-            std::max(boundary.transmittance.size(), boundary.absorption.size()));
+            static_cast<std::size_t>(std::max({static_cast<int>(boundary.transmittance.size()),
+                                               static_cast<int>(boundary.absorption.size()),
+                                               boundary.film ? boundary.film->channels() : 1})));
         entered = met->distance;
         ray.nearest = met->distance + met->offset;
     }

@@ -7,7 +7,6 @@
 #include "geometry/perpendicular.hpp"
 #include "material/microfacet.hpp"
 #include "polarization/fresnel.hpp"
-#include "polarization/slab.hpp"
 
 namespace nicol {
 namespace {
@@ -57,7 +56,7 @@ glm::dvec3 facet_between(const SmoothBoundary& boundary, const glm::dvec3& towar
 }
 
 Mueller rough_scattering(const SmoothBoundary& boundary, const glm::dvec3& towards_light,
-                         const glm::dvec3& towards_viewer) {
+                         const glm::dvec3& towards_viewer, int channel) {
     const glm::dvec3 facet = facet_between(boundary, towards_light, towards_viewer);
     if (facet == glm::dvec3(0.0) || towards_light.z == 0 || towards_viewer.z == 0) return {};
     const bool transmits = towards_light.z * towards_viewer.z < 0;
@@ -69,17 +68,19 @@ Mueller rough_scattering(const SmoothBoundary& boundary, const glm::dvec3& towar
                           std::abs(towards_light.z * towards_viewer.z);
     const glm::dvec3 s_axis = perpendicular(towards_viewer, glm::cross(facet, towards_viewer));
     glm::dvec3 incident_s = s_axis;
+    const auto by_facet = [&] { return split_of(boundary, cosine, towards_viewer.z < 0, channel); };
     Mueller m;
     if (is_slab(boundary)) {
-        const SlabSplit split = slab_split(cosine, eta);
+        const SlabSplit split = by_facet();
         m = facets / 4 * (transmits ? split.transmission : split.reflection);
         if (transmits) incident_s = mirrored(s_axis);
     } else if (transmits) {
         const double to_light = -glm::dot(facet, towards_light);
         const double spread = cosine - eta * to_light;
-        m = facets * cosine * to_light / (spread * spread) * fresnel_transmission(cosine, eta);
+        m = facets * cosine * to_light / (spread * spread) *
+            (boundary.film ? by_facet().transmission : fresnel_transmission(cosine, eta));
     } else {
-        m = facets / 4 * fresnel_reflection(cosine, eta);
+        m = facets / 4 * (boundary.film ? by_facet().reflection : fresnel_reflection(cosine, eta));
     }
     const Mueller out_of_s =
         frame_rotation(angle_between(frame_with_x(towards_viewer, s_axis), theta_phi_frame(towards_viewer)));
@@ -124,6 +125,7 @@ BoundarySplit split_at_facet(const SmoothBoundary& boundary, const glm::dvec3& g
         const bool leaves = sign * cosine > 0 && sign * glm::dot(part.towards_light, side) > 0;
         const double weight = leaves ? ratio * visible_fraction(boundary, cosine) : 0.0;
         part.mueller = weight * part.mueller;
+        part.weight = weight;
         part.share *= weight;
     };
     weigh(out.reflected, 1);

@@ -16,9 +16,9 @@ namespace nicol {
 /// Returns the Mueller matrix, in 1/sr and without the cosine and the factors of the material, for light from
 /// `towards_light` to `towards_viewer`: unit vectors in the surface's frame, whose z is the normal of the
 /// front, on any side each. The matrix refers to the theta-phi frames of the propagation directions, as
-/// Material::evaluate().
+/// Material::evaluate(). The channel matters only for a boundary with a film.
 [[nodiscard]] Mueller rough_scattering(const SmoothBoundary& boundary, const glm::dvec3& towards_light,
-                                       const glm::dvec3& towards_viewer);
+                                       const glm::dvec3& towards_viewer, int channel = 0);
 
 /// Returns the normal of the facets that send light from one direction to the other, on the viewer's side and
 /// in the frame of rough_scattering(); zero if no facets do.

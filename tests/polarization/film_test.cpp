@@ -38,7 +38,7 @@ double difference(const SpShares& a, const SpShares& b) {
 struct Characteristic {
     Complex reflection, transmission;
 };
-Characteristic by_matrix(double cosine, Complex eta, const Film& film, double wavelength, bool p) {
+Characteristic by_matrix(double cosine, Complex eta, const ThinFilm& film, double wavelength, bool p) {
     const auto cosine_in = [&](Complex index) {
         Complex c = std::sqrt(1.0 - sine2(cosine) / (index * index));
         if ((index * c).imag() > 0) c = -c;
@@ -63,7 +63,7 @@ TEST_CASE("a film without thickness, and one of the medium beside it, is the bar
     for (const double cosine : kCosines) {
         for (const Complex eta : {Complex(1.5), Complex(0.7), Complex(0.2, -3.4), Complex(2.1, -1.3)}) {
             const Mueller bare = fresnel_reflection(cosine, eta);
-            for (const Film& film : {Film{0, 1.7}, Film{0, {1.4, -0.5}}, Film{300, eta}}) {
+            for (const ThinFilm& film : {ThinFilm{0, 1.7}, ThinFilm{0, {1.4, -0.5}}, ThinFilm{300, eta}}) {
                 const FilmSplit split = film_split(sine2(cosine), eta, film, 550);
                 CHECK(difference(mueller_of(split.front), bare) <= 1e-12);
                 if (eta.imag() != 0 || film.thickness != 0) continue;
@@ -88,8 +88,8 @@ TEST_CASE("from behind a film without thickness reflects as the bare interface, 
 TEST_CASE("films reflect and transmit as their characteristic matrices say") {
     for (const double cosine : kCosines) {
         for (const Complex eta : {Complex(1.0), Complex(1.52), Complex(0.2, -3.4), Complex(3.9, -0.02)}) {
-            for (const Film& film :
-                 {Film{120, 1.38}, Film{431, 2.3}, Film{90, {1.8, -0.3}}, Film{700, 1.2}}) {
+            for (const ThinFilm& film :
+                 {ThinFilm{120, 1.38}, ThinFilm{431, 2.3}, ThinFilm{90, {1.8, -0.3}}, ThinFilm{700, 1.2}}) {
                 const FilmSplit split = film_split(sine2(cosine), eta, film, 500);
                 const Characteristic s = by_matrix(cosine, eta, film, 500, false);
                 const Characteristic p = by_matrix(cosine, eta, film, 500, true);

@@ -241,6 +241,40 @@ TEST_CASE("colours of glass multiply what it reflects and transmits") {
     CHECK(ours[2][0] == doctest::Approx(r).epsilon(0.05));
 }
 
+TEST_CASE("glass with a film reflects and transmits as the film says at the wavelength of each channel") {
+    const std::vector<double> wavelengths = {450, 550, 650};
+    const double angle = 50 * pi / 180;
+    const double sine2 = std::pow(std::sin(angle), 2);
+    const FilmParameters film{.thickness = 300, .eta = {2.1}, .wavelengths = wavelengths};
+    const glm::dvec3 towards_viewer = at_angle(angle);
+    const Camera camera = camera_on({0, 0, 0}, towards_viewer);
+    const auto check = [&](const MaterialPtr& material, bool thin, bool from_below) {
+        Scene scene;
+        scene.add(square(material));
+        const Instance wall = square(diffuse({0}), Frame(1.0), {0, 0, -1}, 20);
+        scene.add(from_below ? shining(wall) : wall);
+        if (!from_below) scene.set_environment(constant_environment({1, 1, 1}), glm::dmat3(1.0), 1);
+        const std::vector<Stokes> ours = point(scene, camera, 1 << 14);
+        for (std::size_t c = 0; c < 3; ++c) {
+            CAPTURES(thin, from_below, c);
+            FilmSplit split = film_split(sine2, kGlass, {300, 2.1}, wavelengths[c]);
+            if (thin) split = slab_of(split);
+            const double spread = thin || !from_below ? 1 : 1 / (kGlass * kGlass);
+            const SpShares seen_part = spread * (from_below ? split.transmission : split.front);
+            check_near(ours[c], in_camera(seen_part.s, seen_part.p, camera, towards_viewer), 6e-3);
+        }
+    };
+    for (const bool from_below : {false, true}) {
+        check(dielectric({.int_ior = kGlass, .ext_ior = 1, .film = film}), false, from_below);
+        check(thin_dielectric({.int_ior = kGlass, .ext_ior = 1, .film = film}), true, from_below);
+    }
+    // A soap film in air: the index of the body is that of its surroundings.
+    const MaterialPtr soap =
+        dielectric({.int_ior = 1, .ext_ior = 1, .film = {.thickness = 500, .eta = {1.33}}});
+    CHECK(soap->channels() == 3);
+    CHECK(error_of(CALL(dielectric({.specular_reflectance = {1, 1}, .film = film}))).find("specular") == 0);
+}
+
 TEST_CASE("a body absorbs light by the length of its path inside, also of lights inside") {
     const std::vector<double> absorption{0.5, 2, 0};
     Camera camera;

@@ -26,7 +26,7 @@ Stokes light_from(const glm::dvec3& towards_light, const Frame& incident) {
 
 /// Returns the integral over all directions of what the boundary scatters, without the front's reflection if
 /// `transmitted`, else without the transmission; in the theta-phi frame of the viewer.
-Stokes integrated(const SmoothBoundary& boundary, const glm::dvec3& viewer, bool transmitted) {
+Stokes integrated(const SmoothBoundary& boundary, const glm::dvec3& viewer, bool transmitted, int channel) {
     constexpr int rows = 500, columns = 1000;
     Stokes sum(0.0);
     const double sign = (viewer.z < 0) != transmitted ? -1 : 1;
@@ -37,14 +37,14 @@ Stokes integrated(const SmoothBoundary& boundary, const glm::dvec3& viewer, bool
             const double phi = 2 * pi * (j + 0.5) / columns;
             const glm::dvec3 light(rho * std::cos(phi), rho * std::sin(phi), z);
             const Stokes in = light_from(light, theta_phi_frame(-light));
-            sum += std::abs(z) * (rough_scattering(boundary, light, viewer) * in);
+            sum += std::abs(z) * (rough_scattering(boundary, light, viewer, channel) * in);
         }
     }
     return sum * (2 * pi / rows / columns);
 }
 
 /// Returns the mean over sampled facets, in the same frame.
-Stokes sampled(const SmoothBoundary& boundary, const glm::dvec3& viewer, bool transmitted) {
+Stokes sampled(const SmoothBoundary& boundary, const glm::dvec3& viewer, bool transmitted, int channel) {
     constexpr int size = 400;
     const Frame received = theta_phi_frame(viewer);
     Stokes sum(0.0);
@@ -53,7 +53,9 @@ Stokes sampled(const SmoothBoundary& boundary, const glm::dvec3& viewer, bool tr
             const BoundarySplit split = split_at_facet(boundary, {0, 0, 1}, {0, 0, 1}, received,
                                                        {(i + 0.5) / size, (j + 0.5) / size});
             const BoundaryPart& part = transmitted ? split.transmitted : split.reflected;
-            if (part.share > 0) sum += part.mueller * light_from(part.towards_light, part.incident);
+            if (part.share > 0)
+                sum += mueller_of(boundary, split, part, channel) *
+                       light_from(part.towards_light, part.incident);
         }
     return sum * (1.0 / size / size);
 }
@@ -67,14 +69,20 @@ SmoothBoundary rough(double eta, double alpha, Distribution distribution = Distr
 TEST_CASE("the mean over sampled facets is the integral of what a rough boundary scatters") {
     SmoothBoundary sheet = rough(1.5, 0.3);
     sheet.behind = SmoothBoundary::Behind::slab;
-    for (const SmoothBoundary& boundary :
-         {rough(1.5, 0.3), rough(1.5, 0.4, Distribution::beckmann), rough(0.7, 0.3), sheet}) {
+    const FilmParameters film{.thickness = 350, .eta = {2.1}, .wavelengths = {450, 600}};
+    SmoothBoundary coated = rough(1.5, 0.3);
+    coated.film = film_table(film, 1, {1.5});
+    SmoothBoundary coated_sheet = sheet;
+    coated_sheet.film = film_table(film, 1, {1.5}, FilmTable::Kind::slab);
+    for (const SmoothBoundary& boundary : {rough(1.5, 0.3), rough(1.5, 0.4, Distribution::beckmann),
+                                           rough(0.7, 0.3), sheet, coated, coated_sheet}) {
+        const int channel = boundary.channels() - 1;
         for (const glm::dvec3& viewer :
              {glm::normalize(glm::dvec3(0.3, 0.5, 0.8)), glm::normalize(glm::dvec3(0.7, -0.2, 0.4)),
               glm::normalize(glm::dvec3(-0.5, 0.3, -0.7))}) {
             for (const bool transmitted : {false, true}) {
-                const Stokes wanted = integrated(boundary, viewer, transmitted);
-                const Stokes found = sampled(boundary, viewer, transmitted);
+                const Stokes wanted = integrated(boundary, viewer, transmitted, channel);
+                const Stokes found = sampled(boundary, viewer, transmitted, channel);
                 CAPTURES(boundary.eta, viewer.z, transmitted, wanted[0]);
                 CHECK(std::abs(wanted[1]) + std::abs(wanted[2]) > 0.02 * wanted[0]);
                 for (int p = 0; p < 4; ++p) {

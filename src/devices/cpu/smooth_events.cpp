@@ -52,8 +52,10 @@ void SmoothChains::go_on(const Chain& chain, const Place& place, const Event& ev
     const BoundaryPart& part = event.reflects ? event.split.reflected : event.split.transmitted;
     const std::vector<double>& factors =
         event.reflects ? event.boundary.reflectance : event.boundary.transmittance;
-    const glm::mat4 mueller = in_columns(part.mueller);
+    const bool coated = event.boundary.film != nullptr;
+    glm::mat4 mueller = in_columns(part.mueller);
     for (int c = 0; c < input_.channels; ++c) {
+        if (coated) mueller = in_columns(mueller_of(event.boundary, event.split, part, c));
         const auto factor = static_cast<float>(of_channel(factors, c) / event.probability);
         const glm::mat4 before = ends.matrices[chain.way.matrices + static_cast<std::size_t>(c)];
         ends.matrices.push_back(before * (factor * mueller));
