@@ -2,6 +2,7 @@
 #include "material/film.hpp"
 
 #include "directions.hpp"
+#include "material/coated_plastic.hpp"
 #include "material/conductor.hpp"
 #include "material/spectrum_weights.hpp"
 #include "polarization/fresnel.hpp"
@@ -130,6 +131,22 @@ TEST_CASE("a metal with a film reflects by the film in frames of the facets, in 
     };
     CHECK(key(300) != key(301));
     CHECK(key(0) == rough_conductor({.eta = eta})->content_key());
+}
+
+TEST_CASE("plastic with a film that is hardly there is plastic") {
+    const PplasticParameters parameters{.diffuse_reflectance = {0.3, 0.5, 0.7}, .alpha = 0.2};
+    const MaterialPtr bare = pplastic(parameters);
+    const MaterialPtr coated = coated_pplastic(parameters, {.thickness = 0.01, .eta = {1.6}});
+    CHECK(coated_pplastic(parameters, {})->content_key() == bare->content_key());
+    std::mt19937 random(3);
+    for (int i = 0; i < 50; ++i) {
+        const glm::dvec3 light = random_direction_within(random, 1.4);
+        const glm::dvec3 viewer = random_direction_within(random, 1.4);
+        for (int c = 0; c < 3; ++c) {
+            const Mueller expected = evaluate(*bare, c, light, viewer);
+            CHECK(largest_difference(evaluate(*coated, c, light, viewer), expected) <= 2e-3 * expected(0, 0));
+        }
+    }
 }
 
 TEST_CASE("films out of range are named") {

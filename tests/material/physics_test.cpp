@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "directions.hpp"
+#include "material/coated_plastic.hpp"
 #include "material/conductor.hpp"
 #include "material/material.hpp"
 #include "material/measured.hpp"
@@ -81,6 +82,8 @@ std::vector<Named> materials(const TemporaryFolder& folder) {
                                           .alpha = 0.3,
                                           .film = film_table({.thickness = 250, .eta = {{2.2, -0.05}}}, 1,
                                                              metal_index("Cr"))})},
+        {"coated plastic", coated_pplastic({.diffuse_reflectance = {1}, .alpha = 0.2},
+                                           {.thickness = 300, .eta = {2.1}, .wavelengths = {}})},
         {"twosided", twosided(gold)},
         {"measured", load_measured(path)},
         {"retarder", callback_material({.reflect = [](int, const glm::dvec3&,

@@ -61,6 +61,17 @@ Camera narrow_camera(const glm::dvec3& eye, double fov = 0.5) {
     return camera;
 }
 
+MaterialPtr soap_film() {
+    return dielectric({.int_ior = 1, .ext_ior = 1, .film = {.thickness = 400, .eta = {1.33}}});
+}
+
+/// Returns a metal of low reflectance with an oxide.
+MaterialPtr anodised(double alpha) {
+    const std::vector<std::complex<double>> eta = {{2.7, -3.5}};
+    return rough_conductor(
+        {.eta = eta, .alpha = alpha, .film = film_table({.thickness = 150, .eta = {2.4}}, 1, eta)});
+}
+
 }  // namespace
 
 IMAGE_TEST_CASE("glass that light passes is refused where no rays begin at pixels") {
@@ -272,6 +283,11 @@ IMAGE_TEST_CASE("rough glass shows its surroundings as by rays, and what facets 
     camera.fov = 36;
     for (const MaterialPtr& material :
          {dielectric({.int_ior = 1.5, .ext_ior = 1, .absorption = {0.3}, .alpha = 0.2}),
+          dielectric({.int_ior = 1.5,
+          .ext_ior = 1,
+          .absorption = {0.3},
+          .alpha = 0.2,
+          .film = {.thickness = 300, .eta = {2.2}}}),
           thin_dielectric({.int_ior = 1.5, .ext_ior = 1, .alpha = 0.3, .distribution = Distribution::ggx})}) {
         CAPTURE(material->content_key());
         Scene scene;
@@ -296,6 +312,29 @@ IMAGE_TEST_CASE("rough glass shows its surroundings as by rays, and what facets 
     }
 }
 
+IMAGE_TEST_CASE("rough metal with a film reflects its surroundings as by rays, in colours") {
+    test::Studio studio(context, 32, 24);
+    Camera camera = test::camera_at({1, 1.5, 5});
+    camera.fov = 36;
+    Scene scene;
+    scene.set_environment(rayleigh_sky({.sun_direction = {1, 1, 1}, .radiance = {1, 1, 1}}), glm::dmat3(1),
+                          1);
+    scene.add({.mesh = test::fine_sphere(), .material = anodised(0.3)});
+    RenderOptions options = kPixels;
+    options.order_low = 6;
+    options.order_high = 16;
+    options.pixel_samples = 16;
+    const StokesImage ours = studio(scene, options, camera);
+    const StokesImage rays =
+        studio(scene, {.method = Method::reference, .samples = 512, .max_depth = 8}, camera);
+    for (std::size_t p = 0; p < 3; ++p) {
+        CAPTURE(p);
+        CHECK(relative_error(ours, rays, p) < 0.03);
+    }
+    const Stokes red = rays.stokes(0, 12, 16), blue = rays.stokes(2, 12, 16);
+    CHECK(std::abs(red[0] - blue[0]) > 0.05 * red[0]);
+}
+
 IMAGE_TEST_CASE("spheres of glass and mirrors show their surroundings as by rays") {
     test::Studio studio(context, 48, 36);
     const auto squares = test::texture_of(
@@ -304,7 +343,8 @@ IMAGE_TEST_CASE("spheres of glass and mirrors show their surroundings as by rays
     Camera camera = test::camera_at({1, 1.5, 5});
     camera.fov = 36;
     for (const MaterialPtr& material :
-         {dielectric(glass_of(1.5)), rough_conductor({.eta = {{0.2, -3.0}}, .alpha = 0})}) {
+         {dielectric(glass_of(1.5)), rough_conductor({.eta = {{0.2, -3.0}}, .alpha = 0}), soap_film(),
+          anodised(0.0)}) {
         CAPTURE(material->content_key());
         Scene scene;
         EquirectImage image(64, 33, 1);
