@@ -109,4 +109,11 @@ std::vector<double> refractive_index(const ColorDescription& color, const SceneC
     return table.weighted(linear_weights(table.wavelengths, channels.wavelengths));
 }
 
+FilmParameters film_in(FilmParameters film, const SceneChannels& channels) {
+    if (!film.present() || channels.rgb()) return film;
+    require_wavelengths(channels);
+    film.wavelengths = channels.wavelengths;
+    return film;
+}
+
 }  // namespace nicol

@@ -25,6 +25,7 @@ ModelOf<DielectricParameters> read_glass(const MaterialSource& source,
                                          ModelOf<DielectricParameters>::Make make) {
     ModelOf<DielectricParameters> model(make);
     read_indices(source.plugin, model.parameters.int_ior, model.parameters.ext_ior);
+    model.parameters.film = read_film(source.plugin);
     read_factor(source, "specular_reflectance", model, &DielectricParameters::specular_reflectance);
     read_factor(source, "specular_transmittance", model, &DielectricParameters::specular_transmittance);
     source.notices.add_once(
@@ -41,6 +42,7 @@ MetalModel read_reflection(const MaterialSource& source) {
     MetalModel model;
     model.eta = glass.int_ior / glass.ext_ior;
     model.k = 0.0;
+    model.film = read_film(source.plugin);
     read_color(source, "specular_reflectance", model, &RoughConductorParameters::specular_reflectance);
     static_cast<void>(read_color(source.document, source.plugin, "specular_transmittance", 1.0, 1.0));
     model.parameters.alpha = 0.0;

@@ -111,7 +111,14 @@ TexturedNumber read_number(const MaterialSource& source, const char* name, doubl
 void read_indices(Plugin& plugin, double& int_ior, double& ext_ior) {
     int_ior = refractive_index(plugin, "int_ior", int_ior);
     ext_ior = refractive_index(plugin, "ext_ior", ext_ior);
-    if (int_ior == ext_ior) plugin.fail("int_ior", "equals ext_ior; they must differ");
+    if (int_ior == ext_ior && !plugin.has("film_thickness"))
+        plugin.fail("int_ior", "equals ext_ior; they must differ");
+}
+
+FilmParameters read_film(Plugin& plugin) {
+    const double thickness = plugin.number("film_thickness", 0, 0, kThickestFilm);
+    const double eta = plugin.number("film_eta", 1.5, 0.1, 100);
+    return {.thickness = thickness, .eta = {{eta, -plugin.number("film_k", 0, 0, 100)}}, .wavelengths = {}};
 }
 
 FacetDescription read_facets(const MaterialSource& source) {

@@ -34,13 +34,14 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "numbers are copied from memory as they are");
 
 // Those that are read, and those that only concern what a notice says is not followed.
-constexpr std::array<std::string_view, 16> kExtensions = {"KHR_mesh_quantization",
+constexpr std::array<std::string_view, 17> kExtensions = {"KHR_mesh_quantization",
                                                           "KHR_materials_ior",
                                                           "KHR_materials_emissive_strength",
                                                           "KHR_materials_transmission",
                                                           "KHR_materials_volume",
                                                           "KHR_materials_specular",
                                                           "KHR_materials_clearcoat",
+                                                          "KHR_materials_iridescence",
                                                           "KHR_materials_sheen",
                                                           "KHR_texture_transform",
                                                           "KHR_lights_punctual",

@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: MIT
 // Materials.
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <glm/common.hpp>
 #include <memory>
 #include <numbers>
 #include <optional>
-#include <string_view>
 #include <utility>
 
+#include "import/coated_model.hpp"
 #include "import/conductor_material.hpp"
 #include "import/diffuse_material.hpp"
 #include "import/gltf_extension.hpp"
+#include "import/gltf_iridescence.hpp"
+#include "import/gltf_left_out.hpp"
 #include "import/gltf_models.hpp"
 #include "import/gltf_readers.hpp"
 #include "import/gltf_transmission.hpp"
@@ -24,15 +25,10 @@ namespace {
 
 using Part = TextureSpecification::Part;
 
-constexpr const char* kAnisotropy = "KHR_materials_anisotropy";
-constexpr const char* kSpecular = "KHR_materials_pbrSpecularGlossiness";
-constexpr const char* kUnlit = "KHR_materials_unlit";
-/// Those of a material that have an effect here.
-constexpr std::array<std::string_view, 5> kFollowed = {kIor, "KHR_materials_emissive_strength", kAnisotropy,
-                                                       kTransmission, kVolume};
-
 /// The reflectance of kIndex at normal incidence.
 constexpr double kPlasticReflectance = 0.04;
+/// Reflectance at normal incidence of a metal below a film, beside its colour if a texture gives that.
+constexpr double kBelowFilm = 0.8;
 
 TextureSpecificationPtr shared(TextureSpecification texture) {
     return std::make_shared<const TextureSpecification>(std::move(texture));
@@ -63,10 +59,11 @@ public:
           directions_(anisotropy_.texture("anisotropyTexture")) {
         if (!is_unlit_ && !is_specular_)
             transmission_ = read_transmission(document, material, where_, notices);
+        if (!is_unlit_ && !is_specular_) iridescence_ = read_iridescence(document, material, where_, notices);
     }
 
     GltfMaterial run() {
-        say_what_is_left();
+        say_what_is_left(material_, is_specular_, notices_);
         GltfMaterial made{black(), texcoord_set(), {}};
         if (is_unlit_)
             made.emission = emission();
@@ -101,7 +98,7 @@ private:
 
     [[nodiscard]] MaterialDescription reflecting() {
         read_strength();
-        MaterialDescription out = is_specular_ ? specular() : blended();
+        MaterialDescription out = is_specular_ ? specular() : iridescent();
         if (strength_) turn(out);
         if (auto normals = texture(normal_)) {
             const double scale = material_.normalTexture.scale;
@@ -132,7 +129,7 @@ private:
     /// Returns the set that all textures take. Leaves the textures out if the primitive lacks that set.
     int texcoord_set() {
         std::optional<int> set;
-        for (const GltfTextureUse* use : {&base_, &facets_, &normal_, &directions_}) {
+        for (const GltfTextureUse* use : {&base_, &facets_, &normal_, &directions_, &iridescence_.texture}) {
             if (use->index < 0 || (is_unlit_ && use != &base_)) continue;
             const int wanted = textures_.texcoord_set(*use);
             if (!set) set = wanted;
@@ -191,6 +188,23 @@ private:
         return constant_specification(factor);
     }
 
+    /// Returns blended() with a film on the share of the surface that has one.
+    [[nodiscard]] MaterialDescription iridescent() {
+        if (iridescence_.factor == 0) return blended();
+        std::optional<TextureSpecification> weight = texture(iridescence_.texture);
+        if (weight) {
+            weight->raw = true;
+            weight->part = Part::red;
+            weight->factor = glm::dvec3(iridescence_.factor);
+        } else if (iridescence_.factor < 1) {
+            weight = constant_specification(iridescence_.factor);
+        }
+        MaterialDescription bare = blended();
+        film_ = iridescence_.film;
+        if (!weight) return blended();
+        return BlendModel(std::move(bare), blended(), shared(std::move(*weight)));
+    }
+
     /// Plastic and metal, weighted by how metallic the surface is.
     [[nodiscard]] MaterialDescription blended() {
         const double metallic = in_unit(pbr_.metallicFactor, "metallicFactor");
@@ -247,16 +261,20 @@ private:
         out.set(&P::specular_reflectance, boundary);
         out.parameters.int_ior = index;
         out.parameters.ext_ior = 1;
+        if (film_.present()) return with_facets(CoatedPlasticModel(out, film_));
         return with_facets(std::move(out));
     }
 
     /// A mirror times a colour that varies; of one colour, a metal that has it.
     [[nodiscard]] MaterialDescription metal(const TexturedColor& color) {
-        if (color.texture) return mirror(color);
+        if (color.texture && !film_.present()) return mirror(color);
+        // A film over a perfect mirror has no colours, so that a metal whose colour varies has an index, too.
+        const glm::dvec3 reflected = color.texture ? glm::dvec3(kBelowFilm) : color.rgb;
         MetalModel out;
-        out.set(&RoughConductorParameters::specular_reflectance, 1.0);
+        out.set(&RoughConductorParameters::specular_reflectance, color.texture ? color : TexturedColor(1.0));
         out.eta = 1.0;
-        out.k = extinction_of(color.rgb);
+        out.k = extinction_of(reflected);
+        out.film = film_;
         return with_facets(std::move(out));
     }
 
@@ -310,7 +328,8 @@ private:
                 .color = base_color(),
                 .alpha = facets().alpha,
                 .is_body = transmission_.is_body,
-                .absorption = transmission_.absorption};
+                .absorption = transmission_.absorption,
+                .film = iridescence_.factor < 1 ? FilmParameters() : iridescence_.film};
     }
 
     /// Reads how strong KHR_materials_anisotropy is, if there is any.
@@ -338,23 +357,6 @@ private:
             RotatedModel(std::move(material), directions ? shared(std::move(*directions)) : nullptr, angle);
     }
 
-    void say_what_is_left() {
-        if (is_unlit_) {
-            notices_.add(std::string(kUnlit) +
-                         ": the base colour is the radiance of a black surface, which " +
-                         "lights others, too");
-            return;
-        }
-        if (is_specular_) notices_.add(std::string(kSpecular) + " is followed as plastic and a mirror");
-        if (material_.occlusionTexture.index >= 0) notices_.add("occlusion textures are not followed");
-        if (material_.emissiveTexture.index >= 0 ||
-            std::ranges::any_of(material_.emissiveFactor, [](double factor) { return factor != 0; }))
-            notices_.add("materials that emit light are not followed; they reflect it");
-        for (const auto& [name, value] : material_.extensions)
-            if (std::ranges::find(kFollowed, name) == kFollowed.end() && !(is_specular_ && name == kSpecular))
-                notices_.add(name.substr(0, 80) + " is not followed");
-    }
-
     const GltfDocument& document_;
     const GltfSurface& surface_;
     std::string where_;
@@ -371,6 +373,8 @@ private:
     GltfTextureUse directions_;               ///< of anisotropy
     std::optional<TexturedNumber> strength_;  ///< none: no anisotropy
     GltfTransmission transmission_;           ///< what passes the surface
+    GltfIridescence iridescence_;
+    FilmParameters film_;  ///< film on the parts of the material that are read now
     bool has_texcoords_ = false;
 };
 

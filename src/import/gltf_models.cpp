@@ -48,21 +48,25 @@ MaterialPtr GlassModel::make(const MaterialMaker& maker) const {
         absorption = {glass.absorption.x, glass.absorption.y, glass.absorption.z};
     else if (glass.absorption != glm::dvec3(0.0))
         absorption = {(glass.absorption.x + glass.absorption.y + glass.absorption.z) / 3};
+    const FilmParameters film = film_in(glass.film, maker.channels);
     if (glass.share == 1 && alpha <= kSmooth) {
         const DielectricParameters smooth{.specular_transmittance = std::move(transmittance),
                                           .int_ior = glass.index,
                                           .ext_ior = 1,
-                                          .absorption = std::move(absorption)};
+                                          .absorption = std::move(absorption),
+                                          .film = film};
         return glass.is_body ? dielectric(smooth) : thin_dielectric(smooth);
     }
     using Behind = SmoothBoundary::Behind;
+    const auto kind = glass.is_body ? FilmTable::Kind::interface : FilmTable::Kind::slab;
     return transmitting(maker.make(reflection), {.behind = glass.is_body ? Behind::body : Behind::slab,
                                                  .eta = glass.index,
                                                  .reflectance = {glass.share},
                                                  .transmittance = std::move(transmittance),
                                                  .absorption = std::move(absorption),
                                                  .alpha = alpha,
-                                                 .distribution = Distribution::ggx});
+                                                 .distribution = Distribution::ggx,
+                                                 .film = film_table(film, 1, {glass.index}, kind)});
 }
 
 MaterialPtr SpecularModel::make(const MaterialMaker& maker) const {

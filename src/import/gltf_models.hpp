@@ -49,6 +49,7 @@ struct GlassDescription {
     TexturedNumber alpha;        ///< roughness; its mean if a texture
     bool is_body = false;        ///< true: the light is refracted; false: the surface is a thin sheet
     glm::dvec3 absorption{0.0};  ///< absorption coefficient of the body, per unit of length
+    FilmParameters film = {};    ///< film on the boundary
 };
 
 /// A material that reflects on its front and that light passes.

@@ -30,6 +30,7 @@ struct LateParameters {
         P out = parameters;
         for (const auto& [parameter, color] : colors) out.*parameter = maker.color(color);
         for (const auto& [parameter, number] : textured_numbers) out.*parameter = maker.number(number);
+        if constexpr (requires { out.film.wavelengths; }) out.film = film_in(out.film, maker.channels);
         return out;
     }
 };

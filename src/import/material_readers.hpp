@@ -93,8 +93,12 @@ void read_color(const MaterialSource& source, const char* name, LateParameters<P
 /// than once; true if the scene has no integrator.
 [[nodiscard]] bool reflects_often(const XmlDocument& document);
 
-/// Reads int_ior and ext_ior, numbers or names of media, which must differ. The arguments hold the defaults.
+/// Reads int_ior and ext_ior, numbers or names of media, which must differ unless there is a film. The
+/// arguments hold the defaults.
 void read_indices(Plugin& plugin, double& int_ior, double& ext_ior);
+
+/// Reads film_thickness, film_eta and film_k, which are not Mitsuba's.
+[[nodiscard]] FilmParameters read_film(Plugin& plugin);
 
 /// Reads the facets of an isotropic material: the geometric mean, with a notice, where the roughness differs
 /// by direction.

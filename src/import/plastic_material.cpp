@@ -2,7 +2,9 @@
 // <bsdf>s of a dielectric boundary over a diffuse base.
 #include "material/plastic.hpp"
 
+#include "import/coated_model.hpp"
 #include "import/material_readers.hpp"
+#include "material/coated_plastic.hpp"
 
 namespace nicol::scene {
 namespace {
@@ -16,10 +18,16 @@ void read_base_and_boundary(const MaterialSource& source, LateParameters<P>& out
 
 }  // namespace
 
+MaterialPtr CoatedPlasticModel::make(const MaterialMaker& maker) const {
+    return coated_pplastic(with(maker), film_in(film, maker.channels));
+}
+
 MaterialDescription read_pplastic(const MaterialSource& source) {
     ModelOf<PplasticParameters> model(pplastic);
     read_base_and_boundary(source, model);
     set_facets(read_anisotropic_facets(source), model);
+    const FilmParameters film = read_film(source.plugin);
+    if (film.present()) return CoatedPlasticModel(model, film);
     return model;
 }
 

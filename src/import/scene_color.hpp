@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "import/scene_description.hpp"
+#include "material/film.hpp"
 
 namespace nicol {
 
@@ -32,5 +33,9 @@ struct SceneChannels {
 [[nodiscard]] std::vector<double> radiance(const ColorDescription& color, const SceneChannels& channels);
 [[nodiscard]] std::vector<double> refractive_index(const ColorDescription& color,
                                                    const SceneChannels& channels);
+
+/// Returns a film at the wavelengths of the channels. Throws Error(unsupported) for channels of unknown
+/// meaning.
+[[nodiscard]] FilmParameters film_in(FilmParameters film, const SceneChannels& channels);
 
 }  // namespace nicol

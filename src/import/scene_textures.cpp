@@ -68,6 +68,8 @@ private:
         switch (description_.part) {
             case Part::color:
                 break;
+            case Part::red:
+                return glm::vec3(channel(0));
             case Part::green:
                 return glm::vec3(channel(1));
             case Part::blue:

@@ -21,7 +21,7 @@ inline constexpr std::string_view kVertexPrefix = "vertex_", kFacePrefix = "face
 struct TextureSpecification {
     enum class Kind { constant, checkerboard, image };
     /// The part of an image that is used: its colours, or one of its channels as a number.
-    enum class Part { color, green, blue, coverage };
+    enum class Part { color, red, green, blue, coverage };
 
     Kind kind = Kind::constant;
     ColorDescription color0{0.4};              ///< constant; checkerboard, the first square of colours

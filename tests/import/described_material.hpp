@@ -2,6 +2,7 @@
 // Access to the materials that scene files describe, for tests.
 #pragma once
 
+#include "import/coated_model.hpp"
 #include "import/conductor_material.hpp"
 #include "import/diffuse_material.hpp"
 #include "import/gltf_models.hpp"

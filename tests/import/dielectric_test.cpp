@@ -164,6 +164,42 @@ TEST_CASE("rough glass and what principled materials transmit") {
     CHECK(sheet.eta == 1.5);
 }
 
+TEST_CASE("films of metals, glass and pplastic colour what they reflect") {
+    const std::string film = "<float name='film_thickness' value='350'/><float name='film_eta' value='2.2'/>";
+    for (const std::string& bsdf :
+         {"<bsdf type='conductor'><string name='material' value='Cr'/>" + film,
+          "<bsdf type='roughconductor'><string name='material' value='Cr'/><float name='film_k' "
+          "value='0.1'/>" +
+              film,
+          "<bsdf type='pplastic'>" + film}) {
+        CAPTURE(bsdf);
+        const LoadedScene loaded =
+            load_scene(SceneFile(::scene(shape_with(bsdf + "</bsdf>") + once)).scene(), {});
+        const Material& made = *loaded.scene.instances().front().material;
+        const double half = std::sqrt(0.5);
+        const auto seen = [&](int c) { return evaluate(made, c, {half, 0, half}, {-half, 0, half})(0, 0); };
+        CHECK(made.channels() == 3);
+        CHECK(std::abs(seen(0) - seen(2)) > 0.05 * seen(0));
+    }
+    const auto glass = [&](const std::string& type, const std::string& more = "") {
+        const LoadedScene loaded = load_scene(
+            SceneFile(::scene(shape_with("<bsdf type='" + type + "'>" + film + more + "</bsdf>"))).scene(),
+            {});
+        return *loaded.scene.instances().front().material->smooth_boundary();
+    };
+    for (const char* const type : {"dielectric", "roughdielectric", "thindielectric"}) {
+        const SmoothBoundary coated = glass(type);
+        REQUIRE(coated.film != nullptr);
+        CHECK(coated.channels() == 3);
+    }
+    // A soap film in air bounds no other medium.
+    const std::string air = "<float name='int_ior' value='1'/><float name='ext_ior' value='1'/>";
+    CHECK(glass("dielectric", air).eta == 1);
+    refused("<bsdf type='dielectric'>" + air + "</bsdf>", ErrorCode::invalid_file, 2, {"must differ"});
+    refused("<bsdf type='conductor'><float name='film_thickness' value='-1'/></bsdf>",
+            ErrorCode::invalid_file, 2, {"film_thickness"});
+}
+
 TEST_CASE("glass that no method follows is refused") {
     refused("<bsdf type='thindielectric'><texture type='checkerboard' name='specular_transmittance'/></bsdf>",
             ErrorCode::unsupported, 2, {"specular_transmittance", "constant colours"});

@@ -305,6 +305,32 @@ TEST_CASE("anisotropic materials of glTF are wider along their direction") {
         }
 }
 
+TEST_CASE("iridescent materials of glTF have a film, on the share of the surface that the factor says") {
+    const auto with_film = [](const std::string& values, double metallic) {
+        return material("\"extensions\":{\"KHR_materials_iridescence\":{" + values + "}},",
+                        "\"metallicFactor\":" + std::to_string(metallic));
+    };
+    const auto metal = as<MetalModel>(with_film("\"iridescenceFactor\":1", 1));
+    CHECK(metal.film.thickness == 400);
+    CHECK(metal.film.eta == std::vector<std::complex<double>>{1.3});
+    const auto plastic = as<CoatedPlasticModel>(
+        with_film("\"iridescenceFactor\":1,\"iridescenceIor\":1.8,\"iridescenceThicknessMaximum\":250", 0));
+    CHECK(plastic.film.thickness == 250);
+    CHECK(plastic.film.eta == std::vector<std::complex<double>>{1.8});
+    CHECK(plastic.parameters.int_ior == 1.5);
+    const auto partly = as<BlendModel>(with_film("\"iridescenceFactor\":0.25", 1));
+    CHECK_FALSE(as<MetalModel>(partly.base).film.present());
+    CHECK(as<MetalModel>(partly.other).film.present());
+    CHECK(partly.texture->color0.rgb == glm::dvec3(0.25));
+    for (const char* nothing : {"", "\"iridescenceFactor\":1,\"iridescenceThicknessMaximum\":0"})
+        CHECK_FALSE(as<MetalModel>(with_film(nothing, 1)).film.present());
+    check_error(ErrorCode::invalid_file, CALL(with_film("\"iridescenceFactor\":2", 1)), "iridescenceFactor",
+                "expected 0");
+    check_error(ErrorCode::invalid_file,
+                CALL(with_film("\"iridescenceFactor\":1,\"iridescenceThicknessMaximum\":20000", 1)),
+                "iridescenceThicknessMaximum");
+}
+
 TEST_CASE("metals of glTF reflect the base colour at normal incidence") {
     for (const glm::dvec3 base : {glm::dvec3(1, 0.766, 0.336), glm::dvec3(0, 0.04, 0.9)}) {
         const auto metal =
