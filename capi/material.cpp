@@ -5,6 +5,8 @@
 #include <complex>
 
 #include "assets.hpp"
+#include "film.hpp"
+#include "material/coated_plastic.hpp"
 #include "material/conductor.hpp"
 #include "material/dielectric.hpp"
 #include "material/measured.hpp"
@@ -92,15 +94,17 @@ std::array<NumberParameter, 2> roughnesses(const Facets& given, const nicol_cont
 MaterialPtr make(const nicol_pplastic& given, const nicol_context_impl& context) {
     if (given.reserved != 0) refuse("parameters->reserved must be 0");
     const auto [u, v] = roughnesses(given, context);
-    return pplastic({.diffuse_reflectance = color(given.diffuse_reflectance, 0.5, "diffuse_reflectance",
-                                                  given.diffuse_reflectance_texture, context),
-                     .specular_reflectance = color(given.specular_reflectance, 1, "specular_reflectance",
-                                                   given.specular_reflectance_texture, context),
-                     .int_ior = static_cast<double>(given.int_ior),
-                     .ext_ior = static_cast<double>(given.ext_ior),
-                     .alpha = u,
-                     .alpha_v = v,
-                     .distribution = distribution_of(given.distribution)});
+    const PplasticParameters parameters{
+        .diffuse_reflectance = color(given.diffuse_reflectance, 0.5, "diffuse_reflectance",
+                                     given.diffuse_reflectance_texture, context),
+        .specular_reflectance = color(given.specular_reflectance, 1, "specular_reflectance",
+                                      given.specular_reflectance_texture, context),
+        .int_ior = static_cast<double>(given.int_ior),
+        .ext_ior = static_cast<double>(given.ext_ior),
+        .alpha = u,
+        .alpha_v = v,
+        .distribution = distribution_of(given.distribution)};
+    return coated_pplastic(parameters, film_of(given.film));
 }
 
 MaterialPtr make(const nicol_plastic& given, const nicol_context_impl& context) {
@@ -136,13 +140,16 @@ MaterialPtr make(const nicol_principled& given, const nicol_context_impl& contex
 MaterialPtr make(const nicol_conductor& given, const nicol_context_impl& context) {
     if (given.reserved != 0) refuse("parameters->reserved must be 0");
     const auto [u, v] = roughnesses(given, context);
+    std::vector<std::complex<double>> eta = index_of(given);
+    FilmTablePtr film = film_table(film_of(given.film), 1, eta);
     return rough_conductor(
-        {.eta = index_of(given),
+        {.eta = std::move(eta),
          .specular_reflectance = color(given.specular_reflectance, 1, "specular_reflectance",
                                        given.specular_reflectance_texture, context),
          .alpha = u,
          .alpha_v = v,
-         .distribution = distribution_of(given.distribution)});
+         .distribution = distribution_of(given.distribution),
+         .film = std::move(film)});
 }
 
 MaterialPtr make(const nicol_dielectric& given, const nicol_context_impl& context) {
@@ -155,7 +162,8 @@ MaterialPtr make(const nicol_dielectric& given, const nicol_context_impl& contex
          .ext_ior = static_cast<double>(given.ext_ior),
          .absorption = spectrum(given.absorption, 0, 1, "absorption"),
          .alpha = number(given.alpha, given.alpha_texture, context),
-         .distribution = distribution_of(given.distribution)});
+         .distribution = distribution_of(given.distribution),
+         .film = film_of(given.film)});
 }
 
 // Makes a material of another one and a texture: combine(base, texture).

@@ -592,6 +592,24 @@ typedef uint32_t nicol_distribution;
 #define NICOL_DISTRIBUTION_BECKMANN 0u
 #define NICOL_DISTRIBUTION_GGX 1u
 
+/* Thin film on a surface, such as an oxide, oil, soap or the coating of a lens. All reflections inside the
+ * film interfere: their complex amplitudes are summed for s and p apart (Airy). A channel of red, green or
+ * blue has the mean over its response to the spectrum, of the CIE 1931 observer under D65, clipped to what is
+ * physically possible; a channel of one wavelength is exact. */
+typedef struct nicol_film {
+    float thickness;   /* thickness, nm, 0 to 10000; 0, the default: no film */
+    float eta;         /* real part of the refractive index, 0.1 to 100, default 1.5 */
+    float k;           /* extinction coefficient of the refractive index, 0 to 100, default 0 */
+    uint32_t reserved; /* 0 */
+    /* Wavelengths, one per channel of the material, nm, 100 to 5000. count 0, the default: red, green and
+     * blue. */
+    nicol_spectrum wavelengths;
+} nicol_film;
+/* clang-format off */
+#define NICOL_FILM_INIT { 0, 1.5f, 0, 0, NICOL_SPECTRUM_INIT }
+/* clang-format on */
+NICOL_API nicol_result nicol_film_init(nicol_film* descriptor, uint32_t struct_size);
+
 /* Plastic as Mitsuba 3's pplastic: rough Fresnel reflection over a diffuse base, both polarizing. Only the
  * front side reflects. */
 typedef struct nicol_pplastic {
@@ -617,11 +635,12 @@ typedef struct nicol_pplastic {
      * 0. */
     nicol_texture alpha_u_texture;
     nicol_texture alpha_v_texture;
+    nicol_film film; /* film on the boundary, default none */
 } nicol_pplastic;
 /* clang-format off */
 #define NICOL_PPLASTIC_INIT                                                                        \
     { sizeof(nicol_pplastic), 0, NICOL_SPECTRUM_INIT, NICOL_SPECTRUM_INIT, 1.49f, 1.000277f, 0.1f, \
-      0, 0, 0, 0, 0, 0, 0, 0 }
+      0, 0, 0, 0, 0, 0, 0, 0, NICOL_FILM_INIT }
 /* clang-format on */
 NICOL_API nicol_result nicol_pplastic_init(nicol_pplastic* descriptor, uint32_t struct_size);
 
@@ -764,11 +783,12 @@ typedef struct nicol_conductor {
     nicol_texture alpha_u_texture;
     /* Texture that replaces alpha_v; NULL, the default: none, but alpha_texture if alpha_v is 0. */
     nicol_texture alpha_v_texture;
+    nicol_film film; /* film on the facets, default none */
 } nicol_conductor;
 /* clang-format off */
 #define NICOL_CONDUCTOR_INIT                                                                        \
     { sizeof(nicol_conductor), 0, 0, 0, 0, NICOL_SPECTRUM_INIT, NICOL_SPECTRUM_INIT,                \
-      NICOL_SPECTRUM_INIT, NICOL_SPECTRUM_INIT, 0, 0, 0, 0, 0, 0 }
+      NICOL_SPECTRUM_INIT, NICOL_SPECTRUM_INIT, 0, 0, 0, 0, 0, 0, NICOL_FILM_INIT }
 /* clang-format on */
 NICOL_API nicol_result nicol_conductor_init(nicol_conductor* descriptor, uint32_t struct_size);
 
@@ -807,11 +827,14 @@ typedef struct nicol_dielectric {
     /* Texture whose first channel, clamped to 0.01 to 1, replaces alpha; NULL, the default: none. The texture
      * varies what a body reflects; facets that transmit light, and those of a thin pane, have its mean. */
     nicol_texture alpha_texture;
+    /* Film on the boundary, or on both sides of a thin pane, default none. A soap film in air is a film on a
+     * body whose int_ior equals ext_ior. */
+    nicol_film film;
 } nicol_dielectric;
 /* clang-format off */
 #define NICOL_DIELECTRIC_INIT                                                                     \
     { sizeof(nicol_dielectric), 0, 1.5046f, 1.000277f, NICOL_SPECTRUM_INIT, NICOL_SPECTRUM_INIT, \
-      NICOL_SPECTRUM_INIT, 0, 0, 0 }
+      NICOL_SPECTRUM_INIT, 0, 0, 0, NICOL_FILM_INIT }
 /* clang-format on */
 NICOL_API nicol_result nicol_dielectric_init(nicol_dielectric* descriptor, uint32_t struct_size);
 

@@ -148,6 +148,13 @@ typedef struct nicol_texture_options {
     double to_uv[9];
 } nicol_texture_options;
 typedef uint32_t nicol_distribution;
+typedef struct nicol_film {
+    float thickness;
+    float eta;
+    float k;
+    uint32_t reserved;
+    nicol_spectrum wavelengths;
+} nicol_film;
 typedef struct nicol_pplastic {
     uint32_t struct_size;
     nicol_distribution distribution;
@@ -164,6 +171,7 @@ typedef struct nicol_pplastic {
     float alpha_v;
     nicol_texture alpha_u_texture;
     nicol_texture alpha_v_texture;
+    nicol_film film;
 } nicol_pplastic;
 typedef struct nicol_plastic {
     uint32_t struct_size;
@@ -221,6 +229,7 @@ typedef struct nicol_conductor {
     float alpha_v;
     nicol_texture alpha_u_texture;
     nicol_texture alpha_v_texture;
+    nicol_film film;
 } nicol_conductor;
 typedef struct nicol_dielectric {
     uint32_t struct_size;
@@ -233,6 +242,7 @@ typedef struct nicol_dielectric {
     float alpha;
     nicol_distribution distribution;
     nicol_texture alpha_texture;
+    nicol_film film;
 } nicol_dielectric;
 typedef uint32_t nicol_wavelength_sampling;
 typedef struct nicol_measured {
@@ -682,6 +692,7 @@ nicol_result nicol_texture_create_vertex_colors(nicol_context context, nicol_tex
 nicol_result nicol_texture_create_face_colors(nicol_context context, nicol_texture* texture);
 nicol_result nicol_texture_retain(nicol_texture texture);
 nicol_result nicol_texture_release(nicol_texture texture);
+nicol_result nicol_film_init(nicol_film* descriptor, uint32_t struct_size);
 nicol_result nicol_pplastic_init(nicol_pplastic* descriptor, uint32_t struct_size);
 nicol_result nicol_material_create_pplastic(nicol_context context, const nicol_pplastic* parameters, nicol_material* material);
 nicol_result nicol_plastic_init(nicol_plastic* descriptor, uint32_t struct_size);
@@ -1215,6 +1226,7 @@ return {
         environment_info = true,
         texture_image = true,
         texture_options = true,
+        film = true,
         pplastic = true,
         plastic = true,
         principled = true,

@@ -381,6 +381,18 @@ export const types = [
   { kind: "alias", name: "nicol_distribution", of: "uint32_t" },
   {
     kind: "struct",
+    name: "nicol_film",
+    // name, type, length of a fixed array
+    fields: [
+      ["thickness", "float", 0],
+      ["eta", "float", 0],
+      ["k", "float", 0],
+      ["reserved", "uint32_t", 0],
+      ["wavelengths", "nicol_spectrum", 0],
+    ],
+  },
+  {
+    kind: "struct",
     name: "nicol_pplastic",
     // name, type, length of a fixed array
     fields: [
@@ -399,6 +411,7 @@ export const types = [
       ["alpha_v", "float", 0],
       ["alpha_u_texture", "nicol_texture", 0],
       ["alpha_v_texture", "nicol_texture", 0],
+      ["film", "nicol_film", 0],
     ],
   },
   {
@@ -471,6 +484,7 @@ export const types = [
       ["alpha_v", "float", 0],
       ["alpha_u_texture", "nicol_texture", 0],
       ["alpha_v_texture", "nicol_texture", 0],
+      ["film", "nicol_film", 0],
     ],
   },
   {
@@ -488,6 +502,7 @@ export const types = [
       ["alpha", "float", 0],
       ["distribution", "nicol_distribution", 0],
       ["alpha_texture", "nicol_texture", 0],
+      ["film", "nicol_film", 0],
     ],
   },
   { kind: "alias", name: "nicol_wavelength_sampling", of: "uint32_t" },
@@ -1092,6 +1107,7 @@ export const functions = {
   texture_create_face_colors: ["nicol_result nicol_texture_create_face_colors(nicol_context context, _Out_ nicol_texture *texture)", true, "nicol_texture"],
   texture_retain: ["nicol_result nicol_texture_retain(nicol_texture texture)", true, null],
   texture_release: ["nicol_result nicol_texture_release(nicol_texture texture)", true, null],
+  film_init: ["nicol_result nicol_film_init(_Out_ nicol_film *descriptor, uint32_t struct_size)", true, null],
   pplastic_init: ["nicol_result nicol_pplastic_init(_Out_ nicol_pplastic *descriptor, uint32_t struct_size)", true, null],
   material_create_pplastic: ["nicol_result nicol_material_create_pplastic(nicol_context context, const nicol_pplastic *parameters, _Out_ nicol_material *material)", true, "nicol_material"],
   plastic_init: ["nicol_result nicol_plastic_init(_Out_ nicol_plastic *descriptor, uint32_t struct_size)", true, null],

@@ -258,6 +258,10 @@ TEST_CASE("initialisers set the defaults of the macros, for structs of older and
     OK(nicol_spectrum_init(&spectrum, sizeof spectrum));
     CHECK(spectrum.count == 0);
     CHECK(spectrum.values[NICOL_MAX_CHANNELS - 1] == 0);
+    nicol_film film;
+    OK(nicol_film_init(&film, sizeof film));
+    CHECK(film.thickness == 0);
+    CHECK(film.eta == 1.5F);
     nicol_polarization polarization;
     // Doubles are not cut at their half.
     nicol_camera camera = NICOL_CAMERA_INIT;

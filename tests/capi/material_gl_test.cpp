@@ -100,6 +100,35 @@ CONTEXT_TEST_CASE(
     CHECK(same(conductor(context, mirror), {0.5F, 0.25F}, 0.01));
 }
 
+CONTEXT_TEST_CASE("a film makes colours on metal and plastic, and none if its thickness is 0") {
+    nicol_conductor steel = NICOL_CONDUCTOR_INIT;
+    steel.alpha = 0.3F;
+    steel.metal = "Cr";
+    const std::vector<float> bare = conductor(context, steel);
+    steel.film.eta = 2.4F;
+    CHECK(conductor(context, steel) == bare);
+    steel.film.thickness = 50;
+    const std::vector<float> coated = conductor(context, steel);
+    REQUIRE(coated.size() == 3);
+    CHECK_FALSE(same(coated, bare, 0.05));
+    steel.film.k = 0.3F;
+    CHECK(conductor(context, steel)[0] < coated[0]);
+    steel.film.wavelengths = spectrum({550});
+    steel.wavelengths = spectrum({550});
+    CHECK(conductor(context, steel).size() == 1);
+
+    nicol_pplastic plastic = NICOL_PPLASTIC_INIT;
+    plastic.film.thickness = 200;
+    plastic.film.eta = 2.4F;
+    const auto coloured = middle_of(context, Owned(make(nicol_material_create_pplastic, context, &plastic)));
+    CHECK(coloured.size() == 3);
+
+    nicol_material refused = nullptr;
+    steel.film.thickness = -1;
+    CHECK(nicol_material_create_conductor(context, &steel, &refused) == NICOL_ERROR_INVALID_ARGUMENT);
+    CHECK(std::string(nicol_last_error()).find("film_thickness") != std::string::npos);
+}
+
 CONTEXT_TEST_CASE("plastic: a base under a boundary, smooth by default, coloured deeper if nonlinear") {
     const auto plastic = [&](const nicol_plastic& parameters) {
         return middle_of(context, Owned(make(nicol_material_create_plastic, context, &parameters)));

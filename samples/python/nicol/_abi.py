@@ -605,6 +605,31 @@ class TextureOptions(Struct):
     to_uv: Any
 
 
+class Film(Struct):
+    """Thin film on a surface, such as an oxide, oil, soap or the coating of a lens. All reflections inside the
+    film interfere: their complex amplitudes are summed for s and p apart (Airy). A channel of red, green or
+    blue has the mean over its response to the spectrum, of the CIE 1931 observer under D65, clipped to what is
+    physically possible; a channel of one wavelength is exact.
+
+    Fields:
+    thickness: thickness, nm, 0 to 10000; 0, the default: no film
+    eta: real part of the refractive index, 0.1 to 100, default 1.5
+    k: extinction coefficient of the refractive index, 0 to 100, default 0
+    wavelengths: Wavelengths, one per channel of the material, nm, 100 to 5000. count 0, the default: red, green and
+        blue."""
+    _fields_ = [
+        ("thickness", c_float),
+        ("eta", c_float),
+        ("k", c_float),
+        ("reserved", c_uint32),
+        ("wavelengths", Spectrum),
+    ]
+    thickness: float
+    eta: float
+    k: float
+    wavelengths: Any
+
+
 class Pplastic(Struct):
     """Plastic as Mitsuba 3's pplastic: rough Fresnel reflection over a diffuse base, both polarizing. Only the
     front side reflects.
@@ -622,7 +647,8 @@ class Pplastic(Struct):
     alpha_u: Roughness along texture coordinates u and v, 0.001 to 1; 0, the default: alpha. If the two differ, the
         surface is anisotropic, see nicol_conductor.
     alpha_u_texture: Textures that replace alpha_u and alpha_v; NULL, the default: none, but alpha_texture if the number is
-        0."""
+        0.
+    film: film on the boundary, default none"""
     _fields_ = [
         ("struct_size", c_uint32),
         ("distribution", c_uint32),
@@ -639,6 +665,7 @@ class Pplastic(Struct):
         ("alpha_v", c_float),
         ("alpha_u_texture", c_void_p),
         ("alpha_v_texture", c_void_p),
+        ("film", Film),
     ]
     distribution: Any
     diffuse_reflectance: Any
@@ -653,6 +680,7 @@ class Pplastic(Struct):
     alpha_v: float
     alpha_u_texture: Texture
     alpha_v_texture: Texture
+    film: Film
 
 
 class Plastic(Struct):
@@ -802,7 +830,8 @@ class Conductor(Struct):
         sqrt(alpha_u alpha_v).
     alpha_v: Roughness along texture coordinate v, 0.001 to 1; 0, the default: alpha.
     alpha_u_texture: Texture that replaces alpha_u; NULL, the default: none, but alpha_texture if alpha_u is 0.
-    alpha_v_texture: Texture that replaces alpha_v; NULL, the default: none, but alpha_texture if alpha_v is 0."""
+    alpha_v_texture: Texture that replaces alpha_v; NULL, the default: none, but alpha_texture if alpha_v is 0.
+    film: film on the facets, default none"""
     _fields_ = [
         ("struct_size", c_uint32),
         ("distribution", c_uint32),
@@ -819,6 +848,7 @@ class Conductor(Struct):
         ("alpha_v", c_float),
         ("alpha_u_texture", c_void_p),
         ("alpha_v_texture", c_void_p),
+        ("film", Film),
     ]
     distribution: Any
     alpha: float
@@ -833,6 +863,7 @@ class Conductor(Struct):
     alpha_v: float
     alpha_u_texture: Texture
     alpha_v_texture: Texture
+    film: Film
 
 
 class Dielectric(Struct):
@@ -860,7 +891,9 @@ class Dielectric(Struct):
         glass. A smooth surface does not reflect them either.
     distribution: distribution of the facets of a rough surface, default Beckmann
     alpha_texture: Texture whose first channel, clamped to 0.01 to 1, replaces alpha; NULL, the default: none. The texture
-        varies what a body reflects; facets that transmit light, and those of a thin pane, have its mean."""
+        varies what a body reflects; facets that transmit light, and those of a thin pane, have its mean.
+    film: Film on the boundary, or on both sides of a thin pane, default none. A soap film in air is a film on a
+        body whose int_ior equals ext_ior."""
     _fields_ = [
         ("struct_size", c_uint32),
         ("thin", c_uint32),
@@ -872,6 +905,7 @@ class Dielectric(Struct):
         ("alpha", c_float),
         ("distribution", c_uint32),
         ("alpha_texture", c_void_p),
+        ("film", Film),
     ]
     thin: int
     int_ior: float
@@ -882,6 +916,7 @@ class Dielectric(Struct):
     alpha: float
     distribution: Any
     alpha_texture: Texture
+    film: Film
 
 
 class Measured(Struct):
@@ -3456,6 +3491,7 @@ _texture_create_checkerboard = declare("nicol_texture_create_checkerboard", c_in
 _texture_create_vertex_colors = declare("nicol_texture_create_vertex_colors", c_int32, Context, POINTER(Texture))
 _texture_create_face_colors = declare("nicol_texture_create_face_colors", c_int32, Context, POINTER(Texture))
 Texture._release = declare("nicol_texture_release", c_int32, c_void_p)
+Film._init = declare("nicol_film_init", c_int32, POINTER(Film), c_uint32)
 Pplastic._init = declare("nicol_pplastic_init", c_int32, POINTER(Pplastic), c_uint32)
 _material_create_pplastic = declare("nicol_material_create_pplastic", c_int32, Context, POINTER(Pplastic), POINTER(Material))
 Plastic._init = declare("nicol_plastic_init", c_int32, POINTER(Plastic), c_uint32)
@@ -3715,6 +3751,7 @@ __all__ = [
     "FORMAT_UINT32",
     "FileContent",
     "FileOptions",
+    "Film",
     "Filter",
     "GlTexture",
     "Gradient",

@@ -614,6 +614,29 @@ const _: () = {
 };
 pub type nicol_distribution = u32;
 
+/// Thin film on a surface, such as an oxide, oil, soap or the coating of a lens. All reflections inside the
+/// film interfere: their complex amplitudes are summed for s and p apart (Airy). A channel of red, green or
+/// blue has the mean over its response to the spectrum, of the CIE 1931 observer under D65, clipped to what is
+/// physically possible; a channel of one wavelength is exact.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct nicol_film {
+    pub thickness: f32,
+    pub eta: f32,
+    pub k: f32,
+    pub reserved: u32,
+    pub wavelengths: nicol_spectrum,
+}
+defaults!(nicol_film, nicol_film_init);
+const _: () = {
+    assert!(size_of::<nicol_film>() == 84);
+    assert!(offset_of!(nicol_film, thickness) == 0);
+    assert!(offset_of!(nicol_film, eta) == 4);
+    assert!(offset_of!(nicol_film, k) == 8);
+    assert!(offset_of!(nicol_film, reserved) == 12);
+    assert!(offset_of!(nicol_film, wavelengths) == 16);
+};
+
 /// Plastic as Mitsuba 3's pplastic: rough Fresnel reflection over a diffuse base, both polarizing. Only the
 /// front side reflects.
 #[repr(C)]
@@ -634,10 +657,11 @@ pub struct nicol_pplastic {
     pub alpha_v: f32,
     pub alpha_u_texture: nicol_texture,
     pub alpha_v_texture: nicol_texture,
+    pub film: nicol_film,
 }
 defaults!(nicol_pplastic, nicol_pplastic_init);
 const _: () = {
-    assert!(size_of::<nicol_pplastic>() == 208);
+    assert!(size_of::<nicol_pplastic>() == 296);
     assert!(offset_of!(nicol_pplastic, struct_size) == 0);
     assert!(offset_of!(nicol_pplastic, distribution) == 4);
     assert!(offset_of!(nicol_pplastic, diffuse_reflectance) == 8);
@@ -653,6 +677,7 @@ const _: () = {
     assert!(offset_of!(nicol_pplastic, alpha_v) == 188);
     assert!(offset_of!(nicol_pplastic, alpha_u_texture) == 192);
     assert!(offset_of!(nicol_pplastic, alpha_v_texture) == 200);
+    assert!(offset_of!(nicol_pplastic, film) == 208);
 };
 
 /// Plastic as Mitsuba 3's plastic and roughplastic: Fresnel reflection over a diffuse base, both depolarizing.
@@ -772,10 +797,11 @@ pub struct nicol_conductor {
     pub alpha_v: f32,
     pub alpha_u_texture: nicol_texture,
     pub alpha_v_texture: nicol_texture,
+    pub film: nicol_film,
 }
 defaults!(nicol_conductor, nicol_conductor_init);
 const _: () = {
-    assert!(size_of::<nicol_conductor>() == 336);
+    assert!(size_of::<nicol_conductor>() == 424);
     assert!(offset_of!(nicol_conductor, struct_size) == 0);
     assert!(offset_of!(nicol_conductor, distribution) == 4);
     assert!(offset_of!(nicol_conductor, alpha) == 8);
@@ -791,6 +817,7 @@ const _: () = {
     assert!(offset_of!(nicol_conductor, alpha_v) == 316);
     assert!(offset_of!(nicol_conductor, alpha_u_texture) == 320);
     assert!(offset_of!(nicol_conductor, alpha_v_texture) == 328);
+    assert!(offset_of!(nicol_conductor, film) == 336);
 };
 
 /// Glass as Mitsuba 3's dielectric, roughdielectric and thindielectric: a boundary that reflects and transmits
@@ -813,10 +840,11 @@ pub struct nicol_dielectric {
     pub alpha: f32,
     pub distribution: nicol_distribution,
     pub alpha_texture: nicol_texture,
+    pub film: nicol_film,
 }
 defaults!(nicol_dielectric, nicol_dielectric_init);
 const _: () = {
-    assert!(size_of::<nicol_dielectric>() == 240);
+    assert!(size_of::<nicol_dielectric>() == 328);
     assert!(offset_of!(nicol_dielectric, struct_size) == 0);
     assert!(offset_of!(nicol_dielectric, thin) == 4);
     assert!(offset_of!(nicol_dielectric, int_ior) == 8);
@@ -827,6 +855,7 @@ const _: () = {
     assert!(offset_of!(nicol_dielectric, alpha) == 220);
     assert!(offset_of!(nicol_dielectric, distribution) == 224);
     assert!(offset_of!(nicol_dielectric, alpha_texture) == 232);
+    assert!(offset_of!(nicol_dielectric, film) == 240);
 };
 pub type nicol_wavelength_sampling = u32;
 
@@ -1953,6 +1982,7 @@ extern "C" {
     pub fn nicol_texture_create_face_colors(context: nicol_context, texture: *mut nicol_texture) -> nicol_result;
     pub fn nicol_texture_retain(texture: nicol_texture) -> nicol_result;
     pub fn nicol_texture_release(texture: nicol_texture) -> nicol_result;
+    pub fn nicol_film_init(descriptor: *mut nicol_film, struct_size: u32) -> nicol_result;
     pub fn nicol_pplastic_init(descriptor: *mut nicol_pplastic, struct_size: u32) -> nicol_result;
     /// Creates a material from nicol_pplastic. The message of NICOL_ERROR_INVALID_ARGUMENT names the field that is
     /// out of range.
