@@ -15,8 +15,8 @@ namespace nicol {
 namespace {
 
 // Visible wavelengths, nm.
-constexpr double kShortest = 380;
-constexpr double kLongest = 780;
+constexpr int kShortest = 380;
+constexpr int kLongest = 780;
 
 // Largest difference of a film's phase between neighbours, in radians, of wavelengths and of angles.
 constexpr double kWavelengthStep = 0.15;
@@ -40,9 +40,9 @@ std::vector<Sample> samples_of(const FilmParameters& film, double largest_index)
     if (!out.empty()) return out;
     const double phase_per_nm =
         4 * std::numbers::pi * largest_index * film.thickness / (kShortest * kShortest);
-    const double step = std::clamp(std::floor(kWavelengthStep / phase_per_nm), 1.0, 5.0);
+    const int step = static_cast<int>(std::clamp(kWavelengthStep / phase_per_nm, 1.0, 5.0));
     std::vector<double> wavelengths;
-    for (double nm = kShortest; nm <= kLongest; nm += step) wavelengths.push_back(nm);
+    for (int nm = kShortest; nm <= kLongest; nm += step) wavelengths.push_back(nm);
     const ChannelWeights weights = rgb_weights(wavelengths);
     for (std::size_t k = 0; k < wavelengths.size(); ++k)
         out.push_back({wavelengths[k], {weights[0][k], weights[1][k], weights[2][k]}});
@@ -134,8 +134,8 @@ FilmTable::FilmTable(const FilmParameters& film, double outside, std::vector<std
                .add("slab", kind == Kind::slab)
                .text();
 
-    const double shortest =
-        film.wavelengths.empty() ? kShortest : *std::ranges::min_element(film.wavelengths);
+    const double shortest = film.wavelengths.empty() ? static_cast<double>(kShortest)
+                                                     : *std::ranges::min_element(film.wavelengths);
     const double phase = 8 * std::numbers::pi * film.thickness / shortest;
     const auto entries =
         static_cast<std::size_t>(std::clamp(phase / kAngleStep, kFewestEntries, kMostEntries));
