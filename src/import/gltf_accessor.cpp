@@ -112,10 +112,6 @@ void GltfAccessor::read_sparse() {
         type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT)
         document_->fail(where_, "sparse.indices.componentType is " + std::to_string(type) +
                                     "; expected 5121, 5123 or 5125");
-    // Versions of TinyGLTF differ in whether offsets have a sign.
-    if (static_cast<std::ptrdiff_t>(sparse.indices.byteOffset) < 0 ||
-        static_cast<std::ptrdiff_t>(sparse.values.byteOffset) < 0)
-        document_->fail(where_, "sparse has a byteOffset below 0");
     sparse_count_ = static_cast<std::size_t>(sparse.count);
     sparse_indices_ = elements(sparse.indices.bufferView, static_cast<std::size_t>(sparse.indices.byteOffset),
                                sparse_count_, type, 1);

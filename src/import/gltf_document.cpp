@@ -13,6 +13,7 @@
 #include "files/file_error.hpp"
 #include "files/json.hpp"
 #include "files/read_bytes.hpp"
+#include "import/gltf_json.hpp"
 #include "import/xml_file.hpp"
 
 // The code of tinygltf, which is a header. It is compiled here because a shared library of it would open
@@ -100,30 +101,6 @@ std::string_view json_of(const std::filesystem::path& file, std::string_view byt
         at += kChunkHeader + number(at);
     }
     return bytes.substr(kHeader + kChunkHeader, number(kHeader));
-}
-
-/// Returns the byteLength of each buffer that has a file of its own, in order; 0 if it is not usable.
-std::vector<std::uint64_t> lengths_of_buffers(std::string_view text, const LoadBudget& budget) {
-    const Json file = Json::parse(
-        text,
-        [&](int depth, Json::parse_event_t event, const Json& key) {
-            budget.step(64);
-            // Json == text would make a value of the text, in a function that may not throw.
-            return depth != 1 || event != Json::parse_event_t::key ||
-                   key.get_ref<const std::string&>() == "buffers";
-        },
-        false);
-    std::vector<std::uint64_t> lengths;
-    if (!file.is_object() || !file.contains("buffers")) return lengths;
-    for (const Json& buffer : file.at("buffers")) {
-        if (!buffer.is_object() || !buffer.contains("uri")) continue;
-        const Json& uri = buffer.at("uri");
-        if (!uri.is_string() || uri.get_ref<const std::string&>().starts_with("data:")) continue;
-        const auto length = buffer.find("byteLength");
-        lengths.push_back(
-            length != buffer.end() && length->is_number_unsigned() ? length->get<std::uint64_t>() : 0);
-    }
-    return lengths;
 }
 
 /// Reads the files that buffers name, for tinygltf, which asks for them in order.
@@ -254,7 +231,12 @@ GltfDocument::GltfDocument(const std::filesystem::path& file, const LoadBudget& 
         unsupported_file(file,
                          "arrays and objects more than " + std::to_string(kMostLevels) + " levels deep");
     const JsonRoom room(json);
-    Buffers buffers{file, budget, files_, lengths_of_buffers(json, budget)};
+    Buffers buffers{file, budget, files_, {}};
+    {
+        const Json members = gltf_members(json, budget);
+        check_gltf_members(members, file);
+        buffers.lengths = lengths_of_buffers(members);
+    }
     budget.check();
     model_ = parsed(bytes, buffers);
     budget.check();

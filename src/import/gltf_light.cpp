@@ -45,12 +45,9 @@ std::optional<LightDescription> read_gltf_light(const GltfDocument& document, co
                                                 GltfNotices& notices) {
     const auto extension = node.extensions.find("KHR_lights_punctual");
     if (extension == node.extensions.end()) return std::nullopt;
-    const tinygltf::Value index =
-        extension->second.Has("light") ? extension->second.Get("light") : tinygltf::Value();
-    if (!index.IsInt()) document.fail(where, "KHR_lights_punctual has no light; expected its number");
-    const tinygltf::Light& source =
-        document.at(document.model().lights, "lights", index.GetNumberAsInt(), where);
-    const std::string name = "lights[" + std::to_string(index.GetNumberAsInt()) + "]";
+    const int index = extension->second.Get("light").GetNumberAsInt();
+    const tinygltf::Light& source = document.at(document.model().lights, "lights", index, where);
+    const std::string name = "lights[" + std::to_string(index) + "]";
     LightDescription light;
     light.id = node.name.empty() ? source.name : node.name;
     if (!(source.intensity >= 0 && std::isfinite(source.intensity)))

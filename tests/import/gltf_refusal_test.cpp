@@ -119,7 +119,13 @@ TEST_CASE("glTF that is malformed, out of range or not supported is refused by e
              Case{with_material("\"extensions\":{\"KHR_materials_anisotropy\":{\"anisotropyTexture\":{"
                                 "\"index\":0.5}}}"),
                   "materials[0]: anisotropyTexture: index is not a whole number"},
-             Case{one_mesh() + a_node + animation("\"path\":\"scale\",\"node\":\"a\""), "'node' property"},
+             Case{one_mesh() + a_node + animation("\"path\":\"scale\",\"node\":\"a\""),
+                  "animations[0].channels[0]: node is not a whole number"},
+             Case{one_mesh() + a_node + animation("\"path\":\"scale\",\"node\":2147483648"),
+                  "animations[0].channels[0]: node is not a whole number"},
+             Case{one_mesh() + a_node +
+                      ",\"skins\":[{\"joints\":[0]},{\"joints\":[0],\"inverseBindMatrices\":0.5}]",
+                  "skins[1]: inverseBindMatrices is not a whole number"},
              Case{one_mesh() + a_node + animation("\"node\":0"), "'path' property is missing"},
              Case{one_mesh() + a_node + ",\"extensionsRequired\":[\"KHR_draco_mesh_compression\"]",
                   "\"KHR_draco_mesh_compression\" is not supported", ErrorCode::unsupported},
@@ -189,7 +195,10 @@ TEST_CASE("accessors of glTF that lead beyond their data are refused") {
              Case{accessor(sparse +
                            "1,\"indices\":{\"bufferView\":0,\"byteOffset\":-1,\"componentType\":5121" +
                            values),
-                  "byteOffset below 0"},
+                  "accessors[0]: sparse.indices: byteOffset is not a whole number from 0"},
+             Case{accessor(sparse + "1,\"indices\":{\"bufferView\":0,\"componentType\":5121},"
+                                    "\"values\":{\"bufferView\":0,\"byteOffset\":0.5}}"),
+                  "accessors[0]: sparse.values: byteOffset is not a whole number from 0"},
              Case{accessor(sparse +
                            "3,\"indices\":{\"bufferView\":0,\"byteOffset\":34,\"componentType\":5121" +
                            values),
