@@ -7,6 +7,7 @@ import gc
 import math
 import os
 import pickle
+import re
 import subprocess
 import sys
 import tempfile
@@ -189,7 +190,9 @@ class CallTest(unittest.TestCase):
         copy = pickle.loads(pickle.dumps(caught.exception))
         self.assertEqual((copy.code, str(copy)), (caught.exception.code, str(caught.exception)))
         for value in (camera(), nicol.RenderOptions(samples=7)):
-            self.assertEqual(repr(pickle.loads(pickle.dumps(value))), repr(value))
+            # Functions that are not set have an address in their text, since Python 3.13 a different one each.
+            texts = [re.sub("0x[0-9a-f]+", "0x", repr(each)) for each in (pickle.loads(pickle.dumps(value)), value)]
+            self.assertEqual(*texts)
         with self.assertRaisesRegex(TypeError, "mesh of a nicol.Instance"):
             pickle.dumps(nicol.Instance(mesh=nicol.Mesh.create_cube(self.context)))
         with self.assertRaisesRegex(TypeError, "a nicol.Mesh belongs to this process and cannot be pickled"):

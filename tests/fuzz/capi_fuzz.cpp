@@ -223,7 +223,8 @@ void call(const Function& function, const Everything& all, Handles& handles, Byt
                 file.byte_size = bytes.rest().size();
                 std::memcpy(arguments.memory(i).data(), &file, sizeof file);
             }
-            const auto& fields = fields_of(function.name + "." + parameter.name);
+            const std::string name = function.name + "." + parameter.name;
+            const std::vector<Field>& fields = fields_of(name);
             for (std::size_t changes = bytes.below(4); changes > 0 && !fields.empty(); --changes)
                 change_field(arguments.memory(i), fields, function.name, bytes);
         } else if (parameter.kind == Kind::input) {

@@ -86,7 +86,8 @@ TEST_CASE("images claim a transfer curve, but for signed components") {
         write_png(folder / "a.png", png_of(observation));
         const Decoded back = decode(folder / "a.png");
         CHECK(back.srgb == observation.srgb);
-        CHECK(back.gamma == observation.srgb);
+        // The file has no gAMA. Some versions of libpng derive it from sRGB.
+        CHECK((observation.srgb || !back.gamma));
         CHECK(back.text.count("Nicol:Observer") == 1);
         CHECK(back.text.count("Nicol:Scale") == 1);
         CHECK(back.text.at("Nicol:Frame").find("counter-clockwise") != std::string::npos);

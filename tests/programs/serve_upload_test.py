@@ -5,6 +5,7 @@ usage: serve_upload_test.py NICOL_SERVE NICOL_RENDER [unittest options]"""
 
 import json
 import os
+import shutil
 import socket
 import struct
 import subprocess
@@ -153,6 +154,7 @@ class UploadTest(ServeTest):
         self.assertNotIn("POST", self.server.get("/v1/ready", "PUT").headers["allow"])
         self.assertEqual(self.server.get(IMAGE).status, 200)
 
+    @unittest.skipUnless(shutil.which("curl"), "no program curl")
     def test_curl_waits_for_permission(self):
         with tempfile.TemporaryDirectory() as folder:
             path = os.path.join(folder, "big.xml")
