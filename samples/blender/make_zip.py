@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """Makes nicol_blender.zip. usage: make_zip.py [WHEEL] [-o FILE]
 
-WHEEL is Nicol's Python package, as .ci/wheel.sh makes it; Blender 4.2 and later install it with the add-on, as an extension.
+WHEEL is Nicol's Python package, as samples/python/wheel.sh makes it; Blender 4.2 and later install it with the add-on, as an extension.
 Without WHEEL the zip is an add-on for earlier versions, whose Python must have the module nicol."""
 
 import argparse
