@@ -159,18 +159,30 @@ void Painter::draw_surface(const Subject& subject, int components, const Project
                            std::size_t group, int channels, std::size_t most, gl::RenderTarget& image) {
     gl::Program& surface = program("surface.vert", "surface.frag", channels, {});
     const WorldGeometry& geometry = subject.surfaces.geometry();
+    // A software driver draws some thousand triangles a millisecond. In a host's OpenGL a step is the host's
+    // own.
+    const gl::ContextInfo& info = context_->info();
+    constexpr std::size_t triangles_of_step = 8192;
+    const std::size_t step = info.software && info.backend != gl::Backend::host
+                                 ? triangles_of_step
+                                 : std::max<std::size_t>(geometry.triangles.size(), 1);
     const auto draw_some = [&](std::size_t first, std::size_t last, gl::Cull cull) {
-        if (first == last) return;
-        gl::draw(image, surface, *groups_[group].vertices, 3 * first, 3 * std::min(most, last - first),
-                 {.cull = cull, .components = components});
+        last = first + std::min(most, last - first);
+        for (; first < last; first += step) {
+            context_->run([&] {
+                gl::draw(image, surface, *groups_[group].vertices, 3 * first,
+                         3 * std::min(step, last - first), {.cull = cull, .components = components});
+                gl::finish(*context_);
+            });
+        }
     };
     context_->run([&] {
         surface.set("world_to_clip", glm::mat4(projection.world_to_clip));
         clear(image, subject.scene.background() != nullptr, components);
-        // One-sided materials are drawn black from behind; two-sided materials have triangles for each side.
-        draw_some(0, geometry.one_sided, gl::Cull::none);
-        draw_some(geometry.one_sided, geometry.triangles.size(), gl::Cull::back);
     });
+    // One-sided materials are drawn black from behind; two-sided materials have triangles for each side.
+    draw_some(0, geometry.one_sided, gl::Cull::none);
+    draw_some(geometry.one_sided, geometry.triangles.size(), gl::Cull::back);
 }
 
 gl::Program& Painter::background_program(const Scene& scene, bool shaded, int channels) {
