@@ -223,9 +223,20 @@ void Painter::bind_vertices(VertexBuffers& buffers, int channels) {
 
 void Painter::upload_environment(const Environment& environment, int channels) {
     for (Group& group : groups_) group.environment.clear();
-    // Each texture is a step of its own, so that other calls need not wait for all.
+    // A megabyte of rows is a step of its own, so that other calls need not wait for all.
+    constexpr std::size_t floats_of_step = std::size_t{1} << 18;
     const auto upload = [&](Group& group, std::span<const float> texels, const gl::TextureDescription& as) {
-        context_->run([&] { group.environment.emplace_back(context_, as, texels); });
+        context_->run([&] { group.environment.emplace_back(context_, as); });
+        const std::size_t row = 4 * static_cast<std::size_t>(as.width);
+        const int band = static_cast<int>(std::max<std::size_t>(1, floats_of_step / row));
+        for (int y = 0; y < as.height; y += band) {
+            const int rows = std::min(band, as.height - y);
+            context_->run([&] {
+                group.environment.back().update(
+                    0, y, as.width, rows,
+                    texels.subspan(static_cast<std::size_t>(y) * row, static_cast<std::size_t>(rows) * row));
+            });
+        }
     };
     const EquirectImage image = environment.image();
     const std::size_t pixels = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
