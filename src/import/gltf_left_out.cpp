@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "import/gltf_clearcoat.hpp"
 #include "import/gltf_iridescence.hpp"
 #include "import/gltf_transmission.hpp"
 
@@ -13,8 +14,8 @@ namespace nicol::scene {
 namespace {
 
 /// Extensions of a material that have an effect here.
-constexpr std::array<std::string_view, 6> kFollowed = {
-    kIor, "KHR_materials_emissive_strength", kAnisotropy, kTransmission, kVolume, kIridescence};
+constexpr std::array<std::string_view, 7> kFollowed = {
+    kIor, "KHR_materials_emissive_strength", kAnisotropy, kTransmission, kVolume, kIridescence, kClearcoat};
 
 }  // namespace
 

@@ -11,6 +11,7 @@
 #include "import/coated_model.hpp"
 #include "import/conductor_material.hpp"
 #include "import/diffuse_material.hpp"
+#include "import/gltf_clearcoat.hpp"
 #include "import/gltf_extension.hpp"
 #include "import/gltf_iridescence.hpp"
 #include "import/gltf_left_out.hpp"
@@ -60,6 +61,7 @@ public:
         if (!is_unlit_ && !is_specular_)
             transmission_ = read_transmission(document, material, where_, notices);
         if (!is_unlit_ && !is_specular_) iridescence_ = read_iridescence(document, material, where_, notices);
+        if (!is_unlit_) coat_ = read_clearcoat(document, material, where_, transmission_.share > 0, notices);
     }
 
     GltfMaterial run() {
@@ -100,6 +102,9 @@ private:
         read_strength();
         MaterialDescription out = is_specular_ ? specular() : iridescent();
         if (strength_) turn(out);
+        if (coat_.factor > 0)
+            out = ClearcoatModel(std::move(out), coat_, texture(coat_.share_texture),
+                                 texture(coat_.roughness_texture));
         if (auto normals = texture(normal_)) {
             const double scale = material_.normalTexture.scale;
             if (!(std::abs(scale) <= 1e3))
@@ -129,7 +134,8 @@ private:
     /// Returns the set that all textures take. Leaves the textures out if the primitive lacks that set.
     int texcoord_set() {
         std::optional<int> set;
-        for (const GltfTextureUse* use : {&base_, &facets_, &normal_, &directions_, &iridescence_.texture}) {
+        for (const GltfTextureUse* use : {&base_, &facets_, &normal_, &directions_, &iridescence_.texture,
+                                          &coat_.share_texture, &coat_.roughness_texture}) {
             if (use->index < 0 || (is_unlit_ && use != &base_)) continue;
             const int wanted = textures_.texcoord_set(*use);
             if (!set) set = wanted;
@@ -374,6 +380,7 @@ private:
     std::optional<TexturedNumber> strength_;  ///< none: no anisotropy
     GltfTransmission transmission_;           ///< what passes the surface
     GltfIridescence iridescence_;
+    GltfClearcoat coat_;
     FilmParameters film_;  ///< film on the parts of the material that are read now
     bool has_texcoords_ = false;
 };

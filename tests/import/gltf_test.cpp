@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Tests of glTF files: nodes, primitives, cameras and materials.
 #include "import/described_material.hpp"
+#include "import/gltf_clearcoat.hpp"
 #include "import/gltf_file.hpp"
 #include "import/scene_file.hpp"
 #include "scene/projection.hpp"
@@ -329,6 +330,24 @@ TEST_CASE("iridescent materials of glTF have a film, on the share of the surface
     check_error(ErrorCode::invalid_file,
                 CALL(with_film("\"iridescenceFactor\":1,\"iridescenceThicknessMaximum\":20000", 1)),
                 "iridescenceThicknessMaximum");
+}
+
+TEST_CASE("clear coats of glTF lie over the material and below its map of normals") {
+    const auto coated = [](const std::string& values, const std::string& members = "") {
+        return material("\"extensions\":{\"KHR_materials_clearcoat\":{" + values + "}}," + members,
+                        "\"metallicFactor\":1");
+    };
+    const auto coat =
+        as<scene::ClearcoatModel>(coated("\"clearcoatFactor\":0.5,\"clearcoatRoughnessFactor\":0.4"));
+    CHECK(coat.factor.value == 0.5);
+    CHECK(coat.alpha.value == doctest::Approx(0.16));
+    CHECK(as<MetalModel>(coat.base).parameters.alpha.value == 1);
+    CHECK(as<scene::ClearcoatModel>(coated("\"clearcoatFactor\":1")).alpha.value == 0.001);
+    for (const char* none : {"", "\"clearcoatFactor\":0"}) as<MetalModel>(coated(none));
+    for (const char* bad : {"clearcoatFactor", "clearcoatRoughnessFactor"})
+        check_error(ErrorCode::invalid_file,
+                    CALL(coated("\"clearcoatFactor\":1,\"" + std::string(bad) + "\":1.5")), bad,
+                    "expected 0");
 }
 
 TEST_CASE("metals of glTF reflect the base colour at normal incidence") {

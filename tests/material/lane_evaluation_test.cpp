@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Tests of Material::evaluate_lanes() against evaluate_terms().
 #include "directions.hpp"
+#include "material/clearcoat.hpp"
 #include "material/conductor.hpp"
 #include "material/material.hpp"
 #include "material/mixture.hpp"
@@ -126,6 +127,8 @@ TEST_CASE("sixteen pairs of directions at once, as one by one") {
         {"metal, smooth", conductor(metal_index("Ag")), kSmoothAlpha},
         {"metal without absorption", rough_conductor({.eta = {{1.5, 0}}, .alpha = 0.2}), 0.2},
         {"coated metal", coated_metal, 0.3},
+        {"below a clear coat", clearcoat(coated_metal, {.alpha = 0.4}), 0.3},
+        {"brushed, below a clear coat", clearcoat(brushed(0.05, 0.4, ggx), {.alpha = 0.4}), 0.05},
         {"coated, total reflection", coated(300), 0.2},
         {"depolarizing plastic", plain({.alpha = 0.1}), 0.1},
         {"depolarizing plastic, ggx", plain({.alpha = 0.5, .distribution = ggx}), 0.5},

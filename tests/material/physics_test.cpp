@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "directions.hpp"
+#include "material/clearcoat.hpp"
 #include "material/coated_plastic.hpp"
 #include "material/conductor.hpp"
 #include "material/material.hpp"
@@ -66,6 +67,8 @@ std::vector<Named> materials(const TemporaryFolder& folder) {
         {"gold", gold},
         {"silver",
          rough_conductor({.eta = metal_index("Ag"), .alpha = 0.8, .distribution = Distribution::ggx})},
+        {"gold below a clear coat",
+         clearcoat(rough_conductor({.eta = metal_index("Au"), .alpha = 0.3}), {.factor = 0.8, .alpha = 0.1})},
         {"brushed gold", rough_conductor({.eta = metal_index("Au"), .alpha = 0.1, .alpha_v = 0.4})},
         {"smooth aluminium", conductor(metal_index("Al"))},
         {"principled", principled({.base_color = {0.8},
