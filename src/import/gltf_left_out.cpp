@@ -17,6 +17,9 @@ namespace {
 constexpr std::array<std::string_view, 7> kFollowed = {
     kIor, "KHR_materials_emissive_strength", kAnisotropy, kTransmission, kVolume, kIridescence, kClearcoat};
 
+/// Those among them that are followed on materials by metal and roughness alone.
+constexpr std::array<std::string_view, 3> kWithMetal = {kTransmission, kVolume, kIridescence};
+
 }  // namespace
 
 void say_what_is_left(const tinygltf::Material& material, bool is_specular, GltfNotices& notices) {
@@ -30,9 +33,14 @@ void say_what_is_left(const tinygltf::Material& material, bool is_specular, Gltf
     if (material.emissiveTexture.index >= 0 ||
         std::ranges::any_of(material.emissiveFactor, [](double factor) { return factor != 0; }))
         notices.add("materials that emit light are not followed; they reflect it");
-    for (const auto& [name, value] : material.extensions)
-        if (std::ranges::find(kFollowed, name) == kFollowed.end() && !(is_specular && name == kSpecular))
+    for (const auto& [name, value] : material.extensions) {
+        const bool is_followed = std::ranges::find(kFollowed, name) != kFollowed.end();
+        const bool needs_metal = std::ranges::find(kWithMetal, name) != kWithMetal.end();
+        if (is_specular && needs_metal)
+            notices.add(name + " is not followed beside " + kSpecular);
+        else if (!is_followed && !(is_specular && name == kSpecular))
             notices.add(name.substr(0, 80) + " is not followed");
+    }
 }
 
 }  // namespace nicol::scene

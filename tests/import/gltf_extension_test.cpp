@@ -223,6 +223,11 @@ TEST_CASE("specular and glossiness of glTF win over metal and roughness only whe
         return color(as<PplasticModel>(scene.materials.at(0)), &PplasticParameters::diffuse_reflectance).rgb;
     };
     CHECK(diffuse(read(members, required(name))) == glm::dvec3(1));
+    // Extensions that describe metal and roughness are left out beside it.
+    const SceneDescription both =
+        read("\"extensions\":{\"" + name + "\":{},\"KHR_materials_iridescence\":{\"iridescenceFactor\":1}}",
+             required(name));
+    CHECK(has_notice(both, "KHR_materials_iridescence is not followed beside " + name));
     CHECK(diffuse(read(glossy("\"specularFactor\":[0.04,0.04,0.04]"), "")) == glm::dvec3(1));
 }
 
