@@ -52,8 +52,10 @@ void log_what_opened(const Session& session) {
                         info.device + ": OpenGL " + info.version + ", " + info.renderer + ", " + info.vendor);
     if (!info.software) return;
     for (const gl::FailedAttempt& attempt : session.gl->failed_attempts())
-        session.log_message(NICOL_LOG_WARNING,
-                            attempt.what + " failed, OpenGL runs on the CPU: " + attempt.reason);
+        session.log_message(
+            NICOL_LOG_WARNING,
+            attempt.what + " could not be used, so OpenGL runs on the CPU. A graphics processor needs it: " +
+                attempt.reason);
 }
 
 /// Returns the host's task system in the library's form.
