@@ -161,18 +161,17 @@ void Painter::draw_surface(const Subject& subject, int components, const Project
     const WorldGeometry& geometry = subject.surfaces.geometry();
     // A software driver draws some thousand triangles a millisecond. In a host's OpenGL a step is the host's
     // own.
-    const gl::ContextInfo& info = context_->info();
     constexpr std::size_t triangles_of_step = 8192;
-    const std::size_t step = info.software && info.backend != gl::Backend::host
-                                 ? triangles_of_step
-                                 : std::max<std::size_t>(geometry.triangles.size(), 1);
+    const gl::ContextInfo& info = context_->info();
+    const bool in_steps = info.software && info.backend != gl::Backend::host;
+    const std::size_t step = in_steps ? triangles_of_step : geometry.triangles.size();
     const auto draw_some = [&](std::size_t first, std::size_t last, gl::Cull cull) {
         last = first + std::min(most, last - first);
         for (; first < last; first += step) {
             context_->run([&] {
                 gl::draw(image, surface, *groups_[group].vertices, 3 * first,
                          3 * std::min(step, last - first), {.cull = cull, .components = components});
-                gl::finish(*context_);
+                if (in_steps) gl::finish(*context_);
             });
         }
     };

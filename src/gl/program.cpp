@@ -184,15 +184,16 @@ void Program::update(std::string_view name, unsigned type, const Value& value, S
     const auto bytes = std::as_bytes(std::span(&value, 1));
     if (uniform.known && std::ranges::equal(bytes, std::span(uniform.last).first(bytes.size()))) return;
     set(gl, uniform.location);
-    context()->state().check_command("setting " +
-                                     std::string(name));  // a too high unit of a sampler fails here
     std::ranges::copy(bytes, uniform.last.begin());
     uniform.known = true;
 }
 
 void Program::set(std::string_view name, int value) {
-    update(name, GL_INT, value,
-           [&](const GladGLContext& gl, GLint location) { gl.ProgramUniform1i(id(), location, value); });
+    update(name, GL_INT, value, [&](const GladGLContext& gl, GLint location) {
+        gl.ProgramUniform1i(id(), location, value);
+        context()->state().check_command("setting " +
+                                         std::string(name));  // a too high unit of a sampler fails here
+    });
 }
 
 void Program::set(std::string_view name, unsigned value) {

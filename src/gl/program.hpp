@@ -38,9 +38,8 @@ public:
                                          std::span<const Define> defines = {});
 
     /// Sets a uniform of exactly the value's type; int also sets bool and samplers. A value that the uniform
-    /// has already costs no command. Throws
-    /// Error(invalid_argument) for a name that the linked program does not use, listing the names that it
-    /// uses, and for another type.
+    /// has already costs no command. Throws Error(invalid_argument) for a name that the linked program does
+    /// not use, listing the names that it uses, and for another type.
     void set(std::string_view name, int value);
     void set(std::string_view name, unsigned value);
     void set(std::string_view name, float value);

@@ -27,6 +27,13 @@ class HostState;
 /// State shared by the Context and its thread, so that either may end first. Only the thread uses it, apart
 /// from the worker, the memory account and members that are constant after open().
 struct Context::State {
+    /// A bound part of a storage buffer.
+    struct StorageRange {
+        GLuint buffer = 0;
+        std::size_t offset = 0, bytes = 0;
+        bool operator==(const StorageRange&) const = default;
+    };
+
     Worker worker;  ///< worker of a context of our own
     std::thread thread;
     std::unique_ptr<Host> host;  ///< set for a host's context, instead of worker and thread
@@ -36,24 +43,17 @@ struct Context::State {
     Limits limits;
     std::vector<FailedAttempt> failed_attempts;
     std::array<std::atomic<std::size_t>, 5> bytes{};
-    MemoryMonitor memory_monitor;     ///< set before the first object is made
-    bool compatibility = false;       ///< whether a host's context has the compatibility profile
-    GLuint empty_vertex_array = 0;    ///< core profiles cannot draw without a vertex array
-    GLuint condition = 0;             ///< a query that tests for conditional rendering in a host's context
-    GLint clip_distances = 0;         ///< number of a host's clip distances
-    HostState* host_state = nullptr;  ///< a host's state during a visit; null in a context of our own
-    /// A bound part of a storage buffer.
-    struct StorageRange {
-        GLuint buffer = 0;
-        std::size_t offset = 0, bytes = 0;
-        bool operator==(const StorageRange&) const = default;
-    };
-    /// Parts that our commands have bound, by binding; empty where a host may have bound something else.
-    std::vector<StorageRange> storages{};
-    bool validates = true;              ///< whether check_command() asks at once
-    bool unchecked = false;             ///< whether commands were given since the last check()
-    std::vector<std::string> messages;  ///< messages of KHR_debug since the last check()
-    std::filesystem::path programs;     ///< folder of linked programs; empty: no cache
+    MemoryMonitor memory_monitor;        ///< set before the first object is made
+    bool compatibility = false;          ///< whether a host's context has the compatibility profile
+    GLuint empty_vertex_array = 0;       ///< core profiles cannot draw without a vertex array
+    GLuint condition = 0;                ///< a query that tests for conditional rendering in a host's context
+    GLint clip_distances = 0;            ///< number of a host's clip distances
+    HostState* host_state = nullptr;     ///< a host's state during a visit; null in a context of our own
+    bool validates = true;               ///< whether check_command() asks at once
+    bool unchecked = false;              ///< whether commands were given since the last check()
+    std::vector<std::string> messages;   ///< messages of KHR_debug since the last check()
+    std::vector<StorageRange> storages;  ///< bound by us; empty where a host may have bound others
+    std::filesystem::path programs;      ///< folder of linked programs; empty: no cache
     ProgramNotices program_notices;
 
     /// Makes the platform current and initialises OpenGL. Throws Error(no_backend).
