@@ -10,6 +10,7 @@
 #include "material/shared_terms.hpp"
 #include "render/light_projection.hpp"
 #include "render/memory_estimate.hpp"
+#include "render/vertex_weights.hpp"
 
 namespace nicol {
 namespace {
@@ -212,14 +213,14 @@ void OrderSelector::measure(const Scene& scene, const Projected& projected, cons
         }
         values_ += group.weight * scene.channels();
     }
-    forget_terms(vertices, projected.sampled);
+    forget_terms();
 }
 
-void OrderSelector::forget_terms(const VertexWeights& vertices, SampledTerms sampled) {
+void OrderSelector::forget_terms() {
     std::set<std::string> keys;
-    for (const auto& [material, group] : vertices.groups()) {
+    for (const auto& [material, response] : responses_) {
         keys.insert(terms_key(*material));
-        keys.insert(terms_key(*in_harmonics(material, sampled)));
+        keys.insert(terms_key(*response.projected));
     }
     const auto is_other = [&](const auto& known) { return !keys.contains(known.first); };
     for (auto& [orders, fit] : fits_) std::erase_if(fit.known, is_other);

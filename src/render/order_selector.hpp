@@ -12,7 +12,6 @@
 #include "material/response_power.hpp"
 #include "material/sampled_terms.hpp"
 #include "render/kept_projection.hpp"
-#include "render/vertex_weights.hpp"
 #include "scene/scene.hpp"
 #include "specular/split_fit.hpp"
 #include "stage/options.hpp"
@@ -89,7 +88,7 @@ private:
                  KeptProjection& projection);
     // Forgets integrals of terms that no material has. Materials that differ in their weights alone share
     // these integrals, so that a new reflectance needs none.
-    void forget_terms(const VertexWeights& vertices, SampledTerms sampled);
+    void forget_terms();
     // Adds a part of the light to a share. light: its energies by order. power: energies of its reflection by
     // order. coupling: of VisibilityPower.
     static void add_part(const Spectrum& light, const Spectrum& power, std::span<const double> coupling,

@@ -55,12 +55,7 @@ TEST_CASE("without lamps a tolerance is reached with fewer orders, relative to a
     scene.set_environment(lamps(), glm::dmat3(1), 1);
     SceneGeometry surfaces;
     surfaces.update(scene);
-    const SurfaceState unshadowed{.geometry = surfaces.geometry(),
-                                  .visibility = nullptr,
-                                  .directions = nullptr,
-                                  .versions = {.geometry = surfaces.version()},
-                                  .materials = surfaces.material_version(),
-                                  .change = {}};
+    const SurfaceState unshadowed = test::without_shadows(surfaces);
     const RenderOptions options{.tolerance = 1e-3, .split_lights = 64};
     LightSplit split;
     Statistics statistics;

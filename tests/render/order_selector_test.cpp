@@ -191,15 +191,9 @@ TEST_CASE("beside local lights, which take most of a frame, better orders are ta
         OrderSelector selector;
         SceneGeometry surfaces;
         surfaces.update(scene);
-        return selector.choose(scene, {scene.environment(), SampledTerms::none},
-                               {.geometry = surfaces.geometry(),
-                                .visibility = nullptr,
-                                .directions = nullptr,
-                                .versions = {.geometry = surfaces.version()},
-                                .materials = surfaces.material_version(),
-                                .change = {}},
-                               true, {.high_orders = HighOrders::none, .tolerance = tolerance},
-                               MemoryLimit::kNone, projection);
+        return selector.choose(
+            scene, {scene.environment(), SampledTerms::none}, test::without_shadows(surfaces), true,
+            {.high_orders = HighOrders::none, .tolerance = tolerance}, MemoryLimit::kNone, projection);
     };
     const auto dark = choose(0.1), fine = choose(1e-3);
     scene.add_light({.kind = LocalLight::Kind::point, .value = {1}});
@@ -222,12 +216,7 @@ TEST_CASE("a new reflectance integrates no terms, and its orders are those of a 
     KeptProjection projection;
     const auto choose = [&](OrderSelector& selector) {
         surfaces.update(scene);
-        const SurfaceState unshadowed{.geometry = surfaces.geometry(),
-                                      .visibility = nullptr,
-                                      .directions = nullptr,
-                                      .versions = {.geometry = surfaces.version()},
-                                      .materials = surfaces.material_version(),
-                                      .change = {}};
+        const SurfaceState unshadowed = test::without_shadows(surfaces);
         return selector.choose(scene, {scene.environment(), SampledTerms::none}, unshadowed, true,
                                {.high_orders = HighOrders::split, .tolerance = 0.02}, MemoryLimit::kNone,
                                projection);
@@ -258,12 +247,7 @@ TEST_CASE("a tolerance that cannot be reached is reported, and the least error t
     OrderSelector selector;
     SceneGeometry surfaces;
     surfaces.update(scene);
-    const SurfaceState unshadowed{.geometry = surfaces.geometry(),
-                                  .visibility = nullptr,
-                                  .directions = nullptr,
-                                  .versions = {.geometry = surfaces.version()},
-                                  .materials = surfaces.material_version(),
-                                  .change = {}};
+    const SurfaceState unshadowed = test::without_shadows(surfaces);
     RenderOptions options{.high_orders = HighOrders::none, .tolerance = 1e-9};
     constexpr std::uint64_t all_memory = MemoryLimit::kNone;
     const auto orders = selector.choose(scene, {scene.environment(), SampledTerms::none}, unshadowed, true,

@@ -8,6 +8,8 @@
 #include "harmonics/light_coefficients.hpp"
 #include "material/conductor.hpp"
 #include "render/renderer.hpp"
+#include "surfaces/scene_geometry.hpp"
+#include "surfaces/surface_state.hpp"
 
 namespace nicol::test {
 
@@ -32,6 +34,16 @@ inline std::shared_ptr<const Mesh> rectangle(int cells) {
 
 inline glm::dmat4 at(double x, double y, double z, double size = 1) {
     return glm::scale(glm::translate(glm::dmat4(1), {x, y, z}), glm::dvec3(size));
+}
+
+/// Returns surfaces that cast no shadows, which refer to `surfaces`.
+inline SurfaceState without_shadows(const SceneGeometry& surfaces) {
+    return {.geometry = surfaces.geometry(),
+            .visibility = nullptr,
+            .directions = nullptr,
+            .versions = {.geometry = surfaces.version()},
+            .materials = surfaces.material_version(),
+            .change = {}};
 }
 
 /// Returns the matrix of a horizontal rectangle.
