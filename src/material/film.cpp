@@ -68,11 +68,6 @@ void add(FilmSplit& sum, double weight, const FilmSplit& split) {
     sum.transmission += weight * split.transmission;
 }
 
-ReflectionBlock<double> block(const SpShares& shares) {
-    return {(shares.s + shares.p) / 2, (shares.s - shares.p) / 2, shares.correlation.real(),
-            shares.correlation.imag()};
-}
-
 // Place between two entries of a table.
 template <class Real>
 struct Between {
@@ -117,8 +112,6 @@ FilmTable::FilmTable(const FilmParameters& film, double outside, std::vector<std
     : outside_(outside), eta_(std::move(inside)), tables_(static_cast<std::size_t>(film.channels())) {
     check(film, eta_.size());
     for (std::complex<double>& eta : eta_) eta /= outside;
-    double largest = 0;
-    for (const std::complex<double> eta : film.eta) largest = std::max(largest, eta.real());
     const bool transmits = eta_.size() == 1 && eta_.front().imag() == 0;
     if (transmits) {
         const double eta = eta_.front().real();
@@ -147,7 +140,7 @@ FilmTable::FilmTable(const FilmParameters& film, double outside, std::vector<std
         tables_[c].refracted = std::move(refracted[c]);
         tables_[c].total = std::move(total[c]);
         for (const FilmSplit& split : tables_[c].refracted) {
-            const auto [a, b, re, im] = block(split.front);
+            const auto [a, b, re, im] = block_of(split.front);
             tables_[c].in_front.push_back({static_cast<float>(a), static_cast<float>(b),
                                            static_cast<float>(re), static_cast<float>(im)});
         }
@@ -190,7 +183,7 @@ std::vector<std::vector<FilmSplit>> FilmTable::tabulate(const FilmParameters& fi
 }
 
 ReflectionBlock<double> FilmTable::reflection(int channel, double cosine) const {
-    return block(split(channel, cosine, false).front);
+    return block_of(split(channel, cosine, false).front);
 }
 
 void FilmTable::reflection_lanes(int channel, const Lanes& cosines, ReflectionBlock<Lanes>& out) const {

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "polarization/film.hpp"
-#include "polarization/fresnel.hpp"
 #include "simd/lanes.hpp"
 
 namespace nicol {

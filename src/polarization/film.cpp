@@ -55,12 +55,9 @@ SpShares operator+(SpShares a, const SpShares& b) {
     return a += b;
 }
 
-Mueller mueller_of(const SpShares& shares) {
-    const double a = (shares.s + shares.p) / 2;
-    const double b = (shares.s - shares.p) / 2;
-    const double c = shares.correlation.real();
-    const double d = shares.correlation.imag();
-    return Mueller({a, b, 0, 0, b, a, 0, 0, 0, 0, c, -d, 0, 0, d, c});
+ReflectionBlock<double> block_of(const SpShares& shares) {
+    return {(shares.s + shares.p) / 2, (shares.s - shares.p) / 2, shares.correlation.real(),
+            shares.correlation.imag()};
 }
 
 FilmSplit film_split(double tangential2, Complex eta, const ThinFilm& film, double wavelength) {

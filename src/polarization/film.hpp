@@ -4,7 +4,7 @@
 
 #include <complex>
 
-#include "polarization/mueller.hpp"
+#include "polarization/fresnel.hpp"
 
 namespace nicol {
 
@@ -17,8 +17,7 @@ struct ThinFilm {
 
 /// Optical element that acts on the s and p parts of light, in frames with x along the s-axis and z along the
 /// propagation: power factors for both, and for their correlation |J_s J_p| e^{id} with d = arg J_p - arg
-/// J_s. The Mueller matrix is that of ReflectionBlock with a = (s + p) / 2, b = (s - p) / 2 and c + id the
-/// correlation.
+/// J_s.
 struct SpShares {
     double s = 0;
     double p = 0;
@@ -35,7 +34,11 @@ struct SpShares {
 };
 [[nodiscard]] SpShares operator+(SpShares a, const SpShares& b);
 
-[[nodiscard]] Mueller mueller_of(const SpShares& shares);
+/// Returns the block of the element's Mueller matrix, in which c + id is the correlation.
+[[nodiscard]] ReflectionBlock<double> block_of(const SpShares& shares);
+[[nodiscard]] inline Mueller mueller_of(const SpShares& shares) {
+    return mueller_of(block_of(shares));
+}
 
 /// Light that an interface with a film reflects and transmits. The transmission includes the power factor
 /// of refraction, as fresnel_transmission(), and is equal in both directions.

@@ -6,8 +6,7 @@
 namespace nicol {
 
 Mueller fresnel_reflection(double cos_incident, std::complex<double> eta) {
-    const auto [a, b, c, d] = reflection_block(cos_incident, RelativeIndex<double>(eta));
-    return Mueller({a, b, 0, 0, b, a, 0, 0, 0, 0, c, -d, 0, 0, d, c});
+    return mueller_of(reflection_block(cos_incident, RelativeIndex<double>(eta)));
 }
 
 Mueller fresnel_transmission(double cos_incident, double eta) {

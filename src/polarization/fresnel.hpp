@@ -38,6 +38,11 @@ struct ReflectionBlock {
     Number a, b, c, d;
 };
 
+[[nodiscard]] inline Mueller mueller_of(const ReflectionBlock<double>& block) {
+    const auto [a, b, c, d] = block;
+    return Mueller({a, b, 0, 0, b, a, 0, 0, 0, 0, c, -d, 0, 0, d, c});
+}
+
 /// Amplitudes for cosines of 0 to 1 and any index. Total internal reflection gives coefficients of modulus
 /// one.
 template <class Number>

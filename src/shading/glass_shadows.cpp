@@ -10,7 +10,6 @@
 
 #include "material/reflectance.hpp"
 #include "polarization/fresnel.hpp"
-#include "polarization/slab.hpp"
 #include "shading/boundary_split.hpp"
 
 namespace nicol {
@@ -21,12 +20,8 @@ constexpr int kMostCrossings = 64;
 
 /// Returns the transmittance of a boundary for unpolarized light at an angle outside, in a channel.
 double transmittance_at(const SmoothBoundary& boundary, double cosine, int channel) {
-    if (boundary.film) {
-        const SpShares shares = boundary.film->split(channel, cosine, false).transmission;
-        return (shares.s + shares.p) / 2;
-    }
-    if (boundary.behind == SmoothBoundary::Behind::slab)
-        return slab_split(cosine, boundary.eta).transmission(0, 0);
+    if (boundary.film || boundary.behind == SmoothBoundary::Behind::slab)
+        return split_of(boundary, cosine, false, channel).transmission(0, 0);
     return 1 - fresnel_reflection(cosine, boundary.eta)(0, 0);
 }
 
