@@ -5,7 +5,6 @@
 #include <complex>
 
 #include "assets.hpp"
-#include "film.hpp"
 #include "material/coated_plastic.hpp"
 #include "material/conductor.hpp"
 #include "material/dielectric.hpp"
@@ -89,6 +88,13 @@ std::array<NumberParameter, 2> roughnesses(const Facets& given, const nicol_cont
                " and alpha are 0, and there is a roughness in the other direction; give both");
     const bool alike = u.value == v.value && u.texture == v.texture;
     return {u, alike ? NumberParameter(0.0) : v};
+}
+
+FilmParameters film_of(const nicol_film& given) {
+    if (given.reserved != 0) refuse("film.reserved must be 0");
+    return {.thickness = static_cast<double>(given.thickness),
+            .eta = {{static_cast<double>(given.eta), -static_cast<double>(given.k)}},
+            .wavelengths = spectrum(given.wavelengths, 0, 0, "film.wavelengths")};
 }
 
 MaterialPtr make(const nicol_pplastic& given, const nicol_context_impl& context) {

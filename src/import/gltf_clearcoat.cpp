@@ -13,23 +13,17 @@ namespace nicol::scene {
 GltfClearcoat read_clearcoat(const GltfDocument& document, const tinygltf::Material& material,
                              const std::string& where, bool passes, GltfNotices& notices) {
     const GltfExtension extension(document, material.extensions, kClearcoat, where);
-    const auto in_unit = [&](const char* name) {
-        const double value = extension.number(name, 0);
-        if (!(value >= 0 && value <= 1))
-            document.fail(where, std::string(name) + " is " + std::to_string(value) + "; expected 0 to 1");
-        return value;
-    };
-    GltfClearcoat out{.factor = in_unit("clearcoatFactor"),
-                      .roughness = in_unit("clearcoatRoughnessFactor"),
+    GltfClearcoat out{.factor = extension.number("clearcoatFactor", 0, 0, 1),
+                      .roughness = extension.number("clearcoatRoughnessFactor", 0, 0, 1),
                       .share_texture = extension.texture("clearcoatTexture"),
                       .roughness_texture = extension.texture("clearcoatRoughnessTexture")};
-    if (out.factor == 0) return out;
+    if (out.factor == 0) return {};
     if (passes) {
         notices.add(std::string(kClearcoat) + " is not followed on materials that light passes");
-        out.factor = 0;
-    } else if (extension.texture("clearcoatNormalTexture").index != material.normalTexture.index) {
-        notices.add(std::string(kClearcoat) + ": the coat has the normals of the material below it");
+        return {};
     }
+    if (extension.texture("clearcoatNormalTexture").index != material.normalTexture.index)
+        notices.add(std::string(kClearcoat) + ": the coat has the normals of the material below it");
     return out;
 }
 
@@ -38,15 +32,13 @@ ClearcoatModel::ClearcoatModel(MaterialDescription below, const GltfClearcoat& c
                                std::optional<TextureSpecification> roughness)
     : base(std::move(below)), factor(coat.factor), alpha(std::max(coat.roughness * coat.roughness, 0.001)) {
     using Part = TextureSpecification::Part;
-    const auto of = [](TextureSpecification image, Part part, double scale) {
-        image.raw = true;
-        image.part = part;
-        image.factor = glm::dvec3(scale);
-        image.squared = part == Part::green;
-        return std::make_shared<const TextureSpecification>(std::move(image));
-    };
-    if (share) factor.texture = of(std::move(*share), Part::red, coat.factor);
-    if (roughness) alpha.texture = of(std::move(*roughness), Part::green, coat.roughness);
+    if (share)
+        factor.texture = std::make_shared<const TextureSpecification>(
+            as_number(std::move(*share), Part::red, coat.factor));
+    if (!roughness) return;
+    TextureSpecification image = as_number(std::move(*roughness), Part::green, coat.roughness);
+    image.squared = true;
+    alpha.texture = std::make_shared<const TextureSpecification>(std::move(image));
 }
 
 MaterialPtr ClearcoatModel::make(const MaterialMaker& maker) const {

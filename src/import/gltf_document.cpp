@@ -15,6 +15,7 @@
 #include "files/read_bytes.hpp"
 #include "import/gltf_json.hpp"
 #include "import/xml_file.hpp"
+#include "shortest_text.hpp"
 
 // The code of tinygltf, which is a header. It is compiled here because a shared library of it would open
 // images. tinygltf calls its values nlohmann::json, which cannot be destroyed where memory is short.
@@ -249,6 +250,14 @@ GltfDocument::GltfDocument(const std::filesystem::path& file, const LoadBudget& 
 
 void GltfDocument::fail(const std::string& where, const std::string& what, ErrorCode code) const {
     throw Error(code, path_.string() + ": " + where + ": " + what);
+}
+
+double GltfDocument::in_range(double value, double least, double most, const std::string& where,
+                              const char* name) const {
+    if (!(value >= least && value <= most))
+        fail(where, std::string(name) + " is " + std::to_string(value) + "; expected " +
+                        shortest_text(least) + " to " + shortest_text(most));
+    return value;
 }
 
 }  // namespace nicol::scene

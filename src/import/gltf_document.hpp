@@ -42,6 +42,11 @@ public:
     [[noreturn]] void fail(const std::string& where, const std::string& what,
                            ErrorCode code = ErrorCode::invalid_file) const;
 
+    /// Returns `value`. Throws what fail() throws unless it lies in least to most. name: its name in the
+    /// file.
+    [[nodiscard]] double in_range(double value, double least, double most, const std::string& where,
+                                  const char* name) const;
+
     /// Returns an element of one of the model's lists to which the element `where` refers. name: name of the
     /// list in the file. Throws what fail() throws if the index is out of range.
     template <class Element>

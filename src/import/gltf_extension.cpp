@@ -27,6 +27,10 @@ double GltfExtension::number(const char* name, double otherwise) const {
     return value->GetNumberAsDouble();
 }
 
+double GltfExtension::number(const char* name, double otherwise, double least, double most) const {
+    return document_.in_range(number(name, otherwise), least, most, where_, name);
+}
+
 std::vector<double> GltfExtension::numbers(const char* name, std::size_t count) const {
     const tinygltf::Value* const value = find(name);
     std::vector<double> out;

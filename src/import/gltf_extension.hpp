@@ -23,6 +23,8 @@ public:
     [[nodiscard]] bool present() const { return value_ != nullptr; }
     /// Returns a finite number, or `otherwise` if the extension does not give it.
     [[nodiscard]] double number(const char* name, double otherwise) const;
+    /// Returns number(), which must lie in least to most.
+    [[nodiscard]] double number(const char* name, double otherwise, double least, double most) const;
     /// Returns an array of `count` finite numbers; empty if the extension does not give it.
     [[nodiscard]] std::vector<double> numbers(const char* name, std::size_t count) const;
     /// Returns the use of a texture, with the index -1 if the extension does not give it.

@@ -58,9 +58,10 @@ public:
                       : texture_use(pbr_.metallicRoughnessTexture, where_ + ".metallicRoughnessTexture")),
           normal_(texture_use(material.normalTexture, where_ + ".normalTexture")),
           directions_(anisotropy_.texture("anisotropyTexture")) {
-        if (!is_unlit_ && !is_specular_)
+        if (!is_unlit_ && !is_specular_) {
             transmission_ = read_transmission(document, material, where_, notices);
-        if (!is_unlit_ && !is_specular_) iridescence_ = read_iridescence(document, material, where_, notices);
+            iridescence_ = read_iridescence(document, material, where_, notices);
+        }
         if (!is_unlit_) coat_ = read_clearcoat(document, material, where_, transmission_.share > 0, notices);
     }
 
@@ -126,9 +127,7 @@ private:
     }
 
     [[nodiscard]] double in_unit(double value, const char* name) const {
-        if (!(value >= 0 && value <= 1))
-            document_.fail(where_, std::string(name) + " is " + std::to_string(value) + "; expected 0 to 1");
-        return value;
+        return document_.in_range(value, 0, 1, where_, name);
     }
 
     /// Returns the set that all textures take. Leaves the textures out if the primitive lacks that set.
@@ -199,9 +198,7 @@ private:
         if (iridescence_.factor == 0) return blended();
         std::optional<TextureSpecification> weight = texture(iridescence_.texture);
         if (weight) {
-            weight->raw = true;
-            weight->part = Part::red;
-            weight->factor = glm::dvec3(iridescence_.factor);
+            weight = as_number(std::move(*weight), Part::red, iridescence_.factor);
         } else if (iridescence_.factor < 1) {
             weight = constant_specification(iridescence_.factor);
         }
@@ -217,9 +214,7 @@ private:
         std::optional<TextureSpecification> weight;
         if (metallic > 0) weight = texture(facets_);
         if (weight) {
-            weight->raw = true;
-            weight->part = Part::blue;
-            weight->factor = glm::dvec3(metallic);
+            weight = as_number(std::move(*weight), Part::blue, metallic);
         } else if (metallic == 0) {
             return plastic(1.0, read_index(document_, material_, where_));
         } else if (metallic == 1) {
@@ -310,9 +305,8 @@ private:
     }
 
     [[nodiscard]] FacetDescription facets() {
-        const double factor = is_specular_
-                                  ? in_unit(specular_.number("glossinessFactor", 1), "glossinessFactor")
-                                  : in_unit(pbr_.roughnessFactor, "roughnessFactor");
+        const double factor = is_specular_ ? specular_.number("glossinessFactor", 1, 0, 1)
+                                           : in_unit(pbr_.roughnessFactor, "roughnessFactor");
         const double roughness = is_specular_ ? 1 - factor : factor;
         FacetDescription out{.distribution = Distribution::ggx,
                              .alpha = std::max(roughness * roughness, 0.001)};
@@ -340,15 +334,11 @@ private:
 
     /// Reads how strong KHR_materials_anisotropy is, if there is any.
     void read_strength() {
-        const double strength = in_unit(anisotropy_.number("anisotropyStrength", 0), "anisotropyStrength");
+        const double strength = anisotropy_.number("anisotropyStrength", 0, 0, 1);
         if (strength == 0) return;
         strength_ = strength;
-        if (auto image = texture(directions_)) {
-            image->raw = true;
-            image->part = Part::blue;
-            image->factor = glm::dvec3(strength);
-            strength_->texture = shared(std::move(*image));
-        }
+        if (auto image = texture(directions_))
+            strength_->texture = shared(as_number(std::move(*image), Part::blue, strength));
     }
 
     /// Rotates the facets as KHR_materials_anisotropy says.

@@ -26,6 +26,15 @@ struct GltfTextureUse {
         .index = info.index, .texcoord_set = info.texCoord, .extensions = &info.extensions, .where = where};
 }
 
+/// Returns an image one of whose channels is a number, times a factor.
+[[nodiscard]] inline TextureSpecification as_number(TextureSpecification image,
+                                                    TextureSpecification::Part part, double factor) {
+    image.raw = true;
+    image.part = part;
+    image.factor = glm::dvec3(factor);
+    return image;
+}
+
 /// Textures that materials use. An image in the file itself is copied once.
 class GltfTextures {
 public:

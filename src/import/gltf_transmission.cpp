@@ -29,13 +29,8 @@ GltfTransmission read_transmission(const GltfDocument& document, const tinygltf:
                                    const std::string& where, GltfNotices& notices) {
     const GltfExtension transmission(document, material.extensions, kTransmission, where);
     const GltfExtension volume(document, material.extensions, kVolume, where);
-    const auto in_unit = [&](double value, const char* name) {
-        if (!(value >= 0 && value <= 1))
-            document.fail(where, std::string(name) + " is " + std::to_string(value) + "; expected 0 to 1");
-        return value;
-    };
     GltfTransmission out;
-    const double factor = in_unit(transmission.number("transmissionFactor", 0), "transmissionFactor");
+    const double factor = transmission.number("transmissionFactor", 0, 0, 1);
     if (factor == 0) return out;
     if (transmission.texture("transmissionTexture").index >= 0) {
         notices.add(std::string(kTransmission) +
@@ -48,7 +43,8 @@ GltfTransmission read_transmission(const GltfDocument& document, const tinygltf:
     const std::vector<double> color = volume.numbers("attenuationColor", 3);
     if (!out.is_body || !(distance > 0) || color.empty()) return out;
     for (glm::length_t c = 0; c < 3; ++c) {
-        const double left = in_unit(color[static_cast<std::size_t>(c)], "attenuationColor");
+        const double left =
+            document.in_range(color[static_cast<std::size_t>(c)], 0, 1, where, "attenuationColor");
         out.absorption[c] = -std::log(std::max(left, kDarkest)) / distance;
     }
     return out;
