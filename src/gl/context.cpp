@@ -189,11 +189,19 @@ void Context::wake() {
 
 Borrower::Borrower(std::shared_ptr<Context> context, std::function<void()> meanwhile)
     : context_(std::move(context)) {
-    if (Host* const host = context_->state().host.get()) host->begin_borrowing(std::move(meanwhile));
+    if (Host* const host = context_->state().host.get()) {
+        host->begin_borrowing(std::move(meanwhile));
+    } else {
+        context_->state().worker.begin_giving_way();
+    }
 }
 
 Borrower::~Borrower() {
-    if (Host* const host = context_->state().host.get()) host->end_borrowing();
+    if (Host* const host = context_->state().host.get()) {
+        host->end_borrowing();
+    } else {
+        context_->state().worker.end_giving_way();
+    }
 }
 
 void finish(Context& context) {

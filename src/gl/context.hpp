@@ -142,9 +142,10 @@ private:
     std::shared_ptr<State> state_;
 };
 
-/// Permission to call run() without the host's context. While it lives, a call of run() on the thread that
-/// made it waits for a thread that lends the host's context. Has no effect on a context of our own. At most
-/// one Borrower may exist per context.
+/// Makes the calling thread's run() give way to that of other threads while it lives. In a host's context it
+/// is the permission to call run() where that context is not current: such a call waits for a thread that
+/// lends the context. In a context of our own, calls of other threads go first. At most one Borrower may
+/// exist per context.
 class Borrower {
 public:
     /// Calls `meanwhile` about ten times a second while a call waits; an exception of `meanwhile` withdraws

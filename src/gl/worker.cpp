@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The job queue of a context's thread.
+// The job queues of a context's thread.
 #include "gl/worker.hpp"
 
+#include <algorithm>
 #include <csignal>
 #include <exception>
 #include <system_error>
@@ -60,17 +61,25 @@ LeftThreads& left_threads() {
 
 void Worker::work() {
     id_ = std::this_thread::get_id();
-    while (true) {
-        std::function<void()> job;
-        {
-            std::unique_lock lock(mutex_);
-            given_.wait(lock, [this] { return stopped_ || !jobs_.empty(); });
-            if (jobs_.empty()) return;
-            job = std::move(jobs_.front());
-            jobs_.pop_front();
-        }
+    std::unique_lock lock(mutex_);
+    while (Jobs* const jobs = next(lock)) {
+        std::function<void()> job = std::move(jobs->front());
+        jobs->pop_front();
+        lock.unlock();
         job();
+        job = nullptr;
+        lock.lock();
     }
+}
+
+Worker::Jobs* Worker::next(std::unique_lock<std::mutex>& lock) {
+    given_.wait(lock, [this] { return stopped_ || !jobs_.empty() || !patient_.empty(); });
+    if (!patient_.empty()) {
+        const auto awaited = [this] { return stopped_ || !jobs_.empty(); };
+        given_.wait_until(lock, std::min(quiet_, latest_), awaited);
+        if (jobs_.empty() || Clock::now() >= latest_) return &patient_;
+    }
+    return jobs_.empty() ? nullptr : &jobs_;
 }
 
 void Worker::execute(void (*call)(void*), void* argument) {
@@ -84,12 +93,17 @@ void Worker::execute(void (*call)(void*), void* argument) {
         bool done = false;
         std::exception_ptr error;
     } done;
-    post([call, argument, &done] {
+    const bool patient = giving_way_.load() == std::this_thread::get_id();
+    give(patient ? patient_ : jobs_, [this, patient, call, argument, &done] {
         std::exception_ptr error;
         try {
             call(argument);
         } catch (...) {
             error = std::current_exception();
+        }
+        if (!patient) {
+            const std::lock_guard lock(mutex_);
+            quiet_ = Clock::now() + patience_.pause;
         }
         // The notification happens under the lock, because the waiting thread may return and destroy `done`
         // once the lock is released.
@@ -104,9 +118,14 @@ void Worker::execute(void (*call)(void*), void* argument) {
 }
 
 void Worker::post(std::function<void()> job) {
+    give(jobs_, std::move(job));
+}
+
+void Worker::give(Jobs& jobs, std::function<void()> job) {
     {
         const std::lock_guard lock(mutex_);
-        jobs_.push_back(std::move(job));
+        jobs.push_back(std::move(job));
+        if (&jobs == &patient_) latest_ = Clock::now() + patience_.longest;
     }
     given_.notify_one();
 }
