@@ -13,7 +13,7 @@ packages="cmake g++ ninja-build python3 python3-glad python3-numpy
   libosmesa6-dev libosmesa6 libegl-dev libegl-mesa0 libgl1-mesa-dri
   libglm-dev libopenmesh-dev libopenexr-dev $embree libtbb-dev libpugixml-dev libpng-dev libstb-dev libturbojpeg0-dev
   libtinygltf-dev nlohmann-json3-dev
-  libboost-dev libssl-dev libdeflate-dev zlib1g-dev doctest-dev libsdl2-dev xvfb xauth"
+  libboost-dev libssl-dev libdeflate-dev zlib1g-dev doctest-dev libsdl2-dev xvfb xauth curl"
 
 if ! command -v dpkg-query >/dev/null 2>&1; then
     echo "setup: not a Debian system; what is needed there is called:" $packages >&2
