@@ -61,14 +61,22 @@ set(documents ${CMAKE_INSTALL_DATADIR}/doc/libnicol-dev)
 install(FILES ${PROJECT_SOURCE_DIR}/README.md DESTINATION ${documents} COMPONENT debian_development EXCLUDE_FROM_ALL)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/samples DESTINATION ${documents} COMPONENT debian_development EXCLUDE_FROM_ALL
   FILES_MATCHING PATTERN *.md)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/capi/reference DESTINATION ${documents}/capi COMPONENT debian_development
+  EXCLUDE_FROM_ALL FILES_MATCHING PATTERN *.md PATTERN *.svg)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/samples/embed_c ${PROJECT_SOURCE_DIR}/samples/embed_cmake
   DESTINATION ${documents}/examples COMPONENT debian_development EXCLUDE_FROM_ALL)
-foreach(program nicol-render nicol-convert)
+# bash and zsh find the completion of a program by the name of a file.
+function(nicol_completion component program)
   install(FILES ${debian}/completion.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions
-    RENAME ${program} COMPONENT debian_tools EXCLUDE_FROM_ALL)
-endforeach()
-install(FILES ${debian}/_nicol DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions
-  COMPONENT debian_tools EXCLUDE_FROM_ALL)
+    RENAME ${program} COMPONENT debian_${component} EXCLUDE_FROM_ALL)
+  configure_file(${debian}/completion.zsh ${made}/_${program} @ONLY)
+  install(FILES ${made}/_${program} DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions
+    COMPONENT debian_${component} EXCLUDE_FROM_ALL)
+endfunction()
+nicol_completion(tools nicol-render)
+nicol_completion(tools nicol-convert)
+nicol_completion(serve nicol-serve)
+nicol_completion(python nicol-dataset)
 install(FILES ${debian}/nicol-serve.default DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/nicol-serve
   COMPONENT debian_serve EXCLUDE_FROM_ALL)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/samples/python/nicol DESTINATION lib/python3/dist-packages

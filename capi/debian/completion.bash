@@ -8,4 +8,4 @@ _nicol() {
         COMPREPLY=($(compgen -f -- "$current"))
     fi
 }
-complete -o filenames -F _nicol nicol-render nicol-convert nicol-serve
+complete -o filenames -F _nicol nicol-render nicol-convert nicol-serve nicol-dataset

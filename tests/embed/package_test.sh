@@ -43,6 +43,7 @@ depends() { dpkg-deb -f "$folder/$1"_*.deb Depends; }
 
 # Manual pages are there where help2man is.
 manual() { [ ! -f "$build/debian/$1.1.gz" ] || echo "/usr/share/man/man1/$1\.1\.gz"; }
+completions() { echo "/usr/share/bash-completion/completions/$1" "/usr/share/zsh/vendor-completions/_$1"; }
 policy() { echo "/usr/share/doc/$1/copyright" "/usr/share/doc/$1/changelog\.gz"; }
 
 has libnicol0.1 '/usr/lib.*/libnicol\.so\.0\.1' '/usr/lib.*/libnicol\.so\.0\.1\.[0-9]*' /usr/share/doc/nicol/LICENSE \
@@ -52,13 +53,16 @@ contains libnicol-dev /usr/include/nicol.h /usr/include/nicol.hpp /usr/include/n
     '/usr/lib.*/cmake/nicol/nicolConfig\.cmake' '/usr/lib.*/cmake/nicol/nicolConfig-.*\.cmake' \
     '/usr/lib.*/cmake/nicol/nicolConfigVersion\.cmake' $(policy libnicol-dev) \
     '/usr/share/doc/libnicol-dev/samples/render/README\.md' '/usr/share/doc/libnicol-dev/examples/embed_c/hello_stokes\.c'
-completions=/usr/share/bash-completion/completions
-has nicol-tools /usr/bin/nicol-render /usr/bin/nicol-convert $completions/nicol-render $completions/nicol-convert \
-    /usr/share/zsh/vendor-completions/_nicol $(policy nicol-tools) $(manual nicol-render) $(manual nicol-convert)
+# The header names these documents.
+for document in $(grep -o 'capi/reference/[a-z_]*\.md' "$folder/root/usr/include/nicol.h"); do
+    [ -f "$folder/root/usr/share/doc/libnicol-dev/$document" ] || fail "no $document"
+done
+has nicol-tools /usr/bin/nicol-render /usr/bin/nicol-convert $(completions nicol-render) $(completions nicol-convert) \
+    $(policy nicol-tools) $(manual nicol-render) $(manual nicol-convert)
 has nicol-serve /usr/bin/nicol-serve /usr/lib/systemd/system/nicol-serve.service \
-    /usr/share/doc/nicol-serve/nicol-serve.default $(policy nicol-serve) $(manual nicol-serve)
+    /usr/share/doc/nicol-serve/nicol-serve.default $(completions nicol-serve) $(policy nicol-serve) $(manual nicol-serve)
 contains python3-nicol '/usr/lib/python3/dist-packages/nicol/__init__\.py' '/usr/lib/python3/dist-packages/nicol/py\.typed' \
-    /usr/bin/nicol-dataset $(policy python3-nicol) $(manual nicol-dataset)
+    /usr/bin/nicol-dataset $(completions nicol-dataset) $(policy python3-nicol) $(manual nicol-dataset)
 
 depends libnicol0.1 | grep -q 'libc6' || fail "libnicol0.1 depends on: $(depends libnicol0.1)"
 depends libnicol0.1 | grep -q 'libembree4-4 | libembree3-3' || fail "libnicol0.1 depends on: $(depends libnicol0.1)"

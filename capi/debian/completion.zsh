@@ -1,0 +1,3 @@
+#compdef @program@
+# SPDX-License-Identifier: MIT
+_gnu_generic
