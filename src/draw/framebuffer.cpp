@@ -221,7 +221,7 @@ void Framebuffer::show(StokesImage image, const Statistics& statistics, Aovs aov
                 std::span<const float>(image.data).subspan(static_cast<std::size_t>(c) * plane, plane));
         }
     });
-    rendered(statistics);
+    new_content(statistics);
     image_ = std::move(image);
     drew_aovs(aovs.mask(), 0, nullptr);
     aovs_ = std::move(aovs);
@@ -239,10 +239,14 @@ void Framebuffer::exchange(Framebuffer& other) {
 }
 
 void Framebuffer::rendered(const Statistics& statistics) {
+    new_content(statistics);
+    image_.reset();
+}
+
+void Framebuffer::new_content(const Statistics& statistics) {
     static std::atomic<std::uint64_t> contents = 0;
     content_ = ++contents;
     statistics_ = statistics;
-    image_.reset();
 }
 
 }  // namespace nicol

@@ -81,6 +81,9 @@ public:
     [[nodiscard]] std::uint64_t content() const noexcept { return content_; }
 
 private:
+    /// Numbers the content, and keeps its statistics.
+    void new_content(const Statistics& statistics);
+
     std::shared_ptr<gl::Context> context_;
     gl::LendingMutex mutex_;
     int width_;

@@ -345,8 +345,10 @@ void Pipeline::shade_pixels(const Scene& scene, ShadeInput input, const Projecti
     const bool smooth = follows_smooth(options, executor);
     const EnvironmentPtr met = smooth ? scene.distant_light() : nullptr;
     meeting_.run(met, [&] {
-        sky_.reset();
-        if (met) sky_.emplace(*met);
+        if (met)
+            sky_.emplace(*met);
+        else
+            sky_.reset();
     });
     method_for(options.method)
         .shade_pixels({input, projection, hits, high_orders ? &high_orders_ : nullptr, options.physical,
