@@ -77,6 +77,14 @@ class RenderTest(unittest.TestCase):
             other = numpy.array(channels[name], "f").reshape(ours[name].shape)
             self.assertLess(numpy.abs(ours[name] - other).max(), 1e-5)
 
+    def test_a_film_colours_the_metal(self):
+        thickness = bpy.data.materials["metal"].node_tree.nodes["Principled BSDF"].inputs["Thin Film Thickness"]
+        self.addCleanup(setattr, thickness, "default_value", thickness.default_value)
+        self.addCleanup(setattr, self.scene.nicol, "stokes_path", self.scene.nicol.stokes_path)
+        thickness.default_value, self.scene.nicol.stokes_path = 0, ""
+        difference = numpy.abs(colors(render(), "S0") - colors(self.passes, "S0")).max(2)
+        self.assertGreater((difference > 0.02).sum(), 30)
+
     def test_a_viewport_shows_the_same(self):
         depsgraph = bpy.context.evaluated_depsgraph_get()
         camera, options = read_scene.scene_camera(depsgraph, SIZE), settings.render_options(self.scene.nicol)

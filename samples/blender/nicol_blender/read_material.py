@@ -16,7 +16,7 @@ from .read_image import decoded, texture_of
 _SMOOTHEST = 0.001  # smallest roughness of facets
 # Sockets of the Principled node that have no counterpart, with the value at which they have no effect.
 _WITHOUT_EFFECT = {
-    "Subsurface Weight": 0, "Coat Weight": 0, "Sheen Weight": 0, "Thin Film Thickness": 0, "Anisotropic Rotation": 0,
+    "Subsurface Weight": 0, "Coat Weight": 0, "Sheen Weight": 0, "Anisotropic Rotation": 0,
     "Subsurface": 0, "Clearcoat": 0, "Sheen": 0,
 }  # fmt: skip
 
@@ -120,14 +120,22 @@ class _MaterialReader:
         if level < 0.5:
             plastic["specular_reflectance"] = (2 * level,) * 3
         anisotropic = self._constant(node, "Anisotropic")
-        facets: dict[str, Value] = {"alpha": alpha}
+        facets: dict[str, Value] = {"alpha": alpha, **self._film(node)}
         if anisotropic and isinstance(alpha, Texture):
             self._notice("Anisotropic beside a Roughness texture is not followed")
         elif anisotropic:
             aspect = math.sqrt(1 - 0.9 * anisotropic)
-            facets = {"alpha_u": min(1.0, alpha / aspect), "alpha_v": max(_SMOOTHEST, alpha * aspect)}
+            del facets["alpha"]
+            facets |= {"alpha_u": min(1.0, alpha / aspect), "alpha_v": max(_SMOOTHEST, alpha * aspect)}
             self._notice("Anisotropic follows the direction of U, whatever Tangent says")
         return _blended(base, self._number(node, "Metallic"), alpha, plastic, facets)
+
+    def _film(self, node) -> dict[str, Value]:
+        """Returns the thin film of a node of Blender 4.2 or later."""
+        if self._socket(node, "Thin Film Thickness") is None:
+            return {}
+        thickness = self._constant(node, "Thin Film Thickness")
+        return {"film_thickness": min(thickness, 10000.0), "film_eta": self._constant(node, "Thin Film IOR")} if thickness > 0 else {}
 
     def _transmitting(self, node, base: Value, alpha: Value) -> Material:
         if isinstance(base, Texture) or isinstance(alpha, Texture):
@@ -136,6 +144,7 @@ class _MaterialReader:
         rough = float(alpha.pixels.mean()) if isinstance(alpha, Texture) else alpha
         values: dict[str, Value] = {
             "int_ior": self._constant(node, "IOR"), "specular_transmittance": tuple(math.sqrt(max(0.0, x)) for x in color),
+            **self._film(node),
         }  # fmt: skip
         if rough < 0.01:
             return Material("dielectric", values)

@@ -83,7 +83,8 @@ class Stage:
                 fields[f"{name}_texture"] = texture(value)
             else:
                 fields[name] = value
-        return made[1](self.context, made[0](**fields))
+        film = {name.removeprefix("film_"): fields.pop(name) for name in list(fields) if name.startswith("film_")}
+        return made[1](self.context, made[0](film=nicol.Film(**film), **fields))
 
     def _diffuse(self, texture, reflectance: d.Value) -> nicol.Material:
         if not isinstance(reflectance, d.Texture):
