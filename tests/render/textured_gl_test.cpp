@@ -34,7 +34,7 @@ TexturePtr ramp() {
 /// Returns 0 or 1 in a checkerboard of eight squares across.
 float check(const glm::vec2& uv) {
     const glm::ivec2 cell(glm::floor(8.0F * uv));
-    return (cell.x + cell.y) % 2 == 0 ? 0 : 1;
+    return (cell.x + cell.y) % 2 == 0 ? 0.0F : 1.0F;
 }
 TexturePtr checks() {
     return texture_of([](const TexturePoint& p) { return glm::vec4(check(p.uv)); }, 1);
