@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 #include <string>
+#include <tuple>
 
 #include "arguments.hpp"
 #include "gl/host_state.hpp"
@@ -12,6 +13,13 @@
 
 namespace nicol::gl {
 namespace {
+
+void use(const Program& program) {
+    Context::State& state = program.context()->state();
+    if (state.used_program == program.id()) return;
+    state.gl.UseProgram(program.id());
+    state.used_program = program.id();
+}
 
 const GladGLContext& prepare(const char* what, RenderTarget& target, const Program& program,
                              const DrawState& state) {
@@ -48,7 +56,7 @@ const GladGLContext& prepare(const char* what, RenderTarget& target, const Progr
     };
     for (GLuint i = 0; i < static_cast<GLuint>(target.colours()); ++i)
         gl.ColorMaski(i, written(0), written(1), written(2), written(3));
-    gl.UseProgram(program.id());
+    use(program);
     return gl;
 }
 
@@ -100,10 +108,21 @@ void dispatch(const Program& program, unsigned x, unsigned y, unsigned z) {
                    std::to_string(axis) + " are not between 1 and the limit of " +
                    std::to_string(limit[axis]));
     if (HostState* const host = program.context()->state().host_state) host->prepare_program(true);
-    gl.UseProgram(program.id());
+    use(program);
     gl.DispatchCompute(x, y, z);
-    gl.MemoryBarrier(GL_ALL_BARRIER_BITS);
-    program.context()->state().check_command("dispatching " + program.label());
+    Context::State& context = program.context()->state();
+    if (!context.independent_dispatches) gl.MemoryBarrier(GL_ALL_BARRIER_BITS);
+    context.check_command("dispatching " + program.label());
+}
+
+IndependentDispatches::IndependentDispatches(Context& context) : context_(context) {
+    std::ignore = functions(context_, "IndependentDispatches");
+    context_.state().independent_dispatches = true;
+}
+
+IndependentDispatches::~IndependentDispatches() {
+    context_.state().independent_dispatches = false;
+    context_.state().gl.MemoryBarrier(GL_ALL_BARRIER_BITS);
 }
 
 }  // namespace nicol::gl

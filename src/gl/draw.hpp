@@ -44,4 +44,17 @@ void texture_barrier(Context& context);
 /// Runs x * y * z work groups; their writes are visible to all later commands.
 void dispatch(const Program& program, unsigned x, unsigned y = 1, unsigned z = 1);
 
+/// Lets dispatches run at the same time while it lives: none of them may read or write what another one
+/// writes. Their writes are visible to all commands that follow it.
+class IndependentDispatches {
+public:
+    explicit IndependentDispatches(Context& context);
+    ~IndependentDispatches();
+    IndependentDispatches(const IndependentDispatches&) = delete;
+    IndependentDispatches& operator=(const IndependentDispatches&) = delete;
+
+private:
+    Context& context_;
+};
+
 }  // namespace nicol::gl

@@ -118,6 +118,7 @@ public:
         if (restores) require_unconditional(state_);
         host_.remove_waiting(state_);
         state_.storages.clear();
+        state_.used_program = 0;
         state_.host_state = &saved_.emplace(state_, restores);
     }
 

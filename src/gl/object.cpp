@@ -70,8 +70,7 @@ Object::Object(std::shared_ptr<Context> context, ObjectKind kind, unsigned detai
     : context_(std::move(context)), kind_(kind) {
     if (!context_) throw Error(ErrorCode::invalid_argument, "an OpenGL object needs a context, not null");
     id_ = make(functions(*context_, "making an OpenGL object"), kind_, detail);
-    // A driver may give the new buffer the name of one that was bound until it was deleted.
-    if (kind_ == ObjectKind::buffer) context_->state().storages.clear();
+    context_->state().forget(kind_, id_);
     if (id_ == 0) {
         context_->state().check("making an OpenGL object");
         throw Error(ErrorCode::opengl, "the driver made no OpenGL object");

@@ -167,6 +167,13 @@ void Context::State::check(std::string_view what) {
     throw Error(memory ? ErrorCode::out_of_memory : ErrorCode::opengl, text);
 }
 
+void Context::State::forget(ObjectKind kind, GLuint id) noexcept {
+    if (kind == ObjectKind::program && used_program == id) used_program = 0;
+    if (kind != ObjectKind::buffer) return;
+    for (StorageRange& range : storages)
+        if (range.buffer == id) range = {};
+}
+
 GLint Context::State::integer(GLenum name) const {
     GLint value = 0;
     gl.GetIntegerv(name, &value);

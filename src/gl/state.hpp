@@ -15,6 +15,7 @@
 
 #include "gl/context.hpp"
 #include "gl/host.hpp"
+#include "gl/object.hpp"
 #include "gl/platform.hpp"
 #include "gl/program_notices.hpp"
 #include "gl/worker.hpp"
@@ -53,7 +54,9 @@ struct Context::State {
     bool unchecked = false;              ///< whether commands were given since the last check()
     std::vector<std::string> messages;   ///< messages of KHR_debug since the last check()
     std::vector<StorageRange> storages;  ///< bound by us; empty where a host may have bound others
-    std::filesystem::path programs;      ///< folder of linked programs; empty: no cache
+    GLuint used_program = 0;             ///< set by us; 0 where a host may have set another
+    bool independent_dispatches = false;
+    std::filesystem::path programs;  ///< folder of linked programs; empty: no cache
     ProgramNotices program_notices;
 
     /// Makes the platform current and initialises OpenGL. Throws Error(no_backend).
@@ -68,6 +71,9 @@ struct Context::State {
     /// latest at the end of the visit.
     void check_command(std::string_view what);
     [[nodiscard]] GLint integer(GLenum name) const;
+    /// Takes a new object as not bound: a driver may give it the name of one that was bound until it was
+    /// deleted.
+    void forget(ObjectKind kind, GLuint id) noexcept;
 
 private:
     void load(Backend backend, const std::string& device);

@@ -61,6 +61,7 @@ void DeviceDense::multiply(const TransferInput& input, Piece& piece) {
     program_->set("columns", static_cast<int>(columns.size()));
     program_->set("channels", channels);
     std::vector<float> world;
+    const gl::IndependentDispatches of_channels(*context_);
     for (int c = 0; c < piece.light.channels(); ++c) {
         world.clear();
         const std::span<const double> from = input.light.channel(input.light.channels() == 1 ? 0 : c);

@@ -105,6 +105,7 @@ void DeviceFactored::add_bounced(const Bounces& bounces, DeviceLight& light) {
     places.bind_storage(2);
     add_bounced_->set("count", static_cast<int>(light.count()));
     add_bounced_->set("stride", static_cast<int>(light.stride()));
+    const gl::IndependentDispatches of_channels(*context_);
     for (int c = 0; c < light.channels(); ++c) {
         bounced.bind(0, c);
         light.bind(1, c);

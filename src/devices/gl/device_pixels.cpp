@@ -162,6 +162,7 @@ void DevicePixelList::gather(const Chunk& chunk, std::span<const gl::Buffer* con
     for (std::size_t p = 0; p < input_->most_components; ++p) wanted[static_cast<glm::length_t>(p)] = 1;
     gather_->set("wanted", wanted);
     shares_->bind_storage(0);
+    const gl::IndependentDispatches of_channels(*context_);
     for (std::size_t c = 0; c < stokes.size(); ++c) {
         stokes[c]->bind_storage(1);
         std::optional<gl::Buffer> lights;
@@ -291,6 +292,7 @@ void DevicePixels::interpolate(const DeviceLight& vertices, const PixelRun& run,
     interpolate_.set("from_vertex", 1);
     interpolate_.set("to_number", static_cast<int>(light.stride()));
     interpolate_.set("to_point", 1);
+    const gl::IndependentDispatches of_channels(*context_);
     for (int c = 0; c < light.channels(); ++c) {
         vertices.bind(3, c);
         light.bind(4, c);

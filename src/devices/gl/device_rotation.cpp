@@ -11,6 +11,9 @@
 namespace nicol {
 namespace {
 
+// Channels are rotated together if their work space is small.
+constexpr std::size_t kMostWorkBytes = std::size_t{1} << 26;
+
 std::size_t field_count(const LightLayout& layout) {
     return layout.kind() == LightKind::unpolarized ? 1 : 2;
 }
@@ -109,9 +112,11 @@ void DeviceRotation::rotate(const gl::Buffer& normals, bool back, const std::vec
     const LightLayout& layout = current_->layout;
     const std::size_t fields = field_count(layout) * psh_count(layout.order());
     const std::size_t bytes = fields * light.stride() * sizeof(glm::vec2);
-    if (!work_ || work_->size() != bytes) {
+    const auto channels = static_cast<std::size_t>(light.channels());
+    const std::size_t together = channels * bytes <= kMostWorkBytes ? channels : 1;
+    if (!work_ || work_->size() != together * bytes) {
         work_.reset();
-        work_.emplace(context_, gl::BufferUse::storage, bytes, gl::BufferUpdate::fixed);
+        work_.emplace(context_, gl::BufferUse::storage, together * bytes, gl::BufferUpdate::fixed);
     }
     const std::size_t begin = gl::bind_vertices(normals, 1, 3, light.first(), light.last());
     for (gl::Program* program : {&azimuth_, &zenith_}) {
@@ -125,17 +130,25 @@ void DeviceRotation::rotate(const gl::Buffer& normals, bool back, const std::vec
     azimuth_.set("point_step", distant != nullptr ? 0 : 1);
     current_->quarter_rotation.bind_storage(0);
     current_->entries.bind_storage(2);
-    for (int c = 0; c < light.channels(); ++c) {
-        if (distant != nullptr) {
-            (*distant)[static_cast<std::size_t>(c)].bind_storage(3);
-        } else {
-            light.bind(3, c);
+    for (std::size_t from = 0; from < channels; from += together) {
+        {
+            const gl::IndependentDispatches passes(*context_);
+            for (std::size_t i = 0; i < together; ++i) {
+                if (distant != nullptr) {
+                    (*distant)[from + i].bind_storage(3);
+                } else {
+                    light.bind(3, static_cast<int>(from + i));
+                }
+                work_->bind_storage(4, i * bytes, bytes);
+                gl::dispatch(azimuth_, gl::groups_for(light.count()), static_cast<unsigned>(fields));
+            }
         }
-        work_->bind_storage(4, 0, bytes);
-        gl::dispatch(azimuth_, gl::groups_for(light.count()), static_cast<unsigned>(fields));
-        work_->bind_storage(3, 0, bytes);
-        light.bind(4, c);
-        gl::dispatch(zenith_, gl::groups_for(light.count()), current_->entry_count);
+        const gl::IndependentDispatches passes(*context_);
+        for (std::size_t i = 0; i < together; ++i) {
+            work_->bind_storage(3, i * bytes, bytes);
+            light.bind(4, static_cast<int>(from + i));
+            gl::dispatch(zenith_, gl::groups_for(light.count()), current_->entry_count);
+        }
     }
 }
 

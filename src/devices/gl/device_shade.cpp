@@ -65,6 +65,7 @@ void DeviceShade::run(const DeviceTable& table, const DeviceLight& light, std::s
     program_.set("makes_linear", table.makes_linear_ ? 1 : 0);
     program_.set("makes_circular", table.makes_circular_ ? 1 : 0);
     table.run_buffer_.bind_storage(5);
+    const gl::IndependentDispatches of_channels(*program_.context());
     for (std::size_t c = 0; c < points.stokes.size(); ++c) {
         light.bind(2, light.channels() == 1 ? 0 : static_cast<int>(c));
         table.channels_[table.channels_.size() == 1 ? 0 : c].bind_storage(3);

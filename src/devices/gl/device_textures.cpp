@@ -77,6 +77,7 @@ void DeviceTextures::add(std::size_t layer, const PixelRun& run, const DevicePoi
     add_->set("first_weight", static_cast<int>(layer * stride_));
     add_->set("add", layer > 0 ? 1 : 0);
     weights_->bind_storage(1);
+    const gl::IndependentDispatches of_channels(*context_);
     for (std::size_t c = 0; c < points.stokes.size(); ++c) {
         // A point's three weights are equal if the image does not have three channels.
         add_->set("channel", static_cast<int>(std::min<std::size_t>(c, 2)));

@@ -175,6 +175,7 @@ void GlExecutor::scale(const ShadeInput& input) {
 void GlExecutor::scale(const DevicePoints& points, std::size_t first, std::size_t last,
                        const ChannelFactors& factors) {
     if (!scale_) scale_ = gl::Program::compute(context_, "scale.comp");
+    const gl::IndependentDispatches of_channels(*context_);
     for (std::size_t c = 0; c < points.stokes.size(); ++c) {
         scale_->set("factor", factors.of[c]);
         run_in_steps(*scale_, first, last, [&](std::size_t begin, std::size_t end) {
@@ -195,6 +196,7 @@ void GlExecutor::make_physical(const DevicePoints& points, std::size_t first, st
                                const gl::Buffer& counter) {
     if (!physical_) physical_ = gl::Program::compute(context_, "physical.comp");
     physical_->set("noise", noise);
+    const gl::IndependentDispatches of_channels(*context_);
     for (const gl::Buffer* const stokes : points.stokes) {
         run_in_steps(*physical_, first, last, [&](std::size_t begin, std::size_t end) {
             std::ignore = gl::bind_vertices(*stokes, 0, 4, begin, end);
