@@ -10,6 +10,7 @@
 #include <numbers>
 #include <numeric>
 #include <span>
+#include <vector>
 
 #include "image/reconstruction_filter.hpp"
 
@@ -67,6 +68,15 @@ inline constexpr int kMostDrawnSamples = 1024;
     while (std::gcd(step, samples) != 1) ++step;
     const int row = static_cast<int>(std::int64_t{step} * sample % samples);
     return {(sample + 0.5) / samples - 0.5, (row + 0.5) / samples - 0.5};
+}
+
+/// Returns the offsets of all samples of a pixel, however they are drawn.
+[[nodiscard]] inline std::vector<glm::dvec2> sample_places(int samples, const ReconstructionFilter& filter) {
+    const std::span<const glm::dvec2> together = sample_pattern(samples);
+    if (!drawn_one_by_one(samples, filter)) return {together.begin(), together.end()};
+    std::vector<glm::dvec2> places;
+    for (int s = 0; s < samples; ++s) places.push_back(sample_place(s, samples));
+    return places;
 }
 
 }  // namespace nicol

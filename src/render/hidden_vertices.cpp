@@ -5,12 +5,14 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <glm/geometric.hpp>
 #include <glm/vec4.hpp>
 #include <limits>
+#include <numbers>
 #include <optional>
 
 #include "scene/pixel_ray.hpp"
@@ -31,6 +33,82 @@ void set(std::vector<std::uint8_t>& flags, const glm::uvec3& corners) {
         std::atomic_ref(flags[corners[k]]).store(1, std::memory_order_relaxed);
 }
 
+// Distance in pixels from an edge within which a drawn image may show the triangle beyond it: corners are
+// rounded by half of 1/256 of a pixel along both axes.
+constexpr double kBesideEdge = 0x1p-9 * std::numbers::sqrt2;
+// Offset of further rays along both axes, which lead over any edge within kBesideEdge.
+constexpr double kBeyondEdge = 0x1p-8;
+
+// Returns the size of an image in pixels.
+glm::ivec2 size_of(const Projection& projection) {
+    return {static_cast<int>(std::lround(2 / projection.pixel.x)),
+            static_cast<int>(std::lround(2 / projection.pixel.y))};
+}
+
+// Returns where a point is in an image of some size, in pixels, right and down from the upper left corner;
+// nothing for points beside the camera or behind it.
+std::optional<glm::dvec2> place_of(const Projection& projection, const glm::ivec2& size,
+                                   const glm::vec3& point) {
+    const glm::dvec4 clip = projection.world_to_clip * glm::dvec4(point, 1);
+    if (!(clip.w > 0)) return std::nullopt;
+    return glm::dvec2((clip.x / clip.w + 1) / 2 * size.x, (1 - clip.y / clip.w) / 2 * size.y);
+}
+
+// Triangles at places of an image.
+class Places {
+public:
+    Places(const WorldGeometry& geometry, const RayScene& rays, const Projection& projection,
+           std::vector<std::uint8_t>& shown)
+        : geometry_(geometry),
+          rays_(rays),
+          projection_(projection),
+          shown_(shown),
+          size_(size_of(projection)) {}
+
+    [[nodiscard]] const glm::ivec2& size() const noexcept { return size_; }
+
+    // Shows the triangle at a place, and those beyond its edges if these are close.
+    void show(const glm::dvec2& place) const {
+        const std::optional<std::uint32_t> triangle = show_at(place);
+        if (!triangle || !is_beside_edge(*triangle, place)) return;
+        for (const double x : {-kBeyondEdge, kBeyondEdge})
+            for (const double y : {-kBeyondEdge, kBeyondEdge}) show_at(place + glm::dvec2(x, y));
+    }
+
+private:
+    // Shows the triangle at a place, and returns it if there is one.
+    std::optional<std::uint32_t> show_at(const glm::dvec2& place) const {
+        const std::optional<RayHit> hit =
+            rays_.intersect(pixel_ray(projection_, size_.x, size_.y, place.x, place.y));
+        if (!hit) return std::nullopt;
+        set(shown_, geometry_.triangles[hit->triangle]);
+        return hit->triangle;
+    }
+
+    [[nodiscard]] bool is_beside_edge(std::uint32_t triangle, const glm::dvec2& place) const {
+        const glm::uvec3& corners = geometry_.triangles[triangle];
+        std::array<glm::dvec2, 3> from;
+        for (glm::length_t k = 0; k < 3; ++k) {
+            const std::optional<glm::dvec2> corner =
+                place_of(projection_, size_, geometry_.positions[corners[k]]);
+            if (!corner) return true;
+            from[static_cast<std::size_t>(k)] = *corner - place;
+        }
+        for (std::size_t k = 0; k < 3; ++k) {
+            const glm::dvec2 &a = from[k], &b = from[(k + 1) % 3];
+            const double area = a.x * b.y - a.y * b.x;  // of the parallelogram of edge and place
+            if (area * area <= kBesideEdge * kBesideEdge * glm::dot(b - a, b - a)) return true;
+        }
+        return false;
+    }
+
+    const WorldGeometry& geometry_;
+    const RayScene& rays_;
+    const Projection& projection_;
+    std::vector<std::uint8_t>& shown_;
+    glm::ivec2 size_;
+};
+
 // Distances along the view direction of the surfaces at the centres of an image's pixels.
 class Depths {
 public:
@@ -38,13 +116,14 @@ public:
     Depths(const WorldGeometry& geometry, const RayScene& rays, const Projection& projection,
            std::vector<std::uint8_t>& shown)
         : projection_(projection),
-          width_(static_cast<std::ptrdiff_t>(std::lround(2 / projection.pixel.x))),
-          height_(static_cast<std::ptrdiff_t>(std::lround(2 / projection.pixel.y))),
+          size_(size_of(projection)),
+          width_(size_.x),
+          height_(size_.y),
           farthest_(static_cast<std::size_t>(width_ * height_), std::numeric_limits<float>::infinity()) {
         tbb::parallel_for(std::ptrdiff_t{0}, height_, [&](std::ptrdiff_t y) {
             for (std::ptrdiff_t x = 0; x < width_; ++x) {
-                const Ray ray = pixel_ray(projection, static_cast<int>(width_), static_cast<int>(height_),
-                                          static_cast<double>(x) + 0.5, static_cast<double>(y) + 0.5);
+                const Ray ray = pixel_ray(projection, size_.x, size_.y, static_cast<double>(x) + 0.5,
+                                          static_cast<double>(y) + 0.5);
                 const std::optional<RayHit> hit = rays.intersect(ray);
                 if (!hit) continue;
                 const glm::uvec3& corners = geometry.triangles[hit->triangle];
@@ -61,14 +140,12 @@ public:
 
     // Returns whether a point is behind all that rays meet around it.
     [[nodiscard]] bool hide(const glm::vec3& point) const {
-        const glm::dvec4 clip = projection_.world_to_clip * glm::dvec4(point, 1);
-        if (!(clip.w > 0)) return false;
-        const double x = (clip.x / clip.w + 1) / 2 * static_cast<double>(width_);
-        const double y = (1 - clip.y / clip.w) / 2 * static_cast<double>(height_);
-        if (!(x >= 0 && y >= 0 && x < static_cast<double>(width_) && y < static_cast<double>(height_)))
+        const std::optional<glm::dvec2> place = place_of(projection_, size_, point);
+        if (!place || !(place->x >= 0 && place->y >= 0 && place->x < size_.x && place->y < size_.y))
             return false;
         const double depth = glm::dot(glm::dvec3(point) - projection_.view.eye, projection_.view.forward);
-        const auto index = static_cast<std::ptrdiff_t>(y) * width_ + static_cast<std::ptrdiff_t>(x);
+        const auto index =
+            static_cast<std::ptrdiff_t>(place->y) * width_ + static_cast<std::ptrdiff_t>(place->x);
         return static_cast<float>(depth) * (1 - kBehind) > farthest_[static_cast<std::size_t>(index)];
     }
 
@@ -94,6 +171,7 @@ private:
     }
 
     const Projection& projection_;
+    glm::ivec2 size_;
     std::ptrdiff_t width_, height_;
     std::vector<float> farthest_;  // row by row; infinite without a surface
 };
@@ -115,6 +193,17 @@ void remove_hidden(const WorldGeometry& geometry, const RayScene& rays, const Pr
             if ((visible[corners.x] & visible[corners.y] & visible[corners.z]) == 0) continue;
             if ((hidden[corners.x] & hidden[corners.y] & hidden[corners.z]) == 0) set(shown, corners);
         }
+    });
+    for (std::size_t v = 0; v < visible.size(); ++v) visible[v] &= shown[v];
+}
+
+void remove_unsampled(const WorldGeometry& geometry, const RayScene& rays, const Projection& projection,
+                      std::span<const glm::dvec2> samples, std::vector<std::uint8_t>& visible) {
+    std::vector<std::uint8_t> shown(visible.size());
+    const Places places(geometry, rays, projection, shown);
+    tbb::parallel_for(0, places.size().y, [&](int y) {
+        for (int x = 0; x < places.size().x; ++x)
+            for (const glm::dvec2& sample : samples) places.show(glm::dvec2(x, y) + 0.5 + sample);
     });
     for (std::size_t v = 0; v < visible.size(); ++v) visible[v] &= shown[v];
 }

@@ -26,8 +26,12 @@ void find_shown(const WorldGeometry& geometry, const VisibilityBuffer& hits,
 class ImageHits {
 public:
     /// Keeps references to its arguments. shown: memory for the flags of shown().
-    ImageHits(const DrawHits& draw, bool on_host, std::vector<std::uint8_t>& shown, RenderRun& run)
-        : draw_(draw), shown_(shown), run_(run), on_host_(on_host) {}
+    ImageHits(const DrawHits& draw, std::vector<std::uint8_t>& shown, RenderRun& run)
+        : draw_(draw), shown_(shown), run_(run) {}
+
+    /// Has the hits kept on the host as well, whatever the executor. They must not be drawn yet, unless the
+    /// executor reads them there.
+    void keep_on_host() noexcept { on_host_ = true; }
 
     /// Returns the hits. Their time counts as drawing.
     const VisibilityBuffer& get();
@@ -39,7 +43,7 @@ private:
     std::vector<std::uint8_t>& shown_;
     RenderRun& run_;
     const VisibilityBuffer* hits_ = nullptr;
-    bool on_host_;
+    bool on_host_ = false;
     bool found_ = false;
 };
 

@@ -32,14 +32,8 @@ constexpr double kMargin = 4;
 // Share of a ray from a pixel in the cost of baking a vertex, with that of the vertices that rays find
 // hidden.
 constexpr double kVerticesOfRay = 0.2;
-
-bool reflects(const Material& material) {
-    return material.smooth_boundary() != nullptr || any_term(material, [](const Material& layer, int term) {
-               for (int c = 0; c < layer.channels(); ++c)
-                   if (layer.weight(term, c) != 0) return true;
-               return false;
-           });
-}
+// Share of a ray through a sample in the cost of baking a vertex.
+constexpr double kVerticesOfSample = 0.02;
 
 // Returns the side of a pixel at the nearest of some vertices.
 double pixel_at_nearest(const WorldGeometry& geometry, const Projection& projection,
@@ -56,7 +50,8 @@ double pixel_at_nearest(const WorldGeometry& geometry, const Projection& project
 }
 
 // Returns the vertices that an image needs, but not the sample of the others.
-NeededVertices needed_by(const WorldGeometry& geometry, const Projection& projection, SurfaceRays& rays) {
+NeededVertices needed_by(const WorldGeometry& geometry, const Projection& projection,
+                         std::span<const glm::dvec2> samples, SurfaceRays& rays) {
     Projection wide = projection;
     wide.pixel *= kMargin;
     std::vector<std::uint8_t> needed;
@@ -67,10 +62,16 @@ NeededVertices needed_by(const WorldGeometry& geometry, const Projection& projec
     const double pixels = 4 / (projection.pixel.x * projection.pixel.y);
     const auto seen = static_cast<double>(std::ranges::count(needed, 1));
     if (seen == 0) return {.flags = needed, .seen = needed};
-    if (seen > kLeastSearched + kVerticesOfRay * pixels)
+    const double of_samples = kVerticesOfSample * static_cast<double>(samples.size());
+    // Masks let some samples pass, as drawing decides.
+    const bool sampled =
+        !samples.empty() && !has_masks(geometry) && seen > kLeastSearched + of_samples * pixels;
+    if (sampled)
+        remove_unsampled(geometry, *rays.get(), projection, samples, needed);
+    else if (seen > kLeastSearched + kVerticesOfRay * pixels)
         remove_hidden(geometry, *rays.get(), projection, needed);
     const double pixel = pixel_at_nearest(geometry, projection, needed);
-    return {.flags = needed, .seen = needed, .pixel = pixel};
+    return {.flags = needed, .seen = needed, .pixel = pixel, .sampled = sampled};
 }
 
 void add_flags(std::vector<std::uint8_t>& sum, const std::vector<std::uint8_t>& flags) {
@@ -97,11 +98,20 @@ bool need_the_same_vertices(const Projection& a, const Projection& b) {
 
 }  // namespace
 
+bool reflects(const Material& material) {
+    return material.smooth_boundary() != nullptr || any_term(material, [](const Material& layer, int term) {
+               for (int c = 0; c < layer.channels(); ++c)
+                   if (layer.weight(term, c) != 0) return true;
+               return false;
+           });
+}
+
 NeededVertices needed_vertices(const WorldGeometry& geometry, std::span<const Projection> views,
-                               SurfaceRays& rays) {
-    NeededVertices all = needed_by(geometry, views.front(), rays);
+                               std::span<const glm::dvec2> samples, SurfaceRays& rays) {
+    NeededVertices all = needed_by(geometry, views.front(), samples, rays);
     for (const Projection& view : views.subspan(1)) {
-        const NeededVertices more = needed_by(geometry, view, rays);
+        const NeededVertices more = needed_by(geometry, view, samples, rays);
+        all.sampled = all.sampled || more.sampled;
         add_flags(all.flags, more.flags);
         add_flags(all.seen, more.seen);
         if (more.pixel > 0 && (all.pixel == 0 || more.pixel < all.pixel)) all.pixel = more.pixel;
@@ -130,6 +140,12 @@ std::vector<std::uint32_t> vertices_in_pixels(const WorldGeometry& geometry,
 
 bool need_the_same(std::span<const Projection> a, std::span<const Projection> b) {
     return std::ranges::equal(a, b, need_the_same_vertices);
+}
+
+bool are_equal(std::span<const Projection> a, std::span<const Projection> b) {
+    return std::ranges::equal(a, b, [](const Projection& left, const Projection& right) {
+        return need_the_same_vertices(left, right) && left.shift == right.shift;
+    });
 }
 
 bool shows_others(const WorldGeometry& geometry, bool lobes) {

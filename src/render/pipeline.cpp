@@ -17,18 +17,6 @@ namespace {
 
 // Share of the tolerance, as its inverse, that bounces may leave out.
 constexpr double kBouncesOfTolerance = 4;
-// Error of bounced light, relative to its share at receivers: of links chosen as if by chance, of its low
-// order and of the interpolation between receivers. Measured by nicol-bench bounces; pictures err by 0.1 of
-// their bounced light, of which receivers, dense where much light bounces, have twice the share.
-constexpr double kErrorOfBounces = 0.05;
-
-// Returns the error of bounced light whose share of all light is `share`. The error comes from differences of
-// bounced light between places and directions, and these come from direct light: where nearly all light has
-// bounced, as in a box with a small opening, it is even.
-double error_of_bounces(double share) {
-    return kErrorOfBounces * share * std::sqrt(std::max(0.0, 1 - share * share));
-}
-
 // Returns whether surfaces light each other. That needs the bake whatever the light, because light bounces
 // where surfaces hide others.
 bool light_bounces(const RenderOptions& options) {
@@ -94,13 +82,14 @@ void Pipeline::set_cache(const std::filesystem::path& folder, const CacheNotice&
     high_orders_.set_cache(folder, notice);
 }
 
-void Pipeline::bake(const Scene& scene, std::span<const Projection> views, const RenderOptions& options,
-                    RenderRun& run) {
+void Pipeline::bake(const Scene& scene, std::span<const Projection> views,
+                    std::span<const glm::dvec2> samples, const RenderOptions& options, RenderRun& run) {
     surfaces_.update(scene);
     std::vector<Projection> of_surfaces;
     for (const Projection& view : views) of_surfaces.push_back(in_axes(view, surfaces_.to_world()));
     const ImageNeeds needs = needs_of(shows_seen_alone(surfaces_.geometry(), options), options);
-    visibility_.update(surfaces_, rays_, needs_bake(scene, options), needs, of_surfaces, options, run.workers,
+    visibility_.update(surfaces_, rays_, needs_bake(scene, options),
+                       {.needs = needs, .views = of_surfaces, .samples = samples}, options, run.workers,
                        run.progress, run.statistics);
 }
 
@@ -110,6 +99,9 @@ void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderO
     const bool bouncing = light_bounces(given);
     const Projection projection = in_axes(of_world, surfaces_.to_world());
     const bool seen_alone = shows_seen_alone(surfaces_.geometry(), given);
+    ImageHits hits(draw_hits, shown_, run);
+    visibility_.bake_shown(
+        surfaces_, rays_, [&] { return hits.shown(visibility_.surfaces().geometry()); }, given, run);
     visibility_.count(surfaces_, run.statistics);
     const SurfaceState surfaces = visibility_.state();
 
@@ -163,7 +155,7 @@ void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderO
         local_lights_.any() ? &local_lights_ : nullptr,
         (options.disabled_optimisations & skip_response_rows) != 0 ? std::size_t{4} : std::size_t{1},
         static_cast<std::size_t>(options.components)};
-    ImageHits hits(draw_hits, local_lights_.any(), shown_, run);
+    if (local_lights_.any()) hits.keep_on_host();
     const auto shown = [&] {
         return pixels_ ? hits.shown(surfaces.geometry) : seen(surfaces.geometry, projection, run);
     };

@@ -45,9 +45,9 @@ public:
     void set_cache(const std::filesystem::path& folder, const CacheNotice& notice);
 
     /// Takes over changes of the scene, and bakes what the images of some views of the world need: the first
-    /// half of bake, on which the choice of orders depends.
-    void bake(const Scene& scene, std::span<const Projection> views, const RenderOptions& options,
-              RenderRun& run);
+    /// half of bake, on which the choice of orders depends. samples: as for needed_vertices().
+    void bake(const Scene& scene, std::span<const Projection> views, std::span<const glm::dvec2> samples,
+              const RenderOptions& options, RenderRun& run);
     /// Shades every vertex that can be seen, or every pixel that shows a surface. `executor` keeps the
     /// results. draw_hits: draws surfaces(). projection: of the world, one of the views of the last bake(),
     /// whose scene and options are those of this call. Adds times and counts to the statistics. After an

@@ -30,6 +30,18 @@ private:
     double power_ = 0;
 };
 
+/// Error of bounced light, relative to its share at receivers: of links chosen as if by chance, of its low
+/// order and of the interpolation between receivers. Measured by nicol-bench bounces; pictures err by 0.1 of
+/// their bounced light, of which receivers, dense where much light bounces, have twice the share.
+inline constexpr double kErrorOfBounces = 0.05;
+
+/// Returns the error of bounced light whose share of all light is `share`. The error comes from differences
+/// of bounced light between places and directions, and these come from direct light: where nearly all light
+/// has bounced, as in a box with a small opening, it is even.
+[[nodiscard]] inline double error_of_bounces(double share) {
+    return kErrorOfBounces * share * std::sqrt(std::max(0.0, 1 - share * share));
+}
+
 /// Returns the part of a tolerance that is left to the orders by another error, the one of shadows between
 /// baked vertices: independent errors add as squares. Half of the tolerance always remains, because finer
 /// orders would not mend coarse shadows. The part is rounded down to steps, so that orders stay when objects

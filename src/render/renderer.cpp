@@ -46,6 +46,12 @@ RenderOptions used(const RenderOptions& options) {
 // second time, which blurs; nearly nothing is left between the squares by the samples' places. Measured.
 constexpr double kTextureShare = 0.5;
 
+// Returns whether threads shade the samples of pixels and nothing else. A time budget may take other samples.
+// Cameras of one sample a pixel are moved within it from image to image, and need all that each may show.
+bool shades_samples(const RenderOptions& options) {
+    return options.shade_at != ShadeAt::vertices && options.pixel_samples > 1 && options.time_budget_ms == 0;
+}
+
 // Returns whether the framebuffer receives the luminance of the scene.
 bool is_grey_of(const Scene& scene, const Framebuffer& target) {
     return target.channels() == 1 && scene.channels() == 3;
@@ -174,7 +180,11 @@ RenderWork Renderer::bake(const Scene& scene, const RenderOptions& options, Comm
     RenderOptions within_limit = options;
     within_limit.max_vertices = memory_limit_.max_vertices(options);
     RenderRun run{.workers = workers_, .progress = progress, .statistics = statistics};
-    pipeline_.bake(scene, common.views, within_limit, run);
+    std::vector<glm::dvec2> samples;
+    if (shades_samples(options) &&
+        device_for(wanted_executor(scene, options), *context_).executor == Executor::cpu)
+        samples = sample_places(options.pixel_samples, options.filter);
+    pipeline_.bake(scene, common.views, samples, within_limit, run);
     memory_limit_.refined(pipeline_.surfaces().geometry().positions.size());
     return statistics;
 }

@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "render/bake_inputs.hpp"
 #include "render/baked_vertices.hpp"
 #include "render/needed_vertices.hpp"
 #include "render/shifted_objects.hpp"
@@ -20,44 +21,10 @@ constexpr double kNearer = 0.01;
 // before the change of a scene and keep its light.
 constexpr double kUnshown = 1.0 / 16;
 
-// Returns flags that are 0 for the vertices whose visibility an image does not need (empty: none) and for
-// those that receive no shadows. `room` holds the result if there are any of the latter.
-std::span<const std::uint8_t> traced_of(const WorldGeometry& geometry, std::span<const std::uint8_t> needed,
-                                        std::vector<std::uint8_t>& room) {
-    const std::vector<std::uint8_t> shadowed = receivers_of(geometry);
-    if (shadowed.empty()) return needed;
-    room = shadowed;
-    for (std::size_t v = 0; v < needed.size(); ++v)
-        if (needed[v] == 0) room[v] = 0;
-    return room;
-}
-
-BakeGeometry bake_geometry(const SceneGeometry& surfaces, SurfaceRays& rays,
-                           std::span<const std::uint8_t> needed, const RenderOptions& options) {
-    const WorldGeometry& world = surfaces.geometry();
-    return {.positions = world.positions,
-            .normals = world.normals,
-            .triangles = world.triangles,
-            .present = presence_of(world),
-            .blocking = world.blocking,
-            .glass = rays.glass(),
-            .rays = [&rays] { return rays.get(); },
-            .needed = needed,
-            .every_ray = (options.disabled_optimisations & skip_rays) != 0};
-}
-
 // Returns whether vertices are traced anew that a change hides no other light from. What bounces to a vertex
 // changes with what hides the light from it, not only with how much does.
 bool traces_all(const RenderOptions& options) {
     return (options.disabled_optimisations & skip_rays) != 0 || options.max_depth > kDirectLightDepth;
-}
-
-void count_bake(const BakeStatistics& baked, const Stopwatch& watch, Statistics& statistics) {
-    statistics.bake_rays += baked.rays;
-    statistics.bake_rays_skipped += baked.rays_skipped;
-    statistics.bake_trace_ms += baked.milliseconds;
-    statistics.vertices_traced += baked.vertices;
-    statistics.bake_ms += watch.milliseconds();
 }
 
 }  // namespace
@@ -67,16 +34,16 @@ void SceneVisibility::set_cache(std::filesystem::path folder, CacheNotice notice
     notice_ = std::move(notice);
 }
 
-void SceneVisibility::update(const SceneGeometry& surfaces, SurfaceRays& rays, bool lit, ImageNeeds needs,
-                             std::span<const Projection> views, const RenderOptions& options,
-                             Workers& workers, Progress& progress, Statistics& statistics) {
+void SceneVisibility::update(const SceneGeometry& surfaces, SurfaceRays& rays, bool lit,
+                             const BakedImages& images, const RenderOptions& options, Workers& workers,
+                             Progress& progress, Statistics& statistics) {
     if (!options.shadows || !lit) progressive_.reset();
     if (options.shadows && lit && (options.bake_budget_ms > 0 || progressive_))
-        return update_progressively(surfaces, rays, views, options, workers, progress, statistics);
+        return update_progressively(surfaces, rays, images.views, options, workers, progress, statistics);
     const SurfaceVersions former = versions_;
     const bool had_bake = former.visibility == visible_.version();
     const bool carried =
-        options.shadows && lit && bake(surfaces, rays, needs, views, options, workers, progress, statistics);
+        options.shadows && lit && bake(surfaces, rays, images, options, workers, progress, statistics);
     uses_bake_ = options.shadows && baked_geometry_ == surfaces.version();
     if (uses_bake_) refine(surfaces, rays, options, workers, progress, statistics);
     surfaces_.update(surfaces, uses_bake_ ? refined_ : nullptr, parts_, numbers_.numbers);
@@ -239,9 +206,10 @@ void SceneVisibility::count_later_steps(double milliseconds) {
     if (progressive_) progressive_->count_later_steps(milliseconds);
 }
 
-bool SceneVisibility::bake(const SceneGeometry& surfaces, SurfaceRays& rays, ImageNeeds needs,
-                           std::span<const Projection> views, const RenderOptions& options, Workers& workers,
-                           Progress& progress, Statistics& statistics) {
+bool SceneVisibility::bake(const SceneGeometry& surfaces, SurfaceRays& rays, const BakedImages& images,
+                           const RenderOptions& options, Workers& workers, Progress& progress,
+                           Statistics& statistics) {
+    const ImageNeeds needs = images.needs;
     const int count = options.bake_directions;
     const glm::dmat3& axes = surfaces.own_axes();
     const SceneGeometry::Change& change = surfaces.change();
@@ -252,10 +220,12 @@ bool SceneVisibility::bake(const SceneGeometry& surfaces, SurfaceRays& rays, Ima
     NeededVertices needed;
     // A scene that changes is baked as a whole from its first change on, so that bakes can be carried over.
     if (needs != ImageNeeds::all && !carry && !(is_part && follows) && !(same && needed_.empty())) {
-        if (!need_the_same(seen_from_, views)) seeing_.reset();
+        if (!found_for(images)) seeing_.reset();
         seeing_.run(surfaces.version(), surfaces.material_version(), [&] {
-            workers.run([&] { seen_ = needed_vertices(surfaces.geometry(), views, rays); });
-            seen_from_.assign(views.begin(), views.end());
+            workers.run(
+                [&] { seen_ = needed_vertices(surfaces.geometry(), images.views, images.samples, rays); });
+            seen_from_.assign(images.views.begin(), images.views.end());
+            seen_at_.assign(images.samples.begin(), images.samples.end());
         });
         needed =
             needs == ImageNeeds::seen ? seen_ : NeededVertices{.flags = {}, .seen = {}, .pixel = seen_.pixel};
@@ -267,8 +237,7 @@ bool SceneVisibility::bake(const SceneGeometry& surfaces, SurfaceRays& rays, Ima
         rest = !enough && is_part;
         if (!enough) baking_.reset();
     }
-    const bool another =
-        needs == ImageNeeds::all || (!seen_from_.empty() && !need_the_same(seen_from_, views));
+    const bool another = needs == ImageNeeds::all || (!seen_from_.empty() && !found_for(images));
     if (shortest_edge_ > 0 && (carry || rest || (needed_.empty() && another))) {
         shortest_edge_ = 0;
         wanted_.clear();
@@ -313,20 +282,6 @@ bool SceneVisibility::bake(const SceneGeometry& surfaces, SurfaceRays& rays, Ima
         count_bake(baked, watch, statistics);
     });
     return ran && (carry || rest);
-}
-
-Visibility SceneVisibility::bake_rest(const SceneGeometry& surfaces, BakeGeometry geometry,
-                                      const BakeProgress& report, BakeStatistics& baked) const {
-    std::vector<std::uint8_t> rest, room;
-    for (const std::uint8_t done : needed_) rest.push_back(done == kTraced ? 0 : 1);
-    geometry.needed = traced_of(surfaces.geometry(), rest, room);
-    Visibility visibility = nicol::bake(geometry, *directions_, report, &baked);
-    for (std::size_t v = 0; v < rest.size(); ++v) {
-        if (rest[v] != 0) continue;
-        std::ranges::copy(std::as_const(**baked_).at(v), visibility.at(v).begin());
-        visibility.set_unoccluded(v, (*baked_)->unoccluded(v));
-    }
-    return visibility;
 }
 
 void SceneVisibility::refine(const SceneGeometry& surfaces, SurfaceRays& rays, const RenderOptions& options,

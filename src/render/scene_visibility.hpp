@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
@@ -30,18 +31,29 @@
 
 namespace nicol {
 
+/// Images that a bake is for.
+struct BakedImages {
+    ImageNeeds needs = ImageNeeds::all;
+    std::span<const Projection> views = {};    ///< of the surfaces' axes
+    std::span<const glm::dvec2> samples = {};  ///< as for needed_vertices()
+};
+
 class SceneVisibility {
 public:
     /// Sets the cache folder of bakes; an empty folder disables the cache.
     void set_cache(std::filesystem::path folder, CacheNotice notice);
 
     /// Bakes and refines the surfaces, unless nothing casts shadows or `lit` is false; repeats only what
-    /// changes require, within the options' budget. rays: of the surfaces; views: of their axes. needs:
-    /// of the images of these views; more is baked once an image needs it. Adds times and counts to
-    /// `statistics`.
-    void update(const SceneGeometry& surfaces, SurfaceRays& rays, bool lit, ImageNeeds needs,
-                std::span<const Projection> views, const RenderOptions& options, Workers& workers,
-                Progress& progress, Statistics& statistics);
+    /// changes require, within the options' budget. rays: of the surfaces. images: of this render; more is
+    /// baked once an image needs it. Adds times and counts to `statistics`.
+    void update(const SceneGeometry& surfaces, SurfaceRays& rays, bool lit, const BakedImages& images,
+                const RenderOptions& options, Workers& workers, Progress& progress, Statistics& statistics);
+    /// Bakes vertices that the last update() left out although images show them: an image that is drawn may
+    /// show another triangle beside an outline than rays do. find_shown: returns, by vertex of surfaces(),
+    /// whether an image shows it; called if that may matter. The rest is of the last update().
+    void bake_shown(const SceneGeometry& surfaces, SurfaceRays& rays,
+                    const std::function<std::span<const std::uint8_t>()>& find_shown,
+                    const RenderOptions& options, RenderRun& run);
     /// Sets numbers of vertices and bytes in `statistics`. surfaces: of the last update().
     void count(const SceneGeometry& surfaces, Statistics& statistics) const;
     /// Tells how long later steps took for the vertices that update() changed.
@@ -59,12 +71,15 @@ private:
     void update_progressively(const SceneGeometry& surfaces, SurfaceRays& rays,
                               std::span<const Projection> views, const RenderOptions& options,
                               Workers& workers, Progress& progress, Statistics& statistics);
+    /// Returns whether images need the vertices that were found in the last search.
+    [[nodiscard]] bool found_for(const BakedImages& images) const;
+    /// Returns whether the last update() left out vertices that no sample of the images was found to show.
+    [[nodiscard]] bool left_out_unsampled() const;
     /// Hands the current bake to progressive_.
     void begin_progressively(const SceneGeometry& surfaces, const RenderOptions& options);
     /// Bakes the surfaces before refinement. Returns whether the former bake was carried over.
-    bool bake(const SceneGeometry& surfaces, SurfaceRays& rays, ImageNeeds needs,
-              std::span<const Projection> views, const RenderOptions& options, Workers& workers,
-              Progress& progress, Statistics& statistics);
+    bool bake(const SceneGeometry& surfaces, SurfaceRays& rays, const BakedImages& images,
+              const RenderOptions& options, Workers& workers, Progress& progress, Statistics& statistics);
     /// Bakes the vertices that the bake of a part has left out.
     [[nodiscard]] Visibility bake_rest(const SceneGeometry& surfaces, BakeGeometry geometry,
                                        const BakeProgress& report, BakeStatistics& baked) const;
@@ -93,6 +108,7 @@ private:
     Stage<Version, Version> seeing_;     // inputs: geometry, materials
     NeededVertices seen_;                // needed_vertices() of the last views that were searched
     std::vector<Projection> seen_from_;  // views of that search
+    std::vector<glm::dvec2> seen_at_;    // and its samples
     // 0: not baked; 1: baked as the vertex in the same pixel; kTraced: baked by rays of its own; by vertex of
     // baked_. Empty: all are kTraced. And the same of the vertices of surfaces_.
     std::vector<std::uint8_t> needed_, baked_vertices_;

@@ -76,7 +76,7 @@ struct Frames {
         RenderRun run{.workers = workers, .progress = progress, .statistics = statistics};
         allocations = 0;
         counting = true;
-        pipeline.bake(scene, {&projection, 1}, options, run);
+        pipeline.bake(scene, {&projection, 1}, {}, options, run);
         pipeline.run(scene, projection, options, executor, run, {});
         counting = false;
         return allocations;

@@ -57,7 +57,7 @@ struct Surfaces {
         geometry.update(scene);
         SurfaceRays rays(geometry);
         const Projection view = project(Camera(), 8, 8);
-        visibility.update(geometry, rays, true, ImageNeeds::all, {&view, 1},
+        visibility.update(geometry, rays, true, {.needs = ImageNeeds::all, .views = {&view, 1}},
                           {.bake_directions = 512, .refine_tolerance = tolerance, .max_vertices = 4096},
                           workers, progress, statistics);
         visibility.count(geometry, statistics);

@@ -213,3 +213,35 @@ IMAGE_TEST_CASE("a first image of few vertices refines what it shows, and later 
         CHECK(rms_difference(studio(scene, options, below), truth) <= 2e-3 * rms(truth));
     }
 }
+
+IMAGE_TEST_CASE("images of several samples need the vertices of triangles at their samples alone") {
+    const Scene scene = scene_of(bumpy_sphere(), 0.5, 1);
+    const Camera camera = camera_at({0, 1, 4});
+    RenderOptions options = options_with(0);
+    Studio one(context, 16, 12), some(context, 16, 12), tracing(context, 16, 12);
+    static_cast<void>(one(scene, options, camera));
+    SUBCASE("drawn together") {
+        options.pixel_samples = 4;
+    }
+    SUBCASE("drawn one by one") {
+        options.pixel_samples = 5;
+    }
+    const StokesImage image = some(scene, options, camera);
+    const std::uint64_t unbaked = some.statistics.vertices_unbaked;
+    CHECK(2 * some.statistics.vertices_traced < one.statistics.vertices_traced);
+    CHECK(unbaked > one.statistics.vertices_unbaked);
+    RenderOptions all = options;
+    all.disabled_optimisations = skip_rays;
+    const StokesImage truth = tracing(scene, all, camera);
+    CHECK(rms_difference(image, truth) <= 2e-3 * rms(truth));
+    // Vertices that are left out count as unoccluded, which a single one at a sample would show.
+    CHECK(test::differing_pixels(image, truth, 2e-2 * rms(truth)) == 0);
+
+    static_cast<void>(some(scene, options, camera));
+    CHECK(some.statistics.vertices_traced == 0);
+    // Less than a pixel aside, samples show other triangles.
+    const Camera beside = camera_at({0.02, 1, 4});
+    const StokesImage moved = some(scene, options, beside), moved_truth = tracing(scene, all, beside);
+    CHECK(some.statistics.vertices_unbaked == 0);
+    CHECK(rms_difference(moved, moved_truth) <= 2e-3 * rms(moved_truth));
+}

@@ -125,7 +125,7 @@ private:
                  Statistics& statistics) {
             Progress progress(options.progress);
             RenderRun run{.workers = workers, .progress = progress, .statistics = statistics};
-            pipeline.bake(scene, {&projection, 1}, options, run);
+            pipeline.bake(scene, {&projection, 1}, {}, options, run);
             pipeline.run(scene, projection, options, executor, run, {});
         }
     };

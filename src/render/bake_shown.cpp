@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+#include "render/bake_inputs.hpp"
+#include "render/baked_vertices.hpp"
+#include "render/scene_visibility.hpp"
+
+namespace nicol {
+
+bool SceneVisibility::found_for(const BakedImages& images) const {
+    if (!need_the_same(seen_from_, images.views)) return false;
+    return !seen_.sampled ||
+           (are_equal(seen_from_, images.views) && std::ranges::equal(seen_at_, images.samples));
+}
+
+Visibility SceneVisibility::bake_rest(const SceneGeometry& surfaces, BakeGeometry geometry,
+                                      const BakeProgress& report, BakeStatistics& baked) const {
+    std::vector<std::uint8_t> rest, room;
+    for (const std::uint8_t done : needed_) rest.push_back(done == kTraced ? 0 : 1);
+    geometry.needed = traced_of(surfaces.geometry(), rest, room);
+    Visibility visibility = nicol::bake(geometry, *directions_, report, &baked);
+    for (std::size_t v = 0; v < rest.size(); ++v) {
+        if (rest[v] != 0) continue;
+        std::ranges::copy(std::as_const(**baked_).at(v), visibility.at(v).begin());
+        visibility.set_unoccluded(v, (*baked_)->unoccluded(v));
+    }
+    return visibility;
+}
+
+bool SceneVisibility::left_out_unsampled() const {
+    return !progressive_ && uses_bake_ && versions_.visibility != 0 && seen_.sampled &&
+           std::ranges::find(needed_, 0) != needed_.end();
+}
+
+void SceneVisibility::bake_shown(const SceneGeometry& surfaces, SurfaceRays& rays,
+                                 const std::function<std::span<const std::uint8_t>()>& find_shown,
+                                 const RenderOptions& options, RenderRun& run) {
+    if (!left_out_unsampled()) return;
+    const std::span<const std::uint8_t> shown = find_shown();
+    const std::size_t given = needed_.size();
+    const WorldGeometry& world = surfaces.geometry();
+    std::vector<std::uint8_t> missing(given, 0);
+    std::vector<std::uint32_t> changed;  // vertices of surfaces_
+    for (std::uint32_t v = 0; v < shown.size(); ++v) {
+        const std::uint32_t i = numbers_.source(v);
+        if (shown[v] == 0 || i >= given || needed_[i] != 0) continue;
+        if (!reflects(*world.ranges[range_of(world, i)].material)) continue;
+        missing[i] = 1;
+        changed.push_back(v);
+    }
+    if (changed.empty()) return;
+    const Stopwatch watch;
+    const bool shadow_all = (options.disabled_optimisations & skip_unoccluded) != 0;
+    BakeStatistics baked;
+    run.workers.run([&] {
+        std::vector<std::uint8_t> room;
+        const Visibility more = nicol::bake(
+            bake_geometry(surfaces, rays, traced_of(world, missing, room), options), *directions_,
+            [&run](double fraction) { run.progress.report("bake", fraction); }, &baked);
+        const auto take = [&more](Visibility& visibility, std::size_t v, std::size_t i, bool shadowed) {
+            std::ranges::copy(more.at(i), visibility.at(v).begin());
+            visibility.set_unoccluded(v, more.unoccluded(i) && !shadowed);
+        };
+        auto all = std::make_shared<Visibility>(**baked_), visible = std::make_shared<Visibility>(**visible_);
+        for (std::size_t i = 0; i < given; ++i)
+            if (missing[i] != 0) take(*all, i, i, false);
+        for (const std::uint32_t v : changed) take(*visible, v, numbers_.source(v), shadow_all);
+        const bool has_points = points_bake_ == baked_.version();
+        baked_.change() = std::move(all);
+        if (has_points) points_bake_ = baked_.version();
+        visible_.change() = std::move(visible);
+    });
+    for (std::size_t i = 0; i < given; ++i)
+        if (missing[i] != 0) needed_[i] = kTraced;
+    before_ = versions_;
+    former_.resize(shown.size());
+    std::iota(former_.begin(), former_.end(), 0U);
+    for (const std::uint32_t v : changed) {
+        baked_vertices_[v] = kTraced;
+        former_[v] = kNoVertex;
+    }
+    same_places_.assign(shown.size(), 1);
+    same_normals_.clear();
+    versions_.visibility = visible_.version();
+    shown_.show(*visible_);
+    // The triangles of these few vertices stay as they are.
+    refining_.run(baked_.version(), options.refine_tolerance, options.max_vertices, shadow_all,
+                  shortest_edge_, [] {});
+    count_bake(baked, watch, run.statistics);
+}
+
+}  // namespace nicol
