@@ -15,11 +15,10 @@ std::shared_ptr<void> owned_pixels(const nicol_image* image) {
 
 EquirectView view_of(const nicol_image& image) {
     require(image.pixels, "image->pixels");
-    if (image.width < 1 || image.width > NICOL_MAX_SIZE || image.height < 2 ||
+    if (image.width < 2 || image.width > NICOL_MAX_SIZE || image.height < 2 ||
         image.height > NICOL_MAX_SIZE) {
         refuse("image is " + std::to_string(image.width) + " x " + std::to_string(image.height) +
-               " pixels; width must lie in 1 to " + std::to_string(NICOL_MAX_SIZE) + ", height in 2 to " +
-               std::to_string(NICOL_MAX_SIZE));
+               " pixels; width and height must lie in 2 to " + std::to_string(NICOL_MAX_SIZE));
     }
     require_channels(image.channels, "image->channels");
     if (image.components != 1 && image.components != 4) {

@@ -387,7 +387,7 @@ typedef int32_t (*nicol_sink_callback)(void* user, const void* bytes, uint64_t b
  * pole). */
 typedef struct nicol_image {
     uint32_t struct_size;
-    uint32_t width, height; /* size, pixels, 1 to NICOL_MAX_SIZE; height at least 2 */
+    uint32_t width, height; /* size, pixels, 2 to NICOL_MAX_SIZE */
     uint32_t channels;      /* number of colour channels, 1 to NICOL_MAX_CHANNELS */
     /* Number of Stokes components. 1: s0 alone; 4: s0..s3 in the frame z = propagation, x = horizontal, along
      * growing u as seen from the scene's centre, y = z cross x. */

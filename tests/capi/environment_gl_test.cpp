@@ -84,6 +84,7 @@ CONTEXT_TEST_CASE("an image that cannot be taken is given back") {
                  {"row_stride", [](I& i) { i.row_stride = UINT64_MAX - 3; }},
                  {"row_stride", [](I& i) { i.row_stride = std::uint64_t{1} << 63; }},
                  {"width", [](I& i) { i.width = 0; }},
+                 {"1 x 3 pixels; width and height must lie in 2 to", [](I& i) { i.width = 1; }},
                  {"width", [](I& i) { i.width = NICOL_MAX_SIZE + 1; }},
                  {"height", [](I& i) { i.height = 1; }},
                  {"height", [](I& i) { i.height = UINT32_MAX; }},

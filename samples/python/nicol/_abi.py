@@ -439,8 +439,8 @@ class Image(Struct):
     pole).
 
     Fields:
-    width: size, pixels, 1 to NICOL_MAX_SIZE; height at least 2
-    height: size, pixels, 1 to NICOL_MAX_SIZE; height at least 2
+    width: size, pixels, 2 to NICOL_MAX_SIZE
+    height: size, pixels, 2 to NICOL_MAX_SIZE
     channels: number of colour channels, 1 to NICOL_MAX_CHANNELS
     components: Number of Stokes components. 1: s0 alone; 4: s0..s3 in the frame z = propagation, x = horizontal, along
         growing u as seen from the scene's centre, y = z cross x.
