@@ -60,7 +60,7 @@ public:
           directions_(anisotropy_.texture("anisotropyTexture")) {
         if (!is_unlit_ && !is_specular_) {
             transmission_ = read_transmission(document, material, where_, notices);
-            iridescence_ = read_iridescence(document, material, where_, notices);
+            iridescence_ = read_iridescence(document, material, where_, transmission_.share > 0, notices);
         }
         if (!is_unlit_) coat_ = read_clearcoat(document, material, where_, transmission_.share > 0, notices);
     }
@@ -133,8 +133,9 @@ private:
     /// Returns the set that all textures take. Leaves the textures out if the primitive lacks that set.
     int texcoord_set() {
         std::optional<int> set;
-        for (const GltfTextureUse* use : {&base_, &facets_, &normal_, &directions_, &iridescence_.texture,
-                                          &coat_.share_texture, &coat_.roughness_texture}) {
+        for (const GltfTextureUse* use :
+             {&base_, &facets_, &normal_, &directions_, &iridescence_.texture, &iridescence_.thickness,
+              &coat_.share_texture, &coat_.roughness_texture}) {
             if (use->index < 0 || (is_unlit_ && use != &base_)) continue;
             const int wanted = textures_.texcoord_set(*use);
             if (!set) set = wanted;
@@ -204,6 +205,10 @@ private:
         }
         MaterialDescription bare = blended();
         film_ = iridescence_.film;
+        if (auto image = texture(iridescence_.thickness)) {
+            film_thickness_ = as_number(std::move(*image), Part::green, 1 - VaryingFilmModel::kLeast);
+            film_thickness_->offset = glm::dvec3(VaryingFilmModel::kLeast);
+        }
         if (!weight) return blended();
         return BlendModel(std::move(bare), blended(), shared(std::move(*weight)));
     }
@@ -262,13 +267,13 @@ private:
         out.set(&P::specular_reflectance, boundary);
         out.parameters.int_ior = index;
         out.parameters.ext_ior = 1;
-        if (film_.present()) return with_facets(CoatedPlasticModel(out, film_));
+        if (has_film()) return with_film(CoatedPlasticModel(out, film_));
         return with_facets(std::move(out));
     }
 
     /// A mirror times a colour that varies; of one colour, a metal that has it.
     [[nodiscard]] MaterialDescription metal(const TexturedColor& color) {
-        if (color.texture && !film_.present()) return mirror(color);
+        if (color.texture && !has_film()) return mirror(color);
         // A film over a perfect mirror has no colours, so that a metal whose colour varies has an index, too.
         const glm::dvec3 reflected = color.texture ? glm::dvec3(kBelowFilm) : color.rgb;
         MetalModel out;
@@ -276,7 +281,7 @@ private:
         out.eta = 1.0;
         out.k = extinction_of(reflected);
         out.film = film_;
-        return with_facets(std::move(out));
+        return with_film(std::move(out));
     }
 
     [[nodiscard]] MaterialDescription mirror(const TexturedColor& color) {
@@ -287,21 +292,23 @@ private:
 
     template <class Model>
     [[nodiscard]] MaterialDescription with_facets(Model model) {
-        FacetDescription facets = this->facets();
-        if (strength_ && (facets.alpha.texture || strength_->texture))
-            return BrushedModel(
-                [model](const FacetDescription& of) {
-                    Model out = model;
-                    set_facets(of, out);
-                    return MaterialDescription(std::move(out));
-                },
-                std::move(facets.alpha), *strength_);
-        if (strength_) {
-            facets.alpha_v = facets.alpha;
-            facets.alpha.value = widened(facets.alpha.value, strength_->value);
-        }
-        set_facets(facets, model);
-        return model;
+        return faceted(std::move(model), facets(), strength_);
+    }
+
+    /// Returns whether the parts of the material that are read now have a film.
+    [[nodiscard]] bool has_film() const { return film_.present() || film_thickness_.has_value(); }
+
+    /// Returns with_facets() of a model with a film, whose thickness varies by its texture if there is one.
+    template <class Model>
+    [[nodiscard]] MaterialDescription with_film(Model model) {
+        if (!film_thickness_) return with_facets(std::move(model));
+        return VaryingFilmModel(
+            [model = std::move(model), facets = facets(), strength = strength_](const FilmParameters& film) {
+                Model out = model;
+                out.film = film;
+                return faceted(std::move(out), facets, strength);
+            },
+            film_, iridescence_.least, shared(*film_thickness_));
     }
 
     [[nodiscard]] FacetDescription facets() {
@@ -372,6 +379,7 @@ private:
     GltfIridescence iridescence_;
     GltfClearcoat coat_;
     FilmParameters film_;  ///< film on the parts of the material that are read now
+    std::optional<TextureSpecification> film_thickness_;  ///< see VaryingFilmModel; none: film_'s own
     bool has_texcoords_ = false;
 };
 

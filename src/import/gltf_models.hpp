@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <utility>
 
 #include "import/late_parameters.hpp"
@@ -25,6 +26,47 @@ struct BrushedModel final : MaterialModel {
 
     WithFacets of;  ///< the material with these facets
     TexturedNumber alpha, strength;
+
+    [[nodiscard]] MaterialPtr make(const MaterialMaker& maker) const override;
+};
+
+/// Returns a material with these facets, which are widened() along u if there is a strength.
+template <class Model>
+[[nodiscard]] MaterialDescription faceted(Model model, FacetDescription facets,
+                                          const std::optional<TexturedNumber>& strength) {
+    if (strength && (facets.alpha.texture || strength->texture))
+        return BrushedModel(
+            [model](const FacetDescription& of) {
+                Model out = model;
+                set_facets(of, out);
+                return MaterialDescription(std::move(out));
+            },
+            std::move(facets.alpha), *strength);
+    if (strength) {
+        facets.alpha_v = facets.alpha;
+        facets.alpha.value = widened(facets.alpha.value, strength->value);
+    }
+    set_facets(facets, model);
+    return model;
+}
+
+/// A material with a film whose thickness varies.
+struct VaryingFilmModel final : MaterialModel {
+    /// Value of the texture where the film is thinnest. The value is 1 where the film is thickest, and the
+    /// thickness is linear between.
+    static constexpr double kLeast = 0.5;
+    using WithFilm = std::function<MaterialDescription(const FilmParameters&)>;
+    VaryingFilmModel(WithFilm model, FilmParameters thickest, double least_thickness,
+                     TextureSpecificationPtr of_thickness)
+        : of(std::move(model)),
+          film(std::move(thickest)),
+          least(least_thickness),
+          thickness(std::move(of_thickness)) {}
+
+    WithFilm of;          ///< the material with this film
+    FilmParameters film;  ///< the film where the texture is 1
+    double least;         ///< thickness where the texture is kLeast, nm
+    TextureSpecificationPtr thickness;
 
     [[nodiscard]] MaterialPtr make(const MaterialMaker& maker) const override;
 };

@@ -3,6 +3,7 @@
 #include "image/color.hpp"
 #include "import/described_material.hpp"
 #include "import/textured_gltf_file.hpp"
+#include "material/matrix_at.hpp"
 #include "material/spatial_variation.hpp"
 
 using namespace nicol;
@@ -316,4 +317,62 @@ TEST_CASE("textures of glTF that are refused, by element") {
         CHECK_MESSAGE(message.find(c.part) != std::string::npos, message);
     }
     CHECK(has_notice(TexturedFile(base(), "\"textures\":[{}]").read(), "without a PNG or JPEG image"));
+}
+
+TEST_CASE("a texture of the thickness makes the film of each point") {
+    const auto iridescent = [](double metallic, double least, double most, const std::string& more) {
+        return pbr("\"roughnessFactor\":0.5,\"metallicFactor\":" + std::to_string(metallic),
+                   ",\"extensions\":{\"KHR_materials_iridescence\":{\"iridescenceFactor\":1,"
+                   "\"iridescenceThicknessMinimum\":" +
+                       std::to_string(least) + ",\"iridescenceThicknessMaximum\":" + std::to_string(most) +
+                       more + "}}");
+    };
+    const std::string varies = ",\"iridescenceThicknessTexture\":{\"index\":0}";
+    // Columns of green from 0 to 255. Red and blue are none of the thickness.
+    constexpr unsigned int columns = 256;
+    std::vector<std::uint8_t> ramp;
+    for (unsigned int x = 0; x < columns; ++x)
+        for (const unsigned int value : {255 - x, x, 100U}) ramp.push_back(static_cast<std::uint8_t>(value));
+    const glm::dvec3 light = glm::normalize(glm::dvec3(0.5, 0.1, 0.8));
+    const glm::dvec3 viewer = glm::normalize(glm::dvec3(-0.6, 0.1, 0.7));
+    for (const double metallic : {0.0, 1.0})
+        // The film may be thinnest where the texture is brightest, or vanish.
+        for (const auto& [least, most] : {std::pair(100.0, 400.0), {500.0, 0.0}}) {
+            CAPTURES(metallic, least, most);
+            const TexturedFile file(iridescent(metallic, least, most, varies));
+            file.write("part/a b.png", png_bytes(columns, 1, 3, ramp));
+            CHECK(file.read().notices.empty());
+            const MaterialPtr material = file.load().scene.instances().at(0).material;
+            REQUIRE(material->variation() != nullptr);
+            double squared_error = 0, squared_contrast = 0;
+            const MaterialPtr bare =
+                TexturedFile(iridescent(metallic, 0, 0, "")).load().scene.instances().at(0).material;
+            for (unsigned int x = 3; x < columns; x += 24) {
+                const double thickness = least + (most - least) * x / 255;
+                const MaterialPtr expected = TexturedFile(iridescent(metallic, 0, thickness, ""))
+                                                 .load()
+                                                 .scene.instances()
+                                                 .at(0)
+                                                 .material;
+                const glm::vec2 uv((static_cast<float>(x) + 0.5F) / columns, 0.5F);
+                for (int c = 0; c < 3; ++c) {
+                    const Mueller varying = test::matrix_at(*material, c, uv, light, viewer);
+                    const Mueller even = evaluate(*expected, c, light, viewer);
+                    const Mueller without = evaluate(*bare, c, light, viewer);
+                    for (std::size_t row = 0; row < 2; ++row) {
+                        squared_error += std::pow(varying(row, 0) - even(row, 0), 2);
+                        squared_contrast += std::pow(even(row, 0) - without(row, 0), 2);
+                    }
+                }
+            }
+            CHECK(std::sqrt(squared_error) < 0.03 * std::sqrt(squared_contrast));
+        }
+    // A body of glass has one film.
+    const TexturedFile glass(
+        pbr("\"metallicFactor\":0",
+            ",\"extensions\":{\"KHR_materials_transmission\":{\"transmissionFactor\":1},"
+            "\"KHR_materials_iridescence\":{\"iridescenceFactor\":1,\"iridescenceThicknessMaximum\":500" +
+                varies + "}}"));
+    CHECK(has_notice(glass.read(), "KHR_materials_iridescence with a texture of the thickness has the mean"));
+    CHECK(as<GlassModel>(glass.material()).glass.film.thickness == 300);
 }
