@@ -17,7 +17,7 @@ import gallery  # noqa: E402
 import nicol  # noqa: E402
 import numpy as np  # noqa: E402
 
-NAMES = "car_lamp", "beetle", "still_life", "wet_street", "ruler", "gold_bowl"
+NAMES = "car_lamp", "beetle", "still_life", "wet_street", "ruler", "gold_bowl", "bubbles"
 
 
 def toned(light):

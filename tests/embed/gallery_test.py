@@ -27,7 +27,7 @@ class GalleryTest(unittest.TestCase):
         return stokes, view
 
     def test_scenes(self):
-        for name in ("car_lamp", "still_life", "gold_bowl"):
+        for name in ("car_lamp", "still_life", "gold_bowl", "bubbles"):
             with self.subTest(name):
                 self.render(name)
 
