@@ -97,6 +97,18 @@ void smooth_normals(Mesh& mesh);
 /// Returns whether files of this kind hold several meshes, of which load_mesh() selects one.
 [[nodiscard]] bool holds_several_meshes(const std::filesystem::path& file);
 
+/// Kinds of the curves of a file.
+enum class CurveKind {
+    linear,  ///< straight segments with balls at their points
+    bspline  ///< uniform cubic B-splines, which end near their second and their last but one point
+};
+/// Reads curves of Mitsuba's text format, a point and a radius a line and an empty line between curves, as
+/// tubes without ends: 48 sides, and 24 rows of each cubic segment. u is the angle around the curve over 2
+/// pi, v grows from 0 to 1 along each curve. Throws Error(invalid_file) that names the line, and what reading
+/// throws.
+[[nodiscard]] Mesh load_curves(const std::filesystem::path& file, CurveKind kind,
+                               const LoadBudget& budget = {});
+
 /// Returns whether files of this kind count v from the image's last row upwards: OBJ, as in Mitsuba.
 [[nodiscard]] bool has_upward_texcoords(const std::filesystem::path& file);
 

@@ -111,6 +111,15 @@ Mesh make(const ShapeDescription& d, double detail, const MeshColorNames& colors
         case ShapeDescription::Kind::cylinder:
             mesh = make_cylinder(glm::dvec3(0.0), d.p1 - d.p0, d.radius, detail);
             break;
+        case ShapeDescription::Kind::linear_curve:
+        case ShapeDescription::Kind::bspline_curve: {
+            const bool linear = d.kind == ShapeDescription::Kind::linear_curve;
+            mesh = files.read(d.filename, [&] {
+                return load_curves(d.filename, linear ? CurveKind::linear : CurveKind::bspline,
+                                   files.budget());
+            });
+            break;
+        }
         default:
             mesh = files.read(d.filename, [&] {
                 return load_mesh(

@@ -21,12 +21,17 @@ struct KindName {
 };
 constexpr std::array kKindNames = {KindName{"sphere", ShapeKind::sphere},
                                    KindName{"rectangle", ShapeKind::rectangle},
-                                   KindName{"cube", ShapeKind::cube}, KindName{"disk", ShapeKind::disk},
-                                   KindName{"cylinder", ShapeKind::cylinder}};
+                                   KindName{"cube", ShapeKind::cube},
+                                   KindName{"disk", ShapeKind::disk},
+                                   KindName{"cylinder", ShapeKind::cylinder},
+                                   KindName{"linearcurve", ShapeKind::linear_curve},
+                                   KindName{"bsplinecurve", ShapeKind::bspline_curve}};
 
 ShapeKind kind_of(const Plugin& plugin) {
     if (is_mesh_format(plugin.type())) return ShapeKind::file;
-    const auto* const kind = std::ranges::find(kKindNames, std::string_view(plugin.type()), &KindName::name);
+    // Mitsuba finds Sphere as sphere where file names are not case-sensitive.
+    const std::string type = lower_case(plugin.type());
+    const auto* const kind = std::ranges::find(kKindNames, std::string_view(type), &KindName::name);
     if (kind != kKindNames.end()) return kind->kind;
     plugin.fail_type(mesh_format_names() + ", " + joined(kKindNames, &KindName::name) +
                      ", shapegroup, instance, merge");
@@ -70,6 +75,8 @@ ShapeDescription read_shape(const XmlDocument& document, pugi::xml_node node, No
         shape.p1 = plugin.vector("p1", shape.p1);
         if (shape.p0 == shape.p1) plugin.fail("p1", "is p0; expected two points that differ");
         shape.radius = plugin.number("radius", shape.radius, 0.0, kNoLimit, true);
+    } else if (shape.kind == ShapeKind::linear_curve || shape.kind == ShapeKind::bspline_curve) {
+        shape.filename = plugin.filename("filename");
     }
     for (const std::string& name : plugin.texture_names()) {
         if (!name.starts_with(kVertexPrefix) && !name.starts_with(kFacePrefix)) continue;

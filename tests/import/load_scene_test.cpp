@@ -272,3 +272,17 @@ TEST_CASE("what takes more than its limits is refused, and the option is named")
         check_error(ErrorCode::unsupported, CALL(load_scene(file.scene(), {}, one.limits)), one.option,
                     file.path().string());
 }
+
+TEST_CASE("curves of a scene file become tubes, and the case of a shape's name does not matter") {
+    const SceneFile file(scene(a_sensor + an_emitter +
+                               "<shape type='Sphere'/>"
+                               "<shape type='linearcurve'><string name='filename' value='a.txt'/></shape>"
+                               "<shape type='bsplinecurve'><string name='filename' value='a.txt'/></shape>"));
+    file.write("a.txt", "0 0 0 0.1\n0 0 1 0.1\n1 0 1 0.1\n1 0 0 0.1\n");
+    const LoadedScene loaded = load_scene(file.scene(), {});
+    REQUIRE(loaded.scene.instances().size() == 3);
+    const Mesh linear = load_curves(file / "a.txt", CurveKind::linear);
+    const Mesh bspline = load_curves(file / "a.txt", CurveKind::bspline);
+    CHECK(loaded.scene.instances()[1].mesh->positions.size() == linear.positions.size());
+    CHECK(loaded.scene.instances()[2].mesh->positions.size() == bspline.positions.size());
+}
