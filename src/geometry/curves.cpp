@@ -157,10 +157,12 @@ void add_bspline(const Curve& curve, Mesh& mesh) {
 
 }  // namespace
 
-Mesh load_curves(const std::filesystem::path& file, CurveKind kind, const LoadBudget& budget) {
+Mesh load_curves(const std::filesystem::path& file, CurveKind kind, const glm::dmat3& axes,
+                 const LoadBudget& budget) {
     const bool linear = kind == CurveKind::linear;
-    const std::vector<Curve> curves =
-        parse_curves(file.string(), read_bytes(file, budget), linear ? 2 : 4, budget);
+    std::vector<Curve> curves = parse_curves(file.string(), read_bytes(file, budget), linear ? 2 : 4, budget);
+    for (Curve& curve : curves)
+        for (ControlPoint& point : curve) point = ControlPoint(axes * glm::dvec3(point), point.w);
     // A ball and a tube of a point; the rows of a segment.
     constexpr std::uint64_t of_row = kSides, of_point = 1500;
     std::uint64_t vertices = 0;

@@ -104,10 +104,10 @@ enum class CurveKind {
 };
 /// Reads curves of Mitsuba's text format, a point and a radius a line and an empty line between curves, as
 /// tubes without ends: 48 sides, and 24 rows of each cubic segment. u is the angle around the curve over 2
-/// pi, v grows from 0 to 1 along each curve. Throws Error(invalid_file) that names the line, and what reading
-/// throws.
+/// pi, v grows from 0 to 1 along each curve. axes: moves the points; as in Mitsuba, radii stay. Throws
+/// Error(invalid_file) that names the line, and what reading throws.
 [[nodiscard]] Mesh load_curves(const std::filesystem::path& file, CurveKind kind,
-                               const LoadBudget& budget = {});
+                               const glm::dmat3& axes = glm::dmat3(1), const LoadBudget& budget = {});
 
 /// Returns whether files of this kind count v from the image's last row upwards: OBJ, as in Mitsuba.
 [[nodiscard]] bool has_upward_texcoords(const std::filesystem::path& file);

@@ -26,7 +26,8 @@ Mesh load_mesh(const std::filesystem::path& file, const std::function<void(const
     refuse_left_out_format(file, "mesh files", "NICOL_MESH_FILES");
 }
 
-Mesh load_curves(const std::filesystem::path& file, CurveKind /*kind*/, const LoadBudget& /*budget*/) {
+Mesh load_curves(const std::filesystem::path& file, CurveKind /*kind*/, const glm::dmat3& /*axes*/,
+                 const LoadBudget& /*budget*/) {
     refuse_left_out_format(file, "mesh files", "NICOL_MESH_FILES");
 }
 

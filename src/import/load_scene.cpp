@@ -93,6 +93,16 @@ SceneChannels channels_under(const EnvironmentPtr& light) {
     return {.count = light->channels(), .wavelengths = light->wavelengths()};
 }
 
+bool is_curve(const ShapeDescription& d) {
+    return d.kind == ShapeDescription::Kind::linear_curve || d.kind == ShapeDescription::Kind::bspline_curve;
+}
+
+/// Returns what the points of a mesh are moved by before placement(). The transform of curves moves their
+/// points, not their radii.
+glm::dmat3 axes_of(const ShapeDescription& d) {
+    return is_curve(d) ? glm::dmat3(d.to_world) : glm::dmat3(1);
+}
+
 Mesh make(const ShapeDescription& d, double detail, const MeshColorNames& colors, scene::SceneFiles& files) {
     Mesh mesh;
     switch (d.kind) {
@@ -115,7 +125,7 @@ Mesh make(const ShapeDescription& d, double detail, const MeshColorNames& colors
         case ShapeDescription::Kind::bspline_curve: {
             const bool linear = d.kind == ShapeDescription::Kind::linear_curve;
             mesh = files.read(d.filename, [&] {
-                return load_curves(d.filename, linear ? CurveKind::linear : CurveKind::bspline,
+                return load_curves(d.filename, linear ? CurveKind::linear : CurveKind::bspline, axes_of(d),
                                    files.budget());
             });
             break;
@@ -142,6 +152,9 @@ glm::dmat4 placement(const ShapeDescription& d) {
             return glm::translate(d.to_world, d.center);
         case ShapeDescription::Kind::cylinder:
             return glm::translate(d.to_world, d.p0);
+        case ShapeDescription::Kind::linear_curve:
+        case ShapeDescription::Kind::bspline_curve:
+            return glm::translate(glm::dmat4(1), glm::dvec3(d.to_world[3]));
         default:
             return d.to_world;
     }
@@ -210,7 +223,11 @@ public:
     std::shared_ptr<const Mesh> of(const ShapeDescription& d, const MeshColorNames& colors) {
         if (d.kind == ShapeDescription::Kind::mesh) return d.mesh;
         const double detail = d.segments > 0 ? d.segments / double(kSphereSegments) : detail_.of(d);
+        const glm::dmat3 axes = axes_of(d);
+        std::array<double, 9> numbers{};
+        std::copy_n(&axes[0].x, numbers.size(), numbers.begin());
         const Key key{d.kind,
+                      numbers,
                       d.filename,
                       d.index,
                       {d.p1.x - d.p0.x, d.p1.y - d.p0.y, d.p1.z - d.p0.z, d.radius, detail},
@@ -224,8 +241,8 @@ public:
     }
 
 private:
-    using Key = std::tuple<ShapeDescription::Kind, std::filesystem::path, std::size_t, std::array<double, 5>,
-                           bool, bool, bool, MeshColorNames>;
+    using Key = std::tuple<ShapeDescription::Kind, std::array<double, 9>, std::filesystem::path, std::size_t,
+                           std::array<double, 5>, bool, bool, bool, MeshColorNames>;
     PrimitiveDetail detail_;
     scene::SceneFiles& files_;
     std::map<Key, std::shared_ptr<const Mesh>> made_;

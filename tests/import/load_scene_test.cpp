@@ -277,12 +277,26 @@ TEST_CASE("curves of a scene file become tubes, and the case of a shape's name d
     const SceneFile file(scene(a_sensor + an_emitter +
                                "<shape type='Sphere'/>"
                                "<shape type='linearcurve'><string name='filename' value='a.txt'/></shape>"
-                               "<shape type='bsplinecurve'><string name='filename' value='a.txt'/></shape>"));
+                               "<shape type='bsplinecurve'><string name='filename' value='a.txt'/></shape>"
+                               "<shape type='linearcurve'><string name='filename' value='a.txt'/>"
+                               "<transform name='to_world'><scale value='2'/><translate x='5'/></transform>"
+                               "</shape>"));
     file.write("a.txt", "0 0 0 0.1\n0 0 1 0.1\n1 0 1 0.1\n1 0 0 0.1\n");
     const LoadedScene loaded = load_scene(file.scene(), {});
-    REQUIRE(loaded.scene.instances().size() == 3);
+    REQUIRE(loaded.scene.instances().size() == 4);
     const Mesh linear = load_curves(file / "a.txt", CurveKind::linear);
     const Mesh bspline = load_curves(file / "a.txt", CurveKind::bspline);
     CHECK(loaded.scene.instances()[1].mesh->positions.size() == linear.positions.size());
     CHECK(loaded.scene.instances()[2].mesh->positions.size() == bspline.positions.size());
+
+    // The points move, from 0 0 0 to 5 0 0 and from 0 0 1 to 5 0 2, and radii stay.
+    const Instance& moved = loaded.scene.instances()[3];
+    glm::dvec3 low(9), high(-9);
+    for (const glm::vec3& position : moved.mesh->positions) {
+        const glm::dvec3 at(moved.to_world * glm::dvec4(position, 1));
+        low = glm::min(low, at);
+        high = glm::max(high, at);
+    }
+    CHECK(glm::distance(low, glm::dvec3(4.9, -0.1, -0.1)) < 1e-3);
+    CHECK(glm::distance(high, glm::dvec3(7.1, 0.1, 2.1)) < 1e-3);
 }
