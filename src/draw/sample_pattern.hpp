@@ -74,8 +74,8 @@ inline constexpr int kMostDrawnSamples = 1024;
 [[nodiscard]] inline std::vector<glm::dvec2> sample_places(int samples, const ReconstructionFilter& filter) {
     const std::span<const glm::dvec2> together = sample_pattern(samples);
     if (!drawn_one_by_one(samples, filter)) return {together.begin(), together.end()};
-    std::vector<glm::dvec2> places;
-    for (int s = 0; s < samples; ++s) places.push_back(sample_place(s, samples));
+    std::vector<glm::dvec2> places(static_cast<std::size_t>(samples));
+    for (int s = 0; s < samples; ++s) places[static_cast<std::size_t>(s)] = sample_place(s, samples);
     return places;
 }
 

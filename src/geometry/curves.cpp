@@ -137,7 +137,7 @@ void add_ball(const ControlPoint& point, double v, Mesh& mesh) {
 }
 
 void add_linear(const Curve& curve, Mesh& mesh) {
-    const double segments = static_cast<double>(curve.size() - 1);
+    const auto segments = static_cast<double>(curve.size() - 1);
     for (std::size_t i = 0; i < curve.size(); ++i) {
         const double v = static_cast<double>(i) / segments;
         add_ball(curve[i], v, mesh);
