@@ -123,12 +123,12 @@ void add_tube(std::span<const Station> stations, Mesh& mesh) {
         }
 }
 
-// Adds a ball whose v is one number.
-void add_ball(const ControlPoint& point, double v, Mesh& mesh) {
-    Mesh ball = make_sphere(glm::dvec3(point), point.w, kDetailOfBall);
+// Adds a ball whose v is one number. ball: of radius 1 around 0.
+void add_ball(const Mesh& ball, const ControlPoint& point, double v, Mesh& mesh) {
     const auto first = static_cast<std::uint32_t>(mesh.positions.size());
     const auto first_texcoord = static_cast<std::uint32_t>(mesh.texcoords.size());
-    mesh.positions.insert(mesh.positions.end(), ball.positions.begin(), ball.positions.end());
+    for (const glm::vec3& position : ball.positions)
+        mesh.positions.emplace_back(glm::dvec3(point) + point.w * glm::dvec3(position));
     mesh.normals.insert(mesh.normals.end(), ball.normals.begin(), ball.normals.end());
     for (const glm::vec2& texcoord : ball.texcoords) mesh.texcoords.emplace_back(texcoord.x, v);
     for (const glm::uvec3& triangle : ball.triangles) mesh.triangles.push_back(first + triangle);
@@ -136,11 +136,11 @@ void add_ball(const ControlPoint& point, double v, Mesh& mesh) {
         mesh.texcoord_triangles.push_back(first_texcoord + triangle);
 }
 
-void add_linear(const Curve& curve, Mesh& mesh) {
+void add_linear(const Curve& curve, const Mesh& ball, Mesh& mesh) {
     const auto segments = static_cast<double>(curve.size() - 1);
     for (std::size_t i = 0; i < curve.size(); ++i) {
         const double v = static_cast<double>(i) / segments;
-        add_ball(curve[i], v, mesh);
+        add_ball(ball, curve[i], v, mesh);
         if (i == 0 || glm::dvec3(curve[i]) == glm::dvec3(curve[i - 1])) continue;
         const ControlPoint along = curve[i] - curve[i - 1];
         add_tube(std::array{Station{curve[i - 1], along, v - 1 / segments}, Station{curve[i], along, v}},
@@ -169,10 +169,11 @@ Mesh load_curves(const std::filesystem::path& file, CurveKind kind, const glm::d
     for (const Curve& curve : curves)
         vertices += linear ? of_point * curve.size() : of_row * (kRowsOfSegment * (curve.size() - 3) + 1);
     budget.take_mesh(file, vertices, 2 * vertices);
+    const Mesh ball = linear ? make_sphere(glm::dvec3(0), 1, kDetailOfBall) : Mesh();
     Mesh mesh;
     for (const Curve& curve : curves) {
         budget.step(64 * curve.size());
-        linear ? add_linear(curve, mesh) : add_bspline(curve, mesh);
+        linear ? add_linear(curve, ball, mesh) : add_bspline(curve, mesh);
     }
     return mesh;
 }
