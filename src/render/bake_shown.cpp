@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Bakes of vertices that the bake of a part has left out.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -13,12 +14,6 @@
 
 namespace nicol {
 
-bool SceneVisibility::found_for(const BakedImages& images) const {
-    if (!need_the_same(seen_from_, images.views)) return false;
-    return !seen_.sampled ||
-           (are_equal(seen_from_, images.views) && std::ranges::equal(seen_at_, images.samples));
-}
-
 Visibility SceneVisibility::bake_rest(const SceneGeometry& surfaces, BakeGeometry geometry,
                                       const BakeProgress& report, BakeStatistics& baked) const {
     std::vector<std::uint8_t> rest, room;
@@ -26,9 +21,7 @@ Visibility SceneVisibility::bake_rest(const SceneGeometry& surfaces, BakeGeometr
     geometry.needed = traced_of(surfaces.geometry(), rest, room);
     Visibility visibility = nicol::bake(geometry, *directions_, report, &baked);
     for (std::size_t v = 0; v < rest.size(); ++v) {
-        if (rest[v] != 0) continue;
-        std::ranges::copy(std::as_const(**baked_).at(v), visibility.at(v).begin());
-        visibility.set_unoccluded(v, (*baked_)->unoccluded(v));
+        if (rest[v] == 0) visibility.take(v, **baked_, v);
     }
     return visibility;
 }
@@ -63,14 +56,13 @@ void SceneVisibility::bake_shown(const SceneGeometry& surfaces, SurfaceRays& ray
         const Visibility more = nicol::bake(
             bake_geometry(surfaces, rays, traced_of(world, missing, room), options), *directions_,
             [&run](double fraction) { run.progress.report("bake", fraction); }, &baked);
-        const auto take = [&more](Visibility& visibility, std::size_t v, std::size_t i, bool shadowed) {
-            std::ranges::copy(more.at(i), visibility.at(v).begin());
-            visibility.set_unoccluded(v, more.unoccluded(i) && !shadowed);
-        };
         auto all = std::make_shared<Visibility>(**baked_), visible = std::make_shared<Visibility>(**visible_);
         for (std::size_t i = 0; i < given; ++i)
-            if (missing[i] != 0) take(*all, i, i, false);
-        for (const std::uint32_t v : changed) take(*visible, v, numbers_.source(v), shadow_all);
+            if (missing[i] != 0) all->take(i, more, i);
+        for (const std::uint32_t v : changed) {
+            visible->take(v, more, numbers_.source(v));
+            if (shadow_all) visible->set_unoccluded(v, false);
+        }
         const bool has_points = points_bake_ == baked_.version();
         baked_.change() = std::move(all);
         if (has_points) points_bake_ = baked_.version();

@@ -165,8 +165,7 @@ void ProgressiveBake::take_over(const Input& input, std::span<const std::uint32_
             return;
         }
         if (!in_place) {
-            std::ranges::copy(std::as_const(last).at(before), bits.begin());
-            visible_.set_unoccluded(v, last.unoccluded(before));
+            visible_.take(v, last, before);
             states_[v] = last_states[before];
             unoccluded_[v] = last_unoccluded[before];
             waits_[v] = last_waits[before];

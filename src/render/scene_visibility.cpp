@@ -206,6 +206,12 @@ void SceneVisibility::count_later_steps(double milliseconds) {
     if (progressive_) progressive_->count_later_steps(milliseconds);
 }
 
+bool SceneVisibility::found_for(const BakedImages& images) const {
+    if (!need_the_same(seen_from_, images.views)) return false;
+    return !seen_.sampled ||
+           (are_equal(seen_from_, images.views) && std::ranges::equal(seen_at_, images.samples));
+}
+
 bool SceneVisibility::bake(const SceneGeometry& surfaces, SurfaceRays& rays, const BakedImages& images,
                            const RenderOptions& options, Workers& workers, Progress& progress,
                            Statistics& statistics) {

@@ -44,9 +44,7 @@ void ShownVisibility::follow(std::shared_ptr<const Visibility> baked, std::span<
     if (std::ranges::find(lagging, 1) == lagging.end()) return;
     auto shown = std::make_shared<Visibility>(*baked);
     for (std::size_t v = 0; v < lagging.size(); ++v) {
-        if (lagging[v] == 0) continue;
-        std::ranges::copy(before->at(former[v]), shown->at(v).begin());
-        shown->set_unoccluded(v, before->unoccluded(former[v]));
+        if (lagging[v] != 0) shown->take(v, *before, former[v]);
     }
     shown_ = std::move(shown);
     lagging_ = std::move(lagging);

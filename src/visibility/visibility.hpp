@@ -2,6 +2,7 @@
 // Visibility of the environment at each vertex.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -52,6 +53,11 @@ public:
     /// Returns whether nothing above the vertex's horizon is blocked.
     [[nodiscard]] bool unoccluded(std::size_t vertex) const { return unoccluded_[vertex] != 0; }
     void set_unoccluded(std::size_t vertex, bool value) { unoccluded_[vertex] = value ? 1 : 0; }
+    /// Gives a vertex what another object, of as many directions, holds of its vertex `source`.
+    void take(std::size_t vertex, const Visibility& from, std::size_t source) {
+        std::ranges::copy(from.at(source), at(vertex).begin());
+        set_unoccluded(vertex, from.unoccluded(source));
+    }
     [[nodiscard]] std::size_t unoccluded_count() const;
 
     /// Returns the visibility of these vertices, in this order.
