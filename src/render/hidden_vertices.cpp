@@ -117,25 +117,23 @@ public:
            std::vector<std::uint8_t>& shown)
         : projection_(projection),
           size_(size_of(projection)),
-          width_(size_.x),
-          height_(size_.y),
-          farthest_(static_cast<std::size_t>(width_ * height_), std::numeric_limits<float>::infinity()) {
-        tbb::parallel_for(std::ptrdiff_t{0}, height_, [&](std::ptrdiff_t y) {
-            for (std::ptrdiff_t x = 0; x < width_; ++x) {
-                const Ray ray = pixel_ray(projection, size_.x, size_.y, static_cast<double>(x) + 0.5,
-                                          static_cast<double>(y) + 0.5);
+          farthest_(static_cast<std::size_t>(size_.x) * static_cast<std::size_t>(size_.y),
+                    std::numeric_limits<float>::infinity()) {
+        tbb::parallel_for(0, size_.y, [&](int y) {
+            for (int x = 0; x < size_.x; ++x) {
+                const Ray ray = pixel_ray(projection, size_.x, size_.y, x + 0.5, y + 0.5);
                 const std::optional<RayHit> hit = rays.intersect(ray);
                 if (!hit) continue;
                 const glm::uvec3& corners = geometry.triangles[hit->triangle];
                 set(shown, corners);
                 // Other rays may pass where an alpha mask has stopped this one.
                 if (opacity_of(*geometry.ranges[range_of(geometry, corners.x)].material) != nullptr) continue;
-                at(x, y) =
+                farthest_[index(x, y)] =
                     static_cast<float>(hit->distance * glm::dot(ray.direction, projection.view.forward));
             }
         });
-        spread(1, width_, height_);
-        spread(width_, height_, width_);
+        spread(1, size_.x, size_.y);
+        spread(size_.x, size_.y, size_.x);
     }
 
     // Returns whether a point is behind all that rays meet around it.
@@ -144,20 +142,19 @@ public:
         if (!place || !(place->x >= 0 && place->y >= 0 && place->x < size_.x && place->y < size_.y))
             return false;
         const double depth = glm::dot(glm::dvec3(point) - projection_.view.eye, projection_.view.forward);
-        const auto index =
-            static_cast<std::ptrdiff_t>(place->y) * width_ + static_cast<std::ptrdiff_t>(place->x);
-        return static_cast<float>(depth) * (1 - kBehind) > farthest_[static_cast<std::size_t>(index)];
+        const std::size_t pixel = index(static_cast<int>(place->x), static_cast<int>(place->y));
+        return static_cast<float>(depth) * (1 - kBehind) > farthest_[pixel];
     }
 
 private:
-    [[nodiscard]] float& at(std::ptrdiff_t x, std::ptrdiff_t y) {
-        return farthest_[static_cast<std::size_t>(y * width_ + x)];
+    [[nodiscard]] std::size_t index(int x, int y) const {
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(size_.x) + static_cast<std::size_t>(x);
     }
 
     // Replaces each distance by the largest one in reach along lines of `length` pixels that are `step`
     // apart.
     void spread(std::ptrdiff_t step, std::ptrdiff_t length, std::ptrdiff_t lines) {
-        const std::ptrdiff_t between = step == 1 ? width_ : 1;
+        const std::ptrdiff_t between = step == 1 ? size_.x : 1;
         tbb::parallel_for(std::ptrdiff_t{0}, lines, [&](std::ptrdiff_t line) {
             std::vector<float> values(static_cast<std::size_t>(length));
             float* const first = farthest_.data() + line * between;
@@ -172,7 +169,6 @@ private:
 
     const Projection& projection_;
     glm::ivec2 size_;
-    std::ptrdiff_t width_, height_;
     std::vector<float> farthest_;  // row by row; infinite without a surface
 };
 

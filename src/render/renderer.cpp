@@ -181,8 +181,7 @@ RenderWork Renderer::bake(const Scene& scene, const RenderOptions& options, Comm
     within_limit.max_vertices = memory_limit_.max_vertices(options);
     RenderRun run{.workers = workers_, .progress = progress, .statistics = statistics};
     std::vector<glm::dvec2> samples;
-    if (shades_samples(options) &&
-        device_for(wanted_executor(scene, options), *context_).executor == Executor::cpu)
+    if (shades_samples(options) && executor_for(scene, options).reads_hits_on_host())
         samples = sample_places(options.pixel_samples, options.filter);
     pipeline_.bake(scene, common.views, samples, within_limit, run);
     memory_limit_.refined(pipeline_.surfaces().geometry().positions.size());
