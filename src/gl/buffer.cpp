@@ -89,7 +89,7 @@ void Buffer::read(std::size_t offset, std::span<std::byte> data) const {
 }
 
 void Buffer::bind_storage(unsigned binding, std::size_t offset, std::size_t bytes) const {
-    const GladGLContext& gl = functions(*context(), "Buffer::bind_storage");
+    std::ignore = functions(*context(), "Buffer::bind_storage");
     const Limits& limits = context()->limits();
     require_range("Buffer::bind_storage", offset, bytes);
     const auto refuse = [](const std::string& text) {
@@ -105,14 +105,9 @@ void Buffer::bind_storage(unsigned binding, std::size_t offset, std::size_t byte
         refuse("the offset " + std::to_string(offset) + " is not a multiple of " +
                std::to_string(limits.storage_alignment));
     if (HostState* const host = context()->state().host_state) host->prepare_storage(binding);
-    std::vector<Context::State::StorageRange>& bound = context()->state().storages;
-    if (bound.size() <= binding) bound.resize(binding + std::size_t{1});
-    const Context::State::StorageRange range{.buffer = id(), .offset = offset, .bytes = bytes};
-    if (bound[binding] == range) return;
-    gl.BindBufferRange(GL_SHADER_STORAGE_BUFFER, binding, id(), static_cast<GLintptr>(offset),
-                       static_cast<GLsizeiptr>(bytes));
-    context()->state().check_command("Buffer::bind_storage");
-    bound[binding] = range;
+    std::vector<Context::State::StorageBinding>& bindings = context()->state().storages;
+    if (bindings.size() <= binding) bindings.resize(binding + std::size_t{1});
+    bindings[binding].wanted = {.buffer = id(), .offset = offset, .bytes = bytes};
 }
 
 IndexBuffer::IndexBuffer(std::shared_ptr<Context> context, std::span<const std::uint32_t> indices)

@@ -31,9 +31,9 @@ public:
     void update(std::size_t offset, std::span<const std::byte> data);
     /// Copies out data.size() bytes from `offset`, after all commands that write them are done.
     void read(std::size_t offset, std::span<std::byte> data) const;
-    /// Binds `bytes` from `offset` as shader storage buffer `binding`. The offset must be a multiple of
-    /// Limits::storage_alignment and the range at most Limits::storage_bytes; therefore large data is bound
-    /// in chunks.
+    /// Binds `bytes` from `offset` as shader storage buffer `binding` of later commands. The offset must be a
+    /// multiple of Limits::storage_alignment and the range at most Limits::storage_bytes; therefore large
+    /// data is bound in chunks.
     void bind_storage(unsigned binding, std::size_t offset, std::size_t bytes) const;
     void bind_storage(unsigned binding) const { bind_storage(binding, 0, size_); }
 

@@ -16,6 +16,7 @@ namespace {
 
 void use(const Program& program) {
     Context::State& state = program.context()->state();
+    state.bind_storages();
     if (state.used_program == program.id()) return;
     state.gl.UseProgram(program.id());
     state.used_program = program.id();
@@ -111,18 +112,18 @@ void dispatch(const Program& program, unsigned x, unsigned y, unsigned z) {
     use(program);
     gl.DispatchCompute(x, y, z);
     Context::State& context = program.context()->state();
-    if (!context.independent_dispatches) gl.MemoryBarrier(GL_ALL_BARRIER_BITS);
+    if (context.independent_dispatches == 0) gl.MemoryBarrier(GL_ALL_BARRIER_BITS);
     context.check_command("dispatching " + program.label());
 }
 
 IndependentDispatches::IndependentDispatches(Context& context) : context_(context) {
     std::ignore = functions(context_, "IndependentDispatches");
-    context_.state().independent_dispatches = true;
+    ++context_.state().independent_dispatches;
 }
 
 IndependentDispatches::~IndependentDispatches() {
-    context_.state().independent_dispatches = false;
-    context_.state().gl.MemoryBarrier(GL_ALL_BARRIER_BITS);
+    if (--context_.state().independent_dispatches == 0)
+        context_.state().gl.MemoryBarrier(GL_ALL_BARRIER_BITS);
 }
 
 }  // namespace nicol::gl

@@ -45,7 +45,7 @@ void texture_barrier(Context& context);
 void dispatch(const Program& program, unsigned x, unsigned y = 1, unsigned z = 1);
 
 /// Lets dispatches run at the same time while it lives: none of them may read or write what another one
-/// writes. Their writes are visible to all commands that follow it.
+/// writes. Their writes are visible to all commands that follow it, or that follow one that encloses it.
 class IndependentDispatches {
 public:
     explicit IndependentDispatches(Context& context);

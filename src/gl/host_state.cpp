@@ -75,6 +75,10 @@ void HostState::prepare_drawing() {
     if (restoring_) save_what_draws_set();
     set_rasterisation();
     set_viewport();
+    if (!restoring_) {
+        gl_.Disable(GL_BLEND);
+        return gl_.BlendFunc(GL_ONE, GL_ZERO);
+    }
     for (GLuint i = 0; i < kDrawBuffers; ++i) set_draw_buffer(i);
     for (GLuint i = 0; i < kBlendedBuffers; ++i) set_blend_functions(i);
 }
@@ -141,7 +145,6 @@ void HostState::set_viewport() {
 }
 
 void HostState::set_draw_buffer(GLuint index) {
-    if (!restoring_) return gl_.Disablei(GL_BLEND, index);
     std::array<GLboolean, 4> mask{};
     gl_.GetBooleani_v(GL_COLOR_WRITEMASK, index, mask.data());
     restore([this, index, mask] { gl_.ColorMaski(index, mask[0], mask[1], mask[2], mask[3]); });
@@ -152,7 +155,6 @@ void HostState::set_draw_buffer(GLuint index) {
 }
 
 void HostState::set_blend_functions(GLuint index) {
-    if (!restoring_) return gl_.BlendFunci(index, GL_ONE, GL_ZERO);
     std::array<GLenum, 4> functions{GL_BLEND_SRC_RGB, GL_BLEND_DST_RGB, GL_BLEND_SRC_ALPHA,
                                     GL_BLEND_DST_ALPHA};
     for (GLenum& function : functions) {

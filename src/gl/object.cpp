@@ -70,7 +70,6 @@ Object::Object(std::shared_ptr<Context> context, ObjectKind kind, unsigned detai
     : context_(std::move(context)), kind_(kind) {
     if (!context_) throw Error(ErrorCode::invalid_argument, "an OpenGL object needs a context, not null");
     id_ = make(functions(*context_, "making an OpenGL object"), kind_, detail);
-    context_->state().forget(kind_, id_);
     if (id_ == 0) {
         context_->state().check("making an OpenGL object");
         throw Error(ErrorCode::opengl, "the driver made no OpenGL object");
@@ -122,14 +121,14 @@ void Object::drop() noexcept {
     if (!owned_) {
         // The owner deletes it.
     } else if (context_->on_thread()) {
-        delete_object(state.gl, kind_, id_);
+        state.remove(kind_, id_);
     } else if (state.host) {
         state.host->remove(state, kind_, id_);
     } else {
         // The worker's thread deletes the object asynchronously, before its next job and before it ends. The
         // thread keeps the state alive.
         try {
-            state.worker.post([&state, kind = kind_, id = id_] { delete_object(state.gl, kind, id); });
+            state.worker.post([&state, kind = kind_, id = id_] { state.remove(kind, id); });
         } catch (...) {
             // There is no memory for the job, so the object stays until its context is destroyed.
         }

@@ -167,11 +167,38 @@ void Context::State::check(std::string_view what) {
     throw Error(memory ? ErrorCode::out_of_memory : ErrorCode::opengl, text);
 }
 
-void Context::State::forget(ObjectKind kind, GLuint id) noexcept {
+void Context::State::remove(ObjectKind kind, GLuint id) noexcept {
+    delete_object(gl, kind, id);
     if (kind == ObjectKind::program && used_program == id) used_program = 0;
     if (kind != ObjectKind::buffer) return;
-    for (StorageRange& range : storages)
-        if (range.buffer == id) range = {};
+    for (StorageBinding& binding : storages)
+        for (StorageRange* const range : {&binding.wanted, &binding.bound})
+            if (range->buffer == id) *range = {};
+}
+
+void Context::State::bind_storages() {
+    std::vector<GLuint> buffers;
+    std::vector<GLintptr> offsets;
+    std::vector<GLsizeiptr> sizes;
+    for (std::size_t first = 0; first < storages.size(); ++first) {
+        if (storages[first].wanted == storages[first].bound) continue;
+        buffers.clear();
+        offsets.clear();
+        sizes.clear();
+        for (std::size_t i = first; i < storages.size() && storages[i].wanted.buffer != 0; ++i) {
+            const StorageRange& range = storages[i].bound = storages[i].wanted;
+            buffers.push_back(range.buffer);
+            offsets.push_back(static_cast<GLintptr>(range.offset));
+            sizes.push_back(static_cast<GLsizeiptr>(range.bytes));
+        }
+        if (buffers.empty()) {  // the buffer is gone, and what is bound there is not read
+            storages[first].bound = {};
+            continue;
+        }
+        gl.BindBuffersRange(GL_SHADER_STORAGE_BUFFER, static_cast<GLuint>(first),
+                            static_cast<GLsizei>(buffers.size()), buffers.data(), offsets.data(),
+                            sizes.data());
+    }
 }
 
 GLint Context::State::integer(GLenum name) const {

@@ -28,11 +28,17 @@ class HostState;
 /// State shared by the Context and its thread, so that either may end first. Only the thread uses it, apart
 /// from the worker, the memory account and members that are constant after open().
 struct Context::State {
-    /// A bound part of a storage buffer.
+    /// A part of a storage buffer.
     struct StorageRange {
         GLuint buffer = 0;
         std::size_t offset = 0, bytes = 0;
         bool operator==(const StorageRange&) const = default;
+    };
+    /// A storage binding: what it shall have, and what OpenGL has there; empty where a host may have bound
+    /// others.
+    struct StorageBinding {
+        StorageRange wanted;
+        StorageRange bound;
     };
 
     Worker worker;  ///< worker of a context of our own
@@ -44,18 +50,18 @@ struct Context::State {
     Limits limits;
     std::vector<FailedAttempt> failed_attempts;
     std::array<std::atomic<std::size_t>, 5> bytes{};
-    MemoryMonitor memory_monitor;        ///< set before the first object is made
-    bool compatibility = false;          ///< whether a host's context has the compatibility profile
-    GLuint empty_vertex_array = 0;       ///< core profiles cannot draw without a vertex array
-    GLuint condition = 0;                ///< a query that tests for conditional rendering in a host's context
-    GLint clip_distances = 0;            ///< number of a host's clip distances
-    HostState* host_state = nullptr;     ///< a host's state during a visit; null in a context of our own
-    bool validates = true;               ///< whether check_command() asks at once
-    bool unchecked = false;              ///< whether commands were given since the last check()
-    std::vector<std::string> messages;   ///< messages of KHR_debug since the last check()
-    std::vector<StorageRange> storages;  ///< bound by us; empty where a host may have bound others
-    GLuint used_program = 0;             ///< set by us; 0 where a host may have set another
-    bool independent_dispatches = false;
+    MemoryMonitor memory_monitor;       ///< set before the first object is made
+    bool compatibility = false;         ///< whether a host's context has the compatibility profile
+    GLuint empty_vertex_array = 0;      ///< core profiles cannot draw without a vertex array
+    GLuint condition = 0;               ///< a query that tests for conditional rendering in a host's context
+    GLint clip_distances = 0;           ///< number of a host's clip distances
+    HostState* host_state = nullptr;    ///< a host's state during a visit; null in a context of our own
+    bool validates = true;              ///< whether check_command() asks at once
+    bool unchecked = false;             ///< whether commands were given since the last check()
+    std::vector<std::string> messages;  ///< messages of KHR_debug since the last check()
+    std::vector<StorageBinding> storages;
+    GLuint used_program = 0;         ///< set by us; 0 where a host may have set another
+    int independent_dispatches = 0;  ///< number of IndependentDispatches that live
     std::filesystem::path programs;  ///< folder of linked programs; empty: no cache
     ProgramNotices program_notices;
 
@@ -71,9 +77,11 @@ struct Context::State {
     /// latest at the end of the visit.
     void check_command(std::string_view what);
     [[nodiscard]] GLint integer(GLenum name) const;
-    /// Takes a new object as not bound: a driver may give it the name of one that was bound until it was
-    /// deleted.
-    void forget(ObjectKind kind, GLuint id) noexcept;
+    /// Deletes an object, which is bound nowhere from then on: a driver may give its name to a new one.
+    void remove(ObjectKind kind, GLuint id) noexcept;
+    /// Binds what Buffer::bind_storage() asked for since the last dispatch or draw, neighbours by one
+    /// command.
+    void bind_storages();
 
 private:
     void load(Backend backend, const std::string& device);

@@ -1,21 +1,58 @@
 // SPDX-License-Identifier: MIT
-// Buffers of compute shaders with one invocation per vertex.
+// Buffers of compute shaders with one invocation per vertex and channel.
 #pragma once
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "gl/buffer.hpp"
+#include "gl/context.hpp"
+#include "gl/draw.hpp"
 
 namespace nicol::gl {
 
 /// Granularity of work groups and chunks, in vertices. A chunk of whole multiples begins at an offset where a
 /// buffer with any number of floats per vertex can be bound.
 inline constexpr std::size_t kGroupOfVertices = 64;
+
+/// Returns the number of vertices in as many whole groups as hold `vertices`.
+[[nodiscard]] inline std::size_t in_whole_groups(std::size_t vertices) {
+    return (vertices + kGroupOfVertices - 1) / kGroupOfVertices * kGroupOfVertices;
+}
+
+/// Channels of one dispatch, which are its work groups in z.
+struct ChannelGroup {
+    int first;
+    int count;
+};
+
+/// Returns how many channels a dispatch takes: as many as fit into one binding and into `room` bytes, at
+/// least one. bytes: largest distance between channels in the buffers that are bound.
+[[nodiscard]] inline int channels_at_once(const Context& context, int channels, std::size_t bytes,
+                                          std::size_t room = std::numeric_limits<std::size_t>::max()) {
+    const std::size_t fit = std::min(room, context.limits().storage_bytes) / bytes;
+    return static_cast<int>(std::clamp(fit, std::size_t{1}, static_cast<std::size_t>(channels)));
+}
+
+/// Calls run(ChannelGroup) for all channels, `most` at once.
+template <class Run>
+void for_channels(int channels, int most, const Run& run) {
+    for (int first = 0; first < channels; first += most)
+        run(ChannelGroup{.first = first, .count = std::min(most, channels - first)});
+}
+
+/// Calls run(ChannelGroup) for all channels, as many at once as fit into one binding. bytes: as for
+/// channels_at_once(). All dispatches may run at the same time.
+template <class Run>
+void for_independent_channels(Context& context, int channels, std::size_t bytes, const Run& run) {
+    const IndependentDispatches all(context);
+    for_channels(channels, channels_at_once(context, channels, bytes), run);
+}
 
 /// Binds two to four floats per vertex from the largest whole group not above `first`; returns the first
 /// vertex of that group.
@@ -29,7 +66,7 @@ inline constexpr std::size_t kGroupOfVertices = 64;
 
 /// Returns the number of work groups for a number of invocations.
 [[nodiscard]] inline unsigned groups_for(std::size_t invocations) {
-    return static_cast<unsigned>((invocations + kGroupOfVertices - 1) / kGroupOfVertices);
+    return static_cast<unsigned>(in_whole_groups(invocations) / kGroupOfVertices);
 }
 
 /// Makes a storage buffer with a copy of `elements`.
