@@ -13,9 +13,8 @@ layout(std430, binding = 2) readonly buffer Visibility { float visibility[]; }; 
 layout(std430, binding = 3) readonly buffer Lobe { float lobe[]; };
 layout(std430, binding = 4) writeonly buffer Fractions { vec2 fractions[]; };    // (lobe, base)
 
-uniform int first;  // first vertex, in the bound part of the scene
-uniform int count;
-uniform int visibility_first;
+// First vertex in the bound part of the scene, first vertex of the bound visibility, number of vertices.
+uniform ivec3 vertices;
 uniform int stride;
 uniform int visibility_order;
 
@@ -61,10 +60,10 @@ vec2 visible_fractions(vec3 d, int vertex) {
 
 void main() {
     int i = int(gl_GlobalInvocationID.x);
-    if (i >= count) return;
-    int v = first + i;
+    if (i >= vertices.z) return;
+    int v = vertices.x + i;
     vec3 normal = vec3(normals[3 * v], normals[3 * v + 1], normals[3 * v + 2]);
     vec3 view = towards_camera(vec3(positions[3 * v], positions[3 * v + 1], positions[3 * v + 2]));
     vec3 d = reflect(facing_view(normal, view, camera_x(view)), normal);
-    fractions[v] = visible_fractions(d * theta_phi_frame(normal), visibility_first + i);
+    fractions[v] = visible_fractions(d * theta_phi_frame(normal), vertices.y + i);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The shade step at pixels: interpolates numbers of vertices at points of triangles. One invocation per point
-// and number.
+// The shade step at pixels: interpolates numbers of vertices at points of triangles. One invocation per point,
+// number and channel.
 #version 450 core
 
 #include "pixel_points.glsl"
@@ -17,7 +17,9 @@ uniform int count;
 uniform int first_vertex;  // first bound vertex
 uniform int last_vertex;   // end of the bound vertices; other vertices add nothing
 uniform bool add;          // whether to add to the existing values
-// Steps from a number to the next, and from a vertex or point to the next.
+// Steps from a channel to the next, from a number to the next, and from a vertex or point to the next.
+uniform int from_channel;
+uniform int to_channel;
 uniform int from_number;
 uniform int from_vertex;
 uniform int to_number;
@@ -30,12 +32,14 @@ void main() {
     uint corner = 3u * points[i].triangle;
     vec2 weight = weights[i];
     float of_corner[3] = float[3](1.0 - weight.x - weight.y, weight.x, weight.y);
-    int result = number * to_number + i * to_point;
+    int channel = int(gl_GlobalInvocationID.z);
+    int source = channel * from_channel + number * from_number;
+    int result = channel * to_channel + number * to_number + i * to_point;
     float sum = add ? to[result] : 0.0;
     for (int k = 0; k < 3; ++k) {
         int v = int(corners[corner + uint(k)]);
         if (v >= first_vertex && v < last_vertex)
-            sum += of_corner[k] * from[number * from_number + (v - first_vertex) * from_vertex];
+            sum += of_corner[k] * from[source + (v - first_vertex) * from_vertex];
     }
     to[result] = sum;
 }

@@ -19,6 +19,9 @@ layout(std430, binding = 2) readonly buffer Entries { ivec4 entries[]; };
 uniform int first;   // first point, in the bound normals
 uniform int count;
 uniform int stride;  // number of points in the output
+// Steps from a channel to the next, in the light and in the fields between both passes.
+uniform int light_step;
+uniform int fields_step;
 uniform int order;
 uniform bool back;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The shade step: dot product of the light of vertices and the rows of a table at the view direction. One
-// invocation per vertex.
+// invocation per vertex and channel.
 #version 450 core
 
 #include "complex.glsl"
@@ -10,17 +10,20 @@ layout(local_size_x = 64) in;
 
 layout(std430, binding = 0) readonly buffer Positions { float positions[]; };
 layout(std430, binding = 1) readonly buffer Normals { float normals[]; };
-layout(std430, binding = 2) readonly buffer Light { float light[]; };  // [number][vertex]
-// [angle][s0, s1, s2, s3][pairing][pair]
+layout(std430, binding = 2) readonly buffer Light { float light[]; };  // [channel][number][vertex]
+// [channel][angle][s0, s1, s2, s3][pairing][pair]
 layout(std430, binding = 3) readonly buffer Table { float table[]; };
-layout(std430, binding = 4) writeonly buffer Result { vec4 result[]; };
+layout(std430, binding = 4) writeonly buffer Result { vec4 result[]; };  // [channel][vertex]
 // Runs (LightLayout::Run) by |m|: first even and odd number of the light, count, sign * m.
 layout(std430, binding = 5) readonly buffer Runs { ivec4 runs[]; };
 
-uniform int first;        // first vertex, in the bound part of the scene
-uniform int light_first;  // first vertex in the bound light
-uniform int count;
+// First point in the bound part of the scene, first point in the bound light, number of points.
+uniform ivec3 points;
 uniform int stride;       // number of vertices in the light
+// Steps from a channel to the next; 0: one for all channels.
+uniform int light_step;
+uniform int table_step;
+uniform int result_step;
 uniform int row_size;     // numbers of all pairings
 uniform int pairs;        // numbers of one pairing
 uniform int runs_of_row;
@@ -30,13 +33,14 @@ uniform bool makes_circular;
 
 void main() {
     int i = int(gl_GlobalInvocationID.x);
-    if (i >= count) return;
-    int v = first + i;
+    if (i >= points.z) return;
+    int channel = int(gl_GlobalInvocationID.z);
+    int v = points.x + i;
     VertexView view = view_from_camera(vec3(positions[3 * v], positions[3 * v + 1], positions[3 * v + 2]),
                                        vec3(normals[3 * v], normals[3 * v + 1], normals[3 * v + 2]));
     TablePosition at = position_in(view, angles);
-    int vertex = light_first + i;
-    int low = 4 * row_size * at.angle;
+    int vertex = channel * light_step + points.y + i;
+    int low = channel * table_step + 4 * row_size * at.angle;
     int high = low + 4 * row_size;
 
     vec4 stokes = vec4(0.0);
@@ -63,5 +67,5 @@ void main() {
             }
         }
     }
-    result[v] = in_camera_frame(view, stokes);
+    result[channel * result_step + v] = in_camera_frame(view, stokes);
 }

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // The relight step: multiplies the light of shadowed vertices by their visibility, at a row and column and
-// its three images. One invocation per shadowed vertex, Stokes component and point.
+// its three images. One invocation per shadowed vertex, Stokes component and point, and channel.
 #version 450 core
 
 layout(local_size_x = 64) in;
 
 // [block][point][phi, -phi, pi - phi, pi + phi][16 vertices], 16 bits each
 layout(std430, binding = 0) readonly buffer Samples { uint samples[]; };
-// [Stokes component][even, odd part][cosines of even, odd m, sines of even, odd m][point][shadowed vertex]
+// [channel][Stokes component][even, odd part][cosines of even, odd m, sines of even, odd m][point][shadowed vertex]
 layout(std430, binding = 1) buffer Light { float light[]; };
 
 uniform int first;              // first shadowed vertex
@@ -16,6 +16,7 @@ uniform int first_block;        // first block of the bound samples
 uniform int samples_of_vertex;
 uniform int points;
 uniform int stride;             // number of vertices in the light
+uniform int light_step;         // from a channel to the next
 uniform float scale;
 
 float visibility(int number, int lane) {
@@ -49,7 +50,8 @@ void main() {
     int component = int(gl_GlobalInvocationID.y) / points;
     int point = int(gl_GlobalInvocationID.y) - component * points;
     int step = points * stride;
-    int even = 8 * component * step + point * stride + i;
+    int channel = int(gl_GlobalInvocationID.z);
+    int even = channel * light_step + 8 * component * step + point * stride + i;
     int odd = even + 4 * step;
 
     int s = first + i;

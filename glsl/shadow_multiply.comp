@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The relight step: multiplies the light of shadowed vertices by their symmetric shadow matrices. One
-// invocation per shadowed vertex and row.
+// invocation per shadowed vertex and row, and channel.
 #version 450 core
 
 layout(local_size_x = 64) in;
@@ -8,10 +8,10 @@ layout(local_size_x = 64) in;
 layout(std430, binding = 0) readonly buffer Vertices { uint vertices[]; };
 // [block][pair of elements][16 vertices], 16 bits each: the elements of shadow_elements().
 layout(std430, binding = 1) readonly buffer Numbers { uint numbers[]; };
-layout(std430, binding = 2) readonly buffer Light { float light[]; };       // [number][vertex]
+layout(std430, binding = 2) readonly buffer Light { float light[]; };       // [channel][number][vertex]
 // First element, row, size, first column
 layout(std430, binding = 3) readonly buffer Rows { ivec4 rows[]; };
-layout(std430, binding = 4) writeonly buffer Product { float product[]; };  // [row][shadowed vertex]
+layout(std430, binding = 4) writeonly buffer Product { float product[]; };  // [channel][row][shadowed vertex]
 
 uniform int first;             // first shadowed vertex
 uniform int count;             // number of shadowed vertices
@@ -19,6 +19,7 @@ uniform int first_block;       // first block of the bound numbers
 uniform int numbers_of_block;  // numbers of one vertex
 uniform int first_vertex;      // first vertex of the bound light
 uniform int stride;            // number of vertices in light and product
+uniform int light_step;        // from a channel to the next, in light and product
 uniform float scale;
 
 // Returns the place of an element, row <= column: by tiles of four rows, within a tile by columns, then rows.
@@ -36,11 +37,13 @@ void main() {
     int v = int(vertices[s]) - first_vertex;
     ivec4 row = rows[gl_GlobalInvocationID.y];
     int block = (s / 16 - first_block) * numbers_of_block + row.x;
+    int channel = int(gl_GlobalInvocationID.z) * light_step;
     float sum = 0.0;
     for (int c = 0; c < row.z; ++c) {
         int number = block + element(min(row.y, c), max(row.y, c), row.z);
         int pair = int(numbers[(number >> 1) * 16 + s % 16]);
-        sum += float(bitfieldExtract(pair, 16 * (number & 1), 16)) * light[(row.w + c) * stride + v];
+        sum += float(bitfieldExtract(pair, 16 * (number & 1), 16)) *
+               light[channel + (row.w + c) * stride + v];
     }
-    product[int(gl_GlobalInvocationID.y) * stride + i] = scale * sum;
+    product[channel + int(gl_GlobalInvocationID.y) * stride + i] = scale * sum;
 }

@@ -211,10 +211,12 @@ void Painter::bind_vertices(VertexBuffers& buffers, int channels) {
     for (std::size_t g = 0; g < groups_.size(); ++g) {
         std::vector<gl::Attribute> attributes{
             {.location = 0, .components = 3, .buffer = buffers.positions()}};
+        const StokesBuffer& stokes = buffers.stokes();
         for (int c = 0; c < group_size(channels, g); ++c) {
             attributes.push_back({.location = static_cast<unsigned>(1 + c),
                                   .components = 4,
-                                  .buffer = buffers.stokes(static_cast<int>(g) * Framebuffer::kGroup + c)});
+                                  .buffer = stokes.buffer(),
+                                  .offset = stokes.offset(static_cast<int>(g) * Framebuffer::kGroup + c)});
         }
         groups_[g].vertices.emplace(context_, attributes, buffers.indices());
     }

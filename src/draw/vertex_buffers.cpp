@@ -52,7 +52,7 @@ void CornerBuffers::update(const WorldGeometry& geometry, Version geometry_versi
 void VertexBuffers::update(const WorldGeometry& geometry, Version geometry_version, int channels) {
     sizing_.run(geometry_version, channels, [&] {
         version_ = new_version();
-        stokes_.clear();
+        stokes_.reset();
         placing_.run(geometry_version, [&] {
             indices_.reset();
             positions_.reset();
@@ -66,17 +66,16 @@ void VertexBuffers::update(const WorldGeometry& geometry, Version geometry_versi
             indices_ = std::make_shared<gl::IndexBuffer>(
                 context_, std::span(&triangles.front().x, 3 * triangles.size()));
         });
-        for (int c = 0; !empty() && c < channels; ++c) {
-            stokes_.push_back(std::make_shared<gl::Buffer>(context_, gl::BufferUse::vertex,
-                                                           geometry.positions.size() * sizeof(glm::vec4),
-                                                           gl::BufferUpdate::dynamic));
-        }
+        if (!empty())
+            stokes_.emplace(context_, gl::BufferUse::vertex, gl::BufferUpdate::dynamic,
+                            geometry.positions.size(), channels);
     });
 }
 
 void VertexBuffers::upload(const VertexStokes& stokes) {
-    for (std::size_t c = 0; c < stokes_.size(); ++c) {
-        stokes_[c]->update(0, std::as_bytes(std::span(stokes[c])));
+    for (int c = 0; stokes_ && c < stokes_->channels(); ++c) {
+        const std::span<const glm::vec4> channel(stokes[static_cast<std::size_t>(c)]);
+        stokes_->buffer()->update(stokes_->offset(c), std::as_bytes(channel));
     }
 }
 

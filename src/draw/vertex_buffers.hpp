@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "draw/stokes_buffer.hpp"
 #include "gl/buffer.hpp"
 #include "gl/program.hpp"
 #include "methods/transfer_input.hpp"
@@ -64,10 +65,7 @@ public:
     [[nodiscard]] const std::shared_ptr<const gl::Buffer>& positions() const noexcept { return positions_; }
     /// Returns the normals, three floats per vertex. Uploaded on first use.
     [[nodiscard]] const std::shared_ptr<const gl::Buffer>& normals(const WorldGeometry& geometry);
-    /// Returns the Stokes vectors of a channel, one vec4 per vertex.
-    [[nodiscard]] const std::shared_ptr<gl::Buffer>& stokes(int channel) const {
-        return stokes_[static_cast<std::size_t>(channel)];
-    }
+    [[nodiscard]] const StokesBuffer& stokes() const { return stokes_.value(); }
     /// Returns the visible fractions of the lobes of high orders, one vec2 per vertex. Made on first use.
     [[nodiscard]] const std::shared_ptr<gl::Buffer>& fractions();
 
@@ -83,7 +81,7 @@ private:
     std::shared_ptr<const gl::IndexBuffer> indices_;
     std::shared_ptr<const gl::Buffer> positions_;
     std::shared_ptr<const gl::Buffer> normals_;
-    std::vector<std::shared_ptr<gl::Buffer>> stokes_;
+    std::optional<StokesBuffer> stokes_;
     std::shared_ptr<gl::Buffer> fractions_;
 };
 

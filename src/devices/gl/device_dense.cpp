@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "gl/draw.hpp"
+#include "gl/storage.hpp"
 
 namespace nicol {
 
@@ -60,22 +61,31 @@ void DeviceDense::multiply(const TransferInput& input, Piece& piece) {
     program_->set("used_rows", static_cast<int>(piece.light.coefficients()));
     program_->set("columns", static_cast<int>(columns.size()));
     program_->set("channels", channels);
+    program_->set("one_matrix", channels == 1 ? 1 : 0);
+    const std::size_t step = gl::in_whole_groups(columns.size());
     std::vector<float> world;
-    const gl::IndependentDispatches of_channels(*context_);
-    for (int c = 0; c < piece.light.channels(); ++c) {
-        world.clear();
-        const std::span<const double> from = input.light.channel(input.light.channels() == 1 ? 0 : c);
+    for (int c = 0; c < input.light.channels(); ++c) {
+        const std::span<const double> from = input.light.channel(c);
+        world.resize(static_cast<std::size_t>(c) * step);
         for (const std::size_t column : columns) world.push_back(static_cast<float>(from[column]));
-        const gl::Buffer values(context_, gl::BufferUse::storage, std::as_bytes(std::span(world)));
-        piece.matrices.bind_storage(0);
-        values.bind_storage(1);
-        piece.light.bind(2, c);
-        program_->set("channel", channels == 1 ? 0 : c);
-        gl::dispatch(*program_, gl::groups_for(piece.light.count() * static_cast<std::size_t>(piece.rows)));
     }
+    const gl::Buffer values = gl::storage(context_, world);
+    piece.matrices.bind_storage(0);
+    values.bind_storage(1);
+    program_->set("world_step", input.light.channels() == 1 ? 0 : static_cast<int>(step));
+    program_->set("light_step", static_cast<int>(piece.light.channel_step()));
+    gl::for_independent_channels(
+        *context_, piece.light.channels(), piece.light.channel_bytes(), [&](gl::ChannelGroup some) {
+            program_->set("first_channel", some.first);
+            piece.light.bind(2, some);
+            gl::dispatch(*program_,
+                         gl::groups_for(piece.light.count() * static_cast<std::size_t>(piece.rows)), 1,
+                         static_cast<unsigned>(some.count));
+        });
 }
 
 void DeviceDense::shade(DeviceShade& shade, const DevicePoints& vertices) {
+    const gl::IndependentDispatches of_pieces(*context_);
     for (const Piece& piece : pieces_)
         shade.run(*piece.table, piece.light, piece.light.first(), piece.light.last(), vertices);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "devices/gl/device_factored.hpp"
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -44,11 +45,9 @@ DeviceShadowMatrices::DeviceShadowMatrices(const std::shared_ptr<gl::Context>& c
 }
 
 void DeviceShadowMatrices::run(DeviceLight& light) {
-    const std::size_t bytes = light.coefficients() * light.stride() * sizeof(float);
-    if (!product_ || product_->size() < bytes) {
-        product_.reset();
-        product_.emplace(context_, gl::BufferUse::storage, bytes, gl::BufferUpdate::fixed);
-    }
+    const int most =
+        gl::channels_at_once(*context_, light.channels(), light.channel_bytes(), DeviceLight::kWorkBytes);
+    gl::make_room(context_, product_, static_cast<std::size_t>(most) * light.channel_bytes());
     const auto multiply = [&](std::size_t first, std::size_t last, std::size_t first_block,
                               const gl::Buffer& numbers) {
         for (gl::Program* program : {&multiply_, &store_}) {
@@ -56,20 +55,23 @@ void DeviceShadowMatrices::run(DeviceLight& light) {
             program->set("count", static_cast<int>(last - first));
             program->set("first_vertex", static_cast<int>(light.first()));
             program->set("stride", static_cast<int>(light.stride()));
+            program->set("light_step", static_cast<int>(light.channel_step()));
         }
         multiply_.set("first_block", static_cast<int>(first_block));
         store_.set("gathered_stride", static_cast<int>(light.stride()));
+        store_.set("gathered_step", static_cast<int>(light.channel_step()));
         numbers_.vertices().bind_storage(0);
-        for (int c = 0; c < light.channels(); ++c) {
+        gl::for_channels(light.channels(), most, [&](gl::ChannelGroup channels) {
+            const auto count = static_cast<unsigned>(channels.count);
+            const auto coefficients = static_cast<unsigned>(light.coefficients());
             numbers.bind_storage(1);
-            light.bind(2, c);
+            light.bind(2, channels);
             rows_.bind_storage(3);
-            product_->bind_storage(4, 0, bytes);
-            gl::dispatch(multiply_, gl::groups_for(last - first),
-                         static_cast<unsigned>(light.coefficients()));
-            product_->bind_storage(1, 0, bytes);
-            gl::dispatch(store_, gl::groups_for(last - first), static_cast<unsigned>(light.coefficients()));
-        }
+            product_->bind_storage(4, 0, count * light.channel_bytes());
+            gl::dispatch(multiply_, gl::groups_for(last - first), coefficients, count);
+            product_->bind_storage(1, 0, count * light.channel_bytes());
+            gl::dispatch(store_, gl::groups_for(last - first), coefficients, count);
+        });
     };
     numbers_.for_chunks(light, light.count(), multiply);
 }
@@ -105,12 +107,15 @@ void DeviceFactored::add_bounced(const Bounces& bounces, DeviceLight& light) {
     places.bind_storage(2);
     add_bounced_->set("count", static_cast<int>(light.count()));
     add_bounced_->set("stride", static_cast<int>(light.stride()));
-    const gl::IndependentDispatches of_channels(*context_);
-    for (int c = 0; c < light.channels(); ++c) {
-        bounced.bind(0, c);
-        light.bind(1, c);
-        gl::dispatch(*add_bounced_, gl::groups_for(light.count()), static_cast<unsigned>(numbers.size()));
-    }
+    add_bounced_->set("from_step", static_cast<int>(bounced.channel_step()));
+    add_bounced_->set("light_step", static_cast<int>(light.channel_step()));
+    const std::size_t largest = std::max(bounced.channel_bytes(), light.channel_bytes());
+    gl::for_independent_channels(*context_, light.channels(), largest, [&](gl::ChannelGroup channels) {
+        bounced.bind(0, channels);
+        light.bind(1, channels);
+        gl::dispatch(*add_bounced_, gl::groups_for(light.count()), static_cast<unsigned>(numbers.size()),
+                     static_cast<unsigned>(channels.count));
+    });
 }
 
 void DeviceFactored::set_light(const TransferInput& input) {
@@ -163,6 +168,7 @@ void DeviceFactored::allocate_light(const TransferInput& input) {
 void DeviceFactored::shade(const FactoredMethod& method, const TransferInput& input, DeviceShade& shade,
                            const DevicePoints& vertices) {
     copy_tables(method, input);
+    const gl::IndependentDispatches of_ranges(*context_);
     for (const DeviceLight& light : light_) {
         for (const VertexRange& range : input.geometry.ranges) {
             const std::size_t first = std::max(range.first, light.first());

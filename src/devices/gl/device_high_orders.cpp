@@ -101,6 +101,7 @@ void DeviceHighOrders::compute_fractions(const HighOrderTransfer& transfer, cons
     if (!fraction_) fraction_ = gl::Program::compute(context_, "high_order_fraction.comp");
     set_view_uniforms(*fraction_, input.view);
     fraction_->set("visibility_order", transfer.visibility()->order());
+    const gl::IndependentDispatches of_ranges(*context_);
     for (const VertexRange& range : input.geometry.ranges) {
         const double width = transfer.lobe_width(range.material);
         auto lobe = lobes_.find(width);
@@ -118,12 +119,10 @@ void DeviceHighOrders::compute_fractions(const HighOrderTransfer& transfer, cons
             if (first >= last) continue;
             const std::size_t begin = gl::bind_vertices(*buffers.positions(), 0, 3, first, last);
             std::ignore = gl::bind_vertices(*buffers.normals(input.geometry), 1, 3, first, last);
-            seen.bind(2, 0);
+            seen.bind(2, {.first = 0, .count = 1});
             lobe->second.bind_storage(3);
             std::ignore = gl::bind_vertices(*buffers.fractions(), 4, 2, first, last);
-            fraction_->set("first", static_cast<int>(first - begin));
-            fraction_->set("count", static_cast<int>(last - first));
-            fraction_->set("visibility_first", static_cast<int>(first - seen.first()));
+            fraction_->set("vertices", glm::ivec3(first - begin, first - seen.first(), last - first));
             fraction_->set("stride", static_cast<int>(seen.stride()));
             gl::dispatch(*fraction_, gl::groups_for(last - first));
         }
@@ -151,8 +150,8 @@ void DeviceHighOrders::run(const HighOrderTextures::Part& part, std::size_t firs
         if (points.fractions != nullptr)
             std::ignore = gl::bind_vertices(*points.fractions, 2, 2, first, last);
         for (int c = 0; c < channels; ++c) {
-            std::ignore = gl::bind_vertices(*points.stokes[static_cast<std::size_t>(from + c)],
-                                            static_cast<unsigned>(4 + c), 4, first, last);
+            std::ignore = points.stokes->bind(static_cast<unsigned>(4 + c), {.first = from + c, .count = 1},
+                                              first, last);
         }
         HighOrderTextures::bind(program, part, static_cast<std::size_t>(from / group_of));
         program.set("first", static_cast<int>(first - begin));

@@ -17,6 +17,9 @@ namespace nicol {
 /// Light of the vertices, or points, first .. first + count - 1: [channel][coefficient][vertex].
 class DeviceLight {
 public:
+    /// Channels are computed together if their work space is at most as large.
+    static constexpr std::size_t kWorkBytes = std::size_t{1} << 26;
+
     /// Returns the largest number of vertices in one object: as many as the context lets a shader reach, and
     /// no more than keeps the work space small.
     [[nodiscard]] static std::size_t most_vertices(const gl::Context& context, std::size_t coefficients) {
@@ -30,7 +33,7 @@ public:
                 std::size_t coefficients, int channels)
         : first_(first),
           count_(count),
-          stride_((count + gl::kGroupOfVertices - 1) / gl::kGroupOfVertices * gl::kGroupOfVertices),
+          stride_(gl::in_whole_groups(count)),
           coefficients_(coefficients),
           channels_(channels),
           buffer_(context, gl::BufferUse::storage, static_cast<std::size_t>(channels) * channel_bytes(),
@@ -57,8 +60,9 @@ public:
         count_ = count;
     }
 
-    void bind(unsigned binding, int channel) const {
-        buffer_.bind_storage(binding, static_cast<std::size_t>(channel) * channel_bytes(), channel_bytes());
+    void bind(unsigned binding, gl::ChannelGroup channels) const {
+        buffer_.bind_storage(binding, static_cast<std::size_t>(channels.first) * channel_bytes(),
+                             static_cast<std::size_t>(channels.count) * channel_bytes());
     }
 
     [[nodiscard]] std::size_t first() const noexcept { return first_; }
@@ -68,12 +72,11 @@ public:
     [[nodiscard]] std::size_t stride() const noexcept { return stride_; }
     [[nodiscard]] std::size_t coefficients() const noexcept { return coefficients_; }
     [[nodiscard]] int channels() const noexcept { return channels_; }
+    /// Returns the distance between channels, in numbers and in bytes.
+    [[nodiscard]] std::size_t channel_step() const noexcept { return coefficients_ * stride_; }
+    [[nodiscard]] std::size_t channel_bytes() const noexcept { return channel_step() * sizeof(float); }
 
 private:
-    [[nodiscard]] std::size_t channel_bytes() const noexcept {
-        return coefficients_ * stride_ * sizeof(float);
-    }
-
     std::size_t first_;
     std::size_t count_;
     std::size_t stride_;

@@ -20,10 +20,6 @@ constexpr std::size_t kPixelsOfBlock = 8192;  // pixels whose points are counted
 constexpr std::size_t kMostBlocks = 128;
 constexpr std::size_t kMostPoints = 65536;  // limit for a chunk of several blocks
 
-std::size_t in_whole_groups(std::size_t points) {
-    return (points + gl::kGroupOfVertices - 1) / gl::kGroupOfVertices * gl::kGroupOfVertices;
-}
-
 // Returns chunks of consecutive blocks. counts: numbers of points, [block][group].
 std::vector<DevicePixelList::Chunk> chunks_of(std::span<const std::uint32_t> counts, std::size_t groups,
                                               std::size_t pixels) {
@@ -31,7 +27,7 @@ std::vector<DevicePixelList::Chunk> chunks_of(std::span<const std::uint32_t> cou
     for (std::size_t block = 0; block * groups < counts.size(); ++block) {
         const auto of_block = counts.subspan(block * groups, groups);
         std::size_t size = 0;
-        for (const std::uint32_t points : of_block) size += in_whole_groups(points);
+        for (const std::uint32_t points : of_block) size += gl::in_whole_groups(points);
         const std::size_t first = block * kPixelsOfBlock;
         if (chunks.empty() || chunks.back().size + size > kMostPoints ||
             first - chunks.back().first == kMostBlocks * kPixelsOfBlock) {
@@ -47,7 +43,7 @@ std::vector<DevicePixelList::Chunk> chunks_of(std::span<const std::uint32_t> cou
         std::size_t begin = 0;
         for (const std::uint32_t points : chunk.counts) {
             chunk.begin.push_back(static_cast<std::uint32_t>(begin));
-            begin += in_whole_groups(points);
+            begin += gl::in_whole_groups(points);
         }
     }
     return chunks;
@@ -153,7 +149,7 @@ void DevicePixelList::list(const Chunk& chunk) {
     gl::dispatch(*list_, gl::groups_for(chunk.last - chunk.first));
 }
 
-void DevicePixelList::gather(const Chunk& chunk, std::span<const gl::Buffer* const> stokes,
+void DevicePixelList::gather(const Chunk& chunk, const StokesBuffer& stokes,
                              std::span<const std::vector<glm::vec4>> local_lights) {
     gather_->set("first", static_cast<int>(chunk.first));
     gather_->set("count", static_cast<int>(chunk.last - chunk.first));
@@ -163,14 +159,14 @@ void DevicePixelList::gather(const Chunk& chunk, std::span<const gl::Buffer* con
     gather_->set("wanted", wanted);
     shares_->bind_storage(0);
     const gl::IndependentDispatches of_channels(*context_);
-    for (std::size_t c = 0; c < stokes.size(); ++c) {
-        stokes[c]->bind_storage(1);
+    for (int c = 0; c < stokes.channels(); ++c) {
+        std::ignore = stokes.bind(1, {.first = c, .count = 1}, 0, std::max<std::size_t>(chunk.size, 1));
         std::optional<gl::Buffer> lights;
         if (input_->local_lights != nullptr) {
-            lights = gl::storage(context_, local_lights[c]);
+            lights = gl::storage(context_, local_lights[static_cast<std::size_t>(c)]);
             lights->bind_storage(2);
         }
-        image_->channel(static_cast<int>(c)).bind_image();
+        image_->channel(c).bind_image();
         gl::dispatch(*gather_, gl::groups_for(chunk.last - chunk.first));
     }
 }
@@ -185,10 +181,11 @@ DevicePixels::DevicePixels(std::shared_ptr<gl::Context> context, DevicePixelImag
       image_(image),
       list_(context_),
       surface_(gl::Program::compute(context_, "pixel_surface.comp")),
-      interpolate_(gl::Program::compute(context_, "pixel_interpolate.comp")) {}
+      interpolate_light_(gl::Program::compute(context_, "pixel_interpolate.comp")),
+      interpolate_fractions_(gl::Program::compute(context_, "pixel_interpolate.comp")) {}
 
 std::uint64_t DevicePixels::run(const PixelInput& input, VertexBuffers& buffers, std::size_t most,
-                                RenderRun& render, const Shade& shade) {
+                                RenderRun& render, const Shade& shade, const Finish& finish) {
     check_size(*context_, input.geometry);
     input_ = &input;
     buffers_ = &buffers;
@@ -215,12 +212,13 @@ std::uint64_t DevicePixels::run(const PixelInput& input, VertexBuffers& buffers,
             }
             shaded += chunk.counts[g];
         }
+        finish(chunk.size);
         // Threads compute local lights while the device, which has all of its input, shades this chunk.
         if (input.local_lights != nullptr) {
             gl::flush(*context_);
             find_light_image(input, chunk.first, chunk.last, render, local_lights);
         }
-        list_.gather(chunk, points_.stokes, local_lights);
+        list_.gather(chunk, *points_.stokes, local_lights);
     }
     return shaded;
 }
@@ -229,7 +227,7 @@ void DevicePixels::release() {
     list_.release();
     for (std::optional<gl::Buffer>* const buffer : {&weights_, &positions_, &normals_, &fractions_})
         buffer->reset();
-    stokes_.clear();
+    stokes_.reset();
     light_.reset();
 }
 
@@ -242,13 +240,11 @@ void DevicePixels::make_room_for(std::size_t points) {
     floats(normals_, 3);
     const bool shadows = input_->high_orders != nullptr && !input_->high_orders->visibility()->empty();
     if (shadows) floats(fractions_, 2);
-    stokes_.resize(static_cast<std::size_t>(input_->channels));
-    for (std::optional<gl::Buffer>& channel : stokes_) floats(channel, 4);
+    make_room(context_, stokes_, points, input_->channels);
     points_ = {.positions = &*positions_,
                .normals = &*normals_,
                .fractions = shadows ? &*fractions_ : nullptr,
-               .stokes = {}};
-    for (const std::optional<gl::Buffer>& channel : stokes_) points_.stokes.push_back(&*channel);
+               .stokes = &*stokes_};
 }
 
 void DevicePixels::find_surface(const PixelRun& run) {
@@ -285,41 +281,45 @@ DeviceLight& DevicePixels::light(const PixelRun& run, std::size_t coefficients, 
 
 void DevicePixels::interpolate(const DeviceLight& vertices, const PixelRun& run, DeviceLight& light) {
     if (vertices.last() <= run.surface.first || vertices.first() >= run.surface.last) return;
-    interpolate_.set("first_vertex", static_cast<int>(vertices.first()));
-    interpolate_.set("last_vertex", static_cast<int>(vertices.last()));
-    interpolate_.set("add", vertices.first() > run.surface.first ? 1 : 0);
-    interpolate_.set("from_number", static_cast<int>(vertices.stride()));
-    interpolate_.set("from_vertex", 1);
-    interpolate_.set("to_number", static_cast<int>(light.stride()));
-    interpolate_.set("to_point", 1);
-    const gl::IndependentDispatches of_channels(*context_);
-    for (int c = 0; c < light.channels(); ++c) {
-        vertices.bind(3, c);
-        light.bind(4, c);
-        interpolate(run, light.coefficients());
-    }
+    interpolate_light_.set("first_vertex", static_cast<int>(vertices.first()));
+    interpolate_light_.set("last_vertex", static_cast<int>(vertices.last()));
+    interpolate_light_.set("add", vertices.first() > run.surface.first ? 1 : 0);
+    interpolate_light_.set("from_number", static_cast<int>(vertices.stride()));
+    interpolate_light_.set("from_vertex", 1);
+    interpolate_light_.set("to_number", static_cast<int>(light.stride()));
+    interpolate_light_.set("to_point", 1);
+    interpolate_light_.set("from_channel", static_cast<int>(vertices.channel_step()));
+    interpolate_light_.set("to_channel", static_cast<int>(light.channel_step()));
+    const std::size_t largest = std::max(vertices.channel_bytes(), light.channel_bytes());
+    gl::for_independent_channels(*context_, light.channels(), largest, [&](gl::ChannelGroup channels) {
+        vertices.bind(3, channels);
+        light.bind(4, channels);
+        interpolate(interpolate_light_, run, light.coefficients(), channels.count);
+    });
 }
 
 void DevicePixels::interpolate_fractions(const PixelRun& run) {
     const std::size_t first =
         gl::bind_vertices(*buffers_->fractions(), 3, 2, run.surface.first, run.surface.last);
     std::ignore = gl::bind_vertices(*fractions_, 4, 2, run.first, run.last);
-    interpolate_.set("first_vertex", static_cast<int>(first));
-    interpolate_.set("last_vertex", static_cast<int>(run.surface.last));
-    interpolate_.set("add", 0);
-    interpolate_.set("from_number", 1);
-    interpolate_.set("from_vertex", 2);
-    interpolate_.set("to_number", 1);
-    interpolate_.set("to_point", 2);
-    interpolate(run, 2);
+    interpolate_fractions_.set("first_vertex", static_cast<int>(first));
+    interpolate_fractions_.set("last_vertex", static_cast<int>(run.surface.last));
+    interpolate_fractions_.set("add", 0);
+    interpolate_fractions_.set("from_number", 1);
+    interpolate_fractions_.set("from_vertex", 2);
+    interpolate_fractions_.set("to_number", 1);
+    interpolate_fractions_.set("to_point", 2);
+    interpolate(interpolate_fractions_, run, 2, 1);
 }
 
-void DevicePixels::interpolate(const PixelRun& run, std::size_t coefficients) {
-    interpolate_.set("count", static_cast<int>(run.last - run.first));
+void DevicePixels::interpolate(gl::Program& program, const PixelRun& run, std::size_t coefficients,
+                               int channels) {
+    program.set("count", static_cast<int>(run.last - run.first));
     std::ignore = gl::bind_vertices(list_.points(), 0, 4, run.first, run.last);
     buffers_->indices()->buffer().bind_storage(1);
     std::ignore = gl::bind_vertices(*weights_, 2, 2, run.first, run.last);
-    gl::dispatch(interpolate_, gl::groups_for(run.last - run.first), static_cast<unsigned>(coefficients));
+    gl::dispatch(program, gl::groups_for(run.last - run.first), static_cast<unsigned>(coefficients),
+                 static_cast<unsigned>(channels));
 }
 
 }  // namespace nicol

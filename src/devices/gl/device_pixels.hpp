@@ -46,9 +46,9 @@ public:
     void list(const Chunk& chunk);
     /// Returns the listed points in the layout of glsl/pixel_points.glsl.
     [[nodiscard]] const gl::Buffer& points() const { return points_.value(); }
-    /// Makes a chunk's pixels. stokes: Stokes vectors of the chunk's points, by channel. local_lights, if the
-    /// input has any: Stokes vectors that they add to each pixel, by channel.
-    void gather(const Chunk& chunk, std::span<const gl::Buffer* const> stokes,
+    /// Makes a chunk's pixels. stokes: Stokes vectors of the chunk's points. local_lights, if the input has
+    /// any: Stokes vectors that they add to each pixel, by channel.
+    void gather(const Chunk& chunk, const StokesBuffer& stokes,
                 std::span<const std::vector<glm::vec4>> local_lights);
     /// Frees the memory of the last list.
     void release();
@@ -90,12 +90,14 @@ public:
     DevicePixels(std::shared_ptr<gl::Context> context, DevicePixelImage& image);
 
     using Shade = std::function<void(const PixelRun&)>;
-    /// Calls shade(run) until all points are shaded, at most `most` points at once. shade() must fill
-    /// points().stokes. The image is made from these Stokes vectors, and local lights are added to it.
+    using Finish = std::function<void(std::size_t last)>;
+    /// Calls shade(run) until all points are shaded, at most `most` points at once, then finish(last) for
+    /// points i < last, which may be more than were shaded. shade() must fill points().stokes. The image is
+    /// made from these Stokes vectors, and local lights are added to it.
     /// Returns the number of points. Throws Error(unsupported) for more triangles or vertices than the driver
     /// lets a shader reach.
     std::uint64_t run(const PixelInput& input, VertexBuffers& buffers, std::size_t most, RenderRun& render,
-                      const Shade& shade);
+                      const Shade& shade, const Finish& finish);
 
     /// Returns the points while shade() runs.
     [[nodiscard]] const DevicePoints& points() const noexcept { return points_; }
@@ -117,13 +119,14 @@ private:
     void find_surface(const PixelRun& run);
     void interpolate_fractions(const PixelRun& run);
     // Expects source and result to be bound.
-    void interpolate(const PixelRun& run, std::size_t coefficients);
+    void interpolate(gl::Program& program, const PixelRun& run, std::size_t coefficients, int channels);
 
     std::shared_ptr<gl::Context> context_;
     DevicePixelImage& image_;
     DevicePixelList list_;
     gl::Program surface_;
-    gl::Program interpolate_;
+    gl::Program interpolate_light_;
+    gl::Program interpolate_fractions_;
 
     // Input of the image that is being shaded.
     const PixelInput* input_ = nullptr;
@@ -134,7 +137,7 @@ private:
     std::optional<gl::Buffer> positions_;
     std::optional<gl::Buffer> normals_;
     std::optional<gl::Buffer> fractions_;
-    std::vector<std::optional<gl::Buffer>> stokes_;
+    std::optional<StokesBuffer> stokes_;
     DevicePoints points_{};
     std::optional<DeviceLight> light_;
 };

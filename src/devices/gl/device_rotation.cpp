@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "devices/gl/device_rotation.hpp"
 
+#include <algorithm>
 #include <array>
 #include <glm/vec2.hpp>
 #include <numbers>
 
 #include "gl/draw.hpp"
+#include "gl/storage.hpp"
 #include "harmonics/wigner.hpp"
 
 namespace nicol {
 namespace {
-
-// Channels are rotated together if their work space is small.
-constexpr std::size_t kMostWorkBytes = std::size_t{1} << 26;
 
 std::size_t field_count(const LightLayout& layout) {
     return layout.kind() == LightKind::unpolarized ? 1 : 2;
@@ -83,73 +82,74 @@ void DeviceRotation::set_layout(const LightLayout& layout) {
 }
 
 void DeviceRotation::set_light(const PshVector& light) {
-    distant_.clear();
+    const auto terms = current_->layout.terms();
+    distant_step_ = gl::in_whole_groups(terms.size());
+    std::vector<float> numbers;
     for (int c = 0; c < light.channels(); ++c) {
         const std::span<const double> from = light.channel(c);
-        std::vector<float> numbers;
-        for (const auto& [first, second] : current_->layout.terms()) {
+        numbers.resize(static_cast<std::size_t>(c) * distant_step_);
+        for (const auto& [first, second] : terms) {
             numbers.push_back(static_cast<float>(first.factor * from[first.coefficient] +
                                                  second.factor * from[second.coefficient]));
         }
-        distant_.push_back(gl::storage(context_, numbers));
     }
+    distant_.emplace(gl::storage(context_, numbers));
 }
 
 void DeviceRotation::run(const gl::Buffer& normals, DeviceLight& out) {
-    rotate(normals, false, &distant_, out);
+    rotate(normals, false, From::distant, out);
 }
 
 void DeviceRotation::into_frames(const gl::Buffer& normals, DeviceLight& light) {
-    rotate(normals, false, nullptr, light);
+    rotate(normals, false, From::points, light);
 }
 
 void DeviceRotation::into_world(const gl::Buffer& normals, DeviceLight& light) {
-    rotate(normals, true, nullptr, light);
+    rotate(normals, true, From::points, light);
 }
 
-void DeviceRotation::rotate(const gl::Buffer& normals, bool back, const std::vector<gl::Buffer>* distant,
-                            DeviceLight& light) {
+void DeviceRotation::rotate(const gl::Buffer& normals, bool back, From from, DeviceLight& light) {
     const LightLayout& layout = current_->layout;
+    const bool distant = from == From::distant;
     const std::size_t fields = field_count(layout) * psh_count(layout.order());
     const std::size_t bytes = fields * light.stride() * sizeof(glm::vec2);
-    const auto channels = static_cast<std::size_t>(light.channels());
-    const std::size_t together = channels * bytes <= kMostWorkBytes ? channels : 1;
-    if (!work_ || work_->size() != together * bytes) {
+    const int most = gl::channels_at_once(*context_, light.channels(), std::max(bytes, light.channel_bytes()),
+                                          DeviceLight::kWorkBytes);
+    const std::size_t work = static_cast<std::size_t>(most) * bytes;
+    if (!work_ || work_->size() != work) {
         work_.reset();
-        work_.emplace(context_, gl::BufferUse::storage, together * bytes, gl::BufferUpdate::fixed);
+        work_.emplace(context_, gl::BufferUse::storage, work, gl::BufferUpdate::fixed);
     }
     const std::size_t begin = gl::bind_vertices(normals, 1, 3, light.first(), light.last());
     for (gl::Program* program : {&azimuth_, &zenith_}) {
         program->set("first", static_cast<int>(light.first() - begin));
         program->set("count", static_cast<int>(light.count()));
         program->set("stride", static_cast<int>(light.stride()));
+        program->set("fields_step", static_cast<int>(fields * light.stride()));
         program->set("order", layout.order());
         program->set("back", back ? 1 : 0);
     }
-    azimuth_.set("number_step", distant != nullptr ? 1 : static_cast<int>(light.stride()));
-    azimuth_.set("point_step", distant != nullptr ? 0 : 1);
+    azimuth_.set("light_step", static_cast<int>(distant ? distant_step_ : light.channel_step()));
+    azimuth_.set("number_step", distant ? 1 : static_cast<int>(light.stride()));
+    azimuth_.set("point_step", distant ? 0 : 1);
+    zenith_.set("light_step", static_cast<int>(light.channel_step()));
     current_->quarter_rotation.bind_storage(0);
     current_->entries.bind_storage(2);
-    for (std::size_t from = 0; from < channels; from += together) {
-        {
-            const gl::IndependentDispatches passes(*context_);
-            for (std::size_t i = 0; i < together; ++i) {
-                if (distant != nullptr) {
-                    (*distant)[from + i].bind_storage(3);
-                } else {
-                    light.bind(3, static_cast<int>(from + i));
-                }
-                work_->bind_storage(4, i * bytes, bytes);
-                gl::dispatch(azimuth_, gl::groups_for(light.count()), static_cast<unsigned>(fields));
-            }
+    gl::for_channels(light.channels(), most, [&](gl::ChannelGroup channels) {
+        const auto count = static_cast<unsigned>(channels.count);
+        if (distant) {
+            const std::size_t step = distant_step_ * sizeof(float);
+            const std::size_t offset = static_cast<std::size_t>(channels.first) * step;
+            distant_->bind_storage(3, offset, distant_->size() - offset);
+        } else {
+            light.bind(3, channels);
         }
-        const gl::IndependentDispatches passes(*context_);
-        for (std::size_t i = 0; i < together; ++i) {
-            work_->bind_storage(3, i * bytes, bytes);
-            light.bind(4, static_cast<int>(from + i));
-            gl::dispatch(zenith_, gl::groups_for(light.count()), current_->entry_count);
-        }
-    }
+        work_->bind_storage(4, 0, count * bytes);
+        gl::dispatch(azimuth_, gl::groups_for(light.count()), static_cast<unsigned>(fields), count);
+        work_->bind_storage(3, 0, count * bytes);
+        light.bind(4, channels);
+        gl::dispatch(zenith_, gl::groups_for(light.count()), current_->entry_count, count);
+    });
 }
 
 }  // namespace nicol

@@ -43,16 +43,17 @@ private:
         gl::Buffer entries;
         unsigned entry_count;
     };
-    // distant: the light of all points, or null.
-    void rotate(const gl::Buffer& normals, bool back, const std::vector<gl::Buffer>* distant,
-                DeviceLight& light);
+    // Rotates the distant light, or each point's own.
+    enum class From { distant, points };
+    void rotate(const gl::Buffer& normals, bool back, From from, DeviceLight& light);
 
     std::shared_ptr<gl::Context> context_;
     gl::Program azimuth_;
     gl::Program zenith_;
     std::map<LightKind, Tables> tables_;  // tables of one order
     const Tables* current_ = nullptr;
-    std::vector<gl::Buffer> distant_;  // by channel
+    std::optional<gl::Buffer> distant_;  // [channel][number]
+    std::size_t distant_step_ = 0;       // from a channel to the next, in numbers
     std::optional<gl::Buffer> work_;
 };
 

@@ -30,7 +30,8 @@ private:
     bool makes_linear_;
     bool makes_circular_;
     gl::Buffer run_buffer_;
-    std::vector<gl::Buffer> channels_;  // one buffer for all channels, or one per channel
+    std::size_t channel_bytes_;  // from the rows of a channel to those of the next; 0: one for all channels
+    gl::Buffer rows_;
 };
 
 class DeviceShade {

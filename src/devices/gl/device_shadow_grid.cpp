@@ -12,6 +12,9 @@ namespace {
 
 using Slots = ShadowGrid::Slots;
 
+// Size of a work space, if one group of vertices needs no more.
+constexpr std::size_t kWorkBytes = std::size_t{1} << 25;
+
 // Sum in the layout of glsl/sums.comp.
 struct Sum {
     std::int32_t first = 0;
@@ -45,8 +48,7 @@ unsigned points(const ShadowGrid& grid) {
 // Returns the vertices of a chunk, few enough to keep the work space small. Work groups are many even if
 // these vertices are few.
 std::size_t chunk(const ShadowGrid& grid, std::size_t vertices) {
-    constexpr std::size_t work_bytes = std::size_t{1} << 25;
-    const std::size_t groups = work_bytes / (numbers_on_columns(grid) * sizeof(float) * gl::kGroupOfVertices);
+    const std::size_t groups = kWorkBytes / (numbers_on_columns(grid) * sizeof(float) * gl::kGroupOfVertices);
     return std::clamp<std::size_t>(groups, 1, gl::groups_for(vertices)) * gl::kGroupOfVertices;
 }
 
@@ -66,15 +68,16 @@ DeviceShadowGrid::DeviceShadowGrid(const std::shared_ptr<gl::Context>& context,
       degrees_(over_degrees(*shadows.grid())),
       columns_(over_columns(*shadows.grid())),
       rows_(over_rows(*shadows.grid(), shadows.layout().size())),
-      on_columns_(context, gl::BufferUse::storage,
-                  numbers_on_columns(*shadows.grid()) * chunk_ * sizeof(float), gl::BufferUpdate::fixed),
-      on_slots_(context, gl::BufferUse::storage, numbers_on_slots(*shadows.grid()) * chunk_ * sizeof(float),
-                gl::BufferUpdate::fixed) {
+      column_numbers_(numbers_on_columns(*shadows.grid()) * chunk_),
+      slot_numbers_(numbers_on_slots(*shadows.grid()) * chunk_) {
     const auto stride = static_cast<int>(chunk_);
     gather_.set("gathered_stride", stride);
     store_.set("gathered_stride", stride);
+    gather_.set("gathered_step", static_cast<int>(column_numbers_));
+    store_.set("gathered_step", static_cast<int>(column_numbers_));
     sums_.set("stride", stride);
     multiply_.set("stride", stride);
+    multiply_.set("light_step", static_cast<int>(column_numbers_));
     multiply_.set("points", static_cast<int>(shadows.grid()->rows() * shadows.grid()->columns()));
     multiply_.set("samples_of_vertex", static_cast<int>(shadows.numbers_of_vertex()));
     multiply_.set("scale", shadows.unit() / kFixedOne);
@@ -173,46 +176,57 @@ DeviceShadowGrid::Sums DeviceShadowGrid::over_rows(const ShadowGrid& grid, std::
 }
 
 void DeviceShadowGrid::run(DeviceLight& light) {
+    const std::size_t largest = std::max(column_numbers_, slot_numbers_) * sizeof(float);
+    const int most = gl::channels_at_once(*context_, light.channels(),
+                                          std::max(largest, light.channel_bytes()), kWorkBytes);
+    gl::make_room(context_, on_columns_, static_cast<std::size_t>(most) * column_numbers_ * sizeof(float));
+    gl::make_room(context_, on_slots_, static_cast<std::size_t>(most) * slot_numbers_ * sizeof(float));
+    for (gl::Program* program : {&gather_, &store_}) {
+        program->set("first_vertex", static_cast<int>(light.first()));
+        program->set("stride", static_cast<int>(light.stride()));
+        program->set("light_step", static_cast<int>(light.channel_step()));
+    }
     samples_.for_chunks(
         light, chunk_,
         [&](std::size_t first, std::size_t last, std::size_t first_block, const gl::Buffer& samples) {
-            const unsigned groups = gl::groups_for(last - first);
-            const auto add = [&](const Sums& sums, const gl::Buffer& from, const gl::Buffer& to) {
-                sums.rows.bind_storage(0);
-                sums.factors.bind_storage(1);
-                from.bind_storage(2);
-                to.bind_storage(3);
-                gl::dispatch(sums_, groups, sums.count);
-            };
-            const auto copy = [&](const gl::Program& program, int channel) {
-                samples_.vertices().bind_storage(0);
-                on_columns_.bind_storage(1);
-                light.bind(2, channel);
-                gl::dispatch(program, groups, static_cast<unsigned>(light.coefficients()));
-            };
-            for (gl::Program* program : {&gather_, &sums_, &multiply_, &store_}) {
+            for (gl::Program* program : {&gather_, &sums_, &multiply_, &store_})
                 program->set("count", static_cast<int>(last - first));
-            }
-            for (gl::Program* program : {&gather_, &multiply_, &store_}) {
+            for (gl::Program* program : {&gather_, &multiply_, &store_})
                 program->set("first", static_cast<int>(first));
-            }
-            for (gl::Program* program : {&gather_, &store_}) {
-                program->set("first_vertex", static_cast<int>(light.first()));
-                program->set("stride", static_cast<int>(light.stride()));
-            }
             multiply_.set("first_block", static_cast<int>(first_block));
-            for (int c = 0; c < light.channels(); ++c) {
-                copy(gather_, c);
-                add(orders_, on_columns_, on_slots_);
-                add(degrees_, on_slots_, on_columns_);
-                samples.bind_storage(0);
-                on_columns_.bind_storage(1);
-                gl::dispatch(multiply_, groups, points_);
-                add(columns_, on_columns_, on_slots_);
-                add(rows_, on_slots_, on_columns_);
-                copy(store_, c);
-            }
+            gl::for_channels(light.channels(), most, [&](gl::ChannelGroup channels) {
+                multiply(light, channels, gl::groups_for(last - first), samples);
+            });
         });
+}
+
+void DeviceShadowGrid::multiply(DeviceLight& light, gl::ChannelGroup channels, unsigned groups,
+                                const gl::Buffer& samples) {
+    const auto count = static_cast<unsigned>(channels.count);
+    const auto copy = [&](const gl::Program& program) {
+        samples_.vertices().bind_storage(0);
+        on_columns_->bind_storage(1);
+        light.bind(2, channels);
+        gl::dispatch(program, groups, static_cast<unsigned>(light.coefficients()), count);
+    };
+    const auto add = [&](const Sums& sums, bool from_columns) {
+        sums.rows.bind_storage(0);
+        sums.factors.bind_storage(1);
+        (from_columns ? on_columns_ : on_slots_)->bind_storage(2);
+        (from_columns ? on_slots_ : on_columns_)->bind_storage(3);
+        sums_.set("from_step", static_cast<int>(from_columns ? column_numbers_ : slot_numbers_));
+        sums_.set("to_step", static_cast<int>(from_columns ? slot_numbers_ : column_numbers_));
+        gl::dispatch(sums_, groups, sums.count, count);
+    };
+    copy(gather_);
+    add(orders_, true);
+    add(degrees_, false);
+    samples.bind_storage(0);
+    on_columns_->bind_storage(1);
+    gl::dispatch(multiply_, groups, points_, count);
+    add(columns_, true);
+    add(rows_, false);
+    copy(store_);
 }
 
 }  // namespace nicol

@@ -42,6 +42,9 @@ private:
     [[nodiscard]] Sums over_columns(const ShadowGrid& grid) const;
     [[nodiscard]] Sums over_rows(const ShadowGrid& grid, std::size_t size) const;
 
+    // Multiplies some channels of a chunk's light.
+    void multiply(DeviceLight& light, gl::ChannelGroup channels, unsigned groups, const gl::Buffer& samples);
+
     std::shared_ptr<gl::Context> context_;
     gl::Program gather_;
     gl::Program sums_;
@@ -54,8 +57,11 @@ private:
     Sums degrees_;
     Sums columns_;
     Sums rows_;
-    gl::Buffer on_columns_;  // both work spaces: [number][shadowed vertex]
-    gl::Buffer on_slots_;
+    // Both work spaces, [channel][number][shadowed vertex], and their numbers of a channel.
+    std::size_t column_numbers_;
+    std::size_t slot_numbers_;
+    std::optional<gl::Buffer> on_columns_;
+    std::optional<gl::Buffer> on_slots_;
 };
 
 }  // namespace nicol

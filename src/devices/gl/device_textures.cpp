@@ -62,12 +62,9 @@ void DeviceTextures::find(const PixelInput& input, const PixelRun& run, const De
 }
 
 const DevicePoints& DeviceTextures::layer_points(const DevicePoints& points) {
-    stokes_.resize(points.stokes.size());
+    make_room(context_, stokes_, points.stokes->step(), points.stokes->channels());
     points_ = points;
-    for (std::size_t c = 0; c < stokes_.size(); ++c) {
-        gl::make_room(context_, stokes_[c], points.stokes[c]->size());
-        points_.stokes[c] = &*stokes_[c];
-    }
+    points_.stokes = &*stokes_;
     return points_;
 }
 
@@ -77,14 +74,16 @@ void DeviceTextures::add(std::size_t layer, const PixelRun& run, const DevicePoi
     add_->set("first_weight", static_cast<int>(layer * stride_));
     add_->set("add", layer > 0 ? 1 : 0);
     weights_->bind_storage(1);
-    const gl::IndependentDispatches of_channels(*context_);
-    for (std::size_t c = 0; c < points.stokes.size(); ++c) {
-        // A point's three weights are equal if the image does not have three channels.
-        add_->set("channel", static_cast<int>(std::min<std::size_t>(c, 2)));
-        std::ignore = gl::bind_vertices(*stokes_[c], 0, 4, run.first, run.last);
-        std::ignore = gl::bind_vertices(*points.stokes[c], 2, 4, run.first, run.last);
-        gl::dispatch(*add_, gl::groups_for(run.last - run.first));
-    }
+    const StokesBuffer& result = *points.stokes;
+    add_->set("from_channel", static_cast<int>(stokes_->step()));
+    add_->set("to_channel", static_cast<int>(result.step()));
+    const std::size_t largest = std::max(stokes_->channel_bytes(), result.channel_bytes());
+    gl::for_independent_channels(*context_, result.channels(), largest, [&](gl::ChannelGroup channels) {
+        add_->set("first_channel", channels.first);
+        std::ignore = stokes_->bind(0, channels, run.first, run.last);
+        std::ignore = result.bind(2, channels, run.first, run.last);
+        gl::dispatch(*add_, gl::groups_for(run.last - run.first), 1, static_cast<unsigned>(channels.count));
+    });
 }
 
 }  // namespace nicol

@@ -42,7 +42,7 @@ private:
     std::map<MaterialPtr, VariationBuffers> variations_;
     std::optional<gl::Buffer> weights_;
     std::size_t stride_ = 0;
-    std::vector<std::optional<gl::Buffer>> stokes_;
+    std::optional<StokesBuffer> stokes_;
     DevicePoints points_{};
 };
 

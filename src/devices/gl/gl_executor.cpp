@@ -12,17 +12,22 @@
 namespace nicol {
 namespace {
 
-/// Runs a program with the uniform `count` for each of the vectors first <= i < last. bind(begin, end): binds
-/// the buffers of these vectors.
-template <class Bind>
-void run_in_steps(gl::Program& program, std::size_t first, std::size_t last, const Bind& bind) {
-    constexpr std::size_t most = std::size_t{1} << 20;  // Stokes vectors of one dispatch
-    for (std::size_t begin = first; begin < last; begin += most) {
-        const std::size_t end = std::min(begin + most, last);
-        bind(begin, end);
-        program.set("count", static_cast<int>(end - begin));
-        gl::dispatch(program, gl::groups_for(end - begin));
-    }
+constexpr std::size_t kVectorsOfStep = std::size_t{1} << 20;  // Stokes vectors of one dispatch
+
+/// Runs a program for the Stokes vectors of points first <= i < last in all channels. The program takes them
+/// as binding 0 with the uniforms `first_channel`, `channel_step` and `count`.
+void run_in_steps(gl::Program& program, const StokesBuffer& stokes, std::size_t first, std::size_t last) {
+    program.set("channel_step", static_cast<int>(stokes.step()));
+    const auto run = [&](gl::ChannelGroup channels) {
+        if (program.uses("first_channel")) program.set("first_channel", channels.first);
+        for (std::size_t begin = first; begin < last; begin += kVectorsOfStep) {
+            const std::size_t end = std::min(begin + kVectorsOfStep, last);
+            std::ignore = stokes.bind(0, channels, begin, end);
+            program.set("count", static_cast<int>(end - begin));
+            gl::dispatch(program, gl::groups_for(end - begin), 1, static_cast<unsigned>(channels.count));
+        }
+    };
+    gl::for_independent_channels(*program.context(), stokes.channels(), stokes.channel_bytes(), run);
 }
 
 /// Returns why a context cannot run compute shaders; empty if it can.
@@ -107,7 +112,7 @@ void GlExecutor::shade(const DenseMethod& /*method*/, const ShadeInput& input, R
 }
 
 DevicePoints GlExecutor::vertices(const ShadeInput& input, bool fractions) {
-    return vertex_points(buffers_, input.geometry, input.channels, fractions);
+    return vertex_points(buffers_, input.geometry, fractions);
 }
 
 void GlExecutor::specular(const HighOrderTransfer& high_orders, const ShadeInput& input, RenderRun& /*run*/) {
@@ -115,6 +120,7 @@ void GlExecutor::specular(const HighOrderTransfer& high_orders, const ShadeInput
         if (!prepare(input)) return;
         high_orders_.compute_fractions(high_orders, input, buffers_);
         const DevicePoints points = vertices(input, !high_orders.visibility()->empty());
+        const gl::IndependentDispatches of_ranges(*context_);
         for (const VertexRange& range : input.geometry.ranges)
             high_orders_.add(high_orders, range.material, range.first, range.last, input, points);
     });
@@ -131,12 +137,10 @@ void GlExecutor::shade_pixels_by(const Method& method, Device& device, const Pix
         }
         if (!pixels_) pixels_.emplace(context_, image_);
         DeviceShade& shade = shade_for(input.view);
-        const gl::Buffer uncounted(context_, gl::BufferUse::storage, sizeof(std::uint32_t),
-                                   gl::BufferUpdate::fixed);
         if (input.high_orders != nullptr) high_orders_.compute_fractions(*input.high_orders, input, buffers_);
         const std::size_t most = device.prepare_pixels(method, input);
         textures_.prepare(input, buffers_);
-        return pixels_->run(input, buffers_, most, run, [&](const PixelRun& points) {
+        const auto shade_run = [&](const PixelRun& points) {
             const bool varies = points.surface.material->variation() != nullptr;
             if (varies) textures_.find(input, points, *pixels_);
             device.light_pixels(input, points, *pixels_);
@@ -149,11 +153,12 @@ void GlExecutor::shade_pixels_by(const Method& method, Device& device, const Pix
                     high_orders_.add(*input.high_orders, material, points.first, points.last, input, to);
                 if (varies) textures_.add(layer++, points, pixels_->points());
             }
-            if (!input.light_factors.none())
-                scale(pixels_->points(), points.first, points.last, input.light_factors);
-            if (input.physical)
-                make_physical(pixels_->points(), points.first, points.last, input.noise, uncounted);
-        });
+        };
+        const auto finish = [&](std::size_t last) {
+            if (!input.light_factors.none()) scale(pixels_->points(), 0, last, input.light_factors);
+            if (input.physical) make_physical(pixels_->points(), 0, last, input.noise, uncounted_);
+        };
+        return pixels_->run(input, buffers_, most, run, shade_run, finish);
     });
 }
 
@@ -175,34 +180,28 @@ void GlExecutor::scale(const ShadeInput& input) {
 void GlExecutor::scale(const DevicePoints& points, std::size_t first, std::size_t last,
                        const ChannelFactors& factors) {
     if (!scale_) scale_ = gl::Program::compute(context_, "scale.comp");
-    const gl::IndependentDispatches of_channels(*context_);
-    for (std::size_t c = 0; c < points.stokes.size(); ++c) {
-        scale_->set("factor", factors.of[c]);
-        run_in_steps(*scale_, first, last, [&](std::size_t begin, std::size_t end) {
-            std::ignore = gl::bind_vertices(*points.stokes[c], 0, 4, begin, end);
-        });
-    }
+    const StokesBuffer& stokes = *points.stokes;
+    for (int c = 0; c < stokes.channels(); ++c)
+        scale_->set("factors[" + std::to_string(c) + "]", factors.of[static_cast<std::size_t>(c)]);
+    run_in_steps(*scale_, stokes, first, last);
 }
 
 void GlExecutor::make_physical(const ShadeInput& input) {
     context_->run([&] {
         if (!prepare(input)) return;
-        moved_.emplace(context_, gl::BufferUse::storage, sizeof(std::uint32_t), gl::BufferUpdate::fixed);
-        make_physical(vertices(input, false), 0, input.geometry.positions.size(), input.noise, *moved_);
+        make_physical(vertices(input, false), 0, input.geometry.positions.size(), input.noise, moved_);
+        counted_ = true;
     });
 }
 
 void GlExecutor::make_physical(const DevicePoints& points, std::size_t first, std::size_t last, float noise,
-                               const gl::Buffer& counter) {
+                               std::optional<gl::Buffer>& counter) {
+    if (!counter)
+        counter.emplace(context_, gl::BufferUse::storage, sizeof(std::uint32_t), gl::BufferUpdate::fixed);
     if (!physical_) physical_ = gl::Program::compute(context_, "physical.comp");
     physical_->set("noise", noise);
-    const gl::IndependentDispatches of_channels(*context_);
-    for (const gl::Buffer* const stokes : points.stokes) {
-        run_in_steps(*physical_, first, last, [&](std::size_t begin, std::size_t end) {
-            std::ignore = gl::bind_vertices(*stokes, 0, 4, begin, end);
-            counter.bind_storage(1);
-        });
-    }
+    counter->bind_storage(1);
+    run_in_steps(*physical_, *points.stokes, first, last);
 }
 
 void GlExecutor::illuminate(const LocalLights& lights, const ShadeInput& input, RenderRun& run) {
@@ -214,27 +213,30 @@ void GlExecutor::illuminate(const LocalLights& lights, const ShadeInput& input, 
     VertexLights(lights, input).add(run, channels);
     context_->run([&] {
         if (!prepare(input)) return;
-        for (std::size_t c = 0; c < sums.size(); ++c) add(sums[c], *buffers_.stokes(static_cast<int>(c)));
+        for (int c = 0; c < input.channels; ++c) add(sums[static_cast<std::size_t>(c)], c);
     });
 }
 
-void GlExecutor::add(const std::vector<glm::vec4>& more, const gl::Buffer& stokes) {
+void GlExecutor::add(const std::vector<glm::vec4>& more, int channel) {
     if (!add_) add_ = gl::Program::compute(context_, "add.comp");
     const gl::Buffer copy = gl::storage(context_, more);
-    run_in_steps(*add_, 0, more.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t begin = 0; begin < more.size(); begin += kVectorsOfStep) {
+        const std::size_t end = std::min(begin + kVectorsOfStep, more.size());
         std::ignore = gl::bind_vertices(copy, 0, 4, begin, end);
-        std::ignore = gl::bind_vertices(stokes, 1, 4, begin, end);
-    });
+        std::ignore = buffers_.stokes().bind(1, {.first = channel, .count = 1}, begin, end);
+        add_->set("count", static_cast<int>(end - begin));
+        gl::dispatch(*add_, gl::groups_for(end - begin));
+    }
 }
 
 std::uint64_t GlExecutor::finish() {
     return context_->run([&]() -> std::uint64_t {
         gl::finish(*context_);
-        std::uint32_t moved = 0;
+        if (!std::exchange(counted_, false)) return 0;
         // The counter is read after the end of all work, so that the read waits for nothing.
-        if (moved_) moved_->read(0, std::as_writable_bytes(std::span(&moved, 1)));
-        moved_.reset();
-        return moved;
+        std::uint32_t moved = 0;
+        moved_->read(0, std::as_writable_bytes(std::span(&moved, 1)));
+        return moved - std::exchange(moved_before_, moved);
     });
 }
 

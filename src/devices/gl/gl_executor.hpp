@@ -57,12 +57,12 @@ private:
     void scale(const DevicePoints& points, std::size_t first, std::size_t last,
                const ChannelFactors& factors);
     /// Moves the Stokes vectors of points first <= i < last into the physically realizable range. first: a
-    /// multiple of gl::kGroupOfVertices. Adds the number of moved vectors to `counter`.
+    /// multiple of gl::kGroupOfVertices. Adds the number of moved vectors to `counter`, which it makes.
     void make_physical(const DevicePoints& points, std::size_t first, std::size_t last, float noise,
-                       const gl::Buffer& counter);
+                       std::optional<gl::Buffer>& counter);
 
-    /// Adds `more` to `stokes`.
-    void add(const std::vector<glm::vec4>& more, const gl::Buffer& stokes);
+    /// Adds `more` to the vertices' Stokes vectors of a channel.
+    void add(const std::vector<glm::vec4>& more, int channel);
 
     std::shared_ptr<gl::Context> context_;
     VertexBuffers& buffers_;
@@ -73,7 +73,12 @@ private:
     DeviceDense dense_;
     DeviceHighOrders high_orders_;
     std::optional<DevicePixels> pixels_;
-    std::optional<gl::Buffer> moved_;  // number of vectors that make_physical() moved; none: not called
+    // Number of vectors that make_physical() moved at vertices, ever; it is never cleared, since that would
+    // take more calls than to know what it was.
+    std::optional<gl::Buffer> moved_;
+    std::uint32_t moved_before_ = 0;       // at the last finish()
+    bool counted_ = false;                 // whether make_physical() ran since then
+    std::optional<gl::Buffer> uncounted_;  // the same at pixels, which nobody asks for
     std::optional<gl::Program> scale_;
     std::optional<gl::Program> physical_;
     std::optional<gl::Program> add_;
