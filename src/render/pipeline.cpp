@@ -62,16 +62,16 @@ ImageNeeds needs_of(bool shows_alone, const RenderOptions& options) {
     return shows_alone ? ImageNeeds::seen : ImageNeeds::pixels;
 }
 
-// Returns the terms that do not reflect harmonics. Light that is given as harmonics has no detail that narrow
-// lobes would miss.
-SampledTerms sampled_terms(const Scene& scene, const RenderOptions& options, bool follows_rays) {
+// Returns the terms that do not reflect harmonics. Light without pixels has no detail that narrow lobes would
+// miss, but what hides this light has. hidden: whether surfaces hide light from each other.
+SampledTerms sampled_terms(const Scene& scene, const RenderOptions& options, bool follows_rays, bool hidden) {
     const EnvironmentPtr& environment = scene.distant_light();
     if (environment == nullptr) return follows_rays ? SampledTerms::smooth : SampledTerms::none;
     if (options.bsdf_samples == 0 || options.method != Method::factored ||
         options.high_orders == HighOrders::convolution)
         return SampledTerms::none;
-    return environment->pixels().values != nullptr ? SampledTerms::anisotropic_narrow
-                                                   : SampledTerms::anisotropic;
+    return hidden || environment->pixels().values != nullptr ? SampledTerms::anisotropic_narrow
+                                                             : SampledTerms::anisotropic;
 }
 
 }  // namespace
@@ -108,7 +108,7 @@ void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderO
     // project: a rotation of the whole scene is the opposite rotation of light and camera.
     split_.update(scene.distant_light(), given, run.statistics);
     const bool follows_rays = nicol::follows_rays(given.method, executor);
-    const SampledTerms sampled = sampled_terms(scene, given, follows_rays);
+    const SampledTerms sampled = sampled_terms(scene, given, follows_rays, surfaces.visibility != nullptr);
     RenderOptions options = choose_orders(scene, projection, given, sampled, run);
     const int bounces = bouncing && surfaces.visibility != nullptr ? given.max_depth - kDirectLightDepth : 0;
     LeastLight least;
