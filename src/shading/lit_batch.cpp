@@ -13,10 +13,12 @@
 namespace nicol {
 namespace {
 
-// Share of SampleHalves::noise() for nodes that are close enough; measured. Brushed lobes have rows of
-// nodes.
+// Share of SampleHalves::noise() for nodes that are close enough and all lit; measured. Brushed lobes have
+// rows of nodes.
 constexpr float kNodesError = 0.1F;
 constexpr float kBrushedNodesError = 0.05F;
+// Lobes so much longer than wide have so many nodes that the middles of their blobs sample the lobe well.
+constexpr double kLong = 3;
 
 constexpr std::array<glm::vec2, 4> kQuarters{glm::vec2(0.25F), glm::vec2(0.75F), glm::vec2(0.25F, 0.75F),
                                              glm::vec2(0.75F, 0.25F)};
@@ -197,19 +199,17 @@ void LitBatch::add_lobe(const SampledEnvironment& environment, const Material& l
     const LaneFrames frames = environment.in_environment(reflected_.frames());
     const WeightedTerms terms =
         ReflectedLight::sampled_terms(layer, environment.sampled(), lobe, sums_.size());
-    // A shadow ray meets a single point of what a node's blob shows. The blobs of brushed lobes overlap,
-    // so that their middles sample the lobe well.
-    const bool scattered = lobe.alpha.x == lobe.alpha.y;
-    const float error = scattered ? kNodesError : kBrushedNodesError;
+    const double shorter = std::min(lobe.alpha.x, lobe.alpha.y);
+    const double longer = std::max(lobe.alpha.x, lobe.alpha.y);
+    // A shadow ray meets a single point of what a node's blob shows. With few nodes, the middles of blobs
+    // would give shadows steps.
+    const bool scattered = longer < kLong * shorter;
+    const float error = shorter == longer ? kNodesError : kBrushedNodesError;
     for (const SlopePart& part : slope_parts(lobe.distribution)) {
         const ReflectedNodes nodes(environment.grids(), lobe, part, reflected_.towards_viewer(), pixels_);
         const auto pairs = static_cast<std::uint32_t>((nodes.count() + 1) / 2);
         const std::uint32_t even = (pairs + 1) / 2;
-        Lanes shares;
-        for (std::size_t i = 0; i < kLanes; ++i) {
-            const float square = nodes.excess()[i] * nodes.excess()[i];
-            shares[i] = std::min(1.0F, error * square * square);
-        }
+        seen_lit_ = seen_hidden_ = 0;
         LightShadows shadowing(shadows(), points_.places, 2 * even);
         seed(~sampled_parts_++);
         // Returns the points that light_, the light of a node, reaches.
@@ -251,7 +251,15 @@ void LitBatch::add_lobe(const SampledEnvironment& environment, const Material& l
             scale(mean.factors, light_);
             reflect(first_lit | lit);
         }
-        if (even < pairs) noise_ += halves.noise(points_.positions.size(), nodes.even_shares(), shares);
+        if (even == pairs) continue;
+        Lanes shares;
+        for (std::size_t i = 0; i < kLanes; ++i) {
+            const float square = nodes.excess()[i] * nodes.excess()[i];
+            // A scattered ray finds the light or not, whatever its neighbours find.
+            const bool some_hidden = scattered && (seen_lit_ & seen_hidden_ & std::uint32_t{1} << i) != 0;
+            shares[i] = std::max(std::min(1.0F, error * square * square), some_hidden ? kShareOfHalves : 0);
+        }
+        noise_ += halves.noise(points_.positions.size(), nodes.even_shares(), shares);
     }
 }
 
@@ -271,6 +279,8 @@ std::uint32_t LitBatch::reached(LightShadows& shadowing, const ReflectedNode& no
         }
         lit = shadowing.reached(light_, facing);
         light_.towards = middle;
+        seen_lit_ |= lit;
+        seen_hidden_ |= facing & ~lit;
     }
     if (points_.bounced != nullptr && lit != facing) {
         hide(facing & ~lit, light_);

@@ -110,6 +110,8 @@ private:
     double noise_ = 0;
     Sums sums_;
     std::uint32_t sampled_parts_ = 0;  // number of parts of lobes so far
+    // Points at which shadow rays of the current part of a lobe found light, and a surface.
+    std::uint32_t seen_lit_ = 0, seen_hidden_ = 0;
     std::uint32_t all_;
     std::array<std::uint32_t, kLanes> seeds_{};
 };

@@ -30,8 +30,11 @@ constexpr float kLong = 6;
 constexpr float kLongBlob = 1.15F;
 // Blobs of brushed GGX are this much wider, because the three parts of its lobe have many nodes together.
 constexpr float kBrushedGgxBlob = 1.2F;
-// Widest blob, in radians, for which nodes are spent: the pBRDF of wide lobes changes within it.
-constexpr float kWidest = 0.25F;
+// Widest blob, in radians, for which nodes are spent: the pBRDF of wide lobes, and the shadows that they see,
+// change within it.
+constexpr float kWidest = 0.15F;
+// Widest blob, in radians, that is not counted as too wide.
+constexpr float kWideEnough = 0.25F;
 
 // Beckmann's slopes are normally distributed. GGX's slopes are a mixture of normal distributions: of three,
 // these keep the number of slopes beyond any steepness within a two-hundredth, the long tail included.
@@ -213,6 +216,7 @@ template <class Number>
         Number wanted = shorter * (small_pixel ? Number{} + largest_blob : Number{} + kLargestOfPixels);
         wanted *= longer < kRound * shorter ? Number{} + kRoundBlob : Number{} + 1.0F;
         wanted *= wider;
+        const Number close = wanted < kWideEnough ? wanted : Number{} + kWideEnough;
         wanted = wanted < kWidest ? wanted : Number{} + kWidest;
         const Number enough = longer > kLong * shorter ? kLongBlob * wanted : wanted;
         Number index{}, blob_x{}, blob_y{}, mean_x{}, mean_y{}, blob = Number{} + 1e30F;
@@ -239,7 +243,7 @@ template <class Number>
         store_part(Number(lobe_is_wider ? Number{} + 1.0F : Number{}), first, chosen.normal);
         store_part(blob_x, first, r.blob_x_);
         store_part(blob_y, first, r.blob_y_);
-        Number excess = blob / (wanted > 0.0F ? wanted : blob);
+        Number excess = blob / (close > 0.0F ? close : blob);
         excess = excess > 1.0F ? excess : Number{} + 1.0F;  // of points, too
         store_part(excess, first, r.excess_);
 

@@ -7,6 +7,7 @@
 #include "render/textured.hpp"
 
 using namespace nicol;
+using test::minus;
 using test::rms;
 using test::rms_difference;
 
@@ -88,6 +89,42 @@ IMAGE_TEST_CASE("a brushed lobe that is narrow in all directions reflects light 
         scene, {.order_low = 2, .order_high = 2, .shade_at = ShadeAt::pixels, .pixel_samples = 8}, camera);
     CHECK(studio.statistics.pixels_shaded > 0);
     CHECK(rms_difference(image, rays) < 0.02 * rms(rays));
+}
+
+IMAGE_TEST_CASE("lobes reflect what hides even light as by rays") {
+    static const auto flat = test::with_texcoords(make_rectangle(4));
+    const struct {
+        const char* name;
+        double alpha, alpha_v;
+    } rows[] = {{"narrow", 0.05, 0}, {"brushed", 0.24, 0.4}};
+    constexpr int images = 8;
+    test::Studio studio(context, 48, 36);
+    Camera camera = test::camera_at({0, 2, 4});
+    camera.fov = 40;
+    for (const auto& row : rows) {
+        CAPTURES(row.name);
+        Scene scene;
+        scene.set_environment(constant_environment({1}), glm::dmat3(1), 1);
+        scene.add({.mesh = test::fine_sphere(), .material = diffuse({0.1})});
+        scene.add(
+            {.mesh = flat,
+             .material = rough_conductor({.eta = {{0.2, -3.0}}, .alpha = row.alpha, .alpha_v = row.alpha_v}),
+             .to_world = test::plate_at(-1, 2)});
+        const StokesImage rays = studio(scene, {.method = Method::reference, .samples = 1024}, camera);
+        // The noise of a single image says nothing of a shadow that is out of place.
+        StokesImage mean = minus(rays, rays);
+        for (int k = 0; k < images; ++k) {
+            const StokesImage image = studio(scene,
+                                             {.shade_at = ShadeAt::automatic,
+                                              .choose_orders = true,
+                                              .pixel_samples = 8,
+                                              .seed = static_cast<std::uint64_t>(k)},
+                                             camera);
+            for (std::size_t i = 0; i < mean.data.size(); ++i) mean.data[i] += image.data[i] / images;
+        }
+        const double error = rms_difference(mean, rays) / rms(rays);
+        CHECK(error < 0.03);
+    }
 }
 
 IMAGE_TEST_CASE("a smooth surface mirrors the environment's image") {
