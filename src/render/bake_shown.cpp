@@ -32,22 +32,26 @@ bool SceneVisibility::left_out_unsampled() const {
 }
 
 void SceneVisibility::bake_shown(const SceneGeometry& surfaces, SurfaceRays& rays,
-                                 const std::function<std::span<const std::uint8_t>()>& find_shown,
+                                 const std::function<std::span<const std::uint8_t>()>& find_shown, bool lobes,
                                  const RenderOptions& options, RenderRun& run) {
     if (!left_out_unsampled()) return;
     const std::span<const std::uint8_t> shown = find_shown();
     const std::size_t given = needed_.size();
     const WorldGeometry& world = surfaces.geometry();
     std::vector<std::uint8_t> missing(given, 0);
-    std::vector<std::uint32_t> changed;  // vertices of surfaces_
     for (std::uint32_t v = 0; v < shown.size(); ++v) {
         const std::uint32_t i = numbers_.source(v);
         if (shown[v] == 0 || i >= given || needed_[i] != 0) continue;
-        if (!reflects(*world.ranges[range_of(world, i)].material)) continue;
-        missing[i] = 1;
-        changed.push_back(v);
+        if (reflects(*world.ranges[range_of(world, i)].material)) missing[i] = 1;
     }
-    if (changed.empty()) return;
+    if (!any(missing)) return;
+    if (shows_others(world, missing, lobes))
+        for (std::size_t i = 0; i < given; ++i) missing[i] = needed_[i] == 0 ? 1 : 0;
+    std::vector<std::uint32_t> changed;  // vertices of surfaces_
+    for (std::uint32_t v = 0; v < shown.size(); ++v) {
+        const std::uint32_t i = numbers_.source(v);
+        if (i < given && missing[i] != 0) changed.push_back(v);
+    }
     const Stopwatch watch;
     const bool shadow_all = (options.disabled_optimisations & skip_unoccluded) != 0;
     BakeStatistics baked;

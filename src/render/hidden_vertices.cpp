@@ -172,12 +172,11 @@ private:
     std::vector<float> farthest_;  // row by row; infinite without a surface
 };
 
-}  // namespace
-
-void remove_hidden(const WorldGeometry& geometry, const RayScene& rays, const Projection& projection,
-                   std::vector<std::uint8_t>& visible) {
-    std::vector<std::uint8_t> shown(visible.size());
-    const Depths depths(geometry, rays, projection, shown);
+// Shows the triangles of which a corner is not behind all that rays meet around it, among those that
+// `passes(t)` admits.
+template <class Passes>
+void show_unhidden(const WorldGeometry& geometry, const Depths& depths, std::span<const std::uint8_t> visible,
+                   std::vector<std::uint8_t>& shown, const Passes& passes) {
     std::vector<std::uint8_t> hidden(visible.size());
     tbb::parallel_for(Range(0, visible.size(), kGrain), [&](const Range& range) {
         for (std::size_t v = range.begin(); v < range.end(); ++v)
@@ -186,10 +185,19 @@ void remove_hidden(const WorldGeometry& geometry, const RayScene& rays, const Pr
     tbb::parallel_for(Range(0, geometry.triangles.size(), kGrain), [&](const Range& range) {
         for (std::size_t t = range.begin(); t < range.end(); ++t) {
             const glm::uvec3& corners = geometry.triangles[t];
-            if ((visible[corners.x] & visible[corners.y] & visible[corners.z]) == 0) continue;
+            if (!passes(t) || (visible[corners.x] & visible[corners.y] & visible[corners.z]) == 0) continue;
             if ((hidden[corners.x] & hidden[corners.y] & hidden[corners.z]) == 0) set(shown, corners);
         }
     });
+}
+
+}  // namespace
+
+void remove_hidden(const WorldGeometry& geometry, const RayScene& rays, const Projection& projection,
+                   std::vector<std::uint8_t>& visible) {
+    std::vector<std::uint8_t> shown(visible.size());
+    const Depths depths(geometry, rays, projection, shown);
+    show_unhidden(geometry, depths, visible, shown, [](std::size_t) { return true; });
     for (std::size_t v = 0; v < visible.size(); ++v) visible[v] &= shown[v];
 }
 
@@ -201,6 +209,12 @@ void remove_unsampled(const WorldGeometry& geometry, const RayScene& rays, const
         for (int x = 0; x < places.size().x; ++x)
             for (const glm::dvec2& sample : samples) places.show(glm::dvec2(x, y) + 0.5 + sample);
     });
+    if (!geometry.blocking.empty()) {
+        const Depths depths(geometry, rays, projection, shown);
+        show_unhidden(geometry, depths, visible, shown, [&](std::size_t t) {
+            return geometry.blocking[t].x == geometry.blocking[t].y;  // rays pass it
+        });
+    }
     for (std::size_t v = 0; v < visible.size(); ++v) visible[v] &= shown[v];
 }
 

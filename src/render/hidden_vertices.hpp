@@ -22,7 +22,8 @@ void remove_hidden(const WorldGeometry& geometry, const RayScene& rays, const Pr
 
 /// Sets visible[v] to 0 for each vertex of no triangle that is at a sample of an image, found by one ray
 /// through each sample. A sample beside an edge has both triangles there, because images that are drawn round
-/// corners to 1/256 of a pixel. samples: offsets from the centre of each pixel, in pixels, right and down.
+/// corners to 1/256 of a pixel. Triangles that light passes are shown as remove_hidden() finds them. samples:
+/// offsets from the centre of each pixel, in pixels, right and down.
 /// geometry: without alpha masks. The rest is that of remove_hidden().
 void remove_unsampled(const WorldGeometry& geometry, const RayScene& rays, const Projection& projection,
                       std::span<const glm::dvec2> samples, std::vector<std::uint8_t>& visible);

@@ -10,6 +10,7 @@
 
 #include "geometry/unit.hpp"
 #include "material/spatial_variation.hpp"
+#include "render/baked_vertices.hpp"
 #include "render/hidden_vertices.hpp"
 #include "simd/lanes.hpp"
 #include "surfaces/smooth_surfaces.hpp"
@@ -32,8 +33,9 @@ constexpr double kMargin = 4;
 // Share of a ray from a pixel in the cost of baking a vertex, with that of the vertices that rays find
 // hidden.
 constexpr double kVerticesOfRay = 0.2;
-// Share of a ray through a sample in the cost of baking a vertex.
-constexpr double kVerticesOfSample = 0.02;
+// Share of a ray through a sample in the cost of baking a vertex, with the vertices that its refinement adds
+// around it.
+constexpr double kVerticesOfSample = 0.004;
 
 // Returns the side of a pixel at the nearest of some vertices.
 double pixel_at_nearest(const WorldGeometry& geometry, const Projection& projection,
@@ -64,8 +66,7 @@ NeededVertices needed_by(const WorldGeometry& geometry, const Projection& projec
     if (seen == 0) return {.flags = needed, .seen = needed};
     const double of_samples = kVerticesOfSample * static_cast<double>(samples.size());
     // Masks let some samples pass, as drawing decides.
-    const bool sampled =
-        !samples.empty() && !has_masks(geometry) && seen > kLeastSearched + of_samples * pixels;
+    const bool sampled = !samples.empty() && !has_masks(geometry) && seen > of_samples * pixels;
     if (sampled)
         remove_unsampled(geometry, *rays.get(), projection, samples, needed);
     else if (seen > kLeastSearched + kVerticesOfRay * pixels)
@@ -148,9 +149,10 @@ bool are_equal(std::span<const Projection> a, std::span<const Projection> b) {
     });
 }
 
-bool shows_others(const WorldGeometry& geometry, bool lobes) {
-    return std::ranges::any_of(geometry.ranges, [lobes](const VertexRange& range) {
-        return smoothness_of(*range.material, lobes) != Smoothness::none;
+bool shows_others(const WorldGeometry& geometry, std::span<const std::uint8_t> shown, bool lobes) {
+    return std::ranges::any_of(geometry.ranges, [&](const VertexRange& range) {
+        return smoothness_of(*range.material, lobes) != Smoothness::none &&
+               any(shown.subspan(range.first, range.last - range.first));
     });
 }
 

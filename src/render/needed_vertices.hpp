@@ -23,10 +23,9 @@ struct NeededVertices {
 
 /// Vertices and shadows that images need.
 enum class ImageNeeds : std::uint8_t {
-    seen,    ///< the vertices that they show: needed_vertices()
-    pixels,  ///< all vertices, and shadows as fine as pixels, since smooth surfaces may show any of them, but
-             ///< none nearer than what is seen
-    all      ///< all vertices, and shadows of any detail
+    seen,  ///< the vertices that they show: needed_vertices(). If they show smooth surfaces, which may show
+           ///< any vertex: all vertices, and shadows as fine as pixels, but none nearer than what is seen
+    all  ///< all vertices, and shadows of any detail
 };
 
 /// Returns whether a material reflects any light.
@@ -55,8 +54,10 @@ enum class ImageNeeds : std::uint8_t {
 /// Returns whether two sets of images have the same views, to the last bit.
 [[nodiscard]] bool are_equal(std::span<const Projection> a, std::span<const Projection> b);
 
-/// Returns whether rays of pixels go on from a surface, so that an image needs vertices which it does not
-/// show. lobes: whether rays follow lobes, see follows_lobes().
-[[nodiscard]] bool shows_others(const WorldGeometry& geometry, bool lobes);
+/// Returns whether rays go on from a surface that an image shows, so that the image needs vertices which it
+/// does not show. shown: by vertex, whether the image shows it. lobes: whether rays follow lobes, see
+/// follows_lobes().
+[[nodiscard]] bool shows_others(const WorldGeometry& geometry, std::span<const std::uint8_t> shown,
+                                bool lobes);
 
 }  // namespace nicol

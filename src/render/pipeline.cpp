@@ -45,21 +45,16 @@ int smooth_events(int max_depth) {
     return max_depth == kDirectLightDepth ? of_direct_light : std::min(max_depth - 1, most);
 }
 
-// Returns whether an image shows the light of vertices that it shows, and of no others.
-bool shows_seen_alone(const WorldGeometry& geometry, const RenderOptions& options) {
-    return options.method == Method::factored && (options.disabled_optimisations & skip_hidden) == 0 &&
-           !shows_others(geometry, wants_lobes(options));
+// Returns whether vertices that an image does not show may be left out.
+bool skips_hidden(const RenderOptions& options) {
+    return options.method == Method::factored && (options.disabled_optimisations & skip_hidden) == 0;
 }
 
-// Returns what an image needs of the vertices: those that it shows, if it shows them by their own light
-// alone.
-ImageNeeds needs_of(bool shows_alone, const RenderOptions& options) {
-    if (options.method != Method::factored ||
-        (options.disabled_optimisations & (skip_rays | skip_hidden)) != 0)
-        return ImageNeeds::all;
+ImageNeeds needs_of(const RenderOptions& options) {
     // Bounced light depends on all shadows, whether pixels resolve them or not.
-    if (light_bounces(options)) return ImageNeeds::all;
-    return shows_alone ? ImageNeeds::seen : ImageNeeds::pixels;
+    const bool all =
+        !skips_hidden(options) || (options.disabled_optimisations & skip_rays) != 0 || light_bounces(options);
+    return all ? ImageNeeds::all : ImageNeeds::seen;
 }
 
 // Returns the terms that do not reflect harmonics. Light without pixels has no detail that narrow lobes would
@@ -87,10 +82,10 @@ void Pipeline::bake(const Scene& scene, std::span<const Projection> views,
     surfaces_.update(scene);
     std::vector<Projection> of_surfaces;
     for (const Projection& view : views) of_surfaces.push_back(in_axes(view, surfaces_.to_world()));
-    const ImageNeeds needs = needs_of(shows_seen_alone(surfaces_.geometry(), options), options);
-    visibility_.update(surfaces_, rays_, needs_bake(scene, options),
-                       {.needs = needs, .views = of_surfaces, .samples = samples}, options, run.workers,
-                       run.progress, run.statistics);
+    visibility_.update(
+        surfaces_, rays_, needs_bake(scene, options),
+        {.needs = needs_of(options), .views = of_surfaces, .samples = samples, .lobes = wants_lobes(options)},
+        options, run.workers, run.progress, run.statistics);
 }
 
 void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderOptions& given,
@@ -98,10 +93,10 @@ void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderO
     TransferMethod& method = method_for(given.method);
     const bool bouncing = light_bounces(given);
     const Projection projection = in_axes(of_world, surfaces_.to_world());
-    const bool seen_alone = shows_seen_alone(surfaces_.geometry(), given);
     ImageHits hits(draw_hits, shown_, run);
     visibility_.bake_shown(
-        surfaces_, rays_, [&] { return hits.shown(visibility_.surfaces().geometry()); }, given, run);
+        surfaces_, rays_, [&] { return hits.shown(visibility_.surfaces().geometry()); }, wants_lobes(given),
+        given, run);
     visibility_.count(surfaces_, run.statistics);
     const SurfaceState surfaces = visibility_.state();
 
@@ -159,7 +154,9 @@ void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderO
     const auto shown = [&] {
         return pixels_ ? hits.shown(surfaces.geometry) : seen(surfaces.geometry, projection, run);
     };
-    if (seen_alone && executor.can_choose()) input.seen = shown;
+    if (skips_hidden(given) && executor.can_choose() &&
+        (!follows_smooth(given, executor) || !shows_others(surfaces.geometry, shown(), wants_lobes(given))))
+        input.seen = shown;
     // Only low orders bounce, so their polarization says nothing of the light's high orders.
     const bool polarized = (options.disabled_optimisations & skip_light_components) != 0 ||
                            light_kind(split_.rest().get()) != LightKind::unpolarized;

@@ -233,8 +233,9 @@ bool SceneVisibility::bake(const SceneGeometry& surfaces, SurfaceRays& rays, con
             seen_from_.assign(images.views.begin(), images.views.end());
             seen_at_.assign(images.samples.begin(), images.samples.end());
         });
-        needed =
-            needs == ImageNeeds::seen ? seen_ : NeededVertices{.flags = {}, .seen = {}, .pixel = seen_.pixel};
+        needed = seen_;
+        if (shows_others(surfaces.geometry(), seen_.seen, images.lobes))
+            needed = {.flags = {}, .seen = {}, .pixel = seen_.pixel};
     }
     bool rest = false;
     if (same && !needed_.empty()) {

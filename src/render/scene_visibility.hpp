@@ -36,6 +36,7 @@ struct BakedImages {
     ImageNeeds needs = ImageNeeds::all;
     std::span<const Projection> views = {};    ///< of the surfaces' axes
     std::span<const glm::dvec2> samples = {};  ///< as for needed_vertices()
+    bool lobes = false;                        ///< whether rays follow lobes, as for shows_others()
 };
 
 class SceneVisibility {
@@ -49,10 +50,11 @@ public:
     void update(const SceneGeometry& surfaces, SurfaceRays& rays, bool lit, const BakedImages& images,
                 const RenderOptions& options, Workers& workers, Progress& progress, Statistics& statistics);
     /// Bakes vertices that the last update() left out although images show them: an image that is drawn may
-    /// show another triangle beside an outline than rays do. find_shown: returns, by vertex of surfaces(),
-    /// whether an image shows it; called if that may matter. The rest is of the last update().
+    /// show another triangle beside an outline than rays do. Bakes all if a triangle among them is smooth.
+    /// find_shown: returns, by vertex of surfaces(), whether an image shows it; called if that may matter.
+    /// lobes: as for shows_others(). The rest is of the last update().
     void bake_shown(const SceneGeometry& surfaces, SurfaceRays& rays,
-                    const std::function<std::span<const std::uint8_t>()>& find_shown,
+                    const std::function<std::span<const std::uint8_t>()>& find_shown, bool lobes,
                     const RenderOptions& options, RenderRun& run);
     /// Sets numbers of vertices and bytes in `statistics`. surfaces: of the last update().
     void count(const SceneGeometry& surfaces, Statistics& statistics) const;

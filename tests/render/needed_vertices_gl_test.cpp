@@ -6,6 +6,7 @@
 
 #include "gl/contexts.hpp"
 #include "image_difference.hpp"
+#include "material/dielectric.hpp"
 #include "render/scenes.hpp"
 
 using namespace nicol;
@@ -244,4 +245,98 @@ IMAGE_TEST_CASE("images of several samples need the vertices of triangles at the
     const StokesImage moved = some(scene, options, beside), moved_truth = tracing(scene, all, beside);
     CHECK(some.statistics.vertices_unbaked == 0);
     CHECK(rms_difference(moved, moved_truth) <= 2e-3 * rms(moved_truth));
+}
+
+namespace {
+
+RenderOptions options_of_samples(int count, std::uint32_t disabled = 0) {
+    RenderOptions options = options_with(disabled);
+    options.pixel_samples = count;
+    return options;
+}
+
+/// Returns small triangles in a cube, each with vertices of its own.
+std::shared_ptr<const Mesh> shreds(std::uint32_t count) {
+    Mesh mesh;
+    auto some = [state = std::uint32_t{1}]() mutable {
+        state = state * 1664525U + 1013904223U;
+        return 2 * static_cast<float>(state >> 8U) / static_cast<float>(1U << 24U) - 1;
+    };
+    for (std::uint32_t t = 0; t < count; ++t) {
+        const glm::vec3 centre(some(), some(), some());
+        for (int k = 0; k < 3; ++k) {
+            mesh.positions.push_back(centre + 0.01F * glm::vec3(some(), some(), some()));
+            mesh.normals.emplace_back(0, 0, 1);
+        }
+        mesh.triangles.emplace_back(3 * t, 3 * t + 1, 3 * t + 2);
+    }
+    return std::make_shared<const Mesh>(std::move(mesh));
+}
+
+}  // namespace
+
+IMAGE_TEST_CASE("a mirror or glass matters to an image that shows it") {
+    const struct {
+        const char* name;
+        MaterialPtr material;
+        glm::dvec3 place;
+        bool shown;
+    } cases[] = {{"mirror in front", conductor({{0.2, -3.0}}), {0, 0, 2}, true},
+                 {"mirror behind", conductor({{0.2, -3.0}}), {0, -0.2, -2}, false},
+                 {"glass in front", thin_dielectric({}), {0, 0, 2}, true},
+                 {"glass behind", thin_dielectric({}), {0, -0.2, -2}, false}};
+    for (const auto& each : cases) {
+        CAPTURE(each.name);
+        Scene scene = scene_of(bumpy_sphere(), 0.5, 1);
+        scene.add({.mesh = test::coarse_sphere(4),
+                   .material = each.material,
+                   .to_world = test::at(each.place.x, each.place.y, each.place.z, 0.1)});
+        for (const int samples : {1, 4}) {
+            CAPTURE(samples);
+            Studio some(context, 32, 24), tracing(context, 32, 24);
+            const Camera camera = camera_at({0, 0, 4});
+            const StokesImage image = some(scene, options_of_samples(samples), camera);
+            CHECK((some.statistics.vertices_unbaked == 0) == each.shown);
+            const StokesImage truth = tracing(scene, options_of_samples(samples, skip_rays), camera);
+            CHECK(rms_difference(image, truth) <= 2e-3 * rms(truth));
+        }
+    }
+}
+
+IMAGE_TEST_CASE("an image of several samples refines what it shows, and what light passes") {
+    Scene scene = scene_of(test::coarse_sphere(8), 0.5, 1);
+    scene.add({.mesh = test::rectangle(8), .material = diffuse({0.5}), .to_world = test::plate_at(-1, 3)});
+    RenderOptions options = options_of_samples(4);
+    options.refine_tolerance = 0.005;
+    const Camera camera = camera_at({0, 1, 4});
+    const auto refined = [&] {
+        Studio studio(context);
+        static_cast<void>(studio(scene, options, camera));
+        return studio.statistics.vertices_added;
+    };
+    const std::uint64_t alone = refined();
+    CHECK(alone > 0);
+    const auto plate = scene.add(
+        {.mesh = test::rectangle(8), .material = diffuse({0.5}), .to_world = test::plate_at(-1.1, 3)});
+    SUBCASE("not below the floor") {
+        CHECK(refined() <= alone);
+    }
+    SUBCASE("but above it") {
+        scene.set_roles(plate, {.casts_shadows = false});
+        scene.set_transform(plate, test::plate_at(-0.9, 3));
+        CHECK(refined() > alone);
+    }
+}
+
+IMAGE_TEST_CASE("vertices that only a drawn image shows are baked with it") {
+    Scene scene = scene_of(shreds(30000), 0.5, 1);
+    scene.add({.mesh = std::make_shared<const Mesh>(make_cube(2)),
+               .material = diffuse({0.5}),
+               .to_world = test::at(0, 0, 0, 4)});
+    Studio some(context, 128, 96), tracing(context, 128, 96);
+    const Camera camera = camera_at({0, 0, 3.5});
+    const StokesImage image = some(scene, options_of_samples(4), camera);
+    CHECK(some.statistics.vertices_unbaked > 0);
+    const StokesImage truth = tracing(scene, options_of_samples(4, skip_rays), camera);
+    CHECK(test::differing_pixels(image, truth, 2e-2 * rms(truth)) == 0);
 }
