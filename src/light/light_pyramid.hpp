@@ -2,6 +2,7 @@
 // Distant light averaged over solid angles, for lobes of materials.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 
 #include "light/environment.hpp"
@@ -26,6 +27,8 @@ public:
     /// their light. The light must not be polarized.
     void look_up(const Lanes& variances, LaneLight& out, LaneVectors& leans) const;
 
+    /// Returns the standard deviation, in radians, of the narrowest blobs.
+    [[nodiscard]] float narrowest() const { return std::sqrt(first_variance_); }
     [[nodiscard]] bool polarized() const noexcept { return components_ > 1; }
     [[nodiscard]] std::size_t bytes() const noexcept { return levels_.bytes(); }
 

@@ -20,6 +20,10 @@ constexpr float kBrushedNodesError = 0.05F;
 // Lobes so much longer than wide have so many nodes that the middles of their blobs sample the lobe well.
 constexpr double kLong = 3;
 
+// Standard deviation of blobs that mirrors resolve, relative to the environment's narrowest ones; measured.
+// Nodes closer to each other change a mirror's image by 0.2 % and double its cost.
+constexpr float kResolved = 0.25F;
+
 constexpr std::array<glm::vec2, 4> kQuarters{glm::vec2(0.25F), glm::vec2(0.75F), glm::vec2(0.25F, 0.75F),
                                              glm::vec2(0.75F, 0.25F)};
 
@@ -295,7 +299,8 @@ std::uint32_t LitBatch::reached(LightShadows& shadowing, const ReflectedNode& no
 void LitBatch::look_up_mirrored(const SampledEnvironment& environment) {
     thread_local std::vector<std::array<Lanes, 4>> sums;
     const LaneFrames frames = environment.in_environment(reflected_.frames());
-    const ReflectedNodes nodes(environment.grids(), reflected_.towards_viewer(), pixels_);
+    const ReflectedNodes nodes(environment.grids(), kResolved * environment.narrowest(),
+                               reflected_.towards_viewer(), pixels_);
     sums.clear();
     for (std::size_t k = 0; k < nodes.count(); ++k) {
         environment.look_up(true, frames, nodes.node(k), light_);

@@ -151,22 +151,24 @@ ReflectedNodes::ReflectedNodes(const NodeGrids& grids, const Lobe& lobe, const S
       towards_viewer_(towards_viewer),
       pixels_(pixels) {
     const float most = part.nodes * static_cast<float>(grids.count());
-    set_all(grids, part.blob, std::max(std::size_t{1}, static_cast<std::size_t>(std::lround(most))));
+    set_all(grids, {.largest_blob = part.blob,
+                    .narrowest = 0,
+                    .nodes = std::max(std::size_t{1}, static_cast<std::size_t>(std::lround(most)))});
 }
 
-ReflectedNodes::ReflectedNodes(const NodeGrids& grids, const LaneVectors& towards_viewer,
+ReflectedNodes::ReflectedNodes(const NodeGrids& grids, float narrowest, const LaneVectors& towards_viewer,
                                const MirroredPixels& pixels)
     : facets_{Distribution::beckmann, 1.0F},
       deviations_(0.0F),
       share_(1),
       towards_viewer_(towards_viewer),
       pixels_(pixels) {
-    set_all(grids, kBeckmann.front().blob, grids.count());
+    set_all(grids, {.largest_blob = kBeckmann.front().blob, .narrowest = narrowest, .nodes = grids.count()});
 }
 
 template <class Number>
 [[gnu::always_inline]] inline void ReflectedNodes::set(ReflectedNodes& r, const NodeGrids& grids,
-                                                       float largest_blob, std::size_t most, Chosen& chosen) {
+                                                       const Limits& limits, Chosen& chosen) {
     const Facets<float>& facets = r.facets_;
     const bool brushed_ggx = facets.distribution == Distribution::ggx && facets.alpha != facets.alpha_y;
     const float wider = brushed_ggx ? kBrushedGgxBlob : 1.0F;
@@ -213,9 +215,11 @@ template <class Number>
         const Number shorter = area / (longer > 0.0F ? longer : Number{} + 1.0F);
 
         const auto small_pixel = kSmallPixel * of_pixel < of_lobe;
-        Number wanted = shorter * (small_pixel ? Number{} + largest_blob : Number{} + kLargestOfPixels);
+        Number wanted =
+            shorter * (small_pixel ? Number{} + limits.largest_blob : Number{} + kLargestOfPixels);
         wanted *= longer < kRound * shorter ? Number{} + kRoundBlob : Number{} + 1.0F;
         wanted *= wider;
+        wanted = wanted > limits.narrowest ? wanted : Number{} + limits.narrowest;
         const Number close = wanted < kWideEnough ? wanted : Number{} + kWideEnough;
         wanted = wanted < kWidest ? wanted : Number{} + kWidest;
         const Number enough = longer > kLong * shorter ? kLongBlob * wanted : wanted;
@@ -223,7 +227,7 @@ template <class Number>
         for (std::size_t g = 0; g < grids.normal().size(); ++g) {
             const NodeGrid& normal = grids.normal()[g];
             const NodeGrid& uniform = grids.uniform()[g];  // of as many nodes
-            if (g > 0 && normal.size() > most) break;
+            if (g > 0 && normal.size() > limits.nodes) break;
             const Number wide_x =
                 longer * (lobe_is_wider ? Number{} + normal.blob_x : Number{} + uniform.blob_x);
             const Number wide_y =
@@ -281,9 +285,9 @@ template <class Number>
     }
 }
 
-void ReflectedNodes::set_all(const NodeGrids& grids, float largest_blob, std::size_t most) {
+void ReflectedNodes::set_all(const NodeGrids& grids, const Limits& limits) {
     Chosen chosen;
-    dispatch<set<FourLanes>, set<EightLanes>, set<AllLanes>>(*this, grids, largest_blob, most, chosen);
+    dispatch<set<FourLanes>, set<EightLanes>, set<AllLanes>>(*this, grids, limits, chosen);
     for (std::size_t i = 0; i < kLanes; ++i) {
         const std::span<const NodeGrid> of_shape = chosen.normal[i] > 0 ? grids.normal() : grids.uniform();
         grids_[i] = &of_shape[static_cast<std::size_t>(chosen.index[i])];

@@ -84,8 +84,10 @@ public:
     /// object.
     ReflectedNodes(const NodeGrids& grids, const Lobe& lobe, const SlopePart& part,
                    const LaneVectors& towards_viewer, const MirroredPixels& pixels);
-    /// Takes the nodes of a mirror, whose weights add up to 1.
-    ReflectedNodes(const NodeGrids& grids, const LaneVectors& towards_viewer, const MirroredPixels& pixels);
+    /// Takes the nodes of a mirror, whose weights add up to 1. narrowest: standard deviation, in radians, of
+    /// the narrowest blobs that the mirrored light resolves.
+    ReflectedNodes(const NodeGrids& grids, float narrowest, const LaneVectors& towards_viewer,
+                   const MirroredPixels& pixels);
 
     /// Returns the largest number of nodes of a point. The nodes of others end with weights of 0.
     [[nodiscard]] std::size_t count() const noexcept { return count_; }
@@ -124,15 +126,20 @@ private:
     static void find_direction(const ReflectedNodes& r, const ReflectedPair& pair, const PairLight& light,
                                PairDirection& out);
     [[nodiscard]] GridNodes grid_nodes(std::size_t k) const;
-    void set_all(const NodeGrids& grids, float largest_blob, std::size_t most);
+    // Bounds of the nodes that are chosen.
+    struct Limits {
+        float largest_blob;  // SlopePart::blob
+        float narrowest;     // standard deviation of blobs for which nodes are spent, in radians
+        std::size_t nodes;
+    };
+    void set_all(const NodeGrids& grids, const Limits& limits);
     // Grids by their index among grids of normal distributions, or of uniform ones if `normal` is 0.
     struct Chosen {
         Lanes index, normal;
     };
     // Computes all members but those of the grids, which are left to choose.
     template <class Number>
-    static void set(ReflectedNodes& r, const NodeGrids& grids, float largest_blob, std::size_t most,
-                    Chosen& chosen);
+    static void set(ReflectedNodes& r, const NodeGrids& grids, const Limits& limits, Chosen& chosen);
 
     Facets<float> facets_;
     glm::vec2 deviations_;  // of the slopes along x and along y

@@ -35,6 +35,8 @@ public:
     [[nodiscard]] bool polarized() const noexcept {
         return (whole_ && whole_->polarized()) || (rest_ && rest_->polarized());
     }
+    /// Returns the standard deviation, in radians, of the narrowest blobs of `whole`.
+    [[nodiscard]] float narrowest() const { return whole_->narrowest(); }
     /// Returns grids for the nodes of lobes.
     [[nodiscard]] const NodeGrids& grids() const noexcept { return *grids_; }
 
