@@ -11,6 +11,7 @@
 #include "draw/pixel_image.hpp"
 #include "draw/vertex_buffers.hpp"
 #include "draw/visibility_buffer.hpp"
+#include "material/sampled_terms.hpp"
 #include "material/spatial_variation.hpp"
 #include "methods/dense_method.hpp"
 #include "methods/factored_method.hpp"
@@ -219,7 +220,10 @@ void CpuExecutor::shade_pixels(const FactoredMethod& method, const PixelInput& i
         }
         const SpatialVariation* const variation = range.material->variation();
         if (variation == nullptr) {
-            surface.response = &method.tables()->at(range.material);
+            const bool in_harmonics = any_term(*range.material, [&](const Material& layer, int term) {
+                return !is_sampled(layer, term, input.sampled);
+            });
+            if (in_harmonics) surface.response = &method.tables()->at(range.material);
             continue;
         }
         surface.textures = &textured.emplace_back(textured_surface(*variation, *method.tables(), input));
@@ -256,7 +260,7 @@ void CpuExecutor::run_pixels(const PixelInput& input, std::span<PointSurface> su
         compute_fractions(*input.high_orders, input, run);
         high_orders.reserve(surfaces.size());
         for (std::size_t i = 0; i < surfaces.size(); ++i) {
-            if (surfaces[i].textures != nullptr) continue;
+            if (surfaces[i].textures != nullptr || surfaces[i].response == nullptr) continue;
             const HighOrderTransfer::Part& part =
                 input.high_orders->parts()->at(input.geometry.ranges[i].material);
             surfaces[i].high_orders =

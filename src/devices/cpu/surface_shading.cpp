@@ -49,6 +49,22 @@ void SurfaceShading::run(const PixelBatch& batch, std::span<const std::span<glm:
         std::ranges::copy(of.positions, work.positions.begin() + static_cast<std::ptrdiff_t>(begin));
         std::ranges::copy(of.normals, work.normals.begin() + static_cast<std::ptrdiff_t>(begin));
     }
+    if (surface.textures != nullptr || surface.response != nullptr)
+        reflect_harmonics(surface, batch, work, out);
+    else
+        for (const std::span<glm::vec4> channel : out) std::ranges::fill(channel, glm::vec4(0));
+    if (surface.bounced != nullptr && batch.points().front().occluded != 0 && batch.bounces())
+        add_bounced(*surface.bounced, batch, work, out);
+    if (input_.physical) {
+        for (const std::span<glm::vec4> channel : out) make_physical(channel, input_.noise);
+    }
+    counts.shaded += count;
+    if (local_lights_ && batch.reflects_lights()) add_lights(batch, out, counts);
+}
+
+void SurfaceShading::reflect_harmonics(const PointSurface& surface, const PixelBatch& batch, Work& work,
+                                       std::span<const std::span<glm::vec4>> out) const {
+    const std::size_t count = batch.points().size();
     find_light(surface, batch, work);
 
     const std::span positions = std::span(work.positions).first(count);
@@ -79,13 +95,6 @@ void SurfaceShading::run(const PixelBatch& batch, std::span<const std::span<glm:
         for (std::size_t c = 0; c < out.size(); ++c)
             for (glm::vec4& stokes : out[c]) stokes *= input_.light_factors.of[c];
     }
-    if (surface.bounced != nullptr && batch.points().front().occluded != 0 && batch.bounces())
-        add_bounced(*surface.bounced, batch, work, out);
-    if (input_.physical) {
-        for (const std::span<glm::vec4> channel : out) make_physical(channel, input_.noise);
-    }
-    counts.shaded += count;
-    if (local_lights_ && batch.reflects_lights()) add_lights(batch, out, counts);
 }
 
 void SurfaceShading::add_lights(const PixelBatch& batch, std::span<const std::span<glm::vec4>> out,

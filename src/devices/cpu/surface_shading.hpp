@@ -39,6 +39,7 @@ struct BouncedSurface {
 struct PointSurface {
     const Shade* shade;
     const TexturedSurface* textures;  ///< textured material, in place of response and high_orders; or null
+    /// Response of a material without textures; null as well: no term of the material reflects harmonics.
     const ResponseTable* response;
     const HighOrder* high_orders;   ///< high orders of the material, or null
     const VertexLight* light;       ///< light as rows
@@ -80,6 +81,9 @@ public:
 private:
     struct Work;
 
+    /// Writes what the surface reflects of the light kept at vertices, and its high orders, to out.
+    void reflect_harmonics(const PointSurface& surface, const PixelBatch& batch, Work& work,
+                           std::span<const std::span<glm::vec4>> out) const;
     void find_light(const PointSurface& surface, const PixelBatch& batch, Work& work) const;
     /// Interpolates the light of the vertices, which rows from first_row on have, into work.light.
     void interpolate(const LightLayout& layout, const VertexLight& rows, std::size_t first_row,
