@@ -12,26 +12,6 @@ constexpr double kFarthest = 1;
 // Longest change of direction that is not an overflow.
 constexpr double kLongest = 1e30;
 
-// Returns bend_of_normal(). changes: of the normals, from the first corner to the others.
-template <class Number>
-[[gnu::always_inline]] inline Vector3<Number> bend(const Edges<Number>& edges, const Edges<Number>& changes,
-                                                   const Vector3<Number>& way,
-                                                   const Vector3<Number>& normal) {
-    const Vector3<Number> across = cross(edges.second, edges.third);
-    Number area2, along_second, along_third, rise;
-    dot(across, across, area2);
-    const Number inverse = area2 > 0.0 ? 1.0 / area2 : Number{};
-    dot(cross(way, edges.third), across, along_second);
-    dot(cross(edges.second, way), across, along_third);
-    along_second *= inverse;
-    along_third *= inverse;
-    const Vector3<Number> here{along_second * changes.second.x + along_third * changes.third.x,
-                               along_second * changes.second.y + along_third * changes.third.y,
-                               along_second * changes.second.z + along_third * changes.third.z};
-    dot(here, normal, rise);
-    return minus_scaled(here, rise, normal);
-}
-
 // Camera whose samples are even.
 struct Film {
     CameraAxes camera;

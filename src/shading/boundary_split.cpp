@@ -95,9 +95,13 @@ Mueller mueller_of(const SmoothBoundary& boundary, const BoundarySplit& split, c
 
 const SmoothBoundary* body_before(const SmoothBoundary& boundary, const BoundarySplit& split,
                                   const BoundaryPart& part, const SmoothBoundary* around) {
+    return body_before(boundary, split.inside, &part == &split.reflected, around);
+}
+
+const SmoothBoundary* body_before(const SmoothBoundary& boundary, bool inside, bool reflects,
+                                  const SmoothBoundary* around) {
     if (boundary.behind == SmoothBoundary::Behind::slab) return around;
-    const bool inside = split.inside == (&part == &split.reflected);
-    return inside ? &boundary : nullptr;
+    return inside == reflects ? &boundary : nullptr;
 }
 
 double transmitted_by(const SmoothBoundary* body, int channel, double distance) {

@@ -59,6 +59,10 @@ struct ViewedSide {
 [[nodiscard]] const SmoothBoundary* body_before(const SmoothBoundary& boundary, const BoundarySplit& split,
                                                 const BoundaryPart& part, const SmoothBoundary* around);
 
+/// Returns this of light that a boundary reflects or transmits. inside: whether its viewer is on the inside.
+[[nodiscard]] const SmoothBoundary* body_before(const SmoothBoundary& boundary, bool inside, bool reflects,
+                                                const SmoothBoundary* around);
+
 /// Returns the fraction of a channel's light that a body transmits over a distance, which may be infinite.
 /// body: null for none.
 [[nodiscard]] double transmitted_by(const SmoothBoundary* body, int channel, double distance);

@@ -4,37 +4,39 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "polarization/lane_points.hpp"
+
 namespace nicol {
+namespace {
+
+glm::dvec3 vector(const Vector3<double>& v) {
+    return {v.x, v.y, v.z};
+}
+
+}  // namespace
 
 void RaySpread::meet(const glm::dvec3& direction, double distance, const glm::dvec3& facet) {
-    const double across = glm::dot(direction, facet);
-    for (std::size_t i = 0; i < places.size(); ++i) {
-        places[i] += distance * directions[i];
-        places[i] -= glm::dot(places[i], facet) / across * direction;
-    }
+    for (std::size_t i = 0; i < places.size(); ++i)
+        places[i] = vector(moved_to(components(direction), distance, components(facet),
+                                    components(directions[i]), components(places[i])));
 }
 
 void RaySpread::reflect(const glm::dvec3& direction, const glm::dvec3& normal,
                         const std::array<glm::dvec3, 2>& bends) {
-    const double along = glm::dot(direction, normal);
-    for (std::size_t i = 0; i < directions.size(); ++i) {
-        const double change = glm::dot(directions[i], normal) + glm::dot(direction, bends[i]);
-        directions[i] -= 2.0 * (along * bends[i] + change * normal);
-    }
+    for (std::size_t i = 0; i < directions.size(); ++i)
+        directions[i] = vector(reflected_change(components(direction), components(normal),
+                                                components(bends[i]), components(directions[i])));
 }
 
 void RaySpread::refract(const glm::dvec3& direction, const glm::dvec3& normal,
                         const std::array<glm::dvec3, 2>& bends, double eta) {
-    // The refracted direction is (direction + (cosine - root) normal) / eta.
     const double cosine = -glm::dot(direction, normal);
     const double square = eta * eta - 1 + cosine * cosine;
     if (!(square > 0)) return;
-    const double root = std::sqrt(square);
-    for (std::size_t i = 0; i < directions.size(); ++i) {
-        const double change = -glm::dot(directions[i], normal) - glm::dot(direction, bends[i]);
+    for (std::size_t i = 0; i < directions.size(); ++i)
         directions[i] =
-            (directions[i] + (cosine - root) * bends[i] + change * (1 - cosine / root) * normal) / eta;
-    }
+            vector(refracted_change(components(direction), components(normal), components(bends[i]), eta,
+                                    std::sqrt(square), components(directions[i])));
 }
 
 double RaySpread::variance() const {

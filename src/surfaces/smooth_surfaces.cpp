@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "surfaces/smooth_surfaces.hpp"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <span>
 
 #include "material/dielectric.hpp"
 #include "material/followed_terms.hpp"
 #include "surfaces/glass_crossings.hpp"
+#include "surfaces/open_triangles.hpp"
 
 namespace nicol {
 
@@ -34,12 +37,25 @@ std::vector<Smoothness> of_triangles(const WorldGeometry& geometry, bool lobes) 
     return out;
 }
 
+// Returns 1 for each smooth triangle whose front is open.
+std::vector<std::uint8_t> open_among(const WorldGeometry& geometry,
+                                     std::span<const Smoothness> of_triangles) {
+    std::vector<std::uint8_t> out(of_triangles.size());
+    if (of_triangles.empty()) return out;
+    const OpenTriangles triangles(geometry.positions);
+    tbb::parallel_for(std::size_t{0}, out.size(), [&](std::size_t t) {
+        if (of_triangles[t] != Smoothness::none) out[t] = triangles.open(geometry.triangles[t]) ? 1 : 0;
+    });
+    return out;
+}
+
 }  // namespace
 
 void SmoothSurfaces::update(const RefinedSurfaces& surfaces, DrawnRays& rays, bool lobes) {
     const WorldGeometry& geometry = surfaces.geometry();
     finding_.run(surfaces.version(), surfaces.material_version(), lobes, [&] {
         of_triangles_ = nicol::of_triangles(geometry, lobes);
+        open_ = open_among(geometry, of_triangles_);
         const auto has = [this](Smoothness smoothness) {
             return std::ranges::find(of_triangles_, smoothness) != of_triangles_.end();
         };

@@ -39,6 +39,10 @@ public:
     /// Returns the smoothness of a triangle of the geometry. any() must be true.
     [[nodiscard]] Smoothness of(std::uint32_t triangle) const { return of_triangles_[triangle]; }
 
+    /// Returns whether rays that leave the front of a triangle meet nothing; false for triangles that are not
+    /// smooth. any() must be true.
+    [[nodiscard]] bool open(std::uint32_t triangle) const { return open_[triangle] != 0; }
+
     /// Returns the first hit of a ray, which passes the backs of two-sided surfaces because their other side
     /// has triangles of its own. RayHit::triangle is an index into the geometry's triangles. any() must be
     /// true.
@@ -51,14 +55,15 @@ public:
     /// change.
     [[nodiscard]] const std::shared_ptr<const GlassShadows>& glass() const noexcept { return glass_; }
 
-    [[nodiscard]] std::uint64_t bytes() const noexcept { return of_triangles_.size(); }
+    [[nodiscard]] std::uint64_t bytes() const noexcept { return of_triangles_.size() + open_.size(); }
 
 private:
     Stage<Version, Version, bool> finding_;  // vertices and triangles, materials, whether rays follow lobes
     std::vector<Smoothness> of_triangles_;
-    bool mirrors_ = false;          // whether there are triangles of mirrors or lobes
-    bool glass_too_ = false;        // whether there are triangles of glass as well
-    Stage<Version, bool> tracing_;  // vertices and triangles, whether there are smooth surfaces
+    std::vector<std::uint8_t> open_;  // 1: open triangles
+    bool mirrors_ = false;            // whether there are triangles of mirrors or lobes
+    bool glass_too_ = false;          // whether there are triangles of glass as well
+    Stage<Version, bool> tracing_;    // vertices and triangles, whether there are smooth surfaces
     std::shared_ptr<const DrawnTriangles> rays_;
     Stage<Version, Version> shading_;  // vertices and triangles, materials
     std::shared_ptr<const GlassShadows> glass_;

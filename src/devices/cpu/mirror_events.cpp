@@ -112,9 +112,10 @@ void SmoothChains::reflect(const Chain& chain, const Place& place, const Appeara
                     .lobes_lit = by_lobes,
                     .scattered = chain.scattered || by_lobes,
                     .body = chain.body,
-                    .seed = sample_seed(chain.seed, matrices - chain.way.matrices),
+                    .seed = next_seed(chain, reflection.number),
                     .pixel_seed = chain.pixel_seed,
-                    .sample = chain.sample});
+                    .sample = chain.sample,
+                    .open = leaves_all(place.point.triangle, place.facet, towards_light)});
 }
 
 void SmoothChains::mirror(const Chain& chain, const Place& place, std::vector<Chain>& rest,
@@ -165,7 +166,8 @@ void SmoothChains::follow_lobes(const Chain& chain, const Place& place, std::vec
         reflect(chain, place, seen,
                 {.towards_light = towards_light,
                  .muellers = muellers,
-                 .half = 2 * number < samples * count ? 0U : 1U},
+                 .half = 2 * number < samples * count ? 0U : 1U,
+                 .number = i + 1},
                 rest, ends);
     }
 }

@@ -19,6 +19,33 @@
 #include "surfaces/smooth_surfaces.hpp"
 
 namespace nicol {
+namespace {
+
+bool reflects_alone(Smoothness smoothness) {
+    return smoothness == Smoothness::mirror || smoothness == Smoothness::lobes;
+}
+
+// Returns the point of a triangle that a ray meets, inside the triangle; none if the ray runs along it.
+std::optional<RayHit> hit_on(const WorldGeometry& geometry, std::uint32_t triangle, const Ray& ray) {
+    const Corners& corners = geometry.triangles[triangle];
+    const glm::dvec3 first(geometry.positions[corners.x]);
+    const glm::dvec3 second = glm::dvec3(geometry.positions[corners.y]) - first;
+    const glm::dvec3 third = glm::dvec3(geometry.positions[corners.z]) - first;
+    const glm::dvec3 across = glm::cross(ray.direction, third);
+    const double determinant = glm::dot(second, across);
+    if (determinant == 0) return std::nullopt;
+    const glm::dvec3 begin = ray.origin - first;
+    const glm::dvec3 beside = glm::cross(begin, second);
+    const double b1 = std::clamp(glm::dot(begin, across) / determinant, 0.0, 1.0);
+    const double b2 = std::clamp(glm::dot(ray.direction, beside) / determinant, 0.0, 1 - b1);
+    return RayHit{.surface = 0,
+                  .triangle = triangle,
+                  .distance = std::max(0.0, glm::dot(third, beside) / determinant),
+                  .b1 = b1,
+                  .b2 = b2};
+}
+
+}  // namespace
 
 SmoothChains::SmoothChains(const SurfaceShading& surfaces)
     : surfaces_(surfaces), input_(surfaces.input()), wanted_(0) {
@@ -52,14 +79,13 @@ void SmoothChains::add(std::size_t first, std::size_t last, std::span<const std:
             const Smoothness shown = hit ? input_.smooth->of(hit->triangle) : Smoothness::none;
             if (shown == Smoothness::none) continue;
             if (shown == Smoothness::lobes) ++lobes[pixel - first];
+            // The lights that mirrors and lobes reflect are those of the surface; rays find other surfaces.
+            if (reflects_alone(shown) && input_.smooth->open(hit->triangle)) continue;
             chains.push_back(first_chain(pixel, s, ends));
-            while (!chains.empty()) {
-                const Chain chain = chains.back();
-                chains.pop_back();
-                follow(chain, chains, ends);
-            }
+            chains.back().shown = hit->triangle;
         }
     }
+    follow_all(chains, ends);
     add_surfaces(ends, out, counts);
     add_sky(ends, out);
     counts.ray_count += ends.rays;
@@ -154,9 +180,37 @@ void SmoothChains::absorb(Chain& chain, double distance, Ends& ends) const {
     chain.carried *= mean;
 }
 
-void SmoothChains::follow(Chain chain, std::vector<Chain>& rest, Ends& ends) const {
+void SmoothChains::follow_all(std::vector<Chain>& chains, Ends& ends) const {
+    thread_local std::vector<Chain> rest;
+    thread_local std::vector<Meeting> meetings;
+    while (!chains.empty()) {
+        rest.clear();
+        meetings.clear();
+        for (Chain& chain : chains) follow(chain, meetings, rest, ends);
+        pass_all(meetings, rest, ends);
+        std::swap(chains, rest);
+    }
+}
+
+std::optional<RayHit> SmoothChains::hit_of(const Chain& chain, Ends& ends) const {
+    if (chain.open) return std::nullopt;
+    if (chain.shown != kNoTriangle) {
+        const std::optional<RayHit> hit = hit_on(input_.geometry, chain.shown, chain.ray);
+        if (hit) return hit;
+    }
     ++ends.rays;
-    const std::optional<RayHit> hit = input_.smooth->intersect(chain.ray);
+    return input_.smooth->intersect(chain.ray);
+}
+
+std::uint32_t SmoothChains::next_seed(const Chain& chain, std::uint32_t number) {
+    // Events take choices of their own from smaller numbers.
+    constexpr std::uint32_t first = 1U << 16;
+    return sample_seed(chain.seed, first + number);
+}
+
+void SmoothChains::follow(Chain& chain, std::vector<Meeting>& meetings, std::vector<Chain>& rest,
+                          Ends& ends) const {
+    const std::optional<RayHit> hit = hit_of(chain, ends);
     absorb(chain, hit ? hit->distance : std::numeric_limits<double>::infinity(), ends);
     if (!hit) {
         if (chain.lit || input_.sky == nullptr) return;
@@ -168,9 +222,14 @@ void SmoothChains::follow(Chain chain, std::vector<Chain>& rest, Ends& ends) con
         return;
     }
     const Smoothness smoothness = input_.smooth->of(hit->triangle);
+    if (smoothness == Smoothness::boundary) {
+        if (chain.events < input_.smooth_events)
+            meetings.push_back(
+                {&chain, surface_point(input_, hit->triangle, chain.way.pixel, ends.range), *hit});
+        return;
+    }
     Place place = place_at(*hit, chain.ray, ends);
     place.point.pixel = chain.way.pixel;
-    if (smoothness == Smoothness::boundary) return pass(chain, place, rest, ends);
     if (smoothness == Smoothness::rough_boundary) scatter(chain, place, rest, ends);
     if (!(glm::dot(place.facet, chain.ray.direction) < 0)) return;  // backs are black
     if (smoothness == Smoothness::mirror ||

@@ -5,8 +5,10 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec4.hpp>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -43,6 +45,7 @@ public:
 
 private:
     static constexpr std::uint32_t kNoHalf = 2;
+    static constexpr std::uint32_t kNoTriangle = ~0U;
     /// Way of light from the end of a chain to the pixel.
     struct Way {
         std::uint32_t pixel;
@@ -67,6 +70,15 @@ private:
         std::uint32_t seed;
         std::uint32_t pixel_seed;  ///< seed that the pixel's samples share
         std::uint32_t sample;      ///< number of the sample
+        /// Triangle that the image shows, which the ray meets; kNoTriangle: the ray must be traced.
+        std::uint32_t shown = kNoTriangle;
+        bool open = false;  ///< whether the ray meets nothing, see SmoothSurfaces::open()
+    };
+    /// Chain whose ray meets a smooth boundary.
+    struct Meeting {
+        Chain* chain;
+        SurfacePoint point;
+        RayHit hit;
     };
     struct Place;
     struct Ends;
@@ -74,8 +86,9 @@ private:
     struct Event {
         const SmoothBoundary& boundary;
         const BoundarySplit& split;
-        bool reflects;       ///< whether the chain goes on with the reflected part
-        double probability;  ///< of this choice, times the number of chains that the event starts
+        bool reflects;         ///< whether the chain goes on with the reflected part
+        double probability;    ///< of this choice, times the number of chains that the event starts
+        std::uint32_t number;  ///< of the chain that goes on, among those of the event
     };
 
     /// A surface as a chain sees it.
@@ -90,14 +103,22 @@ private:
         glm::dvec3 towards_light;           ///< in the frame of the appearance
         std::span<const Mueller> muellers;  ///< by channels, between the frames of Material::evaluate()
         std::uint32_t half = kNoHalf;       ///< half of the samples of lobes, see Way::half
+        std::uint32_t number = 0;           ///< of the chain that goes on, among those of the event
     };
 
     [[nodiscard]] Chain first_chain(std::size_t pixel, std::size_t sample, Ends& ends) const;
     /// Multiplies a chain by what the body around its ray transmits over a distance.
     void absorb(Chain& chain, double distance, Ends& ends) const;
-    /// Traces a chain's ray. Adds the chains that go on to `rest`.
-    void follow(Chain chain, std::vector<Chain>& rest, Ends& ends) const;
-    void pass(const Chain& chain, const Place& place, std::vector<Chain>& rest, Ends& ends) const;
+    /// Follows chains to their ends.
+    void follow_all(std::vector<Chain>& chains, Ends& ends) const;
+    /// Finds what a chain's ray meets. Adds the chains that go on to `rest`, and the chain to `meetings` if
+    /// the surface is a smooth boundary.
+    void follow(Chain& chain, std::vector<Meeting>& meetings, std::vector<Chain>& rest, Ends& ends) const;
+    [[nodiscard]] std::optional<RayHit> hit_of(const Chain& chain, Ends& ends) const;
+    /// Passes boundaries, sixteen chains at a time.
+    void pass_all(std::vector<Meeting>& meetings, std::vector<Chain>& rest, Ends& ends) const;
+    /// Passes one boundary with at most sixteen chains.
+    void pass(std::span<const Meeting> meetings, std::vector<Chain>& rest, Ends& ends) const;
     void scatter(const Chain& chain, const Place& place, std::vector<Chain>& rest, Ends& ends) const;
     void go_on(const Chain& chain, const Place& place, const Event& event, std::vector<Chain>& rest,
                Ends& ends) const;
@@ -114,6 +135,14 @@ private:
     /// Moves a chain's spread to the place, and returns the changes of the normal along it.
     [[nodiscard]] std::array<glm::dvec3, 2> bends_at(const Place& place, const glm::dvec3& normal,
                                                      const Ray& ray, RaySpread& spread) const;
+
+    /// Returns the seed of a chain that goes on. number: of the chain, among those of the event.
+    [[nodiscard]] static std::uint32_t next_seed(const Chain& chain, std::uint32_t number);
+    /// Returns whether a ray that leaves a point meets nothing.
+    [[nodiscard]] bool leaves_all(std::uint32_t triangle, const glm::dvec3& facet,
+                                  const glm::dvec3& direction) const {
+        return input_.smooth->open(triangle) && glm::dot(facet, direction) > 0;
+    }
 
     const SurfaceShading& surfaces_;
     const PixelInput& input_;
