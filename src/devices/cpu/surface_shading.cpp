@@ -9,6 +9,7 @@
 #include "shading/channel_spans.hpp"
 #include "shading/realizable_range.hpp"
 #include "simd/lane_transpose.hpp"
+#include "simd/work_space.hpp"
 #include "specular/high_order_visibility.hpp"
 #include "specular/lane_mirror.hpp"
 
@@ -22,6 +23,11 @@ constexpr std::array<std::uint8_t, kMost> kAll = [] {
     all.fill(1);
     return all;
 }();
+
+// Numbers of sixteen vertices in a block of VisibilityBlocks.
+struct alignas(32) FixedRow {
+    std::array<std::int16_t, kLanes> of;
+};
 
 }  // namespace
 
@@ -123,6 +129,9 @@ void SurfaceShading::find_fractions_of_views(const PixelBatch& batch, Work& work
     const HighOrderVisibility seen(visibility.order(), input_.high_orders->lobe_width(material));
     std::array<glm::vec3, kLanes> positions, normals;
     std::array<Lanes, 2> fractions;
+    // A block has the coefficients of even l + m.
+    const auto order = static_cast<std::size_t>(visibility.order());
+    const std::span<FixedRow> block = work_space<FixedRow, FixedRow>((order + 1) * (order + 2) / 2);
     for (std::size_t begin = 0; begin < batch.points().size(); begin += kLanes) {
         const std::size_t count = std::min(kLanes, batch.points().size() - begin);
         for (std::size_t i = 0; i < count; ++i) work.fractions[begin + i] = glm::vec2(0);
@@ -137,16 +146,20 @@ void SurfaceShading::find_fractions_of_views(const PixelBatch& batch, Work& work
             const LaneMirror mirror =
                 mirror_views(batch.views().subspan(begin, count), glm::dmat3(1.0),
                              std::span(positions).first(count), std::span(normals).first(count));
+            // The vertices are in different lanes of different blocks, so their numbers are moved together.
+            std::array<const std::int16_t*, kLanes> blocks{};
             for (std::size_t i = 0; i < count; ++i) {
-                // The vertex has a lane of its own in a block, so its view moves to that lane.
-                const std::size_t lane = corner(i) % kLanes;
-                LaneMirror moved = mirror;
-                put(moved.local, lane, vector_at(mirror.local, i));
-                glm::vec2 of_vertex(1);
-                if (const std::int16_t* const block = visibility.block(corner(i) / kLanes)) {
-                    seen.filter_block(moved, block, fractions);
-                    of_vertex = {fractions[0][lane], fractions[1][lane]};
-                }
+                blocks[i] = visibility.block(corner(i) / kLanes);
+                if (blocks[i] == nullptr) continue;
+                const std::int16_t* const numbers = blocks[i] + corner(i) % kLanes;
+                for (std::size_t n = 0; n < block.size(); ++n) block[n].of[i] = numbers[n * kLanes];
+            }
+            const bool any =
+                std::ranges::any_of(blocks, [](const std::int16_t* of_lane) { return of_lane != nullptr; });
+            if (any) seen.filter_block(mirror, block.front().of.data(), fractions);
+            for (std::size_t i = 0; i < count; ++i) {
+                const glm::vec2 of_vertex =
+                    blocks[i] != nullptr ? glm::vec2(fractions[0][i], fractions[1][i]) : glm::vec2(1);
                 work.fractions[begin + i] +=
                     batch.surfaces()[begin / kLanes].weights[static_cast<std::size_t>(k)][i] * of_vertex;
             }
