@@ -73,6 +73,7 @@ Library::Library() {
     find(SetGeometryIntersectFilterFunction, "rtcSetGeometryIntersectFilterFunction");
     find(SetGeometryOccludedFilterFunction, "rtcSetGeometryOccludedFilterFunction");
     find(intersect1_, "rtcIntersect1");
+    find(intersect16_, "rtcIntersect16");
     find(occluded1_, "rtcOccluded1");
     find(occluded16_, "rtcOccluded16");
 }
@@ -84,6 +85,21 @@ void Library::intersect(Scene* scene, RayHit& query) const {
     } else {
         Context3 context;
         reinterpret_cast<void (*)(Scene*, Context3*, RayHit*)>(intersect1_)(scene, &context, &query);
+    }
+}
+
+void Library::intersect(Scene* scene, const std::array<int, Ray16::kRays>& valid, RayHit16& query,
+                        bool coherent) const {
+    // Version 3 requires a mask that is aligned to 64 bytes.
+    alignas(64) const std::array<int, Ray16::kRays> mask = valid;
+    if (version_ == 4) {
+        Arguments4 arguments{.flags = coherent ? kCoherent4 : 0};
+        reinterpret_cast<void (*)(const int*, Scene*, RayHit16*, Arguments4*)>(intersect16_)(
+            mask.data(), scene, &query, &arguments);
+    } else {
+        Context3 context{.flags = coherent ? kCoherent3 : 0};
+        reinterpret_cast<void (*)(const int*, Scene*, Context3*, RayHit16*)>(intersect16_)(mask.data(), scene,
+                                                                                           &context, &query);
     }
 }
 

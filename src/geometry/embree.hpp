@@ -53,6 +53,13 @@ struct alignas(64) Ray16 {
     std::array<unsigned, kRays> mask, id, flags;
 };
 
+struct alignas(64) RayHit16 {
+    Ray16 ray;
+    std::array<float, Ray16::kRays> ng_x, ng_y, ng_z, u, v;
+    std::array<unsigned, Ray16::kRays> triangle, geometry, instance;
+    std::array<unsigned, Ray16::kRays> instance_primitive;  ///< used by version 4 only
+};
+
 /// Hits that a filter accepts or, by valid[i] = 0, rejects.
 struct FilterArguments {
     int* valid;
@@ -106,6 +113,9 @@ public:
     void (*SetGeometryOccludedFilterFunction)(Geometry*, Filter) = nullptr;
 
     void intersect(Scene* scene, RayHit& query) const;
+    /// Finds the first hits of the rays whose `valid` is -1, see occluded().
+    void intersect(Scene* scene, const std::array<int, Ray16::kRays>& valid, RayHit16& query,
+                   bool coherent) const;
     void occluded(Scene* scene, Ray& ray) const;
     /// Traces the rays whose `valid` is -1 (0: not traced). coherent: whether Embree traces them as one beam,
     /// which is faster for rays close to each other.
@@ -114,7 +124,7 @@ public:
 private:
     using Function = void (*)();
     int version_ = 0;
-    Function intersect1_ = nullptr, occluded1_ = nullptr, occluded16_ = nullptr;
+    Function intersect1_ = nullptr, intersect16_ = nullptr, occluded1_ = nullptr, occluded16_ = nullptr;
 };
 
 /// Opens Embree 4, or else Embree 3, in the first call. Throws Error(unsupported), which names the packages,

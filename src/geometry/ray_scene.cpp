@@ -75,6 +75,13 @@ void renumber(std::span<const TriangleNumbers> numbers, bool from_behind, RayHit
     std::swap(hit.b1, hit.b2);
 }
 
+// Returns whether rays are faster as one beam; those that facets scatter are not.
+bool coherent(std::span<const Ray> rays) {
+    constexpr double least_cosine = 0.95;
+    return std::ranges::all_of(
+        rays, [&](const Ray& ray) { return glm::dot(ray.direction, rays.front().direction) > least_cosine; });
+}
+
 }  // namespace
 
 double ray_offset(const std::array<glm::vec3, 3>& corners) {
@@ -255,6 +262,46 @@ std::optional<RayHit> RayScene::intersect(const Ray& ray) const {
     const glm::vec3 normal(query.hit.ng_x, query.hit.ng_y, query.hit.ng_z);
     renumber(numbers_[hit.surface], glm::dot(normal, direction) > 0, hit);
     return hit;
+}
+
+void RayScene::intersect(std::span<const Ray> rays, std::span<std::optional<RayHit>> hits) const {
+    constexpr std::size_t most = embree::Ray16::kRays;
+    for (std::size_t first = 0; first < rays.size(); first += most) {
+        const std::size_t count = std::min(most, rays.size() - first);
+        embree::RayHit16 query{};
+        std::array<int, most> valid{};
+        for (std::size_t i = 0; i < count; ++i) {
+            const Ray& ray = rays[first + i];
+            const glm::vec3 origin(scale_ * ray.origin), direction(ray.direction);
+            query.ray.org_x[i] = origin.x;
+            query.ray.org_y[i] = origin.y;
+            query.ray.org_z[i] = origin.z;
+            query.ray.dir_x[i] = direction.x;
+            query.ray.dir_y[i] = direction.y;
+            query.ray.dir_z[i] = direction.z;
+            query.ray.tnear[i] = static_cast<float>(scale_ * ray.nearest);
+            query.ray.tfar[i] = static_cast<float>(
+                std::min(scale_ * ray.farthest, double{std::numeric_limits<float>::max()}));
+            query.ray.mask[i] = ~0U;
+            valid[i] = -1;
+        }
+        query.geometry.fill(embree::kNoGeometry);
+        query.instance.fill(embree::kNoGeometry);
+        embree_->library.intersect(embree_->scene.get(), valid, query, coherent(rays.subspan(first, count)));
+        for (std::size_t i = 0; i < count; ++i) {
+            std::optional<RayHit>& hit = hits[first + i];
+            hit.reset();
+            if (query.geometry[i] == embree::kNoGeometry) continue;
+            hit = RayHit{.surface = query.geometry[i],
+                         .triangle = query.triangle[i],
+                         .distance = static_cast<double>(query.ray.tfar[i]) / scale_,
+                         .b1 = static_cast<double>(query.u[i]),
+                         .b2 = static_cast<double>(query.v[i])};
+            const glm::vec3 normal(query.ng_x[i], query.ng_y[i], query.ng_z[i]);
+            renumber(numbers_[hit->surface], glm::dot(normal, glm::vec3(rays[first + i].direction)) > 0,
+                     *hit);
+        }
+    }
 }
 
 bool RayScene::occluded(const Ray& ray) const {

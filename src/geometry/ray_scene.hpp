@@ -113,6 +113,9 @@ public:
     [[nodiscard]] bool scaled() const noexcept { return scale_ != 1; }
 
     [[nodiscard]] std::optional<RayHit> intersect(const Ray& ray) const;
+    /// Sets hits[i] to the first hit of rays[i]. Rays close to each other are traced faster than one by one.
+    /// The scene must not be one of parts.
+    void intersect(std::span<const Ray> rays, std::span<std::optional<RayHit>> hits) const;
 
     /// Returns whether anything lies on a ray, nearer than its distance `farthest`. The ray begins at its
     /// origin, and ends 1e-4 of `farthest` and kRayOffset before that distance, so that an area light's own

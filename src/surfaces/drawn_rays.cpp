@@ -40,6 +40,12 @@ std::optional<RayHit> DrawnTriangles::intersect(const Ray& ray) const {
     return hit;
 }
 
+void DrawnTriangles::intersect(std::span<const Ray> rays, std::span<std::optional<RayHit>> hits) const {
+    scene_->intersect(rays, hits);
+    for (std::optional<RayHit>& hit : hits)
+        if (hit && hit->surface == 1) hit->triangle += one_sided_;
+}
+
 std::shared_ptr<const DrawnTriangles> DrawnRays::get(const RefinedSurfaces& surfaces) {
     std::shared_ptr<const DrawnTriangles> triangles = shared_.lock();
     if (triangles && version_ == surfaces.version()) return triangles;

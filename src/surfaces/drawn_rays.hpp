@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 
 #include "geometry/ray_scene.hpp"
 #include "surfaces/refined_surfaces.hpp"
@@ -25,6 +26,9 @@ public:
 
     /// Returns the first hit of a ray. RayHit::triangle is an index into the geometry's triangles.
     [[nodiscard]] std::optional<RayHit> intersect(const Ray& ray) const;
+
+    /// Sets hits[i] to the first hit of rays[i], of which many are traced faster than one by one.
+    void intersect(std::span<const Ray> rays, std::span<std::optional<RayHit>> hits) const;
 
     [[nodiscard]] const std::shared_ptr<const RayScene>& scene() const noexcept { return scene_; }
 

@@ -82,8 +82,4 @@ std::shared_ptr<const RayScene> SmoothSurfaces::before_mirrors() const {
     return glass_too_ ? rays_->scene() : nullptr;
 }
 
-std::optional<RayHit> SmoothSurfaces::intersect(const Ray& ray) const {
-    return rays_->intersect(ray);
-}
-
 }  // namespace nicol

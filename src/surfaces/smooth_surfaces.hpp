@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "geometry/ray_scene.hpp"
@@ -43,10 +44,12 @@ public:
     /// smooth. any() must be true.
     [[nodiscard]] bool open(std::uint32_t triangle) const { return open_[triangle] != 0; }
 
-    /// Returns the first hit of a ray, which passes the backs of two-sided surfaces because their other side
-    /// has triangles of its own. RayHit::triangle is an index into the geometry's triangles. any() must be
-    /// true.
-    [[nodiscard]] std::optional<RayHit> intersect(const Ray& ray) const;
+    /// Sets hits[i] to the first hit of rays[i], which pass the backs of two-sided surfaces because their
+    /// other side has triangles of its own. RayHit::triangle is an index into the geometry's triangles. any()
+    /// must be true.
+    void intersect(std::span<const Ray> rays, std::span<std::optional<RayHit>> hits) const {
+        rays_->intersect(rays, hits);
+    }
 
     /// Returns the ray hierarchy if light passes some surfaces, which mirrors then show; else null.
     [[nodiscard]] std::shared_ptr<const RayScene> before_mirrors() const;

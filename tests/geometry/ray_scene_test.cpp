@@ -172,6 +172,35 @@ TEST_CASE("a packet of rays is sixteen rays, each with an end and a place of its
     }
 }
 
+TEST_CASE("many rays have the hits of single rays, close to each other or not") {
+    const Mesh ball = make_sphere({0.2, 0, 0}, 0.7), other = make_sphere({-0.5, 0.4, 0}, 0.5);
+    const RaySurface surfaces[] = {
+        surface(ball), {.positions = other.positions, .triangles = other.triangles, .front_only = true}};
+    const RayScene scene(surfaces);
+    for (const double spread : {0.05, 3.0}) {
+        std::mt19937 random(1);
+        std::vector<Ray> rays;
+        for (int i = 0; i < 100; ++i) {
+            const glm::dvec3 origin = glm::dvec3(0, 0, 2) + spread * random_direction(random);
+            const glm::dvec3 target = 0.6 * random_direction(random);
+            rays.push_back({.origin = origin, .direction = glm::normalize(target - origin), .nearest = 0.1});
+        }
+        std::vector<std::optional<RayHit>> hits(rays.size(), RayHit{});
+        scene.intersect(rays, hits);
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+            CAPTURES(spread, i);
+            const std::optional<RayHit> single = scene.intersect(rays[i]);
+            REQUIRE(hits[i].has_value() == single.has_value());
+            if (!single) continue;
+            CHECK(hits[i]->surface == single->surface);
+            CHECK(hits[i]->triangle == single->triangle);
+            CHECK(hits[i]->distance == doctest::Approx(single->distance).epsilon(1e-5));
+            CHECK(std::abs(hits[i]->b1 - single->b1) < 1e-3);
+            CHECK(std::abs(hits[i]->b2 - single->b2) < 1e-3);
+        }
+    }
+}
+
 TEST_CASE("a lamp's own surface does not hide it, what lies before it does") {
     std::mt19937 random(6);
     for (const double size : {1e-3, 1.0, 1e5}) {

@@ -183,23 +183,37 @@ void SmoothChains::absorb(Chain& chain, double distance, Ends& ends) const {
 void SmoothChains::follow_all(std::vector<Chain>& chains, Ends& ends) const {
     thread_local std::vector<Chain> rest;
     thread_local std::vector<Meeting> meetings;
+    thread_local std::vector<std::optional<RayHit>> hits;
     while (!chains.empty()) {
         rest.clear();
         meetings.clear();
-        for (Chain& chain : chains) follow(chain, meetings, rest, ends);
+        find_hits(chains, hits, ends);
+        for (std::size_t i = 0; i < chains.size(); ++i) follow(chains[i], hits[i], meetings, rest, ends);
         pass_all(meetings, rest, ends);
         std::swap(chains, rest);
     }
 }
 
-std::optional<RayHit> SmoothChains::hit_of(const Chain& chain, Ends& ends) const {
-    if (chain.open) return std::nullopt;
-    if (chain.shown != kNoTriangle) {
-        const std::optional<RayHit> hit = hit_on(input_.geometry, chain.shown, chain.ray);
-        if (hit) return hit;
+void SmoothChains::find_hits(std::span<const Chain> chains, std::vector<std::optional<RayHit>>& hits,
+                             Ends& ends) const {
+    thread_local std::vector<std::size_t> traced;  // indices of chains
+    thread_local std::vector<Ray> rays;
+    thread_local std::vector<std::optional<RayHit>> found;
+    traced.clear();
+    rays.clear();
+    hits.assign(chains.size(), std::nullopt);
+    for (std::size_t i = 0; i < chains.size(); ++i) {
+        const Chain& chain = chains[i];
+        if (chain.open) continue;
+        if (chain.shown != kNoTriangle) hits[i] = hit_on(input_.geometry, chain.shown, chain.ray);
+        if (hits[i]) continue;
+        traced.push_back(i);
+        rays.push_back(chain.ray);
     }
-    ++ends.rays;
-    return input_.smooth->intersect(chain.ray);
+    found.resize(rays.size());
+    input_.smooth->intersect(rays, found);
+    for (std::size_t k = 0; k < traced.size(); ++k) hits[traced[k]] = found[k];
+    ends.rays += rays.size();
 }
 
 std::uint32_t SmoothChains::next_seed(const Chain& chain, std::uint32_t number) {
@@ -208,9 +222,8 @@ std::uint32_t SmoothChains::next_seed(const Chain& chain, std::uint32_t number) 
     return sample_seed(chain.seed, first + number);
 }
 
-void SmoothChains::follow(Chain& chain, std::vector<Meeting>& meetings, std::vector<Chain>& rest,
-                          Ends& ends) const {
-    const std::optional<RayHit> hit = hit_of(chain, ends);
+void SmoothChains::follow(Chain& chain, const std::optional<RayHit>& hit, std::vector<Meeting>& meetings,
+                          std::vector<Chain>& rest, Ends& ends) const {
     absorb(chain, hit ? hit->distance : std::numeric_limits<double>::infinity(), ends);
     if (!hit) {
         if (chain.lit || input_.sky == nullptr) return;

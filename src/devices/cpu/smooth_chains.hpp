@@ -111,10 +111,12 @@ private:
     void absorb(Chain& chain, double distance, Ends& ends) const;
     /// Follows chains to their ends.
     void follow_all(std::vector<Chain>& chains, Ends& ends) const;
-    /// Finds what a chain's ray meets. Adds the chains that go on to `rest`, and the chain to `meetings` if
-    /// the surface is a smooth boundary.
-    void follow(Chain& chain, std::vector<Meeting>& meetings, std::vector<Chain>& rest, Ends& ends) const;
-    [[nodiscard]] std::optional<RayHit> hit_of(const Chain& chain, Ends& ends) const;
+    /// Follows a chain to what its ray meets. Adds the chains that go on to `rest`, and the chain to
+    /// `meetings` if the surface is a smooth boundary.
+    void follow(Chain& chain, const std::optional<RayHit>& hit, std::vector<Meeting>& meetings,
+                std::vector<Chain>& rest, Ends& ends) const;
+    /// Sets hits[i] to the first hit of the ray of chains[i].
+    void find_hits(std::span<const Chain> chains, std::vector<std::optional<RayHit>>& hits, Ends& ends) const;
     /// Passes boundaries, sixteen chains at a time.
     void pass_all(std::vector<Meeting>& meetings, std::vector<Chain>& rest, Ends& ends) const;
     /// Passes one boundary with at most sixteen chains.
