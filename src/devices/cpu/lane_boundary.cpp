@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "devices/cpu/lane_boundary.hpp"
 
+#include "material/frames.hpp"
 #include "polarization/fresnel.hpp"
 #include "shading/ray_spread.hpp"
 #include "simd/dispatch.hpp"
