@@ -25,7 +25,7 @@ struct NeededVertices {
 enum class ImageNeeds : std::uint8_t {
     seen,  ///< the vertices that they show: needed_vertices(). If they show smooth surfaces, which may show
            ///< any vertex: all vertices, and shadows as fine as pixels, but none nearer than what is seen
-    all  ///< all vertices, and shadows of any detail
+    all    ///< all vertices, and shadows of any detail
 };
 
 /// Returns whether a material reflects any light.

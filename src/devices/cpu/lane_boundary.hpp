@@ -28,7 +28,7 @@ struct LanePart {
     std::array<LaneVectors, 2> changes;  ///< of the direction, as BoundaryHits::changes
 };
 
-/// What the boundary makes of the rays, see BoundarySplit.
+/// The light that leaves the boundary, see BoundarySplit.
 struct LaneSplit {
     LaneVectors positions;
     LaneVectors facets;    ///< unit normals of the triangles' fronts
