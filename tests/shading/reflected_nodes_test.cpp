@@ -179,7 +179,7 @@ TEST_CASE("a mirror's nodes cover the pixel around its shifted middle") {
         put(pixels.steps[1], i, glm::vec3(0.02 * axes[1]));
     }
     const NodeGrids grids(32);
-    const ReflectedNodes nodes(grids, viewers, pixels);
+    const ReflectedNodes nodes(grids, 0, viewers, pixels);
     double total = 0;
     glm::dvec2 mean(0.0), squares(0.0);
     for (std::size_t k = 0; k < nodes.count(); ++k) {
