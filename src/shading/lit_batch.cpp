@@ -18,7 +18,7 @@ namespace {
 constexpr float kNodesError = 0.1F;
 constexpr float kBrushedNodesError = 0.05F;
 // Lobes so much longer than wide have so many nodes that the middles of their blobs sample the lobe well.
-constexpr double kLong = 3;
+constexpr double kLongLobe = 3;
 
 // Standard deviation of blobs that mirrors resolve, relative to the environment's narrowest ones; measured.
 // Nodes closer to each other change a mirror's image by 0.2 % and double its cost.
@@ -207,7 +207,7 @@ void LitBatch::add_lobe(const SampledEnvironment& environment, const Material& l
     const double longer = std::max(lobe.alpha.x, lobe.alpha.y);
     // A shadow ray meets a single point of what a node's blob shows. With few nodes, the middles of blobs
     // would give shadows steps.
-    const bool scattered = longer < kLong * shorter;
+    const bool scattered = longer < kLongLobe * shorter;
     const float error = shorter == longer ? kNodesError : kBrushedNodesError;
     for (const SlopePart& part : slope_parts(lobe.distribution)) {
         const ReflectedNodes nodes(environment.grids(), lobe, part, reflected_.towards_viewer(), pixels_);
