@@ -32,6 +32,8 @@ struct BothExecutors {
              bool texels = false) {
         options.bake_directions = 256;
         options.light_samples = 4;
+        // Threads find what samples show by rays, and refine less than shaders, which draw it.
+        options.disabled_optimisations |= skip_rays;
         options.executor = Executor::cpu;
         threads.render(scene, camera, options, by_threads);
         options.executor = Executor::compute;
