@@ -1485,8 +1485,10 @@ typedef uint32_t nicol_shade_at;
 #define NICOL_SHADE_AT_PIXELS 2u
 
 /* Device that runs relight and shade. The images of both devices agree to 1e-5 of their largest value; shaded
- * at pixels, to 1e-4 where a surface is seen edge-on. Threads alone follow rays: they shade scenes with glass
- * whatever the option says, and only they show other surfaces in mirrors and, with bounces, in narrow metal.
+ * at pixels, to 1e-4 where a surface is seen edge-on. In a first image of several samples a pixel, single
+ * pixels beside a shadow may differ by a few hundredths: threads refine shadows only where samples show them.
+ * Threads alone follow rays: they shade scenes with glass whatever the option says, and only they show other
+ * surfaces in mirrors and, with bounces, in narrow metal.
  */
 typedef uint32_t nicol_executor;
 /* Compute, unless OpenGL runs on the CPU or lacks features, or mirrors or narrow metal show other surfaces.
