@@ -28,9 +28,8 @@ void main() {
     int row = i - v * rows;
     if (v >= count || row >= used_rows) return;
     int of_group = int(gl_GlobalInvocationID.z);
-    int channel = first_channel + of_group;
-    int at = (v * channels + (one_matrix ? 0 : channel)) * columns * rows + row;
+    int at = (v * channels + (one_matrix ? 0 : first_channel + of_group)) * columns * rows + row;
     float sum = 0.0;
-    for (int c = 0; c < columns; ++c) sum += matrices[at + c * rows] * world[channel * world_step + c];
+    for (int c = 0; c < columns; ++c) sum += matrices[at + c * rows] * world[of_group * world_step + c];
     light[of_group * light_step + row * stride + v] = sum;
 }

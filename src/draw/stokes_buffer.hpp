@@ -18,7 +18,7 @@ class StokesBuffer {
 public:
     StokesBuffer(const std::shared_ptr<gl::Context>& context, gl::BufferUse use, gl::BufferUpdate update,
                  std::size_t points, int channels)
-        : step_(gl::in_whole_groups(points)),
+        : step_(gl::in_whole_groups(std::max<std::size_t>(points, 1))),
           channels_(channels),
           buffer_(std::make_shared<gl::Buffer>(
               context, use, static_cast<std::size_t>(channels) * step_ * kBytes, update)) {}
@@ -51,13 +51,12 @@ private:
     std::shared_ptr<gl::Buffer> buffer_;
 };
 
-/// Ensures a buffer for at least `points` points, and at least one; the content is unspecified.
+/// Ensures a buffer for at least `points` points; the content is unspecified.
 inline void make_room(const std::shared_ptr<gl::Context>& context, std::optional<StokesBuffer>& buffer,
                       std::size_t points, int channels) {
     if (buffer && buffer->step() >= points && buffer->channels() == channels) return;
     buffer.reset();
-    buffer.emplace(context, gl::BufferUse::storage, gl::BufferUpdate::fixed, std::max<std::size_t>(points, 1),
-                   channels);
+    buffer.emplace(context, gl::BufferUse::storage, gl::BufferUpdate::fixed, points, channels);
 }
 
 }  // namespace nicol

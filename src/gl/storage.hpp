@@ -75,6 +75,40 @@ template <class Element>
     return {context, BufferUse::storage, std::as_bytes(std::span(elements))};
 }
 
+/// Numbers of channels in one buffer, where each channel begins at an offset that can be bound. A single
+/// channel serves all.
+class ChannelStorage {
+public:
+    /// numbers: by channel, equally many.
+    ChannelStorage(const std::shared_ptr<Context>& context, const std::vector<std::vector<float>>& numbers)
+        : step_(numbers.size() == 1 ? 0 : in_whole_groups(numbers.front().size())),
+          buffer_(storage(context, joined(numbers, step_))) {}
+
+    /// Returns the distance between channels, in numbers and in bytes; 0: there is one for all.
+    [[nodiscard]] std::size_t step() const noexcept { return step_; }
+    [[nodiscard]] std::size_t bytes() const noexcept { return step_ * sizeof(float); }
+
+    void bind(unsigned binding, ChannelGroup channels) const {
+        if (step_ == 0) return buffer_.bind_storage(binding);
+        buffer_.bind_storage(binding, static_cast<std::size_t>(channels.first) * bytes(),
+                             static_cast<std::size_t>(channels.count) * bytes());
+    }
+
+private:
+    static std::vector<float> joined(const std::vector<std::vector<float>>& numbers, std::size_t step) {
+        std::vector<float> all;
+        for (const std::vector<float>& channel : numbers) {
+            const std::size_t end = all.size() + std::max(step, channel.size());
+            all.insert(all.end(), channel.begin(), channel.end());
+            all.resize(end);
+        }
+        return all;
+    }
+
+    std::size_t step_;
+    Buffer buffer_;
+};
+
 /// Ensures a storage buffer of at least `bytes` bytes, and at least one byte; the content is unspecified.
 inline void make_room(const std::shared_ptr<Context>& context, std::optional<Buffer>& buffer,
                       std::size_t bytes) {

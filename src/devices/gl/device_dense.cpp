@@ -62,21 +62,21 @@ void DeviceDense::multiply(const TransferInput& input, Piece& piece) {
     program_->set("columns", static_cast<int>(columns.size()));
     program_->set("channels", channels);
     program_->set("one_matrix", channels == 1 ? 1 : 0);
-    const std::size_t step = gl::in_whole_groups(columns.size());
-    std::vector<float> world;
+    std::vector<std::vector<float>> numbers(static_cast<std::size_t>(input.light.channels()));
     for (int c = 0; c < input.light.channels(); ++c) {
         const std::span<const double> from = input.light.channel(c);
-        world.resize(static_cast<std::size_t>(c) * step);
-        for (const std::size_t column : columns) world.push_back(static_cast<float>(from[column]));
+        for (const std::size_t column : columns)
+            numbers[static_cast<std::size_t>(c)].push_back(static_cast<float>(from[column]));
     }
-    const gl::Buffer values = gl::storage(context_, world);
+    const gl::ChannelStorage world(context_, numbers);
     piece.matrices.bind_storage(0);
-    values.bind_storage(1);
-    program_->set("world_step", input.light.channels() == 1 ? 0 : static_cast<int>(step));
+    program_->set("world_step", static_cast<int>(world.step()));
     program_->set("light_step", static_cast<int>(piece.light.channel_step()));
     gl::for_independent_channels(
-        *context_, piece.light.channels(), piece.light.channel_bytes(), [&](gl::ChannelGroup some) {
+        *context_, piece.light.channels(), std::max(piece.light.channel_bytes(), world.bytes()),
+        [&](gl::ChannelGroup some) {
             program_->set("first_channel", some.first);
+            world.bind(1, some);
             piece.light.bind(2, some);
             gl::dispatch(*program_,
                          gl::groups_for(piece.light.count() * static_cast<std::size_t>(piece.rows)), 1,

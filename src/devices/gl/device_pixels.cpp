@@ -160,7 +160,7 @@ void DevicePixelList::gather(const Chunk& chunk, const StokesBuffer& stokes,
     shares_->bind_storage(0);
     const gl::IndependentDispatches of_channels(*context_);
     for (int c = 0; c < stokes.channels(); ++c) {
-        std::ignore = stokes.bind(1, {.first = c, .count = 1}, 0, std::max<std::size_t>(chunk.size, 1));
+        std::ignore = stokes.bind(1, {.first = c, .count = 1}, 0, stokes.step());
         std::optional<gl::Buffer> lights;
         if (input_->local_lights != nullptr) {
             lights = gl::storage(context_, local_lights[static_cast<std::size_t>(c)]);

@@ -82,18 +82,15 @@ void DeviceRotation::set_layout(const LightLayout& layout) {
 }
 
 void DeviceRotation::set_light(const PshVector& light) {
-    const auto terms = current_->layout.terms();
-    distant_step_ = gl::in_whole_groups(terms.size());
-    std::vector<float> numbers;
+    std::vector<std::vector<float>> numbers(static_cast<std::size_t>(light.channels()));
     for (int c = 0; c < light.channels(); ++c) {
         const std::span<const double> from = light.channel(c);
-        numbers.resize(static_cast<std::size_t>(c) * distant_step_);
-        for (const auto& [first, second] : terms) {
-            numbers.push_back(static_cast<float>(first.factor * from[first.coefficient] +
-                                                 second.factor * from[second.coefficient]));
+        for (const auto& [first, second] : current_->layout.terms()) {
+            numbers[static_cast<std::size_t>(c)].push_back(static_cast<float>(
+                first.factor * from[first.coefficient] + second.factor * from[second.coefficient]));
         }
     }
-    distant_.emplace(gl::storage(context_, numbers));
+    distant_.emplace(context_, numbers);
 }
 
 void DeviceRotation::run(const gl::Buffer& normals, DeviceLight& out) {
@@ -129,7 +126,7 @@ void DeviceRotation::rotate(const gl::Buffer& normals, bool back, From from, Dev
         program->set("order", layout.order());
         program->set("back", back ? 1 : 0);
     }
-    azimuth_.set("light_step", static_cast<int>(distant ? distant_step_ : light.channel_step()));
+    azimuth_.set("light_step", static_cast<int>(distant ? distant_->step() : light.channel_step()));
     azimuth_.set("number_step", distant ? 1 : static_cast<int>(light.stride()));
     azimuth_.set("point_step", distant ? 0 : 1);
     zenith_.set("light_step", static_cast<int>(light.channel_step()));
@@ -138,9 +135,7 @@ void DeviceRotation::rotate(const gl::Buffer& normals, bool back, From from, Dev
     gl::for_channels(light.channels(), most, [&](gl::ChannelGroup channels) {
         const auto count = static_cast<unsigned>(channels.count);
         if (distant) {
-            const std::size_t step = distant_step_ * sizeof(float);
-            const std::size_t offset = static_cast<std::size_t>(channels.first) * step;
-            distant_->bind_storage(3, offset, distant_->size() - offset);
+            distant_->bind(3, channels);
         } else {
             light.bind(3, channels);
         }

@@ -52,8 +52,7 @@ private:
     gl::Program zenith_;
     std::map<LightKind, Tables> tables_;  // tables of one order
     const Tables* current_ = nullptr;
-    std::optional<gl::Buffer> distant_;  // [channel][number]
-    std::size_t distant_step_ = 0;       // from a channel to the next, in numbers
+    std::optional<gl::ChannelStorage> distant_;
     std::optional<gl::Buffer> work_;
 };
 

@@ -22,19 +22,15 @@ std::vector<std::array<std::int32_t, 4>> runs_of(const LightLayout& layout) {
     return runs;
 }
 
-// Returns the number of floats from a channel of the table to the next.
-std::size_t channel_numbers(const ResponseTable& table) {
-    return gl::in_whole_groups(static_cast<std::size_t>(table.angles()) * table.rows(0, 0).size());
-}
-
-// Returns the rows, [channel][angle].
-std::vector<float> rows_of(const ResponseTable& table) {
-    const std::size_t step = channel_numbers(table);
-    std::vector<float> all(static_cast<std::size_t>(table.channels()) * step);
+// Returns the rows of each channel, [angle].
+std::vector<std::vector<float>> rows_of(const ResponseTable& table) {
+    std::vector<std::vector<float>> all(static_cast<std::size_t>(table.channels()));
     for (int c = 0; c < table.channels(); ++c) {
-        auto to = all.begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(c) * step);
-        for (int angle = 0; angle < table.angles(); ++angle)
-            to = std::ranges::copy(table.rows(angle, c), to).out;
+        std::vector<float>& rows = all[static_cast<std::size_t>(c)];
+        for (int angle = 0; angle < table.angles(); ++angle) {
+            const std::span<const float> from = table.rows(angle, c);
+            rows.insert(rows.end(), from.begin(), from.end());
+        }
     }
     return all;
 }
@@ -50,8 +46,7 @@ DeviceTable::DeviceTable(const std::shared_ptr<gl::Context>& context, const Ligh
       makes_linear_(table.makes(1) || table.makes(2)),
       makes_circular_(table.makes(3)),
       run_buffer_(gl::storage(context, runs_of(layout))),
-      channel_bytes_(table.channels() == 1 ? 0 : channel_numbers(table) * sizeof(float)),
-      rows_(gl::storage(context, rows_of(table))) {}
+      rows_(context, rows_of(table)) {}
 
 DeviceShade::DeviceShade(const std::shared_ptr<gl::Context>& context)
     : program_(gl::Program::compute(context, "shade.comp")) {}
@@ -74,22 +69,16 @@ void DeviceShade::run(const DeviceTable& table, const DeviceLight& light, std::s
     program_.set("makes_circular", table.makes_circular_ ? 1 : 0);
     table.run_buffer_.bind_storage(5);
     const bool one_light = light.channels() == 1;
-    const bool one_table = table.channel_bytes_ == 0;
     const StokesBuffer& stokes = *points.stokes;
     program_.set("light_step", one_light ? 0 : static_cast<int>(light.channel_step()));
-    program_.set("table_step", static_cast<int>(table.channel_bytes_ / sizeof(float)));
+    program_.set("table_step", static_cast<int>(table.rows_.step()));
     program_.set("result_step", static_cast<int>(stokes.step()));
     const std::size_t largest =
-        std::max({light.channel_bytes(), table.channel_bytes_, stokes.channel_bytes()});
+        std::max({light.channel_bytes(), table.rows_.bytes(), stokes.channel_bytes()});
     gl::for_independent_channels(
         *program_.context(), stokes.channels(), largest, [&](gl::ChannelGroup channels) {
             light.bind(2, one_light ? gl::ChannelGroup{.first = 0, .count = 1} : channels);
-            if (one_table) {
-                table.rows_.bind_storage(3);
-            } else {
-                table.rows_.bind_storage(3, static_cast<std::size_t>(channels.first) * table.channel_bytes_,
-                                         static_cast<std::size_t>(channels.count) * table.channel_bytes_);
-            }
+            table.rows_.bind(3, channels);
             std::ignore = stokes.bind(4, channels, first, last);
             gl::dispatch(program_, gl::groups_for(last - first), 1, static_cast<unsigned>(channels.count));
         });

@@ -30,8 +30,7 @@ private:
     bool makes_linear_;
     bool makes_circular_;
     gl::Buffer run_buffer_;
-    std::size_t channel_bytes_;  // from the rows of a channel to those of the next; 0: one for all channels
-    gl::Buffer rows_;
+    gl::ChannelStorage rows_;
 };
 
 class DeviceShade {
