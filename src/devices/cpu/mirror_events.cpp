@@ -94,28 +94,21 @@ void SmoothChains::reflect(const Chain& chain, const Place& place, const Appeara
         const glm::mat4 before = ends.matrices[chain.way.matrices + c];
         ends.matrices.push_back(before * in_columns(into_received * reflection.muellers[c]));
     }
-    RaySpread spread = chain.spread;
-    const glm::dvec3& normal = seen.frame[2];
-    const auto bends = bends_at(place, normal, chain.ray, spread);
-    spread.reflect(chain.ray.direction, normal, bends);
     const bool by_lobes = reflection.half != kNoHalf;
+    Chain next = after_event(chain, matrices, reflection.number);
     // Later facets belong to the half of the first one.
-    const std::uint32_t half = chain.way.half != kNoHalf ? chain.way.half : reflection.half;
-    rest.push_back({.way = {.pixel = chain.way.pixel, .matrices = matrices, .half = half},
-                    .ray = leaving(place.position, place.facet, towards_light, place.offset),
-                    .spread = spread,
-                    .blur = chain.blur,
-                    .received = seen.frame * theta_phi_frame(-reflection.towards_light),
-                    .carried = share * chain.carried,
-                    .events = chain.events + 1,
-                    .lit = true,
-                    .lobes_lit = by_lobes,
-                    .scattered = chain.scattered || by_lobes,
-                    .body = chain.body,
-                    .seed = next_seed(chain, reflection.number),
-                    .pixel_seed = chain.pixel_seed,
-                    .sample = chain.sample,
-                    .open = leaves_all(place.point.triangle, place.facet, towards_light)});
+    if (next.way.half == kNoHalf) next.way.half = reflection.half;
+    next.ray = leaving(place.position, place.facet, towards_light, place.offset);
+    const glm::dvec3& normal = seen.frame[2];
+    const auto bends = bends_at(place, normal, chain.ray, next.spread);
+    next.spread.reflect(chain.ray.direction, normal, bends);
+    next.received = seen.frame * theta_phi_frame(-reflection.towards_light);
+    next.carried *= share;
+    next.lit = true;
+    next.lobes_lit = by_lobes;
+    next.scattered = chain.scattered || by_lobes;
+    next.open = leaves_all(place.point.triangle, place.facet, towards_light);
+    rest.push_back(next);
 }
 
 void SmoothChains::mirror(const Chain& chain, const Place& place, std::vector<Chain>& rest,

@@ -216,10 +216,17 @@ void SmoothChains::find_hits(std::span<const Chain> chains, std::vector<std::opt
     ends.rays += rays.size();
 }
 
-std::uint32_t SmoothChains::next_seed(const Chain& chain, std::uint32_t number) {
+SmoothChains::Chain SmoothChains::after_event(const Chain& chain, std::uint32_t matrices,
+                                              std::uint32_t number) {
     // Events take choices of their own from smaller numbers.
     constexpr std::uint32_t first = 1U << 16;
-    return sample_seed(chain.seed, first + number);
+    Chain next = chain;
+    next.way.matrices = matrices;
+    ++next.events;
+    next.lit = chain.lobes_lit;
+    next.seed = sample_seed(chain.seed, first + number);
+    next.shown = kNoTriangle;
+    return next;
 }
 
 void SmoothChains::follow(Chain& chain, const std::optional<RayHit>& hit, std::vector<Meeting>& meetings,

@@ -82,7 +82,7 @@ private:
     };
     struct Place;
     struct Ends;
-    /// Continuation of a chain at a boundary.
+    /// Continuation of a chain at a facet of a rough boundary.
     struct Event {
         const SmoothBoundary& boundary;
         const BoundarySplit& split;
@@ -122,6 +122,7 @@ private:
     /// Passes one boundary with at most sixteen chains.
     void pass(std::span<const Meeting> meetings, std::vector<Chain>& rest, Ends& ends) const;
     void scatter(const Chain& chain, const Place& place, std::vector<Chain>& rest, Ends& ends) const;
+    /// Goes on from a facet of a rough boundary.
     void go_on(const Chain& chain, const Place& place, const Event& event, std::vector<Chain>& rest,
                Ends& ends) const;
     void mirror(const Chain& chain, const Place& place, std::vector<Chain>& rest, Ends& ends) const;
@@ -138,8 +139,9 @@ private:
     [[nodiscard]] std::array<glm::dvec3, 2> bends_at(const Place& place, const glm::dvec3& normal,
                                                      const Ray& ray, RaySpread& spread) const;
 
-    /// Returns the seed of a chain that goes on. number: of the chain, among those of the event.
-    [[nodiscard]] static std::uint32_t next_seed(const Chain& chain, std::uint32_t number);
+    /// Returns a chain that goes on after an event; its ray is still the one that came to the event.
+    /// matrices: Way::matrices. number: of the chain, among those of the event.
+    [[nodiscard]] static Chain after_event(const Chain& chain, std::uint32_t matrices, std::uint32_t number);
     /// Returns whether a ray that leaves a point meets nothing.
     [[nodiscard]] bool leaves_all(std::uint32_t triangle, const glm::dvec3& facet,
                                   const glm::dvec3& direction) const {

@@ -76,21 +76,13 @@ void SmoothChains::go_on(const Chain& chain, const Place& place, const Event& ev
         const glm::mat4 before = ends.matrices[chain.way.matrices + static_cast<std::size_t>(c)];
         ends.matrices.push_back(before * (factor * mueller));
     }
-    Chain next{.way = {.pixel = chain.way.pixel, .matrices = matrices, .half = chain.way.half},
-               .ray = leaving(place.position, place.facet, part.towards_light, place.offset),
-               .spread = chain.spread,
-               .blur = chain.blur,
-               .received = part.incident,
-               .carried = chain.carried * mean_factor(factors) * part.share / event.probability,
-               .events = chain.events + 1,
-               .lit = chain.lobes_lit,
-               .lobes_lit = chain.lobes_lit,
-               .scattered = chain.scattered || event.boundary.rough(),
-               .body = body_before(event.boundary, event.split, part, chain.body),
-               .seed = next_seed(chain, event.number),
-               .pixel_seed = chain.pixel_seed,
-               .sample = chain.sample,
-               .open = leaves_all(place.point.triangle, place.facet, part.towards_light)};
+    Chain next = after_event(chain, matrices, event.number);
+    next.ray = leaving(place.position, place.facet, part.towards_light, place.offset);
+    next.received = part.incident;
+    next.carried *= mean_factor(factors) * part.share / event.probability;
+    next.scattered = true;
+    next.body = body_before(event.boundary, event.split, part, chain.body);
+    next.open = leaves_all(place.point.triangle, place.facet, part.towards_light);
     const auto bends = bends_at(place, event.split.normal, chain.ray, next.spread);
     if (event.reflects)
         next.spread.reflect(chain.ray.direction, event.split.normal, bends);
@@ -154,29 +146,19 @@ void SmoothChains::pass(std::span<const Meeting> meetings, std::vector<Chain>& r
         const glm::dvec3 towards_light = glm::normalize(glm::dvec3(vector_at(part.towards_light, lane)));
         const glm::dvec3 facet(vector_at(split.facets, lane)), x(vector_at(split.s_axes, lane));
         const Corners& corners = geometry.triangles[meeting.hit.triangle];
-        RaySpread spread;
+        Chain onward = after_event(chain, matrices, reflects ? 1 : 0);
+        onward.ray = leaving(vector_at(split.positions, lane), facet, towards_light,
+                             ray_offset({geometry.positions[corners.x], geometry.positions[corners.y],
+                                         geometry.positions[corners.z]}));
         for (std::size_t k = 0; k < 2; ++k) {
-            spread.places[k] = vector_at(split.places[k], lane);
-            spread.directions[k] = vector_at(part.changes[k], lane);
+            onward.spread.places[k] = vector_at(split.places[k], lane);
+            onward.spread.directions[k] = vector_at(part.changes[k], lane);
         }
-        rest.push_back(
-            {.way = {.pixel = chain.way.pixel, .matrices = matrices, .half = chain.way.half},
-             .ray = leaving(vector_at(split.positions, lane), facet, towards_light,
-                            ray_offset({geometry.positions[corners.x], geometry.positions[corners.y],
-                                        geometry.positions[corners.z]})),
-             .spread = spread,
-             .blur = chain.blur,
-             .received = Frame(x, glm::cross(-towards_light, x), -towards_light),
-             .carried = chain.carried * factor * static_cast<double>(part.block[0][lane]) / probability,
-             .events = chain.events + 1,
-             .lit = chain.lobes_lit,
-             .lobes_lit = chain.lobes_lit,
-             .scattered = chain.scattered,
-             .body = body_before(boundary, split.inside[lane] > 0, reflects, chain.body),
-             .seed = next_seed(chain, reflects ? 1 : 0),
-             .pixel_seed = chain.pixel_seed,
-             .sample = chain.sample,
-             .open = leaves_all(meeting.hit.triangle, facet, towards_light)});
+        onward.received = Frame(x, glm::cross(-towards_light, x), -towards_light);
+        onward.carried *= factor * static_cast<double>(part.block[0][lane]) / probability;
+        onward.body = body_before(boundary, split.inside[lane] > 0, reflects, chain.body);
+        onward.open = leaves_all(meeting.hit.triangle, facet, towards_light);
+        rest.push_back(onward);
     };
     for (std::size_t i = 0; i < meetings.size(); ++i) {
         const Chain& chain = *meetings[i].chain;
