@@ -51,6 +51,18 @@ struct alignas(64) Ray16 {
     std::array<float, kRays> dir_x, dir_y, dir_z, time;
     std::array<float, kRays> tfar;  ///< length; negative in the answer if the ray is occluded
     std::array<unsigned, kRays> mask, id, flags;
+
+    void set(std::size_t i, const Ray& of) {
+        org_x[i] = of.org_x;
+        org_y[i] = of.org_y;
+        org_z[i] = of.org_z;
+        tnear[i] = of.tnear;
+        dir_x[i] = of.dir_x;
+        dir_y[i] = of.dir_y;
+        dir_z[i] = of.dir_z;
+        tfar[i] = of.tfar;
+        mask[i] = of.mask;
+    }
 };
 
 struct alignas(64) RayHit16 {
@@ -58,6 +70,10 @@ struct alignas(64) RayHit16 {
     std::array<float, Ray16::kRays> ng_x, ng_y, ng_z, u, v;
     std::array<unsigned, Ray16::kRays> triangle, geometry, instance;
     std::array<unsigned, Ray16::kRays> instance_primitive;  ///< used by version 4 only
+
+    [[nodiscard]] Hit hit(std::size_t i) const {
+        return {ng_x[i], ng_y[i], ng_z[i], u[i], v[i], triangle[i], geometry[i], instance[i], 0};
+    }
 };
 
 /// Hits that a filter accepts or, by valid[i] = 0, rejects.

@@ -75,6 +75,23 @@ void renumber(std::span<const TriangleNumbers> numbers, bool from_behind, RayHit
     std::swap(hit.b1, hit.b2);
 }
 
+// Returns a ray in Embree's units. scale: RayScene's.
+embree::Ray query_of(const Ray& ray, double scale) {
+    const glm::vec3 origin(scale * ray.origin), direction(ray.direction);
+    const double farthest = std::min(scale * ray.farthest, double{std::numeric_limits<float>::max()});
+    embree::Ray query{};
+    query.org_x = origin.x;
+    query.org_y = origin.y;
+    query.org_z = origin.z;
+    query.tnear = static_cast<float>(scale * ray.nearest);
+    query.dir_x = direction.x;
+    query.dir_y = direction.y;
+    query.dir_z = direction.z;
+    query.tfar = static_cast<float>(farthest);
+    query.mask = ~0U;
+    return query;
+}
+
 // Returns whether rays are faster as one beam; those that facets scatter are not.
 bool coherent(std::span<const Ray> rays) {
     constexpr double least_cosine = 0.95;
@@ -239,85 +256,48 @@ RayScene::~RayScene() = default;
 
 std::optional<RayHit> RayScene::intersect(const Ray& ray) const {
     embree::RayHit query{};
-    const glm::vec3 origin(scale_ * ray.origin);
-    const glm::vec3 direction(ray.direction);
-    query.ray.org_x = origin.x;
-    query.ray.org_y = origin.y;
-    query.ray.org_z = origin.z;
-    query.ray.dir_x = direction.x;
-    query.ray.dir_y = direction.y;
-    query.ray.dir_z = direction.z;
-    query.ray.tnear = static_cast<float>(scale_ * ray.nearest);
-    query.ray.tfar =
-        static_cast<float>(std::min(scale_ * ray.farthest, double{std::numeric_limits<float>::max()}));
-    query.ray.mask = ~0U;
+    query.ray = query_of(ray, scale_);
     query.hit.geometry = query.hit.instance = embree::kNoGeometry;
     embree_->library.intersect(embree_->scene.get(), query);
-    if (query.hit.geometry == embree::kNoGeometry) return std::nullopt;
-    RayHit hit{.surface = parts_.empty() ? query.hit.geometry : query.hit.instance,
-               .triangle = query.hit.triangle,
-               .distance = static_cast<double>(query.ray.tfar) / scale_,
-               .b1 = static_cast<double>(query.hit.u),
-               .b2 = static_cast<double>(query.hit.v)};
-    const glm::vec3 normal(query.hit.ng_x, query.hit.ng_y, query.hit.ng_z);
-    renumber(numbers_[hit.surface], glm::dot(normal, direction) > 0, hit);
-    return hit;
+    return hit_of(query.hit, query.ray.tfar, ray);
 }
 
 void RayScene::intersect(std::span<const Ray> rays, std::span<std::optional<RayHit>> hits) const {
     constexpr std::size_t most = embree::Ray16::kRays;
     for (std::size_t first = 0; first < rays.size(); first += most) {
-        const std::size_t count = std::min(most, rays.size() - first);
+        const std::span<const Ray> some = rays.subspan(first, std::min(most, rays.size() - first));
         embree::RayHit16 query{};
         std::array<int, most> valid{};
-        for (std::size_t i = 0; i < count; ++i) {
-            const Ray& ray = rays[first + i];
-            const glm::vec3 origin(scale_ * ray.origin), direction(ray.direction);
-            query.ray.org_x[i] = origin.x;
-            query.ray.org_y[i] = origin.y;
-            query.ray.org_z[i] = origin.z;
-            query.ray.dir_x[i] = direction.x;
-            query.ray.dir_y[i] = direction.y;
-            query.ray.dir_z[i] = direction.z;
-            query.ray.tnear[i] = static_cast<float>(scale_ * ray.nearest);
-            query.ray.tfar[i] = static_cast<float>(
-                std::min(scale_ * ray.farthest, double{std::numeric_limits<float>::max()}));
-            query.ray.mask[i] = ~0U;
+        for (std::size_t i = 0; i < some.size(); ++i) {
+            query.ray.set(i, query_of(some[i], scale_));
             valid[i] = -1;
         }
         query.geometry.fill(embree::kNoGeometry);
         query.instance.fill(embree::kNoGeometry);
-        embree_->library.intersect(embree_->scene.get(), valid, query, coherent(rays.subspan(first, count)));
-        for (std::size_t i = 0; i < count; ++i) {
-            std::optional<RayHit>& hit = hits[first + i];
-            hit.reset();
-            if (query.geometry[i] == embree::kNoGeometry) continue;
-            hit = RayHit{.surface = query.geometry[i],
-                         .triangle = query.triangle[i],
-                         .distance = static_cast<double>(query.ray.tfar[i]) / scale_,
-                         .b1 = static_cast<double>(query.u[i]),
-                         .b2 = static_cast<double>(query.v[i])};
-            const glm::vec3 normal(query.ng_x[i], query.ng_y[i], query.ng_z[i]);
-            renumber(numbers_[hit->surface], glm::dot(normal, glm::vec3(rays[first + i].direction)) > 0,
-                     *hit);
-        }
+        embree_->library.intersect(embree_->scene.get(), valid, query, parts_.empty() && coherent(some));
+        for (std::size_t i = 0; i < some.size(); ++i)
+            hits[first + i] = hit_of(query.hit(i), query.ray.tfar[i], some[i]);
     }
+}
+
+std::optional<RayHit> RayScene::hit_of(const embree::Hit& found, float length, const Ray& ray) const {
+    if (found.geometry == embree::kNoGeometry) return std::nullopt;
+    RayHit hit{.surface = parts_.empty() ? found.geometry : found.instance,
+               .triangle = found.triangle,
+               .distance = static_cast<double>(length) / scale_,
+               .b1 = static_cast<double>(found.u),
+               .b2 = static_cast<double>(found.v)};
+    const glm::vec3 normal(found.ng_x, found.ng_y, found.ng_z);
+    renumber(numbers_[hit.surface], glm::dot(normal, glm::vec3(ray.direction)) > 0, hit);
+    return hit;
 }
 
 bool RayScene::occluded(const Ray& ray) const {
     const double length = end(glm::vec3(ray.origin), ray.farthest);
     if (!(length > 0)) return false;
-    const glm::vec3 origin(scale_ * ray.origin);
-    const glm::vec3 towards(ray.direction);
-    embree::Ray query{};
-    query.org_x = origin.x;
-    query.org_y = origin.y;
-    query.org_z = origin.z;
-    query.dir_x = towards.x;
-    query.dir_y = towards.y;
-    query.dir_z = towards.z;
+    embree::Ray query = query_of(ray, scale_);
+    query.tnear = 0;  // the ray begins at its origin
     query.tfar = static_cast<float>(length);
-    query.mask = ~0U;
     embree_->library.occluded(embree_->scene.get(), query);
     // Embree marks an occluded ray with a negative length.
     return query.tfar < 0;

@@ -15,6 +15,10 @@
 
 namespace nicol {
 
+namespace embree {
+struct Hit;
+}
+
 /// Alpha mask of a surface: returns whether the surface is present at a point of one of its triangles. b1 and
 /// b2 are the barycentric weights of the triangle's corners 1 and 2. Called from several threads at once;
 /// must not throw.
@@ -114,7 +118,6 @@ public:
 
     [[nodiscard]] std::optional<RayHit> intersect(const Ray& ray) const;
     /// Sets hits[i] to the first hit of rays[i]. Rays close to each other are traced faster than one by one.
-    /// The scene must not be one of parts.
     void intersect(std::span<const Ray> rays, std::span<std::optional<RayHit>> hits) const;
 
     /// Returns whether anything lies on a ray, nearer than its distance `farthest`. The ray begins at its
@@ -136,6 +139,9 @@ private:
     /// Returns the length, in Embree's units, of a ray from `origin` that may be occluded; a length that is
     /// not positive means that there is no ray.
     [[nodiscard]] double end(const glm::vec3& origin, double farthest) const noexcept;
+
+    /// Returns what Embree found on a ray. length: to the hit, in Embree's units.
+    [[nodiscard]] std::optional<RayHit> hit_of(const embree::Hit& found, float length, const Ray& ray) const;
 
     struct Embree;
     struct Passage;
