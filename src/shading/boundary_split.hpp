@@ -59,7 +59,7 @@ struct ViewedSide {
 [[nodiscard]] const SmoothBoundary* body_before(const SmoothBoundary& boundary, const BoundarySplit& split,
                                                 const BoundaryPart& part, const SmoothBoundary* around);
 
-/// Returns this of light that a boundary reflects or transmits. inside: whether its viewer is on the inside.
+/// The same for the light that a boundary reflects or transmits. inside: whether its viewer is on the inside.
 [[nodiscard]] const SmoothBoundary* body_before(const SmoothBoundary& boundary, bool inside, bool reflects,
                                                 const SmoothBoundary* around);
 
