@@ -5,12 +5,22 @@
 layout(location = 0) in vec2 uv;  // (0, 0) is the upper left corner
 layout(location = 0) out vec4 pixel[CHANNELS];
 
+// SHADED: the image already has surfaces, times the fraction of the pixel that they cover, which is
+// `coverage`.
+#ifdef SHADED
+layout(binding = 0) uniform sampler2D shaded[CHANNELS];
+layout(binding = CHANNELS) uniform sampler2D coverage;
+#define ENVIRONMENT CHANNELS + 1
+#else
+#define ENVIRONMENT 0
+#endif
+
 // POLARIZED: one Stokes texture per channel; otherwise a single texture whose components are the channels'
 // s0.
 #ifdef POLARIZED
-layout(binding = 0) uniform sampler2D environment[CHANNELS];
+layout(binding = ENVIRONMENT) uniform sampler2D environment[CHANNELS];
 #else
-layout(binding = 0) uniform sampler2D environment;
+layout(binding = ENVIRONMENT) uniform sampler2D environment;
 #endif
 
 uniform mat3 camera;        // columns: right, up, forward in the world
@@ -19,13 +29,6 @@ uniform vec2 shift;         // shift of the image on that plane, in half sizes
 uniform bool orthographic;  // all pixels share the direction `forward`
 uniform mat3 to_light;      // world directions to the environment's axes, y up
 uniform float scale;
-
-// SHADED: the image already has surfaces, times the fraction of the pixel that they cover, which is
-// `coverage`.
-#ifdef SHADED
-layout(binding = 4) uniform sampler2D shaded[CHANNELS];
-layout(binding = 8) uniform sampler2D coverage;
-#endif
 
 const float PI = 3.14159265358979;
 

@@ -268,10 +268,10 @@ void Painter::draw_background(const Scene& scene, int components, const Projecti
     const Viewpoint& view = projection.view;
     gl::Program& sky = background_program(scene, shaded, channels);
     context_->run([&] {
+        unsigned unit = 0;
         if (shaded) {
-            constexpr unsigned first = Framebuffer::kGroup;
-            for (int c = 0; c < channels; ++c) image.colour(c).bind(first + static_cast<unsigned>(c));
-            pixels_.coverage().bind(first + Framebuffer::kGroup);
+            for (int c = 0; c < channels; ++c) image.colour(c).bind(unit++);
+            pixels_.coverage().bind(unit++);
             gl::texture_barrier(*context_);
         }
         sky.set("camera", glm::mat3(view.right, view.up, view.forward));
@@ -280,8 +280,7 @@ void Painter::draw_background(const Scene& scene, int components, const Projecti
         sky.set("orthographic", view.orthographic ? 1 : 0);
         sky.set("to_light", glm::mat3(glm::transpose(scene.light_rotation())));
         sky.set("scale", static_cast<float>(scene.light_scale()));
-        const std::vector<gl::Texture2D>& environment = groups_[group].environment;
-        for (std::size_t i = 0; i < environment.size(); ++i) environment[i].bind(static_cast<unsigned>(i));
+        for (const gl::Texture2D& environment : groups_[group].environment) environment.bind(unit++);
         gl::draw_fullscreen(image, sky,
                             {.depth_test = shaded ? gl::DepthTest::off : gl::DepthTest::nearer_or_equal,
                              .depth_write = false,

@@ -16,7 +16,7 @@ namespace {
 
 void use(const Program& program) {
     Context::State& state = program.context()->state();
-    state.bind_storages();
+    state.bind_resources();
     if (state.used_program == program.id()) return;
     state.gl.UseProgram(program.id());
     state.used_program = program.id();
@@ -55,8 +55,12 @@ const GladGLContext& prepare(const char* what, RenderTarget& target, const Progr
     const auto written = [&state](int component) -> GLboolean {
         return component < state.components ? GL_TRUE : GL_FALSE;
     };
-    for (GLuint i = 0; i < static_cast<GLuint>(target.colours()); ++i)
-        gl.ColorMaski(i, written(0), written(1), written(2), written(3));
+    if (const HostState* const host = target.context()->state().host_state;
+        host == nullptr || !host->restores())
+        gl.ColorMask(written(0), written(1), written(2), written(3));
+    else
+        for (GLuint i = 0; i < static_cast<GLuint>(target.colours()); ++i)
+            gl.ColorMaski(i, written(0), written(1), written(2), written(3));
     use(program);
     return gl;
 }

@@ -117,8 +117,7 @@ public:
         errors_.emplace(state_.gl);
         if (restores) require_unconditional(state_);
         host_.remove_waiting(state_);
-        state_.storages.clear();
-        state_.used_program = 0;
+        state_.forget_bindings();
         state_.host_state = &saved_.emplace(state_, restores);
     }
 

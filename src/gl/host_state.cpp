@@ -47,6 +47,7 @@ HostState::HostState(const Context::State& state, bool restores)
     : state_(state), gl_(state.gl), restoring_(restores) {}
 
 HostState::~HostState() {
+    unbind_storages();
     for (; !restores_.empty(); restores_.pop_back()) restores_.back()();
 }
 
@@ -217,18 +218,19 @@ void HostState::set_transfer() {
 }
 
 void HostState::prepare_texture(GLuint unit) {
-    if (!first(Kind::texture, unit)) return;
-    if (restoring_) {
-        if (first(Kind::units))
-            restore([this, active = name(GL_ACTIVE_TEXTURE)] { gl_.ActiveTexture(active); });
-        gl_.ActiveTexture(GL_TEXTURE0 + unit);
-        restore([this, unit, texture = name(GL_TEXTURE_BINDING_2D)] {
-            // glBindTextureUnit with 0 would unbind a unit's other textures as well.
-            gl_.ActiveTexture(GL_TEXTURE0 + unit);
-            gl_.BindTexture(GL_TEXTURE_2D, texture);
-        });
-    }
     // A host's sampler would override the filters of our textures.
+    if (!restoring_) {
+        if (first(Kind::units)) gl_.BindSamplers(0, kTextureUnits, nullptr);
+        return;
+    }
+    if (!first(Kind::texture, unit)) return;
+    if (first(Kind::units)) restore([this, active = name(GL_ACTIVE_TEXTURE)] { gl_.ActiveTexture(active); });
+    gl_.ActiveTexture(GL_TEXTURE0 + unit);
+    restore([this, unit, texture = name(GL_TEXTURE_BINDING_2D)] {
+        // glBindTextureUnit with 0 would unbind a unit's other textures as well.
+        gl_.ActiveTexture(GL_TEXTURE0 + unit);
+        gl_.BindTexture(GL_TEXTURE_2D, texture);
+    });
     const auto bind = [this, unit](GLint sampler) { gl_.BindSampler(unit, static_cast<GLuint>(sampler)); };
     set(GL_SAMPLER_BINDING, 0, bind);
 }
@@ -244,15 +246,29 @@ void HostState::prepare_storage(GLuint binding) {
     GLint64 start = 0, size = 0;
     gl_.GetIntegeri_v(GL_SHADER_STORAGE_BUFFER_BINDING, binding, &found);
     const auto buffer = static_cast<GLuint>(found);
-    if (buffer != 0) {
-        gl_.GetInteger64i_v(GL_SHADER_STORAGE_BUFFER_START, binding, &start);
-        gl_.GetInteger64i_v(GL_SHADER_STORAGE_BUFFER_SIZE, binding, &size);
+    if (buffer == 0) {
+        unbound_.insert(binding);
+        return;
     }
+    gl_.GetInteger64i_v(GL_SHADER_STORAGE_BUFFER_START, binding, &start);
+    gl_.GetInteger64i_v(GL_SHADER_STORAGE_BUFFER_SIZE, binding, &size);
     restore([this, binding, buffer, start, size] {
         if (size == 0) return gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, buffer);
         gl_.BindBufferRange(GL_SHADER_STORAGE_BUFFER, binding, buffer, static_cast<GLintptr>(start),
                             static_cast<GLsizeiptr>(size));
     });
+}
+
+void HostState::unbind_storages() {
+    for (auto next = unbound_.begin(); next != unbound_.end();) {
+        const GLuint first = *next;
+        GLsizei count = 0;
+        while (next != unbound_.end() && *next == first + static_cast<GLuint>(count)) {
+            ++next;
+            ++count;
+        }
+        gl_.BindBuffersBase(GL_SHADER_STORAGE_BUFFER, first, count, nullptr);
+    }
 }
 
 void HostState::prepare_image() {

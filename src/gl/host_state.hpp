@@ -27,6 +27,9 @@ public:
     HostState(const HostState&) = delete;
     HostState& operator=(const HostState&) = delete;
 
+    /// Returns whether the destructor restores the host's state.
+    [[nodiscard]] bool restores() const noexcept { return restoring_; }
+
     /// Prepares draws and clears: capabilities (depth, stencil and scissor test, culling, blending, logical
     /// operation, dithering, polygon offset and smoothing, sample masks, primitive restart, rasterizer
     /// discard, clip distances, depth clamp, sRGB writes; of compatibility contexts alpha test and stipple),
@@ -61,6 +64,7 @@ private:
     void set_blend_functions(GLuint index);
     void set_pixels(GLenum buffer, GLenum binding, std::initializer_list<GLenum> zeros, GLenum alignment);
     void set_transfer();
+    void unbind_storages();
     [[nodiscard]] GLuint name(GLenum binding) const { return static_cast<GLuint>(state_.integer(binding)); }
 
     const Context::State& state_;
@@ -68,6 +72,7 @@ private:
     bool restoring_;
     bool computed_ = false;  ///< whether the last program was a compute program
     std::set<std::pair<Kind, GLuint>> prepared_;
+    std::set<GLuint> unbound_;  ///< storage bindings that we used and where the host has no buffer
     std::vector<std::function<void()>> restores_;  ///< called in reverse order
 };
 

@@ -17,7 +17,7 @@ GLuint make(const GladGLContext& gl, ObjectKind kind, unsigned detail) {
             gl.CreateBuffers(1, &id);
             break;
         case ObjectKind::texture:
-            gl.CreateTextures(GL_TEXTURE_2D, 1, &id);
+            gl.CreateTextures(detail != 0 ? detail : GL_TEXTURE_2D, 1, &id);
             break;
         case ObjectKind::renderbuffer:
             gl.CreateRenderbuffers(1, &id);

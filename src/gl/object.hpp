@@ -21,8 +21,8 @@ void delete_object(const GladGLContext& gl, ObjectKind kind, unsigned id) noexce
 /// or assigned to.
 class Object {
 public:
-    /// Makes the object. `detail` is the stage of a shader and otherwise unused. Inside run(); throws
-    /// Error(opengl).
+    /// Makes the object. `detail` is the stage of a shader, or the target of a texture, 0 for a
+    /// two-dimensional one, and otherwise unused. Inside run(); throws Error(opengl).
     Object(std::shared_ptr<Context> context, ObjectKind kind, unsigned detail = 0);
     /// Holds an object that is not ours, and never deletes it.
     static Object borrowed(std::shared_ptr<Context> context, ObjectKind kind, unsigned id);

@@ -218,6 +218,12 @@ void Program::set(std::string_view name, const glm::vec3& value) {
     });
 }
 
+void Program::set(std::string_view name, const glm::ivec2& value) {
+    update(name, GL_INT_VEC2, value, [&](const GladGLContext& gl, GLint location) {
+        gl.ProgramUniform2iv(id(), location, 1, &value.x);
+    });
+}
+
 void Program::set(std::string_view name, const glm::ivec3& value) {
     update(name, GL_INT_VEC3, value, [&](const GladGLContext& gl, GLint location) {
         gl.ProgramUniform3iv(id(), location, 1, &value.x);

@@ -45,6 +45,7 @@ public:
     void set(std::string_view name, float value);
     void set(std::string_view name, const glm::vec2& value);
     void set(std::string_view name, const glm::vec3& value);
+    void set(std::string_view name, const glm::ivec2& value);
     void set(std::string_view name, const glm::ivec3& value);
     void set(std::string_view name, const glm::vec4& value);
     void set(std::string_view name, const glm::mat3& value);

@@ -170,10 +170,27 @@ void Context::State::check(std::string_view what) {
 void Context::State::remove(ObjectKind kind, GLuint id) noexcept {
     delete_object(gl, kind, id);
     if (kind == ObjectKind::program && used_program == id) used_program = 0;
-    if (kind != ObjectKind::buffer) return;
-    for (StorageBinding& binding : storages)
-        for (StorageRange* const range : {&binding.wanted, &binding.bound})
-            if (range->buffer == id) *range = {};
+    if (kind == ObjectKind::buffer) {
+        for (StorageBinding& binding : storages)
+            for (StorageRange* const range : {&binding.wanted, &binding.bound})
+                if (range->buffer == id) *range = {};
+    }
+    if (kind == ObjectKind::texture) {
+        for (TextureUnit& unit : textures)
+            for (GLuint* const texture : {&unit.wanted, &unit.bound})
+                if (*texture == id) *texture = 0;
+    }
+}
+
+void Context::State::bind_resources() {
+    bind_storages();
+    bind_textures();
+}
+
+void Context::State::forget_bindings() {
+    storages.clear();
+    textures.clear();
+    used_program = 0;
 }
 
 void Context::State::bind_storages() {
@@ -198,6 +215,20 @@ void Context::State::bind_storages() {
         gl.BindBuffersRange(GL_SHADER_STORAGE_BUFFER, static_cast<GLuint>(first),
                             static_cast<GLsizei>(buffers.size()), buffers.data(), offsets.data(),
                             sizes.data());
+    }
+}
+
+void Context::State::bind_textures() {
+    std::vector<GLuint> names;
+    for (std::size_t first = 0; first < textures.size(); ++first) {
+        if (textures[first].wanted == textures[first].bound) continue;
+        names.clear();
+        for (std::size_t i = first; i < textures.size() && textures[i].wanted != 0; ++i)
+            names.push_back(textures[i].bound = textures[i].wanted);
+        if (names.empty())  // the texture is gone, and the unit is not read
+            textures[first].bound = 0;
+        else
+            gl.BindTextures(static_cast<GLuint>(first), static_cast<GLsizei>(names.size()), names.data());
     }
 }
 

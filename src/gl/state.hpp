@@ -40,6 +40,11 @@ struct Context::State {
         StorageRange wanted;
         StorageRange bound;
     };
+    /// A texture unit: the texture that it shall have, and the one that OpenGL has there; 0 where a host may
+    /// have bound another.
+    struct TextureUnit {
+        GLuint wanted = 0, bound = 0;
+    };
 
     Worker worker;  ///< worker of a context of our own
     std::thread thread;
@@ -60,6 +65,7 @@ struct Context::State {
     bool unchecked = false;             ///< whether commands were given since the last check()
     std::vector<std::string> messages;  ///< messages of KHR_debug since the last check()
     std::vector<StorageBinding> storages;
+    std::vector<TextureUnit> textures;
     GLuint used_program = 0;         ///< set by us; 0 where a host may have set another
     int independent_dispatches = 0;  ///< number of IndependentDispatches that live
     std::filesystem::path programs;  ///< folder of linked programs; empty: no cache
@@ -79,11 +85,15 @@ struct Context::State {
     [[nodiscard]] GLint integer(GLenum name) const;
     /// Deletes an object, which is bound nowhere from then on: a driver may give its name to a new one.
     void remove(ObjectKind kind, GLuint id) noexcept;
-    /// Binds what Buffer::bind_storage() asked for since the last dispatch or draw, neighbours by one
-    /// command.
-    void bind_storages();
+    /// Binds what Buffer::bind_storage() and Texture2D::bind() asked for since the last dispatch or draw,
+    /// neighbours by one command.
+    void bind_resources();
+    /// Forgets what is bound, since a host may have bound others.
+    void forget_bindings();
 
 private:
+    void bind_storages();
+    void bind_textures();
     void load(Backend backend, const std::string& device);
     void read_limits();
 };

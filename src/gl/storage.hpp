@@ -75,6 +75,16 @@ template <class Element>
     return {context, BufferUse::storage, std::as_bytes(std::span(elements))};
 }
 
+/// Makes `buffer`, which only this function makes, begin with a copy of `elements`.
+template <class Element>
+void write(const std::shared_ptr<Context>& context, std::optional<Buffer>& buffer,
+           const std::vector<Element>& elements) {
+    const auto bytes = std::as_bytes(std::span(elements));
+    if (buffer && buffer->size() >= bytes.size()) return buffer->update(0, bytes);
+    buffer.reset();
+    buffer.emplace(context, BufferUse::storage, bytes, BufferUpdate::dynamic);
+}
+
 /// Numbers of channels in one buffer, where each channel begins at an offset that can be bound. A single
 /// channel serves all.
 class ChannelStorage {

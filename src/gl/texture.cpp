@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <string>
+#include <tuple>
+#include <vector>
 
 #include "error.hpp"
 #include "gl/borrowed_texture.hpp"
@@ -157,10 +159,12 @@ void Texture2D::check_numbers(const char* what, bool floats, std::size_t given, 
 }
 
 void Texture2D::bind(unsigned unit) const {
-    const GladGLContext& gl = functions(*context(), "Texture2D::bind");
+    std::ignore = functions(*context(), "Texture2D::bind");
     require_unit("Texture2D::bind", unit, context()->limits().texture_units);
     if (HostState* const host = context()->state().host_state) host->prepare_texture(unit);
-    gl.BindTextureUnit(unit, id());
+    std::vector<Context::State::TextureUnit>& units = context()->state().textures;
+    if (units.size() <= unit) units.resize(unit + std::size_t{1});
+    units[unit].wanted = id();
 }
 
 void Texture2D::copy_from(const Texture2D& other) {

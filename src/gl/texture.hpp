@@ -48,7 +48,8 @@ public:
     void read(std::span<float> texels) const;
     void read(std::span<std::uint32_t> texels) const;
 
-    /// Binds the texture for a `layout(binding = unit) uniform sampler2D`, or usampler2D for integers.
+    /// Binds the texture for a `layout(binding = unit) uniform sampler2D`, or usampler2D for integers, of
+    /// later draws and dispatches.
     void bind(unsigned unit) const;
     /// Binds the texture for a `layout(binding = 0) writeonly uniform image2D` of the format, the only one of
     /// a program.

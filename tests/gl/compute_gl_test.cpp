@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Tests of compute programs over shader storage.
 #include <algorithm>
+#include <array>
+#include <glm/gtc/type_ptr.hpp>
 
 #include "gl/buffer.hpp"
 #include "gl/contexts.hpp"
 #include "gl/draw.hpp"
 #include "gl/test_shaders.hpp"
+#include "gl/texture_array.hpp"
 
 using namespace nicol;
 using namespace nicol::gl;
@@ -58,6 +61,35 @@ GL_THREAD_TEST_CASE("a binding is that of the last call") {
         check(kept, 2);
         check(input, 2 * static_cast<float>(i));
     }
+}
+
+GL_THREAD_TEST_CASE("one dispatch writes the layers of an array, which are copied one by one") {
+    constexpr int width = 6, height = 5, layers = 3;
+    TextureArray array(context, width, height, layers);
+    const Program program = Program::compute(context, test_shader("layers.comp"));
+    Texture2D copy(context, {width, height});
+    std::vector<float> texels(copy.numbers());
+    for (const bool cleared : {false, true}) {
+        array.bind_image();
+        dispatch(program, 1, 1, layers);
+        if (cleared) array.clear();
+        for (int layer = 0; layer < layers; ++layer) {
+            array.copy_layer(layer, copy);
+            copy.read(texels);
+            for (int i = 0; i < width * height; ++i) {
+                const glm::vec4 written(i % width, i / width, layer, 1);
+                const glm::vec4 found = glm::make_vec4(&texels[4 * static_cast<std::size_t>(i)]);
+                REQUIRE(found == (cleared ? glm::vec4(0) : written));
+            }
+        }
+    }
+    Texture2D other(context, {height, width});
+    Texture2D grey(context, {.width = width, .height = height, .format = Format::r32f});
+    for (Texture2D* const refused : {&other, &grey}) CHECK_THROWS_AS(array.copy_layer(0, *refused), Error);
+    for (const int layer : {-1, layers}) CHECK_THROWS_AS(array.copy_layer(layer, copy), Error);
+    const int limit = context->limits().texture_size;
+    for (const auto& size : {std::array{0, 1, 1}, {1, 0, 1}, {1, 1, 0}, {limit + 1, 1, 1}})
+        CHECK_THROWS_AS(TextureArray(context, size[0], size[1], size[2]), Error);
 }
 
 GL_THREAD_TEST_CASE("bindings and dispatches outside the limits are refused") {
